@@ -1,0 +1,29 @@
+// Is every term of this equation of one dimension?
+#pragma once
+
+#include <derivations/algebra/syntax.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace rederive {
+
+/// Exponents of kg, m, s.
+using Dimension = std::array<GiNaC::numeric, 3>;
+
+struct DimensionReport {
+  bool consistent;
+  std::optional<Dimension> dimension;  ///< of the whole, where consistent; none for what fits any (a bare 0)
+  std::string explanation;             ///< "term 3 is kg·m²/s, the others kg·m²/s²"; empty where consistent
+};
+
+/// Angles count as pure numbers; arguments of sin, exp … must be pure numbers.
+DimensionReport dimension(const Tree& tree, const Symbols& symbols = paper_symbols());
+DimensionReport dimension(const Relation& relation, const Symbols& symbols = paper_symbols());
+/// "kg·m²/s²"; "1" for a pure number.
+std::string unit_text(const Dimension& dimension);
+/// Reads "kg*m^2/s^2" or "1". Throws std::invalid_argument.
+Dimension parse_unit(std::string_view text);
+
+}  // namespace rederive

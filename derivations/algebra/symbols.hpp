@@ -1,0 +1,48 @@
+// Every symbol once: how it is written, its unit, the range it lives in, what it means.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rederive {
+
+/// What is declared about one symbol. A range is an open interval in our syntax: "(0, inf)", "(0, pi/2)",
+/// "(-inf, inf)"; a closed end is written with a bracket: "(0, 1]".
+struct Symbol {
+  std::string name;        ///< ASCII, as typed: "theta", "omega_p", "u_gddot"
+  std::string latex;       ///< "\\ddot u_g"
+  std::string unicode;     ///< "ü_g"
+  std::string unit;        ///< SI base units: "kg*m^2/s^2"; "1" for angles and ratios
+  std::string range;       ///< see above
+  std::string meaning;     ///< one line
+  std::string introduced;  ///< where the paper introduces it: "Fig. 1", "(21)"
+  GiNaC::symbol ginac;     ///< the one GiNaC symbol of this name (a possymbol where the range is positive)
+};
+
+/// A set of declared symbols. Copies share the GiNaC symbols, except those that are declared again.
+class Symbols {
+ public:
+  /// Declares a symbol, or declares it anew (a user's assumption replaces the range).
+  /// Throws std::invalid_argument if the range or the unit cannot be read.
+  const Symbol& declare(std::string name, std::string latex, std::string unicode, std::string unit,
+                        std::string range, std::string meaning, std::string introduced);
+  const Symbol* find(std::string_view name) const;               ///< nullptr if there is none
+  const Symbol* find(const GiNaC::ex& symbol) const;             ///< by its GiNaC symbol
+  /// The GiNaC symbol of that name; throws std::out_of_range naming it if there is none.
+  const GiNaC::symbol& operator[](std::string_view name) const;
+  std::vector<std::string> names() const;                        ///< in the order of declaration
+  std::size_t rank(std::string_view name) const;                 ///< place in that order: the printing order
+
+ private:
+  std::vector<std::string> order_;
+  std::map<std::string, Symbol, std::less<>> table_;
+};
+
+/// The symbols of the paper, with their meanings: the one table that everything else reads.
+const Symbols& paper_symbols();
+
+}  // namespace rederive

@@ -1,0 +1,76 @@
+// Text → a small tree that keeps the form as written → a GiNaC expression.
+//
+// The grammar, in order of binding: sums; products and quotients; a leading minus; powers (right-associative);
+// numbers, names, calls f(x), parentheses. Functions as in C (sin, asin, sinh, sqrt, exp, log, fabs …) and cot,
+// sec, csc, coth, asinh …; pi is π. Greek letters, dots over letters and superscripts may be typed in Unicode.
+// No implicit multiplication. Decimal numbers are exact rationals.
+#pragma once
+
+#include <derivations/algebra/symbols.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rederive {
+
+struct Node;
+using Tree = std::shared_ptr<const Node>;
+
+/// One node of an expression as it was written. Immutable once built.
+struct Node {
+  enum class Kind {
+    number,    ///< text: digits as written, "3", "0.25", "1e-3"; never negative
+    symbol,    ///< text: its ASCII name; "pi" is the constant π
+    negative,  ///< -children[0]
+    sum,       ///< children[0] ± children[1] ± …; inverse[i] marks a subtracted term
+    product,   ///< children[0] *or/ children[1] …; inverse[i] marks a divisor
+    power,     ///< children[0] ^ children[1]
+    call       ///< text(children…)
+  };
+  Kind kind;
+  std::string text;
+  std::vector<Tree> children;
+  std::vector<bool> inverse;
+  std::size_t position = 0;  ///< byte offset in the text that was parsed
+};
+
+/// A chain of relations: sides[0] operators[0] sides[1] …; the operators are =, <, <=, >, >=.
+struct Relation {
+  std::vector<Tree> sides;
+  std::vector<std::string> operators;
+};
+
+/// Bounds on what is read, checked before anything expensive is done.
+struct Limits {
+  std::size_t characters = 10'000;
+  std::size_t depth = 200;
+  std::size_t digits = 40;   ///< in one number, its decimal exponent included
+  long exponent = 64;        ///< the largest integer exponent
+};
+
+/// A text that could not be read: a stable word for it, where, why, and what would be right.
+struct SyntaxError : std::runtime_error {
+  SyntaxError(std::string note, std::size_t position, const std::string& message);
+  std::string note;      ///< "syntax", "unknown_symbol", "unknown_function", "implicit_multiplication", "too_long" …
+  std::size_t position;  ///< byte offset in the text
+};
+
+/// The message, the line and a caret under the character at fault: three lines for a terminal.
+std::string explain(const SyntaxError& error, std::string_view text);
+
+/// Reads one expression. Names that `symbols` does not have are refused with the nearest known one.
+Tree parse(std::string_view text, const Symbols& symbols = paper_symbols(), const Limits& limits = {});
+/// Reads a relation or a chain of them ("K = a = b"); at least one operator.
+Relation parse_relation(std::string_view text, const Symbols& symbols = paper_symbols(), const Limits& = {});
+/// Reads either: an expression comes back as a Relation with one side and no operator.
+Relation parse_statement(std::string_view text, const Symbols& symbols = paper_symbols(), const Limits& = {});
+
+/// The GiNaC expression a tree stands for. GiNaC simplifies as it builds: ask the tree about form.
+/// Throws SyntaxError where the value is undefined at once (1/0, log(0)).
+GiNaC::ex lower(const Tree& tree, const Symbols& symbols = paper_symbols());
+
+}  // namespace rederive

@@ -1,0 +1,68 @@
+// What all programs share on the command line: exit codes, --version, files written whole or not at all.
+#pragma once
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace rederive {
+
+/// Exit codes of every program.
+enum ExitCode { as_expected = 0, not_as_expected = 1, bad_input = 2, undecided_or_failed = 3 };
+
+/// What the user gave cannot be used: says what was wrong, where, and what would be right. Exit code 2.
+struct BadInput : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Parses the arguments and runs `body`. Usage errors and BadInput end with 2 and a message on standard error,
+/// anything else that is thrown with 3.
+inline int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
+  app.set_version_flag("--version", "Rederive " REDERIVE_VERSION);
+  app.get_formatter()->column_width(34);
+  const std::string name = std::filesystem::path(argv[0]).filename().string();
+  try {
+    app.parse(argc, argv);
+    const int code = body();
+    if (std::fflush(stdout) != 0) throw std::runtime_error("standard output could not be written");
+    return code;
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    std::fprintf(stderr, "%s: %s\nTry '%s --help'.\n", name.c_str(), error.what(), name.c_str());
+    return bad_input;
+  } catch (const BadInput& error) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+    return bad_input;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: internal failure: %s\n", name.c_str(), error.what());
+    return undecided_or_failed;
+  }
+}
+
+/// Writes a file whole or not at all: a temporary neighbour, then a rename. Throws BadInput if it cannot.
+inline void write_whole(const std::filesystem::path& path, std::string_view text) {
+  const std::filesystem::path temporary = path.string() + ".part" + std::to_string(::getpid());
+  std::ofstream file(temporary, std::ios::binary);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  std::error_code error;
+  if (file) std::filesystem::rename(temporary, path, error);
+  if (!file || error) {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw BadInput("cannot write '" + path.string() + "'" + (error ? ": " + error.message() : std::string()));
+  }
+}
+
+/// Whether colour and progress may be shown on this stream (1 or 2): a terminal, and no NO_COLOR.
+inline bool is_lively(int stream) { return ::isatty(stream) != 0 && std::getenv("NO_COLOR") == nullptr; }
+
+}  // namespace rederive

@@ -1,0 +1,33 @@
+// What a derivation hands over: a result, and the named steps that lead to it.
+#pragma once
+
+#include <derivations/algebra/prove.hpp>
+
+#include <string>
+#include <vector>
+
+namespace rederive {
+
+/// One line of an argument: a sentence, and (where it has one) the formula it arrives at, left = right.
+struct Step {
+  std::string says;
+  GiNaC::ex left, right;      ///< both 0 where the step is words only
+  std::string relation = "=";
+};
+
+/// A result with its argument. `left relation right` is what was derived, in the symbols of the paper; it never
+/// comes from the printed page.
+struct Derivation {
+  GiNaC::ex left, right;
+  std::string relation = "=";    ///< "=", "<", "<=", ">", ">="
+  std::vector<Step> steps;
+  std::vector<Given> given;      ///< what the names stand for: J_o = 4/3 m R², h = R cos α … (put in before comparing)
+  std::string assumption;        ///< holds only under this, which the paper leaves unsaid; empty if always
+  int order = 0;                 ///< > 0: a Taylor approximation to this order …
+  std::string small;             ///< … in these symbols ("alpha, theta")
+};
+
+/// A derivation is a pure function.
+using Derive = Derivation (*)();
+
+}  // namespace rederive

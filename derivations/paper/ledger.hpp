@@ -1,0 +1,44 @@
+// The ledger: the paper as printed, beside what is derived, with a verdict computed on every call.
+#pragma once
+
+#include <derivations/algebra/dimension.hpp>
+#include <derivations/mechanics/derivation.hpp>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rederive {
+
+/// One row of equations.toml: what is printed, and what we expect to find. No answer is stored.
+struct Row {
+  std::string id, section, kind, printed, latex, domain;
+  std::vector<std::string> follows_from;
+  std::string expected;       ///< a verdict
+  std::string error;          ///< with refuted: sign, factor, argument, subscript, limit, missing_term …
+  std::string consequence;    ///< with refuted: what rests on it and whether that stands
+  std::string note;           ///< anything a reader should know
+  std::string scan_repaired;  ///< what scanning damaged and how it was restored; empty if nothing
+};
+
+/// A row, judged.
+struct Entry {
+  Row row;
+  std::optional<Derivation> derivation;  ///< none for definitions
+  Proof proof;
+  DimensionReport dimension;
+  std::string derived, correction;       ///< in our syntax; correction only with refuted
+  std::vector<std::string> rests_on_it;  ///< ids of the rows downstream
+};
+
+/// Reads equations.toml. Throws std::runtime_error naming file, line and what would be right.
+std::vector<Row> read_rows(const std::filesystem::path& file);
+/// The file that ships with the project.
+std::filesystem::path equations_file();
+
+/// Judges one row: derives, compares, checks dimensions. `rows` gives what rests on it.
+Entry judge(const Row& row, const std::vector<Row>& rows);
+
+}  // namespace rederive

@@ -1,0 +1,57 @@
+// Runs one of our programs as a user would, and gives back all that it said.
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+struct Result {
+  int exit_code;  ///< -1 if it ended by a signal
+  std::string out, err;
+};
+
+inline std::string quoted(const std::string& argument) {
+  std::string text = "'";
+  for (char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+inline std::string read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// A folder for one test, removed with it.
+struct TemporaryFolder {
+  std::filesystem::path path;
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "rederive-XXXXXX").string();
+    path = ::mkdtemp(pattern.data());
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+};
+
+/// Runs build/bin/`program`, or any command if the name has a slash. `input` goes to its standard input.
+inline Result run_program(const std::string& program, const std::vector<std::string>& arguments,
+                          const std::string& input = "") {
+  TemporaryFolder folder;
+  std::ofstream(folder.path / "in", std::ios::binary) << input;
+  std::string command = program.find('/') == std::string::npos
+                            ? quoted(std::string(REDERIVE_PROGRAMS) + "/" + program) : quoted(program);
+  for (const auto& argument : arguments) command += " " + quoted(argument);
+  command += " <" + quoted(folder.path / "in") + " >" + quoted(folder.path / "out") + " 2>" +
+             quoted(folder.path / "err");
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder.path / "out"),
+          read_file(folder.path / "err")};
+}
