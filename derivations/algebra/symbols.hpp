@@ -10,6 +10,17 @@
 
 namespace rederive {
 
+/// A GiNaC symbol that keeps what GiNaC knows about it (real, positive) when it is copied. Copying a
+/// GiNaC::symbol would cut a possymbol down to a nameless complex one that equals nothing; here that does not
+/// compile.
+class SymbolExpression : public GiNaC::ex {
+ public:
+  SymbolExpression() = default;
+  explicit SymbolExpression(const GiNaC::symbol& symbol) : GiNaC::ex(symbol) {}
+  operator const GiNaC::symbol&() const { return GiNaC::ex_to<GiNaC::symbol>(*this); }  // for ex::diff
+  operator GiNaC::symbol() const = delete;
+};
+
 /// What is declared about one symbol. A range is an open interval in our syntax: "(0, inf)", "(0, pi/2)",
 /// "(-inf, inf)"; a closed end is written with a bracket: "(0, 1]".
 struct Symbol {
@@ -20,8 +31,16 @@ struct Symbol {
   std::string range;       ///< see above
   std::string meaning;     ///< one line
   std::string introduced;  ///< where the paper introduces it: "Fig. 1", "(21)"
-  GiNaC::symbol ginac;     ///< the one GiNaC symbol of this name (a possymbol where the range is positive)
+  SymbolExpression ginac;  ///< the one GiNaC symbol of this name (a possymbol where no value is negative)
 };
+
+/// The ends of a range, each an expression in our syntax, "inf" or "-inf".
+struct Range {
+  std::string lower, upper;
+  bool lower_closed = false, upper_closed = false;
+};
+/// Reads "(0, pi/2]". Throws std::invalid_argument.
+Range read_range(std::string_view text);
 
 /// A set of declared symbols. Copies share the GiNaC symbols, except those that are declared again.
 class Symbols {
@@ -30,12 +49,12 @@ class Symbols {
   /// Throws std::invalid_argument if the range or the unit cannot be read.
   const Symbol& declare(std::string name, std::string latex, std::string unicode, std::string unit,
                         std::string range, std::string meaning, std::string introduced);
-  const Symbol* find(std::string_view name) const;               ///< nullptr if there is none
-  const Symbol* find(const GiNaC::ex& symbol) const;             ///< by its GiNaC symbol
+  const Symbol* find(std::string_view name) const;    ///< nullptr if there is none
+  const Symbol* find(const GiNaC::ex& symbol) const;  ///< by its GiNaC symbol
   /// The GiNaC symbol of that name; throws std::out_of_range naming it if there is none.
-  const GiNaC::symbol& operator[](std::string_view name) const;
-  std::vector<std::string> names() const;                        ///< in the order of declaration
-  std::size_t rank(std::string_view name) const;                 ///< place in that order: the printing order
+  const SymbolExpression& operator[](std::string_view name) const;
+  std::vector<std::string> names() const;         ///< in the order of declaration
+  std::size_t rank(std::string_view name) const;  ///< place in that order: the printing order
 
  private:
   std::vector<std::string> order_;

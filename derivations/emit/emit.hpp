@@ -2,7 +2,6 @@
 #pragma once
 
 #include <derivations/algebra/symbols.hpp>
-
 #include <string>
 #include <vector>
 
@@ -10,12 +9,13 @@ namespace rederive {
 
 /// One numeric function to write out.
 struct EmittedFunction {
-  std::string name;                        ///< "angular_acceleration_negative"
-  std::vector<GiNaC::symbol> arguments;    ///< in order; units and ranges come from the symbol table
+  std::string name;                         ///< "angular_acceleration_negative"
+  std::vector<SymbolExpression> arguments;  ///< in order; units and ranges come from the symbol table
   GiNaC::ex value;
-  std::vector<GiNaC::symbol> derivatives;  ///< what stands beside it: a struct {value, d_psi, …} in name_with_derivatives
-  std::string equation;                    ///< the ledger row it stands for: "21a"
-  std::string brief;                       ///< one line of documentation
+  std::vector<SymbolExpression>
+      derivatives;       ///< what stands beside it: a struct {value, d_psi, …} in name_with_derivatives
+  std::string equation;  ///< the ledger row it stands for: "21a"
+  std::string brief;     ///< one line of documentation
 };
 
 enum class Target { cpp, c, python, javascript, latex };
