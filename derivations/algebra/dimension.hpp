@@ -1,9 +1,8 @@
 // Is every term of this equation of one dimension?
 #pragma once
 
-#include <derivations/algebra/syntax.hpp>
-
 #include <array>
+#include <derivations/algebra/syntax.hpp>
 #include <optional>
 #include <string>
 
@@ -15,7 +14,7 @@ using Dimension = std::array<GiNaC::numeric, 3>;
 struct DimensionReport {
   bool consistent;
   std::optional<Dimension> dimension;  ///< of the whole, where consistent; none for what fits any (a bare 0)
-  std::string explanation;             ///< "term 3 is kg·m²/s, the others kg·m²/s²"; empty where consistent
+  std::string explanation;  ///< "term 3 is kg·m²/s, the others kg·m²/s²"; empty where consistent
 };
 
 /// Angles count as pure numbers; arguments of sin, exp … must be pure numbers.

@@ -3,7 +3,6 @@
 
 #include <derivations/algebra/evaluate.hpp>
 #include <derivations/algebra/syntax.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +15,7 @@ std::string to_string(Verdict verdict);
 /// A point at which the two sides differ, to check by hand.
 struct Witness {
   std::map<std::string, std::string> at;  ///< symbol → rational number as text
-  std::string printed, derived;           ///< 30 digits; values of the sides, or of the residuals of equations
+  std::string printed, derived;  ///< 30 digits; values of the sides, or of the residuals of equations
 };
 
 struct Proof {
@@ -33,8 +32,8 @@ struct Given {
   GiNaC::ex value;
 };
 
-/// Decides left against right. Two expressions: are they identical? Two equations: the same up to a factor that
-/// cannot vanish? Two inequalities: the same up to a factor that is positive?
+/// Decides left against right. Two expressions: are they identical? Two equations: the same up to a factor
+/// that cannot vanish? Two inequalities: the same up to a factor that is positive?
 Proof prove(const Relation& left, const Relation& right, const Symbols& symbols = paper_symbols(),
             const std::vector<Given>& given = {});
 

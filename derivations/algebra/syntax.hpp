@@ -1,14 +1,17 @@
 // Text → a small tree that keeps the form as written → a GiNaC expression.
 //
-// The grammar, in order of binding: sums; products and quotients; a leading minus; powers (right-associative);
-// numbers, names, calls f(x), parentheses. Functions as in C (sin, asin, sinh, sqrt, exp, log, fabs …) and cot,
-// sec, csc, coth, asinh …; pi is π. Greek letters, dots over letters and superscripts may be typed in Unicode.
-// No implicit multiplication. Decimal numbers are exact rationals.
+// The grammar, the loosest binding first: sums, whose first term may have a minus before it (-a*b is -(a*b));
+// products and quotients, from left to right; a minus before a factor; powers (right-associative, and -x^2 is
+// -(x^2)); numbers, names, calls f(x), parentheses. Functions as in C (sin, asin, sinh, sqrt, exp, log, fabs
+// …) and cot, sec, csc, coth, sech, csch; pow(a, b) is a^b; pi is π. Greek letters, dots over letters,
+// superscripts, √, ·, ×, −, ≤ and ≥ may be typed in Unicode. No implicit multiplication. Decimal numbers are
+// exact rationals.
 #pragma once
 
-#include <derivations/algebra/symbols.hpp>
+#include <cln/rational.h>
 
 #include <cstddef>
+#include <derivations/algebra/symbols.hpp>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -48,14 +51,16 @@ struct Relation {
 struct Limits {
   std::size_t characters = 10'000;
   std::size_t depth = 200;
-  std::size_t digits = 40;   ///< in one number, its decimal exponent included
-  long exponent = 64;        ///< the largest integer exponent
+  std::size_t digits = 40;  ///< in one number, its decimal exponent included
+  long exponent = 64;       ///< the largest integer exponent
 };
 
 /// A text that could not be read: a stable word for it, where, why, and what would be right.
 struct SyntaxError : std::runtime_error {
   SyntaxError(std::string note, std::size_t position, const std::string& message);
-  std::string note;      ///< "syntax", "unknown_symbol", "unknown_function", "implicit_multiplication", "too_long" …
+  /// "syntax", "character", "empty", "unknown_symbol", "unknown_function", "arguments",
+  /// "implicit_multiplication", "relation", "too_long", "too_deep", "too_large", "undefined"
+  std::string note;
   std::size_t position;  ///< byte offset in the text
 };
 
@@ -70,7 +75,11 @@ Relation parse_relation(std::string_view text, const Symbols& symbols = paper_sy
 Relation parse_statement(std::string_view text, const Symbols& symbols = paper_symbols(), const Limits& = {});
 
 /// The GiNaC expression a tree stands for. GiNaC simplifies as it builds: ask the tree about form.
-/// Throws SyntaxError where the value is undefined at once (1/0, log(0)).
-GiNaC::ex lower(const Tree& tree, const Symbols& symbols = paper_symbols());
+/// Throws SyntaxError "undefined" where there is no real value at once (1/0, log(0), sqrt(-1)), "too_large"
+/// where a power would make a number of more digits than anybody wants.
+GiNaC::ex lower(const Tree& tree, const Symbols& symbols = paper_symbols(), const Limits& limits = {});
+
+/// The exact value of a number as written: "0.25" is 1/4, "1e-3" is 1/1000.
+cln::cl_RA exact(const std::string& number);
 
 }  // namespace rederive

@@ -1,0 +1,179 @@
+// Tree → GiNaC expression, with an upper bound on the size of every number before it is made.
+#include <cln/integer.h>
+#include <cln/integer_io.h>
+
+#include <derivations/algebra/syntax.hpp>
+#include <functional>
+
+namespace rederive {
+
+cln::cl_RA exact(const std::string& number) {
+  const auto e = number.find_first_of("eE");
+  std::string digits = number.substr(0, e);
+  long power = e == std::string::npos ? 0 : std::stol(number.substr(e + 1));
+  if (const auto point = digits.find('.'); point != std::string::npos) {
+    power -= static_cast<long>(digits.size() - point - 1);
+    digits.erase(point, 1);
+  }
+  const cln::cl_I whole = digits.empty() ? cln::cl_I(0) : cln::cl_I(digits.c_str());
+  if (power == 0) return whole;
+  const cln::cl_I scale = cln::expt_pos(cln::cl_I(10), std::abs(power));
+  return power > 0 ? cln::cl_RA(whole * scale) : whole / scale;
+}
+
+namespace {
+
+/// An expression, and how many bits the numbers in it can take at most.
+struct Lowered {
+  GiNaC::ex value;
+  double bits;
+};
+
+constexpr double most_bits = 1 << 16;
+
+class Lowering {
+ public:
+  Lowering(const Symbols& symbols, const Limits& limits) : symbols_(symbols), limits_(limits) {}
+
+  Lowered lower(const Tree& tree) const {
+    try {
+      Lowered result = build(*tree);
+      if (result.bits > most_bits) refuse(*tree, "too_large", "the numbers in this would be too large");
+      if (GiNaC::is_a<GiNaC::numeric>(result.value) && !result.value.info(GiNaC::info_flags::real)) {
+        refuse(*tree, "undefined", "this has no real value");
+      }
+      return result;
+    } catch (const SyntaxError&) {
+      throw;
+    } catch (const std::out_of_range&) {
+      refuse(*tree, "unknown_symbol", "there is no symbol '" + tree->text + "'");
+    } catch (const std::exception&) {  // GiNaC's pole_error, and its relatives
+      refuse(*tree, "undefined", "this has no value: it divides by zero, or is a pole of a function");
+    }
+  }
+
+ private:
+  [[noreturn]] static void refuse(const Node& node, const char* note, const std::string& message) {
+    throw SyntaxError(note, node.position, message);
+  }
+
+  Lowered build(const Node& node) const {
+    switch (node.kind) {
+      case Node::Kind::number: {
+        const cln::cl_RA value = exact(node.text);
+        const auto bits = integer_length(cln::numerator(value)) + integer_length(cln::denominator(value));
+        return {GiNaC::numeric(value), static_cast<double>(bits)};
+      }
+      case Node::Kind::symbol:
+        return {node.text == "pi" ? GiNaC::ex(GiNaC::Pi) : GiNaC::ex(symbols_[node.text]), 0};
+      case Node::Kind::negative: {
+        const Lowered operand = lower(node.children[0]);
+        return {-operand.value, operand.bits};
+      }
+      case Node::Kind::sum:
+        return combine(node, true);
+      case Node::Kind::product:
+        return combine(node, false);
+      case Node::Kind::power:
+        return power(node);
+      case Node::Kind::call:
+        return call(node);
+    }
+    throw std::logic_error("a kind of node that there is not");
+  }
+
+  Lowered combine(const Node& node, bool sum) const {
+    GiNaC::exvector parts;
+    double bits = 0;
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      const Lowered part = lower(node.children[i]);
+      bits += part.bits;
+      const GiNaC::ex inverted = sum ? -part.value : divisor(*node.children[i], node.inverse[i], part.value);
+      parts.push_back(node.inverse[i] ? inverted : part.value);
+    }
+    if (bits > most_bits) refuse(node, "too_large", "the numbers in this would be too large");
+    return {sum ? GiNaC::ex(GiNaC::add(parts)) : GiNaC::ex(GiNaC::mul(parts)), bits};
+  }
+
+  static GiNaC::ex divisor(const Node& node, bool inverse, const GiNaC::ex& value) {
+    if (!inverse) return value;
+    if (value.is_zero()) refuse(node, "undefined", "this divisor is zero");
+    return GiNaC::pow(value, -1);
+  }
+
+  Lowered power(const Node& node) const {
+    const Lowered base = lower(node.children[0]), exponent = lower(node.children[1]);
+    if (!GiNaC::is_a<GiNaC::numeric>(exponent.value)) {
+      return {GiNaC::pow(base.value, exponent.value), base.bits + exponent.bits};
+    }
+    const auto& n = GiNaC::ex_to<GiNaC::numeric>(exponent.value);
+    const GiNaC::ex inner = GiNaC::is_a<GiNaC::power>(base.value) ? base.value.op(1) : GiNaC::ex(1);
+    const GiNaC::ex total = GiNaC::is_a<GiNaC::numeric>(inner) ? inner * n : GiNaC::ex(n);
+    if (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(total)) > limits_.exponent || n.denom() > 1000) {
+      refuse(*node.children[1], "too_large", "exponents go up to " + std::to_string(limits_.exponent));
+    }
+    const double bits = (base.bits + 1) * (GiNaC::abs(n).to_double() + 1);
+    if (bits > most_bits) refuse(node, "too_large", "the numbers in this would be too large");
+    if (base.value.info(GiNaC::info_flags::negative) && !n.is_integer()) {
+      refuse(node, "undefined", "a root of a negative number has no real value");
+    }
+    if (base.value.is_zero() && !n.is_positive())
+      refuse(node, "undefined", "this divides by zero, or is 0^0");
+    return {GiNaC::pow(base.value, n), bits};
+  }
+
+  Lowered call(const Node& node) const {
+    using GiNaC::ex;
+    static const std::map<std::string, std::function<ex(const ex&)>> functions = {
+        {"sin", [](const ex& x) { return GiNaC::sin(x); }},
+        {"cos", [](const ex& x) { return GiNaC::cos(x); }},
+        {"tan", [](const ex& x) { return GiNaC::tan(x); }},
+        {"cot", [](const ex& x) { return GiNaC::cos(x) / GiNaC::sin(x); }},
+        {"sec", [](const ex& x) { return 1 / GiNaC::cos(x); }},
+        {"csc", [](const ex& x) { return 1 / GiNaC::sin(x); }},
+        {"asin", [](const ex& x) { return GiNaC::asin(x); }},
+        {"acos", [](const ex& x) { return GiNaC::acos(x); }},
+        {"atan", [](const ex& x) { return GiNaC::atan(x); }},
+        {"sinh", [](const ex& x) { return GiNaC::sinh(x); }},
+        {"cosh", [](const ex& x) { return GiNaC::cosh(x); }},
+        {"tanh", [](const ex& x) { return GiNaC::tanh(x); }},
+        {"coth", [](const ex& x) { return GiNaC::cosh(x) / GiNaC::sinh(x); }},
+        {"sech", [](const ex& x) { return 1 / GiNaC::cosh(x); }},
+        {"csch", [](const ex& x) { return 1 / GiNaC::sinh(x); }},
+        {"asinh", [](const ex& x) { return GiNaC::asinh(x); }},
+        {"acosh", [](const ex& x) { return GiNaC::acosh(x); }},
+        {"atanh", [](const ex& x) { return GiNaC::atanh(x); }},
+        {"exp", [](const ex& x) { return GiNaC::exp(x); }},
+        {"log", [](const ex& x) { return GiNaC::log(x); }},
+        {"sqrt", [](const ex& x) { return GiNaC::sqrt(x); }},
+        {"fabs", [](const ex& x) { return GiNaC::abs(x); }}};
+    const auto function = functions.find(node.text);
+    if (function == functions.end())
+      refuse(node, "unknown_function", "there is no function '" + node.text + "'");
+    const Lowered argument = lower(node.children[0]);
+    const ex value = function->second(argument.value);
+    return {value, 2 * argument.bits};
+  }
+
+  const Symbols& symbols_;
+  const Limits& limits_;
+};
+
+/// The first part of the tree whose value is not real although all that it is made of is: sqrt(-1), log(-2).
+void refuse_imaginary(const GiNaC::ex& value, const Node& node) {
+  for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part) {
+    if (GiNaC::is_a<GiNaC::numeric>(*part) && !GiNaC::ex_to<GiNaC::numeric>(*part).is_real()) {
+      throw SyntaxError("undefined", node.position, "this has no real value");
+    }
+  }
+}
+
+}  // namespace
+
+GiNaC::ex lower(const Tree& tree, const Symbols& symbols, const Limits& limits) {
+  const GiNaC::ex value = Lowering(symbols, limits).lower(tree).value;
+  refuse_imaginary(value, *tree);
+  return value;
+}
+
+}  // namespace rederive

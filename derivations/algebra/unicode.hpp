@@ -1,0 +1,32 @@
+// UTF-8 in, code points out: the few letters and marks that formulas are written with.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rederive {
+
+/// One code point and the byte at which it begins.
+struct Character {
+  char32_t code;
+  std::size_t position;
+};
+
+constexpr char32_t dot_above = 0x307, diaeresis = 0x308, macron = 0x304;
+
+/// Letters with dots come back as the letter and its combining mark (ü is u and U+0308), other spaces as ' '.
+/// Throws SyntaxError "character" for bytes that are not UTF-8 and for control characters.
+std::vector<Character> decode(std::string_view text);
+std::string encode(char32_t code);
+
+/// "theta" for θ; empty if it is no Greek letter.
+std::string_view greek_name(char32_t code);
+/// The digit of a superscript or subscript, or -1.
+int superscript_digit(char32_t code);
+int subscript_digit(char32_t code);
+/// Columns of a terminal that it takes: 0 for combining marks.
+int width(char32_t code);
+
+}  // namespace rederive
