@@ -1,0 +1,34 @@
+// d/dt along a motion that is not solved yet: θ, θ̇, θ̈ … are symbols in their own right.
+#pragma once
+
+#include <derivations/algebra/symbols.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace rederive {
+
+/// Which symbol is the rate of which: {θ, θ̇}, {θ̇, θ̈}, {u_g, u̇_g} …, and {t, 1} where time itself appears.
+using Rates = std::vector<std::pair<SymbolExpression, GiNaC::ex>>;
+
+/// df/dt = Σ ∂f/∂q · q̇ over the pairs of `rates`; a symbol without a pair is constant in time.
+GiNaC::ex time_derivative(const GiNaC::ex& f, const Rates& rates);
+
+/// One coordinate with its rate and second rate.
+struct Coordinate {
+  SymbolExpression position, rate, second_rate;
+};
+
+/// The left side of Lagrange's equation (1), d/dt(∂K/∂q̇) − ∂K/∂q + ∂Ω/∂q, term by term.
+/// `potential` must not depend on the rate.
+struct LagrangeTerms {
+  GiNaC::ex momentum;         ///< ∂K/∂q̇
+  GiNaC::ex momentum_rate;    ///< d/dt(∂K/∂q̇)
+  GiNaC::ex kinetic_slope;    ///< ∂K/∂q
+  GiNaC::ex potential_slope;  ///< ∂Ω/∂q
+  GiNaC::ex sum() const { return momentum_rate - kinetic_slope + potential_slope; }
+};
+LagrangeTerms lagrange_terms(const GiNaC::ex& kinetic, const GiNaC::ex& potential, const Coordinate& coordinate,
+                             const Rates& rates);
+
+}  // namespace rederive

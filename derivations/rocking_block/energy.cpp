@@ -1,0 +1,38 @@
+#include <derivations/rocking_block/energy.hpp>
+
+namespace rederive {
+
+using GiNaC::ex;
+
+ex energy(Side side) { return kinetic_energy(side) + weight_potential(side); }
+
+ex energy_rate(Side side) {
+  const Notation& s = notation();
+  const ex along_motion = angular_acceleration(side);
+  ex rate = time_derivative(energy(side), block_rates()).subs(s.thetaddot == along_motion);
+  for (const Given& given : inertia_and_frequency()) rate = rate.subs(given.name == given.value);
+  return rate.expand();
+}
+
+namespace {
+
+Derivation total_energy(Side side, const Derivation& kinetic, const Derivation& potential) {
+  return derived(notation().E, energy(side), {from(kinetic, "The kinetic energy"), from(potential, "the potential")});
+}
+
+// In (21) with θ̈ = 0, solved for the ground acceleration at θ = α.
+Derivation ground_at_alpha(Side side, const Derivation& motion) {
+  const Notation& s = notation();
+  const ex rest = angular_acceleration(side).subs(s.theta == s.alpha);
+  return derived(s.u_gddot_alpha, -rest.coeff(s.u_gddot, 0) / rest.coeff(s.u_gddot, 1),
+                 {from(motion, "Put θ = α and θ̈ = 0 into"), in_words("and solve for the ground acceleration")});
+}
+
+}  // namespace
+
+Derivation equation_22a() { return total_energy(Side::negative, equation_6(), equation_9()); }
+Derivation equation_22b() { return total_energy(Side::positive, equation_16b(), equation_14()); }
+Derivation ground_at_alpha_by_21a() { return ground_at_alpha(Side::negative, equation_21a()); }
+Derivation ground_at_alpha_by_21b() { return ground_at_alpha(Side::positive, equation_21b()); }
+
+}  // namespace rederive

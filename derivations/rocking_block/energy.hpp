@@ -1,0 +1,19 @@
+// The energy of the rocking block, (22), and what it says of free motion.
+#pragma once
+
+#include <derivations/rocking_block/equation_of_motion.hpp>
+
+namespace rederive {
+
+/// E = K + Ω on either side: (22a), (22b). Conserved while the ground rests.
+GiNaC::ex energy(Side side);
+/// dE/dt along a motion that obeys (21) on that side; 0 where the ground rests.
+GiNaC::ex energy_rate(Side side);
+
+Derivation equation_22a();
+Derivation equation_22b();
+/// ü_g that holds the block at θ = α by (21a) and by (21b).
+Derivation ground_at_alpha_by_21a();
+Derivation ground_at_alpha_by_21b();
+
+}  // namespace rederive

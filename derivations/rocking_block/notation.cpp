@@ -1,0 +1,46 @@
+#include <derivations/rocking_block/notation.hpp>
+
+namespace rederive {
+
+using GiNaC::ex;
+
+const Notation& notation() {
+  static const Notation names;
+  return names;
+}
+
+Rates block_rates() {
+  const Notation& s = notation();
+  return {{s.theta, s.thetadot}, {s.thetadot, s.thetaddot}, {s.u_g, s.u_gdot}, {s.u_gdot, s.u_gddot}};
+}
+
+Derivation derived(const ex& left, const ex& right, std::vector<Step> steps, std::vector<Given> given,
+                   const std::string& relation) {
+  Derivation result;
+  result.left = left;
+  result.right = right;
+  result.relation = relation;
+  result.steps = std::move(steps);
+  result.steps.push_back({"Hence", left, right, relation});
+  result.given = std::move(given);
+  return result;
+}
+
+Step in_words(std::string says) { return {std::move(says), 0, 0, "="}; }
+
+Step from(const Derivation& other, std::string says) {
+  return {std::move(says), other.left, other.right, other.relation};
+}
+
+std::vector<Given> inertia_and_frequency() {
+  const Notation& s = notation();
+  const ex R = 3 * s.g / (4 * pow(s.p, 2));
+  return {{s.J_o, ex(4) / 3 * s.m * pow(R, 2)}, {s.R, R}};
+}
+
+std::vector<Given> sides_of_the_block() {
+  const Notation& s = notation();
+  return {{s.b, s.R * sin(s.alpha)}, {s.h, s.R * cos(s.alpha)}};
+}
+
+}  // namespace rederive

@@ -1,0 +1,163 @@
+#include <derivations/rocking_block/overturning_without_impact.hpp>
+
+namespace rederive {
+
+using GiNaC::ex;
+using GiNaC::lst;
+
+namespace {
+
+ex corner(Side side) { return side == Side::negative ? ex(-notation().alpha) : ex(notation().alpha); }
+
+Constants names(Side side) {
+  const Notation& s = notation();
+  return side == Side::negative ? Constants{s.A_1, s.A_2} : Constants{s.A_3, s.A_4};
+}
+
+Constants free_names(Side side) {
+  const Notation& s = notation();
+  return side == Side::negative ? Constants{s.Abar_1, s.Abar_2} : Constants{s.Abar_3, s.Abar_4};
+}
+
+// The free motion from the end of the pulse on.
+ex free_from_end(Side side) {
+  const Notation& s = notation();
+  return free_motion(side).subs(s.t_o == s.T_ex);
+}
+
+// At T_ex the phase is a multiple of π/2, whose sine and cosine GiNaC knows.
+ex at_end(const ex& e, Pulse pulse) {
+  const Notation& s = notation();
+  const ex phase = s.omega_p * end_of_pulse(pulse) + s.psi;
+  return e.subs(s.omega_p * s.t + s.psi == phase.expand()).subs(s.t == s.T_ex);
+}
+
+}  // namespace
+
+ex in_exponentials(const ex& e) {
+  const ex any = GiNaC::wild();
+  return e.subs(lst{sinh(any) == (exp(any) - exp(-any)) / 2, cosh(any) == (exp(any) + exp(-any)) / 2});
+}
+
+ex critical_sum(Side side, const ex& angle, const ex& rate) {
+  return rate / notation().p + angle - corner(side);
+}
+
+ex angle_at_end(Side side, Pulse pulse) { return at_end(forced_motion(side, pulse), pulse); }
+
+ex rate_at_end(Side side, Pulse pulse) {
+  const Notation& s = notation();
+  const Given a = amplitude(pulse);
+  const ex rate = forced_motion(side, pulse).diff(s.t).subs(a.name == a.value);
+  return (at_end(rate, pulse) / s.p).expand();
+}
+
+ThresholdEquation threshold_without_impact(Side side, Pulse pulse, const ex& end) {
+  const Notation& s = notation();
+  const Constants name = names(side), value = forced_constants(side, pulse);
+  const ex sum = critical_sum(side, angle_at_end(side, pulse), rate_at_end(side, pulse) * s.p);
+  const ex growth = exp(s.p * s.T_ex);
+  // (A_1 + A_2) e^{p T_ex} + what the pulse still adds. Divided so that e^{−p T_ex} stands alone.
+  const ex joined = in_exponentials(sum).expand().subs(exp(-s.p * s.T_ex) == 1 / growth).normal().expand();
+  const ex grown = joined.coeff(growth, 1).subs(lst{name.C == value.C, name.D == value.D});
+  const ex added = joined.coeff(growth, 0);
+  return {(-grown / added).normal().expand(), exp(-end)};
+}
+
+namespace {
+
+// φ(T_ex) = corner and φ̇(T_ex) = 0 for the free motion: (65), (72).
+Derivation corner_reached(Side side, const Derivation& motion) {
+  return derived(corner(side), free_from_end(side),
+                 {from(motion, "The motion after the pulse, t_o = T_ex,"),
+                  {"reaches the corner", notation().theta, corner(side)}});
+}
+
+Derivation corner_at_rest(Side side, const Derivation& motion) {
+  const Notation& s = notation();
+  return derived(0, (free_from_end(side).diff(s.t) / s.p).expand(),
+                 {from(motion, "The motion after the pulse, t_o = T_ex,"), in_words("comes there without velocity")});
+}
+
+Derivation constant_at_end(const Derivation& free_constant) {
+  const Notation& s = notation();
+  const auto at_end = lst{s.t_o == s.T_ex, s.theta_to == s.theta_ex, s.thetadot_to == s.thetadot_ex};
+  return derived(free_constant.left, free_constant.right.subs(at_end),
+                 {from(free_constant, "Free motion begins at t_o = T_ex; so")});
+}
+
+Derivation no_growth(Side side, const Derivation& motion) {
+  const Notation& s = notation();
+  const Constants c = free_names(side);
+  const ex growing = growing_part(free_from_end(side), s.T_ex);
+  return derived(c.C, c.C - 2 * growing,
+                 {from(motion, "Write with exponentials"),
+                  {"the part that grows like e^{p(t − T_ex)} has the factor", growing, 0},
+                  in_words("If it is not zero the block falls over or comes back; at no finite time do both (65a) "
+                           "and (65b), or (72a) and (72b), hold: the corner is reached as t grows without end")});
+}
+
+Derivation critical(Side side, const Derivation& condition, const Derivation& first, const Derivation& second) {
+  const Notation& s = notation();
+  return derived((s.p * critical_sum(side, s.theta_ex, s.thetadot_ex)).expand(), 0,
+                 {from(condition, "Into"), from(first, "put"), from(second, "and")});
+}
+
+Derivation end_angle(Side side, const Derivation& motion) {
+  return derived(notation().theta_ex, angle_at_end(side, Pulse::sine),
+                 {from(motion, "At T_ex the phase of the pulse is 2π, and its sine 0:")});
+}
+
+Derivation end_rate(Side side, const Derivation& rate) {
+  const Notation& s = notation();
+  return derived(s.thetadot_ex / s.p, rate_at_end(side, Pulse::sine),
+                 {from(rate, "At T_ex the phase of the pulse is 2π, and its cosine 1:")});
+}
+
+Derivation from_rest(const Derivation& constant) {
+  const Notation& s = notation();
+  return derived(constant.left, constant.right.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0}).normal(),
+                 {from(constant, "From rest, θ_0 = θ̇_0 = 0:")});
+}
+
+Derivation threshold(Side side, const std::vector<Derivation>& ingredients) {
+  const Notation& s = notation();
+  const ThresholdEquation found = threshold_without_impact(side, Pulse::sine, s.p * end_of_pulse(Pulse::sine));
+  std::vector<Step> steps;
+  for (const Derivation& d : ingredients) steps.push_back(from(d, steps.empty() ? "Into" : "put"));
+  steps.push_back(in_words("sinh and cosh join to exponentials; divide by the factor of e^{−p T_ex}"));
+  return derived(found.left.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0}).normal().expand(), found.right, steps);
+}
+
+}  // namespace
+
+Derivation equation_65a() { return corner_reached(Side::negative, equation_62a()); }
+Derivation equation_65b() { return corner_at_rest(Side::negative, equation_62a()); }
+Derivation equation_66a() { return constant_at_end(equation_64a()); }
+Derivation equation_66b() { return constant_at_end(equation_64b()); }
+Derivation equation_67() { return no_growth(Side::negative, equation_62a()); }
+Derivation equation_68() { return critical(Side::negative, equation_67(), equation_66a(), equation_66b()); }
+Derivation equation_69a() { return end_angle(Side::negative, equation_57a()); }
+Derivation equation_69b() { return end_rate(Side::negative, equation_59a()); }
+Derivation equation_70a() { return from_rest(equation_58a()); }
+Derivation equation_70b() { return from_rest(equation_58b()); }
+Derivation equation_71() {
+  return threshold(Side::negative,
+                   {equation_68(), equation_69a(), equation_69b(), equation_70a(), equation_70b(), end_of_sine_pulse()});
+}
+Derivation equation_72a() { return corner_reached(Side::positive, equation_62b()); }
+Derivation equation_72b() { return corner_at_rest(Side::positive, equation_62b()); }
+Derivation equation_73a() { return constant_at_end(equation_64c()); }
+Derivation equation_73b() { return constant_at_end(equation_64d()); }
+Derivation equation_74() { return no_growth(Side::positive, equation_62b()); }
+Derivation equation_75() { return critical(Side::positive, equation_74(), equation_73a(), equation_73b()); }
+Derivation equation_76a() { return end_angle(Side::positive, equation_57b()); }
+Derivation equation_76b() { return end_rate(Side::positive, equation_59b()); }
+Derivation equation_77a() { return from_rest(equation_58c()); }
+Derivation equation_77b() { return from_rest(equation_58d()); }
+Derivation equation_78() {
+  return threshold(Side::positive,
+                   {equation_75(), equation_76a(), equation_76b(), equation_77a(), equation_77b(), end_of_sine_pulse()});
+}
+
+}  // namespace rederive

@@ -1,0 +1,49 @@
+// Overturning without impact under one sine: (65) to (71) for θ < 0, (72) to (78) for θ > 0, (104).
+#pragma once
+
+#include <derivations/rocking_block/linear_response.hpp>
+
+namespace rederive {
+
+/// An equation of the form left = e^{−…}: the terms without an exponential, and those with one on the right.
+struct ThresholdEquation {
+  GiNaC::ex left, right;
+  GiNaC::ex residual() const { return left - right; }
+};
+
+/// The critical motion of a block that starts with theta_0, thetadot_0 and is still on that side at the end of
+/// the pulse: (71), (78), (104), (103), in ψ, ω_p, p, α, theta_0, thetadot_0. `end` stands for p T_ex in it.
+ThresholdEquation threshold_without_impact(Side side, Pulse pulse, const GiNaC::ex& end);
+
+/// θ̇(T_ex)/p + (θ(T_ex) ± α), which vanishes in the critical case; θ and θ̇ as given.
+GiNaC::ex critical_sum(Side side, const GiNaC::ex& angle, const GiNaC::ex& rate);
+/// θ(T_ex), θ̇(T_ex)/p with A_1, A_2 or A_3, A_4 in them.
+GiNaC::ex angle_at_end(Side side, Pulse pulse);
+GiNaC::ex rate_at_end(Side side, Pulse pulse);
+/// sinh and cosh by exponentials, products of exponentials joined.
+GiNaC::ex in_exponentials(const GiNaC::ex& e);
+
+Derivation equation_65a();
+Derivation equation_65b();
+Derivation equation_66a();
+Derivation equation_66b();
+Derivation equation_67();
+Derivation equation_68();
+Derivation equation_69a();
+Derivation equation_69b();
+Derivation equation_70a();
+Derivation equation_70b();
+Derivation equation_71();
+Derivation equation_72a();
+Derivation equation_72b();
+Derivation equation_73a();
+Derivation equation_73b();
+Derivation equation_74();
+Derivation equation_75();
+Derivation equation_76a();
+Derivation equation_76b();
+Derivation equation_77a();
+Derivation equation_77b();
+Derivation equation_78();
+
+}  // namespace rederive

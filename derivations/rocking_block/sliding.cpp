@@ -1,0 +1,140 @@
+#include <derivations/rocking_block/sliding.hpp>
+
+namespace rederive {
+
+using GiNaC::ex;
+using GiNaC::lst;
+
+namespace {
+
+ex with_motion(const ex& e, Side side) {
+  const Notation& s = notation();
+  return e.subs(s.thetaddot == angular_acceleration(side)).expand();
+}
+
+// x_c, y_c of (48), (49): for θ < 0 the way of C is u_c = u_g − x_c.
+ex way(int derivatives) {
+  const Notation& s = notation();
+  ex result = -centre_displacement(Side::negative).right.subs(s.R * sin(s.alpha) == s.b);
+  for (int n = 0; n < derivatives; ++n) result = time_derivative(result, block_rates());
+  return result.expand();
+}
+
+ex rise(int derivatives) {
+  ex result = centre_displacement(Side::negative).up;
+  for (int n = 0; n < derivatives; ++n) result = time_derivative(result, block_rates());
+  return result.expand();
+}
+
+Derivation horizontal(Side side, const Derivation& motion) {
+  const Notation& s = notation();
+  const ex acceleration = centre_acceleration(side).right;
+  return derived(s.H / s.m, horizontal_reaction(side),
+                 {{"Newton, to the right: H alone accelerates C", s.H / s.m, acceleration},
+                  from(motion, "with the angular acceleration from")});
+}
+
+Derivation vertical(Side side, const Derivation& motion) {
+  const Notation& s = notation();
+  const ex acceleration = centre_acceleration(side).up;
+  return derived(s.V / s.m, vertical_reaction(side),
+                 {{"Newton, upwards: V carries the weight and accelerates C", s.V / s.m, s.g + acceleration},
+                  from(motion, "with the angular acceleration from")});
+}
+
+Derivation demand(Side side, const Derivation& motion) {
+  const Notation& s = notation();
+  return derived(s.H / s.V, horizontal_reaction(side) / vertical_reaction(side),
+                 {from(horizontal(side, motion), "The ratio of"), from(vertical(side, motion), "to")});
+}
+
+Derivation contact(Side side, const Derivation& motion) {
+  return derived(vertical_reaction(side), 0,
+                 {from(vertical(side, motion), "The ground pushes and never pulls")}, {}, ">");
+}
+
+// (51): the block at rest, about to move under ü_g = g tan α.
+ex at_initiation(const ex& e) {
+  const Notation& s = notation();
+  return e.subs(lst{s.theta == 0, s.thetadot == 0, s.u_gddot == s.g * tan(s.alpha)})
+      .subs(s.R == 3 * s.g / (4 * pow(s.p, 2)));
+}
+
+ex first_ratio() {
+  return at_initiation(horizontal_reaction(Side::negative)) / at_initiation(vertical_reaction(Side::negative));
+}
+
+Given first_acceleration() {
+  const Notation& s = notation();
+  return {s.u_gddot_0, s.g * tan(s.alpha)};
+}
+
+}  // namespace
+
+ex horizontal_reaction(Side side) { return with_motion(centre_acceleration(side).right, side); }
+ex vertical_reaction(Side side) { return with_motion(notation().g + centre_acceleration(side).up, side); }
+
+Derivation equation_47a() {
+  const Notation& s = notation();
+  return derived(s.H, s.m * (s.u_gddot - s.x_cddot),
+                 {{"Newton, to the right", s.H, s.m * s.u_cddot},
+                  {"and by (2), differentiated twice", s.u_cddot, s.u_gddot - s.x_cddot}});
+}
+
+Derivation equation_47b() {
+  const Notation& s = notation();
+  return derived(s.V, s.m * (s.g + s.y_cddot),
+                 {in_words("Newton, upwards, as y_c is counted: V − m g = m ÿ_c"),
+                  in_words("At t = 0 this is (26), where ÿ_c(0) = −R θ̈(0) sin α")});
+}
+
+Derivation equation_48a() {
+  return derived(notation().x_c, way(0), {in_words("As in (2)")}, sides_of_the_block());
+}
+Derivation equation_48b() { return derived(notation().x_cdot, way(1), {from(equation_48a(), "Differentiate")}); }
+Derivation equation_48c() { return derived(notation().x_cddot, way(2), {from(equation_48b(), "Differentiate")}); }
+Derivation equation_49a() { return derived(notation().y_c, rise(0), {in_words("As in (3)")}); }
+Derivation equation_49b() { return derived(notation().y_cdot, rise(1), {from(equation_49a(), "Differentiate")}); }
+Derivation equation_49c() { return derived(notation().y_cddot, rise(2), {from(equation_49b(), "Differentiate")}); }
+
+Derivation horizontal_reaction_negative() { return horizontal(Side::negative, equation_21a()); }
+Derivation vertical_reaction_negative() { return vertical(Side::negative, equation_21a()); }
+Derivation friction_demand_negative() { return demand(Side::negative, equation_21a()); }
+Derivation contact_negative() { return contact(Side::negative, equation_21a()); }
+Derivation horizontal_reaction_positive() { return horizontal(Side::positive, equation_21b()); }
+Derivation vertical_reaction_positive() { return vertical(Side::positive, equation_21b()); }
+Derivation friction_demand_positive() { return demand(Side::positive, equation_21b()); }
+Derivation contact_positive() { return contact(Side::positive, equation_21b()); }
+
+Derivation equation_50a() { return horizontal_reaction_negative(); }
+Derivation equation_50b() { return vertical_reaction_negative(); }
+Derivation equation_50() { return friction_demand_negative(); }
+
+Derivation equation_50c() {
+  const Notation& s = notation();
+  Derivation result = derived(s.H / s.V, s.mu,
+                              {in_words("Coulomb: |H| <= μ V, with V > 0 as long as there is contact")}, {}, "<=");
+  result.assumption = "H >= 0; where H < 0 the condition is -H/V <= mu";
+  return result;
+}
+
+Derivation equation_51a() {
+  const Notation& s = notation();
+  return derived(s.H_0 / s.V_0, first_ratio().normal(),
+                 {from(friction_demand_negative(), "In"),
+                  {"put θ = 0, θ̇ = 0 and the acceleration that just suffices", s.u_gddot, s.g * tan(s.alpha)}},
+                 {first_acceleration()});
+}
+
+Derivation equation_51b() {
+  const Notation& s = notation();
+  return derived(s.u_gddot_0 / s.g, tan(s.alpha),
+                 {in_words("Rocking begins when the moment of the weight is overcome, by (23)")}, {first_acceleration()});
+}
+
+Derivation equation_51c() {
+  const Notation& s = notation();
+  return derived(tan(s.alpha), s.mu, {from(equation_51a(), "Coulomb, with"), in_words("which is positive")}, {}, "<=");
+}
+
+}  // namespace rederive
