@@ -1,8 +1,17 @@
-// Decides whether two expressions, equations or inequalities are the same. See the three steps in prove.cpp.
+// Decides whether two expressions, equations or inequalities are the same.
+//
+// 1. Both sides are evaluated at rational points inside the declared ranges. Where they differ beyond all doubt,
+//    that point is the witness: refuted.
+// 2. Else both become rational functions of independent generators (phases.hpp). If the numerator of the
+//    difference vanishes modulo the generators' relations: proved.
+// 3. Equations are compared as residuals, left minus right, up to a factor that provably cannot vanish;
+//    inequalities up to one that is provably positive.
+// What is left is undecided. Nothing is ever proved by agreement at points.
 #pragma once
 
 #include <derivations/algebra/evaluate.hpp>
 #include <derivations/algebra/syntax.hpp>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,29 +21,36 @@ namespace rederive {
 enum class Verdict { proved, proved_under, approximation, refuted, definition, undecided };
 std::string to_string(Verdict verdict);
 
-/// A point at which the two sides differ, to check by hand.
+/// A point at which the two sides differ, to check by hand. `printed` is the left statement's value, `derived` the
+/// right one's: of the expressions; of the right-hand sides where both equations have the same left one; else
+/// of left minus right (the right statement's residual is 0 there, to 40 digits, or differs in sign).
 struct Witness {
   std::map<std::string, std::string> at;  ///< symbol → rational number as text
-  std::string printed, derived;  ///< 30 digits; values of the sides, or of the residuals of equations
+  std::string printed, derived;           ///< 30 digits
 };
 
 struct Proof {
   Verdict verdict = Verdict::undecided;
-  std::string factor;                        ///< left = factor * right; empty where it does not apply
+  std::string factor;                        ///< left = factor * right; empty where there is none
   std::vector<std::string> side_conditions;  ///< "w != 0", in our syntax
-  std::optional<Witness> witness;            ///< with refuted
-  std::string reason;                        ///< why undecided; else one line for a reader
+  std::optional<Witness> witness;            ///< with refuted, but for a relation of another kind
+  std::string reason;                        ///< one line for a reader; why, where undecided
 };
 
 /// A name that stands for an expression: J_o = 4/3*m*R^2. Put in on both sides before anything is decided.
 struct Given {
-  GiNaC::ex name;
+  GiNaC::symbol name;
   GiNaC::ex value;
 };
 
-/// Decides left against right. Two expressions: are they identical? Two equations: the same up to a factor
-/// that cannot vanish? Two inequalities: the same up to a factor that is positive?
+/// Decides left against right: two expressions, two equations or two inequalities. A chain "K = a = b" on the left
+/// is taken link by link. Never throws for a statement that parses; what cannot be decided is undecided.
 Proof prove(const Relation& left, const Relation& right, const Symbols& symbols = paper_symbols(),
             const std::vector<Given>& given = {});
+
+/// Whether two expressions have the same Taylor polynomial of `order` in the small symbols, all of one size.
+Proof prove_approximation(const Tree& left, const Tree& right, const std::vector<std::string>& small, int order,
+                          const Symbols& symbols = paper_symbols());
+
 
 }  // namespace rederive

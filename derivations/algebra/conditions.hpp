@@ -1,0 +1,11 @@
+// What must hold for an expression to have a value at all, as far as the declared ranges do not grant it.
+#pragma once
+
+#include <derivations/algebra/syntax.hpp>
+
+namespace rederive {
+
+/// "w != 0", "cos(theta) != 0", "x > 0": read off the tree as it was written, before anything cancels.
+std::vector<std::string> side_conditions(const Tree& tree, const Symbols& symbols);
+
+}  // namespace rederive

@@ -1,0 +1,262 @@
+#include <derivations/algebra/interval.hpp>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace rederive {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+using GiNaC::numeric;
+
+int compare(const ex& a, const ex& b) {
+  const ex difference = (a - b).expand();
+  if (difference.is_zero()) return 0;
+  const ex value = difference.evalf();
+  if (!is_a<numeric>(value) || !ex_to<numeric>(value).is_real()) throw std::domain_error("not a real constant");
+  const double d = ex_to<numeric>(value).to_double();
+  if (std::fabs(d) < 1e-9 && !is_a<numeric>(difference)) throw std::domain_error("too close to tell");
+  if (is_a<numeric>(difference)) return ex_to<numeric>(difference).is_positive() ? 1 : -1;
+  return d > 0 ? 1 : -1;
+}
+
+namespace {
+
+int compare(const End& a, const End& b) {
+  if (a.infinite != 0 || b.infinite != 0) return (a.infinite > b.infinite) - (a.infinite < b.infinite);
+  return rederive::compare(a.value, b.value);
+}
+
+int sign(const End& end) { return end.infinite != 0 ? end.infinite : rederive::compare(end.value, 0); }
+
+Interval point(const ex& value) { return {{value, 0, true}, {value, 0, true}}; }
+
+End smaller(const End& a, const End& b) {
+  const int order = compare(a, b);
+  if (order == 0) return a.closed ? a : b;
+  return order < 0 ? a : b;
+}
+End larger(const End& a, const End& b) {
+  const int order = compare(a, b);
+  if (order == 0) return a.closed ? a : b;
+  return order > 0 ? a : b;
+}
+Interval hull(const std::vector<End>& ends) {
+  Interval result{ends.front(), ends.front()};
+  for (const End& end : ends) {
+    result.low = smaller(result.low, end);
+    result.high = larger(result.high, end);
+  }
+  return result;
+}
+
+End sum(const End& a, const End& b, int towards) {
+  if (a.infinite != 0 || b.infinite != 0) return {0, towards, false};
+  return {a.value + b.value, 0, a.closed && b.closed};
+}
+
+/// 0·∞ is 0 here: the product of the two sets comes as near to 0 as one likes.
+End product(const End& a, const End& b) {
+  const int signs = sign(a) * sign(b);
+  if (signs == 0) {
+    const bool closed = (sign(a) == 0 && a.closed) || (sign(b) == 0 && b.closed);
+    return {0, 0, closed};
+  }
+  if (a.infinite != 0 || b.infinite != 0) return {0, signs, false};
+  return {a.value * b.value, 0, a.closed && b.closed};
+}
+
+Interval product(const Interval& a, const Interval& b) {
+  return hull({product(a.low, b.low), product(a.low, b.high), product(a.high, b.low), product(a.high, b.high)});
+}
+
+bool holds_zero(const Interval& i) {
+  const int low = sign(i.low), high = sign(i.high);
+  return (low < 0 && high > 0) || (low == 0 && i.low.closed) || (high == 0 && i.high.closed);
+}
+
+Interval reciprocal(const Interval& i) {
+  if (holds_zero(i)) return {};
+  const auto turn = [](const End& end, int side) -> End {
+    if (end.infinite != 0) return {0, 0, false};
+    if (end.value.is_zero()) return {0, side, false};
+    return {1 / end.value, 0, end.closed};
+  };
+  const int side = sign(i.high) > 0 ? 1 : -1;
+  return {turn(i.high, side), turn(i.low, side)};
+}
+
+Interval power(const Interval& base, const numeric& exponent) {
+  if (exponent.is_negative()) return reciprocal(power(base, -exponent));
+  const auto raise = [&](const End& end) -> End {
+    if (end.infinite != 0) return {0, end.infinite > 0 || exponent.is_even() ? 1 : -1, false};
+    return {GiNaC::pow(end.value, exponent), 0, end.closed};
+  };
+  if (exponent.is_integer() && exponent.is_even()) {
+    Interval result = hull({raise(base.low), raise(base.high)});
+    if (sign(base.low) * sign(base.high) < 0) result.low = {0, 0, true};
+    return result;
+  }
+  if (!exponent.is_integer() && sign(base.low) < 0) return {};
+  return {raise(base.low), raise(base.high)};
+}
+
+/// A function that grows over the whole of its domain; `bottom` and `top` are its limits.
+template <class F>
+Interval increasing(const Interval& i, F f, const End& bottom, const End& top) {
+  const auto map = [&](const End& end) -> End {
+    if (end.infinite != 0) return end.infinite < 0 ? bottom : top;
+    return {f(end.value), 0, end.closed};
+  };
+  return {map(i.low), map(i.high)};
+}
+
+/// cos over an interval: the ends, and the extrema kπ inside.
+Interval cosine(const Interval& i) {
+  const Interval whole{{-1, 0, true}, {1, 0, true}};
+  if (i.low.infinite != 0 || i.high.infinite != 0) return whole;
+  const double turns = ex_to<numeric>((i.low.value / GiNaC::Pi).evalf()).to_double();
+  std::vector<End> ends{{GiNaC::cos(i.low.value), 0, i.low.closed}, {GiNaC::cos(i.high.value), 0, i.high.closed}};
+  const long first = static_cast<long>(std::floor(turns)) - 1;
+  for (long k = first; k < first + 6; ++k) {
+    const End extremum{k * GiNaC::Pi, 0, true};
+    if (compare(extremum, i.low) > 0 && compare(extremum, i.high) < 0) ends.push_back({k % 2 == 0 ? 1 : -1, 0, true});
+  }
+  if (compare(End{i.low.value + 2 * GiNaC::Pi, 0, true}, i.high) < 0) return whole;
+  return hull(ends);
+}
+
+Interval shifted(const Interval& i, const ex& by) {
+  Interval result = i;
+  if (result.low.infinite == 0) result.low.value += by;
+  if (result.high.infinite == 0) result.high.value += by;
+  return result;
+}
+
+Interval tangent(const Interval& i) {
+  const End left{-GiNaC::Pi / 2, 0, false}, right{GiNaC::Pi / 2, 0, false};
+  if (compare(i.low, left) < 0 || compare(i.high, right) > 0) return {};
+  const auto map = [&](const End& end, const End& edge, int side) -> End {
+    if (compare(end, edge) == 0) return {0, side, false};
+    return {GiNaC::tan(end.value), 0, end.closed};
+  };
+  return {map(i.low, left, -1), map(i.high, right, +1)};
+}
+
+Interval function_interval(const std::string& name, const Interval& i) {
+  const End minus{0, -1, false}, plus{0, +1, false}, zero{0, 0, false};
+  const auto at = [](const ex& v) { return End{v, 0, false}; };
+  if (name == "exp") return increasing(i, [](const ex& v) { return GiNaC::exp(v); }, zero, plus);
+  if (name == "sinh") return increasing(i, [](const ex& v) { return GiNaC::sinh(v); }, minus, plus);
+  if (name == "asinh") return increasing(i, [](const ex& v) { return GiNaC::asinh(v); }, minus, plus);
+  if (name == "tanh") return increasing(i, [](const ex& v) { return GiNaC::tanh(v); }, at(-1), at(1));
+  if (name == "atan")
+    return increasing(i, [](const ex& v) { return GiNaC::atan(v); }, at(-GiNaC::Pi / 2), at(GiNaC::Pi / 2));
+  if (name == "asin" && compare(i.low, at(-1)) >= 0 && compare(i.high, at(1)) <= 0)
+    return increasing(i, [](const ex& v) { return GiNaC::asin(v); }, minus, plus);
+  if (name == "acos") return {{0, 0, true}, {GiNaC::Pi, 0, true}};
+  if (name == "log" && sign(i.low) >= 0) {
+    const Interval inner{sign(i.low) == 0 ? End{0, -1, false} : i.low, i.high};
+    return increasing(inner, [](const ex& v) { return GiNaC::log(v); }, minus, plus);
+  }
+  if (name == "cosh") {
+    const Interval size = function_interval("abs", i);
+    return increasing(size, [](const ex& v) { return GiNaC::cosh(v); }, at(1), plus);
+  }
+  if (name == "abs") {
+    if (sign(i.low) >= 0) return i;
+    Interval flipped = product(i, point(-1));
+    if (sign(i.high) <= 0) return flipped;
+    return {{0, 0, true}, larger(flipped.high, i.high)};
+  }
+  if (name == "cos") return cosine(i);
+  if (name == "sin") return cosine(shifted(i, -GiNaC::Pi / 2));
+  if (name == "tan") return tangent(i);
+  return {};
+}
+
+Interval enclose(const ex& e, const Symbols& symbols) {
+  if (is_a<numeric>(e) || is_a<GiNaC::constant>(e)) return point(e);
+  if (is_a<GiNaC::symbol>(e)) {
+    const Symbol* symbol = symbols.find(e);
+    return symbol != nullptr ? parse_range(symbol->range) : Interval{};
+  }
+  if (is_a<GiNaC::add>(e)) {
+    Interval result = point(0);
+    for (const ex& term : e) {
+      const Interval i = enclose(term, symbols);
+      result = {sum(result.low, i.low, -1), sum(result.high, i.high, +1)};
+    }
+    return result;
+  }
+  if (is_a<GiNaC::mul>(e)) {
+    Interval result = point(1);
+    for (const ex& factor : e) result = product(result, enclose(factor, symbols));
+    return result;
+  }
+  if (is_a<GiNaC::power>(e) && is_a<numeric>(e.op(1)) && ex_to<numeric>(e.op(1)).is_rational())
+    return power(enclose(e.op(0), symbols), ex_to<numeric>(e.op(1)));
+  if (is_a<GiNaC::power>(e) && sign(enclose(e.op(0), symbols).low) >= 0) return {{0, 0, false}, {0, +1, false}};
+  if (is_a<GiNaC::function>(e) && e.nops() == 1)
+    return function_interval(ex_to<GiNaC::function>(e).get_name(), enclose(e.op(0), symbols));
+  return {};
+}
+
+/// "pi/2", "-3/4*pi", "inf", "0.25": what may stand at the end of a range.
+End parse_end(std::string text, bool closed, std::string_view whole) {
+  std::erase(text, ' ');
+  if (text == "inf" || text == "+inf") return {0, +1, false};
+  if (text == "-inf") return {0, -1, false};
+  GiNaC::symtab table;
+  table["pi"] = GiNaC::Pi;
+  try {
+    if (text.empty() || text.size() > 40 || text.find_first_not_of("0123456789/*-+pi()") != std::string::npos)
+      throw std::invalid_argument("");
+    const ex value = GiNaC::parser(table, true)(text);
+    return {value, 0, closed};
+  } catch (const std::exception&) {
+    throw std::invalid_argument("cannot read the range '" + std::string(whole) + "'; right is, for example, (0, pi/2)");
+  }
+}
+
+}  // namespace
+
+Interval parse_range(std::string_view range) {
+  const auto comma = range.find(',');
+  const bool open = !range.empty() && (range.front() == '(' || range.front() == '[');
+  const bool shut = !range.empty() && (range.back() == ')' || range.back() == ']');
+  if (!open || !shut || comma == std::string_view::npos)
+    throw std::invalid_argument("cannot read the range '" + std::string(range) + "'; right is, for example, (0, pi/2)");
+  return {parse_end(std::string(range.substr(1, comma - 1)), range.front() == '[', range),
+          parse_end(std::string(range.substr(comma + 1, range.size() - comma - 2)), range.back() == ']', range)};
+}
+
+Interval interval_of(const ex& expression, const Symbols& symbols) {
+  try {
+    return enclose(expression, symbols);
+  } catch (const std::exception&) {  // a pole of GiNaC, or constants too close to tell: nothing is known
+    return {};
+  }
+}
+
+int sign_of(const ex& expression, const Symbols& symbols) {
+  const Interval i = interval_of(expression, symbols);
+  try {
+    if (i.low.infinite == 0 && (sign(i.low) > 0 || (sign(i.low) == 0 && !i.low.closed))) return 1;
+    if (i.high.infinite == 0 && (sign(i.high) < 0 || (sign(i.high) == 0 && !i.high.closed))) return -1;
+  } catch (const std::exception&) {
+  }
+  return 0;
+}
+
+bool is_nonnegative(const ex& expression, const Symbols& symbols) {
+  const Interval i = interval_of(expression, symbols);
+  try {
+    return i.low.infinite == 0 && sign(i.low) >= 0;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+}  // namespace rederive

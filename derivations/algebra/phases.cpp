@@ -1,0 +1,302 @@
+#include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/phases.hpp>
+
+#include <algorithm>
+
+namespace rederive {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+using GiNaC::numeric;
+using Kind = Generator::Kind;
+
+namespace {
+
+const GiNaC::symbol& pi_symbol() {
+  static const GiNaC::symbol pi("pi");
+  return pi;
+}
+
+std::string name_of(const ex& e) {
+  return is_a<GiNaC::function>(e) && e.nops() == 1 ? ex_to<GiNaC::function>(e).get_name() : std::string();
+}
+bool is_circular(const std::string& name) { return name == "sin" || name == "cos"; }
+bool is_real_exponential(const std::string& name) { return name == "sinh" || name == "cosh" || name == "exp"; }
+
+/// Number and monomial of a term of an expanded polynomial.
+std::pair<numeric, ex> split(const ex& term) {
+  if (is_a<numeric>(term)) return {ex_to<numeric>(term), 1};
+  if (!is_a<GiNaC::mul>(term)) return {1, term};
+  numeric number = 1;
+  ex monomial = 1;
+  for (const ex& factor : term) {
+    if (is_a<numeric>(factor)) number *= ex_to<numeric>(factor);
+    else monomial *= factor;
+  }
+  return {number, monomial};
+}
+
+std::vector<ex> terms(const ex& polynomial) {
+  const ex expanded = polynomial.expand();
+  if (!is_a<GiNaC::add>(expanded)) return {expanded};
+  return {expanded.begin(), expanded.end()};
+}
+
+bool is_fractional_power(const ex& e) {
+  return is_a<GiNaC::power>(e) && is_a<numeric>(e.op(1)) && !ex_to<numeric>(e.op(1)).is_integer();
+}
+
+/// What stands under the root that ties an inverse function to algebra: 1-u² for asin u; 0 for anything else.
+ex under_the_root(const ex& inverse) {
+  const std::string name = name_of(inverse);
+  if (name.empty()) return 0;
+  const ex u = inverse.op(0);
+  if (name == "asin" || name == "atanh") return 1 - u * u;
+  if (name == "atan" || name == "asinh") return 1 + u * u;
+  if (name == "acosh") return u * u - 1;
+  return 0;
+}
+
+}  // namespace
+
+Phases::Phases(const std::vector<ex>& expressions, const Symbols& symbols) : symbols_(symbols) {
+  for (const ex& e : expressions) collect(prepare(e, symbols_));
+  make_generators();
+}
+
+/// First walk: which arguments, which roots, which functions that stay as they are.
+void Phases::collect(const ex& e) {
+  const std::string name = name_of(e);
+  if (is_circular(name) || is_real_exponential(name)) {
+    arguments_.push_back({e.op(0), is_circular(name)});
+    for (auto part = e.op(0).preorder_begin(); part != e.op(0).preorder_end(); ++part)
+      if (const ex under = under_the_root(*part); !under.is_zero()) {
+        collect(part->op(0));
+        collect(prepare(GiNaC::pow(under, numeric(1, 2)), symbols_));
+      } else if (name_of(*part) == "log") {
+        collect(part->op(0));
+      }
+    return;
+  }
+  if (!name.empty()) {
+    opaques_.push_back(e);
+    if (name == "abs") collect(e.op(0));
+    return;
+  }
+  if (is_fractional_power(e)) {
+    long& denominator = roots_.try_emplace(e.op(0), 1).first->second;
+    denominator = GiNaC::lcm(numeric(denominator), ex_to<numeric>(e.op(1)).denom()).to_long();
+    if (denominator > 64) throw Undecidable("roots of a degree above 64");
+    if (!is_a<GiNaC::symbol>(e.op(0)) && !is_a<numeric>(e.op(0))) collect(e.op(0));
+    return;
+  }
+  if (is_a<GiNaC::power>(e) && !is_a<numeric>(e.op(1))) throw Undecidable("a power with a symbolic exponent");
+  for (const ex& part : e) collect(part);
+}
+
+/// argument = Σ coefficient·phase + q·π, over the denominator that all arguments share.
+Phases::Argument Phases::take_apart(const ex& argument, bool circular) const {
+  const ex rational = argument.subs(GiNaC::Pi == pi_symbol()).to_rational(atoms_).normal();
+  const ex numerator = (rational * denominator_).normal().expand();
+  Argument result;
+  ex rest = numerator;
+  const ex of_pi = numerator.coeff(pi_symbol(), 1);
+  if (circular && !of_pi.is_zero() && numerator.degree(pi_symbol()) == 1) {  // how many whole denominators stand beside π?
+    const auto [lead, monomial] = split(terms(denominator_).front());
+    for (const ex& term : terms(of_pi)) {
+      const auto [number, other] = split(term);
+      if (other.is_equal(monomial)) result.pi = number / lead;
+    }
+    rest = (numerator - result.pi * denominator_ * pi_symbol()).expand();
+  }
+  for (const ex& term : terms(rest)) {
+    const auto [number, monomial] = split(term);
+    if (number.is_zero()) continue;
+    if (!number.is_rational()) throw Undecidable("a coefficient that is no rational number");
+    const ex phase = (monomial / denominator_).subs(atoms_, GiNaC::subs_options::no_pattern);
+    result.parts[phase.subs(pi_symbol() == GiNaC::Pi)] += number;
+  }
+  return result;
+}
+
+void Phases::make_generators() {
+  const auto add = [&](Kind kind, const std::string& name, const ex& meaning) -> Generator& {
+    generators_.push_back({kind, GiNaC::symbol(name), meaning, 1, 0, 0, false, true});
+    return generators_.back();
+  };
+  Generator& imaginary = add(Kind::imaginary, "i", GiNaC::I);
+  imaginary.degree = 2;
+  imaginary.value = -1;
+  generators_.push_back({Kind::pi, pi_symbol(), GiNaC::Pi, 1, 0, 0, false, true});
+
+  for (const auto& [argument, circular] : arguments_) {
+    const ex rational = argument.subs(GiNaC::Pi == pi_symbol()).to_rational(atoms_);
+    denominator_ = GiNaC::lcm(denominator_, rational.normal().denom()).expand();
+  }
+  std::map<ex, long, GiNaC::ex_is_less> divisors[2];
+  for (const auto& [argument, circular] : arguments_) {
+    const Argument taken = take_apart(argument, circular);
+    for (const auto& [phase, coefficient] : taken.parts) {
+      long& n = divisors[circular].try_emplace(phase, 1).first->second;
+      const numeric common = GiNaC::lcm(numeric(n), coefficient.denom());
+      if (common > 1000) throw Undecidable("a phase with a denominator above 1000");
+      n = common.to_long();
+      if (GiNaC::abs(coefficient * common) > 4000) throw Undecidable("a phase with a multiple above 4000");
+    }
+    // cos qπ and sin qπ bring roots of their own
+    if (circular && !taken.pi.is_integer())
+      for (const ex& value : std::vector<ex>{GiNaC::cos(taken.pi * GiNaC::Pi), GiNaC::sin(taken.pi * GiNaC::Pi)}) {
+        if (!name_of(value).empty()) throw Undecidable("a multiple of pi whose denominator is not 1, 2, 3, 4, 6 or 12");
+        collect(prepare(value, symbols_));
+      }
+  }
+  for (const auto& [base, degree] : roots_) {
+    // the root of a symbol or a prime generates; that of anything else is tied to what stands under it
+    const bool free = is_a<GiNaC::symbol>(base);
+    Generator& generator = add(Kind::root, "r" + std::to_string(generators_.size()), base);
+    generator.divisor = generator.degree = static_cast<int>(degree);
+    if (free) generator.degree = 0;
+    else if (is_a<numeric>(base)) generator.value = base;
+    generator.has_branches = !free && !is_a<numeric>(base);
+    generator.analytic = sign_of(base, symbols_) > 0;
+  }
+  const bool defined = denominator_.is_equal(1) || sign_of(denominator_.subs(pi_symbol() == GiNaC::Pi), symbols_) != 0;
+  for (const int circular : {1, 0})
+    for (const auto& [phase, n] : divisors[circular]) {
+      Generator& generator = add(circular == 1 ? Kind::circular : Kind::real,
+                                 (circular == 1 ? "z" : "h") + std::to_string(generators_.size()), phase);
+      generator.divisor = static_cast<int>(n);
+      generator.analytic = defined;
+    }
+  for (const ex& value : opaques_)
+    if (find(Kind::opaque, value) == nullptr) add(Kind::opaque, "f" + std::to_string(generators_.size()), value);
+
+  for (std::size_t k = 0; k < generators_.size(); ++k) {  // relations, now that all generators are there
+    Generator& generator = generators_[k];
+    if (generator.kind == Kind::root && generator.has_branches) generator.value = rewrite(generator.meaning);
+    if (generator.kind == Kind::opaque && name_of(generator.meaning) == "abs") {
+      generator.degree = 2;
+      generator.value = GiNaC::pow(rewrite(generator.meaning.op(0)), 2);
+      generator.has_branches = true;
+      generator.analytic = false;
+    }
+    if (generator.kind == Kind::real && name_of(generator.meaning) == "log" &&
+        sign_of(generator.meaning.op(0), symbols_) > 0) {
+      generator.degree = generator.divisor;
+      generator.value = rewrite(generator.meaning.op(0));
+      generator.has_branches = true;
+    }
+    if (generator.kind == Kind::circular || generator.kind == Kind::real) relate_inverse(generator);
+  }
+}
+
+/// e^{i asin u} = √(1-u²) + iu and its kin: an inverse function inside an argument ties its phase to algebra.
+void Phases::relate_inverse(Generator& generator) {
+  const std::string name = name_of(generator.meaning);
+  const ex under = under_the_root(generator.meaning);
+  const bool circular = generator.kind == Kind::circular;
+  if (under.is_zero() || circular != (name == "asin" || name == "atan")) return;
+  const ex i = generators_.front().symbol, u = rewrite(generator.meaning.op(0));
+  const ex root = rewrite(prepare(GiNaC::pow(under, numeric(1, 2)), symbols_));
+  generator.degree = generator.divisor;
+  generator.has_branches = true;
+  if (name == "asin") generator.value = root + i * u;
+  if (name == "atan") generator.value = (1 + i * u) / root;
+  if (name == "asinh" || name == "acosh") generator.value = u + root;
+  if (name == "atanh") generator.value = (1 + u) / root;
+}
+
+ex Phases::operator()(const ex& expression) const { return rewrite(prepare(expression, symbols_)); }
+
+/// Second walk: every function becomes a rational function of generators.
+ex Phases::rewrite(const ex& e) const {
+  if (is_a<numeric>(e)) {
+    if (!ex_to<numeric>(e).is_rational()) throw Undecidable("a number that is not exact");
+    return e;
+  }
+  if (e.is_equal(GiNaC::Pi)) return pi_symbol();
+  if (is_a<GiNaC::symbol>(e)) {
+    const Generator* generator = find(Kind::root, e);
+    return generator != nullptr ? GiNaC::pow(generator->symbol, generator->divisor) : e;
+  }
+  if (is_a<GiNaC::add>(e) || is_a<GiNaC::mul>(e)) {
+    ex result = is_a<GiNaC::add>(e) ? 0 : 1;
+    for (const ex& part : e) is_a<GiNaC::add>(e) ? result += rewrite(part) : result *= rewrite(part);
+    return result;
+  }
+  if (is_fractional_power(e)) return root(e.op(0), ex_to<numeric>(e.op(1)));
+  if (is_a<GiNaC::power>(e)) return GiNaC::pow(rewrite(e.op(0)), e.op(1));
+  const std::string name = name_of(e);
+  const ex i = generators_.front().symbol;
+  if (is_circular(name)) {
+    const ex unit = exponential(e.op(0), true);
+    return name == "sin" ? (unit - 1 / unit) / (2 * i) : (unit + 1 / unit) / 2;
+  }
+  if (is_real_exponential(name)) {
+    const ex unit = exponential(e.op(0), false);
+    return name == "exp" ? unit : name == "sinh" ? (unit - 1 / unit) / 2 : (unit + 1 / unit) / 2;
+  }
+  return opaque(e);
+}
+
+ex Phases::exponential(const ex& argument, bool circular) const {
+  const Argument taken = take_apart(argument, circular);
+  ex result = 1;
+  for (const auto& [phase, coefficient] : taken.parts) {
+    const Generator* generator = find(circular ? Kind::circular : Kind::real, phase);
+    if (generator == nullptr) throw Undecidable("an argument that was not seen before");
+    result *= GiNaC::pow(generator->symbol, coefficient * generator->divisor);
+  }
+  if (taken.pi.is_zero()) return result;
+  return result * (rewrite(prepare(GiNaC::cos(taken.pi * GiNaC::Pi), symbols_)) +
+                   generators_.front().symbol * rewrite(prepare(GiNaC::sin(taken.pi * GiNaC::Pi), symbols_)));
+}
+
+ex Phases::root(const ex& base, const numeric& exponent) const {
+  const Generator* generator = find(Kind::root, base);
+  if (generator == nullptr) throw Undecidable("a root that was not seen before");
+  return GiNaC::pow(generator->symbol, exponent * generator->divisor);
+}
+
+ex Phases::opaque(const ex& value) const {
+  const Generator* generator = find(Kind::opaque, value);
+  if (generator == nullptr) throw Undecidable("the function " + name_of(value) + " in a place where it is not handled");
+  return generator->symbol;
+}
+
+const Generator* Phases::find(Kind kind, const ex& meaning) const {
+  for (const Generator& generator : generators_)
+    if (generator.kind == kind && generator.meaning.is_equal(meaning)) return &generator;
+  return nullptr;
+}
+
+ex Phases::reduce(const ex& polynomial) const {
+  ex rest = polynomial.expand();
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (auto generator = generators_.rbegin(); generator != generators_.rend(); ++generator) {
+      if (generator->degree == 0 || rest.degree(generator->symbol) < generator->degree) continue;
+      const ex value = generator->value.normal();
+      const ex relation = (value.denom() * GiNaC::pow(generator->symbol, generator->degree) - value.numer()).expand();
+      rest = GiNaC::prem(rest, relation, generator->symbol).expand();
+      changed = true;
+    }
+  }
+  return rest;
+}
+
+ex Phases::meaning_of(const ex& rational) const {
+  GiNaC::exmap back;
+  for (const Generator& g : generators_) {
+    switch (g.kind) {
+      case Kind::circular: back[g.symbol] = GiNaC::exp(GiNaC::I * g.meaning / g.divisor); break;
+      case Kind::real: back[g.symbol] = GiNaC::exp(g.meaning / g.divisor); break;
+      case Kind::root: back[g.symbol] = GiNaC::pow(g.meaning, numeric(1, g.divisor)); break;
+      default: back[g.symbol] = g.meaning;
+    }
+  }
+  return rational.subs(back, GiNaC::subs_options::no_pattern);
+}
+
+}  // namespace rederive

@@ -1,0 +1,87 @@
+// Expression → rational function of independent generators, with true algebraic relations between some of them.
+//
+// Every argument of sin, cos, sinh, cosh, exp … is taken apart into rational multiples of independent phases; a
+// circular phase φ becomes z = e^{iφ/n}, a real one x becomes h = e^{x/n}, with n such that only whole powers are
+// left. Rational multiples of π become numbers; roots of primes and of what is positive, the imaginary unit and
+// inverse functions inside arguments become generators with a relation (i² = -1).
+//
+// Everything done here is a true identity, so that a numerator which vanishes proves the statement.
+#pragma once
+
+#include <derivations/algebra/symbols.hpp>
+
+#include <stdexcept>
+
+namespace rederive {
+
+/// The statement is outside the class; the message says why.
+struct Undecidable : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// One generator of the ring, and what it stands for.
+struct Generator {
+  enum class Kind {
+    circular,   ///< e^{i meaning/degree_of_phase}
+    real,       ///< e^{meaning/degree_of_phase}
+    root,       ///< the positive root meaning^{1/root}
+    imaginary,  ///< i
+    pi,         ///< π
+    opaque      ///< a function value that is only equal to itself: meaning
+  };
+  Kind kind;
+  GiNaC::symbol symbol;
+  GiNaC::ex meaning;          ///< in the symbols of the statement
+  int divisor = 1;            ///< n in e^{iφ/n}, or the degree of the root
+  int degree = 0;             ///< symbol^degree = value holds; 0: no relation
+  GiNaC::ex value;            ///< in the generators before it
+  bool has_branches = false;  ///< a root of something that may be a perfect power: the relation may be reducible
+  bool analytic = true;       ///< over the declared ranges: the meaning has no pole or branch point there
+};
+
+/// The rewriting of a set of expressions that belong together: build it from all of them, then apply it to each.
+class Phases {
+ public:
+  /// Throws Undecidable where an expression is outside the class.
+  Phases(const std::vector<GiNaC::ex>& expressions, const Symbols& symbols);
+
+  /// The rational function of generators and plain symbols that an expression is.
+  GiNaC::ex operator()(const GiNaC::ex& expression) const;
+  /// The remainder of a polynomial modulo all relations, up to a factor that is not zero: 0 iff it is 0 in the ring.
+  GiNaC::ex reduce(const GiNaC::ex& polynomial) const;
+  /// A rational function back in the symbols of the statement, for a numeric check.
+  GiNaC::ex meaning_of(const GiNaC::ex& rational) const;
+
+  const std::vector<Generator>& generators() const { return generators_; }
+  /// Numerator of the statement's phases' common denominator: must not vanish.
+  const GiNaC::ex& denominator() const { return denominator_; }
+
+ private:
+  struct Argument {
+    std::map<GiNaC::ex, GiNaC::numeric, GiNaC::ex_is_less> parts;  ///< phase → rational coefficient
+    GiNaC::numeric pi = 0;                                           ///< and so many times π
+  };
+  void collect(const GiNaC::ex& prepared);
+  Argument take_apart(const GiNaC::ex& argument, bool circular) const;
+  void make_generators();
+  void relate_inverse(Generator& generator);
+  GiNaC::ex rewrite(const GiNaC::ex& prepared) const;
+  GiNaC::ex exponential(const GiNaC::ex& argument, bool circular) const;
+  GiNaC::ex root(const GiNaC::ex& base, const GiNaC::numeric& exponent) const;
+  GiNaC::ex opaque(const GiNaC::ex& value) const;
+  const Generator* find(Generator::Kind kind, const GiNaC::ex& meaning) const;
+
+  const Symbols& symbols_;
+  std::vector<Generator> generators_;
+  GiNaC::ex denominator_ = 1;
+  mutable GiNaC::exmap atoms_;                        ///< stand-in symbol → function value inside an argument
+  std::vector<std::pair<GiNaC::ex, bool>> arguments_; ///< (argument, circular?)
+  std::map<GiNaC::ex, long, GiNaC::ex_is_less> roots_; ///< base → least common denominator of its exponents
+  std::vector<GiNaC::ex> opaques_;
+};
+
+/// Rewrites by identities that need no phases: tan, tanh, symbolic powers, logarithms of products, roots of
+/// products, inverse functions of what they invert. Throws Undecidable.
+GiNaC::ex prepare(const GiNaC::ex& expression, const Symbols& symbols);
+
+}  // namespace rederive

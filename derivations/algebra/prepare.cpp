@@ -1,0 +1,222 @@
+// Identities that need no phases, applied from the inside out. Each is true wherever both its sides are defined.
+#include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/phases.hpp>
+
+namespace rederive {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+using GiNaC::numeric;
+
+namespace {
+
+bool is_call(const ex& e, const char* name) {
+  return is_a<GiNaC::function>(e) && e.nops() == 1 && ex_to<GiNaC::function>(e).get_name() == name;
+}
+
+struct Prepare : GiNaC::map_function {
+  explicit Prepare(const Symbols& table) : symbols(table) {}
+  const Symbols& symbols;
+
+  ex operator()(const ex& e) override {
+    if (e.nops() == 0) return e;
+    const ex inner = e.map(*this);
+    if (is_a<GiNaC::power>(inner)) return power(inner.op(0), inner.op(1));
+    if (is_a<GiNaC::function>(inner) && inner.nops() == 1)
+      return function(ex_to<GiNaC::function>(inner).get_name(), inner.op(0), inner);
+    return inner;
+  }
+
+  ex power(const ex& base, const ex& exponent) {
+    if (is_a<numeric>(exponent) && ex_to<numeric>(exponent).is_integer()) return GiNaC::pow(base, exponent);
+    if (is_call(base, "exp")) return (*this)(GiNaC::exp((base.op(0) * exponent).expand()));
+    if (is_a<numeric>(exponent) && ex_to<numeric>(exponent).is_rational()) return root(base, ex_to<numeric>(exponent));
+    if (sign_of(base, symbols) <= 0)
+      throw Undecidable("a power with a symbolic exponent, of a base that is not known to be positive");
+    return (*this)(GiNaC::exp((exponent * logarithm(base)).expand()));
+  }
+
+  /// The factors of a rational function with functions taken as symbols: {factor, exponent} and a number.
+  std::vector<std::pair<ex, numeric>> factors(const ex& e) {
+    GiNaC::exmap atoms;
+    const ex fraction = e.to_rational(atoms).numer_denom();
+    std::vector<std::pair<ex, numeric>> result;
+    const auto add = [&](const ex& part, int sign) {
+      const ex product = GiNaC::factor(part.op(sign > 0 ? 0 : 1));
+      const auto one = [&](const ex& f) {
+        if (is_a<GiNaC::power>(f) && is_a<numeric>(f.op(1)) && ex_to<numeric>(f.op(1)).is_integer())
+          result.push_back({f.op(0).subs(atoms, GiNaC::subs_options::no_pattern), ex_to<numeric>(f.op(1)) * sign});
+        else
+          result.push_back({f.subs(atoms, GiNaC::subs_options::no_pattern), sign});
+      };
+      if (is_a<GiNaC::mul>(product))
+        for (const ex& f : product) one(f);
+      else
+        one(product);
+    };
+    add(fraction, 1);
+    add(fraction, -1);
+    return result;
+  }
+
+  /// (∏ f_k^{n_k})^q: what is positive comes out, the rest stays together under one root.
+  ex root(const ex& base, const numeric& q) {
+    if (is_a<numeric>(base) && !ex_to<numeric>(base).is_rational()) throw Undecidable("a number that is not exact");
+    ex outside = 1, inside = 1;
+    for (auto [factor, n] : factors(base)) {
+      const bool even = n.is_even() && q.denom().is_even();
+      const int sign = sign_of(factor, symbols);
+      if (is_a<numeric>(factor)) {
+        const numeric value = ex_to<numeric>(factor);
+        outside *= number_root(GiNaC::abs(value), n * q);
+        if (value.is_negative() && !n.is_even()) inside = -inside;
+      } else if (sign > 0 || is_call(factor, "exp")) {
+        outside *= positive_root(factor, n * q);
+      } else if (sign < 0) {
+        outside *= positive_root(-factor, n * q);
+        if (!n.is_even()) inside = -inside;
+      } else if (even) {
+        outside *= GiNaC::pow(GiNaC::abs(factor), n * q);
+      } else {
+        inside *= GiNaC::pow(factor, n);
+      }
+    }
+    if (inside.is_equal(-1)) throw Undecidable("the root of a negative number");
+    return inside.is_equal(1) ? outside : outside * GiNaC::pow(inside.normal(), q);
+  }
+
+  ex positive_root(const ex& factor, const numeric& q) {
+    if (q.is_integer()) return GiNaC::pow(factor, q);
+    if (is_call(factor, "exp")) return GiNaC::exp((factor.op(0) * q).expand());
+    return GiNaC::pow(factor, q);
+  }
+
+  /// The q-th power of a positive rational number, prime by prime; large cofactors stay whole.
+  ex number_root(numeric value, const numeric& q) {
+    if (q.is_integer()) return GiNaC::pow(value, q);
+    ex result = 1;
+    for (const auto& [part, side] : {std::pair{value.numer(), 1}, std::pair{value.denom(), -1}}) {
+      numeric rest = part;
+      for (numeric prime = 2; prime * prime <= rest && prime < 10'000; prime += 1) {
+        long count = 0;
+        while (GiNaC::irem(rest, prime).is_zero()) rest = GiNaC::iquo(rest, prime), ++count;
+        if (count > 0) result *= GiNaC::pow(prime, q * count * side);
+      }
+      if (rest != 1) result *= GiNaC::pow(rest, q * side);
+    }
+    return result;
+  }
+
+  /// exp(q·log a + rest) = a^q·exp(rest) for rational q.
+  ex exponential(const ex& argument) {
+    ex powers = 1, rest = 0;
+    const ex expanded = argument.expand();
+    const auto one = [&](const ex& term) {
+      const ex number = is_a<GiNaC::mul>(term) ? term.op(term.nops() - 1) : ex(1);
+      const ex other = term / number;
+      if (is_a<numeric>(number) && ex_to<numeric>(number).is_rational() && is_call(other, "log") &&
+          sign_of(other.op(0), symbols) > 0)
+        powers *= GiNaC::pow(other.op(0), number);
+      else
+        rest += term;
+    };
+    if (is_a<GiNaC::add>(expanded))
+      for (const ex& term : expanded) one(term);
+    else
+      one(expanded);
+    return powers * GiNaC::exp(rest);
+  }
+
+  /// log of a product of positive factors is the sum of their logarithms.
+  ex logarithm(const ex& value) {
+    if (is_a<GiNaC::symbol>(value)) return GiNaC::log(value);
+    ex sum = 0, rest = 1;
+    for (auto [factor, n] : factors(value)) {
+      if (factor.is_equal(1)) continue;
+      if (is_call(factor, "exp")) sum += n * factor.op(0);
+      else if (is_a<numeric>(factor) && ex_to<numeric>(factor).is_positive()) sum += n * number_logarithm(ex_to<numeric>(factor));
+      else if (is_a<GiNaC::power>(factor) && is_a<numeric>(factor.op(1)) && sign_of(factor.op(0), symbols) > 0)
+        sum += n * factor.op(1) * logarithm(factor.op(0));
+      else if (sign_of(factor, symbols) > 0) sum += n * GiNaC::log(factor);
+      else rest *= GiNaC::pow(factor, n);
+    }
+    return rest.is_equal(1) ? sum : sum + GiNaC::log(rest.normal());
+  }
+
+  ex number_logarithm(const numeric& value) {
+    ex sum = 0;
+    for (const auto& [part, side] : {std::pair{value.numer(), 1}, std::pair{value.denom(), -1}}) {
+      numeric rest = part;
+      for (numeric prime = 2; prime * prime <= rest && prime < 10'000; prime += 1)
+        while (GiNaC::irem(rest, prime).is_zero()) rest = GiNaC::iquo(rest, prime), sum += side * GiNaC::log(ex(prime));
+      if (rest != 1) sum += side * GiNaC::log(ex(rest));
+    }
+    return sum;
+  }
+
+  bool within(const ex& e, const ex& low, const ex& high) {
+    const Interval i = interval_of(e, symbols);
+    if (i.low.infinite != 0 || i.high.infinite != 0) return false;
+    try {
+      return compare(i.low.value, low) >= 0 && compare(i.high.value, high) <= 0;
+    } catch (const std::domain_error&) {
+      return false;
+    }
+  }
+
+  /// f(g(x)) = x where g inverts f on the range that x is declared to keep to.
+  ex function(const std::string& name, const ex& x, const ex& whole) {
+    const ex half = GiNaC::Pi / 2;
+    if (name == "tan") return GiNaC::sin(x) / GiNaC::cos(x);
+    if (name == "tanh") return GiNaC::sinh(x) / GiNaC::cosh(x);
+    if (name == "log") return is_call(x, "exp") ? x.op(0) : logarithm(x);
+    if (name == "exp") return exponential(x);
+    if ((name == "sin" && is_call(x, "asin")) || (name == "sinh" && is_call(x, "asinh"))) return x.op(0);
+    if (name == "abs") {
+      if (is_nonnegative(x, symbols)) return x;
+      if (is_nonnegative(-x, symbols)) return -x;
+      return whole;
+    }
+    if (name == "acos") {
+      if (is_call(x, "cos") && within(x.op(0), 0, GiNaC::Pi)) return x.op(0);
+      return half - (*this)(GiNaC::asin(x));
+    }
+    if (name == "asin") {
+      if (is_call(x, "sin") && within(x.op(0), -half, half)) return x.op(0);
+      if (is_call(x, "cos") && within(x.op(0), 0, GiNaC::Pi)) return half - x.op(0);
+    }
+    if (name == "atan") return arctangent(x, whole);
+    if (name == "asinh" && is_call(x, "sinh")) return x.op(0);
+    if (name == "acosh" && is_call(x, "cosh"))
+      return is_nonnegative(x.op(0), symbols) ? x.op(0) : GiNaC::abs(x.op(0));
+    if (name == "atanh") {
+      for (const ex& angle : angles_in(x, "sinh"))
+        if ((x * GiNaC::cosh(angle) - GiNaC::sinh(angle)).normal().is_zero()) return angle;
+    }
+    return whole;
+  }
+
+  ex arctangent(const ex& x, const ex& whole) {
+    const ex half = GiNaC::Pi / 2;
+    for (const ex& angle : angles_in(x, "sin")) {
+      if ((x * GiNaC::cos(angle) - GiNaC::sin(angle)).normal().is_zero() && within(angle, -half, half)) return angle;
+      if ((x * GiNaC::sin(angle) - GiNaC::cos(angle)).normal().is_zero() && within(angle, 0, GiNaC::Pi))
+        return half - angle;
+    }
+    return whole;
+  }
+
+  std::vector<ex> angles_in(const ex& e, const std::string& name) {
+    std::vector<ex> angles;
+    for (auto i = e.preorder_begin(); i != e.preorder_end(); ++i)
+      if (is_a<GiNaC::function>(*i) && ex_to<GiNaC::function>(*i).get_name() == name) angles.push_back(i->op(0));
+    return angles;
+  }
+};
+
+}  // namespace
+
+ex prepare(const ex& expression, const Symbols& symbols) { return Prepare(symbols)(expression); }
+
+}  // namespace rederive

@@ -1,0 +1,142 @@
+#include <derivations/algebra/witness.hpp>
+
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace rederive {
+
+void collect_names(const Tree& tree, std::set<std::string>& names) {
+  if (tree->kind == Node::Kind::symbol && tree->text != "pi") names.insert(tree->text);
+  for (const Tree& child : tree->children) collect_names(child, names);
+}
+
+namespace {
+
+double to_double(const End& end) {
+  if (end.infinite != 0) return end.infinite * HUGE_VAL;
+  return GiNaC::ex_to<GiNaC::numeric>(end.value.evalf()).to_double();
+}
+
+/// A rational number with a small denominator near `value`.
+cln::cl_RA near(double value, long denominator) {
+  return cln::cl_RA(static_cast<long>(std::floor(value * static_cast<double>(denominator) + 0.5))) / denominator;
+}
+
+/// A repeatable mixing of two small integers into [0, 1).
+double mixed(unsigned a, unsigned b) {
+  unsigned long long x = (a + 1) * 0x9E3779B97F4A7C15ULL + (b + 1) * 0xBF58476D1CE4E5B9ULL;
+  x = (x ^ (x >> 31)) * 0x94D049BB133111EBULL;
+  x ^= x >> 29;
+  return static_cast<double>(x >> 11) / 9007199254740992.0;
+}
+
+constexpr std::array small_numbers{0.4, 1.25, 0.75, 2.0, 0.5, 1.5, 3.0, 0.2, 1.75, 0.6};
+
+}  // namespace
+
+Points::Points(const std::set<std::string>& names, const Symbols& symbols) {
+  for (const std::string& name : names) {
+    const Symbol* symbol = symbols.find(name);
+    const Interval i = symbol != nullptr ? parse_range(symbol->range) : Interval{};
+    ranges_[name] = {to_double(i.low), to_double(i.high), i.low.closed, i.high.closed};
+  }
+}
+
+bool Points::inside(const std::string& name, const cln::cl_RA& value) const {
+  const Range& range = ranges_.at(name);
+  const double v = cln::double_approx(value);
+  return (range.low_closed ? v >= range.low : v > range.low) && (range.high_closed ? v <= range.high : v < range.high);
+}
+
+Point Points::at(int index) const {
+  Point point;
+  unsigned place = 0;
+  for (const auto& [name, range] : ranges_) {
+    const double part = mixed(static_cast<unsigned>(index), place);
+    double value;
+    if (std::isfinite(range.low) && std::isfinite(range.high)) {
+      value = range.low + (range.high - range.low) * (0.1 + 0.8 * part);
+    } else {
+      double size = small_numbers[static_cast<std::size_t>((index * 3 + place * 7) % 10)] * (1 + 0.3 * (part - 0.5));
+      if (index >= 8) size *= std::exp(6 * (mixed(place, static_cast<unsigned>(index) + 77) - 0.5));
+      if (std::isfinite(range.low)) value = range.low + size;
+      else if (std::isfinite(range.high)) value = range.high - size;
+      else value = (index + place) % 2 == 0 ? size : -size;
+    }
+    // coarse numbers are easier on the hand; finer ones where the range leaves no room
+    for (long denominator : {20L, 1000L, 1000000L, 1000000000000L}) {
+      point[name] = near(value, denominator);
+      if (inside(name, point[name])) break;
+    }
+    ++place;
+  }
+  return point;
+}
+
+namespace {
+
+/// Illinois' variant of false position, on exact rationals rounded to 45 digits.
+std::optional<Point> polish(const Value& f, Point point, const std::string& name, cln::cl_RA a, cln::cl_RA b,
+                            cln::cl_R fa, cln::cl_R fb) {
+  const cln::cl_I scale = cln::expt_pos(cln::cl_I(10), 45);
+  const cln::cl_R larger = cln::max(cln::abs(fa), cln::abs(fb));
+  int side = 0;
+  for (int step = 0; step < 200; ++step) {
+    const cln::cl_RA weight = cln::rational(fa / (fa - fb));
+    cln::cl_RA c = cln::round1((a + (b - a) * weight) * scale) / cln::cl_RA(scale);
+    if (step % 3 == 2 || c <= cln::min(a, b) || c >= cln::max(a, b))
+      c = cln::round1((a + b) / 2 * scale) / cln::cl_RA(scale);
+    point[name] = c;
+    const auto fc = f(point);
+    if (!fc) return std::nullopt;
+    if (cln::zerop(*fc) || cln::abs(b - a) * scale <= 4) {
+      if (cln::abs(*fc) * cln::expt_pos(cln::cl_I(10), 20) > larger) return std::nullopt;  // a jump, not a root
+      return point;
+    }
+    if (cln::minusp(*fc) == cln::minusp(fb)) {
+      b = c, fb = *fc;
+      if (side == 1) fa = fa / 2;
+      side = 1;
+    } else {
+      a = c, fa = *fc;
+      if (side == -1) fb = fb / 2;
+      side = -1;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Point> find_root(const Value& f, const Points& points, const std::set<std::string>& names) {
+  for (int start = 0; start < 6; ++start) {
+    const Point base = points.at(start);
+    for (const std::string& name : names) {
+      std::optional<cln::cl_R> before;
+      cln::cl_RA at_before = 0;
+      // walk over the values that this symbol takes in the other points, in order
+      std::set<cln::cl_RA, bool (*)(const cln::cl_RA&, const cln::cl_RA&)> values(
+          [](const cln::cl_RA& x, const cln::cl_RA& y) { return x < y; });
+      for (int k = 0; k < 24; ++k) values.insert(points.at(k).at(name));
+      for (const cln::cl_RA& value : values) {
+        Point here = base;
+        here[name] = value;
+        const auto now = f(here);
+        if (now && before && !cln::zerop(*now) && !cln::zerop(*before) && cln::minusp(*now) != cln::minusp(*before))
+          if (auto root = polish(f, base, name, at_before, value, *before, *now)) return root;
+        before = now;
+        at_before = value;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::string rational_text(const cln::cl_RA& value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+}  // namespace rederive

@@ -1,0 +1,42 @@
+// Points inside the declared ranges at which two sides can be compared by hand.
+#pragma once
+
+#include <derivations/algebra/evaluate.hpp>
+#include <derivations/algebra/interval.hpp>
+
+#include <functional>
+#include <set>
+#include <vector>
+
+namespace rederive {
+
+/// The names that occur in a tree; pi is none.
+void collect_names(const Tree& tree, std::set<std::string>& names);
+
+/// A fixed sequence of rational points inside the declared ranges: small numbers first, then anything.
+class Points {
+ public:
+  Points(const std::set<std::string>& names, const Symbols& symbols);
+  Point at(int index) const;
+  /// Whether a value lies inside the declared range of a name.
+  bool inside(const std::string& name, const cln::cl_RA& value) const;
+
+ private:
+  struct Range {
+    double low, high;
+    bool low_closed, high_closed;
+  };
+  std::map<std::string, Range> ranges_;
+};
+
+/// A function of one point; nothing where it is undefined.
+using Value = std::function<std::optional<cln::cl_R>(const Point&)>;
+
+/// A point, near some Points::at, where `vanishing` changes its sign along one symbol, to 40 digits. Only crossings
+/// without a jump count. Nothing if none is found.
+std::optional<Point> find_root(const Value& vanishing, const Points& points, const std::set<std::string>& names);
+
+/// "7/5"
+std::string rational_text(const cln::cl_RA& value);
+
+}  // namespace rederive
