@@ -223,13 +223,8 @@ End parse_end(std::string text, bool closed, std::string_view whole) {
 }  // namespace
 
 Interval parse_range(std::string_view range) {
-  const auto comma = range.find(',');
-  const bool open = !range.empty() && (range.front() == '(' || range.front() == '[');
-  const bool shut = !range.empty() && (range.back() == ')' || range.back() == ']');
-  if (!open || !shut || comma == std::string_view::npos)
-    throw std::invalid_argument("cannot read the range '" + std::string(range) + "'; right is, for example, (0, pi/2)");
-  return {parse_end(std::string(range.substr(1, comma - 1)), range.front() == '[', range),
-          parse_end(std::string(range.substr(comma + 1, range.size() - comma - 2)), range.back() == ']', range)};
+  const Range ends = read_range(range);
+  return {parse_end(ends.lower, ends.lower_closed, range), parse_end(ends.upper, ends.upper_closed, range)};
 }
 
 Interval interval_of(const ex& expression, const Symbols& symbols) {

@@ -39,7 +39,7 @@ struct Proof {
 
 /// A name that stands for an expression: J_o = 4/3*m*R^2. Put in on both sides before anything is decided.
 struct Given {
-  GiNaC::symbol name;
+  GiNaC::ex name;  ///< a symbol of the table
   GiNaC::ex value;
 };
 

@@ -68,6 +68,13 @@ const Symbol& Symbols::declare(std::string name, std::string latex, std::string 
   return table_.insert_or_assign(std::move(name), std::move(entry)).first->second;
 }
 
+void Symbols::narrow(std::string_view name, std::string range) {
+  const auto found = table_.find(name);
+  if (found == table_.end()) throw std::out_of_range("no symbol '" + std::string(name) + "' is declared");
+  (void)read_range(range);
+  found->second.range = std::move(range);
+}
+
 const Symbol* Symbols::find(std::string_view name) const {
   const auto found = table_.find(name);
   return found == table_.end() ? nullptr : &found->second;

@@ -49,6 +49,9 @@ class Symbols {
   /// Throws std::invalid_argument if the range or the unit cannot be read.
   const Symbol& declare(std::string name, std::string latex, std::string unicode, std::string unit,
                         std::string range, std::string meaning, std::string introduced);
+  /// Replaces the range alone: the GiNaC symbol, and so every expression that has it, stays the same.
+  /// Throws std::out_of_range or std::invalid_argument.
+  void narrow(std::string_view name, std::string range);
   const Symbol* find(std::string_view name) const;    ///< nullptr if there is none
   const Symbol* find(const GiNaC::ex& symbol) const;  ///< by its GiNaC symbol
   /// The GiNaC symbol of that name; throws std::out_of_range naming it if there is none.

@@ -26,11 +26,11 @@ struct Row {
 /// A row, judged.
 struct Entry {
   Row row;
-  std::optional<Derivation> derivation;  ///< none for definitions
+  std::optional<Derivation> derivation;      ///< none for definitions
   Proof proof;
-  DimensionReport dimension;
-  std::string derived, correction;       ///< in our syntax; correction only with refuted
-  std::vector<std::string> rests_on_it;  ///< ids of the rows downstream
+  std::optional<DimensionReport> dimension;  ///< none where nothing is printed
+  std::string derived, correction;           ///< in our syntax; correction only with refuted
+  std::vector<std::string> rests_on_it;      ///< ids of the rows downstream, in the paper's order
 };
 
 /// Reads equations.toml. Throws std::runtime_error naming file, line and what would be right.
@@ -38,7 +38,18 @@ std::vector<Row> read_rows(const std::filesystem::path& file);
 /// The file that ships with the project.
 std::filesystem::path equations_file();
 
-/// Judges one row: derives, compares, checks dimensions. `rows` gives what rests on it.
+/// The symbols of the paper with the row's domain put in: "theta < 0" narrows the range of θ to (-π/2, 0).
+/// Throws std::invalid_argument for a domain of another form.
+Symbols symbols_in(const std::string& domain);
+
+/// Judges one row: derives, compares, checks dimensions. `rows` gives what rests on it. Throws SyntaxError where the
+/// printed text cannot be read.
 Entry judge(const Row& row, const std::vector<Row>& rows);
+
+/// What was derived for a row, as a relation that can be printed and compared.
+Relation derived_relation(const Derivation& derivation);
+
+/// Whether a printed relation says what was derived: the comparison that `judge` makes, for a mutant or an answer.
+Proof compare(const Relation& printed, const Derivation& derivation, const Symbols& symbols);
 
 }  // namespace rederive

@@ -1,0 +1,88 @@
+#include <derivations/algebra/print.hpp>
+#include <derivations/paper/ledger.hpp>
+#include <derivations/rocking_block/table.hpp>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+namespace rederive {
+
+namespace {
+
+/// Everything downstream of `id`: what follows from it, and what follows from that.
+std::vector<std::string> downstream(const std::string& id, const std::vector<Row>& rows) {
+  std::set<std::string> reached{id};
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (const Row& row : rows)
+      if (!reached.contains(row.id) &&
+          std::any_of(row.follows_from.begin(), row.follows_from.end(), [&](auto& from) { return reached.contains(from); }))
+        grown = reached.insert(row.id).second;
+  }
+  std::vector<std::string> ids;
+  for (const Row& row : rows)
+    if (row.id != id && reached.contains(row.id)) ids.push_back(row.id);
+  return ids;
+}
+
+/// The verdict of the comparison, in the light of what the derivation says about itself.
+void qualify(Proof& proof, const Derivation& derivation) {
+  if (proof.verdict != Verdict::proved) return;
+  if (derivation.order > 0) proof.verdict = Verdict::approximation;
+  else if (!derivation.assumption.empty()) proof.verdict = Verdict::proved_under;
+}
+
+}  // namespace
+
+Symbols symbols_in(const std::string& domain) {
+  Symbols symbols = paper_symbols();
+  if (domain.empty()) return symbols;
+  if (domain == "theta < 0") symbols.narrow("theta", "(-pi/2, 0)");
+  else if (domain == "theta > 0") symbols.narrow("theta", "(0, pi/2)");
+  else throw std::invalid_argument("cannot read the domain '" + domain + "'; right is \"theta < 0\" or \"theta > 0\"");
+  return symbols;
+}
+
+Relation derived_relation(const Derivation& derivation) {
+  return {{to_tree(derivation.left), to_tree(derivation.right)}, {derivation.relation}};
+}
+
+Proof compare(const Relation& printed, const Derivation& derivation, const Symbols& symbols) {
+  Proof proof = prove(printed, derived_relation(derivation), symbols, derivation.given);
+  qualify(proof, derivation);
+  return proof;
+}
+
+Entry judge(const Row& row, const std::vector<Row>& rows) {
+  Entry entry;
+  entry.row = row;
+  entry.rests_on_it = downstream(row.id, rows);
+  const Symbols symbols = symbols_in(row.domain);
+  std::optional<Relation> printed;
+  if (!row.printed.empty()) {
+    printed = parse_statement(row.printed, symbols);
+    entry.dimension = dimension(*printed, symbols);
+  }
+  const auto found = derivation_table().find(row.id);
+  if (found == derivation_table().end()) {
+    entry.proof.verdict = row.kind == "definition" ? Verdict::definition : Verdict::undecided;
+    entry.proof.reason = row.kind == "definition" ? "introduces a name or an assumption; there is nothing to derive"
+                                                  : "no derivation is listed for this row";
+    return entry;
+  }
+  entry.derivation = found->second();
+  const Relation derived = derived_relation(*entry.derivation);
+  entry.derived = print(derived);
+  if (printed) {
+    entry.proof = compare(*printed, *entry.derivation, symbols);
+  } else {  // a result of ours: nothing is printed that it could be compared with
+    entry.proof.verdict = entry.derivation->assumption.empty() ? Verdict::proved : Verdict::proved_under;
+    entry.proof.reason = "derived here; the paper has no such equation";
+    entry.dimension = dimension(derived, symbols);
+  }
+  if (entry.proof.verdict == Verdict::refuted) entry.correction = entry.derived;
+  return entry;
+}
+
+}  // namespace rederive

@@ -1,0 +1,169 @@
+#include <derivations/algebra/print.hpp>
+#include <derivations/paper/mutate.hpp>
+#include <derivations/rocking_block/table.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <random>
+#include <set>
+
+namespace rederive {
+
+namespace {
+
+using Kind = Node::Kind;
+using Rebuild = std::function<Tree(const Tree&)>;  ///< the whole side with this node in place of the old one
+
+Tree make(Kind kind, std::string text, std::vector<Tree> children = {}, std::vector<bool> inverse = {}) {
+  return std::make_shared<const Node>(Node{kind, std::move(text), std::move(children), std::move(inverse), 0});
+}
+Tree with(const Tree& node, std::size_t k, const Tree& child) {
+  Node copy = *node;
+  copy.children[k] = child;
+  return std::make_shared<const Node>(std::move(copy));
+}
+Tree without(const Tree& node, std::size_t k) {
+  Node copy = *node;
+  copy.children.erase(copy.children.begin() + static_cast<long>(k));
+  copy.inverse.erase(copy.inverse.begin() + static_cast<long>(k));
+  if (copy.children.size() == 1) {
+    if (!copy.inverse[0]) return copy.children[0];
+    if (copy.kind == Kind::sum) return make(Kind::negative, "", {copy.children[0]});
+    return make(Kind::product, "", {make(Kind::number, "1"), copy.children[0]}, {false, true});
+  }
+  if (copy.kind == Kind::product && copy.inverse[0]) {  // a quotient keeps something to divide
+    copy.children.insert(copy.children.begin(), make(Kind::number, "1"));
+    copy.inverse.insert(copy.inverse.begin(), false);
+  }
+  if (copy.kind == Kind::sum && copy.inverse[0]) {
+    copy.children[0] = make(Kind::negative, "", {copy.children[0]});
+    copy.inverse[0] = false;
+  }
+  return std::make_shared<const Node>(std::move(copy));
+}
+
+const std::map<std::string, std::string> other_function{
+    {"sin", "cos"}, {"cos", "sin"}, {"sinh", "cosh"}, {"cosh", "sinh"}, {"tan", "cot"},
+    {"cot", "tan"}, {"asin", "acos"}, {"acos", "asin"}, {"tanh", "coth"}, {"sec", "csc"}, {"csc", "sec"}};
+
+const std::map<std::string, std::string> other_symbol{
+    {"b", "h"}, {"h", "b"}, {"R", "h"}, {"J_o", "J_c"}, {"J_c", "J_o"}, {"p", "omega_p"}, {"omega_p", "p"},
+    {"alpha", "theta"}, {"psi", "alpha"}, {"T_ex", "t_i"}, {"t_i", "T_ex"}, {"x", "y"}, {"y", "x"}};
+
+struct Walk {
+  const Symbols& symbols;
+  std::function<void(const Tree&, std::string, std::string)> emit;  ///< new side, slip, what
+
+  void visit(const Tree& node, const Rebuild& rebuild) {
+    const auto put = [&](const Tree& tree, const char* slip, const std::string& what) { emit(rebuild(tree), slip, what); };
+    switch (node->kind) {
+      case Kind::number: number(*node, put); break;
+      case Kind::symbol: symbol(*node, put); break;
+      case Kind::negative: put(node->children[0], "sign", "a leading minus"); break;
+      case Kind::sum: sum(node, put); break;
+      case Kind::product:
+        for (std::size_t k = 0; k < node->children.size(); ++k)
+          put(without(node, k), "factor", "the factor " + print(node->children[k]));
+        break;
+      case Kind::power: power(node, put); break;
+      case Kind::call:
+        if (const auto other = other_function.find(node->text); other != other_function.end())
+          put(make(Kind::call, other->second, node->children), "function", other->second + " for " + node->text);
+        break;
+    }
+    for (std::size_t k = 0; k < node->children.size(); ++k)
+      visit(node->children[k], [&](const Tree& child) { return rebuild(with(node, k, child)); });
+  }
+
+  template <class Put>
+  void number(const Node& node, const Put& put) {
+    if (node.text.find_first_not_of("0123456789") != std::string::npos || node.text.size() > 6) return;
+    const long value = std::stol(node.text);
+    if (value == 0) return;
+    for (const long other : {value + 1, 2 * value})
+      if (other != value) put(make(Kind::number, std::to_string(other)), "coefficient", node.text + " read as " + std::to_string(other));
+  }
+  template <class Put>
+  void symbol(const Node& node, const Put& put) {
+    const std::string& name = node.text;
+    for (const char* dots : {"ddot", "dot"})
+      if (name.size() > std::string(dots).size() && name.ends_with(dots)) {
+        const std::string less = name.substr(0, name.size() - std::string(dots).size()) + (dots[1] == 'd' ? "dot" : "");
+        if (symbols.find(less) != nullptr) put(make(Kind::symbol, less), "dot", "a lost dot of " + name);
+        break;
+      }
+    if (const auto other = other_symbol.find(name); other != other_symbol.end())
+      put(make(Kind::symbol, other->second), "symbol", other->second + " for " + name);
+  }
+  template <class Put>
+  void sum(const Tree& node, const Put& put) {
+    for (std::size_t k = 0; k < node->children.size(); ++k) {
+      Node flipped = *node;
+      if (k == 0) flipped.children[0] = make(Kind::negative, "", {node->children[0]});
+      else flipped.inverse[k] = !flipped.inverse[k];
+      put(std::make_shared<const Node>(std::move(flipped)), "sign", "the sign of term " + std::to_string(k + 1));
+      put(without(node, k), "term", "term " + std::to_string(k + 1));
+    }
+  }
+  template <class Put>
+  void power(const Tree& node, const Put& put) {
+    put(node->children[0], "square", "the power of " + print(node->children[0]));
+  }
+};
+
+std::string turned(const std::string& op) {
+  const std::map<std::string, std::string> other{{"<", ">"}, {">", "<"}, {"<=", ">="}, {">=", "<="}};
+  return other.contains(op) ? other.at(op) : op;
+}
+
+}  // namespace
+
+std::vector<Mutant> mutants(const Relation& printed, const Symbols& symbols) {
+  std::vector<Mutant> result;
+  std::set<std::string> seen{print(printed)};
+  const auto add = [&](Relation relation, std::string slip, std::string what) {
+    if (seen.insert(print(relation)).second) result.push_back({std::move(relation), std::move(slip), std::move(what)});
+  };
+  for (std::size_t side = 0; side < printed.sides.size(); ++side) {
+    Walk walk{symbols, [&](const Tree& tree, std::string slip, std::string what) {
+                Relation mutant = printed;
+                mutant.sides[side] = tree;
+                add(std::move(mutant), std::move(slip), std::move(what));
+              }};
+    walk.visit(printed.sides[side], [](const Tree& tree) { return tree; });
+    const Kind kind = printed.sides[side]->kind;
+    if (side > 0 && kind != Kind::sum && kind != Kind::negative)
+      walk.emit(make(Kind::negative, "", {printed.sides[side]}), "sign", "the sign of the whole");
+  }
+  for (std::size_t k = 0; k < printed.operators.size(); ++k)
+    if (turned(printed.operators[k]) != printed.operators[k]) {
+      Relation mutant = printed;
+      mutant.operators[k] = turned(mutant.operators[k]);
+      add(std::move(mutant), "operator", "the inequality turned round");
+    }
+  return result;
+}
+
+Mutation mutate(const Row& row, unsigned seed, int most) {
+  Mutation outcome;
+  outcome.id = row.id;
+  const auto derive = derivation_table().find(row.id);
+  if (derive == derivation_table().end() || row.printed.empty()) return outcome;
+  const Symbols symbols = symbols_in(row.domain);
+  const Derivation derivation = derive->second();
+  std::vector<Mutant> all = mutants(parse_statement(row.printed, symbols), symbols);
+  std::mt19937 random(seed + static_cast<unsigned>(std::hash<std::string>{}(row.id)));
+  for (std::size_t k = all.size(); k > 1; --k) std::swap(all[k - 1], all[random() % k]);  // the same on every library
+  if (all.size() > static_cast<std::size_t>(most)) all.resize(static_cast<std::size_t>(most));
+  for (const Mutant& mutant : all) {
+    const Verdict verdict = compare(mutant.relation, derivation, symbols).verdict;
+    ++outcome.mutants;
+    if (verdict == Verdict::refuted) ++outcome.refuted;
+    else if (verdict == Verdict::undecided) ++outcome.survived, outcome.survivors.push_back(print(mutant.relation));
+    else ++outcome.equal;
+  }
+  return outcome;
+}
+
+}  // namespace rederive

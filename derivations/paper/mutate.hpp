@@ -1,0 +1,29 @@
+// Slips that a typesetter (or a student) makes, one at a time.
+#pragma once
+
+#include <derivations/paper/ledger.hpp>
+
+namespace rederive {
+
+/// A relation with one slip in it.
+struct Mutant {
+  Relation relation;
+  std::string slip;  ///< stable word: sign, coefficient, function, square, factor, term, symbol, dot, operator
+  std::string what;  ///< "the sign of term 2"
+};
+
+/// Every single slip in `printed`, in a fixed order: a sign, a coefficient, sin for cos, sinh for cosh, a lost
+/// square, factor, term or dot, a swapped symbol, a turned inequality.
+std::vector<Mutant> mutants(const Relation& printed, const Symbols& symbols = paper_symbols());
+
+/// What became of the mutants of one row.
+struct Mutation {
+  std::string id;
+  int mutants = 0, refuted = 0, equal = 0, survived = 0;
+  std::vector<std::string> survivors;  ///< their text
+};
+
+/// Compares up to `most` mutants of a row (chosen by `seed`) with what was derived for it.
+Mutation mutate(const Row& row, unsigned seed, int most = 24);
+
+}  // namespace rederive

@@ -1,0 +1,157 @@
+// ledger: what the paper says, and what is true.
+//
+// Sample runs:  ledger                       a row an equation, counts by verdict
+//               ledger show 17b              all about one row
+//               ledger errata --format markdown
+//               ledger prove "sin(2*x)" "2*sin(x)*cos(x)"
+#include <derivations/command_line.hpp>
+#include <derivations/paper/mutate.hpp>
+#include <lessons/ledger/prove_command.hpp>
+#include <lessons/ledger/report.hpp>
+
+#include <fmt/format.h>
+
+using namespace rederive;
+
+namespace {
+
+struct Options {
+  bool json = false;
+  std::string equations = equations_file();
+  std::string id, format = "text";
+  unsigned seed = 1;
+  ProveRequest request;
+};
+
+std::vector<Row> rows_of(const Options& options) {
+  try {
+    return read_rows(options.equations);
+  } catch (const std::runtime_error& error) {
+    throw BadInput(error.what());
+  }
+}
+
+Entry judged(const Row& row, const std::vector<Row>& rows) {
+  try {
+    return judge(row, rows);
+  } catch (const SyntaxError& error) {
+    throw BadInput("row " + row.id + ": " + explain(error, row.printed));
+  } catch (const std::invalid_argument& error) {
+    throw BadInput("row " + row.id + ": " + error.what());
+  }
+}
+
+std::vector<Entry> all(const Options& options) {
+  const auto rows = rows_of(options);
+  std::vector<Entry> entries;
+  for (const Row& row : rows) entries.push_back(judged(row, rows));
+  return entries;
+}
+
+const Row& row_of(const std::string& id, const std::vector<Row>& rows) {
+  std::string known;
+  for (const Row& row : rows) {
+    if (row.id == id) return row;
+    if (!id.empty() && row.id.starts_with(id)) known += " " + row.id;
+  }
+  throw BadInput("there is no equation '" + id + "'" + (known.empty() ? "; 'ledger' lists them all" : "; there is" + known));
+}
+
+int exit_code(const std::vector<Entry>& entries) {
+  for (const Entry& entry : entries)
+    if (to_string(entry.proof.verdict) != entry.row.expected) return not_as_expected;
+  return as_expected;
+}
+
+void put(const std::string& text) { std::fputs(text.c_str(), stdout); }
+void put(const nlohmann::ordered_json& json) { put(json.dump(2) + "\n"); }
+
+int show_all(const Options& options) {
+  const auto entries = all(options);
+  if (options.json) put(to_json(entries));
+  else put(ledger_table(entries, is_lively(1)));
+  return exit_code(entries);
+}
+
+int show_one(const Options& options) {
+  const auto rows = rows_of(options);
+  const Entry entry = judged(row_of(options.id, rows), rows);
+  if (options.json) put(to_json(entry));
+  else put(ledger_page(entry, is_lively(1)));
+  return exit_code({entry});
+}
+
+int show_mutation(const Options& options) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  Mutation total;
+  const auto rows = rows_of(options);
+  if (!options.id.empty()) (void)row_of(options.id, rows);
+  for (const Row& row : rows) {
+    if (!options.id.empty() && row.id != options.id) continue;
+    if (is_lively(2)) fmt::print(stderr, "\r{:<8}", row.id);
+    const Mutation m = mutate(row, options.seed);
+    list.push_back({{"id", m.id}, {"mutants", m.mutants}, {"refuted", m.refuted}, {"equal", m.equal}, {"survived", m.survived}});
+    total.mutants += m.mutants, total.refuted += m.refuted, total.equal += m.equal, total.survived += m.survived;
+    if (options.json) continue;
+    if (m.mutants > 0) fmt::print("{:<6} {:>4} mutants {:>4} refuted {:>4} equal {:>4} survived\n", m.id, m.mutants, m.refuted, m.equal, m.survived);
+    for (const std::string& text : m.survivors) fmt::print("         survived: {}\n", text);
+  }
+  if (is_lively(2)) fmt::print(stderr, "\r{:<8}\r", "");
+  if (options.json)
+    put(nlohmann::ordered_json{{"rows", list}, {"totals", {{"mutants", total.mutants}, {"refuted", total.refuted}, {"equal", total.equal}, {"survived", total.survived}}}});
+  else fmt::print("{:<6} {:>4} mutants {:>4} refuted {:>4} equal {:>4} survived\n", "all", total.mutants, total.refuted, total.equal, total.survived);
+  return total.survived == 0 ? as_expected : not_as_expected;
+}
+
+int show_proof(const Options& options) {
+  const auto json = decide_bounded(options.request);
+  const std::string verdict = json["verdict"];
+  if (options.json) {
+    put(json);
+  } else {
+    put(verdict + "\n");
+    for (const char* key : {"factor", "reason"})
+      if (json[key].is_string()) put(fmt::format("  {:<16} {}\n", key, json[key].get<std::string>()));
+    for (const auto& condition : json["side_conditions"]) put(fmt::format("  {:<16} {}\n", "if", condition.get<std::string>()));
+    if (!json["witness"].is_null()) {
+      for (const auto& [name, value] : json["witness"]["at"].items()) put(fmt::format("  {:<16} {} = {}\n", "witness", name, value.get<std::string>()));
+      put(fmt::format("  {:<16} {}\n  {:<16} {}\n", "left", json["witness"]["printed"].get<std::string>(), "right", json["witness"]["derived"].get<std::string>()));
+    }
+  }
+  return verdict == "refuted" ? not_as_expected : verdict == "undecided" ? undecided_or_failed : as_expected;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"What the paper says, and what is true. Without a subcommand: every equation with its verdict."};
+  Options options;
+  app.add_flag("--json", options.json, "One JSON document on standard output");
+  app.add_option("--equations", options.equations, "Another equations.toml than the one that ships")->check(CLI::ExistingFile);
+  app.fallthrough();
+  app.require_subcommand(0, 1);
+
+  auto* show = app.add_subcommand("show", "All about one equation");
+  show->add_option("id", options.id, "Its number, such as 17b")->required();
+  auto* sheet = app.add_subcommand("errata", "The errors alone, the most consequential first");
+  sheet->add_option("--format", options.format, "text, markdown, latex or json")->check(CLI::IsMember({"text", "markdown", "latex", "json"}));
+  auto* mutation = app.add_subcommand("mutate", "Spoils every row on purpose; nothing may pass");
+  mutation->add_option("id", options.id, "One row alone");
+  mutation->add_option("--seed", options.seed, "Which slips are tried");
+  auto* dot = app.add_subcommand("graph", "What follows from what, in DOT");
+  auto* proving = app.add_subcommand("prove", "Decides any statement: LHS and RHS are expressions, equations or inequalities");
+  proving->add_option("lhs", options.request.left, "\"sin(2*x)\"")->required();
+  proving->add_option("rhs", options.request.right, "\"2*sin(x)*cos(x)\"")->required();
+  proving->add_option("--assume", options.request.assumptions, "\"x > 0\", \"0 < x < 1\", \"h = R*cos(alpha)\"")->take_all()->allow_extra_args(false);
+  proving->add_option("--small", options.request.small, "Compare Taylor polynomials in these symbols")->delimiter(',')->allow_extra_args(false);
+  proving->add_option("--order", options.request.order, "… up to this order");
+
+  return run_command(app, argc, argv, [&]() -> int {
+    if (*show) return show_one(options);
+    if (*mutation) return show_mutation(options);
+    if (*proving) return show_proof(options);
+    if (*dot) return put(graph(all(options))), as_expected;
+    if (*sheet) return put(errata(all(options), options.json ? "json" : options.format)), as_expected;
+    return show_all(options);
+  });
+}

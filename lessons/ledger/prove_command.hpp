@@ -1,0 +1,33 @@
+// `ledger prove`: the decision procedure on anything that a user types, within bounds.
+#pragma once
+
+#include <derivations/algebra/prove.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace rederive {
+
+/// What was asked.
+struct ProveRequest {
+  std::string left, right;
+  std::vector<std::string> assumptions;  ///< "x > 0", "0 < x < 1", "theta = 0"
+  std::vector<std::string> small;        ///< expansion symbols, with order
+  int order = 0;                         ///< > 0: compare Taylor polynomials
+};
+
+/// The symbols of the paper, every letter and Greek letter (with an index or dots) that the texts use, and what the
+/// assumptions say of them; assumptions that are equations become givens.
+struct Context {
+  Symbols symbols;
+  std::vector<Given> given;
+};
+/// Throws BadInput for an assumption that cannot be read.
+Context make_context(const ProveRequest& request);
+
+/// Decides within two seconds and 500 MB. Throws BadInput (with a caret) for what cannot be read.
+nlohmann::ordered_json decide_bounded(const ProveRequest& request);
+
+}  // namespace rederive

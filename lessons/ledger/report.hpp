@@ -1,0 +1,27 @@
+// The ledger as tables, JSON, an errata sheet and a graph.
+#pragma once
+
+#include <derivations/paper/ledger.hpp>
+
+#include <nlohmann/json.hpp>
+
+namespace rederive {
+
+/// The whole ledger in one JSON document, as COMMANDS fixes it: paper, equations, counts.
+nlohmann::ordered_json to_json(const std::vector<Entry>& entries);
+nlohmann::ordered_json to_json(const Entry& entry);
+nlohmann::ordered_json to_json(const Proof& proof);
+
+/// A row an equation, counts by verdict at the end. `colour` for terminals.
+std::string ledger_table(const std::vector<Entry>& entries, bool colour);
+/// All about one row, for a reader: printed, derived with its steps, verdict, witness, consequence.
+std::string ledger_page(const Entry& entry, bool colour);
+/// The refuted rows alone, those with most resting on them first: "text", "markdown", "latex" or "json".
+std::string errata(const std::vector<Entry>& entries, const std::string& format);
+/// The derivation graph in DOT, coloured by verdict.
+std::string graph(const std::vector<Entry>& entries);
+
+/// Verdict → how many.
+std::map<std::string, int> counts(const std::vector<Entry>& entries);
+
+}  // namespace rederive
