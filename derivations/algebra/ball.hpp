@@ -1,0 +1,62 @@
+// Real numbers with a proven error bound: every operation on balls gives a ball that holds all the true
+// values.
+#pragma once
+
+#include <cln/cln.h>
+
+#include <optional>
+
+namespace rederive {
+
+/// All reals within `radius` of `middle`. A rational middle with radius 0 is exact.
+struct Ball {
+  cln::cl_R middle;
+  cln::cl_R radius = 0;
+  std::optional<cln::cl_RA> of_pi = {};  ///< known to be this rational multiple of π
+
+  bool exact() const { return cln::zerop(radius) && cln:: instanceof (middle, cln::cl_RA_ring); }
+};
+
+/// Thrown where an operation has no real value, or where the ball is too wide to tell.
+struct NoValue {};
+
+/// The operations at one working precision, in decimal digits.
+class BallArithmetic {
+ public:
+  explicit BallArithmetic(int digits);
+
+  Ball pi() const;
+  Ball negative(const Ball& x) const;
+  Ball plus(const Ball& x, const Ball& y) const;
+  Ball times(const Ball& x, const Ball& y) const;
+  Ball over(const Ball& x, const Ball& y) const;  ///< NoValue if y may be 0
+  Ball power(const Ball& x, const Ball& y) const;
+  Ball absolute(const Ball& x) const;
+  Ball sqrt(const Ball& x) const;
+  Ball exp(const Ball& x) const;
+  Ball log(const Ball& x) const;
+  Ball sin(const Ball& x) const;
+  Ball cos(const Ball& x) const;
+  Ball sinh(const Ball& x) const;
+  Ball cosh(const Ball& x) const;
+  Ball atan(const Ball& x) const;
+  Ball asin(const Ball& x) const;
+  Ball asinh(const Ball& x) const;
+  Ball acosh(const Ball& x) const;
+  Ball atanh(const Ball& x) const;
+
+ private:
+  cln::cl_R rough(const cln::cl_R& x) const;  ///< to few digits: enough for a radius
+  cln::cl_F fine(const cln::cl_R& x) const;   ///< to the working precision
+  Ball rounded(const cln::cl_R& middle, const cln::cl_R& radius) const;
+  Ball whole_power(const Ball& x, const cln::cl_I& n) const;
+
+  cln::float_format_t format_;
+  cln::cl_R unit_;  ///< more than the relative error of one operation
+};
+
+/// Whether it is certain that x > 0, x < 0.
+bool is_positive(const Ball& x);
+bool is_negative(const Ball& x);
+
+}  // namespace rederive

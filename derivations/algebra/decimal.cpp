@@ -1,0 +1,64 @@
+// Numbers as people read them.
+#include <cstdlib>
+#include <derivations/algebra/evaluate.hpp>
+#include <sstream>
+
+namespace rederive {
+
+namespace {
+
+using cln::cl_I;
+using cln::cl_RA;
+
+cl_RA power_of_ten(long n) {
+  if (n == 0) return 1;
+  const cl_RA power = cln::expt_pos(cl_I(10), std::abs(n));
+  return n > 0 ? power : 1 / power;
+}
+
+/// The n with 10^n <= x < 10^(n+1), for x > 0.
+long decimal_exponent(const cl_RA& x) {
+  const auto bits = [](const cl_I& n) { return static_cast<double>(cln::integer_length(n)); };
+  const double log2_of_10 = 3.3219280948873623;
+  long n = static_cast<long>((bits(cln::numerator(x)) - bits(cln::denominator(x))) / log2_of_10);
+  while (power_of_ten(n) > x) --n;
+  while (power_of_ten(n + 1) <= x) ++n;
+  return n;
+}
+
+std::string digits_of(const cl_I& n) {
+  std::ostringstream text;
+  text << n;
+  return text.str();
+}
+
+/// Puts the point into "d1d2d3…", the first digit of which stands for 10^exponent.
+std::string placed(std::string digits, long exponent, long wanted) {
+  const long size = static_cast<long>(digits.size());
+  if (exponent < -5 || exponent > wanted + 5) {
+    if (size > 1) digits.insert(1, ".");
+    return digits + "e" + std::to_string(exponent);
+  }
+  if (exponent < 0) return "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
+  if (exponent >= size - 1) return digits + std::string(static_cast<std::size_t>(exponent + 1 - size), '0');
+  return digits.insert(static_cast<std::size_t>(exponent) + 1, ".");
+}
+
+}  // namespace
+
+std::string decimal(const cln::cl_R& value, int digits) {
+  const cl_RA whole = cln::rational(value), x = cln::abs(whole);
+  if (cln::zerop(x)) return "0";
+  long exponent = decimal_exponent(x);
+  const cl_RA scaled = x * power_of_ten(digits - 1 - exponent);
+  std::string text = digits_of(cln::round1(scaled));
+  if (text.size() > static_cast<std::size_t>(digits)) {  // 9.99… became 10
+    text.pop_back();
+    ++exponent;
+  }
+  const bool exact = cln:: instanceof (value, cln::cl_RA_ring) && scaled == cln::round1(scaled);
+  if (exact) text.erase(text.find_last_not_of('0') + 1);
+  return (cln::minusp(whole) ? "-" : "") + placed(text, exponent, digits);
+}
+
+}  // namespace rederive

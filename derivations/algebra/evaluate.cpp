@@ -1,0 +1,123 @@
+// The value of a tree, node by node, in arithmetic with proven error bounds. The working precision grows
+// until the digits asked for are certain, up to a limit; then there is no value to give.
+#include <derivations/algebra/ball.hpp>
+#include <derivations/algebra/evaluate.hpp>
+#include <functional>
+#include <stdexcept>
+
+namespace rederive {
+
+namespace {
+
+using cln::cl_I;
+using cln::cl_R;
+using cln::cl_RA;
+
+class Evaluation {
+ public:
+  Evaluation(const Point& point, int digits) : point_(point), arithmetic_(digits) {}
+
+  Ball value(const Node& node) const {
+    switch (node.kind) {
+      case Node::Kind::number:
+        return {exact(node.text)};
+      case Node::Kind::symbol:
+        return symbol(node.text);
+      case Node::Kind::negative:
+        return arithmetic_.negative(value(*node.children[0]));
+      case Node::Kind::sum:
+        return sum(node);
+      case Node::Kind::product:
+        return product(node);
+      case Node::Kind::power:
+        return arithmetic_.power(value(*node.children[0]), value(*node.children[1]));
+      case Node::Kind::call:
+        return call(node);
+    }
+    throw NoValue{};
+  }
+
+ private:
+  Ball symbol(const std::string& name) const {
+    if (name == "pi") return arithmetic_.pi();
+    const auto found = point_.find(name);
+    if (found == point_.end()) throw std::out_of_range("the point gives no value for '" + name + "'");
+    return {found->second};
+  }
+
+  Ball sum(const Node& node) const {
+    Ball total = value(*node.children[0]);
+    for (std::size_t i = 1; i < node.children.size(); ++i) {
+      const Ball part = value(*node.children[i]);
+      total = arithmetic_.plus(total, node.inverse[i] ? arithmetic_.negative(part) : part);
+    }
+    return total;
+  }
+
+  Ball product(const Node& node) const {
+    Ball total = value(*node.children[0]);
+    for (std::size_t i = 1; i < node.children.size(); ++i) {
+      const Ball part = value(*node.children[i]);
+      total = node.inverse[i] ? arithmetic_.over(total, part) : arithmetic_.times(total, part);
+    }
+    return total;
+  }
+
+  Ball call(const Node& node) const {
+    using Function = std::function<Ball(const BallArithmetic&, const Ball&)>;
+    using A = BallArithmetic;
+    static const Ball one{1}, half_turn{cl_RA(1) / 2};
+    static const std::map<std::string, Function> functions = {
+        {"sin", &A::sin},
+        {"cos", &A::cos},
+        {"tan", [](const A& a, const Ball& x) { return a.over(a.sin(x), a.cos(x)); }},
+        {"cot", [](const A& a, const Ball& x) { return a.over(a.cos(x), a.sin(x)); }},
+        {"sec", [](const A& a, const Ball& x) { return a.over(one, a.cos(x)); }},
+        {"csc", [](const A& a, const Ball& x) { return a.over(one, a.sin(x)); }},
+        {"sinh", &A::sinh},
+        {"cosh", &A::cosh},
+        {"tanh", [](const A& a, const Ball& x) { return a.over(a.sinh(x), a.cosh(x)); }},
+        {"coth", [](const A& a, const Ball& x) { return a.over(a.cosh(x), a.sinh(x)); }},
+        {"sech", [](const A& a, const Ball& x) { return a.over(one, a.cosh(x)); }},
+        {"csch", [](const A& a, const Ball& x) { return a.over(one, a.sinh(x)); }},
+        {"asin", &A::asin},
+        {"acos",
+         [](const A& a, const Ball& x) { return a.plus(a.times(half_turn, a.pi()), a.negative(a.asin(x))); }},
+        {"atan", &A::atan},
+        {"asinh", &A::asinh},
+        {"acosh", &A::acosh},
+        {"atanh", &A::atanh},
+        {"exp", &A::exp},
+        {"log", &A::log},
+        {"sqrt", &A::sqrt},
+        {"fabs", &A::absolute}};
+    const auto function = functions.find(node.text);
+    if (function == functions.end()) throw std::out_of_range("there is no function '" + node.text + "'");
+    return function->second(arithmetic_, value(*node.children[0]));
+  }
+
+  const Point& point_;
+  BallArithmetic arithmetic_;
+};
+
+/// Half a unit in the last of `digits` significant digits is more than the error.
+bool is_certain(const Ball& ball, int digits) {
+  return ball.exact() || 2 * ball.radius * cln::expt_pos(cl_I(10), digits) < cln::abs(ball.middle);
+}
+
+}  // namespace
+
+std::optional<cln::cl_R> evaluate(const Tree& tree, const Point& point, int digits) {
+  const int most = 4 * digits + 200;
+  for (int precision = digits + 10;; precision = std::min(2 * precision, most)) {
+    try {
+      const Ball ball = Evaluation(point, precision).value(*tree);
+      if (is_certain(ball, digits)) return ball.middle;
+    } catch (const NoValue&) {                 // too wide, or undefined: more digits will tell
+    } catch (const cln::runtime_exception&) {  // overflow and the like
+    }
+    if (precision == most) return std::nullopt;
+  }
+}
+
+}  // namespace rederive
