@@ -1,5 +1,4 @@
 #include <derivations/mechanics/linear_motion.hpp>
-
 #include <stdexcept>
 
 namespace rederive {
@@ -25,7 +24,8 @@ namespace {
 using Functions = GiNaC::exmap;  // a function of time → the symbol that stands for it
 
 bool is_function_of(const ex& e, const SymbolExpression& time) {
-  return (GiNaC::is_the_function<GiNaC::sin_SERIAL>(e) || GiNaC::is_the_function<GiNaC::cos_SERIAL>(e)) && e.has(time);
+  return (GiNaC::is_the_function<GiNaC::sin_SERIAL>(e) || GiNaC::is_the_function<GiNaC::cos_SERIAL>(e)) &&
+         e.has(time);
 }
 
 // sin and cos of the same phase come together: each is the derivative of the other.
@@ -35,7 +35,8 @@ void collect_functions(const ex& e, const SymbolExpression& time, Functions& fou
     return;
   }
   const ex phase = e.op(0);
-  if (phase.diff(time, 2) != 0) throw std::invalid_argument("particular_solution: a phase not linear in time");
+  if (phase.diff(time, 2) != 0)
+    throw std::invalid_argument("particular_solution: a phase not linear in time");
   for (const ex& f : {ex(sin(phase)), ex(cos(phase))})
     if (!found.count(f)) found[f] = symbol("f" + std::to_string(found.size()));
 }
@@ -55,8 +56,11 @@ ex particular_solution(const LinearEquation& equation) {
   }
   // Equal for all t: the coefficient of every function must vanish, and what is free of them.
   const ex residual = (ansatz.diff(equation.time, 2) - pow(equation.k, 2) * ansatz - equation.forcing)
-                          .expand().subs(functions, GiNaC::subs_options::no_pattern).expand();
-  if (residual.has(equation.time)) throw std::invalid_argument("particular_solution: no ansatz for this forcing");
+                          .expand()
+                          .subs(functions, GiNaC::subs_options::no_pattern)
+                          .expand();
+  if (residual.has(equation.time))
+    throw std::invalid_argument("particular_solution: no ansatz for this forcing");
   lst conditions;
   ex rest = residual;
   for (const auto& [function, name] : functions) {
@@ -72,7 +76,8 @@ ex general_solution(const LinearEquation& equation, const ex& start, const ex& C
   return C * sinh(phase) + D * cosh(phase) + particular_solution(equation);
 }
 
-Constants constants_from_start(const LinearEquation& equation, const ex& start, const ex& angle, const ex& rate) {
+Constants constants_from_start(const LinearEquation& equation, const ex& start, const ex& angle,
+                               const ex& rate) {
   const symbol C("C"), D("D");
   const ex motion = general_solution(equation, start, C, D);
   const ex found = GiNaC::lsolve(lst{motion.subs(equation.time == start) == angle,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <derivations/algebra/symbols.hpp>
-
 #include <vector>
 
 namespace rederive {
@@ -18,8 +17,8 @@ struct LinearEquation {
   SymbolExpression time;
 };
 
-/// One solution, from the ansatz Σ Cⱼ φⱼ(t) over the functions φⱼ that the forcing and its derivatives consist of.
-/// Throws std::invalid_argument if they do not close after a few derivatives.
+/// One solution, from the ansatz Σ Cⱼ φⱼ(t) over the functions φⱼ that the forcing and its derivatives
+/// consist of. Throws std::invalid_argument if they do not close after a few derivatives.
 GiNaC::ex particular_solution(const LinearEquation& equation);
 
 /// C sinh k(t − start) + D cosh k(t − start) + particular_solution.

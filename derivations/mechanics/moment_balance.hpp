@@ -2,7 +2,6 @@
 #pragma once
 
 #include <derivations/mechanics/plane.hpp>
-
 #include <vector>
 
 namespace rederive {
@@ -13,8 +12,9 @@ struct AppliedForce {
 };
 
 /// The clockwise moment of the forces about P less the one that the accelerations of all elements need,
-/// Σ r × F − ∫ r × a dm, where r is seen from P and a is absolute. It vanishes in every motion. Nothing is assumed
-/// about P. `element` is the position of (x, y) from P, `carried` the position of P in the fixed frame.
+/// Σ r × F − ∫ r × a dm, where r is seen from P and a is absolute. It vanishes in every motion. Nothing is
+/// assumed about P. `element` is the position of (x, y) from P, `carried` the position of P in the fixed
+/// frame.
 GiNaC::ex moment_balance(const Rectangle& body, const Vector& element, const Vector& carried,
                          const std::vector<AppliedForce>& forces, const Rates& rates);
 

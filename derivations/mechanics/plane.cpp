@@ -1,5 +1,4 @@
 #include <derivations/mechanics/plane.hpp>
-
 #include <stdexcept>
 
 namespace rederive {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <derivations/algebra/symbols.hpp>
-
 #include <utility>
 #include <vector>
 
@@ -28,7 +27,7 @@ struct LagrangeTerms {
   GiNaC::ex potential_slope;  ///< ∂Ω/∂q
   GiNaC::ex sum() const { return momentum_rate - kinetic_slope + potential_slope; }
 };
-LagrangeTerms lagrange_terms(const GiNaC::ex& kinetic, const GiNaC::ex& potential, const Coordinate& coordinate,
-                             const Rates& rates);
+LagrangeTerms lagrange_terms(const GiNaC::ex& kinetic, const GiNaC::ex& potential,
+                             const Coordinate& coordinate, const Rates& rates);
 
 }  // namespace rederive

@@ -16,22 +16,34 @@ ex energy_rate(Side side) {
 
 namespace {
 
-Derivation total_energy(Side side, const Derivation& kinetic, const Derivation& potential) {
-  return derived(notation().E, energy(side), {from(kinetic, "The kinetic energy"), from(potential, "the potential")});
+Derivation energy_of(Side side, const Derivation& kinetic, const Derivation& potential) {
+  return derived(notation().E, energy(side),
+                 {from(kinetic, "The kinetic energy"), from(potential, "the potential")});
 }
 
 // In (21) with θ̈ = 0, solved for the ground acceleration at θ = α.
 Derivation ground_at_alpha(Side side, const Derivation& motion) {
   const Notation& s = notation();
   const ex rest = angular_acceleration(side).subs(s.theta == s.alpha);
-  return derived(s.u_gddot_alpha, -rest.coeff(s.u_gddot, 0) / rest.coeff(s.u_gddot, 1),
-                 {from(motion, "Put θ = α and θ̈ = 0 into"), in_words("and solve for the ground acceleration")});
+  return derived(
+      s.u_gddot_alpha, -rest.coeff(s.u_gddot, 0) / rest.coeff(s.u_gddot, 1),
+      {from(motion, "Put θ = α and θ̈ = 0 into"), in_words("and solve for the ground acceleration")});
 }
 
 }  // namespace
 
-Derivation equation_22a() { return total_energy(Side::negative, equation_6(), equation_9()); }
-Derivation equation_22b() { return total_energy(Side::positive, equation_16b(), equation_14()); }
+Derivation total_energy() {
+  const Notation& s = notation();
+  Derivation result = derived(s.E, s.K + s.Omega,
+                              {in_words("The block moves and is lifted; it is rigid, so nothing else "
+                                        "stores energy")},
+                              {{s.V_s, 0}});
+  result.assumption = "V_s = 0: what the paper calls V is a strain energy, and the block is rigid";
+  return result;
+}
+
+Derivation equation_22a() { return energy_of(Side::negative, equation_6(), equation_9()); }
+Derivation equation_22b() { return energy_of(Side::positive, equation_16b(), equation_14()); }
 Derivation ground_at_alpha_by_21a() { return ground_at_alpha(Side::negative, equation_21a()); }
 Derivation ground_at_alpha_by_21b() { return ground_at_alpha(Side::positive, equation_21b()); }
 

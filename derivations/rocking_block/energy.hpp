@@ -10,6 +10,8 @@ GiNaC::ex energy(Side side);
 /// dE/dt along a motion that obeys (21) on that side; 0 where the ground rests.
 GiNaC::ex energy_rate(Side side);
 
+/// E = K + Ω; the strain energy that the paper names V is none.
+Derivation total_energy();
 Derivation equation_22a();
 Derivation equation_22b();
 /// ü_g that holds the block at θ = α by (21a) and by (21b).

@@ -64,7 +64,8 @@ Derivation kinetic_energy_in_J_o(Side side) {
   const Notation& s = notation();
   return derived(s.K, kinetic_energy(side),
                  {from(equation_5(), "König: the energy of the rotation about C and of C itself"),
-                  from(horizontal_velocity(side), "with the velocity of C"), from(vertical_velocity(side), "and"),
+                  from(horizontal_velocity(side), "with the velocity of C"),
+                  from(vertical_velocity(side), "and"),
                   {"and what J_o is", s.J_o, s.J_c + s.m * pow(s.R, 2)}});
 }
 
@@ -102,7 +103,8 @@ Derivation motion(Side side) {
   const Notation& s = notation();
   return derived(motion_by_lagrange(side), 0,
                  {{"Lagrange's equation", s.ddt_dK_dthetadot - s.dK_dtheta + s.dOmega_dtheta, 0},
-                  from(momentum_rate(side), "with"), from(kinetic_slope(side), "and"),
+                  from(momentum_rate(side), "with"),
+                  from(kinetic_slope(side), "and"),
                   from(potential_slope(side), "and"),
                   in_words(std::string("The moments of all elements about ") + pivot_name(side) +
                            " give the same: the second road, taken in the tests and in equation (1)")});
@@ -126,17 +128,19 @@ Derivation equation_1() {
   given.push_back({s.ddt_dK_dthetadot, terms.momentum_rate.subs(s.J_o == ex(4) / 3 * s.m * pow(s.R, 2))});
   given.push_back({s.dK_dtheta, terms.kinetic_slope});
   given.push_back({s.dOmega_dtheta, terms.potential_slope});
-  return derived(motion_by_moments(Side::negative), 0,
-                 {in_words("By the other road: every element has the acceleration of its point. The moments of the "
-                           "weight about O, less those that the accelerations need, add up to nothing"),
-                  in_words("With the energies of (6) and (9) Lagrange's equation must say the same")},
-                 given);
+  return derived(
+      motion_by_moments(Side::negative), 0,
+      {in_words("By the other road: every element has the acceleration of its point. The moments of the "
+                "weight about O, less those that the accelerations need, add up to nothing"),
+       in_words("With the energies of (6) and (9) Lagrange's equation must say the same")},
+      given);
 }
 
 Derivation moment_of_inertia_about_centre() {
   const Notation& s = notation();
   const ex sum = over_body(pow(s.x, 2) + pow(s.y, 2), block_from_centre());
-  return derived(s.J_c, by_pythagoras(sum.subs(GiNaC::lst{s.b == s.R * sin(s.alpha), s.h == s.R * cos(s.alpha)})),
+  return derived(s.J_c,
+                 by_pythagoras(sum.subs(GiNaC::lst{s.b == s.R * sin(s.alpha), s.h == s.R * cos(s.alpha)})),
                  {{"Integrate ρ (x² + y²) over the block, seen from C", s.J_c, sum},
                   {"with the half diagonal R", pow(s.R, 2), pow(s.b, 2) + pow(s.h, 2)}});
 }
@@ -146,14 +150,25 @@ namespace {
 Derivation inertia_about(Side side) {
   const Notation& s = notation();
   const ex sum = over_body(pow(s.x, 2) + pow(s.y, 2), block_from_pivot(side));
-  return derived(s.J_o, by_pythagoras(sum.subs(GiNaC::lst{s.b == s.R * sin(s.alpha), s.h == s.R * cos(s.alpha)})),
-                 {{std::string("Integrate ρ (x² + y²) over the block, seen from ") + pivot_name(side), s.J_o, sum},
-                  {"with the half diagonal R", pow(s.R, 2), pow(s.b, 2) + pow(s.h, 2)},
-                  {"The parallel axis gives the same", s.J_o, s.J_c + s.m * pow(s.R, 2)}},
-                 {{s.J_c, s.m * pow(s.R, 2) / 3}});
+  return derived(
+      s.J_o, by_pythagoras(sum.subs(GiNaC::lst{s.b == s.R * sin(s.alpha), s.h == s.R * cos(s.alpha)})),
+      {{std::string("Integrate ρ (x² + y²) over the block, seen from ") + pivot_name(side), s.J_o, sum},
+       {"with the half diagonal R", pow(s.R, 2), pow(s.b, 2) + pow(s.h, 2)},
+       {"The parallel axis gives the same", s.J_o, s.J_c + s.m * pow(s.R, 2)}});
 }
 
 }  // namespace
+
+Derivation parallel_axis() {
+  const Notation& s = notation();
+  const ex square = pow(s.x, 2) + pow(s.y, 2);
+  const ex more =
+      over_body(square, block_from_pivot(Side::negative)) - over_body(square, block_from_centre());
+  const auto sides = GiNaC::lst{s.b == s.R * sin(s.alpha), s.h == s.R * cos(s.alpha)};
+  return derived(s.J_o, s.J_c + by_pythagoras(more.subs(sides)),
+                 {{"Integrate ρ (x² + y²) seen from O and seen from C; the first exceeds the second by",
+                   s.J_o - s.J_c, more}});
+}
 
 Derivation moment_of_inertia_about_pivot() { return inertia_about(Side::negative); }
 Derivation moment_of_inertia_about_other_pivot() { return inertia_about(Side::positive); }
@@ -161,9 +176,10 @@ Derivation moment_of_inertia_about_other_pivot() { return inertia_about(Side::po
 Derivation frequency_parameter() {
   const Notation& s = notation();
   const ex J_o = moment_of_inertia_about_pivot().right;
-  return derived(s.p, sqrt(s.m * s.g * s.R / J_o),
-                 {{"In (11) and (20), divided by J_o, the weight enters by", pow(s.p, 2), s.m * s.g * s.R / s.J_o},
-                  {"where", s.J_o, J_o}});
+  return derived(
+      s.p, sqrt(s.m * s.g * s.R / J_o),
+      {{"In (11) and (20), divided by J_o, the weight enters by", pow(s.p, 2), s.m * s.g * s.R / s.J_o},
+       {"where", s.J_o, J_o}});
 }
 
 Derivation equation_5() {
@@ -172,9 +188,11 @@ Derivation equation_5() {
   const Vector with_centre = turned_clockwise({s.u_cdot, s.y_cdot}, -s.theta);
   const Vector velocity = with_centre + s.thetadot * Vector{s.y, -s.x};
   const ex sum = by_pythagoras(over_body(dot(velocity, velocity) / 2, block_from_centre()));
-  return derived(s.K, sum, {in_words("Integrate ρ v²/2 over all elements: each moves with C and turns about C"),
-                            from(moment_of_inertia_about_centre(), "The part that turns holds J_c")},
-                 {{s.J_c, s.m * (pow(s.b, 2) + pow(s.h, 2)) / 3}});
+  // What b² and h² make up in it is J_c.
+  const ex b_squared = 3 * s.J_c / s.m - pow(s.h, 2);
+  return derived(s.K, sum.subs(pow(s.b, 2) == b_squared).expand(),
+                 {in_words("Integrate ρ v²/2 over all elements: each moves with C and turns about C"),
+                  from(moment_of_inertia_about_centre(), "The part that turns holds J_c")});
 }
 
 Derivation equation_6() { return kinetic_energy_in_J_o(Side::negative); }

@@ -5,7 +5,8 @@
 
 namespace rederive {
 
-/// The block seen from the pivot on that side, at rest: x in (0, 2b) from O, in (−2b, 0) from O'; y in (0, 2h).
+/// The block seen from the pivot on that side, at rest: x in (0, 2b) from O, in (−2b, 0) from O'; y in (0,
+/// 2h).
 Rectangle block_from_pivot(Side side);
 /// The block seen from its centre.
 Rectangle block_from_centre();
@@ -25,6 +26,7 @@ GiNaC::ex angular_acceleration(Side side);
 
 Derivation equation_1();
 Derivation moment_of_inertia_about_centre();
+Derivation parallel_axis();
 Derivation moment_of_inertia_about_pivot();
 Derivation moment_of_inertia_about_other_pivot();
 Derivation frequency_parameter();

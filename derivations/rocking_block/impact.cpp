@@ -44,7 +44,9 @@ std::vector<Given> polar_about_old_pivot() {
 
 }  // namespace
 
-ex momentum_before_impact() { return in_sines(in_R_and_alpha(over_body(element_momentum_before(), block_at_impact()))); }
+ex momentum_before_impact() {
+  return in_sines(in_R_and_alpha(over_body(element_momentum_before(), block_at_impact())));
+}
 
 ex momentum_after_impact() {
   const Vector arm = seen_from_new_pivot();
@@ -54,7 +56,8 @@ ex momentum_after_impact() {
 
 ex momentum_before_impact_by_centre() {
   const Notation& s = notation();
-  const Vector from_old{s.R * sin(s.alpha), s.R * cos(s.alpha)}, from_new{-s.R * sin(s.alpha), s.R * cos(s.alpha)};
+  const Vector from_old{s.R * sin(s.alpha), s.R * cos(s.alpha)},
+      from_new{-s.R * sin(s.alpha), s.R * cos(s.alpha)};
   const Vector velocity = velocity_of_turning(from_old, s.thetadot_minus);
   const ex about_centre = moment_of_inertia_about_centre().right * s.thetadot_minus;
   return in_sines((about_centre + s.m * clockwise_cross(from_new, velocity)).expand());
@@ -62,7 +65,8 @@ ex momentum_before_impact_by_centre() {
 
 ex restitution() {
   const Notation& s = notation();
-  return (momentum_before_impact().coeff(s.thetadot_minus, 1) / momentum_after_impact().coeff(s.thetadot_plus, 1))
+  return (momentum_before_impact().coeff(s.thetadot_minus, 1) /
+          momentum_after_impact().coeff(s.thetadot_plus, 1))
       .normal()
       .expand();
 }
@@ -76,9 +80,10 @@ ex restitution_by_parallel_axes() {
 Derivation energy_loss_by_inertia() {
   const Notation& s = notation();
   const ex before = s.J_o / 2 * pow(s.thetadot_minus, 2), after = s.J_o / 2 * pow(s.thetadot_plus, 2);
-  return derived(s.E_L, before - after,
-                 {in_words("Before the impact the block turns about O, after it about O', with the same J_o and with "
-                           "C at the same height: only kinetic energy is lost")});
+  return derived(
+      s.E_L, before - after,
+      {in_words("Before the impact the block turns about O, after it about O', with the same J_o and with "
+                "C at the same height: only kinetic energy is lost")});
 }
 
 Derivation energy_loss() {
@@ -92,35 +97,40 @@ Derivation energy_loss() {
 Derivation equation_35() {
   const Notation& s = notation();
   return derived(s.E_L, energy_loss().right.subs(s.thetadot_plus == s.e * s.thetadot_minus).expand(),
-                 {from(energy_loss(), "The kinetic energy lost"), {"with (34)", s.thetadot_plus, s.e * s.thetadot_minus}});
+                 {from(energy_loss(), "The kinetic energy lost"),
+                  {"with (34)", s.thetadot_plus, s.e * s.thetadot_minus}});
 }
 
 Derivation mass_of_the_block() {
   const Notation& s = notation();
-  return derived(over_body(1, block_at_impact()), s.m, {in_words("Integrate the density over the face of the block")});
+  return derived(over_body(1, block_at_impact()), s.m,
+                 {in_words("Integrate the density over the face of the block")});
 }
 
 Derivation equation_37a() {
   const Notation& s = notation();
   const Vector radial{sin(s.phi), cos(s.phi)}, along = velocity_of_turning(radial, 1);
-  return derived(s.ex_cross_ey, by_pythagoras(clockwise_cross(radial, along)),
-                 {in_words("e_x points from O to the element, inclined by φ; e_y is e_x turned clockwise by a right "
-                           "angle; e_z is the axis of a clockwise turn")});
+  return derived(
+      s.ex_cross_ey, by_pythagoras(clockwise_cross(radial, along)),
+      {in_words("e_x points from O to the element, inclined by φ; e_y is e_x turned clockwise by a right "
+                "angle; e_z is the axis of a clockwise turn")});
 }
 
 Derivation equation_37b() {
   const Notation& s = notation();
   const Vector radial{sin(s.phi), cos(s.phi)}, along = velocity_of_turning(radial, 1), to_old_pivot{-1, 0};
-  return derived(s.Ex_cross_ey, clockwise_cross(to_old_pivot, along),
-                 {in_words("E_x points from O' to O: then 2b E_x + r e_x is the place of the element seen from O'")});
+  return derived(
+      s.Ex_cross_ey, clockwise_cross(to_old_pivot, along),
+      {in_words("E_x points from O' to O: then 2b E_x + r e_x is the place of the element seen from O'")});
 }
 
 Derivation equation_38() {
   const Notation& s = notation();
   const Vector arm{s.r * sin(s.phi) - 2 * s.b, s.r * cos(s.phi)};
   const Vector velocity = velocity_of_turning({s.r * sin(s.phi), s.r * cos(s.phi)}, s.thetadot_minus);
-  return derived(s.hO_minus, by_pythagoras(clockwise_cross(arm, velocity)),
-                 {in_words("The element is at 2b E_x + r e_x from O' and moves with r θ̇₋ e_y; take the cross product")});
+  return derived(
+      s.hO_minus, by_pythagoras(clockwise_cross(arm, velocity)),
+      {in_words("The element is at 2b E_x + r e_x from O' and moves with r θ̇₋ e_y; take the cross product")});
 }
 
 Derivation mass_element() {
@@ -131,7 +141,8 @@ Derivation mass_element() {
 Derivation distance_from_pivot() {
   const Notation& s = notation();
   return derived(seen_from_old_pivot().right, s.r * sin(s.phi),
-                 {in_words("x runs from O' to the left: the element is 2b − x to the right of O")}, {polar_about_old_pivot()});
+                 {in_words("x runs from O' to the left: the element is 2b − x to the right of O")},
+                 {polar_about_old_pivot()});
 }
 
 Derivation equation_39() {
@@ -144,12 +155,14 @@ Derivation equation_39() {
 
 Derivation equation_39_width() {
   const Notation& s = notation();
-  return derived(s.x_end, block_at_impact().right - block_at_impact().left, {in_words("The block is 2b wide")});
+  return derived(s.x_end, block_at_impact().right - block_at_impact().left,
+                 {in_words("The block is 2b wide")});
 }
 
 Derivation equation_39_height() {
   const Notation& s = notation();
-  return derived(s.y_end, block_at_impact().top - block_at_impact().bottom, {in_words("The block is 2h high")});
+  return derived(s.y_end, block_at_impact().top - block_at_impact().bottom,
+                 {in_words("The block is 2h high")});
 }
 
 Derivation equation_40a() {
@@ -213,14 +226,23 @@ Derivation equation_45b() {
 
 Derivation equation_46a() {
   const Notation& s = notation();
-  return derived(restitution() * s.thetadot_minus, s.thetadot_plus,
-                 {from(equation_43b(), "The impact acts at O' and has no moment about it: the angular momentum"),
-                  from(equation_45b(), "stays the same")});
+  return derived(
+      restitution() * s.thetadot_minus, s.thetadot_plus,
+      {from(equation_43b(), "The impact acts at O' and has no moment about it: the angular momentum"),
+       from(equation_45b(), "stays the same")});
 }
 
 Derivation equation_46b() {
-  return derived(notation().e, restitution(),
-                 {from(equation_46a(), "So the ratio of the angular velocities is fixed by the shape alone")});
+  return derived(
+      notation().e, restitution(),
+      {from(equation_46a(), "So the ratio of the angular velocities is fixed by the shape alone")});
+}
+
+Derivation impact_is_inelastic() {
+  const Notation& s = notation();
+  return derived(0, 1 - restitution(),
+                 {from(equation_46b(), "What is lost of the angular velocity is positive, by")},
+                 {{s.e, restitution()}}, "<");
 }
 
 }  // namespace rederive

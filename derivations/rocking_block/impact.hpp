@@ -38,5 +38,6 @@ Derivation equation_45a();
 Derivation equation_45b();
 Derivation equation_46a();
 Derivation equation_46b();
+Derivation impact_is_inelastic();
 
 }  // namespace rederive

@@ -7,10 +7,17 @@ using GiNaC::lst;
 
 namespace {
 
-// The moment about O that the weight can hold and the one that the ground acceleration exerts, at rest: (11) there.
+// The moment about O that the weight can hold and the one that the ground acceleration exerts, at rest: (11)
+// there.
 ex moment_at_rest() {
   const Notation& s = notation();
   return motion_by_lagrange(Side::negative).subs(lst{s.theta == 0, s.thetaddot == 0});
+}
+
+ex acceleration_that_suffices() {
+  const Notation& s = notation();
+  const ex moment = moment_at_rest();
+  return -moment.coeff(s.u_gddot, 0) / moment.coeff(s.u_gddot, 1);
 }
 
 // At t = 0+ the block stands upright and has not yet moved, but accelerates.
@@ -53,8 +60,8 @@ const char* newton_up = "Newton, upwards: V carries the weight and accelerates C
 ex first_angular_acceleration() {
   const Notation& s = notation();
   const ex balance = moments_about_centre().subs(
-      lst{s.H_0 == by_share(first_horizontal_force()), s.V_0 == first_vertical_force(), s.b == s.R * sin(s.alpha),
-          s.h == s.R * cos(s.alpha), s.J_c == s.m * pow(s.R, 2) / 3});
+      lst{s.H_0 == by_share(first_horizontal_force()), s.V_0 == first_vertical_force(),
+          s.b == s.R * sin(s.alpha), s.h == s.R * cos(s.alpha), s.J_c == s.m * pow(s.R, 2) / 3});
   const ex plain = by_pythagoras(balance);
   return (-plain.coeff(s.thetaddot_0, 0) / plain.coeff(s.thetaddot_0, 1)).normal().expand();
 }
@@ -71,38 +78,44 @@ Derivation equation_23() {
   const Notation& s = notation();
   const ex moment = moment_at_rest();
   const ex force = moment.coeff(s.u_gddot, 1) * s.H / s.m, hold = -moment.coeff(s.u_gddot, 0);
-  return derived(force, hold,
-                 {from(equation_11(), "In"),
-                  in_words("the block turns about O (θ̈ < 0) as soon as the moment of H = m ü_g, which acts at the "
-                           "height of C, exceeds that of the weight")},
-                 {}, ">=");
+  return derived(
+      force, hold,
+      {from(equation_11(), "In"),
+       in_words("the block turns about O (θ̈ < 0) as soon as the moment of H = m ü_g, which acts at the "
+                "height of C, exceeds that of the weight")},
+      {}, ">=");
 }
 
 Derivation force_before_rocking() {
   const Notation& s = notation();
-  return derived(s.H, s.m * s.u_gddot,
-                 {in_words("As long as the block stands, C moves with the ground; H is what accelerates it")});
+  return derived(
+      s.H, s.m * s.u_gddot,
+      {in_words("As long as the block stands, C moves with the ground; H is what accelerates it")});
 }
 
 Derivation force_at_peak() {
   const Notation& s = notation();
-  Derivation result = derived(s.m * s.u_gddot, s.m * s.a_p,
-                              {in_words("The ground acceleration reaches its amplitude α_p at its peak, and only there")});
+  Derivation result =
+      derived(s.m * s.u_gddot, s.m * s.a_p,
+              {in_words("The ground acceleration reaches its amplitude α_p at its peak, and only there")});
   result.assumption = "the ground acceleration is at its peak";
   return result;
 }
 
 Derivation equation_24a() {
   const Notation& s = notation();
-  return derived(s.a_p, s.g * tan(s.alpha),
-                 {from(equation_23(), "The condition"), from(force_before_rocking(), "with"),
-                  in_words("must be met at some time, so it must be met at the peak, where ü_g = α_p; divide by m R cos α")},
-                 {}, ">=");
+  return derived(
+      s.a_p, acceleration_that_suffices(),
+      {from(equation_23(), "The condition"), from(force_before_rocking(), "with"),
+       in_words(
+           "must be met at some time, so it must be met at the peak, where ü_g = α_p; divide by m R cos α")},
+      {}, ">=");
 }
 
 Derivation equation_24b() {
   const Notation& s = notation();
-  return derived(s.a_p_min, s.g * tan(s.alpha), {from(equation_24a(), "The smallest amplitude that meets")});
+  return derived(s.a_p_min, acceleration_that_suffices(),
+                 {from(equation_24a(), "The smallest amplitude that meets")});
 }
 
 Derivation equation_25a() {
@@ -114,7 +127,9 @@ Derivation equation_25b() {
   const ex force = by_share(first_horizontal_force()).subs(s.R * cos(s.alpha) == s.h);
   std::vector<Given> given = sides_of_the_block();
   given.push_back(share());
-  return derived(s.H_0, force, {from(equation_25a(), "The force"), {"with λ, the share of the amplitude", s.u_gddot_0, s.lambda * s.a_p}},
+  return derived(s.H_0, force,
+                 {from(equation_25a(), "The force"),
+                  {"with λ, the share of the amplitude", s.u_gddot_0, s.lambda * s.a_p}},
                  given);
 }
 
@@ -122,13 +137,15 @@ Derivation equation_26a() { return derived(notation().V_0, first_vertical_force(
 
 Derivation equation_26b() {
   const Notation& s = notation();
-  return derived(s.V_0, first_vertical_force(), {from(equation_26a(), "The force, in b")}, sides_of_the_block());
+  return derived(s.V_0, first_vertical_force(), {from(equation_26a(), "The force, in b")},
+                 sides_of_the_block());
 }
 
 Derivation equation_27() {
-  return derived(-moments_about_centre(), 0,
-                 {in_words("H(0) and V(0) act at O, b to the left of C and h below it: their clockwise moment about C "
-                           "is b V(0) − h H(0), and it gives the angular acceleration; the weight has none")});
+  return derived(
+      -moments_about_centre(), 0,
+      {in_words("H(0) and V(0) act at O, b to the left of C and h below it: their clockwise moment about C "
+                "is b V(0) − h H(0), and it gives the angular acceleration; the weight has none")});
 }
 
 Derivation share_at_most_one() {
@@ -138,16 +155,20 @@ Derivation share_at_most_one() {
 
 Derivation share_at_least() {
   const Notation& s = notation();
-  return derived(s.lambda * s.a_p, s.g * tan(s.alpha),
-                 {from(equation_23(), "Rocking must begin at t = 0"), in_words("with H = m λ α_p")}, {}, ">=");
+  return derived(s.lambda * s.a_p, acceleration_that_suffices(),
+                 {from(equation_23(), "Rocking must begin at t = 0"), in_words("with H = m λ α_p")}, {},
+                 ">=");
 }
 
 Derivation equation_28a() {
   const Notation& s = notation();
   const ex R = 3 * s.g / (4 * pow(s.p, 2));
   return derived(s.thetaddot_0, first_angular_acceleration().subs(s.R == R).expand(),
-                 {from(equation_25b(), "Put"), from(equation_26b(), "and"), from(equation_27(), "into"),
-                  {"with", s.J_c, s.m * pow(s.R, 2) / 3}, {"and", s.R, R}});
+                 {from(equation_25b(), "Put"),
+                  from(equation_26b(), "and"),
+                  from(equation_27(), "into"),
+                  {"with", s.J_c, s.m * pow(s.R, 2) / 3},
+                  {"and", s.R, R}});
 }
 
 Derivation equation_28b() {
@@ -158,7 +179,8 @@ Derivation equation_28b() {
 
 Derivation equation_30() {
   const Notation& s = notation();
-  return derived(s.mu, s.H_0 / s.V_0, {in_words("Divide (29) by V(0): the ground can only push, V(0) > 0")}, {}, ">=");
+  return derived(s.mu, s.H_0 / s.V_0, {in_words("Divide (29) by V(0): the ground can only push, V(0) > 0")},
+                 {}, ">=");
 }
 
 Derivation equation_31() {
@@ -169,27 +191,43 @@ Derivation equation_31() {
                  {}, ">=");
 }
 
+Derivation first_acceleration() {
+  return derived(notation().u_gddot_0, acceleration_that_suffices(),
+                 {from(equation_23(), "Rocking begins when the moment of the weight is reached,"),
+                  in_words("with H = m ü_g")});
+}
+
+Derivation start_of_gradual_pulse() {
+  const Notation& s = notation();
+  return derived(s.lambda * s.a_p, acceleration_that_suffices(),
+                 {from(first_acceleration(), "A pulse that grows from zero sets the block in motion when"),
+                  in_words("time is counted from there, and λ α_p is the acceleration at that moment")});
+}
+
 Derivation equation_32a() {
   const Notation& s = notation();
-  const ex gradual = first_friction_demand().subs(s.lambda == s.g * tan(s.alpha) / s.a_p).normal();
+  const ex slope = sin(s.alpha) / cos(s.alpha);
+  const ex gradual = first_friction_demand().subs(s.lambda == s.g * slope / s.a_p).normal();
   return derived(s.mu, gradual,
                  {from(equation_31(), "In"),
-                  {"put the acceleration that just suffices, as it does where it grows from zero", s.lambda * s.a_p,
-                   s.g * tan(s.alpha)}},
+                  {"put the acceleration that just suffices, as it does where it grows from zero",
+                   s.lambda * s.a_p, s.g * tan(s.alpha)}},
                  sides_of_the_block(), ">=");
 }
 
 Derivation equation_32b() {
   const Notation& s = notation();
-  return derived(s.b / s.h, tan(s.alpha), {in_words("The sides of the block, R sin α and R cos α")}, sides_of_the_block());
+  return derived(s.b / s.h, tan(s.alpha), {in_words("The sides of the block, R sin α and R cos α")},
+                 sides_of_the_block());
 }
 
 Derivation equation_33() {
   const Notation& s = notation();
-  Derivation result = derived(s.mu, s.H / s.V,
-                              {in_words("Coulomb: no sliding while |H| < μ V, with V > 0 as long as there is contact"),
-                               in_words("which is this for H > 0, and μ > −H/V for H < 0")},
-                              {}, ">");
+  Derivation result =
+      derived(s.mu, s.H / s.V,
+              {in_words("Coulomb: no sliding while |H| < μ V, with V > 0 as long as there is contact"),
+               in_words("which is this for H > 0, and μ > −H/V for H < 0")},
+              {}, ">");
   result.assumption = "H >= 0; where H < 0 the condition is mu > -H/V";
   return result;
 }

@@ -26,6 +26,8 @@ Derivation equation_28a();
 Derivation equation_28b();
 Derivation equation_30();
 Derivation equation_31();
+Derivation start_of_gradual_pulse();
+Derivation first_acceleration();
 Derivation equation_32a();
 Derivation equation_32b();
 Derivation equation_33();

@@ -30,11 +30,12 @@ Vector centre_acceleration(Side side) { return time_derivative(centre_velocity(s
 namespace {
 
 const char* place_of_centre(Side side) {
-  return side == Side::negative
-             ? "Turning clockwise by θ < 0 about O, C stays at the distance R from O, inclined by α + θ to the "
-               "vertical, to the right of O"
-             : "Turning clockwise by θ > 0 about O', C stays at the distance R from O', inclined by α − θ to the "
-               "vertical, to the left of O'";
+  return side == Side::negative ? "Turning clockwise by θ < 0 about O, C stays at the distance R from O, "
+                                  "inclined by α + θ to the "
+                                  "vertical, to the right of O"
+                                : "Turning clockwise by θ > 0 about O', C stays at the distance R from O', "
+                                  "inclined by α − θ to the "
+                                  "vertical, to the left of O'";
 }
 
 // x_c counts the way from rest to the left about O and to the right about O': positive in both cases.
@@ -58,24 +59,27 @@ Derivation total_displacement(Side side) {
 
 Derivation horizontal_displacement(Side side) {
   const Notation& s = notation();
-  return derived(s.x_c, way_of_centre(side),
-                 {in_words(place_of_centre(side)), {"at rest it is half a width away", s.b, s.R * sin(s.alpha)}},
-                 sides_of_the_block());
+  return derived(
+      s.x_c, way_of_centre(side),
+      {in_words(place_of_centre(side)), {"at rest it is half a width away", s.b, s.R * sin(s.alpha)}},
+      sides_of_the_block());
 }
 
 Derivation vertical_displacement(Side side) {
   const Notation& s = notation();
-  return derived(s.y_c, centre_displacement(side).up,
-                 {in_words(place_of_centre(side)),
-                  {"so it stands above the pivot by", s.y_c + s.R * cos(s.alpha), centre_from_pivot(side).up}});
+  return derived(
+      s.y_c, centre_displacement(side).up,
+      {in_words(place_of_centre(side)),
+       {"so it stands above the pivot by", s.y_c + s.R * cos(s.alpha), centre_from_pivot(side).up}});
 }
 
 }  // namespace
 
 Derivation horizontal_velocity(Side side) {
   const Notation& s = notation();
-  return derived(s.u_cdot, centre_velocity(side).right,
-                 {{"The way of C", s.u_c, s.u_g + centre_displacement(side).right}, in_words("differentiated")});
+  return derived(
+      s.u_cdot, centre_velocity(side).right,
+      {{"The way of C", s.u_c, s.u_g + centre_displacement(side).right}, in_words("differentiated")});
 }
 
 Derivation vertical_velocity(Side side) {

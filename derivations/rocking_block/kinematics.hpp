@@ -1,4 +1,5 @@
-// Where the centre of mass is, and how it moves: (2) to (4) for θ < 0 about O, (12), (13), (15) for θ > 0 about O'.
+// Where the centre of mass is, and how it moves: (2) to (4) for θ < 0 about O, (12), (13), (15) for θ > 0
+// about O'.
 #pragma once
 
 #include <derivations/rocking_block/notation.hpp>

@@ -90,9 +90,11 @@ namespace {
 Derivation linearised(Side side, const Derivation& exact, Pulse pulse) {
   const Notation& s = notation();
   const LinearEquation equation = linear_equation(side, pulse);
-  Derivation result = derived(s.thetaddot - pow(equation.k, 2) * s.theta, equation.forcing,
-                              {from(exact, "Take"), {"with", s.u_gddot, ground_acceleration(pulse)},
-                               in_words("to first order in α, θ and α_p/g together: cos is 1, sin is its argument")});
+  Derivation result =
+      derived(s.thetaddot - pow(equation.k, 2) * s.theta, equation.forcing,
+              {from(exact, "Take"),
+               {"with", s.u_gddot, ground_acceleration(pulse)},
+               in_words("to first order in α, θ and α_p/g together: cos is 1, sin is its argument")});
   result.order = 1;
   result.small = "alpha, theta, a_p/g";
   return result;
@@ -101,11 +103,12 @@ Derivation linearised(Side side, const Derivation& exact, Pulse pulse) {
 Derivation forced(Side side, const Derivation& equation) {
   const Notation& s = notation();
   const ex particular = particular_solution(linear_equation(side, Pulse::sine));
-  return derived(s.theta, forced_motion(side, Pulse::sine),
-                 {from(equation, "Solve"),
-                  {"undetermined coefficients: a constant, sin(ω_p t + ψ) and cos(ω_p t + ψ) give the solution",
-                   s.theta, particular},
-                  in_words("and sinh p t, cosh p t solve the equation without its right side")});
+  return derived(
+      s.theta, forced_motion(side, Pulse::sine),
+      {from(equation, "Solve"),
+       {"undetermined coefficients: a constant, sin(ω_p t + ψ) and cos(ω_p t + ψ) give the solution", s.theta,
+        particular},
+       in_words("and sinh p t, cosh p t solve the equation without its right side")});
 }
 
 Derivation forced_rate(Side side, const Derivation& motion) {
@@ -134,9 +137,9 @@ Derivation free(Side side, const Derivation& equation) {
 
 Derivation free_rate(Side side, const Derivation& motion) {
   const Notation& s = notation();
-  return derived(s.thetadot / s.p, (free_motion(side).diff(s.t) / s.p).expand(),
-                 {from(motion, "Differentiate"),
-                  in_words("the left side is the angular velocity at t, not at t_o")});
+  return derived(
+      s.thetadot / s.p, (free_motion(side).diff(s.t) / s.p).expand(),
+      {from(motion, "Differentiate"), in_words("the left side is the angular velocity at t, not at t_o")});
 }
 
 Derivation free_constant(Side side, bool first, const Derivation& motion) {
@@ -163,7 +166,8 @@ Derivation critical_angle(Side side, const ex& value) {
 
 Derivation equation_53a() {
   const Notation& s = notation();
-  return derived(s.u_gddot_0, ground_acceleration(Pulse::sine).subs(s.t == 0), {in_words("Set t = 0 in (52)")});
+  return derived(s.u_gddot_0, ground_acceleration(Pulse::sine).subs(s.t == 0),
+                 {in_words("Set t = 0 in (52)")});
 }
 
 Derivation equation_53b() {
@@ -174,23 +178,24 @@ Derivation equation_53b() {
 
 Derivation equation_53c() {
   const Notation& s = notation();
-  return derived(s.psi, asin(s.lambda), {from(equation_53b(), "Solve for ψ, between 0 and π/2,")},
-                 {{s.lambda, sin(s.psi)}});
+  return derived(s.psi, asin(s.lambda), {from(equation_53b(), "Solve for ψ, between 0 and π/2,")});
 }
 
-Derivation start_of_gradual_pulse() {
+Derivation pulse_begins() {
   const Notation& s = notation();
-  return derived(s.lambda * s.a_p, s.g * tan(s.alpha),
-                 {in_words("A pulse that grows from zero sets the block in motion when it reaches what (23) asks "
-                           "for, and time is counted from there")},
-                 {{s.lambda, s.g * tan(s.alpha) / s.a_p}});
+  return derived(0, s.omega_p * s.t + s.psi, {in_words("One sine: the phase of (52) runs from 0")}, {}, "<=");
+}
+
+Derivation pulse_ends() {
+  const Notation& s = notation();
+  return derived(s.omega_p * s.t + s.psi, 2 * GiNaC::Pi, {in_words("One sine: the phase of (52) runs to 2π")},
+                 {}, "<=");
 }
 
 Derivation equation_54() {
   const Notation& s = notation();
   const ex share = s.g * tan(s.alpha) / s.a_p;
-  return derived(s.psi, asin(share), {from(equation_53c(), "Into"), {"put", s.lambda, share}},
-                 {{s.a_p, s.g * tan(s.alpha) / sin(s.psi)}});
+  return derived(s.psi, asin(share), {from(equation_53c(), "Into"), {"put", s.lambda, share}});
 }
 
 Derivation equation_55a() {
@@ -208,9 +213,10 @@ Derivation equation_56b() { return linearised(Side::positive, equation_21b(), Pu
 
 Derivation linear_amplitude() {
   const Notation& s = notation();
-  Derivation result = derived(s.a_p / (s.g * s.alpha), amplitude(Pulse::sine).value / (s.g * s.alpha),
-                              {from(equation_56a(), "At rest and upright, about to move at t = 0, the right side of"),
-                               in_words("vanishes; without linearisation tan α stands for α")});
+  Derivation result =
+      derived(s.a_p / (s.g * s.alpha), amplitude(Pulse::sine).value / (s.g * s.alpha),
+              {from(equation_56a(), "At rest and upright, about to move at t = 0, the right side of"),
+               in_words("vanishes; without linearisation tan α stands for α")});
   result.order = 1;
   result.small = "alpha";
   return result;
@@ -228,9 +234,10 @@ Derivation equation_60_negative() { return critical_angle(Side::negative, -notat
 Derivation equation_60_positive() { return critical_angle(Side::positive, notation().alpha); }
 
 Derivation equation_60_rate() {
-  return derived(notation().thetadot_star, 0,
-                 {in_words("The critical motion neither falls over nor comes back: it ends in that equilibrium, "
-                           "which it approaches without end as t* grows")});
+  return derived(
+      notation().thetadot_star, 0,
+      {in_words("The critical motion neither falls over nor comes back: it ends in that equilibrium, "
+                "which it approaches without end as t* grows")});
 }
 
 Derivation equation_61a() { return free_equation(Side::negative, equation_56a()); }
@@ -246,7 +253,8 @@ Derivation equation_64d() { return free_constant(Side::positive, false, equation
 
 Derivation end_of_sine_pulse() {
   const Notation& s = notation();
-  return derived(s.T_ex, end_of_pulse(Pulse::sine), {in_words("The phase ω_p t + ψ of (52) has then come to 2π")});
+  return derived(s.T_ex, end_of_pulse(Pulse::sine),
+                 {in_words("The phase ω_p t + ψ of (52) has then come to 2π")});
 }
 
 }  // namespace rederive

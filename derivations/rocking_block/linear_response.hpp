@@ -22,9 +22,11 @@ LinearEquation linear_equation_under(Side side, const GiNaC::ex& ground);
 GiNaC::ex forced_motion(Side side, Pulse pulse);
 /// Their values from θ(0) = theta_0, θ̇(0) = thetadot_0, with the amplitude put in: (58), (100).
 Constants forced_constants(Side side, Pulse pulse);
-/// θ(t) under the pulse for any amplitude a_p, from theta_0 and thetadot_0 at t = 0: no names of constants left.
+/// θ(t) under the pulse for any amplitude a_p, from theta_0 and thetadot_0 at t = 0: no names of constants
+/// left.
 GiNaC::ex linear_response(Side side, Pulse pulse);
-/// θ(t) of free motion from t_o: Abar_1 sinh p(t − t_o) + Abar_2 cosh p(t − t_o) − α, or Abar_3, Abar_4 and + α.
+/// θ(t) of free motion from t_o: Abar_1 sinh p(t − t_o) + Abar_2 cosh p(t − t_o) − α, or Abar_3, Abar_4 and +
+/// α.
 GiNaC::ex free_motion(Side side);
 /// The part of a free motion about start that grows like e^{p(t − start)}; it decides on which side it ends.
 GiNaC::ex growing_part(const GiNaC::ex& free_motion, const GiNaC::ex& start);
@@ -32,7 +34,8 @@ GiNaC::ex growing_part(const GiNaC::ex& free_motion, const GiNaC::ex& start);
 Derivation equation_53a();
 Derivation equation_53b();
 Derivation equation_53c();
-Derivation start_of_gradual_pulse();
+Derivation pulse_begins();
+Derivation pulse_ends();
 Derivation equation_54();
 Derivation equation_55a();
 Derivation equation_55b();

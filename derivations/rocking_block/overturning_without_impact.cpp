@@ -75,8 +75,9 @@ Derivation corner_reached(Side side, const Derivation& motion) {
 
 Derivation corner_at_rest(Side side, const Derivation& motion) {
   const Notation& s = notation();
-  return derived(0, (free_from_end(side).diff(s.t) / s.p).expand(),
-                 {from(motion, "The motion after the pulse, t_o = T_ex,"), in_words("comes there without velocity")});
+  return derived(
+      0, (free_from_end(side).diff(s.t) / s.p).expand(),
+      {from(motion, "The motion after the pulse, t_o = T_ex,"), in_words("comes there without velocity")});
 }
 
 Derivation constant_at_end(const Derivation& free_constant) {
@@ -90,14 +91,16 @@ Derivation no_growth(Side side, const Derivation& motion) {
   const Notation& s = notation();
   const Constants c = free_names(side);
   const ex growing = growing_part(free_from_end(side), s.T_ex);
-  return derived(c.C, c.C - 2 * growing,
-                 {from(motion, "Write with exponentials"),
-                  {"the part that grows like e^{p(t − T_ex)} has the factor", growing, 0},
-                  in_words("If it is not zero the block falls over or comes back; at no finite time do both (65a) "
-                           "and (65b), or (72a) and (72b), hold: the corner is reached as t grows without end")});
+  return derived(
+      c.C, c.C - 2 * growing,
+      {from(motion, "Write with exponentials"),
+       {"the part that grows like e^{p(t − T_ex)} has the factor", growing, 0},
+       in_words("If it is not zero the block falls over or comes back; at no finite time do both (65a) "
+                "and (65b), or (72a) and (72b), hold: the corner is reached as t grows without end")});
 }
 
-Derivation critical(Side side, const Derivation& condition, const Derivation& first, const Derivation& second) {
+Derivation critical(Side side, const Derivation& condition, const Derivation& first,
+                    const Derivation& second) {
   const Notation& s = notation();
   return derived((s.p * critical_sum(side, s.theta_ex, s.thetadot_ex)).expand(), 0,
                  {from(condition, "Into"), from(first, "put"), from(second, "and")});
@@ -122,11 +125,13 @@ Derivation from_rest(const Derivation& constant) {
 
 Derivation threshold(Side side, const std::vector<Derivation>& ingredients) {
   const Notation& s = notation();
-  const ThresholdEquation found = threshold_without_impact(side, Pulse::sine, s.p * end_of_pulse(Pulse::sine));
+  const ThresholdEquation found =
+      threshold_without_impact(side, Pulse::sine, s.p * end_of_pulse(Pulse::sine));
   std::vector<Step> steps;
   for (const Derivation& d : ingredients) steps.push_back(from(d, steps.empty() ? "Into" : "put"));
   steps.push_back(in_words("sinh and cosh join to exponentials; divide by the factor of e^{−p T_ex}"));
-  return derived(found.left.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0}).normal().expand(), found.right, steps);
+  return derived(found.left.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0}).normal().expand(), found.right,
+                 steps);
 }
 
 }  // namespace
@@ -136,14 +141,23 @@ Derivation equation_65b() { return corner_at_rest(Side::negative, equation_62a()
 Derivation equation_66a() { return constant_at_end(equation_64a()); }
 Derivation equation_66b() { return constant_at_end(equation_64b()); }
 Derivation equation_67() { return no_growth(Side::negative, equation_62a()); }
+Derivation corner_is_reached_late() {
+  const Notation& s = notation();
+  const ex phase = s.p * (s.t - s.T_ex);
+  const ex ratio = -s.Abar_2 / s.Abar_1;  // of sinh to cosh, by (65a)
+  Derivation result = derived(tanh(phase), ratio.subs(s.Abar_2 == -s.Abar_1),
+                              {from(equation_65a(), "Divide by cosh in"), from(equation_67(), "and use")});
+  result.assumption = "in the limit of t growing without end; tanh stays below 1 at every finite time";
+  return result;
+}
 Derivation equation_68() { return critical(Side::negative, equation_67(), equation_66a(), equation_66b()); }
 Derivation equation_69a() { return end_angle(Side::negative, equation_57a()); }
 Derivation equation_69b() { return end_rate(Side::negative, equation_59a()); }
 Derivation equation_70a() { return from_rest(equation_58a()); }
 Derivation equation_70b() { return from_rest(equation_58b()); }
 Derivation equation_71() {
-  return threshold(Side::negative,
-                   {equation_68(), equation_69a(), equation_69b(), equation_70a(), equation_70b(), end_of_sine_pulse()});
+  return threshold(Side::negative, {equation_68(), equation_69a(), equation_69b(), equation_70a(),
+                                    equation_70b(), end_of_sine_pulse()});
 }
 Derivation equation_72a() { return corner_reached(Side::positive, equation_62b()); }
 Derivation equation_72b() { return corner_at_rest(Side::positive, equation_62b()); }
@@ -156,8 +170,8 @@ Derivation equation_76b() { return end_rate(Side::positive, equation_59b()); }
 Derivation equation_77a() { return from_rest(equation_58c()); }
 Derivation equation_77b() { return from_rest(equation_58d()); }
 Derivation equation_78() {
-  return threshold(Side::positive,
-                   {equation_75(), equation_76a(), equation_76b(), equation_77a(), equation_77b(), end_of_sine_pulse()});
+  return threshold(Side::positive, {equation_75(), equation_76a(), equation_76b(), equation_77a(),
+                                    equation_77b(), end_of_sine_pulse()});
 }
 
 }  // namespace rederive

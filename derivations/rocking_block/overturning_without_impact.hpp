@@ -11,8 +11,9 @@ struct ThresholdEquation {
   GiNaC::ex residual() const { return left - right; }
 };
 
-/// The critical motion of a block that starts with theta_0, thetadot_0 and is still on that side at the end of
-/// the pulse: (71), (78), (104), (103), in ψ, ω_p, p, α, theta_0, thetadot_0. `end` stands for p T_ex in it.
+/// The critical motion of a block that starts with theta_0, thetadot_0 and is still on that side at the end
+/// of the pulse: (71), (78), (104), (103), in ψ, ω_p, p, α, theta_0, thetadot_0. `end` stands for p T_ex in
+/// it.
 ThresholdEquation threshold_without_impact(Side side, Pulse pulse, const GiNaC::ex& end);
 
 /// θ̇(T_ex)/p + (θ(T_ex) ± α), which vanishes in the critical case; θ and θ̇ as given.
@@ -28,6 +29,7 @@ Derivation equation_65b();
 Derivation equation_66a();
 Derivation equation_66b();
 Derivation equation_67();
+Derivation corner_is_reached_late();
 Derivation equation_68();
 Derivation equation_69a();
 Derivation equation_69b();

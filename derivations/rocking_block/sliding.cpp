@@ -56,12 +56,13 @@ Derivation contact(Side side, const Derivation& motion) {
 // (51): the block at rest, about to move under ü_g = g tan α.
 ex at_initiation(const ex& e) {
   const Notation& s = notation();
-  return e.subs(lst{s.theta == 0, s.thetadot == 0, s.u_gddot == s.g * tan(s.alpha)})
+  return e.subs(lst{s.theta == 0, s.thetadot == 0, s.u_gddot == s.g * sin(s.alpha) / cos(s.alpha)})
       .subs(s.R == 3 * s.g / (4 * pow(s.p, 2)));
 }
 
 ex first_ratio() {
-  return at_initiation(horizontal_reaction(Side::negative)) / at_initiation(vertical_reaction(Side::negative));
+  return at_initiation(horizontal_reaction(Side::negative)) /
+         at_initiation(vertical_reaction(Side::negative));
 }
 
 Given first_acceleration() {
@@ -91,11 +92,19 @@ Derivation equation_47b() {
 Derivation equation_48a() {
   return derived(notation().x_c, way(0), {in_words("As in (2)")}, sides_of_the_block());
 }
-Derivation equation_48b() { return derived(notation().x_cdot, way(1), {from(equation_48a(), "Differentiate")}); }
-Derivation equation_48c() { return derived(notation().x_cddot, way(2), {from(equation_48b(), "Differentiate")}); }
+Derivation equation_48b() {
+  return derived(notation().x_cdot, way(1), {from(equation_48a(), "Differentiate")});
+}
+Derivation equation_48c() {
+  return derived(notation().x_cddot, way(2), {from(equation_48b(), "Differentiate")});
+}
 Derivation equation_49a() { return derived(notation().y_c, rise(0), {in_words("As in (3)")}); }
-Derivation equation_49b() { return derived(notation().y_cdot, rise(1), {from(equation_49a(), "Differentiate")}); }
-Derivation equation_49c() { return derived(notation().y_cddot, rise(2), {from(equation_49b(), "Differentiate")}); }
+Derivation equation_49b() {
+  return derived(notation().y_cdot, rise(1), {from(equation_49a(), "Differentiate")});
+}
+Derivation equation_49c() {
+  return derived(notation().y_cddot, rise(2), {from(equation_49b(), "Differentiate")});
+}
 
 Derivation horizontal_reaction_negative() { return horizontal(Side::negative, equation_21a()); }
 Derivation vertical_reaction_negative() { return vertical(Side::negative, equation_21a()); }
@@ -112,29 +121,32 @@ Derivation equation_50() { return friction_demand_negative(); }
 
 Derivation equation_50c() {
   const Notation& s = notation();
-  Derivation result = derived(s.H / s.V, s.mu,
-                              {in_words("Coulomb: |H| <= μ V, with V > 0 as long as there is contact")}, {}, "<=");
+  Derivation result = derived(
+      s.H / s.V, s.mu, {in_words("Coulomb: |H| <= μ V, with V > 0 as long as there is contact")}, {}, "<=");
   result.assumption = "H >= 0; where H < 0 the condition is -H/V <= mu";
   return result;
 }
 
 Derivation equation_51a() {
   const Notation& s = notation();
-  return derived(s.H_0 / s.V_0, first_ratio().normal(),
-                 {from(friction_demand_negative(), "In"),
-                  {"put θ = 0, θ̇ = 0 and the acceleration that just suffices", s.u_gddot, s.g * tan(s.alpha)}},
-                 {first_acceleration()});
+  return derived(
+      s.H_0 / s.V_0, first_ratio().normal(),
+      {from(friction_demand_negative(), "In"),
+       {"put θ = 0, θ̇ = 0 and the acceleration that just suffices", s.u_gddot, s.g * tan(s.alpha)}},
+      {first_acceleration()});
 }
 
 Derivation equation_51b() {
   const Notation& s = notation();
   return derived(s.u_gddot_0 / s.g, tan(s.alpha),
-                 {in_words("Rocking begins when the moment of the weight is overcome, by (23)")}, {first_acceleration()});
+                 {in_words("Rocking begins when the moment of the weight is overcome, by (23)")},
+                 {first_acceleration()});
 }
 
 Derivation equation_51c() {
   const Notation& s = notation();
-  return derived(tan(s.alpha), s.mu, {from(equation_51a(), "Coulomb, with"), in_words("which is positive")}, {}, "<=");
+  return derived(tan(s.alpha), s.mu, {from(equation_51a(), "Coulomb, with"), in_words("which is positive")},
+                 {}, "<=");
 }
 
 }  // namespace rederive

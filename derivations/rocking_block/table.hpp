@@ -2,7 +2,6 @@
 #pragma once
 
 #include <derivations/mechanics/derivation.hpp>
-
 #include <map>
 #include <string>
 
