@@ -9,11 +9,6 @@ namespace {
 
 ex corner(Side side) { return side == Side::negative ? ex(-notation().alpha) : ex(notation().alpha); }
 
-Constants names(Side side) {
-  const Notation& s = notation();
-  return side == Side::negative ? Constants{s.A_1, s.A_2} : Constants{s.A_3, s.A_4};
-}
-
 Constants free_names(Side side) {
   const Notation& s = notation();
   return side == Side::negative ? Constants{s.Abar_1, s.Abar_2} : Constants{s.Abar_3, s.Abar_4};
@@ -52,16 +47,23 @@ ex rate_at_end(Side side, Pulse pulse) {
   return (at_end(rate, pulse) / s.p).expand();
 }
 
-ThresholdEquation threshold_without_impact(Side side, Pulse pulse, const ex& end) {
+ThresholdEquation threshold_without_impact(Side side, const ex& ground, const Given& amplitude,
+                                           const ex& end) {
   const Notation& s = notation();
-  const Constants name = names(side), value = forced_constants(side, pulse);
-  const ex sum = critical_sum(side, angle_at_end(side, pulse), rate_at_end(side, pulse) * s.p);
-  const ex growth = exp(s.p * s.T_ex);
-  // (A_1 + A_2) e^{p T_ex} + what the pulse still adds. Divided so that e^{−p T_ex} stands alone.
-  const ex joined = in_exponentials(sum).expand().subs(exp(-s.p * s.T_ex) == 1 / growth).normal().expand();
-  const ex grown = joined.coeff(growth, 1).subs(lst{name.C == value.C, name.D == value.D});
-  const ex added = joined.coeff(growth, 0);
-  return {(-grown / added).normal().expand(), exp(-end)};
+  const GiNaC::symbol growth("growth");  // e^{p t} at the end of the pulse
+  const ex motion = solution_from(linear_equation_under(side, ground), 0, s.theta_0, s.thetadot_0);
+  const ex sum = critical_sum(side, motion, motion.diff(s.t)).subs(amplitude.name == amplitude.value);
+  const ex at_end = in_exponentials(sum)
+                        .subs(lst{exp(s.p * s.t) == growth, exp(-s.p * s.t) == 1 / ex(growth)})
+                        .subs(s.t == end)
+                        .expand();
+  // What has grown, and what the pulse still adds. Divided so that e^{−p T_ex} stands alone.
+  const ex grown = at_end.coeff(growth, 1), added = at_end.coeff(growth, 0);
+  return {(-grown / added).normal().expand(), exp(-s.p * end)};
+}
+
+ThresholdEquation threshold_without_impact(Side side, Pulse pulse) {
+  return threshold_without_impact(side, ground_acceleration(pulse), amplitude(pulse), end_of_pulse(pulse));
 }
 
 namespace {
@@ -125,8 +127,7 @@ Derivation from_rest(const Derivation& constant) {
 
 Derivation threshold(Side side, const std::vector<Derivation>& ingredients) {
   const Notation& s = notation();
-  const ThresholdEquation found =
-      threshold_without_impact(side, Pulse::sine, s.p * end_of_pulse(Pulse::sine));
+  const ThresholdEquation found = threshold_without_impact(side, Pulse::sine);
   std::vector<Step> steps;
   for (const Derivation& d : ingredients) steps.push_back(from(d, steps.empty() ? "Into" : "put"));
   steps.push_back(in_words("sinh and cosh join to exponentials; divide by the factor of e^{−p T_ex}"));

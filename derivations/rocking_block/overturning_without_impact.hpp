@@ -11,10 +11,13 @@ struct ThresholdEquation {
   GiNaC::ex residual() const { return left - right; }
 };
 
-/// The critical motion of a block that starts with theta_0, thetadot_0 and is still on that side at the end
-/// of the pulse: (71), (78), (104), (103), in ψ, ω_p, p, α, theta_0, thetadot_0. `end` stands for p T_ex in
-/// it.
-ThresholdEquation threshold_without_impact(Side side, Pulse pulse, const GiNaC::ex& end);
+/// The critical motion of a block that starts with theta_0, thetadot_0 at t = 0 and is still on that side at
+/// `end`, when the ground acceleration `ground` (an expression of t) ceases: (71), (78), (103), (104). In ψ,
+/// ω_p, p, α.
+ThresholdEquation threshold_without_impact(Side side, const GiNaC::ex& ground, const Given& amplitude,
+                                           const GiNaC::ex& end);
+/// Under the one-sine or one-cosine pulse of the paper.
+ThresholdEquation threshold_without_impact(Side side, Pulse pulse);
 
 /// θ̇(T_ex)/p + (θ(T_ex) ± α), which vanishes in the critical case; θ and θ̇ as given.
 GiNaC::ex critical_sum(Side side, const GiNaC::ex& angle, const GiNaC::ex& rate);

@@ -1,6 +1,8 @@
 #include <derivations/rocking_block/energy.hpp>
 #include <derivations/rocking_block/impact.hpp>
+#include <derivations/rocking_block/initial_conditions.hpp>
 #include <derivations/rocking_block/initiation.hpp>
+#include <derivations/rocking_block/overturning_after_one_impact.hpp>
 #include <derivations/rocking_block/overturning_without_impact.hpp>
 #include <derivations/rocking_block/sliding.hpp>
 #include <derivations/rocking_block/table.hpp>
@@ -174,6 +176,57 @@ const std::map<std::string, Derive>& derivation_table() {
       {"77a", equation_77a},
       {"77b", equation_77b},
       {"78", equation_78},
+      // 3 Overturning after one impact
+      {"79a", equation_79a},
+      {"79b", equation_79b},
+      {"80a", equation_80a},
+      {"80b", equation_80b},
+      {"81", equation_81},
+      {"82", equation_82},
+      {"83", equation_83},
+      {"84", equation_84},
+      {"85", equation_85},
+      {"86", equation_86},
+      {"87a", equation_87a},
+      {"87b", equation_87b},
+      {"88", equation_88},
+      {"89a", equation_89a},
+      {"89b", equation_89b},
+      {"90a", equation_90a},
+      {"90b", equation_90b},
+      {"91a", equation_91a},
+      {"91b", equation_91b},
+      {"92a", equation_92a},
+      {"92b", equation_92b},
+      {"93a", equation_93a},
+      {"93b", equation_93b},
+      {"u26", second_constant_after_impact},
+      {"u27a", first_constant_after_impact},
+      {"u27b", first_constant_by_restitution},
+      {"94a", equation_94a},
+      {"94b", equation_94b},
+      {"95a", equation_95a},
+      {"95b", equation_95b},
+      {"96", equation_96},
+      // 3 Initial conditions
+      {"u28", cosine_is_shifted_sine},
+      {"u29a", first_acceleration_of_cosine},
+      {"u29b", share_of_cosine},
+      {"u29c", phase_of_cosine},
+      {"u29d", amplitude_of_cosine},
+      {"u29e", scaled_amplitude_of_cosine},
+      {"97", equation_97},
+      {"98", equation_98},
+      {"99", equation_99},
+      {"100a", equation_100a},
+      {"100b", equation_100b},
+      {"u30", end_of_cosine_pulse},
+      {"101a", equation_101a},
+      {"101b", equation_101b},
+      {"102", equation_102},
+      {"103", equation_103},
+      {"104", equation_104},
+      {"u31", linear_amplitude_of_cosine},
       // Results: reactions
       {"r1", horizontal_reaction_negative},
       {"r2", vertical_reaction_negative},
@@ -183,6 +236,15 @@ const std::map<std::string, Derive>& derivation_table() {
       {"r6", friction_demand_positive},
       {"r7", contact_negative},
       {"r8", contact_positive},
+      // Results: overturning after one impact
+      {"r9", window_after_pulse},
+      {"r10", overturns_after_pulse},
+      {"r11", time_of_critical_impact},
+      {"r12", velocity_near_first_mode},
+      // Results: the cosine pulse from rest
+      {"r13", first_acceleration_to_the_right},
+      {"r14", start_under_cosine},
+      {"r15", threshold_of_cosine_from_rest},
   };
   return table;
 }

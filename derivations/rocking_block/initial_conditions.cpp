@@ -1,0 +1,214 @@
+#include <derivations/rocking_block/initial_conditions.hpp>
+
+namespace rederive {
+
+using GiNaC::ex;
+using GiNaC::lst;
+
+namespace {
+
+ex with_amplitude(const ex& e) {
+  const Given a = amplitude(Pulse::cosine);
+  return e.subs(a.name == a.value);
+}
+
+ex cosine_motion() { return with_amplitude(forced_motion(Side::positive, Pulse::cosine)); }
+
+// Time counted from phase π − ψ on: α_p cos(π − ψ + ω_p t), which is −α_p cos(ψ − ω_p t). It starts at −α g.
+ex cosine_after_wait() {
+  const Notation& s = notation();
+  return -s.a_p * cos(s.psi - s.omega_p * s.t);
+}
+
+Derivation threshold(const ThresholdEquation& found, std::vector<Step> steps, std::vector<Given> given) {
+  return derived(found.left, found.right, std::move(steps), std::move(given));
+}
+
+Given end(Pulse pulse) { return {notation().T_ex, end_of_pulse(pulse)}; }
+
+}  // namespace
+
+ThresholdEquation overturning_cosine_pulse() {
+  return threshold_without_impact(Side::positive, Pulse::cosine);
+}
+ThresholdEquation overturning_sine_pulse() { return threshold_without_impact(Side::negative, Pulse::sine); }
+
+ThresholdEquation overturning_cosine_pulse_from_rest() {
+  const Notation& s = notation();
+  const ex last = 2 * GiNaC::Pi - GiNaC::Pi / 2, first = GiNaC::Pi - s.psi;
+  const ThresholdEquation any = threshold_without_impact(
+      Side::positive, cosine_after_wait(), amplitude(Pulse::cosine), ((last - first) / s.omega_p).expand());
+  return {any.left.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0}).normal().expand(), any.right};
+}
+
+Derivation cosine_is_shifted_sine() {
+  const Notation& s = notation();
+  return derived(s.a_p * sin(s.omega_p * s.t + GiNaC::Pi / 2 + s.psi), ground_acceleration(Pulse::cosine),
+                 {in_words("A sine a quarter of a turn ahead")});
+}
+
+Derivation first_acceleration_of_cosine() {
+  const Notation& s = notation();
+  return derived(s.u_gddot_0, ground_acceleration(Pulse::cosine).subs(s.t == 0), {in_words("Set t = 0")});
+}
+
+Derivation share_of_cosine() {
+  const Notation& s = notation();
+  return derived(first_acceleration_of_cosine().right, s.lambda * s.a_p,
+                 {from(first_acceleration_of_cosine(), "λ is the share of the amplitude at t = 0, and")});
+}
+
+Derivation phase_of_cosine() {
+  const Notation& s = notation();
+  return derived(s.psi, acos(s.lambda), {from(share_of_cosine(), "Solve for ψ, between 0 and π/2,")});
+}
+
+namespace {
+
+// λ α_p = g tan α with λ = cos ψ.
+ex exact_amplitude() {
+  const Notation& s = notation();
+  const ex rest = motion_by_lagrange(Side::negative).subs(lst{s.theta == 0, s.thetaddot == 0});
+  const ex suffices = -rest.coeff(s.u_gddot, 0) / rest.coeff(s.u_gddot, 1);
+  return suffices / (first_acceleration_of_cosine().right / s.a_p);
+}
+
+}  // namespace
+
+Derivation amplitude_of_cosine() {
+  return derived(
+      notation().a_p, exact_amplitude(),
+      {from(first_acceleration_of_cosine(), "The acceleration at t = 0"), in_words("is taken as g tan α")});
+}
+
+Derivation scaled_amplitude_of_cosine() {
+  const Notation& s = notation();
+  return derived(s.a_p / (s.g * tan(s.alpha)), exact_amplitude() * cos(s.alpha) / (s.g * sin(s.alpha)),
+                 {from(amplitude_of_cosine(), "Divide by g tan α")});
+}
+
+Derivation linear_amplitude_of_cosine() {
+  const Notation& s = notation();
+  Derivation result = derived(s.a_p / (s.alpha * s.g), amplitude(Pulse::cosine).value / (s.alpha * s.g),
+                              {from(scaled_amplitude_of_cosine(), "To first order in α,")});
+  result.order = 1;
+  result.small = "alpha";
+  return result;
+}
+
+Derivation equation_97() {
+  const Notation& s = notation();
+  const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
+  Derivation result =
+      derived(s.thetaddot - pow(equation.k, 2) * s.theta, with_amplitude(equation.forcing).expand(),
+              {from(equation_21b(), "To first order in α, θ and α_p/g"),
+               {"with", s.u_gddot, ground_acceleration(Pulse::cosine)},
+               from(linear_amplitude_of_cosine(), "and")});
+  result.order = 1;
+  result.small = "alpha, theta, a_p/g";
+  return result;
+}
+
+Derivation equation_98() {
+  return derived(
+      notation().theta, cosine_motion(),
+      {from(equation_97(), "Solve"), in_words("by undetermined coefficients, with sinh p t and cosh p t")});
+}
+
+Derivation equation_99() {
+  const Notation& s = notation();
+  return derived(s.thetadot / s.p, (cosine_motion().diff(s.t) / s.p).expand(),
+                 {from(equation_98(), "Differentiate")});
+}
+
+Derivation equation_100a() {
+  const Notation& s = notation();
+  return derived(s.A_3, forced_constants(Side::positive, Pulse::cosine).C.normal(),
+                 {from(equation_99(), "Set t = 0 and θ̇ = θ̇_0 in")});
+}
+
+Derivation equation_100b() {
+  const Notation& s = notation();
+  return derived(s.A_4, forced_constants(Side::positive, Pulse::cosine).D.normal(),
+                 {from(equation_98(), "Set t = 0 and θ = θ_0 in")});
+}
+
+Derivation end_of_cosine_pulse() {
+  const Notation& s = notation();
+  return derived(s.T_ex, end_of_pulse(Pulse::cosine),
+                 {from(cosine_is_shifted_sine(), "The pulse is"),
+                  in_words("and ends with the sine, where its phase is 2π")});
+}
+
+Derivation equation_101a() {
+  return derived(notation().theta_ex, angle_at_end(Side::positive, Pulse::cosine),
+                 {from(equation_98(), "At T_ex the cosine is 0:")});
+}
+
+Derivation equation_101b() {
+  const Notation& s = notation();
+  return derived(s.thetadot_ex / s.p, rate_at_end(Side::positive, Pulse::cosine),
+                 {from(equation_99(), "At T_ex the sine is −1:")});
+}
+
+Derivation equation_102() {
+  const Notation& s = notation();
+  const ex growth = exp(s.p * s.T_ex);
+  const ex sum = critical_sum(Side::positive, angle_at_end(Side::positive, Pulse::cosine),
+                              s.p * rate_at_end(Side::positive, Pulse::cosine));
+  const ex joined = in_exponentials(sum).expand().subs(exp(-s.p * s.T_ex) == 1 / growth).expand();
+  return derived(joined.coeff(growth, 1), -joined.coeff(growth, 0) / growth,
+                 {from(equation_75(), "Into"), from(equation_101a(), "put"), from(equation_101b(), "and"),
+                  in_words("sinh and cosh join to e^{p T_ex}")});
+}
+
+Derivation equation_103() {
+  return threshold(overturning_cosine_pulse(),
+                   {from(equation_102(), "Into"), from(equation_100a(), "put"), from(equation_100b(), "and"),
+                    in_words("and divide by the factor of e^{−p T_ex}")},
+                   {end(Pulse::cosine)});
+}
+
+Derivation equation_104() {
+  return threshold(overturning_sine_pulse(),
+                   {from(equation_68(), "Into"), from(equation_69a(), "put"), from(equation_69b(), "and"),
+                    from(equation_58a(), "with"), from(equation_58b(), "and"),
+                    in_words("and divide by the factor of e^{−p T_ex}")},
+                   {end(Pulse::sine)});
+}
+
+Derivation first_acceleration_to_the_right() {
+  const Notation& s = notation();
+  const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
+  return derived(
+      s.thetaddot_0, with_amplitude(equation.forcing).subs(s.t == 0).expand(),
+      {from(equation_97(), "At rest and upright, just after t = 0, on the side θ > 0"),
+       in_words("which is negative: the block is pressed onto its base and does not turn to θ > 0. To turn "
+                "to θ < 0 it needs more than α g, and the acceleration decreases")});
+}
+
+Derivation start_under_cosine() {
+  const Notation& s = notation();
+  // The side θ > 0 starts where its right side of (97), at θ = 0, comes to zero: cos(phase) = −cos ψ.
+  const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
+  const ex phase = s.omega_p * s.t + s.psi;
+  const ex forcing = with_amplitude(equation.forcing);
+  const ex needed = -forcing.coeff(cos(phase), 0) / forcing.coeff(cos(phase), 1);
+  return derived(
+      cos(GiNaC::Pi - s.psi), needed,
+      {from(equation_97(), "The block starts to θ > 0 when the right side of"),
+       in_words("is no longer negative at θ = 0: when the cosine has come to −cos ψ, at phase π − ψ")});
+}
+
+Derivation threshold_of_cosine_from_rest() {
+  return threshold(
+      overturning_cosine_pulse_from_rest(),
+      {from(start_under_cosine(), "Rocking begins, from rest, at phase π − ψ, where"),
+       in_words("with time counted from there the acceleration is −α_p cos(ω_p t − ψ), until phase 3π/2"),
+       from(equation_75(), "The critical motion has"),
+       in_words("and dividing by the factor of the exponential gives the threshold: the one of half a "
+                "sine, with π/2 − ψ for its phase")},
+      {});
+}
+
+}  // namespace rederive
