@@ -152,7 +152,18 @@ class Lowering {
       refuse(node, "unknown_function", "there is no function '" + node.text + "'");
     const Lowered argument = lower(node.children[0]);
     const ex value = function->second(argument.value);
+    if (is_certainly_not_real(value)) refuse(node, "undefined", "this has no real value");
     return {value, 2 * argument.bits};
+  }
+
+  /// asin(2) and the like, which GiNaC leaves as they are.
+  static bool is_certainly_not_real(const GiNaC::ex& value) {
+    try {
+      const GiNaC::ex number = value.evalf();
+      return GiNaC::is_a<GiNaC::numeric>(number) && !number.info(GiNaC::info_flags::real);
+    } catch (const cln::runtime_exception&) {  // exp(10^30) is real, though no floating-point number
+      return false;
+    }
   }
 
   const Symbols& symbols_;

@@ -4,6 +4,7 @@
 // bases of powers: 1/(x - y) in one run is -1/(y - x) in the next. Here both are decided by the symbol table
 // alone.
 #include <algorithm>
+#include <derivations/algebra/functions.hpp>
 #include <derivations/algebra/print.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -173,8 +174,9 @@ class Writer {
     if (base.is_equal(GiNaC::Pi)) return {node(Node::Kind::symbol, "pi"), exponent, nullptr, {}};
     if (GiNaC::is_a<GiNaC::function>(base)) {
       const std::string name = GiNaC::ex_to<GiNaC::function>(base).get_name();
-      const Tree call = node(Node::Kind::call, name == "abs" ? "fabs" : name, arguments(base));
-      return {call, exponent, nullptr, {}};
+      if (arity(name) == 0) throw std::invalid_argument("our syntax has no function '" + name + "'");
+      if (name == "abs") return absolute(base.op(0), exponent);
+      return {node(Node::Kind::call, name, arguments(base)), exponent, nullptr, {}};
     }
     if (GiNaC::is_a<GiNaC::add>(base)) return sum_factor(terms(base), exponent, coefficient);
     const bool known =
@@ -196,6 +198,22 @@ class Writer {
     }
     const Tree key = sum(parts, false);
     return {key, exponent, nullptr, std::move(parts)};
+  }
+
+  /// |x - y| and |y - x| come out the same, and so do |1/x| and 1/|x|: GiNaC may write either.
+  Factor absolute(const ex& argument, const numeric& exponent) const {
+    const auto call = [](const Tree& tree) { return node(Node::Kind::call, "fabs", {tree}); };
+    if (GiNaC::is_a<GiNaC::add>(argument)) {
+      std::vector<Term> parts = terms(argument);
+      if (asks_to_turn(parts)) turn(parts);
+      return {call(sum(parts, true)), exponent, nullptr, {}};
+    }
+    Term inside = term(argument);
+    inside.coefficient = GiNaC::abs(inside.coefficient);
+    const bool lone = inside.coefficient == 1 && inside.factors.size() == 1 && !inside.factors[0].symbolic;
+    const numeric raised = lone && inside.factors[0].exponent.is_integer() ? inside.factors[0].exponent : 1;
+    if (raised != 1) inside.factors[0].exponent = 1;
+    return {call(product(inside, true)), raised * exponent, nullptr, {}};
   }
 
   std::vector<Tree> arguments(const ex& function) const {
