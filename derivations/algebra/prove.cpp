@@ -144,6 +144,11 @@ Proof prove_residuals(const Pair& pair, bool inequality, const Symbols& symbols)
   const Points points(names_of(pair), symbols);
   const Sample seen = sample(pair, points, false);
   if (seen.both == 0) return undecided("no point was found at which both residuals have a value");
+  if (!inequality && vanishes(pair.right_value, symbols)) {  // an equation that always holds: does the other one?
+    Proof proof = prove_identity({pair.left, to_tree(0, symbols), pair.left_value, 0}, symbols);
+    if (proof.verdict == Verdict::proved) proof.reason = "both equations hold identically";
+    return proof;
+  }
   if (inequality && seen.opposed) return refute(*seen.opposed, "one holds and the other fails at the witness");
 
   std::string why = "the quotient of the two residuals is no product of recognisable factors";
