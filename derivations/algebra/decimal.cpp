@@ -33,15 +33,16 @@ std::string digits_of(const cl_I& n) {
 }
 
 /// Puts the point into "d1d2d3…", the first digit of which stands for 10^exponent.
-std::string placed(std::string digits, long exponent, long wanted) {
+std::string placed(const std::string& digits, long exponent, long wanted) {
+  const auto zeros = [](long count) { return std::string(static_cast<std::size_t>(count), '0'); };
+  const auto pointed = [&](std::size_t at) { return digits.substr(0, at) + "." + digits.substr(at); };
   const long size = static_cast<long>(digits.size());
   if (exponent < -5 || exponent > wanted + 5) {
-    if (size > 1) digits.insert(1, ".");
-    return digits + "e" + std::to_string(exponent);
+    return (size > 1 ? pointed(1) : digits) + "e" + std::to_string(exponent);
   }
-  if (exponent < 0) return "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
-  if (exponent >= size - 1) return digits + std::string(static_cast<std::size_t>(exponent + 1 - size), '0');
-  return digits.insert(static_cast<std::size_t>(exponent) + 1, ".");
+  if (exponent < 0) return "0." + zeros(-exponent - 1) + digits;
+  if (exponent >= size - 1) return digits + zeros(exponent + 1 - size);
+  return pointed(static_cast<std::size_t>(exponent) + 1);
 }
 
 }  // namespace
@@ -58,7 +59,8 @@ std::string decimal(const cln::cl_R& value, int digits) {
   }
   const bool exact = cln:: instanceof (value, cln::cl_RA_ring) && scaled == cln::round1(scaled);
   if (exact) text.erase(text.find_last_not_of('0') + 1);
-  return (cln::minusp(whole) ? "-" : "") + placed(text, exponent, digits);
+  const std::string shown = placed(text, exponent, digits);
+  return cln::minusp(whole) ? std::string("-").append(shown) : shown;
 }
 
 }  // namespace rederive
