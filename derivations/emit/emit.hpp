@@ -9,14 +9,16 @@ namespace rederive {
 
 /// One numeric function to write out.
 struct EmittedFunction {
-  std::string name;                         ///< "angular_acceleration_negative"
-  std::vector<SymbolExpression> arguments;  ///< in order; units and ranges come from the symbol table
-  GiNaC::ex value;
-  std::vector<SymbolExpression>
-      derivatives;       ///< what stands beside it: a struct {value, d_psi, …} in name_with_derivatives
-  std::string equation;  ///< the ledger row it stands for: "21a"
-  std::string brief;     ///< one line of documentation
+  std::string name;                           ///< "angular_acceleration_negative"
+  std::vector<SymbolExpression> arguments;    ///< in order; units and ranges come from emission_symbols()
+  GiNaC::ex value;                            ///< of the arguments alone
+  std::vector<SymbolExpression> derivatives;  ///< what name_with_derivatives gives beside it: d_psi …
+  std::string equation;                       ///< the ledger row it stands for: "21a"
+  std::string brief;                          ///< one line of documentation
 };
+
+/// The symbols of the paper and those that only numeric functions have: ratios such as omega_p/p.
+const Symbols& emission_symbols();
 
 enum class Target { cpp, c, python, javascript, latex };
 
@@ -24,6 +26,15 @@ enum class Target { cpp, c, python, javascript, latex };
 std::vector<EmittedFunction> emitted_functions();
 
 /// One self-contained source text, the same bytes every time. `sharing` = common subexpressions get names.
+/// Throws std::invalid_argument if a value has other symbols than its arguments or is dimensionally wrong.
 std::string emit(const std::vector<EmittedFunction>& functions, Target target, bool sharing = true);
+
+/// What is known about a function beside its text.
+struct Provenance {
+  std::string unit;                           ///< of the value, in our syntax of units
+  std::size_t operations, shared_operations;  ///< value and derivatives, before and after sharing
+  std::string hash;  ///< of the equation's id and the printed expression: FNV-1a, 64 bits
+};
+Provenance provenance(const EmittedFunction& function);
 
 }  // namespace rederive

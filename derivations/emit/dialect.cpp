@@ -1,0 +1,214 @@
+#include <derivations/emit/dialect.hpp>
+#include <stdexcept>
+
+namespace rederive {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& parts, const std::string& before,
+                   const std::string& between) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : between) + before + part;
+  return text;
+}
+
+std::string prefixed(const std::vector<std::string>& lines, const std::string& prefix) {
+  std::string text;
+  for (const std::string& line : lines) text += prefix + line + "\n";
+  return text;
+}
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  for (const std::string& entry : names) {
+    if (entry == name) return true;
+  }
+  return false;
+}
+
+/// "const T common_1 = alpha + theta;" for each.
+std::string declarations(const Body& body, const std::string& type, const std::string& end) {
+  std::string text;
+  for (const auto& [name, expression] : body.shared) {
+    text += wrapped("  " + type + name + " = " + expression + end, "      ") + "\n";
+  }
+  return text;
+}
+
+std::string result_list(const Body& body, bool named) {
+  std::string text;
+  for (const auto& [name, expression] : body.results) {
+    text += (text.empty() ? "" : ", ") + (named ? name + ": " : "") + expression;
+  }
+  return text;
+}
+
+class Cpp : public Dialect {
+ public:
+  std::string number(const std::string& digits) const override { return "T(" + digits + ")"; }
+  std::string pi() const override { return "pi<T>()"; }
+  std::string call(const std::string& function, const std::string& arguments) const override {
+    return function + "(" + arguments + ")";
+  }
+  std::string comment(const std::vector<std::string>& lines) const override { return prefixed(lines, "// "); }
+  std::string prologue() const override {
+    return "#pragma once\n\n#include <cmath>\n\nnamespace rederive::emitted {\n\n"
+           "/// Half a turn. Specialise it for types that are wider than long double, or enclose.\n"
+           "template <class T>\nT pi() {\n  return T(3.14159265358979323846264338327950288L);\n}\n";
+  }
+  std::string epilogue() const override { return "\n}  // namespace rederive::emitted\n"; }
+  std::string function(const std::string& name, const std::vector<std::string>& arguments,
+                       const std::vector<std::string>& documentation, const Body& body) const override {
+    const bool record = body.results.size() > 1;
+    std::string text;
+    if (record) {
+      text += "template <class T>\nstruct " + name + "_result {\n  T ";
+      for (const auto& [member, unused] : body.results) text += (member == "value" ? "" : ", ") + member;
+      text += ";\n};\n\n";
+    }
+    text += prefixed(documentation, "/// ") + "template <class T>\n" + (record ? name + "_result<T> " : "T ");
+    std::vector<std::string> parameters;
+    for (const std::string& argument : arguments) {
+      parameters.push_back(has(body.unused, argument) ? "T /*" + argument + "*/" : "T " + argument);
+    }
+    text += wrapped(name + "(" + joined(parameters, "", ", ") + ") {", "    ") + "\n";
+    for (const std::string& used : body.functions_used) text += "  using std::" + used + ";\n";
+    text += declarations(body, "const T ", ";");
+    const std::string result = result_list(body, false);
+    return text + wrapped(record ? "  return {" + result + "};" : "  return " + result + ";", "      ") +
+           "\n}\n";
+  }
+};
+
+class C : public Dialect {
+ public:
+  std::string number(const std::string& digits) const override { return digits + ".0"; }
+  std::string pi() const override { return "3.14159265358979323846"; }
+  std::string call(const std::string& function, const std::string& arguments) const override {
+    return function + "(" + arguments + ")";
+  }
+  std::string comment(const std::vector<std::string>& lines) const override {
+    return "/*\n" + prefixed(lines, " * ") + " */\n";
+  }
+  std::string prologue() const override { return "#include <math.h>\n"; }
+  std::string epilogue() const override { return ""; }
+  std::string function(const std::string& name, const std::vector<std::string>& arguments,
+                       const std::vector<std::string>& documentation, const Body& body) const override {
+    const bool record = body.results.size() > 1;
+    std::string text;
+    if (record) {
+      text += "struct " + name + "_result {\n  double ";
+      for (const auto& [member, unused] : body.results) text += (member == "value" ? "" : ", ") + member;
+      text += ";\n};\n\n";
+    }
+    const std::string type = record ? "struct " + name + "_result " : "double ";
+    text += comment(documentation);
+    text +=
+        wrapped("static inline " + type + name + "(" + joined(arguments, "double ", ", ") + ") {", "    ") +
+        "\n";
+    for (const std::string& argument : body.unused) text += "  (void)" + argument + ";\n";
+    text += declarations(body, "const double ", ";");
+    const std::string result = result_list(body, false);
+    if (!record) return text + wrapped("  return " + result + ";", "      ") + "\n}\n";
+    return text + wrapped("  const " + type + "result = {" + result + "};", "      ") +
+           "\n  return result;\n}\n";
+  }
+};
+
+class Python : public Dialect {
+ public:
+  std::string number(const std::string& digits) const override { return digits + ".0"; }
+  std::string pi() const override { return "math.pi"; }
+  std::string call(const std::string& function, const std::string& arguments) const override {
+    return "math." + function + "(" + arguments + ")";
+  }
+  std::string comment(const std::vector<std::string>& lines) const override { return prefixed(lines, "# "); }
+  std::string prologue() const override { return "import math\nfrom collections import namedtuple\n"; }
+  std::string epilogue() const override { return ""; }
+  std::string function(const std::string& name, const std::vector<std::string>& arguments,
+                       const std::vector<std::string>& documentation, const Body& body) const override {
+    const bool record = body.results.size() > 1;
+    std::string text = "\n";
+    if (record) {
+      text += name + "_result = namedtuple(\"" + name + "_result\", [";
+      for (const auto& [member, unused] : body.results) {
+        text += (member == "value" ? "\"" : ", \"") + member + "\"";
+      }
+      text += "])\n\n\n";
+    }
+    text += wrapped("def " + name + "(" + joined(arguments, "", ", ") + "):", "        ") + "\n";
+    text += "    \"\"\"" + documentation[0] + "\n";
+    for (std::size_t i = 1; i < documentation.size(); ++i) text += "    " + documentation[i] + "\n";
+    text += "    \"\"\"\n";
+    for (const auto& [shared, expression] : body.shared)
+      text += assignment("    " + shared + " = ", expression);
+    const std::string result = result_list(body, false);
+    if (!record) return text + assignment("    return ", result);
+    return text + wrapped("    return " + name + "_result(" + result + ")", "        ") + "\n";
+  }
+
+ private:
+  static std::string assignment(const std::string& left, const std::string& right) {
+    const std::string line = left + right;
+    const std::string broken = wrapped(left + "(" + right + ")", "        ");
+    return (broken.find('\n') == std::string::npos ? line : broken) + "\n";
+  }
+};
+
+class JavaScript : public Dialect {
+ public:
+  std::string number(const std::string& digits) const override { return digits; }
+  std::string pi() const override { return "Math.PI"; }
+  std::string call(const std::string& function, const std::string& arguments) const override {
+    return "Math." + (function == "fabs" ? "abs" : function) + "(" + arguments + ")";
+  }
+  std::string comment(const std::vector<std::string>& lines) const override { return prefixed(lines, "// "); }
+  std::string prologue() const override { return "\"use strict\";\n"; }
+  std::string epilogue() const override { return ""; }
+  std::string function(const std::string& name, const std::vector<std::string>& arguments,
+                       const std::vector<std::string>& documentation, const Body& body) const override {
+    std::string text = "/**\n" + prefixed(documentation, " * ") + " */\n";
+    text += wrapped("export function " + name + "(" + joined(arguments, "", ", ") + ") {", "    ") + "\n";
+    text += declarations(body, "const ", ";");
+    const bool record = body.results.size() > 1;
+    const std::string result = result_list(body, record);
+    return text + wrapped(record ? "  return { " + result + " };" : "  return " + result + ";", "      ") +
+           "\n}\n";
+  }
+};
+
+}  // namespace
+
+const Dialect& dialect(Target target) {
+  static const Cpp cpp;
+  static const C c;
+  static const Python python;
+  static const JavaScript javascript;
+  switch (target) {
+    case Target::cpp:
+      return cpp;
+    case Target::c:
+      return c;
+    case Target::python:
+      return python;
+    case Target::javascript:
+      return javascript;
+    case Target::latex:
+      break;
+  }
+  throw std::invalid_argument("LaTeX is no programming language");
+}
+
+std::string wrapped(const std::string& line, const std::string& indent) {
+  constexpr std::size_t widest = 100;
+  std::string text, rest = line;
+  while (rest.size() > widest) {
+    const std::size_t cut = rest.rfind(' ', widest);
+    const std::size_t start = rest.find_first_not_of(' ');
+    if (cut == std::string::npos || cut <= start || rest.substr(0, cut).ends_with("return")) break;
+    text += rest.substr(0, cut) + "\n";
+    rest = indent + rest.substr(cut + 1);
+  }
+  return text + rest;
+}
+
+}  // namespace rederive

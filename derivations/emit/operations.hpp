@@ -1,0 +1,47 @@
+// Trees → single operations, equal ones only once.
+#pragma once
+
+#include <derivations/algebra/syntax.hpp>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace rederive {
+
+/// One step of a computation. Operands are indices of earlier operations.
+struct Operation {
+  enum class Kind { number, symbol, add, subtract, multiply, divide, negate, call };
+  Kind kind;
+  std::string text;  ///< of numbers, symbols ("pi" is π) and calls
+  std::vector<std::size_t> operands;
+
+  bool is_leaf() const { return kind == Kind::number || kind == Kind::symbol; }
+};
+
+/// The operations that some expressions need, each before its first use; integer powers are multiplications.
+class Operations {
+ public:
+  explicit Operations(const std::vector<Tree>& trees);
+
+  const std::vector<Operation>& all() const { return operations_; }
+  const std::vector<std::size_t>& results() const { return results_; }  ///< one for each tree
+  /// How often each operation is used, as an operand or as a result.
+  std::vector<std::size_t> uses() const;
+  std::size_t count() const;           ///< without numbers and symbols
+  std::size_t count_unshared() const;  ///< if everything were computed where it is used
+
+ private:
+  std::size_t add(const Node& node);
+  std::size_t add_sum(const Node& node);
+  std::size_t add_product(const Node& node);
+  std::size_t add_power(const Node& node);
+  std::size_t whole_power(std::size_t base, long exponent);
+  std::size_t one_of(Operation::Kind kind, const std::string& text, std::vector<std::size_t> operands);
+
+  std::vector<Operation> operations_;
+  std::map<std::tuple<Operation::Kind, std::string, std::vector<std::size_t>>, std::size_t> known_;
+  std::vector<std::size_t> results_;
+};
+
+}  // namespace rederive
