@@ -27,7 +27,7 @@ const Line lines[] = {
     {"rho", "\\rho", "ρ", "kg/m^2", positive, "mass of the block per area of its face", "Fig. 1"},
     {"mu", "\\mu", "μ", "1", positive, "coefficient of friction", "(29)"},
     {"e", "e", "e", "1", "(0, 1]", "coefficient of restitution", "(34)"},
-    {"lambda", "\\lambda", "λ", "1", "(0, 1]", "ground acceleration at the start over its amplitude", "(25)"},
+    {"lambda", "\\lambda", "λ", "1", positive, "ground acceleration at the start over its amplitude", "(25)"},
     // Energies, forces, momenta
     {"K", "K", "K", energy, "[0, inf)", "kinetic energy", "(1)"},
     {"Omega", "\\Omega", "Ω", energy, any, "potential of the weight", "(1)"},
@@ -77,7 +77,7 @@ const Line lines[] = {
     {"t_o", "t_o", "t_o", "s", positive, "time at which free motion begins", "(62a)"},
     {"t_star", "t^*", "t*", "s", positive, "time at which the block stands on its corner, in the critical case", "(60)"},
     {"T_ex", "T_{ex}", "T_ex", "s", positive, "time at which the ground pulse ends", "(65a)"},
-    {"psi", "\\psi", "ψ", "1", "(0, pi/2)", "phase of the pulse at t = 0", "(52)"},
+    {"psi", "\\psi", "ψ", "1", "(0, pi)", "phase of the pulse at t = 0; beyond π/2 only in (78)", "(52)"},
     // Motion of the ground and of the centre of mass
     {"u_g", "u_g", "u_g", "m", any, "displacement of the ground", "(2)"},
     {"u_gdot", "\\dot u_g", "u̇_g", "m/s", any, "velocity of the ground", "(4)"},

@@ -126,6 +126,21 @@ Proof prove_identity(const Pair& pair, const Symbols& symbols) {
   return proof;
 }
 
+bool is_real(const ex& e) {
+  for (auto i = e.preorder_begin(); i != e.preorder_end(); ++i)
+    if (GiNaC::is_a<GiNaC::numeric>(*i) && !GiNaC::ex_to<GiNaC::numeric>(*i).is_real()) return false;
+  return true;
+}
+
+/// Cancels what is common over the complex numbers, where a factor i of all terms of one side is a unit.
+ex lowest_terms(const ex& quotient, const Phases& phases) {
+  ex complex = quotient;
+  for (const Generator& g : phases.generators())
+    if (g.kind == Generator::Kind::imaginary) complex = complex.subs(g.symbol == GiNaC::I);
+  const ex cancelled = complex.normal();
+  return is_real(cancelled) ? cancelled : quotient.normal();
+}
+
 /// left/right as a product of named parts, if it is one.
 std::optional<std::vector<std::pair<ex, GiNaC::numeric>>> quotient(const Pair& pair, const Symbols& symbols) {
   if (pair.right_value.is_zero()) return std::nullopt;
@@ -136,7 +151,7 @@ std::optional<std::vector<std::pair<ex, GiNaC::numeric>>> quotient(const Pair& p
   };
   const ex right = whole(pair.right_value);
   if (right.is_zero()) return std::nullopt;
-  return factor_form((whole(pair.left_value) / right).normal(), phases);
+  return factor_form(lowest_terms(whole(pair.left_value) / right, phases), phases);
 }
 
 /// Residuals of equations or of inequalities (written as "residual > 0").

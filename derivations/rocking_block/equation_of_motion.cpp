@@ -121,6 +121,16 @@ Derivation normalised_motion(Side side) {
 
 }  // namespace
 
+namespace {
+
+// b² = R² − h²: leaves J_o as 4/3 m R².
+ex squared_width() {
+  const Notation& s = notation();
+  return pow(s.b, 2) == pow(s.R, 2) - pow(s.h, 2);
+}
+
+}  // namespace
+
 Derivation equation_1() {
   const Notation& s = notation();
   const LagrangeTerms terms = block_lagrange_terms(Side::negative);
@@ -129,7 +139,7 @@ Derivation equation_1() {
   given.push_back({s.dK_dtheta, terms.kinetic_slope});
   given.push_back({s.dOmega_dtheta, terms.potential_slope});
   return derived(
-      motion_by_moments(Side::negative), 0,
+      motion_by_moments(Side::negative).subs(squared_width()).expand(), 0,
       {in_words("By the other road: every element has the acceleration of its point. The moments of the "
                 "weight about O, less those that the accelerations need, add up to nothing"),
        in_words("With the energies of (6) and (9) Lagrange's equation must say the same")},

@@ -36,12 +36,6 @@ ex in_sines(const ex& e) {
   return e.subs(pow(cos(any), 2) == 1 - pow(sin(any), 2)).expand();
 }
 
-// Polar coordinates about O, φ from the vertical: x and y of (39) in r and φ.
-std::vector<Given> polar_about_old_pivot() {
-  const Notation& s = notation();
-  return {{s.x, 2 * s.b - s.r * sin(s.phi)}, {s.y, s.r * cos(s.phi)}};
-}
-
 }  // namespace
 
 ex momentum_before_impact() {
@@ -141,8 +135,7 @@ Derivation mass_element() {
 Derivation distance_from_pivot() {
   const Notation& s = notation();
   return derived(seen_from_old_pivot().right, s.r * sin(s.phi),
-                 {in_words("x runs from O' to the left: the element is 2b − x to the right of O")},
-                 {polar_about_old_pivot()});
+                 {in_words("x runs from O' to the left: the element is 2b − x to the right of O")});
 }
 
 Derivation equation_39() {
@@ -173,11 +166,9 @@ Derivation equation_40a() {
 
 Derivation equation_40b() {
   const Notation& s = notation();
-  const Vector arm = seen_from_old_pivot();
   const ex integrand = (element_momentum_before() / s.thetadot_minus).expand();
   return derived(pow(s.r, 2) - 2 * s.b * (2 * s.b - s.x), integrand,
-                 {from(equation_40a(), "With the distance from O"), in_words("the squares of b cancel")},
-                 {{s.r, sqrt(dot(arm, arm))}});
+                 {from(equation_40a(), "With the distance from O"), in_words("the squares of b cancel")});
 }
 
 Derivation equation_41() {
@@ -199,7 +190,7 @@ Derivation equation_42b() {
   return derived(equation_41().right,
                  equation_41().right.subs(pow(s.h, 3) == s.h * (pow(s.R, 2) - pow(s.b, 2))).expand(),
                  {from(equation_42a(), "With"), {"and Pythagoras", squares, pow(s.R, 2) - pow(s.b, 2)}},
-                 sides_of_the_block());
+                 {{s.b, s.R * sin(s.alpha)}});
 }
 
 Derivation equation_43a() { return equation_39_height(); }
@@ -236,13 +227,6 @@ Derivation equation_46b() {
   return derived(
       notation().e, restitution(),
       {from(equation_46a(), "So the ratio of the angular velocities is fixed by the shape alone")});
-}
-
-Derivation impact_is_inelastic() {
-  const Notation& s = notation();
-  return derived(0, 1 - restitution(),
-                 {from(equation_46b(), "What is lost of the angular velocity is positive, by")},
-                 {{s.e, restitution()}}, "<");
 }
 
 }  // namespace rederive

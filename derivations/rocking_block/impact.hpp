@@ -38,6 +38,5 @@ Derivation equation_45a();
 Derivation equation_45b();
 Derivation equation_46a();
 Derivation equation_46b();
-Derivation impact_is_inelastic();
 
 }  // namespace rederive

@@ -43,7 +43,7 @@ ThresholdEquation overturning_cosine_pulse_from_rest() {
 
 Derivation cosine_is_shifted_sine() {
   const Notation& s = notation();
-  return derived(s.a_p * sin(s.omega_p * s.t + GiNaC::Pi / 2 + s.psi), ground_acceleration(Pulse::cosine),
+  return derived(s.u_gddot, ground_acceleration(Pulse::cosine),
                  {in_words("A sine a quarter of a turn ahead")});
 }
 

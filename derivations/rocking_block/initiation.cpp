@@ -215,10 +215,15 @@ Derivation equation_32a() {
                  sides_of_the_block(), ">=");
 }
 
+ex slope_of_diagonal() {
+  const Vector centre = centre_from_pivot(Side::negative);
+  const ex at_rest = notation().theta == 0;
+  return centre.right.subs(at_rest) / centre.up.subs(at_rest);
+}
+
 Derivation equation_32b() {
   const Notation& s = notation();
-  return derived(s.b / s.h, tan(s.alpha), {in_words("The sides of the block, R sin α and R cos α")},
-                 sides_of_the_block());
+  return derived(s.b / s.h, slope_of_diagonal(), {in_words("The sides of the block, R sin α and R cos α")});
 }
 
 Derivation equation_33() {

@@ -30,6 +30,8 @@ Derivation start_of_gradual_pulse();
 Derivation first_acceleration();
 Derivation equation_32a();
 Derivation equation_32b();
+/// b/h, from where the centre is at rest.
+GiNaC::ex slope_of_diagonal();
 Derivation equation_33();
 
 }  // namespace rederive

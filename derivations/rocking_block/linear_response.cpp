@@ -1,3 +1,4 @@
+#include <derivations/rocking_block/initiation.hpp>
 #include <derivations/rocking_block/linear_response.hpp>
 
 namespace rederive {
@@ -200,7 +201,7 @@ Derivation equation_54() {
 
 Derivation equation_55a() {
   const Notation& s = notation();
-  return derived(tan(s.alpha), s.b / s.h, {in_words("The shape of the block")}, sides_of_the_block());
+  return derived(slope_of_diagonal(), s.b / s.h, {from(equation_32b(), "The shape of the block")});
 }
 
 Derivation equation_55b() {

@@ -34,6 +34,13 @@ ex in_exponentials(const ex& e) {
   return e.subs(lst{sinh(any) == (exp(any) - exp(-any)) / 2, cosh(any) == (exp(any) + exp(-any)) / 2});
 }
 
+lst constants_from_rest() {
+  const Notation& s = notation();
+  const Constants c = forced_constants(Side::negative, Pulse::sine);
+  const lst rest{s.theta_0 == 0, s.thetadot_0 == 0};
+  return lst{s.A_1 == c.C.subs(rest).normal(), s.A_2 == c.D.subs(rest).normal()};
+}
+
 ex critical_sum(Side side, const ex& angle, const ex& rate) {
   return rate / notation().p + angle - corner(side);
 }
@@ -142,15 +149,6 @@ Derivation equation_65b() { return corner_at_rest(Side::negative, equation_62a()
 Derivation equation_66a() { return constant_at_end(equation_64a()); }
 Derivation equation_66b() { return constant_at_end(equation_64b()); }
 Derivation equation_67() { return no_growth(Side::negative, equation_62a()); }
-Derivation corner_is_reached_late() {
-  const Notation& s = notation();
-  const ex phase = s.p * (s.t - s.T_ex);
-  const ex ratio = -s.Abar_2 / s.Abar_1;  // of sinh to cosh, by (65a)
-  Derivation result = derived(tanh(phase), ratio.subs(s.Abar_2 == -s.Abar_1),
-                              {from(equation_65a(), "Divide by cosh in"), from(equation_67(), "and use")});
-  result.assumption = "in the limit of t growing without end; tanh stays below 1 at every finite time";
-  return result;
-}
 Derivation equation_68() { return critical(Side::negative, equation_67(), equation_66a(), equation_66b()); }
 Derivation equation_69a() { return end_angle(Side::negative, equation_57a()); }
 Derivation equation_69b() { return end_rate(Side::negative, equation_59a()); }

@@ -24,6 +24,8 @@ GiNaC::ex critical_sum(Side side, const GiNaC::ex& angle, const GiNaC::ex& rate)
 /// θ(T_ex), θ̇(T_ex)/p with A_1, A_2 or A_3, A_4 in them.
 GiNaC::ex angle_at_end(Side side, Pulse pulse);
 GiNaC::ex rate_at_end(Side side, Pulse pulse);
+/// A_1, A_2 of the motion from rest, (70), to put in.
+GiNaC::lst constants_from_rest();
 /// sinh and cosh by exponentials, products of exponentials joined.
 GiNaC::ex in_exponentials(const GiNaC::ex& e);
 
@@ -32,7 +34,6 @@ Derivation equation_65b();
 Derivation equation_66a();
 Derivation equation_66b();
 Derivation equation_67();
-Derivation corner_is_reached_late();
 Derivation equation_68();
 Derivation equation_69a();
 Derivation equation_69b();

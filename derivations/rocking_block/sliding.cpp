@@ -1,3 +1,4 @@
+#include <derivations/rocking_block/initiation.hpp>
 #include <derivations/rocking_block/sliding.hpp>
 
 namespace rederive {
@@ -65,9 +66,9 @@ ex first_ratio() {
          at_initiation(vertical_reaction(Side::negative));
 }
 
-Given first_acceleration() {
-  const Notation& s = notation();
-  return {s.u_gddot_0, s.g * tan(s.alpha)};
+Given acceleration_at_start() {
+  const Derivation start = first_acceleration();
+  return {start.left, start.right};
 }
 
 }  // namespace
@@ -133,14 +134,13 @@ Derivation equation_51a() {
       s.H_0 / s.V_0, first_ratio().normal(),
       {from(friction_demand_negative(), "In"),
        {"put θ = 0, θ̇ = 0 and the acceleration that just suffices", s.u_gddot, s.g * tan(s.alpha)}},
-      {first_acceleration()});
+      {acceleration_at_start()});
 }
 
 Derivation equation_51b() {
   const Notation& s = notation();
-  return derived(s.u_gddot_0 / s.g, tan(s.alpha),
-                 {in_words("Rocking begins when the moment of the weight is overcome, by (23)")},
-                 {first_acceleration()});
+  return derived(s.u_gddot_0 / s.g, first_acceleration().right / s.g,
+                 {from(first_acceleration(), "Divide by g")});
 }
 
 Derivation equation_51c() {
