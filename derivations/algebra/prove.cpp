@@ -114,7 +114,11 @@ Proof undecided(std::string reason) {
 
 /// Two expressions: identical, or different at a witness.
 Proof prove_identity(const Pair& pair, const Symbols& symbols) {
-  const Sample seen = sample(pair, Points(names_of(pair), symbols), true);
+  Sample seen = sample(pair, Points(names_of(pair), symbols), true);
+  if (seen.both == 0) {  // a text whose terms cancel to nothing has no digits to be compared: take what is left of it
+    const Pair simpler{to_tree(pair.left_value, symbols), pair.right, pair.left_value, pair.right_value};
+    seen = sample(simpler, Points(names_of(simpler), symbols), true);
+  }
   if (seen.different) return refute(*seen.different, "the two sides differ at the witness");
   if (seen.both == 0) return undecided("no point was found at which both sides have a value");
   Proof proof;
@@ -154,17 +158,28 @@ std::optional<std::vector<std::pair<ex, GiNaC::numeric>>> quotient(const Pair& p
   return factor_form(lowest_terms(whole(pair.left_value) / right, phases), phases);
 }
 
+/// A root of one residual at which the other does not vanish: the two do not say the same.
+std::optional<Proof> differ_at_a_root(const Pair& pair, const Points& points, bool of_right) {
+  const Tree& vanishing = of_right ? pair.right : pair.left;
+  const auto root = find_root([&](const Point& p) { return evaluate(vanishing, p, 45); }, points, names_of(pair));
+  if (!root) return std::nullopt;
+  const auto a = evaluate(pair.left, *root, working_digits), b = evaluate(pair.right, *root, working_digits);
+  if (!a || !b) return std::nullopt;
+  const cln::cl_R other = cln::abs(of_right ? *a : *b), small = cln::abs(of_right ? *b : *a);
+  const cln::cl_I apart = cln::expt_pos(cln::cl_I(10), 15);
+  if (other <= small * apart || other * apart <= 1) return std::nullopt;
+  return refute(make_witness(*root, *a, *b), of_right ? "at the witness the derived equation holds, the printed one does not"
+                                                      : "at the witness the printed equation holds, the derived one does not");
+}
+
 /// Residuals of equations or of inequalities (written as "residual > 0").
 Proof prove_residuals(const Pair& pair, bool inequality, const Symbols& symbols) {
   const Points points(names_of(pair), symbols);
   const Sample seen = sample(pair, points, false);
   if (seen.both == 0) return undecided("no point was found at which both residuals have a value");
-  if (!inequality && vanishes(pair.right_value, symbols)) {  // an equation that always holds: does the other one?
-    Proof proof = prove_identity({pair.left, to_tree(0, symbols), pair.left_value, 0}, symbols);
-    if (proof.verdict == Verdict::proved) proof.reason = "both equations hold identically";
-    return proof;
-  }
   if (inequality && seen.opposed) return refute(*seen.opposed, "one holds and the other fails at the witness");
+
+  if (auto proof = differ_at_a_root(pair, points, true)) return *proof;  // cheaper than algebra, and most slips end here
 
   std::string why = "the quotient of the two residuals is no product of recognisable factors";
   try {
@@ -194,18 +209,7 @@ Proof prove_residuals(const Pair& pair, bool inequality, const Symbols& symbols)
     why = error.what();
   }
 
-  // A root of one residual at which the other does not vanish: the two do not say the same.
-  const auto value = [](const Tree& tree) { return [tree](const Point& p) { return evaluate(tree, p, working_digits); }; };
-  for (const bool of_right : {true, false}) {
-    const auto root = find_root(value(of_right ? pair.right : pair.left), points, names_of(pair));
-    if (!root) continue;
-    const auto a = evaluate(pair.left, *root, working_digits), b = evaluate(pair.right, *root, working_digits);
-    if (!a || !b) continue;
-    const cln::cl_R other = cln::abs(of_right ? *a : *b), small = cln::abs(of_right ? *b : *a);
-    if (other > small * cln::expt_pos(cln::cl_I(10), 15) && other * cln::expt_pos(cln::cl_I(10), 15) > 1)
-      return refute(make_witness(*root, *a, *b), of_right ? "at the witness the derived equation holds, the printed one does not"
-                                                          : "at the witness the printed equation holds, the derived one does not");
-  }
+  if (auto proof = differ_at_a_root(pair, points, false)) return *proof;
   return undecided(why);
 }
 
@@ -225,6 +229,11 @@ Proof prove_link(const ex& a, const std::string& op, const ex& b, const Tree& wr
   if (op == "=" && right.operators[0] == "=") {
     if (a.is_equal(c) && GiNaC::is_a<GiNaC::symbol>(a))
       return prove_identity(make_pair(b, d, written_b, symbols, given), symbols);
+    if (vanishes(put_in(c - d, given), symbols)) {  // an equation that always holds: does the other one?
+      Proof proof = prove_identity(make_pair(a, b, nullptr, symbols, given), symbols);
+      if (proof.verdict == Verdict::proved) proof.reason = "both equations hold identically";
+      return proof;
+    }
     return prove_residuals(make_pair(a - b, c - d, nullptr, symbols, given), false, symbols);
   }
   if (op == "=" || right.operators[0] == "=") {
