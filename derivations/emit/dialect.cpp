@@ -25,6 +25,12 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
   return false;
 }
 
+/// "T name(T a, T b) {", over several lines where one is not enough.
+std::string signature(const std::string& type, const std::string& rest) {
+  const bool fits = type.size() + rest.size() < 110;
+  return (fits ? type + " " : type + "\n") + wrapped(rest, "    ", ", ") + "\n";
+}
+
 /// "const T common_1 = alpha + theta;" for each.
 std::string declarations(const Body& body, const std::string& type, const std::string& end) {
   std::string text;
@@ -65,12 +71,12 @@ class Cpp : public Dialect {
       for (const auto& [member, unused] : body.results) text += (member == "value" ? "" : ", ") + member;
       text += ";\n};\n\n";
     }
-    text += prefixed(documentation, "/// ") + "template <class T>\n" + (record ? name + "_result<T> " : "T ");
+    text += prefixed(documentation, "/// ") + "template <class T>\n";
     std::vector<std::string> parameters;
     for (const std::string& argument : arguments) {
       parameters.push_back(has(body.unused, argument) ? "T /*" + argument + "*/" : "T " + argument);
     }
-    text += wrapped(name + "(" + joined(parameters, "", ", ") + ") {", "    ") + "\n";
+    text += signature(record ? name + "_result<T>" : "T", name + "(" + joined(parameters, "", ", ") + ") {");
     for (const std::string& used : body.functions_used) text += "  using std::" + used + ";\n";
     text += declarations(body, "const T ", ";");
     const std::string result = result_list(body, false);
@@ -100,16 +106,14 @@ class C : public Dialect {
       for (const auto& [member, unused] : body.results) text += (member == "value" ? "" : ", ") + member;
       text += ";\n};\n\n";
     }
-    const std::string type = record ? "struct " + name + "_result " : "double ";
+    const std::string type = record ? "struct " + name + "_result" : "double";
     text += comment(documentation);
-    text +=
-        wrapped("static inline " + type + name + "(" + joined(arguments, "double ", ", ") + ") {", "    ") +
-        "\n";
+    text += signature("static inline " + type, name + "(" + joined(arguments, "double ", ", ") + ") {");
     for (const std::string& argument : body.unused) text += "  (void)" + argument + ";\n";
     text += declarations(body, "const double ", ";");
     const std::string result = result_list(body, false);
     if (!record) return text + wrapped("  return " + result + ";", "      ") + "\n}\n";
-    return text + wrapped("  const " + type + "result = {" + result + "};", "      ") +
+    return text + wrapped("  const " + type + " result = {" + result + "};", "      ") +
            "\n  return result;\n}\n";
   }
 };
@@ -129,13 +133,14 @@ class Python : public Dialect {
     const bool record = body.results.size() > 1;
     std::string text = "\n";
     if (record) {
-      text += name + "_result = namedtuple(\"" + name + "_result\", [";
+      std::string members;
       for (const auto& [member, unused] : body.results) {
-        text += (member == "value" ? "\"" : ", \"") + member + "\"";
+        members += (members.empty() ? "\"" : ", \"") + member + "\"";
       }
-      text += "])\n\n\n";
+      const std::string type = name + "_result";
+      text += wrapped(type + " = namedtuple(\"" + type + "\", [" + members + "])", "    ", ", ") + "\n\n\n";
     }
-    text += wrapped("def " + name + "(" + joined(arguments, "", ", ") + "):", "        ") + "\n";
+    text += wrapped("def " + name + "(" + joined(arguments, "", ", ") + "):", "        ", ", ") + "\n";
     text += "    \"\"\"" + documentation[0] + "\n";
     for (std::size_t i = 1; i < documentation.size(); ++i) text += "    " + documentation[i] + "\n";
     text += "    \"\"\"\n";
@@ -167,7 +172,8 @@ class JavaScript : public Dialect {
   std::string function(const std::string& name, const std::vector<std::string>& arguments,
                        const std::vector<std::string>& documentation, const Body& body) const override {
     std::string text = "/**\n" + prefixed(documentation, " * ") + " */\n";
-    text += wrapped("export function " + name + "(" + joined(arguments, "", ", ") + ") {", "    ") + "\n";
+    text +=
+        wrapped("export function " + name + "(" + joined(arguments, "", ", ") + ") {", "    ", ", ") + "\n";
     text += declarations(body, "const ", ";");
     const bool record = body.results.size() > 1;
     const std::string result = result_list(body, record);
@@ -198,15 +204,16 @@ const Dialect& dialect(Target target) {
   throw std::invalid_argument("LaTeX is no programming language");
 }
 
-std::string wrapped(const std::string& line, const std::string& indent) {
-  constexpr std::size_t widest = 100;
+std::string wrapped(const std::string& line, const std::string& indent, const std::string& separator) {
+  constexpr std::size_t widest = 110;
   std::string text, rest = line;
   while (rest.size() > widest) {
-    const std::size_t cut = rest.rfind(' ', widest);
+    const std::size_t cut = rest.rfind(separator, widest - separator.size());
     const std::size_t start = rest.find_first_not_of(' ');
     if (cut == std::string::npos || cut <= start || rest.substr(0, cut).ends_with("return")) break;
-    text += rest.substr(0, cut) + "\n";
-    rest = indent + rest.substr(cut + 1);
+    const std::size_t kept = cut + separator.size() - 1;  // without the space
+    text += rest.substr(0, kept) + "\n";
+    rest = indent + rest.substr(kept + 1);
   }
   return text + rest;
 }

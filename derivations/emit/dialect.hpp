@@ -34,7 +34,7 @@ class Dialect {
 /// The one of a target. Throws std::invalid_argument for LaTeX.
 const Dialect& dialect(Target target);
 
-/// Breaks a line at spaces so that no line is longer than 100 columns, if that can be.
-std::string wrapped(const std::string& line, const std::string& indent);
+/// Breaks a line after separators so that no line is longer than 110 columns, if that can be.
+std::string wrapped(const std::string& line, const std::string& indent, const std::string& separator = " ");
 
 }  // namespace rederive

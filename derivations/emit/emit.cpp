@@ -20,7 +20,7 @@ class Infix {
       : all_(operations.all()), dialect_(dialect), names_(all_.size()) {
     const std::vector<std::size_t> uses = operations.uses();
     for (std::size_t i = 0; sharing && i < all_.size(); ++i) {
-      if (uses[i] < 2 || all_[i].is_leaf()) continue;
+      if (uses[i] < 2 || all_[i].constant || all_[i].is_leaf()) continue;
       std::string expression = text(i, 0);
       names_[i] = "common_" + std::to_string(shared_.size() + 1);
       shared_.emplace_back(names_[i], std::move(expression));
@@ -53,7 +53,7 @@ class Infix {
       case Kind::divide:
         return framed(operand(0, 2) + " / " + operand(1, 3), place > 2);
       case Kind::negate:
-        return framed("-" + operand(0, 3), place > 0);
+        return framed("-" + operand(0, 2), place > 0);
       case Kind::call:
         break;
     }

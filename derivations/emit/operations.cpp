@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <derivations/emit/operations.hpp>
 #include <stdexcept>
 
@@ -20,7 +21,13 @@ Operations::Operations(const std::vector<Tree>& trees) {
 
 std::size_t Operations::one_of(Kind kind, const std::string& text, std::vector<std::size_t> operands) {
   const auto [entry, is_new] = known_.try_emplace({kind, text, operands}, operations_.size());
-  if (is_new) operations_.push_back({kind, text, std::move(operands)});
+  if (!is_new) return entry->second;
+  bool constant = kind == Kind::number || (kind == Kind::symbol && text == "pi");
+  if (!operands.empty()) {
+    constant =
+        std::all_of(operands.begin(), operands.end(), [&](std::size_t i) { return operations_[i].constant; });
+  }
+  operations_.push_back({kind, text, std::move(operands), constant});
   return entry->second;
 }
 

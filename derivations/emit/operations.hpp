@@ -15,6 +15,7 @@ struct Operation {
   Kind kind;
   std::string text;  ///< of numbers, symbols ("pi" is π) and calls
   std::vector<std::size_t> operands;
+  bool constant = false;  ///< made of numbers alone: the compiler computes it
 
   bool is_leaf() const { return kind == Kind::number || kind == Kind::symbol; }
 };

@@ -1,0 +1,79 @@
+#include <doctest/doctest.h>
+
+#include <derivations/emit/emit.hpp>
+#include <nlohmann/json.hpp>
+
+#include "run_program.hpp"
+
+using namespace rederive;
+
+TEST_CASE("the program writes the same bytes every time, to a file or not, whole or a part") {
+  for (const std::string target : {"cpp", "c", "python", "javascript", "latex"}) {
+    CAPTURE(target);
+    const Result once = run_program("emit", {"--target", target});
+    CHECK(once.exit_code == 0);
+    CHECK(once.out.size() > 1000);
+    CHECK(run_program("emit", {"--target", target}).out == once.out);
+    const TemporaryFolder folder;
+    const std::string file = folder.path / "new" / "file";
+    CHECK(run_program("emit", {"--target", target, "--out", file}).out == "");
+    CHECK(read_file(file) == once.out);
+  }
+  const std::string all = run_program("emit", {"--target", "cpp"}).out;
+  CHECK(run_program("emit", {"--target", "cpp", "--no-sharing"}).out != all);
+  const Result some = run_program("emit", {"--target", "cpp", "--function", "restitution", "--function",
+                                           "angular_acceleration_negative"});
+  CHECK(some.out.find("T angular_acceleration_negative(") < some.out.find("T restitution("));
+  CHECK(some.out.find("energy") == std::string::npos);
+}
+
+TEST_CASE("the list says of each function what it needs and where it comes from") {
+  const auto list = nlohmann::json::parse(run_program("emit", {"--list", "--json"}).out).at("functions");
+  const std::vector<EmittedFunction> functions = emitted_functions();
+  REQUIRE(list.size() == functions.size());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    CHECK(list[i].at("name") == functions[i].name);
+    CHECK(list[i].at("arguments").size() == functions[i].arguments.size());
+    CHECK(list[i].at("shared_operations") <= list[i].at("operations"));
+    CHECK(run_program("emit", {"--list"}).out.find(functions[i].name + "(") != std::string::npos);
+  }
+}
+
+TEST_CASE("bad usage is named, with exit code 2") {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> bad = {
+      {{"--target", "fortran"}, "fortran"},
+      {{"--target", "cpp", "--function", "restitutio"}, "restitutio"},
+      {{}, "--target"},
+      {{"--json", "--target", "c"}, "--list"},
+      {{"--target", "c", "--out", "/proc/nothing/here"}, "/proc/nothing/here"},
+      {{"--nonsense"}, "--nonsense"}};
+  for (const auto& [arguments, named] : bad) {
+    CAPTURE(named);
+    const Result result = run_program("emit", arguments);
+    CHECK(result.exit_code == 2);
+    CHECK(result.out == "");
+    CHECK(result.err.find(named) != std::string::npos);
+  }
+}
+
+TEST_CASE("what is unsound is not emitted") {
+  const Symbols& s = emission_symbols();
+  const auto emitted = [&](const GiNaC::ex& value) {
+    return emit({{"f", {s["theta"], s["p"]}, value, {}, "0", "A trial"}}, Target::cpp);
+  };
+  CHECK_NOTHROW(emitted(s["theta"] * s["p"]));
+  CHECK_THROWS_WITH(emitted(s["theta"] + s["p"]), doctest::Contains("1/s"));
+  CHECK_THROWS_WITH(emitted(s["theta"] * s["g"]), doctest::Contains("g, which is no argument"));
+  CHECK(emitted(1 / GiNaC::ex(3)).find("T /*theta*/") != std::string::npos);
+}
+
+TEST_CASE("LaTeX closes every brace it opens") {
+  const std::string text = emit(emitted_functions(), Target::latex);
+  int depth = 0;
+  for (const char c : text) {
+    depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+    REQUIRE(depth >= 0);
+  }
+  CHECK(depth == 0);
+  CHECK(text.find("\\cos\\psi - w \\sin\\psi") != std::string::npos);
+}
