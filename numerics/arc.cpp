@@ -1,0 +1,113 @@
+#include <numerics/arc.hpp>
+
+#include <emitted/rocking_block.hpp>
+#include <numerics/integrator.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace rederive {
+namespace {
+
+constexpr Real infinity = std::numeric_limits<Real>::infinity();
+
+/// Equations (57), (59) or, on still ground, (62), (63); on a sloping line the free motion about the line.
+Point linear_point(const Arc& arc, Real time) {
+  const Piece& piece = arc.piece;
+  const Real one = 1, line = piece.value + piece.slope * (arc.start.time - piece.from);
+  const Real phase = piece.omega * (arc.start.time - piece.from) + piece.phase;
+  const Real since = time - arc.start.time;
+  const auto at = arc.side < 0
+                      ? emitted::linear_response_negative_with_derivatives(
+                            one, one, piece.omega, piece.amplitude, phase, arc.start.angle - line,
+                            arc.start.velocity - piece.slope, since)
+                      : emitted::linear_response_positive_with_derivatives(
+                            one, one, piece.omega, piece.amplitude, phase, arc.start.angle - line,
+                            arc.start.velocity - piece.slope, since);
+  return {time, at.value + line + piece.slope * since, at.d_t + piece.slope};
+}
+
+/// First h >= 0 with -y + u h + m h^2 / 2 = 0 for y >= 0, m >= 0: the earliest return to upright.
+Real earliest_return(Real y, Real u, Real m) {
+  if (m <= 0) return u > 0 ? y / u : infinity;
+  const Real root = std::sqrt(u * u + 2 * m * y);
+  return u > 0 ? 2 * y / (u + root) : (root - u) / m;
+}
+
+}  // namespace
+
+struct Mover::Integrator : RockingIntegrator {
+  using RockingIntegrator::RockingIntegrator;
+};
+
+Mover::Mover(const Block& block, Model model, double tolerance)
+    : block_(block), model_(model), level_(start_level(block, model)),
+      still_(acceleration(block, model, -1, 0, 0)), per_ground_(1) {
+  if (model == Model::linear) return;
+  // Nothing turns the block faster than a ground acceleration at the height above the pivot, theta = -alpha.
+  per_ground_ = acceleration(block, model, -1, -1, -1);
+  integrator_ = std::make_unique<Integrator>(block, tolerance);
+}
+
+Mover::~Mover() = default;
+Mover::Mover(Mover&&) noexcept = default;
+
+/// No acceleration towards upright exceeds this on the arc between two times.
+Real Mover::bound(const Arc& arc, Real from, Real to) const {
+  const Range range = ground_range(arc.piece, from, to);
+  const Real push = arc.side < 0 ? range.low : -range.high;  // > 0: away from upright
+  if (push >= level_ * (1 - 1e-15L)) return 0;  // at the ends of a push it is the level but for rounding
+  return model_ == Model::linear ? still_ - push : still_ + per_ground_ * std::max<Real>(0, -push);
+}
+
+/// A time, at most `until`, before which the block cannot come back to upright.
+Real Mover::certain_time(const Arc& arc, const Point& at, Real until) const {
+  const Real y = arc.side * at.angle, outward = arc.side * at.velocity;
+  const auto safe = [&](Real to) {
+    return std::min(to, at.time + earliest_return(y, -outward, bound(arc, at.time, to)));
+  };
+  Real time = safe(until);
+  for (const Push& push : pushes_)  // while the ground pushes away from upright
+    if (push.side == arc.side && push.from <= at.time && at.time < push.to)
+      time = std::max(time, safe(std::min(until, push.to)));
+  const Real twice = at.time + 2 * (time - at.time);
+  return twice < until ? std::max(time, safe(twice)) : time;
+}
+
+Point Mover::advance(const Arc& arc, const Point& from, Real time) {
+  return model_ == Model::linear ? linear_point(arc, time) : integrator_->integrate(arc.piece, arc.side, from, time);
+}
+
+Point Mover::along(const Arc& arc, Real time) { return advance(arc, arc.start, time); }
+
+Arc Mover::move(const Piece& piece, int side, const Point& start, Real until) {
+  Arc arc{piece, side, start, start, ArcEnd::time};
+  if (pushes_from_ != piece.from) pushes_ = pushes(piece, level_), pushes_from_ = piece.from;
+  const Real lying = model_ == Model::linear ? infinity : std::numbers::pi_v<Real> / 2 / block_.alpha;
+  Point at = start;
+  while (at.time < until) {
+    const Real next = certain_time(arc, at, until);
+    if (!(next > at.time)) {  // no room left between the block and upright
+      arc.kind = ArcEnd::impact;
+      at.angle = 0;
+      break;
+    }
+    at = advance(arc, at, next);
+    if (side * at.angle >= lying) {
+      arc.kind = ArcEnd::lies;
+      break;
+    }
+    if (side * at.angle <= 0 && side * at.velocity < 0) {
+      arc.kind = ArcEnd::impact;
+      at.angle = 0;
+      break;
+    }
+    if (side * at.angle < 0) at.angle = 0;  // rounding, on leaving upright
+  }
+  arc.end = at;
+  return arc;
+}
+
+}  // namespace rederive

@@ -1,0 +1,133 @@
+#include <numerics/commands/options.hpp>
+
+#include <emitted/rocking_block.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+
+namespace rederive {
+
+void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequency) {
+  static const std::map<std::string, Model> models{{"linear", Model::linear}, {"nonlinear", Model::nonlinear}};
+  static const std::map<std::string, Pulse> pulses{{"sine", Pulse::sine}, {"cosine", Pulse::cosine}};
+  const auto text = [&](const char* name, std::string& into, const char* what) {
+    return app.add_option(name, into, what)->type_name("NUMBER");
+  };
+  if (frequency == Frequency::required) text("--omega", options.omega, "omega_p/p of the pulse")->type_name("W");
+  auto* alpha = text("--alpha", options.alpha, "stockiness atan(b/h) in rad [0.25]");
+  auto* p = text("--frequency-parameter", options.frequency_parameter, "p = sqrt(3g/4R) in 1/s [2.14]");
+  auto* width = text("--half-width", options.half_width, "b in metres, with --half-height");
+  auto* height = text("--half-height", options.half_height, "h in metres");
+  width->needs(height)->excludes(alpha)->excludes(p);
+  height->needs(width);
+  text("--restitution", options.restitution, "0 < e <= 1, or auto = 1 - 3/2 sin^2(alpha) [auto]")->type_name("E|auto");
+  app.add_option("--model", options.model, "linear or nonlinear [linear]")
+      ->transform(CLI::CheckedTransformer(models))->type_name("NAME");
+  app.add_option("--pulse", options.pulse, "sine or cosine [sine]")
+      ->transform(CLI::CheckedTransformer(pulses))->type_name("NAME");
+  text("--theta0", options.theta0, "theta at t = 0, rad [0]");
+  text("--thetadot0", options.thetadot0, "thetadot at t = 0, rad/s [0]");
+  app.add_flag("--json", options.json, "one JSON document on standard output");
+}
+
+double number(const std::string& option, const std::string& text) {
+  double value = 0;
+  const char* begin = text.c_str() + (text.starts_with('+') ? 1 : 0);
+  const char* end = text.c_str() + text.size();
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  if (text.empty() || error != std::errc() || rest != end || !std::isfinite(value))
+    throw BadInput(fmt::format("{} '{}' is not a finite number", option, text.substr(0, 60)));
+  return value;
+}
+
+double number_between(const std::string& option, const std::string& text, double low, double high) {
+  const double value = number(option, text);
+  if (!(value >= low && value <= high))
+    throw BadInput(fmt::format("{} {} must lie between {} and {}", option, text.substr(0, 60), low, high));
+  return value;
+}
+
+Block block_of(const CommonOptions& options) {
+  std::optional<double> restitution;
+  if (options.restitution != "auto") restitution = number("--restitution", options.restitution);
+  if (!options.half_width.empty())
+    return block_from_size(number("--half-width", options.half_width), number("--half-height", options.half_height),
+                           restitution);
+  return make_block(number("--alpha", options.alpha), number("--frequency-parameter", options.frequency_parameter),
+                    restitution);
+}
+
+PulseCase case_at(const CommonOptions& options, double omega_ratio) {
+  PulseCase asked;
+  asked.block = block_of(options);
+  asked.model = options.model;
+  asked.pulse = options.pulse;
+  asked.omega_ratio = omega_ratio;
+  asked.initial = initial_state(asked.block, options.model, number("--theta0", options.theta0),
+                                number("--thetadot0", options.thetadot0));
+  return asked;
+}
+
+PulseCase case_of(const CommonOptions& options) {
+  if (options.omega.empty()) throw BadInput("--omega is required: omega_p/p of the pulse");
+  return case_at(options, number_between("--omega", options.omega, 0.01, 1000));
+}
+
+ExactCase exact_case_of(const CommonOptions& options) {
+  const bool sized = !options.half_width.empty();
+  const Digits b = sized ? Digits::parse(options.half_width) : 0, h = sized ? Digits::parse(options.half_height) : 1;
+  const Digits alpha = sized ? atan2(b, h) : Digits::parse(options.alpha);
+  const Digits gravity = Digits::parse("9.81");
+  const Digits p = sized ? emitted::frequency_parameter(sqrt(b * b + h * h), gravity)
+                         : Digits::parse(options.frequency_parameter);
+  const Digits e = options.restitution == "auto" ? emitted::restitution(alpha) : Digits::parse(options.restitution);
+  const Digits push = (Digits::parse(options.theta0) + Digits::parse(options.thetadot0) / p) / alpha;
+  return {Digits::parse(options.omega), e, push};
+}
+
+std::string name_of(Model model) { return model == Model::linear ? "linear" : "nonlinear"; }
+std::string name_of(Pulse pulse) { return pulse == Pulse::sine ? "sine" : "cosine"; }
+
+std::string words_for(int code) {
+  if (code == 0) return "safe";
+  const int impacts = std::abs(code) - 1;
+  const std::string how = impacts == 0 ? "without impact" : fmt::format("after {} impact{}", impacts, impacts == 1 ? "" : "s");
+  return fmt::format("overturns to theta {} 0 {}", code < 0 ? "<" : ">", how);
+}
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(width, text.size()), ' ');
+  return text;
+}
+
+void print_json(const nlohmann::ordered_json& document) { fmt::print("{}\n", document.dump(2)); }
+
+nlohmann::ordered_json or_null(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
+
+Span checked_span(const std::string& option, double from, double to, double count) {
+  if (!(from <= to)) throw BadInput(fmt::format("{}: {} is above {}", option, from, to));
+  if (!(count >= 1 && count <= 100'000 && count == std::floor(count)))
+    throw BadInput(fmt::format("{}: the number of points {} must be whole, from 1 to 100000", option, count));
+  return {from, to, static_cast<int>(count)};
+}
+
+Span span_of(const std::string& option, const std::string& text) {
+  const auto first = text.find(':'), second = text.find(':', first == std::string::npos ? first : first + 1);
+  if (first == std::string::npos || second == std::string::npos)
+    throw BadInput(fmt::format("{} '{}' must be FROM:TO:COUNT", option, text.substr(0, 60)));
+  return checked_span(option, number(option, text.substr(0, first)),
+                      number(option, text.substr(first + 1, second - first - 1)),
+                      number(option, text.substr(second + 1)));
+}
+
+double station(const Span& span, int index) {
+  if (span.count == 1) return span.from;
+  return std::lerp(span.from, span.to, static_cast<double>(index) / (span.count - 1));
+}
+
+}  // namespace rederive

@@ -1,0 +1,71 @@
+// What the subcommands of `rocking` share: options, JSON, and the numbers as the user wrote them.
+#pragma once
+
+#include <derivations/command_line.hpp>
+#include <numerics/closed_form.hpp>
+#include <numerics/overturning.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace rederive {
+
+/// Options are kept as text, so that --digits can use every digit that was typed.
+struct CommonOptions {
+  std::string omega, alpha = "0.25", restitution = "auto", frequency_parameter = "2.14";
+  std::string half_width, half_height, theta0 = "0", thetadot0 = "0";
+  Model model = Model::linear;
+  Pulse pulse = Pulse::sine;
+  bool json = false;
+};
+
+enum class Frequency { required, absent };
+
+/// Adds --alpha, --restitution, --frequency-parameter, --half-width, --half-height, --model, --pulse, --theta0,
+/// --thetadot0 and --json, and --omega if it is one number.
+void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequency);
+
+/// A finite decimal number; throws BadInput naming the option otherwise.
+double number(const std::string& option, const std::string& text);
+
+/// Throws BadInput unless low <= value <= high.
+double number_between(const std::string& option, const std::string& text, double low, double high);
+
+Block block_of(const CommonOptions& options);
+PulseCase case_of(const CommonOptions& options);
+/// Also with --omega left out, then given here.
+PulseCase case_at(const CommonOptions& options, double omega_ratio);
+ExactCase exact_case_of(const CommonOptions& options);
+
+std::string name_of(Model model);
+std::string name_of(Pulse pulse);
+
+/// "overturns to theta < 0 without impact", "safe".
+std::string words_for(int code);
+
+/// Blanks on the right up to a width.
+std::string padded(std::string text, std::size_t width);
+
+void print_json(const nlohmann::ordered_json& document);
+
+/// An optional number as JSON: null if there is none.
+nlohmann::ordered_json or_null(const std::optional<double>& value);
+
+/// "0.2:12:100" as three numbers: from, to, count.
+struct Span {
+  double from, to;
+  int count;
+};
+Span span_of(const std::string& option, const std::string& text);
+Span checked_span(const std::string& option, double from, double to, double count);
+double station(const Span& span, int index);
+
+/// Subcommands: each adds itself to the program and sets `run` when it was chosen.
+using Run = std::function<int()>;
+void add_threshold(CLI::App& app, Run& run);
+void add_response(CLI::App& app, Run& run);
+
+}  // namespace rederive

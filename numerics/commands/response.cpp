@@ -1,0 +1,155 @@
+// rocking response: outcome, events and time history.
+#include <numerics/commands/options.hpp>
+#include <numerics/story.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace rederive {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ResponseCommand {
+  CommonOptions common;
+  std::string amplitude, until, csv, plot, friction, record, step, unit = "g", scale = "1";
+};
+
+struct Told {
+  Block block;
+  Model model;
+  GroundMotion motion;
+  Story story;
+  Friction friction;
+  std::optional<double> limit;  ///< --friction
+};
+
+GroundMotion motion_of(const ResponseCommand& options, const Block& block, InitialState initial) {
+  if (!options.record.empty()) {
+    const auto unit = options.unit == "g" ? RecordUnit::g : RecordUnit::metres_per_second_squared;
+    const double step = options.step.empty() ? 0 : number_between("--step", options.step, 1e-9, 1e6);
+    return record_motion(read_record(options.record, unit, step), block, number("--scale", options.scale));
+  }
+  if (options.amplitude.empty()) throw BadInput("--amplitude is required: a_p/(alpha g) of the pulse");
+  const PulseCase asked = case_of(options.common);
+  const Real level = start_level(block, options.common.model);
+  const double amplitude = number_between("--amplitude", options.amplitude, 0, 1e6);
+  const bool rests = initial.angle == 0 && initial.velocity == 0;
+  if (amplitude < level && rests) return {};  // nothing moves
+  if (amplitude == 0) return {};              // free motion
+  return pulse_motion(asked.pulse, asked.omega_ratio, amplitude, level);
+}
+
+Json event_json(const Event& event) {
+  return {{"time", static_cast<double>(event.time)},
+          {"kind", name_of(event.kind)},
+          {"theta_over_alpha", static_cast<double>(event.angle)},
+          {"velocity_before", static_cast<double>(event.velocity_before)},
+          {"velocity_after", static_cast<double>(event.velocity_after)}};
+}
+
+int impacts_of(const Story& story) {
+  if (story.outcome.code != 0) return story.outcome.impacts;
+  int count = 0;
+  for (const Event& event : story.response.events) count += event.kind == EventKind::impact;
+  return count;
+}
+
+std::optional<double> time_of(const Story& story) {
+  if (!story.overturn_time) return std::nullopt;
+  return static_cast<double>(*story.overturn_time);
+}
+
+void print_as_json(const Told& told) {
+  const Story& story = told.story;
+  Json document{{"outcome", story.outcome.code == 0 ? "safe" : "overturned"},
+                {"code", story.outcome.code},
+                {"impacts", impacts_of(story)},
+                {"time", or_null(time_of(story))},
+                {"unit", "alpha_g"},
+                {"events", Json::array()},
+                {"required_friction", or_null(told.friction.required)},
+                {"required_friction_time", told.friction.time},
+                {"uplift", told.friction.uplift},
+                {"friction_sufficient", told.limit ? Json(told.friction.required <= *told.limit) : Json()}};
+  for (const Event& event : story.response.events) document["events"].push_back(event_json(event));
+  print_json(document);
+}
+
+void print_friction(const Told& told) {
+  const Friction& friction = told.friction;
+  if (friction.uplift)
+    fmt::print("uplift: V <= 0 at tau = {:.6g}; no friction suffices and the block would leave the ground\n",
+               friction.uplift_time);
+  else
+    fmt::print("required friction max |H|/V = {:.6g} at tau = {:.6g}\n", friction.required, friction.time);
+  if (told.limit && friction.required > *told.limit)
+    fmt::print("it exceeds the friction {:.6g} given: the block would slide\n", *told.limit);
+}
+
+void print_told(const Told& told) {
+  const Story& story = told.story;
+  fmt::print("{}", words_for(story.outcome.code));
+  if (const auto time = time_of(story)) fmt::print(" at tau = p t = {:.15g}", *time);
+  fmt::print(" (code {})\n\n{:>14}  {:10} {:>14} {:>14} {:>14}\n", story.outcome.code, "tau", "event", "theta/alpha",
+             "before", "after");
+  constexpr std::size_t shown = 24;
+  for (std::size_t i = 0; i < story.response.events.size() && i < shown; ++i) {
+    const Event& event = story.response.events[i];
+    fmt::print("{:>14.9f}  {:10} {:>14.9f} {:>14.9f} {:>14.9f}\n", static_cast<double>(event.time),
+               name_of(event.kind), static_cast<double>(event.angle), static_cast<double>(event.velocity_before),
+               static_cast<double>(event.velocity_after));
+  }
+  if (story.response.events.size() > shown)
+    fmt::print("{:>14}  and {} more (--json gives all)\n", "...", story.response.events.size() - shown);
+  fmt::print("\nvelocities are thetadot/(alpha p); ");
+  print_friction(told);
+}
+
+std::string history_csv(const Told& told) {
+  std::string text = "tau,theta_over_alpha,thetadot_over_alpha_p,ground_over_g\n";
+  for (const Sample& at : sampled(told.block, told.model, told.motion, told.story.response, told.story.until, 2001))
+    text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}\n", static_cast<double>(at.time),
+                        static_cast<double>(at.angle), static_cast<double>(at.velocity),
+                        static_cast<double>(at.ground * told.block.alpha));
+  return text;
+}
+
+int response(const ResponseCommand& options) {
+  Told told;
+  told.block = block_of(options.common);
+  told.model = options.common.model;
+  const InitialState initial = initial_state(told.block, told.model, number("--theta0", options.common.theta0),
+                                             number("--thetadot0", options.common.thetadot0));
+  told.motion = motion_of(options, told.block, initial);
+  const double until = options.until.empty() ? -1 : number_between("--until", options.until, 0, 1e5);
+  if (!options.friction.empty()) told.limit = number_between("--friction", options.friction, 0, 1e9);
+  told.story = tell(told.block, told.model, told.motion, initial, until);
+  told.friction = required_friction(told.block, told.model, told.story);
+  if (!options.csv.empty()) write_whole(options.csv, history_csv(told));
+  options.common.json ? print_as_json(told) : print_told(told);
+  return as_expected;
+}
+
+}  // namespace
+
+void add_response(CLI::App& app, Run& run) {
+  auto* command = app.add_subcommand("response", "outcome, events and time history under one pulse or record");
+  auto options = std::make_shared<ResponseCommand>();
+  add_common_options(*command, options->common, Frequency::required);
+  const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
+    return command->add_option(name, into, what)->type_name(type);
+  };
+  add("--amplitude", options->amplitude, "A", "a_p/(alpha g) of the pulse");
+  add("--until", options->until, "TAU", "end of the history, in p t");
+  add("--csv", options->csv, "FILE", "write the history");
+  add("--friction", options->friction, "MU", "say whether this friction suffices");
+  auto* record = add("--record", options->record, "FILE", "a recorded acceleration instead of a pulse");
+  add("--step", options->step, "SECONDS", "time step of a record of one column")->needs(record);
+  add("--unit", options->unit, "NAME", "unit of the record: g or m/s2 [g]")->check(CLI::IsMember({"g", "m/s2"}));
+  add("--scale", options->scale, "NUMBER", "multiplies the record [1]")->needs(record);
+  command->callback([options, &run] { run = [options] { return response(*options); }; });
+}
+
+}  // namespace rederive

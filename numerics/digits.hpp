@@ -1,0 +1,67 @@
+// A number with as many digits as wanted, for the emitted formulas: a thin coat over CLN's cl_F.
+#pragma once
+
+#include <cln/float.h>
+#include <cln/float_io.h>
+#include <cln/integer.h>
+#include <cln/real.h>
+
+#include <concepts>
+#include <string>
+#include <string_view>
+
+namespace rederive {
+
+/// Behaves as a floating-point type; functions are found by argument-dependent lookup. All numbers carry
+/// `working_digits` decimal digits, which is a property of the type.
+class Digits {
+ public:
+  static constexpr int working_digits = 160;
+
+  Digits() : Digits(0) {}
+  template <std::integral N>
+  Digits(N whole) : value_(cln::cl_float(cln::cl_I(static_cast<long>(whole)), format())) {}
+  template <std::floating_point F>
+  explicit Digits(F value) : value_(cln::cl_float(cln::cl_F(static_cast<double>(value)), format())) {}
+  explicit Digits(const cln::cl_F& value) : value_(value) {}
+
+  /// Reads a decimal number exactly as it is written. Throws std::invalid_argument.
+  static Digits parse(std::string_view text);
+  static Digits pi() { return Digits(cln::pi(format())); }
+
+  /// The value rounded to `count` significant digits, as text.
+  std::string text(int count) const;
+  double to_double() const { return cln::double_approx(value_); }
+  const cln::cl_F& value() const { return value_; }
+
+  Digits& operator+=(const Digits& b) { value_ = value_ + b.value_; return *this; }
+  Digits& operator-=(const Digits& b) { value_ = value_ - b.value_; return *this; }
+  Digits& operator*=(const Digits& b) { value_ = value_ * b.value_; return *this; }
+  Digits& operator/=(const Digits& b) { value_ = value_ / b.value_; return *this; }
+  friend Digits operator+(Digits a, const Digits& b) { return a += b; }
+  friend Digits operator-(Digits a, const Digits& b) { return a -= b; }
+  friend Digits operator*(Digits a, const Digits& b) { return a *= b; }
+  friend Digits operator/(Digits a, const Digits& b) { return a /= b; }
+  friend Digits operator-(const Digits& a) { return Digits(-a.value_); }
+  friend Digits operator+(const Digits& a) { return a; }
+  friend bool operator<(const Digits& a, const Digits& b) { return a.value_ < b.value_; }
+  friend bool operator>(const Digits& a, const Digits& b) { return b < a; }
+  friend bool operator==(const Digits& a, const Digits& b) { return a.value_ == b.value_; }
+
+  friend Digits sin(const Digits& x) { return Digits(cln::sin(x.value_)); }
+  friend Digits cos(const Digits& x) { return Digits(cln::cos(x.value_)); }
+  friend Digits tan(const Digits& x) { return Digits(cln::tan(x.value_)); }
+  friend Digits exp(const Digits& x) { return Digits(cln::exp(x.value_)); }
+  friend Digits sinh(const Digits& x) { return Digits(cln::sinh(x.value_)); }
+  friend Digits cosh(const Digits& x) { return Digits(cln::cosh(x.value_)); }
+  friend Digits tanh(const Digits& x) { return Digits(cln::tanh(x.value_)); }
+  friend Digits sqrt(const Digits& x) { return Digits(cln::sqrt(x.value_)); }
+  friend Digits abs(const Digits& x) { return Digits(cln::abs(x.value_)); }
+  friend Digits atan2(const Digits& y, const Digits& x);
+
+ private:
+  static cln::float_format_t format() { return cln::float_format(working_digits); }
+  cln::cl_F value_;
+};
+
+}  // namespace rederive

@@ -1,0 +1,106 @@
+#include <numerics/ground_motion.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace rederive {
+namespace {
+
+constexpr Real pi = std::numbers::pi_v<Real>;
+
+/// Whether low <= centre + 2 pi k <= high for some whole k.
+bool holds_phase(Real low, Real high, Real centre) {
+  return std::ceil((low - centre) / (2 * pi)) <= std::floor((high - centre) / (2 * pi));
+}
+
+Real time_of_phase(const Piece& piece, Real phase) { return piece.from + (phase - piece.phase) / piece.omega; }
+
+std::vector<Push> pushes_of_sine(const Piece& piece, Real level) {
+  std::vector<Push> all;
+  if (!(piece.amplitude > level)) return all;
+  const Real psi = std::asin(level / piece.amplitude);
+  const Real last = piece.phase + piece.omega * (piece.to - piece.from);
+  for (int lobe = 0; lobe * pi < last; ++lobe) {
+    const Real begin = lobe * pi + psi, end = (lobe + 1) * pi - psi;
+    if (end <= piece.phase) continue;
+    all.push_back({std::max(piece.from, time_of_phase(piece, begin)), std::min(piece.to, time_of_phase(piece, end)),
+                   lobe % 2 == 0 ? -1 : 1});
+  }
+  return all;
+}
+
+std::vector<Push> pushes_of_line(const Piece& piece, Real level) {
+  std::vector<Push> all;
+  for (int sign : {1, -1}) {  // sign * ground > level drives to the side -sign
+    const Real first = sign * piece.value - level;
+    const Real last = first + sign * piece.slope * (piece.to - piece.from);
+    if (first <= 0 && last <= 0) continue;
+    const Real crossing = first == last ? piece.from : piece.from - sign * first / piece.slope;
+    all.push_back({first >= 0 ? piece.from : crossing, last >= 0 ? piece.to : crossing, -sign});
+  }
+  std::sort(all.begin(), all.end(), [](const Push& a, const Push& b) { return a.from < b.from; });
+  return all;
+}
+
+}  // namespace
+
+Real pulse_phase(Pulse pulse, Real amplitude, Real level) {
+  return pulse == Pulse::sine ? std::asin(level / amplitude) : std::acos(level / amplitude);
+}
+
+GroundMotion pulse_motion(Pulse pulse, Real omega_ratio, Real amplitude, Real level) {
+  if (!(omega_ratio > 0 && std::isfinite(omega_ratio)))
+    throw std::invalid_argument(fmt::format("omega_p/p = {} must be positive", static_cast<double>(omega_ratio)));
+  if (!(std::isfinite(amplitude) && amplitude >= level))
+    throw std::invalid_argument(fmt::format("amplitude = {}: no instant at which rocking can start, below {}",
+                                            static_cast<double>(amplitude), static_cast<double>(level)));
+  Piece piece;
+  piece.amplitude = amplitude;
+  piece.omega = omega_ratio;
+  const Real rising = std::asin(level / amplitude);
+  piece.phase = pulse == Pulse::sine ? rising : pi - rising;  // a cos(x + psi) = a sin(x + psi + pi/2)
+  piece.to = (2 * pi - piece.phase) / omega_ratio;
+  return {piece};
+}
+
+Real ground_at(const Piece& piece, Real time) {
+  const Real since = time - piece.from;
+  Real value = piece.value + piece.slope * since;
+  if (piece.amplitude != 0) value += piece.amplitude * std::sin(piece.omega * since + piece.phase);
+  return value;
+}
+
+Range ground_range(const Piece& piece, Real from, Real to) {
+  const Real a = ground_at(piece, from), b = ground_at(piece, to);
+  Range range{std::min(a, b), std::max(a, b)};
+  if (piece.amplitude == 0) return range;
+  const Real low = piece.omega * (from - piece.from) + piece.phase;
+  const Real high = piece.omega * (to - piece.from) + piece.phase;
+  if (holds_phase(low, high, pi / 2)) range.high = piece.amplitude;
+  if (holds_phase(low, high, -pi / 2)) range.low = -piece.amplitude;
+  return range;
+}
+
+std::vector<Push> pushes(const Piece& piece, Real level) {
+  return piece.amplitude != 0 ? pushes_of_sine(piece, level) : pushes_of_line(piece, level);
+}
+
+GroundMotion record_motion(const Record& record, const Block& block, double scale) {
+  GroundMotion motion;
+  for (std::size_t i = 0; i + 1 < record.time.size(); ++i) {
+    Piece piece;
+    piece.from = block.p * static_cast<Real>(record.time[i] - record.time[0]);
+    piece.to = block.p * static_cast<Real>(record.time[i + 1] - record.time[0]);
+    piece.value = scale * static_cast<Real>(record.acceleration[i]) / block.alpha;
+    const Real next = scale * static_cast<Real>(record.acceleration[i + 1]) / block.alpha;
+    piece.slope = (next - piece.value) / (piece.to - piece.from);
+    motion.push_back(piece);
+  }
+  return motion;
+}
+
+}  // namespace rederive

@@ -1,0 +1,64 @@
+// Ground accelerations: one-sine and one-cosine pulses, and records; in units of alpha g against tau = p t.
+#pragma once
+
+#include <numerics/block.hpp>
+
+#include <string>
+#include <vector>
+
+namespace rederive {
+
+enum class Pulse { sine, cosine };
+
+/// One smooth stretch of ground acceleration, from <= tau <= to:
+/// value + slope (tau - from) + amplitude sin(omega (tau - from) + phase).
+struct Piece {
+  Real from = 0, to = 0;
+  Real value = 0, slope = 0;
+  Real amplitude = 0, omega = 1, phase = 0;
+};
+
+/// Stretches one after the other from tau = 0; the ground is still after the last.
+using GroundMotion = std::vector<Piece>;
+
+/// The pulse from the instant when rocking can start, `amplitude` = a_p/(alpha g) >= `level` = start_level:
+/// sine a sin(w tau + psi) with a sin(psi) = level until tau = (2 pi - psi)/w, eq (52);
+/// cosine a cos(w tau + psi) with a cos(psi) = level until tau = (3 pi/2 - psi)/w, section 3.
+/// Throws std::invalid_argument for values out of range.
+GroundMotion pulse_motion(Pulse pulse, Real omega_ratio, Real amplitude, Real level);
+
+/// The phase psi of that pulse.
+Real pulse_phase(Pulse pulse, Real amplitude, Real level);
+
+Real ground_at(const Piece& piece, Real time);
+
+struct Range {
+  Real low, high;
+};
+/// Bounds of the ground acceleration over [from, to] inside the piece.
+Range ground_range(const Piece& piece, Real from, Real to);
+
+/// A stretch of time in which |ground| is above the level, and the side to which it drives the block.
+struct Push {
+  Real from, to;
+  int side;
+};
+/// The pushes in the piece, in order: a positive ground acceleration drives the block to theta < 0.
+std::vector<Push> pushes(const Piece& piece, Real level);
+
+/// A recorded acceleration: (seconds, value in g).
+struct Record {
+  std::vector<double> time, acceleration;
+};
+
+enum class RecordUnit { g, metres_per_second_squared };
+
+/// Reads two columns "time value", one column with `step` in seconds, or the PEER AT2 layout (four header lines,
+/// the fourth with NPTS and DT; always in g). Lines that begin with # or % are comments.
+/// Throws std::invalid_argument with file and line for what cannot be read.
+Record read_record(const std::string& file, RecordUnit unit, double step = 0);
+
+/// The record interpolated linearly, for a block with this alpha and p.
+GroundMotion record_motion(const Record& record, const Block& block, double scale = 1);
+
+}  // namespace rederive

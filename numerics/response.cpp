@@ -1,0 +1,173 @@
+#include <numerics/response.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace rederive {
+namespace {
+
+/// Impacts slower than this, in units of alpha p, are at the end of a chain: 1e-18 of the barrier in energy.
+constexpr Real rest_speed = 1e-9L;
+constexpr int most_impacts = 500'000;
+
+class Walk {
+ public:
+  Walk(const Block& block, Model model, const InitialState& initial, const ResponseOptions& options)
+      : block_(block), level_(start_level(block, model)), keep_(options.history),
+        mover_(block, model, options.tolerance) {
+    response_.end = {0, initial.angle, initial.velocity};
+    const Real leads = initial.angle != 0 ? initial.angle : initial.velocity;
+    response_.side = leads > 0 ? 1 : leads < 0 ? -1 : 0;
+    if (response_.side != 0) note(EventKind::start, initial.velocity);
+  }
+
+  void through(const Piece& piece) {
+    while (!response_.lies && response_.end.time < piece.to)
+      if (response_.side == 0) wait(piece);
+      else swing(piece);
+  }
+
+  void pulse_over() {
+    if (!response_.lies) note(EventKind::pulse_end, response_.end.velocity);
+  }
+
+  Response result() && { return std::move(response_); }
+
+ private:
+  void note(EventKind kind, Real velocity_after) {
+    const Point& at = response_.end;
+    if (keep_) response_.events.push_back({kind, at.time, at.angle, at.velocity, velocity_after});
+  }
+
+  /// Whether a block at rest would gain no more speed than that at which a chain of impacts counts as rest.
+  bool is_too_weak(const Piece& piece, const Push& push) const {
+    const Range range = ground_range(piece, push.from, push.to);
+    return (std::max(range.high, -range.low) - level_) * (push.to - push.from) < rest_speed;
+  }
+
+  /// At rest until the ground pushes hard enough.
+  void wait(const Piece& piece) {
+    Point& at = response_.end;
+    for (const Push& push : pushes(piece, level_)) {
+      if (!(at.time < push.to) || is_too_weak(piece, push)) continue;
+      at = {std::max(at.time, push.from), 0, 0};
+      response_.side = push.side;
+      response_.impacts = 0;
+      response_.last_launch = at.time;
+      note(moved_ ? EventKind::restart : EventKind::start, 0);
+      moved_ = true;
+      return;
+    }
+    at.time = piece.to;
+  }
+
+  void swing(const Piece& piece) {
+    moved_ = true;
+    const Arc arc = mover_.move(piece, response_.side, response_.end, piece.to);
+    if (keep_) response_.arcs.push_back(arc);
+    response_.end = arc.end;
+    response_.lies = arc.kind == ArcEnd::lies;
+    if (arc.kind == ArcEnd::impact) impact(piece);
+  }
+
+  void impact(const Piece& piece) {
+    if (++total_ > most_impacts)
+      throw std::runtime_error(fmt::format("more than {} impacts by tau = {}", most_impacts,
+                                           static_cast<double>(response_.end.time)));
+    const Real after = block_.restitution * response_.end.velocity;
+    note(EventKind::impact, after);
+    ++response_.impacts;
+    response_.side = -response_.side;
+    response_.end.velocity = after;
+    response_.last_launch = response_.end.time;
+    if (std::abs(after) < rest_speed) settle(piece);
+  }
+
+  /// Ends a chain of impacts whose remaining duration fits in before the ground can start the block again.
+  void settle(const Piece& piece) {
+    Point& at = response_.end;
+    const Real room = level_ - std::abs(ground_at(piece, at.time));
+    const Real slowing = std::cos(static_cast<Real>(block_.alpha)) * room;  // at most the true one in both models
+    const Real chain = 2 * std::abs(at.velocity) / ((1 - block_.restitution) * slowing);
+    if (!(room > 0 && chain < 1e-3L)) return;
+    const Real over = std::min(piece.to, at.time + chain);
+    const Range range = ground_range(piece, at.time, over);
+    if (range.high >= level_ || range.low <= -level_) return;
+    at = {over, 0, 0};
+    response_.side = 0;
+    ++response_.rests;
+    note(EventKind::rest, 0);
+  }
+
+  Block block_;
+  Real level_;
+  bool keep_, moved_ = false;
+  int total_ = 0;
+  Mover mover_;
+  Response response_;
+};
+
+}  // namespace
+
+std::string_view name_of(EventKind kind) {
+  switch (kind) {
+    case EventKind::start: return "start";
+    case EventKind::impact: return "impact";
+    case EventKind::rest: return "rest";
+    case EventKind::restart: return "restart";
+    case EventKind::pulse_end: return "pulse_end";
+    case EventKind::overturn: return "overturn";
+  }
+  return "";
+}
+
+InitialState initial_state(const Block& block, Model model, double theta_0, double thetadot_0) {
+  if (!std::isfinite(theta_0) || !std::isfinite(thetadot_0))
+    throw std::invalid_argument(fmt::format("initial conditions {} rad, {} rad/s must be finite", theta_0, thetadot_0));
+  if (model == Model::nonlinear && !(std::abs(theta_0) < std::numbers::pi / 2))
+    throw std::invalid_argument(fmt::format("theta0 = {} rad: the block already lies; |theta0| < pi/2", theta_0));
+  const Real alpha = block.alpha;
+  return {theta_0 / alpha, thetadot_0 / (alpha * block.p)};
+}
+
+Response respond(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
+                 const ResponseOptions& options) {
+  Walk walk(block, model, initial, options);
+  for (const Piece& piece : motion) walk.through(piece);
+  walk.pulse_over();
+  const Real end = motion.empty() ? 0 : motion.back().to;
+  if (options.until > end) {
+    Piece still;
+    still.from = end;
+    still.to = options.until;
+    walk.through(still);
+  }
+  return std::move(walk).result();
+}
+
+std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion& motion, const Response& response,
+                            Real until, int count) {
+  std::vector<Sample> samples;
+  Mover mover(block, model);
+  std::size_t arc = 0, piece = 0;
+  for (int i = 0; i < count; ++i) {
+    const Real time = until * i / (count - 1);
+    while (piece < motion.size() && motion[piece].to < time) ++piece;
+    const Real ground = piece < motion.size() ? ground_at(motion[piece], time) : 0;
+    while (arc < response.arcs.size() && response.arcs[arc].end.time < time) ++arc;
+    if (response.lies && arc == response.arcs.size()) break;
+    if (arc == response.arcs.size() || response.arcs[arc].start.time > time) {
+      samples.push_back({time, 0, 0, ground});
+      continue;
+    }
+    const Point at = mover.along(response.arcs[arc], time);
+    samples.push_back({time, at.angle, at.velocity, ground});
+  }
+  return samples;
+}
+
+}  // namespace rederive
