@@ -19,14 +19,15 @@ Point linear_point(const Arc& arc, Real time) {
   const Real one = 1, line = piece.value + piece.slope * (arc.start.time - piece.from);
   const Real phase = piece.omega * (arc.start.time - piece.from) + piece.phase;
   const Real since = time - arc.start.time;
-  const auto at = arc.side < 0
-                      ? emitted::linear_response_negative_with_derivatives(
-                            one, one, piece.omega, piece.amplitude, phase, arc.start.angle - line,
-                            arc.start.velocity - piece.slope, since)
-                      : emitted::linear_response_positive_with_derivatives(
-                            one, one, piece.omega, piece.amplitude, phase, arc.start.angle - line,
-                            arc.start.velocity - piece.slope, since);
-  return {time, at.value + line + piece.slope * since, at.d_t + piece.slope};
+  const auto about_line = [&](const auto& at) {
+    return Point{time, at.value + line + piece.slope * since, at.d_t + piece.slope};
+  };
+  const Real angle = arc.start.angle - line, velocity = arc.start.velocity - piece.slope;
+  if (arc.side < 0)
+    return about_line(emitted::linear_response_negative_with_derivatives(one, one, piece.omega, piece.amplitude, phase,
+                                                                         angle, velocity, since));
+  return about_line(emitted::linear_response_positive_with_derivatives(one, one, piece.omega, piece.amplitude, phase,
+                                                                       angle, velocity, since));
 }
 
 /// First h >= 0 with -y + u h + m h^2 / 2 = 0 for y >= 0, m >= 0: the earliest return to upright.

@@ -42,11 +42,9 @@ Real start_level(const Block& block, Model model) {
 Real acceleration(const Block& block, Model model, int side, Real angle, Real ground) {
   const Real one = 1, zero = 0;
   if (model == Model::linear) {
-    const auto at_once = side < 0 ? emitted::linear_velocity_negative_with_derivatives(
-                                        one, one, zero, ground, std::numbers::pi_v<Real> / 2, angle, zero, zero)
-                                  : emitted::linear_velocity_positive_with_derivatives(
-                                        one, one, zero, ground, std::numbers::pi_v<Real> / 2, angle, zero, zero);
-    return at_once.d_t;
+    const Real crest = std::numbers::pi_v<Real> / 2;  // ground = ground * sin(0 t + pi/2)
+    return side < 0 ? emitted::linear_velocity_negative_with_derivatives(one, one, zero, ground, crest, angle, zero, zero).d_t
+                    : emitted::linear_velocity_positive_with_derivatives(one, one, zero, ground, crest, angle, zero, zero).d_t;
   }
   const Real alpha = block.alpha;
   return (side < 0 ? emitted::angular_acceleration_negative(alpha, one, alpha * angle, alpha * ground)

@@ -6,6 +6,13 @@
 
 #include <array>
 
+namespace rederive::emitted {
+template <>
+inline Digits pi<Digits>() {
+  return Digits::pi();
+}
+}  // namespace rederive::emitted
+
 namespace rederive {
 
 template <class T>
