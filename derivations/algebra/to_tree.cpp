@@ -63,15 +63,16 @@ class Writer {
 
   /// Numbers, symbols, roots and powers, functions, sums: the simple before the complicated.
   static int class_of(const Factor& factor) {
+    const bool power_or_root = factor.symbolic || !factor.exponent.is_integer();
     switch (factor.base->kind) {
       case Node::Kind::number:
         return 0;
       case Node::Kind::symbol:
-        return factor.symbolic || !factor.exponent.is_integer() ? 2 : 1;
+        return power_or_root ? 2 : 1;
       case Node::Kind::call:
         return 3;
       default:
-        return 4;
+        return power_or_root ? 2 : 4;
     }
   }
 
@@ -140,6 +141,7 @@ class Writer {
     std::vector<ex> parts;
     if (GiNaC::is_a<GiNaC::mul>(e)) {
       for (const ex& part : e) parts.push_back(part);
+      join_roots(parts, result.factors);
     } else {
       parts.push_back(e);
     }
@@ -158,6 +160,21 @@ class Writer {
           has_function(factor.base) || (factor.symbolic && has_function(factor.symbolic));
     }
     return result;
+  }
+
+  /// sqrt(3)*sqrt(g/R), as GiNaC keeps it, is sqrt(3*g/R).
+  void join_roots(std::vector<ex>& parts, std::vector<Factor>& factors) const {
+    const auto is_root = [](const ex& e) { return GiNaC::is_a<GiNaC::power>(e) && e.op(1) == numeric(1, 2); };
+    const auto of_number = [&](const ex& e) { return is_root(e) && GiNaC::is_a<numeric>(e.op(0)); };
+    const auto of_other = [&](const ex& e) { return is_root(e) && !GiNaC::is_a<numeric>(e.op(0)); };
+    const auto number = std::find_if(parts.begin(), parts.end(), of_number);
+    const auto other = std::find_if(parts.begin(), parts.end(), of_other);
+    const bool two = std::count_if(parts.begin(), parts.end(), is_root) == 2;
+    if (number == parts.end() || other == parts.end() || !two || GiNaC::is_a<GiNaC::add>(other->op(0)))
+      return;
+    const ex radicand = number->op(0) * other->op(0);
+    parts.erase(std::remove_if(parts.begin(), parts.end(), is_root), parts.end());
+    factors.push_back({tree(radicand), numeric(1, 2), nullptr, {}});
   }
 
   Factor factor(const ex& e, numeric& coefficient) const {
