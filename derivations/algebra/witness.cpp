@@ -88,8 +88,13 @@ std::optional<Point> polish(const Value& f, Point point, const std::string& name
     if (step % 3 == 2 || c <= cln::min(a, b) || c >= cln::max(a, b))
       c = cln::round1((a + b) / 2 * scale) / cln::cl_RA(scale);
     point[name] = c;
-    const auto fc = f(point);
-    if (!fc) return std::nullopt;
+    auto fc = f(point);
+    if (!fc) {  // nothing here: perhaps the very root, of which no digit can be told from 0; step aside
+      c = (2 * c + (step % 2 == 0 ? a : b)) / 3;
+      point[name] = c;
+      fc = f(point);
+      if (!fc) return std::nullopt;
+    }
     if (cln::zerop(*fc) || cln::abs(b - a) * scale <= 4) {
       if (cln::abs(*fc) * cln::expt_pos(cln::cl_I(10), 20) > larger) return std::nullopt;  // a jump, not a root
       return point;

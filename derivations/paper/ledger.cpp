@@ -33,14 +33,37 @@ void qualify(Proof& proof, const Derivation& derivation) {
   else if (!derivation.assumption.empty()) proof.verdict = Verdict::proved_under;
 }
 
+/// "theta < 0" puts a new upper end into the range of θ.
+void put_end(Symbols& symbols, const std::string& text) {
+  const auto fail = [&] {
+    throw std::invalid_argument("cannot read the domain '" + text + "'; right is, for example, \"theta < 0\"");
+  };
+  Relation relation;
+  try {
+    relation = parse_relation(text, symbols);
+  } catch (const SyntaxError&) {
+    fail();
+  }
+  const bool simple = relation.sides.size() == 2 && relation.operators[0] != "=" &&
+                      relation.sides[0]->kind == Node::Kind::symbol && relation.sides[0]->text != "pi";
+  if (!simple) fail();
+  const std::string& name = relation.sides[0]->text;
+  Range range = read_range(symbols.find(name)->range);
+  const bool closed = relation.operators[0].size() == 2, upper = relation.operators[0][0] == '<';
+  (upper ? range.upper : range.lower) = print(relation.sides[1]);
+  (upper ? range.upper_closed : range.lower_closed) = closed;
+  symbols.narrow(name, (range.lower_closed ? "[" : "(") + range.lower + ", " + range.upper + (range.upper_closed ? "]" : ")"));
+}
+
 }  // namespace
 
 Symbols symbols_in(const std::string& domain) {
   Symbols symbols = paper_symbols();
-  if (domain.empty()) return symbols;
-  if (domain == "theta < 0") symbols.narrow("theta", "(-pi/2, 0)");
-  else if (domain == "theta > 0") symbols.narrow("theta", "(0, pi/2)");
-  else throw std::invalid_argument("cannot read the domain '" + domain + "'; right is \"theta < 0\" or \"theta > 0\"");
+  for (std::size_t start = 0; start < domain.size();) {
+    const std::size_t end = std::min(domain.find(',', start), domain.size());
+    put_end(symbols, domain.substr(start, end - start));
+    start = end + 1;
+  }
   return symbols;
 }
 

@@ -38,8 +38,8 @@ std::vector<Row> read_rows(const std::filesystem::path& file);
 /// The file that ships with the project.
 std::filesystem::path equations_file();
 
-/// The symbols of the paper with the row's domain put in: "theta < 0" narrows the range of θ to (-π/2, 0).
-/// Throws std::invalid_argument for a domain of another form.
+/// The symbols of the paper with the row's domain put in: "theta < 0" makes 0 the upper end of the range of θ; several
+/// are separated by commas. Throws std::invalid_argument for a domain of another form.
 Symbols symbols_in(const std::string& domain);
 
 /// Judges one row: derives, compares, checks dimensions. `rows` gives what rests on it. Throws SyntaxError where the

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -153,7 +154,7 @@ Mutation mutate(const Row& row, unsigned seed, int most) {
   const Symbols symbols = symbols_in(row.domain);
   const Derivation derivation = derive->second();
   std::vector<Mutant> all = mutants(parse_statement(row.printed, symbols), symbols);
-  std::mt19937 random(seed + static_cast<unsigned>(std::hash<std::string>{}(row.id)));
+  std::mt19937 random(std::accumulate(row.id.begin(), row.id.end(), seed, [](unsigned sum, char c) { return 31 * sum + static_cast<unsigned char>(c); }));
   for (std::size_t k = all.size(); k > 1; --k) std::swap(all[k - 1], all[random() % k]);  // the same on every library
   if (all.size() > static_cast<std::size_t>(most)) all.resize(static_cast<std::size_t>(most));
   for (const Mutant& mutant : all) {

@@ -88,7 +88,7 @@ std::string ledger_table(const std::vector<Entry>& entries, bool colour) {
 
 std::string ledger_page(const Entry& entry, bool colour) {
   const Row& row = entry.row;
-  std::string text = fmt::format("({})  {}{}\n\n", row.id, row.section, row.domain.empty() ? "" : ",  " + unicode_or(row.domain));
+  std::string text = fmt::format("({})  {}{}\n\n", row.id, row.section, row.domain.empty() ? "" : ",  " + row.domain);
   const auto line = [&](const char* name, const std::string& value) {
     if (!value.empty()) text += fmt::format("  {:<16} {}\n", name, value);
   };
