@@ -48,6 +48,7 @@ const Line lines[] = {
     {"hO_minus", "\\frac{dH_{O'}^-}{dm}", "dH_O′⁻/dm", "m^2/s", any, "angular momentum about O' before the impact, per mass of an element", "(36)"},
     {"hO_plus", "\\frac{dH_{O'}^+}{dm}", "dH_O′⁺/dm", "m^2/s", any, "angular momentum about O' after the impact, per mass of an element", "(44)"},
     {"integral_41", "I_{41}", "I₄₁", "m^4", any, "the integral of x^2 + y^2 - 2*b*x over the face of the block", "(41)"},
+    {"d", "d", "d", "m", "[0, inf)", "distance from O' at which the impact acts on the base", "r16"},
     {"dm", "dm", "dm", "kg", positive, "mass of an element", "(36)"},
     {"dx", "dx", "dx", "m", positive, "width of an element", "(39)"},
     {"dy", "dy", "dy", "m", positive, "height of an element", "(39)"},

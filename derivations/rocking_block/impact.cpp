@@ -229,4 +229,22 @@ Derivation equation_46b() {
       {from(equation_46a(), "So the ratio of the angular velocities is fixed by the shape alone")});
 }
 
+Derivation restitution_of_spread_impact() {
+  const Notation& s = notation();
+  const ex half_width = s.R * sin(s.alpha);
+  // C sinks with b θ̇₋ about O and rises with b θ̇₊ about O': the impulse upwards. It acts at d to the left of
+  // O'.
+  const ex impulse = s.m * half_width * (s.thetadot_minus + s.thetadot_plus);
+  const ex moment = clockwise_cross({-s.d, 0}, {0, impulse});
+  const ex balance = (momentum_after_impact() - momentum_before_impact() - moment).expand();
+  const ex rate = -balance.coeff(s.thetadot_minus, 1) / balance.coeff(s.thetadot_plus, 1);
+  return derived(
+      s.e, rate.normal(),
+      {in_words(
+           "C sinks with b θ̇₋ about O and rises with b θ̇₊ about O': so much momentum the impact gives it"),
+       {"which, acting at d from O', adds to the angular momentum", s.HO_plus - s.HO_minus, moment},
+       from(equation_43b(), "with"),
+       from(equation_45b(), "and")});
+}
+
 }  // namespace rederive

@@ -39,4 +39,8 @@ Derivation equation_45b();
 Derivation equation_46a();
 Derivation equation_46b();
 
+/// A result of our own: e if the impact acts at the distance d from O' on the base instead of at O' itself;
+/// it grows from (46) at d = 0 to 1 at d = b.
+Derivation restitution_of_spread_impact();
+
 }  // namespace rederive

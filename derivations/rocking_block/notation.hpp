@@ -28,8 +28,9 @@ struct Notation {
                          integral_41 = table["integral_41"], Ex_cross_ey = table["Ex_cross_ey"],
                          ex_cross_ey = table["ex_cross_ey"];
   // points of the body
-  const SymbolExpression x = table["x"], y = table["y"], r = table["r"], phi = table["phi"], dm = table["dm"],
-                         dx = table["dx"], dy = table["dy"], x_end = table["x_end"], y_end = table["y_end"];
+  const SymbolExpression x = table["x"], y = table["y"], r = table["r"], phi = table["phi"], d = table["d"],
+                         dm = table["dm"], dx = table["dx"], dy = table["dy"], x_end = table["x_end"],
+                         y_end = table["y_end"];
   // motion of the ground and of C
   const SymbolExpression u_g = table["u_g"], u_gdot = table["u_gdot"], u_gddot = table["u_gddot"],
                          u_gddot_0 = table["u_gddot_0"], u_gddot_alpha = table["u_gddot_alpha"],

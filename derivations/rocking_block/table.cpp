@@ -243,6 +243,8 @@ const std::map<std::string, Derive>& derivation_table() {
       {"r13", first_acceleration_to_the_right},
       {"r14", start_under_cosine},
       {"r15", threshold_of_cosine_from_rest},
+      // Results: impact
+      {"r16", restitution_of_spread_impact},
   };
   return table;
 }
