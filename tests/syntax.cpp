@@ -155,6 +155,7 @@ TEST_CASE("slips of other languages are named") {
                  {"[x + y]*2", "syntax", 0, "'('"},
                  {"0,25", "syntax", 1, "0.25"},
                  {"sin^2(x)", "syntax", 0, "sin(x)^2"},
+                 {"sin²x", "syntax", 0, "sin(x)^2"},
                  {"sin⁻¹(x)", "syntax", 3, "asin"},
                  {"\\alpha", "syntax", 0, "LaTeX"},
                  {"1.2.3", "syntax", 0, "decimal point"},

@@ -1,5 +1,6 @@
 // Tokens → tree, by recursive descent: a function a level of the grammar.
 #include <algorithm>
+#include <derivations/algebra/advice.hpp>
 #include <derivations/algebra/functions.hpp>
 #include <derivations/algebra/syntax.hpp>
 #include <derivations/algebra/tokens.hpp>
@@ -15,7 +16,10 @@ Tree make(Node::Kind kind, std::string text, std::vector<Tree> children, std::si
 class Parser {
  public:
   Parser(std::string_view text, const Symbols& symbols, const Limits& limits)
-      : text_(text), symbols_(symbols), limits_(limits), tokens_(tokenize(text, symbols, limits)) {}
+      : symbols_(symbols),
+        limits_(limits),
+        tokens_(tokenize(text, symbols, limits)),
+        advice_(text, tokens_, symbols) {}
 
   Relation statement() {
     if (now().kind == Token::Kind::end) refuse("empty", "there is no formula here");
@@ -26,7 +30,7 @@ class Parser {
       relation.sides.push_back(sum());
     }
     if (now().is(")")) refuse("syntax", "this parenthesis closes nothing");
-    if (now().is(",")) refuse("syntax", comma_message());
+    if (now().is(",")) throw advice_.stray_comma(at_);
     return relation;
   }
 
@@ -97,7 +101,7 @@ class Parser {
     }
     const std::size_t first = at_;
     Tree operand = power();
-    if (starts_operand(now())) refuse_juxtaposition(first);
+    if (starts_operand(now())) throw advice_.juxtaposition(first, at_);
     return operand;
   }
 
@@ -156,24 +160,21 @@ class Parser {
       const Deeper deeper(*this);
       return make(Node::Kind::call, "sqrt", {primary()}, token.position);
     }
-    refuse_missing_operand();
+    throw advice_.missing_operand(at_);
   }
 
   void close(const Token& opened) {
     if (take_if(")")) return;
     if (now().kind == Token::Kind::relation) refuse("relation", "a relation cannot stand inside parentheses");
-    if (now().is(",")) refuse("syntax", comma_message());
+    if (now().is(",")) throw advice_.stray_comma(at_);
     refuse("syntax", "this parenthesis is never closed", opened);
   }
 
   Tree name() {
     const Token& token = take();
     if (arity(token.text) > 0 && symbols_.find(token.text) == nullptr) return call(token);
-    if (token.text != "pi" && symbols_.find(token.text) == nullptr) refuse_unknown(token);
-    if (now().is("(")) {
-      refuse("implicit_multiplication", "'" + written(token) + "' is no function: write " + written(token) +
-                                            "*" + bracketed() + " for a product");
-    }
+    if (token.text != "pi" && symbols_.find(token.text) == nullptr) throw advice_.unknown_name(at_ - 1);
+    if (now().is("(")) throw advice_.called_symbol(at_ - 1);
     return make(Node::Kind::symbol, token.text, {}, token.position);
   }
 
@@ -184,7 +185,7 @@ class Parser {
       refuse("syntax", "this may mean 1/" + function.text + "(x) or a" + function.text + "(x): write which");
     }
     if (raised) exponent = superscript();
-    if (!now().is("(")) refuse_bare_function(function);
+    if (!now().is("(")) throw advice_.bare_function(raised ? at_ - 2 : at_ - 1);
     const Token& opened = take();
     std::vector<Tree> arguments;
     if (!now().is(")")) arguments.push_back(sum());
@@ -207,97 +208,10 @@ class Parser {
            function);
   }
 
-  // What was meant instead
-
-  std::string written(const Token& token) const {
-    return std::string(text_.substr(token.position, token.end - token.position));
-  }
-
-  static bool starts_operand(const Token& token) {
-    return token.kind == Token::Kind::number || token.kind == Token::Kind::name || token.is("(") ||
-           token.is("sqrt");
-  }
-
-  /// The operand at the cursor as it is written: a name with its parentheses, a parenthesis, a number.
-  std::string bracketed() const {
-    std::size_t last = at_;
-    if (now().kind == Token::Kind::name && arity(now().text) > 0 && tokens_[at_ + 1].is("(")) ++last;
-    if (tokens_[last].is("(")) {
-      for (int open = 1; open > 0 && tokens_[last + 1].kind != Token::Kind::end;) {
-        ++last;
-        open += tokens_[last].is("(") ? 1 : tokens_[last].is(")") ? -1 : 0;
-      }
-    }
-    return shortened(text_.substr(now().position, tokens_[last].end - now().position), "(…)");
-  }
-
-  static std::string shortened(std::string_view text, const char* instead) {
-    constexpr std::size_t longest = 40;
-    return text.size() <= longest ? std::string(text) : instead;
-  }
-
-  [[noreturn]] void refuse_juxtaposition(std::size_t first) const {
-    const std::size_t start = tokens_[first].position, end = tokens_[at_ - 1].end;
-    const std::string left = shortened(text_.substr(start, end - start), "…");
-    refuse("implicit_multiplication", "a product needs its '*': write " + left + "*" + bracketed());
-  }
-
-  [[noreturn]] void refuse_bare_function(const Token& function) {
-    const std::string& name = function.text;
-    if (now().is("^") && tokens_[at_ + 1].kind == Token::Kind::number) {
-      const std::string power = tokens_[at_ + 1].text;
-      at_ += 2;
-      const std::string operand = starts_operand(now()) ? bracketed() : "x";
-      const std::string argument = operand[0] == '(' ? operand : "(" + operand + ")";
-      refuse("syntax", "write " + name + argument + "^" + power, function);
-    }
-    if (starts_operand(now())) {
-      refuse("implicit_multiplication",
-             "a function needs parentheses: write " + name + "(" + bracketed() + ")", function);
-    }
-    refuse("syntax", "a function needs its argument: write " + name + "(x)", function);
-  }
-
-  [[noreturn]] void refuse_unknown(const Token& token) const {
-    const std::string shown = "'" + shortened(written(token), "…") + "'";
-    if (now().is("(")) {
-      const std::string meant = nearest_function(token.text);
-      refuse("unknown_function",
-             "there is no function " + shown + (meant.empty() ? "" : ": did you mean '" + meant + "'?"),
-             token);
-    }
-    const std::string near = nearest_symbol(token.text, symbols_);
-    const std::string product = split_into_symbols(token.text, symbols_);
-    constexpr std::size_t short_name = 3;  // "mgR" is a product; "thta" is a slip of the pen
-    if (!product.empty() && (near.empty() || token.text.size() <= short_name)) {
-      refuse("implicit_multiplication", "a product needs its '*': write " + product, token);
-    }
-    refuse("unknown_symbol",
-           "there is no symbol " + shown + (near.empty() ? "" : ": did you mean '" + near + "'?"), token);
-  }
-
-  [[noreturn]] void refuse_missing_operand() const {
-    const Token::Kind kind = now().kind;
-    if (at_ > 0 && tokens_[at_ - 1].is("(") && now().is(")"))
-      refuse("syntax", "there is nothing in these parentheses");
-    const std::string before = at_ == 0 ? "" : " after '" + written(tokens_[at_ - 1]) + "'";
-    if (kind == Token::Kind::end) refuse("syntax", "the formula ends where an operand is missing" + before);
-    if (kind == Token::Kind::superscript) refuse("syntax", "there is nothing here that this exponent raises");
-    refuse("syntax",
-           "an operand is missing" + (before.empty() ? " before '" + written(now()) + "'" : before));
-  }
-
-  std::string comma_message() const {
-    const bool between_numbers = at_ > 0 && tokens_[at_ - 1].kind == Token::Kind::number &&
-                                 tokens_[at_ + 1].kind == Token::Kind::number;
-    if (!between_numbers) return "a comma can only stand between the arguments of a function";
-    return "a decimal number is written with a point: " + tokens_[at_ - 1].text + "." + tokens_[at_ + 1].text;
-  }
-
-  std::string_view text_;
   const Symbols& symbols_;
   const Limits& limits_;
   std::vector<Token> tokens_;
+  Advice advice_;
   std::size_t at_ = 0, depth_ = 0;
 };
 

@@ -1,0 +1,37 @@
+// What was probably meant instead: the errors of the parser that come with a suggestion.
+#pragma once
+
+#include <derivations/algebra/tokens.hpp>
+
+namespace rederive {
+
+/// Makes the errors for one text. `at` and the like are indices of its tokens.
+class Advice {
+ public:
+  Advice(std::string_view text, const std::vector<Token>& tokens, const Symbols& symbols)
+      : text_(text), tokens_(tokens), symbols_(symbols) {}
+
+  /// 2x: the factor from token `first` is followed at once by the operand at `at`.
+  SyntaxError juxtaposition(std::size_t first, std::size_t at) const;
+  /// m(b + h): a symbol is followed by a parenthesis.
+  SyntaxError called_symbol(std::size_t name) const;
+  /// sin x, sin^2(x), sin: a function is not followed by a parenthesis.
+  SyntaxError bare_function(std::size_t function) const;
+  SyntaxError unknown_name(std::size_t name) const;
+  SyntaxError missing_operand(std::size_t at) const;
+  SyntaxError stray_comma(std::size_t at) const;
+
+ private:
+  SyntaxError error(const char* note, const std::string& message, std::size_t at) const;
+  std::string written(std::size_t first, std::size_t last) const;
+  std::string operand(std::size_t at) const;
+
+  std::string_view text_;
+  const std::vector<Token>& tokens_;
+  const Symbols& symbols_;
+};
+
+/// Whether a token can begin an operand.
+bool starts_operand(const Token& token);
+
+}  // namespace rederive
