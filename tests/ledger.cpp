@@ -163,20 +163,6 @@ TEST_CASE("errata come with the most consequential first, in every format") {
   CHECK(run_program("ledger", {"errata", "--format", "docx"}).exit_code == 2);
 }
 
-TEST_CASE("pdflatex sets the errata sheet") {
-  if (std::system("command -v pdflatex >/dev/null 2>&1") != 0) {
-    CHECK_MESSAGE(std::getenv("REDERIVE_REQUIRE_ALL_TESTS") == nullptr, "pdflatex is missing");
-    MESSAGE("SKIPPED PART: pdflatex is not installed");
-    return;
-  }
-  const TemporaryFolder folder;
-  std::ofstream(folder.path / "errata.tex") << run_program("ledger", {"errata", "--format", "latex"}).out;
-  const Result r = run_program("/usr/bin/env", {"pdflatex", "-halt-on-error", "-interaction=nonstopmode", "-output-directory", folder.path.string(),
-                                                (folder.path / "errata.tex").string()});
-  CHECK_MESSAGE(r.exit_code == 0, r.out);
-  CHECK(std::filesystem::exists(folder.path / "errata.pdf"));
-}
-
 TEST_CASE("one row, the graph, and unknown ids") {
   CHECK(run_program("ledger", {"show", "21b"}).exit_code == 0);
   const std::string graph = run_program("ledger", {"graph"}).out;

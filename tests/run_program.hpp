@@ -4,9 +4,11 @@
 #include <sys/wait.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -54,4 +56,13 @@ inline Result run_program(const std::string& program, const std::vector<std::str
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder.path / "out"),
           read_file(folder.path / "err")};
+}
+
+/// Whether a tool that only some tests want is there. If not, CTest is told that the test is skipped; where every test is
+/// required (REDERIVE_REQUIRE_ALL_TESTS, as in .ci/run) that is a failure instead.
+inline bool has_tool(const std::string& name) {
+  if (std::system(("command -v " + quoted(name) + " >/dev/null 2>&1").c_str()) == 0) return true;
+  if (std::getenv("REDERIVE_REQUIRE_ALL_TESTS") != nullptr) throw std::runtime_error("the tool is missing: " + name);
+  std::printf("SKIPPED TEST: %s is not installed\n", name.c_str());
+  return false;
 }
