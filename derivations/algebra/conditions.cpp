@@ -11,6 +11,7 @@ namespace {
 struct Collector {
   const Symbols& symbols;
   std::vector<std::string> found;
+  std::vector<GiNaC::ex> divisors;
 
   void note(const GiNaC::ex& value, const std::string& relation, bool granted) {
     if (granted || GiNaC::is_a<GiNaC::numeric>(value)) return;
@@ -23,6 +24,7 @@ struct Collector {
     } else if (GiNaC::is_a<GiNaC::power>(value) && sign_of(value.op(1), symbols) > 0) {
       nonzero(value.op(0));
     } else {
+      divisors.push_back(value);
       note(value, "!=", sign_of(value, symbols) != 0);
     }
   }
@@ -68,9 +70,15 @@ struct Collector {
 }  // namespace
 
 std::vector<std::string> side_conditions(const Tree& tree, const Symbols& symbols) {
-  Collector collector{symbols, {}};
+  Collector collector{symbols, {}, {}};
   collector.visit(tree);
   return collector.found;
+}
+
+std::vector<GiNaC::ex> divisors(const Tree& tree, const Symbols& symbols) {
+  Collector collector{symbols, {}, {}};
+  collector.visit(tree);
+  return collector.divisors;
 }
 
 }  // namespace rederive

@@ -8,4 +8,7 @@ namespace rederive {
 /// "w != 0", "cos(theta) != 0", "x > 0": read off the tree as it was written, before anything cancels.
 std::vector<std::string> side_conditions(const Tree& tree, const Symbols& symbols);
 
+/// What the tree divides by, factor by factor: none of it is 0 where the tree has a value.
+std::vector<GiNaC::ex> divisors(const Tree& tree, const Symbols& symbols);
+
 }  // namespace rederive

@@ -1,6 +1,6 @@
-#include <derivations/algebra/factor_form.hpp>
-
 #include <algorithm>
+#include <derivations/algebra/factor_form.hpp>
+#include <derivations/algebra/interval.hpp>
 
 namespace rederive {
 
@@ -12,11 +12,29 @@ using Kind = Generator::Kind;
 
 namespace {
 
+/// Exponents of the circular and of the real generators in one term, by generator index.
+using Exponents = std::map<std::size_t, numeric>;
+
+Exponents negated(Exponents exponents) {
+  for (auto& [k, n] : exponents) n = -n;
+  return exponents;
+}
+
+/// A coefficient a + ib with plain a and b.
+struct Coefficient {
+  ex real = 0, imaginary = 0;
+};
+
+/// A polynomial in the generators, sorted: circular exponents → real exponents → coefficient.
+using Terms = std::map<Exponents, std::map<Exponents, Coefficient>>;
+
 /// Collects the product: parts, and a monomial of exponentials that is left over.
 struct Product {
   const Phases& phases;
-  std::vector<std::pair<ex, numeric>> parts;
-  std::map<std::size_t, numeric> exponents;  ///< generator index → exponent, for circular and real ones and i
+  std::vector<Part> parts;
+  Exponents exponents;  ///< for circular and real generators; 0 is that of i
+
+  const Generator& generator(std::size_t k) const { return phases.generators()[k]; }
 
   bool moves(const Generator& g) const {
     return g.kind == Kind::circular || g.kind == Kind::real || g.kind == Kind::imaginary;
@@ -27,44 +45,86 @@ struct Product {
                         [&](const Generator& g) { return moves(g) && e.has(g.symbol); });
   }
 
-  /// number·∏ generator^k, or nothing if `term` has plain symbols in it.
-  std::optional<std::pair<numeric, std::map<std::size_t, numeric>>> monomial(ex term) const {
-    std::map<std::size_t, numeric> powers;
-    for (std::size_t k = 0; k < phases.generators().size(); ++k) {
-      const Generator& g = phases.generators()[k];
-      if (!moves(g)) continue;
-      const int degree = term.degree(g.symbol);
-      if (degree == 0) continue;
-      powers[k] = degree;
-      term = (term / GiNaC::pow(g.symbol, degree)).normal();
+  void read(ex term, Terms& terms) const {
+    Exponents circular, real;
+    for (std::size_t k = 1; k < phases.generators().size(); ++k) {
+      if (!moves(generator(k))) continue;
+      const int degree = term.degree(generator(k).symbol);
+      term = term.coeff(generator(k).symbol, degree);
+      (generator(k).kind == Kind::circular ? circular : real)[k] = degree;
     }
-    if (!is_a<numeric>(term)) return std::nullopt;
-    return std::pair{ex_to<numeric>(term), powers};
+    const GiNaC::symbol& i = generator(0).symbol;
+    Coefficient& coefficient = terms[circular][real];
+    coefficient.real += phases.meaning_of(term.coeff(i, 0));
+    coefficient.imaginary += phases.meaning_of(term.coeff(i, 1));
   }
 
-  /// c·(u ± v) with monomials u, v: a sine, cosine, sinh or cosh of half the phase between them.
-  bool binomial(const ex& sum, const numeric& exponent) {
-    const auto u = monomial(sum.op(0)), v = monomial(sum.op(1));
-    if (!u || !v || (u->first != v->first && u->first != -v->first)) return false;
-    const bool same = u->first == v->first;
-    ex circular = 0, real = 0;
-    for (std::size_t k = 0; k < phases.generators().size(); ++k) {
-      const Generator& g = phases.generators()[k];
-      const auto power_in = [&](const auto& m) { return m->second.count(k) ? m->second.at(k) : numeric(0); };
-      const numeric difference = power_in(u) - power_in(v), total = power_in(u) + power_in(v);
-      if (g.kind == Kind::imaginary && !difference.is_zero()) return false;
-      exponents[k] += total / 2 * exponent;
-      const ex half_phase = g.meaning * difference / (2 * g.divisor);
-      (g.kind == Kind::circular ? circular : real) += g.kind == Kind::imaginary ? ex(0) : half_phase;
+  /// Moves the middle of the exponents to 0, so that e^{iφ} and e^{-iφ} face each other.
+  Terms centred(const Terms& terms, const numeric& exponent) {
+    Exponents low, high;
+    const auto widen = [&](const Exponents& e) {
+      for (const auto& [k, n] : e) {
+        low.try_emplace(k, n), high.try_emplace(k, n);
+        if (n < low[k]) low[k] = n;
+        if (n > high[k]) high[k] = n;
+      }
+    };
+    for (const auto& [circular, rest] : terms) {
+      widen(circular);
+      for (const auto& [real, coefficient] : rest) widen(real);
     }
-    if (circular.is_zero() == real.is_zero()) return false;
-    const bool turns = !circular.is_zero();
-    const ex part = turns ? (same ? GiNaC::cos(circular) : GiNaC::sin(circular))
-                          : (same ? GiNaC::cosh(real) : GiNaC::sinh(real));
-    if (turns && !same) exponents[0] += exponent;  // u - v = 2i sin
-    parts.push_back({2 * u->first, exponent});
-    parts.push_back({part, exponent});
-    return true;
+    const auto shifted = [&](Exponents e) {
+      for (auto& [k, n] : e) n -= (low[k] + high[k]) / 2;
+      return e;
+    };
+    for (const auto& [k, n] : low) exponents[k] += (n + high[k]) / 2 * exponent;
+    Terms result;
+    for (const auto& [circular, rest] : terms)
+      for (const auto& [real, coefficient] : rest) result[shifted(circular)][shifted(real)] = coefficient;
+    return result;
+  }
+
+  ex phase(const Exponents& e) const {
+    ex sum = 0;
+    for (const auto& [k, n] : e) sum += generator(k).meaning * n / generator(k).divisor;
+    return sum;
+  }
+
+  /// Σ c e^{x} over real exponents; c(e^x ± e^{-x}) becomes a cosh or a sinh.
+  ex real_sum(const std::map<Exponents, Coefficient>& terms, bool imaginary) const {
+    ex sum = 0;
+    for (const auto& [e, coefficient] : terms) {
+      const ex& c = imaginary ? coefficient.imaginary : coefficient.real;
+      const auto other = terms.find(negated(e));
+      if (other == terms.end() || other->first == e) {
+        sum += c * GiNaC::exp(phase(e));
+        continue;
+      }
+      const ex& d = imaginary ? other->second.imaginary : other->second.real;
+      if ((c - d).expand().is_zero()) sum += c * GiNaC::cosh(phase(e));
+      else if ((c + d).expand().is_zero()) sum += c * GiNaC::sinh(phase(e));
+      else sum += c * GiNaC::exp(phase(e));
+    }
+    return sum;
+  }
+
+  /// The terms as a real expression, or nothing if they are not real; `turn` = -1 for i times a real one.
+  std::optional<ex> real_form(const Terms& terms, int turn) const {
+    ex sum = 0;
+    for (const auto& [circular, rest] : terms) {
+      const auto other = terms.find(negated(circular));
+      if (other == terms.end() || other->second.size() != rest.size()) return std::nullopt;
+      for (const auto& [real, c] : rest) {
+        const auto opposite = other->second.find(real);
+        if (opposite == other->second.end() || !(c.real - turn * opposite->second.real).expand().is_zero() ||
+            !(c.imaginary + turn * opposite->second.imaginary).expand().is_zero())
+          return std::nullopt;
+      }
+      // a e^{iφ} + conj = 2 Re a cos φ - 2 Im a sin φ, half of it from each of the two terms
+      const ex even = real_sum(rest, turn < 0), odd = real_sum(rest, turn > 0);
+      sum += even * GiNaC::cos(phase(circular)) - turn * odd * GiNaC::sin(phase(circular));
+    }
+    return sum;
   }
 
   bool add(const ex& factor, const numeric& exponent) {
@@ -72,11 +132,20 @@ struct Product {
       parts.push_back({phases.meaning_of(factor), exponent});
       return true;
     }
-    if (is_a<GiNaC::add>(factor)) return factor.nops() == 2 && binomial(factor, exponent);
-    const auto single = monomial(factor);
-    if (!single) return false;
-    parts.push_back({single->first, exponent});
-    for (const auto& [k, power] : single->second) exponents[k] += power * exponent;
+    Terms terms;
+    const ex expanded = factor.expand();
+    if (is_a<GiNaC::add>(expanded))
+      for (const ex& term : expanded) read(term, terms);
+    else
+      read(expanded, terms);
+    terms = centred(terms, exponent);
+    auto form = real_form(terms, 1);
+    if (!form && (form = real_form(terms, -1))) exponents[0] += exponent;
+    if (!form) return false;
+    const ex number = is_a<GiNaC::mul>(*form) && is_a<numeric>(form->op(form->nops() - 1))
+                          ? form->op(form->nops() - 1) : ex(1);
+    parts.push_back({number, exponent});
+    parts.push_back({*form / number, exponent});
     return true;
   }
 
@@ -93,7 +162,7 @@ struct Product {
   /// What is left of exponentials: real ones stay, circular ones must have cancelled but for i² = -1.
   bool finish() {
     for (const auto& [k, exponent] : exponents) {
-      const Generator& g = phases.generators()[k];
+      const Generator& g = generator(k);
       if (exponent.is_zero()) continue;
       if (g.kind == Kind::circular) return false;
       if (g.kind == Kind::real) parts.push_back({GiNaC::exp(g.meaning * exponent / g.divisor), 1});
@@ -102,19 +171,63 @@ struct Product {
         if (!(exponent / 2).is_even()) parts.push_back({-1, 1});
       }
     }
+    merge();
     return true;
+  }
+
+  /// sin φ · cos φ = ½ sin 2φ, and equal parts together, as long as there are any.
+  void merge() {
+    const auto is = [](const Part& part, const char* name) {
+      return is_a<GiNaC::function>(part.first) && ex_to<GiNaC::function>(part.first).get_name() == name;
+    };
+    for (std::size_t a = 0; a < parts.size(); ++a)
+      for (std::size_t b = 0; b < parts.size(); ++b) {
+        Part &p = parts[a], &q = parts[b];
+        if (a == b || p.second.is_zero() || q.second.is_zero()) continue;
+        if (p.first.is_equal(q.first)) {
+          p.second += q.second;
+          q.second = 0;
+        } else if (is(p, "sin") && is(q, "cos") && p.first.op(0).is_equal(q.first.op(0)) && p.second == q.second) {
+          parts.push_back({2, -p.second});
+          parts.push_back({GiNaC::sin(2 * p.first.op(0)), p.second});
+          parts[a].second = parts[b].second = 0;
+          return merge();
+        }
+      }
+    std::erase_if(parts, [](const Part& part) { return part.second.is_zero() || part.first.is_equal(1); });
   }
 };
 
 }  // namespace
 
-std::optional<std::vector<std::pair<ex, numeric>>> factor_form(const ex& fraction, const Phases& phases) {
+std::optional<std::vector<Part>> factor_form(const ex& fraction, const Phases& phases) {
   const ex parts = fraction.numer_denom();
+  ex above = 1, below = 1;
+  const ex numerator = phases.reduce(parts.op(0), &above), denominator = phases.reduce(parts.op(1), &below);
+  if (numerator.is_zero()) return std::vector<Part>{{0, 1}};
   Product product{phases, {}, {}};
-  if (!product.add_all(phases.reduce(parts.op(0)), 1) || !product.add_all(phases.reduce(parts.op(1)), -1) ||
-      !product.finish())
+  if (denominator.is_zero() || !product.add_all(numerator, 1) || !product.add_all(below, 1) ||
+      !product.add_all(denominator, -1) || !product.add_all(above, -1) || !product.finish())
     return std::nullopt;
   return product.parts;
+}
+
+std::optional<std::vector<Part>> factor_form(const ex& prepared, const Symbols& symbols) {
+  const Phases phases({prepared}, symbols);
+  return factor_form(phases(prepared).normal(), phases);
+}
+
+bool is_positive_where_defined(const ex& prepared, const Symbols& symbols) {
+  if (is_nonnegative(prepared, symbols)) return true;
+  const auto parts = factor_form(prepared, symbols);
+  if (!parts) return false;
+  bool positive = true;
+  for (const auto& [part, exponent] : *parts) {
+    if (exponent.is_even() || is_nonnegative(part, symbols)) continue;
+    if (!is_nonnegative(-part, symbols)) return false;
+    positive = !positive;
+  }
+  return positive;
 }
 
 }  // namespace rederive

@@ -2,14 +2,23 @@
 #pragma once
 
 #include <derivations/algebra/phases.hpp>
-
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace rederive {
 
-/// The parts of the product, each with its integer exponent, in the symbols of the statement. Nothing where a part is
-/// neither a polynomial in the symbols nor a sine, cosine or exponential of one argument.
-std::optional<std::vector<std::pair<GiNaC::ex, GiNaC::numeric>>> factor_form(const GiNaC::ex& fraction,
-                                                                            const Phases& phases);
+/// A part of a product in the symbols of the statement, with its exponent.
+using Part = std::pair<GiNaC::ex, GiNaC::numeric>;
+
+/// The parts of the product, each with its integer exponent. Every part is real: c + Σ a cos(…) + Σ b sin(…), with
+/// polynomials, cosh, sinh and exp. Nothing where the fraction is not real, factor by factor.
+std::optional<std::vector<Part>> factor_form(const GiNaC::ex& fraction, const Phases& phases);
+
+/// The same of an expression that has been prepared: its generators are made here.
+std::optional<std::vector<Part>> factor_form(const GiNaC::ex& prepared, const Symbols& symbols);
+
+/// Whether no factor of it can become negative: where it has a logarithm, it is positive.
+bool is_positive_where_defined(const GiNaC::ex& prepared, const Symbols& symbols);
 
 }  // namespace rederive

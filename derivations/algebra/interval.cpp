@@ -1,6 +1,7 @@
 #include <derivations/algebra/interval.hpp>
 
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace rederive {
@@ -71,13 +72,10 @@ Interval product(const Interval& a, const Interval& b) {
   return hull({product(a.low, b.low), product(a.low, b.high), product(a.high, b.low), product(a.high, b.high)});
 }
 
-bool holds_zero(const Interval& i) {
-  const int low = sign(i.low), high = sign(i.high);
-  return (low < 0 && high > 0) || (low == 0 && i.low.closed) || (high == 0 && i.high.closed);
-}
-
+/// Of what is defined: 0 itself has no reciprocal, so that [0, 2] becomes [1/2, inf).
 Interval reciprocal(const Interval& i) {
-  if (holds_zero(i)) return {};
+  if (sign(i.low) < 0 && sign(i.high) > 0) return {};
+  if (sign(i.low) == 0 && sign(i.high) == 0) return {};
   const auto turn = [](const End& end, int side) -> End {
     if (end.infinite != 0) return {0, 0, false};
     if (end.value.is_zero()) return {0, side, false};
@@ -98,7 +96,10 @@ Interval power(const Interval& base, const numeric& exponent) {
     if (sign(base.low) * sign(base.high) < 0) result.low = {0, 0, true};
     return result;
   }
-  if (!exponent.is_integer() && sign(base.low) < 0) return {};
+  if (!exponent.is_integer() && sign(base.low) < 0) {  // a root is defined where its base is not negative
+    if (sign(base.high) < 0) return {};
+    return {{0, 0, true}, raise(base.high)};
+  }
   return {raise(base.low), raise(base.high)};
 }
 
@@ -155,6 +156,8 @@ Interval function_interval(const std::string& name, const Interval& i) {
     return increasing(i, [](const ex& v) { return GiNaC::atan(v); }, at(-GiNaC::Pi / 2), at(GiNaC::Pi / 2));
   if (name == "asin" && compare(i.low, at(-1)) >= 0 && compare(i.high, at(1)) <= 0)
     return increasing(i, [](const ex& v) { return GiNaC::asin(v); }, minus, plus);
+  if (name == "asin") return {{-GiNaC::Pi / 2, 0, true}, {GiNaC::Pi / 2, 0, true}};
+  if (name == "acosh") return {{0, 0, true}, plus};
   if (name == "acos") return {{0, 0, true}, {GiNaC::Pi, 0, true}};
   if (name == "log" && sign(i.low) >= 0) {
     const Interval inner{sign(i.low) == 0 ? End{0, -1, false} : i.low, i.high};
@@ -197,7 +200,11 @@ Interval enclose(const ex& e, const Symbols& symbols) {
   }
   if (is_a<GiNaC::power>(e) && is_a<numeric>(e.op(1)) && ex_to<numeric>(e.op(1)).is_rational())
     return power(enclose(e.op(0), symbols), ex_to<numeric>(e.op(1)));
-  if (is_a<GiNaC::power>(e) && sign(enclose(e.op(0), symbols).low) >= 0) return {{0, 0, false}, {0, +1, false}};
+  if (is_a<GiNaC::power>(e)) {  // a^b with a symbolic exponent is defined for a >= 0, and 0 only where a is
+    const Interval base = enclose(e.op(0), symbols);
+    const bool positive = sign(base.low) > 0 || (sign(base.low) == 0 && !base.low.closed);
+    return {{0, 0, !positive}, {0, +1, false}};
+  }
   if (is_a<GiNaC::function>(e) && e.nops() == 1)
     return function_interval(ex_to<GiNaC::function>(e).get_name(), enclose(e.op(0), symbols));
   return {};
@@ -223,8 +230,13 @@ End parse_end(std::string text, bool closed, std::string_view whole) {
 }  // namespace
 
 Interval parse_range(std::string_view range) {
+  thread_local std::map<std::string, Interval, std::less<>> known;  // the same few ranges are asked for all the time
+  if (const auto found = known.find(range); found != known.end()) return found->second;
   const Range ends = read_range(range);
-  return {parse_end(ends.lower, ends.lower_closed, range), parse_end(ends.upper, ends.upper_closed, range)};
+  const Interval interval{parse_end(ends.lower, ends.lower_closed, range),
+                          parse_end(ends.upper, ends.upper_closed, range)};
+  if (known.size() > 1000) known.clear();
+  return known.emplace(range, interval).first->second;
 }
 
 Interval interval_of(const ex& expression, const Symbols& symbols) {

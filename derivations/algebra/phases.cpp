@@ -1,7 +1,6 @@
+#include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
-
-#include <algorithm>
 
 namespace rederive {
 
@@ -182,7 +181,7 @@ void Phases::make_generators() {
       generator.analytic = false;
     }
     if (generator.kind == Kind::real && name_of(generator.meaning) == "log" &&
-        sign_of(generator.meaning.op(0), symbols_) > 0) {
+        is_positive_where_defined(generator.meaning.op(0), symbols_)) {
       generator.degree = generator.divisor;
       generator.value = rewrite(generator.meaning.op(0));
       generator.has_branches = true;
@@ -271,15 +270,24 @@ const Generator* Phases::find(Kind kind, const ex& meaning) const {
   return nullptr;
 }
 
-ex Phases::reduce(const ex& polynomial) const {
+/// Every g^k becomes g^{k mod n}·value^{k div n}; what the denominators of values multiply by is remembered.
+ex Phases::reduce(const ex& polynomial, ex* scale) const {
   ex rest = polynomial.expand();
   for (bool changed = true; changed;) {
     changed = false;
     for (auto generator = generators_.rbegin(); generator != generators_.rend(); ++generator) {
-      if (generator->degree == 0 || rest.degree(generator->symbol) < generator->degree) continue;
-      const ex value = generator->value.normal();
-      const ex relation = (value.denom() * GiNaC::pow(generator->symbol, generator->degree) - value.numer()).expand();
-      rest = GiNaC::prem(rest, relation, generator->symbol).expand();
+      const int degree = rest.degree(generator->symbol);
+      if (generator->degree == 0 || degree < generator->degree) continue;
+      const ex value = generator->value.numer_denom();
+      const int most = degree / generator->degree;
+      ex replaced = 0;
+      for (int k = rest.ldegree(generator->symbol); k <= degree; ++k) {
+        const int times = k / generator->degree;
+        replaced += rest.coeff(generator->symbol, k) * GiNaC::pow(generator->symbol, k % generator->degree) *
+                    GiNaC::pow(value.op(0), times) * GiNaC::pow(value.op(1), most - times);
+      }
+      rest = replaced.expand();
+      if (scale != nullptr) *scale *= GiNaC::pow(value.op(1), most);
       changed = true;
     }
   }

@@ -47,8 +47,9 @@ class Phases {
 
   /// The rational function of generators and plain symbols that an expression is.
   GiNaC::ex operator()(const GiNaC::ex& expression) const;
-  /// The remainder of a polynomial modulo all relations, up to a factor that is not zero: 0 iff it is 0 in the ring.
-  GiNaC::ex reduce(const GiNaC::ex& polynomial) const;
+  /// The remainder of a polynomial modulo all relations: 0 iff it is 0 in the ring. It is `scale` times as large as
+  /// the polynomial, a product of denominators in the relations.
+  GiNaC::ex reduce(const GiNaC::ex& polynomial, GiNaC::ex* scale = nullptr) const;
   /// A rational function back in the symbols of the statement, for a numeric check.
   GiNaC::ex meaning_of(const GiNaC::ex& rational) const;
 

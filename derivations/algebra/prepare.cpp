@@ -1,4 +1,5 @@
 // Identities that need no phases, applied from the inside out. Each is true wherever both its sides are defined.
+#include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
 
@@ -37,11 +38,25 @@ struct Prepare : GiNaC::map_function {
     return (*this)(GiNaC::exp((exponent * logarithm(base)).expand()));
   }
 
-  /// The factors of a rational function with functions taken as symbols: {factor, exponent} and a number.
-  std::vector<std::pair<ex, numeric>> factors(const ex& e) {
+  static bool has_phases(const ex& e) {
+    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+      for (const char* name : {"sin", "cos", "sinh", "cosh", "exp"})
+        if (is_call(*part, name)) return true;
+    return false;
+  }
+
+  /// The factors with their exponents: in the ring of phases (1 - sin²x is cos²x there), else with functions taken
+  /// as symbols.
+  std::vector<Part> factors(const ex& e) {
+    if (has_phases(e)) {
+      try {
+        if (auto parts = factor_form(e, symbols)) return *parts;
+      } catch (const Undecidable&) {  // then not in that ring
+      }
+    }
     GiNaC::exmap atoms;
     const ex fraction = e.to_rational(atoms).numer_denom();
-    std::vector<std::pair<ex, numeric>> result;
+    std::vector<Part> result;
     const auto add = [&](const ex& part, int sign) {
       const ex product = GiNaC::factor(part.op(sign > 0 ? 0 : 1));
       const auto one = [&](const ex& f) {
@@ -101,22 +116,21 @@ struct Prepare : GiNaC::map_function {
       for (numeric prime = 2; prime * prime <= rest && prime < 10'000; prime += 1) {
         long count = 0;
         while (GiNaC::irem(rest, prime).is_zero()) rest = GiNaC::iquo(rest, prime), ++count;
-        if (count > 0) result *= GiNaC::pow(prime, q * count * side);
+        if (count > 0) result *= GiNaC::pow(ex(prime), ex(q * count * side));
       }
-      if (rest != 1) result *= GiNaC::pow(rest, q * side);
+      if (rest != 1) result *= GiNaC::pow(ex(rest), ex(q * side));
     }
     return result;
   }
 
-  /// exp(q·log a + rest) = a^q·exp(rest) for rational q.
+  /// exp(q·log a + rest) = a^q·exp(rest) for rational q, wherever log a is defined.
   ex exponential(const ex& argument) {
     ex powers = 1, rest = 0;
     const ex expanded = argument.expand();
     const auto one = [&](const ex& term) {
       const ex number = is_a<GiNaC::mul>(term) ? term.op(term.nops() - 1) : ex(1);
       const ex other = term / number;
-      if (is_a<numeric>(number) && ex_to<numeric>(number).is_rational() && is_call(other, "log") &&
-          sign_of(other.op(0), symbols) > 0)
+      if (is_a<numeric>(number) && ex_to<numeric>(number).is_rational() && is_call(other, "log"))
         powers *= GiNaC::pow(other.op(0), number);
       else
         rest += term;
@@ -173,11 +187,7 @@ struct Prepare : GiNaC::map_function {
     if (name == "log") return is_call(x, "exp") ? x.op(0) : logarithm(x);
     if (name == "exp") return exponential(x);
     if ((name == "sin" && is_call(x, "asin")) || (name == "sinh" && is_call(x, "asinh"))) return x.op(0);
-    if (name == "abs") {
-      if (is_nonnegative(x, symbols)) return x;
-      if (is_nonnegative(-x, symbols)) return -x;
-      return whole;
-    }
+    if (name == "abs") return absolute(x);
     if (name == "acos") {
       if (is_call(x, "cos") && within(x.op(0), 0, GiNaC::Pi)) return x.op(0);
       return half - (*this)(GiNaC::asin(x));
@@ -195,6 +205,19 @@ struct Prepare : GiNaC::map_function {
         if ((x * GiNaC::cosh(angle) - GiNaC::sinh(angle)).normal().is_zero()) return angle;
     }
     return whole;
+  }
+
+  /// |∏ f_k^{n_k}| = ∏ |f_k|^{n_k}, without the bars where the sign is known.
+  ex absolute(const ex& x) {
+    if (is_nonnegative(x, symbols)) return x;
+    if (is_nonnegative(-x, symbols)) return -x;
+    ex result = 1;
+    for (const auto& [factor, n] : factors(x)) {
+      const bool plain = n.is_even() || is_nonnegative(factor, symbols);
+      const bool turned = !plain && is_nonnegative(-factor, symbols);
+      result *= GiNaC::pow(plain ? factor : turned ? -factor : GiNaC::abs(factor), n);
+    }
+    return result;
   }
 
   ex arctangent(const ex& x, const ex& whole) {

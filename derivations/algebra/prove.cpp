@@ -3,8 +3,8 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/prove.hpp>
+#include <derivations/algebra/sample.hpp>
 #include <derivations/algebra/vanish.hpp>
-#include <derivations/algebra/witness.hpp>
 
 #include <algorithm>
 
@@ -26,76 +26,66 @@ std::string to_string(Verdict verdict) {
 
 namespace {
 
-constexpr int working_digits = 70, shown_digits = 30;
-
-/// The two things that are compared, after the givens have been put in.
-struct Pair {
-  Tree left, right;
-  ex left_value, right_value;
-};
+/// Which signs would help: symbols under roots, in logarithms and between bars that may be of either sign.
+std::string advice(const ex& e, const Symbols& symbols) {
+  std::set<std::string> names;
+  for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
+    const bool call = GiNaC::is_a<GiNaC::function>(*part), power = GiNaC::is_a<GiNaC::power>(*part);
+    const std::string name = call ? GiNaC::ex_to<GiNaC::function>(*part).get_name() : "";
+    if (!(name == "log" || name == "abs" || (power && !part->op(1).info(GiNaC::info_flags::integer)))) continue;
+    for (auto inner = part->op(0).preorder_begin(); inner != part->op(0).preorder_end(); ++inner)
+      if (GiNaC::is_a<GiNaC::symbol>(*inner) && sign_of(*inner, symbols) == 0)
+        names.insert(GiNaC::ex_to<GiNaC::symbol>(*inner).get_name());
+  }
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "; an assumption on the sign of " : ", ") + name;
+  return text.empty() ? text : text + " may decide it";
+}
 
 ex put_in(ex e, const std::vector<Given>& given) {
   GiNaC::exmap map;
   for (const Given& g : given) map[g.name] = g.value;
   for (std::size_t round = 0; round <= given.size(); ++round) {  // givens may mention each other
     const ex next = e.subs(map, GiNaC::subs_options::no_pattern);
-    if (next.is_equal(e)) break;
+    if (next.is_equal(e)) return e;
     e = next;
   }
-  return e;
+  throw Undecidable("the equations that are given go round in a circle");
 }
 
-Pair make_pair(const ex& left, const ex& right, const Tree& as_written, const Symbols& symbols,
-               const std::vector<Given>& given) {
-  const ex l = put_in(left, given), r = put_in(right, given);
-  // without givens the witness is computed from the text itself, before GiNaC has touched it
-  return {given.empty() && as_written ? as_written : to_tree(l, symbols), to_tree(r, symbols), l, r};
-}
+/// What everything below needs to know.
+struct Question {
+  const Relation& left;
+  const Relation& right;
+  const Symbols& symbols;
+  const std::vector<Given>& given;
 
-bool differ(const cln::cl_R& a, const cln::cl_R& b) {
-  const cln::cl_R size = cln::max(cln::abs(a), cln::abs(b));
-  return cln::abs(a - b) * cln::expt_pos(cln::cl_I(10), working_digits - 20) > size;
-}
+  /// Without givens the witness is computed from the text itself (where there is one), before GiNaC has touched it.
+  Pair pair(const ex& a, const ex& b, const Tree& written_a = nullptr, const Tree& written_b = nullptr) const {
+    const ex l = put_in(a, given), r = put_in(b, given);
+    const bool as_written = given.empty() && written_a && written_b;
+    Pair pair{as_written ? written_a : to_tree(l, symbols), as_written ? written_b : to_tree(r, symbols), l, r, {}};
+    for (const Given& g : given)
+      if (const Symbol* symbol = symbols.find(g.name); symbol != nullptr && symbol->range != "(-inf, inf)")
+        pair.bound.push_back({symbol->name, to_tree(put_in(g.value, given), symbols)});
+    return pair;
+  }
 
-Witness make_witness(const Point& point, const cln::cl_R& printed, const cln::cl_R& derived) {
-  Witness witness;
-  for (const auto& [name, value] : point) witness.at[name] = rational_text(value);
-  witness.printed = decimal(printed, shown_digits);
-  witness.derived = decimal(derived, shown_digits);
-  return witness;
-}
-
-std::set<std::string> names_of(const Pair& pair) {
-  std::set<std::string> names;
-  collect_names(pair.left, names);
-  collect_names(pair.right, names);
-  return names;
-}
-
-/// What the values at many points say.
-struct Sample {
-  int both = 0;                     ///< points where both sides have a value
-  std::optional<Witness> different; ///< the first where they differ
-  bool same_sign = false, opposite_sign = false;
-  std::optional<Witness> opposed;   ///< the first where their signs are opposite
+  std::vector<ex> divisors_as_written() const {
+    std::vector<ex> result;
+    for (const Relation* relation : {&left, &right})
+      for (const Tree& side : relation->sides)
+        for (const ex& divisor : divisors(side, symbols)) result.push_back(put_in(divisor, given));
+    return result;
+  }
 };
 
-Sample sample(const Pair& pair, const Points& points, bool first_difference_is_enough) {
-  Sample seen;
-  for (int k = 0; k < 60 && seen.both < 12; ++k) {
-    const Point point = points.at(k);
-    const auto a = evaluate(pair.left, point, working_digits);
-    const auto b = a ? evaluate(pair.right, point, working_digits) : std::nullopt;
-    if (!b) continue;
-    ++seen.both;
-    if (!seen.different && differ(*a, *b)) seen.different = make_witness(point, *a, *b);
-    if (seen.different && first_difference_is_enough) break;
-    if (cln::zerop(*a) || cln::zerop(*b)) continue;
-    const bool same = cln::minusp(*a) == cln::minusp(*b);
-    (same ? seen.same_sign : seen.opposite_sign) = true;
-    if (!same && !seen.opposed) seen.opposed = make_witness(point, *a, *b);
-  }
-  return seen;
+Tree difference(const Tree& a, const Tree& b) {
+  Node node{};
+  node.kind = Node::Kind::sum;
+  node.children = {a, b};
+  node.inverse = {false, true};
+  return std::make_shared<const Node>(std::move(node));
 }
 
 Proof refute(Witness witness, std::string reason) {
@@ -114,20 +104,29 @@ Proof undecided(std::string reason) {
 
 /// Two expressions: identical, or different at a witness.
 Proof prove_identity(const Pair& pair, const Symbols& symbols) {
-  Sample seen = sample(pair, Points(names_of(pair), symbols), true);
-  if (seen.both == 0) {  // a text whose terms cancel to nothing has no digits to be compared: take what is left of it
-    const Pair simpler{to_tree(pair.left_value, symbols), pair.right, pair.left_value, pair.right_value};
-    seen = sample(simpler, Points(names_of(simpler), symbols), true);
-  }
-  if (seen.different) return refute(*seen.different, "the two sides differ at the witness");
+  const Points points(names_of(pair), symbols);
+  const auto look = [&](int count) {
+    return sample(pair, points, symbols, [&](const Sample& s) { return s.differs || s.both >= count; });
+  };
+  const Sample seen = look(2);
+  if (seen.differs) return refute(make_witness(pair, *seen.differs), "the two sides differ at the witness");
   if (seen.both == 0) return undecided("no point was found at which both sides have a value");
-  Proof proof;
-  if (!vanishes(pair.left_value - pair.right_value, symbols))
-    return undecided("the sides agree at every point that was tried, but the difference does not reduce to zero");
-  proof.verdict = Verdict::proved;
-  proof.factor = "1";
-  proof.reason = "the numerator of the difference vanishes identically";
-  return proof;
+  std::string why = "the sides agree wherever they were compared, but the difference does not reduce to zero";
+  try {
+    if (vanishes(pair.left_value - pair.right_value, symbols)) {
+      Proof proof;
+      proof.verdict = Verdict::proved;
+      proof.factor = "1";
+      proof.reason = "the numerator of the difference vanishes identically";
+      return proof;
+    }
+    why += advice(pair.left_value - pair.right_value, symbols);
+  } catch (const Undecidable& error) {
+    why = error.what() + advice(pair.left_value - pair.right_value, symbols);
+  }
+  if (const Sample more = look(30); more.differs)
+    return refute(make_witness(pair, *more.differs), "the two sides differ at the witness");
+  return undecided(why);
 }
 
 bool is_real(const ex& e) {
@@ -146,107 +145,144 @@ ex lowest_terms(const ex& quotient, const Phases& phases) {
 }
 
 /// left/right as a product of named parts, if it is one.
-std::optional<std::vector<std::pair<ex, GiNaC::numeric>>> quotient(const Pair& pair, const Symbols& symbols) {
+std::optional<std::vector<Part>> quotient(const Pair& pair, const Symbols& symbols) {
   if (pair.right_value.is_zero()) return std::nullopt;
   const Phases phases({pair.left_value, pair.right_value}, symbols);
   const auto whole = [&](const ex& e) {
     const ex parts = phases(e).normal().numer_denom();
-    return phases.reduce(parts.op(0)) / parts.op(1);
+    ex scale = 1;
+    const ex numerator = phases.reduce(parts.op(0), &scale);
+    return numerator / (scale * parts.op(1));
   };
   const ex right = whole(pair.right_value);
   if (right.is_zero()) return std::nullopt;
   return factor_form(lowest_terms(whole(pair.left_value) / right, phases), phases);
 }
 
-/// A root of one residual at which the other does not vanish: the two do not say the same.
-std::optional<Proof> differ_at_a_root(const Pair& pair, const Points& points, bool of_right) {
-  const Tree& vanishing = of_right ? pair.right : pair.left;
-  const auto root = find_root([&](const Point& p) { return evaluate(vanishing, p, 45); }, points, names_of(pair));
-  if (!root) return std::nullopt;
-  const auto a = evaluate(pair.left, *root, working_digits), b = evaluate(pair.right, *root, working_digits);
-  if (!a || !b) return std::nullopt;
-  const cln::cl_R other = cln::abs(of_right ? *a : *b), small = cln::abs(of_right ? *b : *a);
-  const cln::cl_I apart = cln::expt_pos(cln::cl_I(10), 15);
-  if (other <= small * apart || other * apart <= 1) return std::nullopt;
-  return refute(make_witness(*root, *a, *b), of_right ? "at the witness the derived equation holds, the printed one does not"
-                                                      : "at the witness the printed equation holds, the derived one does not");
+struct Factor {
+  ex value = 1;
+  int sign = 1;       ///< 0: not known to be of one sign
+  std::string doubt;  ///< the first part that may vanish
+};
+
+/// A part cannot vanish if its range says so, or if the statement as written divides by it.
+Factor assess(const std::vector<Part>& parts, const Question& question) {
+  Factor factor;
+  const auto divisors = question.divisors_as_written();
+  for (const auto& [part, exponent] : parts) {
+    factor.value *= GiNaC::pow(part, exponent);
+    const int s = sign_of(part, question.symbols);
+    factor.sign *= exponent.is_even() ? 1 : s;
+    const bool divides = std::any_of(divisors.begin(), divisors.end(), [&](const ex& divisor) {
+      return !divisor.is_zero() && GiNaC::is_a<GiNaC::numeric>((part / divisor).normal());
+    });
+    if (s == 0 && !divides && factor.doubt.empty())
+      factor.doubt = "the factor " + print(part, Notation::plain, question.symbols) + " may vanish";
+  }
+  return factor;
 }
 
-/// Residuals of equations or of inequalities (written as "residual > 0").
-Proof prove_residuals(const Pair& pair, bool inequality, const Symbols& symbols) {
-  const Points points(names_of(pair), symbols);
-  const Sample seen = sample(pair, points, false);
-  if (seen.both == 0) return undecided("no point was found at which both residuals have a value");
-  if (inequality && seen.opposed) return refute(*seen.opposed, "one holds and the other fails at the witness");
+/// A root of one residual at which the other does not vanish: the two do not say the same.
+std::optional<Proof> differ_at_a_root(const Pair& pair, const Points& points, bool of_right, int most, const Symbols& symbols) {
+  const Tree &zero = of_right ? pair.right : pair.left, &other = of_right ? pair.left : pair.right;
+  const auto root = find_root([&](const Point& p) { return value_of(zero, p); }, points, names_of(pair), most, [&](const Point& p) {
+    const auto a = value_of(zero, p), b = value_of(other, p);
+    return a && b && !differ(*a, 0) && cln::abs(*b) * cln::expt_pos(cln::cl_I(10), 15) > 1 && is_admitted(pair, p, symbols);
+  });
+  if (!root) return std::nullopt;
+  return refute(make_witness(pair, *root), of_right ? "at the witness the right one holds with equality, the left one does not"
+                                                    : "at the witness the left one holds with equality, the right one does not");
+}
 
-  if (auto proof = differ_at_a_root(pair, points, true)) return *proof;  // cheaper than algebra, and most slips end here
+/// Residuals of equations, or of inequalities written as "residual > 0".
+Proof prove_residuals(const Pair& pair, bool inequality, const Question& question) {
+  const Symbols& symbols = question.symbols;
+  const Points points(names_of(pair), symbols);
+  const Sample seen =
+      sample(pair, points, symbols, [&](const Sample& s) { return s.both >= 12 || (inequality && s.opposed); });
+  if (seen.both == 0) return undecided("no point was found at which both residuals have a value");
+  if (inequality && seen.opposed)
+    return refute(make_witness(pair, *seen.opposed), "one holds and the other fails at the witness");
+
+  // cheaper than algebra, and most slips end here
+  if (auto proof = differ_at_a_root(pair, points, true, 1, symbols)) return *proof;
 
   std::string why = "the quotient of the two residuals is no product of recognisable factors";
   try {
     if (const auto parts = quotient(pair, symbols)) {
-      ex factor = 1;
-      int sign = 1;
-      for (const auto& [part, exponent] : *parts) {
-        factor *= GiNaC::pow(part, exponent);
-        if (const int s = sign_of(part, symbols); s == 0) {
-          why = "the factor " + print(part, Notation::plain, symbols) + " may vanish";
-          sign = 0;
-        } else if (!exponent.is_even()) {
-          sign *= s;
-        }
-      }
-      if (sign != 0 && vanishes(pair.left_value - factor * pair.right_value, symbols)) {
+      const Factor factor = assess(*parts, question);
+      if (!factor.doubt.empty()) why = factor.doubt;
+      else if (inequality && factor.sign <= 0) why = "the sign of the factor between the two is not known";
+      else if (vanishes(pair.left_value - factor.value * pair.right_value, symbols)) {
         Proof proof;
-        proof.factor = print(factor, Notation::plain, symbols);
-        if (!inequality || sign > 0) {
-          proof.verdict = Verdict::proved;
-          proof.reason = "the residuals differ by a factor that cannot vanish";
-          return proof;
-        }
+        proof.verdict = Verdict::proved;
+        proof.factor = print(factor.value, Notation::plain, symbols);
+        proof.reason = "the residuals differ by a factor that cannot vanish";
+        return proof;
       }
     }
   } catch (const Undecidable& error) {
     why = error.what();
   }
-
-  if (auto proof = differ_at_a_root(pair, points, false)) return *proof;
-  return undecided(why);
+  if (auto proof = differ_at_a_root(pair, points, false, 10, symbols)) return *proof;
+  if (auto proof = differ_at_a_root(pair, points, true, 10, symbols)) return *proof;
+  return undecided(why + advice(pair.left_value - pair.right_value, symbols));
 }
 
 struct Turned {
   ex residual;
+  Tree written;
   bool strict;
 };
 
 /// a < b as b - a > 0.
-Turned turned(const ex& a, const std::string& op, const ex& b) {
-  return {op == "<" || op == "<=" ? b - a : a - b, op == "<" || op == ">"};
+Turned turned(const ex& a, const Tree& written_a, const std::string& op, const ex& b, const Tree& written_b) {
+  const bool less = op[0] == '<';
+  return {less ? b - a : a - b, less ? difference(written_b, written_a) : difference(written_a, written_b), op.size() == 1 && op != "="};
 }
 
-Proof prove_link(const ex& a, const std::string& op, const ex& b, const Tree& written_b, const Relation& right,
-                 const Symbols& symbols, const std::vector<Given>& given) {
-  const ex c = lower(right.sides[0], symbols), d = lower(right.sides[1], symbols);
-  if (op == "=" && right.operators[0] == "=") {
-    if (a.is_equal(c) && GiNaC::is_a<GiNaC::symbol>(a))
-      return prove_identity(make_pair(b, d, written_b, symbols, given), symbols);
-    if (vanishes(put_in(c - d, given), symbols)) {  // an equation that always holds: does the other one?
-      Proof proof = prove_identity(make_pair(a, b, nullptr, symbols, given), symbols);
-      if (proof.verdict == Verdict::proved) proof.reason = "both equations hold identically";
-      return proof;
-    }
-    return prove_residuals(make_pair(a - b, c - d, nullptr, symbols, given), false, symbols);
+/// One of the two is strict. They say the same only if the residual is never 0.
+Proof prove_strictness(Proof proof, const Pair& pair, const Symbols& symbols) {
+  if (sign_of(pair.left_value, symbols) != 0) return proof;
+  const Points points(names_of(pair), symbols);
+  const auto root = find_root([&](const Point& p) { return value_of(pair.left, p); }, points, names_of(pair), 10,
+                              [&](const Point& p) { return is_admitted(pair, p, symbols); });
+  if (root) return refute(make_witness(pair, *root), "at the witness both sides are equal, which only one of the two allows");
+  return undecided("one allows equality and the other does not");
+}
+
+/// An equation and an inequality: a point where the inequality holds and the equation fails tells them apart.
+Proof compare_kinds(const Pair& pair, bool left_is_equation, const Symbols& symbols) {
+  const Tree &equation = left_is_equation ? pair.left : pair.right, &positive = left_is_equation ? pair.right : pair.left;
+  const Points points(names_of(pair), symbols);
+  for (int k = 0; k < 40; ++k) {
+    const Point point = points.at(k);
+    const auto a = value_of(equation, point), b = a ? value_of(positive, point) : std::nullopt;
+    if (b && differ(*a, 0) && differ(*b, 0) && !cln::minusp(*b) && is_admitted(pair, point, symbols))
+      return refute(make_witness(pair, point), "at the witness the inequality holds and the equation does not");
   }
-  if (op == "=" || right.operators[0] == "=") {
-    Proof proof;
-    proof.verdict = Verdict::refuted;
-    proof.reason = "an equation and an inequality do not say the same";
+  return undecided("an equation is not compared with an inequality");
+}
+
+Proof prove_link(std::size_t k, const Question& question) {
+  const auto& [left, right, symbols, given] = question;
+  const bool explicit_form = left.operators[0] == "=" && left.operators[k] == "=";
+  const Tree &tree_a = left.sides[explicit_form ? 0 : k], &tree_b = left.sides[k + 1];
+  const ex a = lower(tree_a, symbols), b = lower(tree_b, symbols);
+  const ex c = lower(right.sides[0], symbols), d = lower(right.sides[1], symbols);
+  const std::string &op = left.operators[k], &other = right.operators[0];
+  const bool names_it = GiNaC::is_a<GiNaC::symbol>(a) && a.is_equal(c) && !b.has(a) && !d.has(a);
+  if (op == "=" && other == "=" && names_it) return prove_identity(question.pair(b, d, tree_b, right.sides[1]), symbols);
+  if (op == "=" && other == "=" && vanishes(put_in(c - d, given), symbols)) {  // it always holds: does the other one?
+    Proof proof = prove_identity(question.pair(a, b, tree_a, tree_b), symbols);
+    if (proof.verdict == Verdict::proved) proof.reason = "both equations hold identically";
     return proof;
   }
-  const Turned l = turned(a, op, b), r = turned(c, right.operators[0], d);
-  Proof proof = prove_residuals(make_pair(l.residual, r.residual, nullptr, symbols, given), true, symbols);
-  if (proof.verdict == Verdict::proved && l.strict != r.strict)
-    proof.side_conditions.push_back("the two differ in whether equality is allowed");
-  return proof;
+  const Turned l = turned(a, tree_a, op, b, tree_b), r = turned(c, right.sides[0], other, d, right.sides[1]);
+  const Pair pair = question.pair(l.residual, r.residual, l.written, r.written);
+  if ((op == "=") != (other == "=")) return compare_kinds(pair, op == "=", symbols);
+  const Proof proof = prove_residuals(pair, op != "=", question);
+  return proof.verdict == Verdict::proved && l.strict != r.strict ? prove_strictness(proof, pair, symbols) : proof;
 }
 
 void add_conditions(Proof& proof, const Relation& relation, const Symbols& symbols) {
@@ -257,18 +293,16 @@ void add_conditions(Proof& proof, const Relation& relation, const Symbols& symbo
         proof.side_conditions.push_back(condition);
 }
 
-Proof decide(const Relation& left, const Relation& right, const Symbols& symbols, const std::vector<Given>& given) {
+Proof decide(const Question& question) {
+  const auto& [left, right, symbols, given] = question;
   if (left.operators.empty() != right.operators.empty() || right.sides.size() > 2)
     return undecided("an expression cannot be compared with a relation, nor anything with a chain on the right");
   if (left.operators.empty())
-    return prove_identity(make_pair(lower(left.sides[0], symbols), lower(right.sides[0], symbols),
-                                    left.sides[0], symbols, given), symbols);
+    return prove_identity(question.pair(lower(left.sides[0], symbols), lower(right.sides[0], symbols),
+                                        left.sides[0], right.sides[0]), symbols);
   Proof proof;
-  const ex first = lower(left.sides[0], symbols);
   for (std::size_t k = 0; k < left.operators.size(); ++k) {
-    const bool explicit_form = GiNaC::is_a<GiNaC::symbol>(first) && left.operators[k] == "=";
-    const ex a = explicit_form ? first : lower(left.sides[k], symbols);
-    proof = prove_link(a, left.operators[k], lower(left.sides[k + 1], symbols), left.sides[k + 1], right, symbols, given);
+    proof = prove_link(k, question);
     if (proof.verdict != Verdict::proved) return proof;
   }
   return proof;
@@ -278,7 +312,7 @@ Proof decide(const Relation& left, const Relation& right, const Symbols& symbols
 
 Proof prove(const Relation& left, const Relation& right, const Symbols& symbols, const std::vector<Given>& given) {
   try {
-    Proof proof = decide(left, right, symbols, given);
+    Proof proof = decide({left, right, symbols, given});
     if (proof.verdict == Verdict::proved) {
       add_conditions(proof, left, symbols);
       add_conditions(proof, right, symbols);
@@ -295,18 +329,21 @@ Proof prove(const Relation& left, const Relation& right, const Symbols& symbols,
   }
 }
 
-Proof prove_approximation(const Tree& left, const Tree& right, const std::vector<std::string>& small, int order,
+Proof prove_approximation(const Relation& left, const Relation& right, const std::vector<std::string>& small, int order,
                           const Symbols& symbols) {
   const GiNaC::symbol size("size");
   GiNaC::exmap scaled;
   for (const std::string& name : small) scaled[symbols[name]] = size * symbols[name];
   const auto polynomial = [&](const Tree& tree) {
     const ex e = lower(tree, symbols).subs(scaled, GiNaC::subs_options::no_pattern);
-    return GiNaC::series_to_poly(e.series(size == 0, order + 1)).subs(size == 1);
+    return to_tree(GiNaC::series_to_poly(e.series(size == 0, order + 1)).subs(size == 1), symbols);
+  };
+  const auto expanded = [&](Relation relation) {
+    for (Tree& side : relation.sides) side = polynomial(side);
+    return relation;
   };
   try {
-    const Relation l{{to_tree(polynomial(left), symbols)}, {}}, r{{to_tree(polynomial(right), symbols)}, {}};
-    Proof proof = prove(l, r, symbols);
+    Proof proof = prove(expanded(left), expanded(right), symbols);
     if (proof.verdict == Verdict::proved) proof.verdict = Verdict::approximation;
     return proof;
   } catch (const std::exception& error) {

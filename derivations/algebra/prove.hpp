@@ -48,8 +48,9 @@ struct Given {
 Proof prove(const Relation& left, const Relation& right, const Symbols& symbols = paper_symbols(),
             const std::vector<Given>& given = {});
 
-/// Whether two expressions have the same Taylor polynomial of `order` in the small symbols, all of one size.
-Proof prove_approximation(const Tree& left, const Tree& right, const std::vector<std::string>& small, int order,
+/// Whether two expressions, or the sides of two relations, have the same Taylor polynomial of `order` in the small
+/// symbols, all of one size.
+Proof prove_approximation(const Relation& left, const Relation& right, const std::vector<std::string>& small, int order,
                           const Symbols& symbols = paper_symbols());
 
 

@@ -1,3 +1,4 @@
+#include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/witness.hpp>
@@ -13,79 +14,161 @@ using GiNaC::numeric;
 
 namespace {
 
-/// The polynomial's value at a point of the declared ranges, and the sum of its terms' sizes to judge it by.
-std::optional<std::pair<double, double>> size_at(const ex& polynomial, const Phases& phases, const Points& points,
-                                                 int index, const Symbols& symbols) {
-  GiNaC::exmap values;
-  for (const auto& [name, value] : points.at(index)) values[symbols[name]] = numeric(value);
-  const auto magnitude = [&](const ex& term) -> std::optional<std::complex<double>> {
-    const ex number = phases.meaning_of(term).subs(values, GiNaC::subs_options::no_pattern).evalf();
-    if (!is_a<numeric>(number)) return std::nullopt;
-    return std::complex<double>(ex_to<numeric>(number.real_part()).to_double(),
-                                ex_to<numeric>(number.imag_part()).to_double());
-  };
-  std::complex<double> sum = 0;
-  double sizes = 0;
-  const auto add = [&](const ex& term) {
-    const auto value = magnitude(term);
-    if (!value || !std::isfinite(std::abs(*value))) return false;
-    sum += *value;
-    sizes += std::abs(*value);
-    return true;
-  };
-  if (is_a<GiNaC::add>(polynomial)) {
-    for (const ex& term : polynomial)
-      if (!add(term)) return std::nullopt;
-  } else if (!add(polynomial)) {
-    return std::nullopt;
+std::string name_of(const ex& e) {
+  return is_a<GiNaC::function>(e) && e.nops() == 1 ? ex_to<GiNaC::function>(e).get_name() : std::string();
+}
+
+bool inside_unit(const ex& e, const Symbols& symbols) {
+  return sign_of(1 - e, symbols) > 0 && sign_of(1 + e, symbols) > 0;
+}
+
+/// Analytic on the whole box of declared ranges: no pole, no branch point, no corner. The box is connected.
+bool is_analytic(const ex& e, const Symbols& symbols) {
+  for (const ex& part : e)
+    if (!is_analytic(part, symbols)) return false;
+  if (is_a<GiNaC::power>(e)) {
+    const ex exponent = e.op(1);
+    if (is_a<numeric>(exponent) && ex_to<numeric>(exponent).is_nonneg_integer()) return true;
+    if (is_a<numeric>(exponent) && ex_to<numeric>(exponent).is_integer()) return sign_of(e.op(0), symbols) != 0;
+    return sign_of(e.op(0), symbols) > 0;
   }
-  return std::pair{std::abs(sum), sizes};
+  const std::string name = name_of(e);
+  if (name.empty()) return !is_a<GiNaC::function>(e);
+  if (name == "log") return sign_of(e.op(0), symbols) > 0;
+  if (name == "acosh") return sign_of(e.op(0) - 1, symbols) > 0;
+  if (name == "abs") return sign_of(e.op(0), symbols) != 0;
+  if (name == "tan") return sign_of(GiNaC::cos(e.op(0)), symbols) != 0;
+  if (name == "asin" || name == "acos" || name == "atanh") return inside_unit(e.op(0), symbols);
+  for (const char* entire : {"sin", "cos", "exp", "sinh", "cosh", "tanh", "atan", "asinh"})
+    if (name == entire) return true;
+  return false;
+}
+
+/// Where something with asin u, acos u, atanh u is defined, u lies in [-1, 1]: for a symbol u that narrows its range.
+Symbols narrowed(const ex& e, Symbols symbols) {
+  for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
+    const std::string name = name_of(*part);
+    if ((name != "asin" && name != "acos" && name != "atanh") || !is_a<GiNaC::symbol>(part->op(0))) continue;
+    const Symbol* symbol = symbols.find(part->op(0));
+    if (symbol != nullptr && symbol->range == "(-inf, inf)") symbols.narrow(symbol->name, "(-1, 1)");
+  }
+  return symbols;
+}
+
+Points points_for(const ex& expression, const Symbols& symbols) {
+  std::set<std::string> names;
+  for (auto part = expression.preorder_begin(); part != expression.preorder_end(); ++part)
+    if (is_a<GiNaC::symbol>(*part)) names.insert(ex_to<GiNaC::symbol>(*part).get_name());
+  return Points(names, symbols);
+}
+
+std::optional<std::complex<double>> value_at(const ex& e, const Point& point, const Symbols& symbols) {
+  GiNaC::exmap values;
+  for (const auto& [name, value] : point) values[symbols[name]] = numeric(value);
+  const ex number = e.subs(values, GiNaC::subs_options::no_pattern).evalf();
+  if (!is_a<numeric>(number)) return std::nullopt;
+  const std::complex<double> result(ex_to<numeric>(number.real_part()).to_double(),
+                                    ex_to<numeric>(number.imag_part()).to_double());
+  return std::isfinite(std::abs(result)) ? std::optional(result) : std::nullopt;
+}
+
+/// Whether a polynomial in generators is certainly not 0 at some point of the declared ranges.
+bool is_alive(const ex& polynomial, const Phases& phases, const Points& points, const Symbols& symbols) {
+  for (int index = 0; index < 12; ++index) {
+    std::complex<double> sum = 0;
+    double sizes = 0;
+    bool defined = true;
+    const auto add = [&](const ex& term) {
+      const auto value = value_at(phases.meaning_of(term), points.at(index), symbols);
+      defined = defined && value;
+      if (value) sum += *value, sizes += std::abs(*value);
+    };
+    if (is_a<GiNaC::add>(polynomial))
+      for (const ex& term : polynomial) add(term);
+    else
+      add(polynomial);
+    if (defined && std::abs(sum) > 1e-6 * sizes) return true;
+  }
+  return false;
 }
 
 /// Square roots r_k = ±√u_k may satisfy relations that r² = u does not show. Over a connected domain on which all u_k
 /// are positive everything here is analytic; if the product over all sign choices vanishes identically, one of its
 /// factors does, and it is ours if every other one is different from zero somewhere.
 bool vanishes_on_our_branch(const ex& numerator, const Phases& phases, const ex& expression, const Symbols& symbols) {
-  std::vector<const Generator*> roots;
-  for (const Generator& g : phases.generators())
-    if (numerator.has(g.symbol)) {
-      if (!g.analytic) return false;
-      if (g.kind == Generator::Kind::root && g.degree == 2) roots.push_back(&g);
-      else if (g.has_branches || (g.degree != 0 && g.kind == Generator::Kind::root)) return false;
-    }
+  std::vector<GiNaC::symbol> roots;
+  for (const Generator& g : phases.generators()) {
+    if (!numerator.has(g.symbol)) continue;
+    if (g.kind == Generator::Kind::imaginary) continue;
+    if (!is_analytic(g.meaning, symbols)) return false;
+    if (g.kind == Generator::Kind::root && sign_of(g.meaning, symbols) <= 0) return false;
+    if (g.kind == Generator::Kind::root && g.degree == 2) roots.push_back(g.symbol);
+  }
   if (roots.empty() || roots.size() > 4) return false;
   std::vector<ex> conjugates{numerator};
-  for (const Generator* root : roots) {
-    const std::size_t count = conjugates.size();
-    for (std::size_t k = 0; k < count; ++k)
-      conjugates.push_back(conjugates[k].subs(root->symbol == -root->symbol).expand());
+  for (const GiNaC::symbol& root : roots) {
+    const std::vector<ex> before = conjugates;
+    for (const ex& conjugate : before) {
+      const ex turned = conjugate.subs(root == -root).expand();
+      bool known = false;
+      for (const ex& other : conjugates) known = known || (turned - other).is_zero() || (turned + other).is_zero();
+      if (!known) conjugates.push_back(turned);
+    }
   }
   ex norm = 1;
-  for (const ex& conjugate : conjugates) norm = phases.reduce((norm * conjugate).expand());
+  for (const ex& conjugate : conjugates) norm = phases.reduce(norm * conjugate);
   if (!norm.is_zero()) return false;
-
-  std::set<std::string> names;
-  for (auto part = expression.preorder_begin(); part != expression.preorder_end(); ++part)
-    if (is_a<GiNaC::symbol>(*part)) names.insert(ex_to<GiNaC::symbol>(*part).get_name());
-  const Points points(names, symbols);
-  for (std::size_t k = 1; k < conjugates.size(); ++k) {
-    bool alive = false;
-    for (int index = 0; index < 12 && !alive; ++index) {
-      const auto size = size_at(conjugates[k], phases, points, index, symbols);
-      alive = size && size->first > 1e-6 * size->second;
-    }
-    if (!alive) return false;
-  }
+  const Points points = points_for(expression, symbols);
+  for (std::size_t k = 1; k < conjugates.size(); ++k)
+    if (!is_alive(conjugates[k], phases, points, symbols)) return false;
   return true;
+}
+
+bool vanishes(const ex& expression, const Symbols& symbols, int depth);
+
+/// A sum E of inverse functions and angles, with integer coefficients: e^E = 1 makes it 0, where it has logarithms
+/// and area functions; e^{2iE} = 1 makes it a multiple of π, the same one all over a connected domain, where it has
+/// arcs: which one is seen at one point.
+bool vanishes_by_its_exponential(const ex& sum, const Symbols& given, int depth) {
+  bool arcs = false, areas = false;
+  for (auto part = sum.preorder_begin(); part != sum.preorder_end(); ++part) {
+    const std::string name = name_of(*part);
+    arcs = arcs || name == "asin" || name == "atan" || name == "acos";
+    if (name == "log" && !is_positive_where_defined(part->op(0), given)) return false;
+    areas = areas || name == "log" || name == "asinh" || name == "acosh" || name == "atanh";
+  }
+  if (areas && !arcs) return vanishes(GiNaC::exp(sum) - 1, given, depth + 1);
+  if (!arcs || areas) return false;
+  const Symbols symbols = narrowed(sum, given);
+  if (!is_analytic(sum, symbols)) return false;
+  const Points points = points_for(sum, symbols);
+  const auto value = value_at(sum, points.at(0), symbols);
+  if (!value || std::abs(*value) > 0.1) return false;
+  return vanishes(GiNaC::sin((2 * sum).expand()), symbols, depth + 1) &&
+         vanishes(GiNaC::cos((2 * sum).expand()) - 1, symbols, depth + 1);
+}
+
+bool vanishes(const ex& expression, const Symbols& symbols, int depth) {
+  if (expression.is_zero()) return true;
+  const Phases phases({expression}, symbols);
+  const ex numerator = phases.reduce(phases(expression).normal().numer());
+  if (numerator.is_zero() || vanishes_on_our_branch(numerator, phases, expression, symbols)) return true;
+  if (depth > 1) return false;
+  bool has_inverse = false;
+  for (const Generator& g : phases.generators())
+    has_inverse = has_inverse || (g.kind == Generator::Kind::opaque && name_of(g.meaning) != "abs");
+  if (!has_inverse) return false;
+  const ex product = GiNaC::factor(numerator);
+  const auto by_factor = [&](const ex& f) {
+    const ex base = is_a<GiNaC::power>(f) ? f.op(0) : f;
+    return is_a<GiNaC::add>(base) && vanishes_by_its_exponential(phases.meaning_of(base), symbols, depth);
+  };
+  if (!is_a<GiNaC::mul>(product)) return by_factor(product);
+  return std::any_of(product.begin(), product.end(), by_factor);
 }
 
 }  // namespace
 
-bool vanishes(const ex& expression, const Symbols& symbols) {
-  if (expression.is_zero()) return true;
-  const Phases phases({expression}, symbols);
-  const ex numerator = phases.reduce(phases(expression).normal().numer());
-  return numerator.is_zero() || vanishes_on_our_branch(numerator, phases, expression, symbols);
-}
+bool vanishes(const ex& expression, const Symbols& symbols) { return vanishes(expression, symbols, 0); }
 
 }  // namespace rederive

@@ -39,14 +39,19 @@ Points::Points(const std::set<std::string>& names, const Symbols& symbols) {
   for (const std::string& name : names) {
     const Symbol* symbol = symbols.find(name);
     const Interval i = symbol != nullptr ? parse_range(symbol->range) : Interval{};
-    ranges_[name] = {to_double(i.low), to_double(i.high), i.low.closed, i.high.closed};
+    ranges_[name] = {to_double(i.low), to_double(i.high)};
   }
 }
 
-bool Points::inside(const std::string& name, const cln::cl_RA& value) const {
+bool is_inside(const std::string& range, const cln::cl_R& value) {
+  const Interval i = parse_range(range);
+  const double v = cln::double_approx(value), low = to_double(i.low), high = to_double(i.high);
+  return (i.low.closed ? v >= low : v > low) && (i.high.closed ? v <= high : v < high);
+}
+
+bool Points::is_between(const std::string& name, double value) const {
   const Range& range = ranges_.at(name);
-  const double v = cln::double_approx(value);
-  return (range.low_closed ? v >= range.low : v > range.low) && (range.high_closed ? v <= range.high : v < range.high);
+  return value > range.low && value < range.high;
 }
 
 Point Points::at(int index) const {
@@ -62,12 +67,12 @@ Point Points::at(int index) const {
       if (index >= 8) size *= std::exp(6 * (mixed(place, static_cast<unsigned>(index) + 77) - 0.5));
       if (std::isfinite(range.low)) value = range.low + size;
       else if (std::isfinite(range.high)) value = range.high - size;
-      else value = (index + place) % 2 == 0 ? size : -size;
+      else value = mixed(place + 5, static_cast<unsigned>(index) + 11) < 0.5 ? size : -size;
     }
     // coarse numbers are easier on the hand; finer ones where the range leaves no room
     for (long denominator : {20L, 1000L, 1000000L, 1000000000000L}) {
       point[name] = near(value, denominator);
-      if (inside(name, point[name])) break;
+      if (is_between(name, cln::double_approx(point[name]))) break;
     }
     ++place;
   }
@@ -114,8 +119,10 @@ std::optional<Point> polish(const Value& f, Point point, const std::string& name
 
 }  // namespace
 
-std::optional<Point> find_root(const Value& f, const Points& points, const std::set<std::string>& names) {
-  for (int start = 0; start < 6; ++start) {
+std::optional<Point> find_root(const Value& f, const Points& points, const std::set<std::string>& names, int most,
+                               const std::function<bool(const Point&)>& wanted) {
+  int found = 0;
+  for (int start = 0; start < 4; ++start) {
     const Point base = points.at(start);
     for (const std::string& name : names) {
       std::optional<cln::cl_R> before;
@@ -124,12 +131,18 @@ std::optional<Point> find_root(const Value& f, const Points& points, const std::
       std::set<cln::cl_RA, bool (*)(const cln::cl_RA&, const cln::cl_RA&)> values(
           [](const cln::cl_RA& x, const cln::cl_RA& y) { return x < y; });
       for (int k = 0; k < 24; ++k) values.insert(points.at(k).at(name));
+      for (int k = -3; k <= 3; ++k)
+        if (points.is_between(name, k)) values.insert(k);
       for (const cln::cl_RA& value : values) {
         Point here = base;
         here[name] = value;
         const auto now = f(here);
-        if (now && before && !cln::zerop(*now) && !cln::zerop(*before) && cln::minusp(*now) != cln::minusp(*before))
-          if (auto root = polish(f, base, name, at_before, value, *before, *now)) return root;
+        if (now && cln::abs(*now) * cln::expt_pos(cln::cl_I(10), 40) < 1 && wanted(here)) return here;
+        if (now && before && cln::minusp(*now) != cln::minusp(*before)) {
+          const auto root = polish(f, base, name, at_before, value, *before, *now);
+          if (root && wanted(*root)) return root;
+          if (++found == most) return std::nullopt;
+        }
         before = now;
         at_before = value;
       }

@@ -18,23 +18,25 @@ class Points {
  public:
   Points(const std::set<std::string>& names, const Symbols& symbols);
   Point at(int index) const;
-  /// Whether a value lies inside the declared range of a name.
-  bool inside(const std::string& name, const cln::cl_RA& value) const;
+  bool is_between(const std::string& name, double value) const;  ///< strictly inside the declared range
 
  private:
   struct Range {
     double low, high;
-    bool low_closed, high_closed;
   };
   std::map<std::string, Range> ranges_;
 };
 
+/// Whether a value lies inside a declared range such as "(0, pi/2)".
+bool is_inside(const std::string& range, const cln::cl_R& value);
+
 /// A function of one point; nothing where it is undefined.
 using Value = std::function<std::optional<cln::cl_R>(const Point&)>;
 
-/// A point, near some Points::at, where `vanishing` changes its sign along one symbol, to 40 digits. Only crossings
-/// without a jump count. Nothing if none is found.
-std::optional<Point> find_root(const Value& vanishing, const Points& points, const std::set<std::string>& names);
+/// A point, near some Points::at, where `vanishing` changes its sign along one symbol, to 40 digits, and that `wanted`
+/// accepts. Only crossings without a jump count. Nothing if none is found among the first `most`.
+std::optional<Point> find_root(const Value& vanishing, const Points& points, const std::set<std::string>& names, int most,
+                               const std::function<bool(const Point&)>& wanted);
 
 /// "7/5"
 std::string rational_text(const cln::cl_RA& value);

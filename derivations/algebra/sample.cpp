@@ -1,0 +1,86 @@
+#include <derivations/algebra/sample.hpp>
+
+namespace rederive {
+
+namespace {
+
+constexpr int working_digits = 60, shown_digits = 30;
+
+cln::cl_R power_of_ten(int exponent) {
+  const cln::cl_I power = cln::expt_pos(cln::cl_I(10), std::abs(exponent));
+  return exponent < 0 ? cln::cl_RA(1) / power : cln::cl_RA(power);
+}
+
+Tree number(const std::string& text) {
+  Node node{};
+  node.kind = Node::Kind::number;
+  node.text = text;
+  return std::make_shared<const Node>(std::move(node));
+}
+
+/// The text "0" where a value is 0 to all the places that can be had.
+std::string shown(const Tree& tree, const Point& point) {
+  if (const auto value = evaluate(tree, point, shown_digits + 5)) return decimal(*value, shown_digits);
+  return value_of(tree, point) ? "0" : "undefined";
+}
+
+}  // namespace
+
+std::set<std::string> names_of(const Pair& pair) {
+  std::set<std::string> names;
+  collect_names(pair.left, names);
+  collect_names(pair.right, names);
+  for (const auto& [name, value] : pair.bound) collect_names(value, names);
+  return names;
+}
+
+std::optional<cln::cl_R> value_of(const Tree& tree, const Point& point) {
+  // evaluate gives significant digits, of which 0 has none: an odd constant beside it gives decimal places
+  static const Tree offset = number("0.618033");
+  Node beside{};
+  beside.kind = Node::Kind::sum;
+  beside.children = {offset, tree};
+  beside.inverse = {false, false};
+  const auto value = evaluate(std::make_shared<const Node>(std::move(beside)), point, working_digits);
+  if (!value) return std::nullopt;
+  return *value - exact(offset->text);
+}
+
+bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols) {
+  for (const auto& [name, tree] : pair.bound) {
+    const auto value = value_of(tree, point);
+    if (!value || !is_inside(symbols.find(name)->range, *value)) return false;
+  }
+  return true;
+}
+
+bool differ(const cln::cl_R& a, const cln::cl_R& b) {
+  const cln::cl_R size = cln::max(cln::cl_R(1), cln::max(cln::abs(a), cln::abs(b)));
+  return cln::abs(a - b) > size * power_of_ten(20 - working_digits);
+}
+
+Witness make_witness(const Pair& pair, const Point& point) {
+  Witness witness;
+  for (const auto& [name, value] : point) witness.at[name] = rational_text(value);
+  witness.printed = shown(pair.left, point);
+  witness.derived = shown(pair.right, point);
+  return witness;
+}
+
+Sample sample(const Pair& pair, const Points& points, const Symbols& symbols,
+              const std::function<bool(const Sample&)>& enough) {
+  Sample seen;
+  for (int k = 0; k < 60 && !enough(seen); ++k) {
+    const Point point = points.at(k);
+    const auto a = value_of(pair.left, point);
+    const auto b = a ? value_of(pair.right, point) : std::nullopt;
+    if (!b || !is_admitted(pair, point, symbols)) continue;
+    ++seen.both;
+    if (!seen.differs && differ(*a, *b)) seen.differs = point;
+    const bool both_large = differ(*a, 0) && differ(*b, 0);
+    if (both_large && cln::minusp(*a) != cln::minusp(*b) && !seen.opposed) seen.opposed = point;
+  }
+  return seen;
+}
+
+}  // namespace rederive

@@ -1,0 +1,39 @@
+// What the values of two sides at many points say: a difference refutes; agreement proves nothing.
+#pragma once
+
+#include <derivations/algebra/prove.hpp>
+#include <derivations/algebra/witness.hpp>
+
+namespace rederive {
+
+/// The two things that are compared, after the givens have been put in, and what the givens ask of a point.
+struct Pair {
+  Tree left, right;
+  GiNaC::ex left_value, right_value;
+  std::vector<std::pair<std::string, Tree>> bound;  ///< a name that was replaced → what stands for it
+};
+
+std::set<std::string> names_of(const Pair& pair);
+
+/// The value of a tree to about 50 decimal places, 0 included; nothing where it has none.
+std::optional<cln::cl_R> value_of(const Tree& tree, const Point& point);
+
+/// Whether the point keeps every name that was replaced inside its declared range.
+bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols);
+
+/// Beyond all doubt: the difference is far above the accuracy of value_of.
+bool differ(const cln::cl_R& a, const cln::cl_R& b);
+
+/// Both sides at a point, to 30 digits.
+Witness make_witness(const Pair& pair, const Point& point);
+
+/// A walk over Points that stops as soon as `enough` says so, or after 60 points.
+struct Sample {
+  int both = 0;                  ///< points where both sides have a value
+  std::optional<Point> differs;  ///< the first where they differ
+  std::optional<Point> opposed;  ///< the first where their signs are opposite
+};
+Sample sample(const Pair& pair, const Points& points, const Symbols& symbols,
+              const std::function<bool(const Sample&)>& enough);
+
+}  // namespace rederive

@@ -1,0 +1,168 @@
+// What stands for what in a statement that a user types: names, ranges, givens.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/print.hpp>
+#include <derivations/command_line.hpp>
+#include <lessons/ledger/prove_command.hpp>
+#include <regex>
+#include <set>
+
+namespace rederive {
+
+namespace {
+
+const std::string any = "(-inf, inf)";
+const std::vector<std::string> greek{
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta",   "theta", "iota",  "kappa", "lambda",
+    "mu",    "nu",   "xi",    "rho",   "sigma",   "tau",  "phi",   "chi",   "psi",   "omega", "upsilon",
+    "Gamma", "Xi",   "Delta", "Theta", "Lambda",  "Pi",   "Sigma", "Phi",   "Psi",   "Omega"};
+
+void declare_free(Symbols& symbols, const std::string& name) {
+  if (symbols.find(name) == nullptr) symbols.declare(name, name, name, "1", any, "a real number", "");
+}
+
+/// Letters stand for real numbers, alone or with an index or dots: x, x1, k_2, omega_0, betadot.
+void declare_names_in(const std::string& text, Symbols& symbols) {
+  static const std::regex tail("_?[A-Za-z0-9]{0,3}(_[A-Za-z0-9]{1,3})?|d?dot");
+  if (text.size() > Limits{}.characters) return;  // the parser says so
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const auto belongs = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  for (std::size_t start = 0, end; start < text.size(); start = end) {
+    end = start;
+    while (end < text.size() && belongs(text[end])) ++end;
+    if (end == start || !is_letter(text[start])) {
+      end = std::max(end, start + 1);
+      continue;
+    }
+    const std::string name = text.substr(start, end - start);
+    const auto after = text.find_first_not_of(' ', end);
+    if (name.size() > 24 || name == "pi" || (after != std::string::npos && text[after] == '(')) continue;
+    const bool indexed = name.size() > 1 && (name[1] == '_' || std::isdigit(static_cast<unsigned char>(name[1])) != 0);
+    std::size_t stem = indexed || name.ends_with("dot") ? 1 : 0;
+    for (const std::string& letter : greek)
+      if (name.starts_with(letter)) stem = std::max(stem, letter.size());
+    if (stem > 0 && std::regex_match(name.substr(stem), tail)) declare_free(symbols, name);
+  }
+}
+
+/// Runs `read`; what it finds wrong with `text` becomes BadInput.
+template <class Read>
+auto reading(const std::string& text, Read read) {
+  try {
+    return read();
+  } catch (const SyntaxError& error) {
+    throw BadInput(explain(error, text));
+  }
+}
+
+/// Narrows a range by one comparison of a symbol with a number.
+void narrow(Symbols& symbols, const std::string& name, std::string op, const GiNaC::ex& value, bool symbol_on_left) {
+  if (!symbol_on_left) op = std::string(op[0] == '<' ? ">" : "<") + op.substr(1);
+  const Symbol old = *symbols.find(name);
+  Range range = read_range(old.range);
+  const Interval present = parse_range(old.range);
+  const bool closed = op.size() == 2, lower_end = op[0] == '>';
+  const End& end = lower_end ? present.low : present.high;
+  const int order = end.infinite != 0 ? -1 : lower_end ? compare(end.value, value) : compare(value, end.value);
+  if (order > 0 || (order == 0 && !end.closed)) return;  // nothing new
+  (lower_end ? range.lower : range.upper) = print(value, Notation::plain, symbols);
+  (lower_end ? range.lower_closed : range.upper_closed) = closed;
+  const std::string text = fmt::format("{}{}, {}{}", range.lower_closed ? '[' : '(', range.lower, range.upper,
+                                       range.upper_closed ? ']' : ')');
+  const Interval now = parse_range(text);
+  if (now.low.infinite == 0 && now.high.infinite == 0 && compare(now.low.value, now.high.value) >= 0)
+    throw BadInput("the assumptions and the declared range " + old.range + " leave no room for " + name);
+  symbols.declare(name, old.latex, old.unicode, old.unit, text, old.meaning, old.introduced);
+}
+
+bool is_name(const Tree& tree) { return tree->kind == Node::Kind::symbol && tree->text != "pi"; }
+
+/// The value of a constant bound; nothing if there are symbols in it.
+std::optional<GiNaC::ex> number(const Tree& tree, const std::string& text, const Symbols& symbols) {
+  const GiNaC::ex value = reading(text, [&] { return lower(tree, symbols); });
+  return GiNaC::is_a<GiNaC::numeric>(value.evalf()) ? std::optional(value) : std::nullopt;
+}
+
+[[noreturn]] void refuse(const std::string& text) {
+  throw BadInput("the assumption '" + text + "' neither compares one symbol with numbers nor says what one symbol is; "
+                 "right is, for example, \"x > 0\", \"0 < x < pi/2\" or \"h = R*cos(alpha)\"");
+}
+
+void assume_range(const Tree& a, const std::string& op, const Tree& b, const std::string& text, Symbols& symbols) {
+  const bool on_left = is_name(a);
+  if (!on_left && !is_name(b)) refuse(text);
+  const auto bound = number(on_left ? b : a, text, symbols);
+  if (!bound) refuse(text);
+  try {
+    narrow(symbols, (on_left ? a : b)->text, op, *bound, on_left);
+  } catch (const std::logic_error&) {  // the range cannot hold such a bound
+    throw BadInput("the assumption '" + text + "' has a bound that is no rational number or multiple of pi");
+  }
+}
+
+/// The symbol that an equation says the value of: alone on a side and not on the other.
+Given read_given(const Tree& a, const Tree& b, const std::string& text, const Symbols& symbols) {
+  for (const auto& [name, value] : {std::pair{a, b}, std::pair{b, a}}) {
+    if (!is_name(name)) continue;
+    const Given given = reading(text, [&] { return Given{lower(name, symbols), lower(value, symbols)}; });
+    if (given.value.has(given.name)) throw BadInput("the assumption '" + text + "' has its symbol on both sides");
+    return given;
+  }
+  refuse(text);
+}
+
+void check_givens(const std::vector<Given>& given, const Symbols& symbols) {
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    for (std::size_t j = 0; j < k; ++j)
+      if (given[j].name.is_equal(given[k].name))
+        throw BadInput("two assumptions say what " + print(given[k].name, Notation::plain, symbols) + " is");
+    // provably outside of its own range?
+    const Interval range = parse_range(symbols.find(given[k].name)->range);
+    const bool below = range.low.infinite == 0 && sign_of(range.low.value - given[k].value, symbols) > 0;
+    const bool above = range.high.infinite == 0 && sign_of(given[k].value - range.high.value, symbols) > 0;
+    const bool on_open_end = (range.low.infinite == 0 && !range.low.closed && given[k].value.is_equal(range.low.value)) ||
+                             (range.high.infinite == 0 && !range.high.closed && given[k].value.is_equal(range.high.value));
+    if (below || above || on_open_end)
+      throw BadInput("the assumption on " + print(given[k].name, Notation::plain, symbols) +
+                     " contradicts its range " + symbols.find(given[k].name)->range);
+  }
+}
+
+}  // namespace
+
+Context make_context(const ProveRequest& request, const std::vector<std::string>& freed) {
+  Context context{paper_symbols(), {}};
+  Symbols& symbols = context.symbols;
+  for (const std::string& name : freed) {
+    const Symbol old = *symbols.find(name);
+    symbols.declare(name, old.latex, old.unicode, old.unit, any, old.meaning, old.introduced);
+  }
+  for (const char* name : {"t", "r"})
+    symbols.declare(name, name, name, symbols.find(name)->unit, any, "a real number", "");
+  for (char c = 'a'; c <= 'z'; ++c) declare_free(symbols, std::string(1, c));
+  for (char c = 'A'; c <= 'Z'; ++c) declare_free(symbols, std::string(1, c));
+  for (const std::string& letter : greek) declare_free(symbols, letter);
+  declare_names_in(request.left, symbols);
+  declare_names_in(request.right, symbols);
+  for (const std::string& text : request.assumptions) declare_names_in(text, symbols);
+
+  std::vector<std::pair<Relation, std::string>> equations;
+  for (const std::string& text : request.assumptions) {
+    const Relation relation = reading(text, [&] { return parse_relation(text, symbols); });
+    if (relation.operators[0] == "=") {
+      if (relation.sides.size() != 2) refuse(text);
+      equations.push_back({relation, text});
+      continue;
+    }
+    for (std::size_t k = 0; k < relation.operators.size(); ++k)
+      assume_range(relation.sides[k], relation.operators[k], relation.sides[k + 1], text, symbols);
+  }
+  for (const auto& [equation, text] : equations)
+    context.given.push_back(read_given(equation.sides[0], equation.sides[1], text, symbols));
+  check_givens(context.given, symbols);
+  return context;
+}
+
+}  // namespace rederive
