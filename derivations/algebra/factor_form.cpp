@@ -219,6 +219,11 @@ std::optional<std::vector<Part>> factor_form(const ex& prepared, const Symbols& 
 
 bool is_positive_where_defined(const ex& prepared, const Symbols& symbols) {
   if (is_nonnegative(prepared, symbols)) return true;
+  if (is_a<GiNaC::add>(prepared))  // s + √v with v > s²
+    for (const ex& term : prepared)
+      if (is_a<GiNaC::power>(term) && term.op(1).is_equal(numeric(1, 2)) &&
+          sign_of((term.op(0) - GiNaC::pow(prepared - term, 2)).expand(), symbols) > 0)
+        return true;
   const auto parts = factor_form(prepared, symbols);
   if (!parts) return false;
   bool positive = true;

@@ -60,7 +60,7 @@ ex under_the_root(const ex& inverse) {
 }  // namespace
 
 Phases::Phases(const std::vector<ex>& expressions, const Symbols& symbols) : symbols_(symbols) {
-  for (const ex& e : expressions) collect(prepare(e, symbols_));
+  for (const ex& e : expressions) collect(prepared_[e] = prepare(e, symbols_));
   make_generators();
 }
 
@@ -131,7 +131,8 @@ void Phases::make_generators() {
 
   for (const auto& [argument, circular] : arguments_) {
     const ex rational = argument.subs(GiNaC::Pi == pi_symbol()).to_rational(atoms_);
-    denominator_ = GiNaC::lcm(denominator_, rational.normal().denom()).expand();
+    const ex denominator = rational.normal().denom();  // numbers stay with the coefficients
+    denominator_ = GiNaC::lcm(denominator_, (denominator / denominator.integer_content()).expand()).expand();
   }
   std::map<ex, long, GiNaC::ex_is_less> divisors[2];
   for (const auto& [argument, circular] : arguments_) {
@@ -206,7 +207,7 @@ void Phases::relate_inverse(Generator& generator) {
   if (name == "atanh") generator.value = (1 + u) / root;
 }
 
-ex Phases::operator()(const ex& expression) const { return rewrite(prepare(expression, symbols_)); }
+ex Phases::operator()(const ex& expression) const { return rewrite(prepared_.at(expression)); }
 
 /// Second walk: every function becomes a rational function of generators.
 ex Phases::rewrite(const ex& e) const {

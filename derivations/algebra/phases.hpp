@@ -45,7 +45,7 @@ class Phases {
   /// Throws Undecidable where an expression is outside the class.
   Phases(const std::vector<GiNaC::ex>& expressions, const Symbols& symbols);
 
-  /// The rational function of generators and plain symbols that an expression is.
+  /// The rational function of generators and plain symbols that one of those expressions is.
   GiNaC::ex operator()(const GiNaC::ex& expression) const;
   /// The remainder of a polynomial modulo all relations: 0 iff it is 0 in the ring. It is `scale` times as large as
   /// the polynomial, a product of denominators in the relations.
@@ -73,6 +73,7 @@ class Phases {
   const Generator* find(Generator::Kind kind, const GiNaC::ex& meaning) const;
 
   const Symbols& symbols_;
+  GiNaC::exmap prepared_;                             ///< expression → what it was rewritten to, once
   std::vector<Generator> generators_;
   GiNaC::ex denominator_ = 1;
   mutable GiNaC::exmap atoms_;                        ///< stand-in symbol → function value inside an argument

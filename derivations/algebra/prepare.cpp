@@ -92,7 +92,7 @@ struct Prepare : GiNaC::map_function {
         outside *= positive_root(-factor, n * q);
         if (!n.is_even()) inside = -inside;
       } else if (even) {
-        outside *= GiNaC::pow(GiNaC::abs(factor), n * q);
+        outside *= GiNaC::pow(GiNaC::abs(turned_up(factor)), n * q);
       } else {
         inside *= GiNaC::pow(factor, n);
       }
@@ -215,9 +215,22 @@ struct Prepare : GiNaC::map_function {
     for (const auto& [factor, n] : factors(x)) {
       const bool plain = n.is_even() || is_nonnegative(factor, symbols);
       const bool turned = !plain && is_nonnegative(-factor, symbols);
-      result *= GiNaC::pow(plain ? factor : turned ? -factor : GiNaC::abs(factor), n);
+      result *= GiNaC::pow(plain ? factor : turned ? -factor : GiNaC::abs(turned_up(factor)), n);
     }
     return result;
+  }
+
+  /// e or -e, whichever has the positive number in its first term: |a-b| and |b-a| become the same.
+  static ex turned_up(const ex& e) {
+    if (!is_a<GiNaC::add>(e)) return e;
+    const auto number = [](const ex& term) {
+      const ex last = is_a<GiNaC::mul>(term) ? term.op(term.nops() - 1) : term;
+      return is_a<numeric>(last) ? ex_to<numeric>(last) : numeric(1);
+    };
+    ex first = e.op(0);
+    for (const ex& term : e)
+      if ((term / number(term)).compare(first / number(first)) < 0) first = term;
+    return number(first).is_negative() ? (-e).expand() : e;
   }
 
   ex arctangent(const ex& x, const ex& whole) {

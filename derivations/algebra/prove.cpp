@@ -144,8 +144,22 @@ ex lowest_terms(const ex& quotient, const Phases& phases) {
   return is_real(cancelled) ? cancelled : quotient.normal();
 }
 
-/// left/right as a product of named parts, if it is one.
-std::optional<std::vector<Part>> quotient(const Pair& pair, const Symbols& symbols) {
+/// N/D = NN'/(DN'), where N' has the roots of N turned round: then more may cancel.
+ex without_roots_above(const ex& quotient, const Phases& phases) {
+  ex above = quotient.numer(), below = quotient.denom();
+  for (const Generator& g : phases.generators()) {
+    if (g.kind != Generator::Kind::root || g.degree != 2 || !above.has(g.symbol)) continue;
+    const ex turned = above.subs(g.symbol == -g.symbol);
+    ex scale_above = 1, scale_below = 1;
+    above = phases.reduce(above * turned, &scale_above);
+    below = phases.reduce(below * turned, &scale_below);
+    above *= scale_below, below *= scale_above;
+  }
+  return above / below;
+}
+
+/// left/right as a product of named parts, if it is one; with `rational`, without roots above the bar.
+std::optional<std::vector<Part>> quotient(const Pair& pair, const Symbols& symbols, bool rational) {
   if (pair.right_value.is_zero()) return std::nullopt;
   const Phases phases({pair.left_value, pair.right_value}, symbols);
   const auto whole = [&](const ex& e) {
@@ -156,7 +170,8 @@ std::optional<std::vector<Part>> quotient(const Pair& pair, const Symbols& symbo
   };
   const ex right = whole(pair.right_value);
   if (right.is_zero()) return std::nullopt;
-  return factor_form(lowest_terms(whole(pair.left_value) / right, phases), phases);
+  const ex ratio = lowest_terms(whole(pair.left_value) / right, phases);
+  return factor_form(rational ? lowest_terms(without_roots_above(ratio, phases), phases) : ratio, phases);
 }
 
 struct Factor {
@@ -208,8 +223,10 @@ Proof prove_residuals(const Pair& pair, bool inequality, const Question& questio
   if (auto proof = differ_at_a_root(pair, points, true, 1, symbols)) return *proof;
 
   std::string why = "the quotient of the two residuals is no product of recognisable factors";
-  try {
-    if (const auto parts = quotient(pair, symbols)) {
+  for (const bool rational : {false, true}) {
+    try {
+      const auto parts = quotient(pair, symbols, rational);
+      if (!parts) continue;
       const Factor factor = assess(*parts, question);
       if (!factor.doubt.empty()) why = factor.doubt;
       else if (inequality && factor.sign <= 0) why = "the sign of the factor between the two is not known";
@@ -220,9 +237,9 @@ Proof prove_residuals(const Pair& pair, bool inequality, const Question& questio
         proof.reason = "the residuals differ by a factor that cannot vanish";
         return proof;
       }
+    } catch (const Undecidable& error) {
+      why = error.what();
     }
-  } catch (const Undecidable& error) {
-    why = error.what();
   }
   if (auto proof = differ_at_a_root(pair, points, false, 10, symbols)) return *proof;
   if (auto proof = differ_at_a_root(pair, points, true, 10, symbols)) return *proof;
@@ -264,6 +281,14 @@ Proof compare_kinds(const Pair& pair, bool left_is_equation, const Symbols& symb
   return undecided("an equation is not compared with an inequality");
 }
 
+bool always_holds(const ex& residual, const Symbols& symbols) {
+  try {
+    return vanishes(residual, symbols);
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
 Proof prove_link(std::size_t k, const Question& question) {
   const auto& [left, right, symbols, given] = question;
   const bool explicit_form = left.operators[0] == "=" && left.operators[k] == "=";
@@ -273,7 +298,7 @@ Proof prove_link(std::size_t k, const Question& question) {
   const std::string &op = left.operators[k], &other = right.operators[0];
   const bool names_it = GiNaC::is_a<GiNaC::symbol>(a) && a.is_equal(c) && !b.has(a) && !d.has(a);
   if (op == "=" && other == "=" && names_it) return prove_identity(question.pair(b, d, tree_b, right.sides[1]), symbols);
-  if (op == "=" && other == "=" && vanishes(put_in(c - d, given), symbols)) {  // it always holds: does the other one?
+  if (op == "=" && other == "=" && always_holds(put_in(c - d, given), symbols)) {  // it always holds: does the other one?
     Proof proof = prove_identity(question.pair(a, b, tree_a, tree_b), symbols);
     if (proof.verdict == Verdict::proved) proof.reason = "both equations hold identically";
     return proof;

@@ -18,8 +18,27 @@ std::string name_of(const ex& e) {
   return is_a<GiNaC::function>(e) && e.nops() == 1 ? ex_to<GiNaC::function>(e).get_name() : std::string();
 }
 
+/// The sign that a rational function keeps over all ranges, factor by factor: 0 if it may change or vanish.
+int strict_sign(const ex& e, const Symbols& symbols) {
+  if (const int sign = sign_of(e, symbols)) return sign;
+  GiNaC::exmap atoms;
+  const ex parts = e.to_rational(atoms).numer_denom();
+  int sign = 1;
+  for (const ex& part : parts) {
+    const ex product = GiNaC::factor(part).subs(atoms, GiNaC::subs_options::no_pattern);
+    if (!is_a<GiNaC::mul>(product)) sign *= sign_of(product, symbols);
+    else
+      for (const ex& factor : product) {
+        const bool squared = is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::even);
+        const int s = sign_of(squared ? factor.op(0) : factor, symbols);
+        sign *= squared ? s * s : s;
+      }
+  }
+  return sign;
+}
+
 bool inside_unit(const ex& e, const Symbols& symbols) {
-  return sign_of(1 - e, symbols) > 0 && sign_of(1 + e, symbols) > 0;
+  return strict_sign(1 - e, symbols) > 0 && strict_sign(1 + e, symbols) > 0;
 }
 
 /// Analytic on the whole box of declared ranges: no pole, no branch point, no corner. The box is connected.
@@ -29,15 +48,15 @@ bool is_analytic(const ex& e, const Symbols& symbols) {
   if (is_a<GiNaC::power>(e)) {
     const ex exponent = e.op(1);
     if (is_a<numeric>(exponent) && ex_to<numeric>(exponent).is_nonneg_integer()) return true;
-    if (is_a<numeric>(exponent) && ex_to<numeric>(exponent).is_integer()) return sign_of(e.op(0), symbols) != 0;
-    return sign_of(e.op(0), symbols) > 0;
+    if (is_a<numeric>(exponent) && ex_to<numeric>(exponent).is_integer()) return strict_sign(e.op(0), symbols) != 0;
+    return strict_sign(e.op(0), symbols) > 0;
   }
   const std::string name = name_of(e);
   if (name.empty()) return !is_a<GiNaC::function>(e);
-  if (name == "log") return sign_of(e.op(0), symbols) > 0;
-  if (name == "acosh") return sign_of(e.op(0) - 1, symbols) > 0;
-  if (name == "abs") return sign_of(e.op(0), symbols) != 0;
-  if (name == "tan") return sign_of(GiNaC::cos(e.op(0)), symbols) != 0;
+  if (name == "log") return strict_sign(e.op(0), symbols) > 0;
+  if (name == "acosh") return strict_sign(e.op(0) - 1, symbols) > 0;
+  if (name == "abs") return strict_sign(e.op(0), symbols) != 0;
+  if (name == "tan") return strict_sign(GiNaC::cos(e.op(0)), symbols) != 0;
   if (name == "asin" || name == "acos" || name == "atanh") return inside_unit(e.op(0), symbols);
   for (const char* entire : {"sin", "cos", "exp", "sinh", "cosh", "tanh", "atan", "asinh"})
     if (name == entire) return true;
