@@ -1,0 +1,76 @@
+#include <fcntl.h>
+#include <lessons/exercises/answer_file.hpp>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <sstream>
+
+namespace rederive::classroom {
+namespace {
+
+constexpr std::size_t most_bytes = 64 * 1024;
+
+struct Descriptor {
+  int number;
+  ~Descriptor() {
+    if (number >= 0) ::close(number);
+  }
+};
+
+AnswerFile trouble(const std::string& word, const std::string& says) { return {"", word, says}; }
+
+std::string without_comments(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line, result;
+  while (std::getline(lines, line)) {
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t')) line.pop_back();
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first == std::string::npos || line[first] == '#') continue;
+    result += (result.empty() ? "" : " ") + line.substr(first);
+  }
+  return result;
+}
+
+}  // namespace
+
+bool is_utf8(const std::string& text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const unsigned char c = static_cast<unsigned char>(text[i]);
+    const int more = c < 0x80 ? 0 : c >= 0xC2 && c < 0xE0 ? 1 : c >= 0xE0 && c < 0xF0 ? 2 : c >= 0xF0 && c < 0xF5 ? 3 : -1;
+    if (more < 0 || i + static_cast<std::size_t>(more) >= text.size() + (more == 0)) return false;
+    for (int k = 1; k <= more; ++k)
+      if ((static_cast<unsigned char>(text[i + static_cast<std::size_t>(k)]) & 0xC0) != 0x80) return false;
+    i += static_cast<std::size_t>(more) + 1;
+  }
+  return true;
+}
+
+AnswerFile read_answer_file(const std::filesystem::path& path) {
+  const Descriptor file{::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)};
+  if (file.number < 0 && errno == ELOOP) return trouble("symlink", "A link was handed in instead of a file.");
+  if (file.number < 0) return trouble("unreadable", "The file cannot be read.");
+  struct stat about {};
+  if (::fstat(file.number, &about) != 0 || !S_ISREG(about.st_mode))
+    return trouble("not_a_file", "This is not an ordinary file.");
+  if (static_cast<std::size_t>(about.st_size) > most_bytes)
+    return trouble("too_large", "The file is larger than 64 kB: no answer needs that.");
+  std::string bytes(most_bytes + 1, '\0');
+  std::size_t used = 0;
+  for (;;) {
+    const ssize_t got = ::read(file.number, bytes.data() + used, bytes.size() - used);
+    if (got < 0) return trouble("unreadable", "The file cannot be read.");
+    used += static_cast<std::size_t>(got);
+    if (got == 0 || used == bytes.size()) break;
+  }
+  if (used > most_bytes) return trouble("too_large", "The file is larger than 64 kB: no answer needs that.");
+  bytes.resize(used);
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);  // what some editors put before UTF-8
+  if (bytes.find('\0') != std::string::npos || !is_utf8(bytes))
+    return trouble("encoding", "The file is not text in UTF-8. Save it as UTF-8 (not Latin-1 or UTF-16).");
+  AnswerFile result{without_comments(bytes), "", ""};
+  if (result.text.empty()) return trouble("empty", "There is no answer here yet.");
+  return result;
+}
+
+}  // namespace rederive::classroom

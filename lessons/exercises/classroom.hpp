@@ -1,0 +1,53 @@
+// The exercises program, piece by piece: what each subcommand does. See COMMANDS in exercises_main.cpp.
+#pragma once
+
+#include <lessons/exercises/judge.hpp>
+#include <lessons/exercises/progress.hpp>
+
+#include <string>
+#include <vector>
+
+namespace rederive::classroom {
+
+/// What the subcommands share.
+struct Classroom {
+  std::vector<Exercise> exercises;
+  std::filesystem::path progress;
+  bool json = false;
+  bool lively = false;  ///< colour allowed
+};
+
+/// The exercise of that id; throws BadInput naming the nearest ones.
+const Exercise& find_exercise(const Classroom& room, const std::string& id);
+/// The first exercise that is neither solved nor given up, in the order of lessons; nullptr when all are done.
+const Exercise* next_exercise(const Classroom& room, const Progress& progress);
+
+/// A sentence with marks, for a terminal of 80 columns.
+std::string readable(const std::string& sentence, const std::string& indent = "");
+/// The statement with all that is needed to answer it.
+std::string presentation(const Exercise& exercise);
+/// What was read, the verdict, the feedback and the witness.
+std::string report(const Classroom& room, const Exercise& exercise, const Opinion& opinion);
+/// The same as the JSON document of `check --json`.
+std::string report_json(const Exercise& exercise, const Opinion& opinion);
+/// Enters an attempt; one that is invalid costs nothing.
+void enter(Progress& progress, const Exercise& exercise, const Opinion& opinion, const std::string& answer);
+
+int list(const Classroom& room);
+int show(const Classroom& room, const std::string& id);
+int check(const Classroom& room, const std::string& id, const std::string& answer);
+int check_file(const Classroom& room, const std::string& id, const std::string& file);
+int hint(const Classroom& room, const std::string& id);
+int solution(const Classroom& room, const std::string& id, bool give_up);
+int reset(const Classroom& room, const std::string& id);
+int watch(const Classroom& room, const std::string& folder, bool once);
+int selftest(const Classroom& room);
+
+struct GradeFlags {
+  std::string folder, csv;
+  unsigned workers = 0;   ///< 0: as many as there are processors
+  bool missing = false;   ///< a row also for what was not handed in
+};
+int grade(const Classroom& room, const GradeFlags& flags);
+
+}  // namespace rederive::classroom

@@ -1,0 +1,30 @@
+#include <derivations/rocking_block/notation.hpp>
+#include <lessons/exercises/definitions.hpp>
+
+#include <algorithm>
+
+namespace rederive::classroom {
+namespace {
+
+bool all_at_hand(const GiNaC::ex& value, const std::set<std::string>& at_hand) {
+  for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part)
+    if (GiNaC::is_a<GiNaC::symbol>(*part) && !at_hand.contains(GiNaC::ex_to<GiNaC::symbol>(*part).get_name())) return false;
+  return true;
+}
+
+}  // namespace
+
+void add_definitions(std::vector<Given>& given, const std::set<std::string>& at_hand, const std::string& asked_for) {
+  const auto& s = paper_symbols();
+  std::vector<Given> known = sides_of_the_block();
+  known.push_back({s["J_c"], s["m"] * pow(s["R"], 2) / 3});
+  known.push_back({s["J_o"], 4 * s["m"] * pow(s["R"], 2) / 3});
+  known.push_back({s["R"], 3 * s["g"] / (4 * pow(s["p"], 2))});
+  for (const auto& item : known) {
+    const std::string name = GiNaC::ex_to<GiNaC::symbol>(item.name).get_name();
+    const bool there = std::any_of(given.begin(), given.end(), [&](const Given& other) { return other.name.is_equal(item.name); });
+    if (!there && name != asked_for && at_hand.contains(name) && all_at_hand(item.value, at_hand)) given.push_back(item);
+  }
+}
+
+}  // namespace rederive::classroom

@@ -1,0 +1,79 @@
+// An exercise as it stands in lessons/exercises/*.toml, and the answer that it refers to.
+#pragma once
+
+#include <derivations/algebra/prove.hpp>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rederive::classroom {
+
+enum class Kind { expression, equation, number, choice, wrong_term };
+
+/// Where an answer comes from: a derivation, worked on a little. Never a formula typed into the exercise.
+struct Reference {
+  std::string derivation;   ///< an equation of the paper, as derived: "13"
+  std::string row;          ///< a row of the ledger, for its verdict or its wrong term: "17b"
+  std::string function;     ///< a number from the numerics: "amplitude_without_impact"
+  std::string side = "right";                ///< of the derivation: left, right, whole
+  std::string solve_for;                     ///< a symbol that the equation is linear in
+  std::map<std::string, std::string> put;    ///< symbol → expression, put in after solving
+  std::string differentiate;                 ///< by this symbol, after putting in
+  std::map<std::string, double> arguments;   ///< of the function
+};
+
+/// A wrong road that students take, and what to say to one who took it.
+struct Slip {
+  std::string note, says;
+  std::optional<Reference> road;   ///< the wrong answer, computed
+  std::string typed;               ///< or the wrong answer as students write it
+};
+
+struct Option {
+  std::string text, claim;         ///< claim: in our syntax, or a verdict of the ledger; decides what is right
+  std::string note, says;          ///< said to one who chose it wrongly
+};
+
+/// Right under an assumption that was not given.
+struct Assumption {
+  std::map<std::string, std::string> put;
+  std::string says;
+};
+
+struct Exercise {
+  std::string id, title, statement, example, form, name, pivot, unit;
+  int lesson = 0;
+  Kind kind = Kind::expression;
+  std::vector<std::string> symbols;          ///< that an answer may use
+  Reference answer;
+  double tolerance = 0;                      ///< relative; numbers only
+  int digits = 0;                            ///< or significant digits
+  std::vector<std::string> hints, equivalents;
+  std::vector<Slip> slips;
+  std::vector<Option> options;
+  std::vector<Assumption> assumptions;
+};
+
+/// All exercises, in the order of lessons. Throws std::runtime_error naming file, exercise and what is wrong.
+std::vector<Exercise> read_exercises(const std::filesystem::path& folder);
+/// The folder that ships with the project.
+std::filesystem::path exercises_folder();
+
+/// What a reference comes to: a relation (one side alone for an expression), or a number.
+struct Answer {
+  Relation relation;
+  std::vector<Given> given;
+  double number = 0;
+};
+/// Computes it. `degrees` reads angles that are put in as degrees without converting them, as a student may.
+Answer resolve(const Reference& reference, Kind kind, bool degrees = false);
+
+/// The terms that a reader can point at in a printed relation, from left to right.
+std::vector<Tree> terms_to_point_at(const Relation& relation);
+/// The one term (from 1) that, edited alone, makes the printed row right. Throws if there is not exactly one.
+std::size_t wrong_term(const std::string& row);
+
+}  // namespace rederive::classroom

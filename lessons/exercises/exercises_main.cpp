@@ -1,0 +1,84 @@
+// exercises: the classroom on the command line.
+//
+//   exercises list                     what there is, what is done, what comes next
+//   exercises show [ID]                the statement; without ID, of the next exercise
+//   exercises check ID "ANSWER"        or --file FILE
+//   exercises hint ID · solution ID [--give-up] · reset ID
+//   exercises watch DIR                judges DIR/<ID>.txt again whenever it changes
+//   exercises grade DIR [--csv FILE]   DIR/<student>/<ID>.txt, a whole class
+//   exercises selftest                 is the exercise set sound?
+#include <derivations/command_line.hpp>
+#include <lessons/exercises/classroom.hpp>
+
+using namespace rederive;
+using namespace rederive::classroom;
+
+namespace {
+
+/// What the user typed.
+struct Arguments {
+  std::string id, answer, file, folder, progress;
+  bool json = false, give_up = false, once = false;
+  GradeFlags grade;
+};
+
+CLI::App* with_json(CLI::App* command, Arguments& given) {
+  command->add_flag("--json", given.json, "one JSON document instead of text");
+  return command;
+}
+
+CLI::App* command_with_id(CLI::App& app, const std::string& name, const std::string& says, Arguments& given, bool needed = true) {
+  CLI::App* command = with_json(app.add_subcommand(name, says), given);
+  auto* option = command->add_option("ID", given.id, "an exercise, as in the list");
+  if (needed) option->required();
+  return command;
+}
+
+void declare(CLI::App& app, Arguments& given) {
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.add_option("--progress", given.progress, "your progress file")->type_name("FILE");
+  with_json(app.add_subcommand("list", "all exercises, and the next one to do"), given);
+  command_with_id(app, "show", "the statement of an exercise (of the next one without ID)", given, false);
+  auto* check = command_with_id(app, "check", "judge an answer; -- before it if it begins with a minus", given);
+  auto* answer = check->add_option("ANSWER", given.answer, "the answer, in quotes");
+  check->add_option("--file", given.file, "read the answer from here")->type_name("FILE")->excludes(answer);
+  command_with_id(app, "hint", "one more hint", given);
+  command_with_id(app, "solution", "the answer and how it comes about", given)
+      ->add_flag("--give-up", given.give_up, "show it although the exercise is not solved");
+  command_with_id(app, "reset", "open again; the old answer is kept", given);
+  auto* watch = app.add_subcommand("watch", "judge the files of a folder whenever they change");
+  watch->add_option("DIR", given.folder, "where your answers are: DIR/<ID>.txt")->required();
+  watch->add_flag("--once", given.once, "look once and stop");
+  auto* grade = with_json(app.add_subcommand("grade", "judge a whole class: DIR/<student>/<ID>.txt"), given);
+  grade->add_option("DIR", given.grade.folder, "one folder a student in it")->required();
+  grade->add_option("--csv", given.grade.csv, "write the rows here")->type_name("FILE");
+  grade->add_option("--workers", given.grade.workers, "answers judged at a time")->check(CLI::Range(1, 64));
+  grade->add_flag("--missing", given.grade.missing, "a row also for each answer that was not handed in");
+  with_json(app.add_subcommand("selftest", "is the exercise set sound?"), given);
+}
+
+int run(const CLI::App& app, const Arguments& given) {
+  const Classroom room{read_exercises(exercises_folder()), progress_file(given.progress), given.json, is_lively(1)};
+  if (app.got_subcommand("list")) return list(room);
+  if (app.got_subcommand("show")) return show(room, given.id);
+  if (app.got_subcommand("hint")) return hint(room, given.id);
+  if (app.got_subcommand("solution")) return solution(room, given.id, given.give_up);
+  if (app.got_subcommand("reset")) return reset(room, given.id);
+  if (app.got_subcommand("watch")) return watch(room, given.folder, given.once);
+  if (app.got_subcommand("grade")) return grade(room, given.grade);
+  if (app.got_subcommand("selftest")) return selftest(room);
+  const auto* check_command = app.get_subcommand("check");
+  if (!given.file.empty()) return check_file(room, given.id, given.file);
+  if (check_command->get_option("ANSWER")->count() == 0) throw BadInput("check: an ANSWER or --file FILE is wanted");
+  return check(room, given.id, given.answer);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Exercises on the rocking block: answer, be told what was read and what is wrong with it, go on."};
+  Arguments given;
+  declare(app, given);
+  return run_command(app, argc, argv, [&] { return run(app, given); });
+}

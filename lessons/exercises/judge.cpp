@@ -1,0 +1,144 @@
+#include <derivations/algebra/print.hpp>
+#include <fmt/format.h>
+#include <lessons/exercises/definitions.hpp>
+#include <lessons/exercises/judge.hpp>
+#include <lessons/lesson.hpp>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+namespace rederive::classroom {
+namespace {
+
+/// The option whose claim the engine or the ledger bears out.
+std::size_t right_option(const Prepared& prepared) {
+  const auto& exercise = prepared.exercise;
+  std::vector<std::size_t> right;
+  for (std::size_t i = 0; i < exercise.options.size(); ++i) {
+    const std::string& claim = exercise.options[i].claim;
+    bool holds = false;
+    if (!exercise.answer.row.empty()) {
+      holds = claim == to_string(judged(exercise.answer.row).proof.verdict);
+    } else {
+      const Proof proof = prove(parse_statement(claim), prepared.answer.relation, paper_symbols(), prepared.answer.given);
+      holds = proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
+    }
+    if (holds) right.push_back(i + 1);
+  }
+  if (right.size() != 1)
+    throw std::runtime_error(fmt::format("{} of its options are right, one is wanted", right.size()));
+  return right.front();
+}
+
+/// Every symbol whose value the samples must give.
+std::set<std::string> names_to_sample(const Prepared& prepared) {
+  std::set<std::string> names = symbols_in(put_in(prepared.answer.relation, prepared.answer.given));
+  for (const auto& name : prepared.exercise.symbols)
+    for (const auto& used : symbols_in(put_in(parse(name), prepared.answer.given))) names.insert(used);
+  return names;
+}
+
+}  // namespace
+
+Prepared prepare(const Exercise& exercise) {
+  Prepared prepared;
+  prepared.exercise = exercise;
+  try {
+    if (exercise.kind == Kind::wrong_term) {
+      prepared.choice = wrong_term(exercise.answer.row);
+      return prepared;
+    }
+    if (exercise.answer.row.empty()) prepared.answer = resolve(exercise.answer, exercise.kind);
+    std::set<std::string> at_hand = symbols_in(prepared.answer.relation);
+    at_hand.insert(exercise.symbols.begin(), exercise.symbols.end());
+    add_definitions(prepared.answer.given, at_hand, exercise.name);
+    if (exercise.kind == Kind::choice) {
+      prepared.choice = right_option(prepared);
+      return prepared;
+    }
+    if (exercise.kind != Kind::number) {
+      prepared.points = sample_points(names_to_sample(prepared), 3);
+      prepared.signature = signature(put_in(prepared.answer.relation, prepared.answer.given), exercise.pivot,
+                                     prepared.points);
+    }
+    add_roads(prepared);
+  } catch (const std::exception& error) {
+    throw std::runtime_error("exercise " + exercise.id + ": " + error.what());
+  }
+  return prepared;
+}
+
+Opinion judge_answer(const Prepared& prepared, const std::string& text) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    return invalid("empty", "There is no answer here yet.");
+  switch (prepared.exercise.kind) {
+    case Kind::expression:
+    case Kind::equation: return judge_formula(prepared, text);
+    case Kind::number: return judge_number(prepared, text);
+    default: return judge_choice(prepared, text);
+  }
+}
+
+int exit_code(const Opinion& opinion) {
+  if (opinion.verdict == "correct") return 0;
+  if (opinion.verdict == "invalid") return 2;
+  return opinion.verdict == "undecided" ? 3 : 1;
+}
+
+Opinion invalid(const std::string& note, const std::string& feedback) {
+  Opinion opinion;
+  opinion.verdict = "invalid";
+  opinion.note = note;
+  opinion.feedback = feedback;
+  return opinion;
+}
+
+Opinion invalid(const SyntaxError& error, const std::string& text) {
+  return invalid(error.note, explain(error, text));
+}
+
+std::string explanation_of(const std::string& note) {
+  static const std::map<std::string, std::string> sentences{
+      {"sign", "A sign is wrong. Check the direction in which each quantity counts as positive, then follow each "
+               "minus sign through your working."},
+      {"wrong_angle", "The angle inside a sine or cosine is not the right one. Look at the drawing: as the block "
+                      "rotates, does the angle between its diagonal and the vertical grow or shrink?"},
+      {"missing_term", "A term is missing. Write down each contribution by itself before you add them up."},
+      {"factor", "A numerical factor is wrong; everything else is right. Look for a square that was "
+                 "differentiated, a half, or a moment of inertia."},
+      {"missing_factor", "A factor is missing from one of the terms."},
+      {"power", "A power is wrong: a square is lost, or there is one too many."},
+      {"sin_cos", "A sine and a cosine (or their like) have been exchanged. Try an angle for which you know the "
+                  "answer, such as zero."},
+      {"reciprocal", "Your answer is upside down: it is the reciprocal of the right one."},
+      {"dimension", "The dimensions do not fit."},
+      {"small_angle", "This holds for small angles only; the exact result was asked for. Somewhere the sine was "
+                      "replaced by its angle, or the cosine by one."},
+      {"missing_symbol", "Your answer does not depend on everything that it should depend on."},
+      {"extra_symbol", "Your answer depends on something that drops out of the right one."},
+      {"unit", "The value is right, but the unit is not."},
+      {"missing_unit", "The value is right. Say what it is a value of: give the unit."},
+      {"degrees", "This looks like a mix-up of degrees and radians."},
+      {"rounding", "Close, but not close enough: carry more digits through your calculation and round at the end."},
+      {"other", "This is not right, and it is none of the usual slips. Try it at one point, by hand:"}};
+  const auto found = sentences.find(note);
+  return found == sentences.end() ? "" : found->second;
+}
+
+std::string model_answer(const Prepared& prepared) {
+  const auto& exercise = prepared.exercise;
+  switch (exercise.kind) {
+    case Kind::expression: return print(prepared.answer.relation.sides.at(0));
+    case Kind::equation: return print(prepared.answer.relation);
+    case Kind::number: {
+      const std::string value = fmt::format("{:.10g}", prepared.answer.number);
+      return exercise.unit.empty() || exercise.unit == "1" ? value : value + " " + exercise.unit;
+    }
+    case Kind::wrong_term: return std::to_string(prepared.choice);
+    case Kind::choice: return std::string(1, static_cast<char>('a' + prepared.choice - 1));
+  }
+  return "";
+}
+
+}  // namespace rederive::classroom

@@ -1,0 +1,167 @@
+// What the classroom says to a student.
+#include <derivations/command_line.hpp>
+#include <fmt/format.h>
+#include <lessons/exercises/classroom.hpp>
+#include <lessons/lesson.hpp>
+#include <lessons/prose.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace rederive::classroom {
+namespace {
+
+std::string form_in_words(const Exercise& exercise) {
+  std::string words, rest = exercise.form;
+  while (!rest.empty()) {
+    const std::size_t comma = rest.find(',');
+    const std::string form = rest.substr(0, comma);
+    const std::size_t colon = form.find(':');
+    const std::string kind = form.substr(0, colon), detail = colon == std::string::npos ? "" : form.substr(colon + 1);
+    const std::string word = kind == "solved_for" ? "solved for " + detail + ": " + detail + " = ..."
+                             : kind == "expanded" ? "multiplied out"
+                             : kind == "factored" ? "as a product"
+                             : kind == "without"  ? "without " + detail : "without the symbol " + detail;
+    words += (words.empty() ? "" : ", ") + word;
+    rest = comma == std::string::npos ? "" : rest.substr(comma + 1);
+  }
+  if (!words.empty()) return words;
+  switch (exercise.kind) {
+    case Kind::expression: return "any equivalent expression";
+    case Kind::equation: return "any equivalent equation";
+    case Kind::number: return exercise.digits > 0 ? fmt::format("to {} significant digits", exercise.digits)
+                                                  : fmt::format("within {} %", 100 * (exercise.tolerance > 0 ? exercise.tolerance : 0.01));
+    case Kind::choice: return "one letter";
+    case Kind::wrong_term: return "the number of the wrong term, or the term as printed";
+  }
+  return "";
+}
+
+std::string default_example(const Exercise& exercise) {
+  if (!exercise.example.empty()) return exercise.example;
+  switch (exercise.kind) {
+    case Kind::equation: return "2*x = 3*sin(alpha)^2 - 1";
+    case Kind::number: return exercise.unit.empty() || exercise.unit == "1" ? "0.125" : "0.125 " + exercise.unit;
+    case Kind::choice: return "b";
+    case Kind::wrong_term: return "2";
+    default: return "3/4*R^2*sin(alpha)";
+  }
+}
+
+std::string symbol_table(const Exercise& exercise) {
+  std::string text;
+  std::size_t width = 0;
+  for (const auto& name : exercise.symbols) width = std::max(width, name.size());
+  for (const auto& name : exercise.symbols) {
+    const auto* symbol = paper_symbols().find(name);
+    if (symbol == nullptr) throw std::runtime_error("exercise " + exercise.id + ": no symbol " + name);
+    const std::string unit = symbol->unit == "1" ? "" : ", " + symbol->unit;
+    const std::string sign = symbol->unicode == name ? "" : symbol->unicode + "  ";
+    text += fmt::format("  {:{}}  {}{}{}\n", name, width, sign, symbol->meaning, unit);
+  }
+  return text;
+}
+
+std::string numbered_terms(const Exercise& exercise) {
+  const Entry entry = judged(exercise.answer.row);
+  const Relation printed = parse_relation(entry.row.printed);
+  std::string text = fmt::format("  ({})  {}\n\n", entry.row.id, print(printed, Notation::unicode));
+  const auto terms = terms_to_point_at(printed);
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    text += fmt::format("  [{}]  {}\n", i + 1, print(terms[i], Notation::unicode));
+  return text + "\n";
+}
+
+std::string colour(const Classroom& room, const std::string& code, const std::string& text) {
+  return room.lively ? "\033[" + code + "m" + text + "\033[0m" : text;
+}
+
+std::string verdict_in_words(const std::string& verdict) {
+  if (verdict == "correct") return "Correct.";
+  if (verdict == "wrong_form") return "The value is right, the form is not.";
+  if (verdict == "correct_if") return "Correct only under a condition.";
+  if (verdict == "wrong") return "Not right yet.";
+  if (verdict == "invalid") return "This could not be read; it does not count as an attempt.";
+  return "Undecided.";
+}
+
+}  // namespace
+
+std::string readable(const std::string& sentence, const std::string& indent) {
+  std::string text;
+  for (const auto& paragraph : paragraphs(sentence)) {
+    std::string line;
+    for (const auto& span : spans(paragraph))
+      line += span.kind == Span::Kind::math ? glued(print_inline(span.text, Notation::unicode))
+              : span.kind == Span::Kind::code ? glued(span.text) : span.text;
+    text += (text.empty() ? "" : "\n") + wrap(line, 80, indent, indent);
+  }
+  return text;
+}
+
+std::string presentation(const Exercise& exercise) {
+  std::string text = fmt::format("{}  (lesson {})\n{}\n\n", exercise.id, exercise.lesson, exercise.title);
+  text += readable(exercise.statement) + "\n";
+  if (exercise.kind == Kind::wrong_term) text += numbered_terms(exercise);
+  for (std::size_t i = 0; i < exercise.options.size(); ++i)
+    text += readable(fmt::format("{}) {}", static_cast<char>('a' + i), exercise.options[i].text), "  ");
+  if (!exercise.options.empty()) text += "\n";
+  if (!exercise.symbols.empty()) text += "You may use:\n" + symbol_table(exercise) + "\n";
+  text += "Form wanted: " + form_in_words(exercise) + "\n";
+  text += "An answer looks like this (another thing altogether): " + default_example(exercise) + "\n";
+  return text + fmt::format("\nTo answer: exercises check {} \"...\"     for help: exercises hint {}\n", exercise.id, exercise.id);
+}
+
+std::string report(const Classroom& room, const Exercise& exercise, const Opinion& opinion) {
+  std::string text;
+  if (!opinion.read_as.empty()) text += wrap(glued(opinion.read_as), 80, "Read as: ", "         ");
+  const std::string code = opinion.verdict == "correct" ? "1;32" : opinion.verdict == "wrong" ? "1;31" : "1;33";
+  text += colour(room, code, verdict_in_words(opinion.verdict)) + "\n";
+  const bool several_lines = opinion.feedback.find('\n') != std::string::npos;  // a caret must keep its place
+  if (opinion.verdict != "correct") text += several_lines ? opinion.feedback + "\n" : readable(opinion.feedback);
+  if (text.ends_with("\n\n")) text.pop_back();
+  if (opinion.witness) {
+    std::string at;
+    for (const auto& [name, value] : opinion.witness->at) at += fmt::format("{}{} = {}", at.empty() ? "" : ", ", name, value);
+    text += wrap("at " + at, 80, "  ", "     ");
+    text += fmt::format("  yours: {}\n  right: {}\n", opinion.witness->printed, opinion.witness->derived);
+  }
+  if (exit_code(opinion) == 1) text += fmt::format("Stuck? exercises hint {}\n", exercise.id);
+  return text;
+}
+
+std::string report_json(const Exercise& exercise, const Opinion& opinion) {
+  nlohmann::ordered_json json{{"exercise", exercise.id}, {"verdict", opinion.verdict}, {"note", opinion.note}};
+  json["read_as"] = opinion.read_as.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(opinion.read_as);
+  json["feedback"] = opinion.feedback;
+  json["witness"] = nullptr;
+  if (opinion.witness)
+    json["witness"] = {{"at", opinion.witness->at}, {"answer", opinion.witness->printed}, {"right", opinion.witness->derived}};
+  json["score"] = opinion.score;
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+int show(const Classroom& room, const std::string& id) {
+  const Exercise* exercise = id.empty() ? next_exercise(room, load_progress(room.progress)) : &find_exercise(room, id);
+  if (exercise == nullptr) {
+    std::fputs("All exercises are done. Read one again with: exercises show ID\n", stdout);
+    return as_expected;
+  }
+  if (!room.json) {
+    std::fputs(presentation(*exercise).c_str(), stdout);
+    return as_expected;
+  }
+  nlohmann::ordered_json json{{"id", exercise->id}, {"lesson", exercise->lesson}, {"title", exercise->title},
+                              {"statement", readable(exercise->statement)}, {"form", form_in_words(*exercise)},
+                              {"example", default_example(*exercise)}, {"symbols", nlohmann::ordered_json::array()},
+                              {"options", nlohmann::ordered_json::array()}};
+  for (const auto& name : exercise->symbols) {
+    const auto* symbol = paper_symbols().find(name);
+    json["symbols"].push_back({{"name", name}, {"unit", symbol->unit}, {"meaning", symbol->meaning}});
+  }
+  for (const auto& option : exercise->options) json["options"].push_back(readable(option.text));
+  std::fputs((json.dump(2) + "\n").c_str(), stdout);
+  return as_expected;
+}
+
+}  // namespace rederive::classroom

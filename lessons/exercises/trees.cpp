@@ -1,0 +1,141 @@
+#include <derivations/algebra/print.hpp>
+#include <lessons/exercises/edits.hpp>
+#include <lessons/exercises/trees.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rederive::classroom {
+namespace {
+
+void collect(const Tree& tree, std::set<std::string>& names) {
+  if (tree->kind == Node::Kind::symbol && tree->text != "pi") names.insert(tree->text);
+  for (const auto& child : tree->children) collect(child, names);
+}
+
+Tree difference(const Tree& left, const Tree& right) {
+  return std::make_shared<Node>(Node{Node::Kind::sum, "", {left, right}, {false, true}, 0});
+}
+
+std::optional<double> value(const Tree& tree, const Point& point) {
+  const auto result = evaluate(tree, point, 20);
+  if (!result) return {};
+  const double number = cln::double_approx(*result);
+  return std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+/// Where the residual, linear in the pivot, vanishes.
+std::optional<double> root(const Tree& residual, const std::string& pivot, Point point) {
+  std::vector<double> at;
+  for (int k = 0; k < 3; ++k) {
+    point[pivot] = k;
+    const auto number = value(residual, point);
+    if (!number) return {};
+    at.push_back(*number);
+  }
+  const double slope = at[1] - at[0], bend = at[2] - 2 * at[1] + at[0];
+  const double size = std::abs(at[0]) + std::abs(at[1]) + std::abs(at[2]);
+  if (std::abs(bend) > 1e-9 * size || std::abs(slope) <= 1e-12 * size) return {};
+  return -at[0] / slope;
+}
+
+bool close(double left, double right) {
+  return std::abs(left - right) <= 1e-11 * (std::abs(left) + std::abs(right)) + 1e-300;
+}
+
+}  // namespace
+
+std::set<std::string> symbols_in(const Tree& tree) {
+  std::set<std::string> names;
+  collect(tree, names);
+  return names;
+}
+
+std::set<std::string> symbols_in(const Relation& relation) {
+  std::set<std::string> names;
+  for (const auto& side : relation.sides) collect(side, names);
+  return names;
+}
+
+Tree put_in(const Tree& tree, const std::string& symbol, const Tree& value) {
+  if (tree->kind == Node::Kind::symbol) return tree->text == symbol ? value : tree;
+  Tree result = tree;
+  for (std::size_t i = 0; i < tree->children.size(); ++i) {
+    const Tree child = put_in(tree->children[i], symbol, value);
+    if (child != tree->children[i]) result = with_child(result, i, child);
+  }
+  return result;
+}
+
+Tree put_in(const Tree& tree, const std::vector<Given>& given) {
+  Tree result = tree;
+  for (int round = 0; round < 3; ++round)  // a value may hold a name that comes earlier in the list
+    for (const auto& [name, value] : given)
+      result = put_in(result, GiNaC::ex_to<GiNaC::symbol>(name).get_name(), to_tree(value));
+  return result;
+}
+
+Relation put_in(const Relation& relation, const std::vector<Given>& given) {
+  Relation result = relation;
+  for (auto& side : result.sides) side = put_in(side, given);
+  return result;
+}
+
+std::vector<Point> sample_points(const std::set<std::string>& names, std::size_t count, const cln::cl_RA& angles,
+                                 bool rotations_only) {
+  static const std::set<std::string> rotations{"theta", "theta_0", "theta_i", "theta_ex"};
+  std::vector<std::string> order(names.begin(), names.end());  // these first: no two of them alike
+  for (const auto& name : paper_symbols().names())
+    if (!names.contains(name)) order.push_back(name);
+  std::vector<Point> points(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    int j = 0;
+    for (const auto& name : order) {
+      const auto* symbol = paper_symbols().find(name);
+      const bool pure = symbol != nullptr && symbol->unit == "1";
+      const int part = (7 * j + 5 * static_cast<int>(k)) % 31 + 2;
+      points[k][name] = pure ? cln::cl_RA(part) / 37 : cln::cl_RA(part + 9) / 13;
+      if (rotations.contains(name) || (name == "alpha" && !rotations_only)) points[k][name] = points[k][name] * angles;
+      ++j;
+    }
+  }
+  return points;
+}
+
+std::optional<Signature> signature(const Relation& statement, const std::string& pivot,
+                                   const std::vector<Point>& points) {
+  Signature result;
+  if (statement.operators.empty()) {
+    for (const auto& point : points) {
+      const auto number = value(statement.sides[0], point);
+      if (!number) return {};
+      result.push_back(*number);
+    }
+    return result;
+  }
+  const Tree residual = difference(statement.sides[0], statement.sides[1]);
+  for (const auto& point : points) {
+    const auto number = pivot.empty() ? value(residual, point) : root(residual, pivot, point);
+    if (!number) return {};
+    result.push_back(*number);
+  }
+  if (!pivot.empty()) return result;
+  const double scale = result.front();
+  if (scale == 0) return {};
+  for (double& number : result) number /= scale;
+  return result;
+}
+
+bool alike(const Signature& left, const Signature& right) {
+  return left.size() == right.size() && std::equal(left.begin(), left.end(), right.begin(), close);
+}
+
+std::optional<double> common_ratio(const Signature& left, const Signature& right) {
+  if (left.empty() || left.size() != right.size() || right[0] == 0) return {};
+  const double ratio = left[0] / right[0];
+  for (std::size_t i = 0; i < left.size(); ++i)
+    if (!close(left[i], ratio * right[i])) return {};
+  return ratio;
+}
+
+}  // namespace rederive::classroom

@@ -1,0 +1,21 @@
+// Numbers with units as students type them: "2.14 1/s", "35 cm", "14.3 deg", "sqrt(3)/2 m/s".
+#pragma once
+
+#include <derivations/algebra/dimension.hpp>
+
+#include <optional>
+#include <string>
+
+namespace rederive::classroom {
+
+struct Quantity {
+  double value;              ///< in SI units; angles in radians
+  std::optional<Dimension> dimension;  ///< nothing where no unit was typed
+  std::string read_as;
+  bool in_degrees = false;
+};
+
+/// Reads a number and a unit. Throws SyntaxError where either cannot be read.
+Quantity parse_quantity(const std::string& text);
+
+}  // namespace rederive::classroom

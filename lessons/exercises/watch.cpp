@@ -1,0 +1,161 @@
+// Watches a folder of answers: a file that changes is judged again, and one key leads on.
+#include <derivations/command_line.hpp>
+#include <fmt/format.h>
+#include <lessons/exercises/answer_file.hpp>
+#include <lessons/exercises/classroom.hpp>
+#include <lessons/exercises/sandbox.hpp>
+#include <poll.h>
+#include <termios.h>
+
+#include <csignal>
+#include <map>
+
+namespace rederive::classroom {
+namespace {
+
+namespace fs = std::filesystem;
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// Single keys while it lives, and the terminal as it was afterwards.
+class KeyMode {
+ public:
+  KeyMode() : active_(::isatty(0) != 0 && ::tcgetattr(0, &before_) == 0) {
+    if (!active_) return;
+    termios keys = before_;
+    keys.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+    ::tcsetattr(0, TCSANOW, &keys);
+  }
+  ~KeyMode() {
+    if (active_) ::tcsetattr(0, TCSANOW, &before_);
+  }
+  KeyMode(const KeyMode&) = delete;
+  KeyMode& operator=(const KeyMode&) = delete;
+
+ private:
+  termios before_{};
+  bool active_;
+};
+
+/// The statement as comments, and an empty place below: what a student finds in a new file.
+std::string stub(const Exercise& exercise) {
+  std::string text, line = "# ";
+  for (char c : presentation(exercise)) {
+    if (c == '\n') text += line + "\n", line = "# ";
+    else line += c;
+  }
+  return text + "# Write your answer below, without a leading #.\n\n";
+}
+
+class Watch {
+ public:
+  Watch(const Classroom& room, fs::path folder) : room_(room), folder_(std::move(folder)) {}
+
+  void begin(const Exercise* exercise) {
+    current_ = exercise;
+    if (exercise == nullptr) {
+      say("All exercises are done. Well worked.\n");
+      return;
+    }
+    const fs::path file = path_of(*exercise);
+    if (!fs::exists(fs::symlink_status(file))) write_whole(file, stub(*exercise));
+    say(presentation(*exercise) + "\nYour answer goes into " + file.string() + "\n");
+    stamps_[exercise->id] = stamp(file);
+  }
+
+  /// Judges every file that changed since the last look. True if there was one.
+  bool look() {
+    bool any = false;
+    for (const auto& exercise : room_.exercises) {
+      const fs::path file = path_of(exercise);
+      if (!fs::exists(fs::symlink_status(file))) continue;
+      const auto now = stamp(file);
+      const auto before = stamps_.find(exercise.id);
+      if (before != stamps_.end() && before->second == now) continue;
+      stamps_[exercise.id] = now;
+      judge_file(exercise, file);
+      any = true;
+    }
+    return any;
+  }
+
+  /// False when the student wants to go.
+  bool key(char c) {
+    if (c == 'q' || c == 4) return false;
+    const std::string id = current_ == nullptr ? "" : current_->id;
+    if (c == 'l') list(room_);
+    if (c == 'n') begin(next_exercise(room_, load_progress(room_.progress)));
+    if (c == 'h' && !id.empty()) hint(room_, id);
+    if (c == 'r' && current_ != nullptr) judge_file(*current_, path_of(*current_));
+    if (c == 's' && !id.empty()) solution(room_, id, false);
+    keys();
+    return true;
+  }
+
+  void keys() const { say("\n[n]ext  [h]int  [s]olution  [l]ist  [r]un again  [q]uit\n"); }
+
+ private:
+  fs::path path_of(const Exercise& exercise) const { return folder_ / (exercise.id + ".txt"); }
+
+  using Stamp = std::pair<fs::file_time_type, std::uintmax_t>;
+  static Stamp stamp(const fs::path& file) {
+    std::error_code error;
+    const auto time = fs::last_write_time(file, error);
+    return {error ? fs::file_time_type() : time, error ? 0 : fs::file_size(file, error)};
+  }
+
+  static void say(const std::string& text) {
+    std::fputs(text.c_str(), stdout);
+    std::fflush(stdout);
+  }
+
+  void judge_file(const Exercise& exercise, const fs::path& file) {
+    const AnswerFile answer = read_answer_file(file);
+    say("\n" + std::string(60, '-') + "\n" + exercise.id + "\n");
+    if (answer.trouble == "empty") return say("No answer in the file yet.\n");
+    const Opinion opinion = answer.trouble.empty() ? judge_answer(prepare(exercise), answer.text) : invalid(answer.trouble, answer.says);
+    {
+      const ProgressLock lock(room_.progress);
+      Progress progress = load_progress(room_.progress);
+      enter(progress, exercise, opinion, answer.text);
+      save_progress(room_.progress, progress);
+    }
+    say(report(room_, exercise, opinion));
+    if (opinion.verdict == "correct") say("Press n for the next exercise.\n");
+  }
+
+  const Classroom& room_;
+  fs::path folder_;
+  const Exercise* current_ = nullptr;
+  std::map<std::string, Stamp> stamps_;
+};
+
+}  // namespace
+
+int watch(const Classroom& room, const std::string& folder, bool once) {
+  if (!fs::is_directory(folder)) throw BadInput("there is no folder '" + folder + "' to watch");
+  Watch watcher(room, folder);
+  if (once) {
+    if (!watcher.look()) watcher.begin(next_exercise(room, load_progress(room.progress)));
+    return as_expected;
+  }
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  const KeyMode keys;
+  watcher.begin(next_exercise(room, load_progress(room.progress)));
+  watcher.keys();
+  bool input_open = true;
+  while (interrupted == 0) {
+    pollfd input{input_open ? 0 : -1, POLLIN, 0};
+    ::poll(&input, 1, 200);
+    char c = 0;
+    if (input.revents != 0) {
+      if (::read(0, &c, 1) != 1) input_open = false;
+      else if (!watcher.key(c)) break;
+    }
+    if (watcher.look()) watcher.keys();
+  }
+  std::fputs("Until next time.\n", stdout);
+  return as_expected;
+}
+
+}  // namespace rederive::classroom

@@ -1,0 +1,194 @@
+// A student at work: list, check, hint, solution, reset.
+#include <derivations/command_line.hpp>
+#include <fmt/format.h>
+#include <lessons/exercises/answer_file.hpp>
+#include <lessons/exercises/classroom.hpp>
+#include <lessons/lesson.hpp>
+#include <lessons/prose.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace rederive::classroom {
+namespace {
+
+void put(const std::string& text) { std::fputs(text.c_str(), stdout); }
+
+std::string next_line(const Classroom& room, const Progress& progress) {
+  const Exercise* next = next_exercise(room, progress);
+  return next == nullptr ? "All exercises are done. Well worked.\n"
+                         : fmt::format("Next: exercises show {}\n", next->id);
+}
+
+/// Keeps the attempt; a progress file that cannot be written costs a warning, not the verdict.
+Progress keep(const Classroom& room, const Exercise& exercise, const Opinion& opinion, const std::string& answer) {
+  Progress progress;
+  try {
+    const ProgressLock lock(room.progress);
+    progress = load_progress(room.progress);
+    enter(progress, exercise, opinion, answer);
+    save_progress(room.progress, progress);
+  } catch (const BadInput& error) {
+    std::fprintf(stderr, "exercises: your progress is not kept: %s\n", error.what());
+  }
+  return progress;
+}
+
+int tell(const Classroom& room, const Exercise& exercise, const Opinion& opinion, const std::string& answer) {
+  const Progress progress = keep(room, exercise, opinion, answer);
+  if (room.json) put(report_json(exercise, opinion));
+  else put(report(room, exercise, opinion) + (opinion.verdict == "correct" ? next_line(room, progress) : ""));
+  return exit_code(opinion);
+}
+
+/// The argument behind the answer, as the derivation gives it.
+std::string argument(const Prepared& prepared) {
+  const auto& reference = prepared.exercise.answer;
+  const std::string id = reference.derivation.empty() ? reference.row : reference.derivation;
+  if (id.empty()) return "";
+  Page page;
+  page.argue(id);
+  std::string text;
+  for (const auto& block : page.blocks()) {
+    if (const auto* words = std::get_if<Paragraph>(&block)) text += readable(words->text, "  ");
+    if (const auto* formula = std::get_if<Formula>(&block)) {
+      std::string line;
+      for (const auto& piece : pieces(formula->relation, Notation::unicode)) line += (line.empty() ? "" : " ") + glued(piece);
+      text += wrap(line, 80, "      ", "        ");
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+const Exercise& find_exercise(const Classroom& room, const std::string& id) {
+  for (const auto& exercise : room.exercises)
+    if (exercise.id == id) return exercise;
+  std::string like;
+  for (const auto& exercise : room.exercises)
+    if (!id.empty() && (exercise.id.find(id) != std::string::npos || exercise.id[0] == id[0]))
+      like += (like.empty() ? "" : ", ") + exercise.id;
+  throw BadInput(fmt::format("there is no exercise '{}'. {}", id,
+                             like.empty() ? "See: exercises list" : "Did you mean one of: " + like + "?"));
+}
+
+const Exercise* next_exercise(const Classroom& room, const Progress& progress) {
+  for (const auto& exercise : room.exercises) {
+    const auto record = progress.records.find(exercise.id);
+    if (record == progress.records.end() || (record->second.status != "solved" && record->second.status != "given_up"))
+      return &exercise;
+  }
+  return nullptr;
+}
+
+void enter(Progress& progress, const Exercise& exercise, const Opinion& opinion, const std::string& answer) {
+  if (opinion.verdict == "invalid" || opinion.verdict == "undecided") return;
+  Record& record = progress.records[exercise.id];
+  ++record.attempts;
+  record.answer = answer;
+  if (opinion.verdict == "correct") record.status = "solved";
+  else if (record.status == "open") record.status = "tried";
+}
+
+int list(const Classroom& room) {
+  const Progress progress = load_progress(room.progress);
+  nlohmann::ordered_json json{{"exercises", nlohmann::ordered_json::array()}};
+  std::string text = fmt::format("{:<28} {:>6}  {:<44} {:<9} {:>8}\n", "exercise", "lesson", "title", "status", "attempts");
+  std::size_t solved = 0;
+  for (const auto& exercise : room.exercises) {
+    const auto found = progress.records.find(exercise.id);
+    const Record record = found == progress.records.end() ? Record{} : found->second;
+    solved += record.status == "solved";
+    text += fmt::format("{:<28} {:>6}  {:<44} {:<9} {:>8}\n", exercise.id, exercise.lesson, exercise.title,
+                        record.status == "given_up" ? "given up" : record.status, record.attempts);
+    json["exercises"].push_back({{"id", exercise.id}, {"lesson", exercise.lesson}, {"title", exercise.title},
+                                 {"status", record.status}, {"attempts", record.attempts}, {"hints", record.hints}});
+  }
+  const Exercise* next = next_exercise(room, progress);
+  json["next"] = next == nullptr ? nlohmann::ordered_json() : nlohmann::ordered_json(next->id);
+  put(room.json ? json.dump(2) + "\n"
+                : text + fmt::format("\n{} of {} solved.  ", solved, room.exercises.size()) + next_line(room, progress));
+  return as_expected;
+}
+
+int check(const Classroom& room, const std::string& id, const std::string& answer) {
+  const Exercise& exercise = find_exercise(room, id);
+  if (!is_utf8(answer)) return tell(room, exercise, invalid("encoding", "The answer is not text in UTF-8."), answer);
+  return tell(room, exercise, judge_answer(prepare(exercise), answer), answer);
+}
+
+int check_file(const Classroom& room, const std::string& id, const std::string& file) {
+  const Exercise& exercise = find_exercise(room, id);
+  std::error_code error;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(file, error)))
+    throw BadInput("there is no file '" + file + "'");
+  const AnswerFile answer = read_answer_file(file);
+  if (!answer.trouble.empty()) return tell(room, exercise, invalid(answer.trouble, answer.says), "");
+  return tell(room, exercise, judge_answer(prepare(exercise), answer.text), answer.text);
+}
+
+int hint(const Classroom& room, const std::string& id) {
+  const Exercise& exercise = find_exercise(room, id);
+  const ProgressLock lock(room.progress);
+  Progress progress = load_progress(room.progress);
+  Record& record = progress.records[id];
+  const int all = static_cast<int>(exercise.hints.size());
+  const bool more = record.hints < all;
+  if (more) ++record.hints;
+  const std::string& text = exercise.hints.at(static_cast<std::size_t>(std::clamp(record.hints, 1, all) - 1));
+  if (more) save_progress(room.progress, progress);
+  if (room.json) {
+    put(nlohmann::ordered_json{{"exercise", id}, {"hint", readable(text)}, {"number", record.hints}, {"of", all}, {"last", record.hints >= all}}.dump(2) + "\n");
+    return as_expected;
+  }
+  put(fmt::format("Hint {} of {}\n", record.hints, all) + readable(text));
+  if (!more) put(fmt::format("That was the last hint. To see the answer: exercises solution {} --give-up\n", id));
+  return as_expected;
+}
+
+int solution(const Classroom& room, const std::string& id, bool give_up) {
+  const Exercise& exercise = find_exercise(room, id);
+  const ProgressLock lock(room.progress);
+  Progress progress = load_progress(room.progress);
+  Record& record = progress.records[id];
+  if (record.status != "solved" && !give_up) {
+    std::fprintf(stderr, "exercises: %s is not solved yet. Try again, ask for a hint, or add --give-up.\n", id.c_str());
+    return not_as_expected;
+  }
+  if (record.status != "solved" && record.status != "given_up") {
+    record.status = "given_up";
+    save_progress(room.progress, progress);
+  }
+  const Prepared prepared = prepare(exercise);
+  const std::string answer = model_answer(prepared);
+  if (room.json) {
+    put(nlohmann::ordered_json{{"exercise", id}, {"answer", answer}}.dump(2) + "\n");
+    return as_expected;
+  }
+  std::string text = "Answer: " + answer + "\n";
+  if (exercise.kind == Kind::choice) text += readable(exercise.options.at(prepared.choice - 1).text, "  ");
+  const std::string why = argument(prepared);
+  put(text + (why.empty() ? "" : "\nHow it comes about:\n" + why) + "\n" + next_line(room, progress));
+  return as_expected;
+}
+
+int reset(const Classroom& room, const std::string& id) {
+  const Exercise& exercise = find_exercise(room, id);
+  const ProgressLock lock(room.progress);
+  Progress progress = load_progress(room.progress);
+  const auto found = progress.records.find(exercise.id);
+  if (found == progress.records.end()) {
+    put("There was nothing to reset.\n");
+    return as_expected;
+  }
+  const std::string old = found->second.answer;
+  if (!old.empty()) progress.old_answers.emplace_back(id, old);
+  progress.records.erase(found);
+  save_progress(room.progress, progress);
+  put(fmt::format("{} is open again.\n", id));
+  if (!old.empty()) put("Your old answer is kept in " + room.progress.string() + ":\n  " + old + "\n");
+  return as_expected;
+}
+
+}  // namespace rederive::classroom

@@ -1,0 +1,70 @@
+// What a judgement says, in words that every format shares.
+#include <derivations/algebra/syntax.hpp>
+#include <fmt/format.h>
+#include <lessons/prose.hpp>
+#include <lessons/render.hpp>
+
+namespace rederive {
+namespace {
+
+/// "0.123456789…" → six significant digits: enough to see that two numbers differ, short enough to read.
+std::string shortened(const std::string& digits) {
+  try {
+    return fmt::format("{:.6g}", std::stod(digits));
+  } catch (const std::exception&) {
+    return digits;  // not a plain number: leave it as the ledger wrote it
+  }
+}
+
+std::string witness_sentence(const Witness& witness) {
+  std::string at;
+  for (const auto& [symbol, value] : witness.at)
+    at += fmt::format("{}${} = {}$", at.empty() ? "" : ", ", symbol, value);
+  return fmt::format("at {}: the printed form gives {}, the derived one {}", at, shortened(witness.printed),
+                     shortened(witness.derived));
+}
+
+std::string joined(const std::vector<std::string>& conditions) {
+  std::string text;
+  for (const auto& condition : conditions) text += (text.empty() ? "$" : ", $") + condition + "$";
+  return text;
+}
+
+}  // namespace
+
+std::string headline(const Entry& entry) {
+  std::string text = fmt::format("({}): {}", entry.row.id, to_string(entry.proof.verdict));
+  for (char& c : text)
+    if (c == '_') c = ' ';
+  const bool wrong = entry.proof.verdict == Verdict::refuted && !entry.row.error.empty();
+  std::string kind = entry.row.error;
+  for (char& c : kind)
+    if (c == '_') c = ' ';
+  return wrong ? text + " (" + kind + ")" : text;
+}
+
+std::vector<Finding> findings(const Entry& entry) {
+  std::vector<Finding> lines;
+  const auto formula = [&](const std::string& label, const std::string& text) {
+    if (!text.empty()) lines.push_back({label, parse_statement(text), ""});
+  };
+  const auto words = [&](const std::string& label, const std::string& text) {
+    if (!text.empty()) lines.push_back({label, {}, text});
+  };
+  formula("printed", entry.row.printed);
+  formula("correct", entry.correction);
+  const std::string& factor = entry.proof.factor;
+  if (!factor.empty() && factor != "1") formula("up to the factor", factor);
+  words("provided that", joined(entry.proof.side_conditions));
+  if (entry.derivation) words("assuming that", marked(entry.derivation->assumption));
+  if (entry.derivation && entry.proof.verdict == Verdict::approximation)
+    words("approximation", marked(fmt::format("to order {} in {}", entry.derivation->order, entry.derivation->small)));
+  if (entry.proof.witness) words("witness", witness_sentence(*entry.proof.witness));
+  if (entry.dimension && !entry.dimension->consistent) words("dimensions", marked(entry.dimension->explanation));
+  if (entry.proof.verdict == Verdict::undecided) words("why", marked(entry.proof.reason));
+  words("consequence", entry.proof.verdict == Verdict::refuted ? marked(entry.row.consequence) : "");
+  words("text repaired", marked(entry.row.scan_repaired));
+  return lines;
+}
+
+}  // namespace rederive

@@ -1,0 +1,81 @@
+// What a lesson is made of, and the one main that all lessons share.
+//
+// A lesson is a list of steps, each a function that writes on a Page when its turn comes: sentences, formulas
+// computed at that moment, the ledger's verdicts, tables, figures, things to try. The renderers turn a page into
+// text for a terminal, LaTeX, Markdown or HTML; a lesson knows nothing about them.
+#pragma once
+
+#include <derivations/paper/ledger.hpp>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace rederive {
+
+/// Sentences. `$...$` is mathematics in our own syntax, `*...*` emphasis, and backquotes enclose what is typed.
+struct Paragraph { std::string text; };
+/// A displayed relation (or expression), with the paper's number if it has one.
+struct Formula { Relation relation; std::string number; };
+/// What the ledger found about one row, computed when the step ran.
+struct Judgement { Entry entry; };
+struct Table { std::vector<std::string> header; std::vector<std::vector<std::string>> rows; };
+/// A picture: gnuplot commands without terminal and output. The name becomes the file's name.
+struct Figure { std::string name, caption, script; };
+/// Commands to type, one a line.
+struct Commands { std::vector<std::string> lines; };
+/// A list of points, each like a Paragraph.
+struct Points { std::vector<std::string> items; };
+
+using Passage = std::variant<Paragraph, Formula, Judgement, Table, Figure, Commands, Points>;
+
+/// What a step writes on.
+class Page {
+ public:
+  /// Sentences; a blank line begins a new paragraph.
+  void say(const std::string& text);
+  /// A relation or an expression that a derivation holds, never one typed into a lesson.
+  void show(const Relation& relation, const std::string& number = "");
+  void show(const GiNaC::ex& expression);
+  void show(const GiNaC::ex& left, const std::string& relation, const GiNaC::ex& right,
+            const std::string& number = "");
+  /// The derived form of an equation of the paper, under its number.
+  void result(const std::string& id);
+  /// Every step of a derivation, as it is computed, and the result at the end.
+  void argue(const std::string& id);
+  /// What the paper prints and what the ledger found.
+  void verdict(const std::string& id);
+  void table(std::vector<std::string> header, std::vector<std::vector<std::string>> rows);
+  void figure(Figure figure);
+  void commands(std::vector<std::string> lines);
+  void points(std::vector<std::string> items);
+
+  const std::vector<Passage>& blocks() const { return blocks_; }
+
+ private:
+  std::vector<Passage> blocks_;
+};
+
+struct LessonStep {
+  std::string heading;
+  void (*write)(Page&);
+};
+
+struct Lesson {
+  int number;
+  std::string title, teaches, builds_on;
+  std::vector<std::string> equations;  ///< ids of the ledger rows that it covers
+  std::vector<LessonStep> steps;
+};
+
+/// The derivation of an equation of the paper. Throws std::out_of_range naming the id if there is none.
+Derivation derived(const std::string& id);
+/// The ledger's entry of a row, judged now. Throws std::out_of_range naming the id.
+Entry judged(const std::string& id);
+/// left relation right, as a tree to print.
+Relation relation_of(const Derivation& derivation);
+
+/// Parses the flags that all lessons share, and prints what they ask for. Gives the exit code.
+int run_lesson(const Lesson& lesson, int argc, char** argv);
+
+}  // namespace rederive

@@ -1,0 +1,201 @@
+// LaTeX, as far as `print` and the symbol table use it, → MathML. Browsers draw MathML by themselves, so a page
+// needs no script, no font and no network; and a reader's screen reader can read it aloud.
+#include <lessons/render.hpp>
+
+#include <cctype>
+#include <map>
+#include <stdexcept>
+
+namespace rederive {
+namespace {
+
+const std::map<std::string, std::string, std::less<>> letters{
+    {"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"delta", "δ"}, {"epsilon", "ϵ"}, {"varepsilon", "ε"},
+    {"eta", "η"}, {"theta", "θ"}, {"vartheta", "ϑ"}, {"lambda", "λ"}, {"mu", "μ"}, {"xi", "ξ"}, {"pi", "π"},
+    {"rho", "ρ"}, {"sigma", "σ"}, {"tau", "τ"}, {"phi", "ϕ"}, {"varphi", "φ"}, {"psi", "ψ"}, {"omega", "ω"},
+    {"Omega", "Ω"}, {"Psi", "Ψ"}, {"Delta", "Δ"}, {"infty", "∞"}, {"partial", "∂"}, {"ell", "ℓ"}, {"chi", "χ"},
+    {"nu", "ν"}, {"kappa", "κ"}, {"zeta", "ζ"}, {"Theta", "Θ"}, {"Phi", "Φ"}, {"Lambda", "Λ"}, {"Sigma", "Σ"}};
+const std::map<std::string, std::string, std::less<>> operators{
+    {"cdot", "·"}, {"times", "×"}, {"le", "≤"}, {"leq", "≤"}, {"ge", "≥"}, {"geq", "≥"}, {"ne", "≠"},
+    {"neq", "≠"}, {"approx", "≈"}, {"pm", "±"}, {"mp", "∓"}, {"to", "→"}, {"int", "∫"}, {"prime", "′"},
+    {"lvert", "|"}, {"rvert", "|"}, {"vert", "|"}, {"langle", "⟨"}, {"rangle", "⟩"}, {"ast", "*"}, {"star", "⋆"},
+    {"lt", "<"}, {"gt", ">"}};
+const std::map<std::string, std::string, std::less<>> accents{
+    {"dot", "˙"}, {"ddot", "¨"}, {"bar", "¯"}, {"overline", "¯"}, {"hat", "^"}, {"tilde", "~"}};
+
+constexpr std::string_view functions =
+    " sin cos tan cot sec csc sinh cosh tanh coth exp log ln arcsin arccos arctan arsinh arcosh artanh min max ";
+constexpr auto thin_gap = "<mspace width=\"0.17em\"/>";
+
+class Translator {
+ public:
+  explicit Translator(const std::string& latex) : text_(latex) {}
+
+  std::string all() {
+    std::string result = row("");
+    if (at_ != text_.size()) fail("unmatched '" + text_.substr(at_, 1) + "'");
+    return result;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& why) const {
+    throw std::invalid_argument("cannot turn into MathML (" + why + "): " + text_);
+  }
+  bool done() const { return at_ >= text_.size(); }
+  void skip_blanks() {
+    while (!done() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
+  }
+  std::string command() {  // at the letters behind a backslash
+    std::size_t end = at_;
+    while (end < text_.size() && std::isalpha(static_cast<unsigned char>(text_[end]))) ++end;
+    if (end == at_) ++end;
+    const std::string name = text_.substr(at_, end - at_);
+    at_ = end;
+    return name;
+  }
+  bool next_is(std::string_view token) {
+    skip_blanks();
+    return text_.compare(at_, token.size(), token) == 0;
+  }
+
+  /// Does the name of a function come next?
+  bool at_word() const {
+    if (text_[at_] != '\\') return false;
+    std::size_t end = at_ + 1;
+    while (end < text_.size() && std::isalpha(static_cast<unsigned char>(text_[end]))) ++end;
+    return functions.find(" " + text_.substr(at_ + 1, end - at_ - 1) + " ") != std::string_view::npos;
+  }
+
+  /// Atoms with their scripts, until the text or the group ends.
+  std::string row(const std::string& until) {
+    std::string result;
+    for (skip_blanks(); !done() && text_[at_] != '}'; skip_blanks()) {
+      if (!until.empty() && next_is(until)) break;
+      const bool apart = at_word() && !result.empty() && !result.ends_with("</mo>");
+      result += (apart ? thin_gap : "") + scripted();
+    }
+    return result;
+  }
+
+  std::string scripted() {
+    std::string base = atom(), below, above;
+    for (skip_blanks(); !done() && (text_[at_] == '_' || text_[at_] == '^' || text_[at_] == '\''); skip_blanks()) {
+      const char mark = text_[at_++];
+      if (mark == '\'') above += "<mo>′</mo>";
+      else (mark == '_' ? below : above) += argument();
+    }
+    if (below.empty() && above.empty()) return base;
+    if (above.empty()) return "<msub>" + base + grouped(below) + "</msub>";
+    if (below.empty()) return "<msup>" + base + grouped(above) + "</msup>";
+    return "<msubsup>" + base + grouped(below) + grouped(above) + "</msubsup>";
+  }
+
+  static std::string grouped(const std::string& inner) { return "<mrow>" + inner + "</mrow>"; }
+
+  /// What a command or a script applies to: a group or one atom.
+  std::string argument() {
+    skip_blanks();
+    if (done()) fail("an argument is missing at the end");
+    return atom();
+  }
+
+  std::string group() {  // behind the opening brace
+    const std::string inner = row("");
+    if (done()) fail("'{' is not closed");
+    ++at_;
+    return grouped(inner);
+  }
+
+  /// The words of \mathrm{...} and \text{...}.
+  std::string words() {
+    skip_blanks();
+    if (done() || text_[at_] != '{') fail("'{' expected");
+    const std::size_t close = text_.find('}', at_);
+    if (close == std::string::npos) fail("'{' is not closed");
+    const std::string inner = text_.substr(at_ + 1, close - at_ - 1);
+    at_ = close + 1;
+    return inner;
+  }
+
+  std::string atom() {
+    const char c = text_[at_++];
+    if (c == '{') return group();
+    if (c == '\\') return by_name(command());
+    if (std::isdigit(static_cast<unsigned char>(c))) {
+      std::string number(1, c);
+      while (!done() && (std::isdigit(static_cast<unsigned char>(text_[at_])) || text_[at_] == '.'))
+        number += text_[at_++];
+      return "<mn>" + number + "</mn>";
+    }
+    if (std::isalpha(static_cast<unsigned char>(c))) return std::string("<mi>") + c + "</mi>";
+    if (static_cast<unsigned char>(c) >= 0x80) fail("a letter beyond ASCII");
+    return "<mo>" + (c == '-' ? std::string("−") : escaped(std::string(1, c))) + "</mo>";
+  }
+
+  std::string delimiter(const std::string& form) {
+    skip_blanks();
+    std::string sign(1, text_.at(at_++));
+    if (sign == "\\") {
+      const std::string name = command();
+      const auto found = operators.find(name);
+      sign = name == "{" || name == "}" ? name : found != operators.end() ? found->second : "";
+      if (sign.empty()) fail("\\" + name + " as a bracket");
+    }
+    return sign == "." ? std::string() : "<mo form=\"" + form + "\" lspace=\"0\" rspace=\"0\" stretchy=\"true\">" + escaped(sign) + "</mo>";
+  }
+
+  std::string by_name(const std::string& name) {
+    if (const auto found = letters.find(name); found != letters.end()) return "<mi>" + found->second + "</mi>";
+    if (const auto found = operators.find(name); found != operators.end())
+      return "<mo>" + escaped(found->second) + "</mo>";
+    if (const auto found = accents.find(name); found != accents.end())
+      return "<mover accent=\"true\">" + argument() + "<mo stretchy=\"false\">" + found->second + "</mo></mover>";
+    if (name == "frac" || name == "tfrac" || name == "dfrac") {
+      const std::string over = argument();
+      return "<mfrac>" + over + argument() + "</mfrac>";
+    }
+    if (name == "sqrt") return "<msqrt>" + argument() + "</msqrt>";
+    if (name == "left") {
+      const std::string open = delimiter("prefix"), inner = row("\\right");
+      if (!next_is("\\right")) fail("\\left without \\right");
+      at_ += 6;
+      return "<mrow>" + open + inner + delimiter("postfix") + "</mrow>";
+    }
+    if (name == "mathrm" || name == "text" || name == "operatorname" || name == "mathit")
+      return "<mi mathvariant=\"normal\">" + escaped(words()) + "</mi>";
+    if (name == "," || name == ";" || name == ":" || name == " " || name == "quad")
+      return name == "quad" ? "<mspace width=\"1em\"/>" : "<mspace width=\"0.17em\"/>";
+    if (name == "!") return "";
+    if (name == "displaystyle" || name == "bigl" || name == "bigr" || name == "Bigl" || name == "Bigr") return "";
+    if (name == "{" || name == "}") return "<mo>" + name + "</mo>";
+    return function(name);
+  }
+
+  /// \sin and its kin: an upright word, and a thin gap before what it is taken of.
+  std::string function(const std::string& name) {
+    if (functions.find(" " + name + " ") == std::string_view::npos) fail("unknown command \\" + name);
+    const bool apart = !next_is("^") && !next_is("_") && !next_is("\\left") && !next_is("(");
+    return "<mi>" + name + "</mi>" + (apart ? thin_gap : "");
+  }
+
+  std::string text_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (char c : text) {
+    if (c == '&') result += "&amp;";
+    else if (c == '<') result += "&lt;";
+    else if (c == '>') result += "&gt;";
+    else if (c == '"') result += "&quot;";
+    else result += c;
+  }
+  return result;
+}
+
+std::string mathml(const std::string& latex) { return "<math>" + Translator(latex).all() + "</math>"; }
+
+}  // namespace rederive

@@ -1,0 +1,60 @@
+// Pages as text for a terminal (Unicode or ASCII), LaTeX, Markdown or HTML.
+#pragma once
+
+#include <lessons/lesson.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace rederive {
+
+enum class Format { unicode, plain, latex, markdown, html };
+
+struct Setting {
+  Format format = Format::unicode;
+  std::size_t width = 80;         ///< of the terminal
+  bool lively = false;            ///< bold and colour allowed
+  std::filesystem::path figures;  ///< the folder that pictures are written into
+  std::string previous, next;     ///< programs of the neighbouring lessons; empty if there is none
+};
+
+/// One format. Steps are rendered one by one, so that a class sees each as it is computed.
+class Renderer {
+ public:
+  virtual ~Renderer() = default;
+  virtual std::string begin(const Lesson& lesson) = 0;
+  virtual std::string step(std::size_t number, const std::string& heading, const Page& page) = 0;
+  virtual std::string end(const Lesson& lesson) = 0;
+};
+
+std::unique_ptr<Renderer> text_renderer(const Setting& setting);  ///< unicode and plain
+std::unique_ptr<Renderer> latex_renderer(const Setting& setting);
+std::unique_ptr<Renderer> markdown_renderer(const Setting& setting);
+std::unique_ptr<Renderer> html_renderer(const Setting& setting);
+std::unique_ptr<Renderer> make_renderer(const Setting& setting);
+
+/// One line of a judgement: a label, and a formula or words (with marks as in a Paragraph).
+struct Finding {
+  std::string label;
+  std::optional<Relation> formula;
+  std::string words;
+};
+/// "(17b): refuted (argument)".
+std::string headline(const Entry& entry);
+/// What the ledger found, line by line: printed, correct, factor, conditions, witness, dimension, notes.
+std::vector<Finding> findings(const Entry& entry);
+
+/// Draws a figure with gnuplot. `kind` is "svg" or "pdf". Gives the file, or nothing if gnuplot is not there.
+/// Throws std::runtime_error with gnuplot's own words if the script is wrong.
+std::optional<std::filesystem::path> draw(const Figure& figure, const std::string& kind,
+                                          const std::filesystem::path& folder);
+
+/// LaTeX as `print` writes it → MathML, which browsers draw without help. Throws std::invalid_argument naming a
+/// command that it does not know.
+std::string mathml(const std::string& latex);
+/// Text for HTML, with & < > " escaped.
+std::string escaped(const std::string& text);
+
+}  // namespace rederive
