@@ -192,6 +192,11 @@ TEST_CASE("undefined values are refused where they arise") {
                  {"asin(2)*0", "undefined", 0, "real"}});
 }
 
+TEST_CASE("every value is real") {
+  CHECK(print(value("fabs(acos(y)^m)^4")) == "(acos(y)^m)^4");
+  CHECK(print(value("fabs(acos(y)^m)")) == "fabs(acos(y)^m)");
+}
+
 TEST_CASE("large is not undefined") { CHECK(error_of("exp(10^30) + sin(10^30) + log(10^30)") == ""); }
 
 TEST_CASE("bounds come before anything expensive") {

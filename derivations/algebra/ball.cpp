@@ -131,10 +131,16 @@ Ball BallArithmetic::log(const Ball& x) const {
   return result;
 }
 
+/// The argument of sin and cos, if the digits after its point are known at all.
+cl_F BallArithmetic::reducible(const Ball& x) const {
+  if (cln::abs(x.middle) * unit_ > 1) throw NoValue{};
+  return fine(x.middle);
+}
+
 Ball BallArithmetic::sin(const Ball& x) const {
   if (is_zero(x)) return exactly(0);
   if (x.of_pi) return cos(plus(x, times(exactly(cl_RA(-1) / 2), pi())));
-  const cl_F argument = fine(x.middle);
+  const cl_F argument = reducible(x);
   return rounded(cln::sin(argument), x.radius + rough(cln::abs(argument)) * unit_);
 }
 
@@ -148,7 +154,7 @@ Ball BallArithmetic::cos(const Ball& x) const {
     if (sixths == 4) return exactly(cl_RA(-1) / 2);
     if (sixths == 6) return exactly(-1);
   }
-  const cl_F argument = fine(x.middle);
+  const cl_F argument = reducible(x);
   return rounded(cln::cos(argument), x.radius + rough(cln::abs(argument)) * unit_);
 }
 

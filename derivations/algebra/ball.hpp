@@ -5,6 +5,7 @@
 #include <cln/cln.h>
 
 #include <optional>
+#include <string>
 
 namespace rederive {
 
@@ -44,10 +45,13 @@ class BallArithmetic {
   Ball asinh(const Ball& x) const;
   Ball acosh(const Ball& x) const;
   Ball atanh(const Ball& x) const;
+  /// Any function of our syntax, by its name. Throws std::out_of_range for an unknown one.
+  Ball call(const std::string& function, const Ball& x) const;
 
  private:
   cln::cl_R rough(const cln::cl_R& x) const;  ///< to few digits: enough for a radius
   cln::cl_F fine(const cln::cl_R& x) const;   ///< to the working precision
+  cln::cl_F reducible(const Ball& x) const;
   Ball rounded(const cln::cl_R& middle, const cln::cl_R& radius) const;
   Ball whole_power(const Ball& x, const cln::cl_I& n) const;
 
@@ -58,5 +62,7 @@ class BallArithmetic {
 /// Whether it is certain that x > 0, x < 0.
 bool is_positive(const Ball& x);
 bool is_negative(const Ball& x);
+/// Whether it is certain that the function has no real value there: log(0), asin(2).
+bool is_outside_domain(const std::string& function, const Ball& x);
 
 }  // namespace rederive

@@ -2,7 +2,6 @@
 // until the digits asked for are certain, up to a limit; then there is no value to give.
 #include <derivations/algebra/ball.hpp>
 #include <derivations/algebra/evaluate.hpp>
-#include <functional>
 #include <stdexcept>
 
 namespace rederive {
@@ -63,38 +62,7 @@ class Evaluation {
     return total;
   }
 
-  Ball call(const Node& node) const {
-    using Function = std::function<Ball(const BallArithmetic&, const Ball&)>;
-    using A = BallArithmetic;
-    static const Ball one{1}, half_turn{cl_RA(1) / 2};
-    static const std::map<std::string, Function> functions = {
-        {"sin", &A::sin},
-        {"cos", &A::cos},
-        {"tan", [](const A& a, const Ball& x) { return a.over(a.sin(x), a.cos(x)); }},
-        {"cot", [](const A& a, const Ball& x) { return a.over(a.cos(x), a.sin(x)); }},
-        {"sec", [](const A& a, const Ball& x) { return a.over(one, a.cos(x)); }},
-        {"csc", [](const A& a, const Ball& x) { return a.over(one, a.sin(x)); }},
-        {"sinh", &A::sinh},
-        {"cosh", &A::cosh},
-        {"tanh", [](const A& a, const Ball& x) { return a.over(a.sinh(x), a.cosh(x)); }},
-        {"coth", [](const A& a, const Ball& x) { return a.over(a.cosh(x), a.sinh(x)); }},
-        {"sech", [](const A& a, const Ball& x) { return a.over(one, a.cosh(x)); }},
-        {"csch", [](const A& a, const Ball& x) { return a.over(one, a.sinh(x)); }},
-        {"asin", &A::asin},
-        {"acos",
-         [](const A& a, const Ball& x) { return a.plus(a.times(half_turn, a.pi()), a.negative(a.asin(x))); }},
-        {"atan", &A::atan},
-        {"asinh", &A::asinh},
-        {"acosh", &A::acosh},
-        {"atanh", &A::atanh},
-        {"exp", &A::exp},
-        {"log", &A::log},
-        {"sqrt", &A::sqrt},
-        {"fabs", &A::absolute}};
-    const auto function = functions.find(node.text);
-    if (function == functions.end()) throw std::out_of_range("there is no function '" + node.text + "'");
-    return function->second(arithmetic_, value(*node.children[0]));
-  }
+  Ball call(const Node& node) const { return arithmetic_.call(node.text, value(*node.children[0])); }
 
   const Point& point_;
   BallArithmetic arithmetic_;

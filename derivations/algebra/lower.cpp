@@ -2,6 +2,7 @@
 #include <cln/integer.h>
 #include <cln/integer_io.h>
 
+#include <derivations/algebra/ball.hpp>
 #include <derivations/algebra/syntax.hpp>
 #include <functional>
 
@@ -23,11 +24,25 @@ cln::cl_RA exact(const std::string& number) {
 
 namespace {
 
-/// An expression, and how many bits the numbers in it can take at most.
+/// An expression, how many bits the numbers in it can take at most, and its value if it is a constant.
 struct Lowered {
   GiNaC::ex value;
   double bits;
+  std::optional<Ball> constant;
 };
+
+/// The value of an operation on constants; none if one is no constant, or the outcome is not certain.
+template <class Operation, class... Operands>
+std::optional<Ball> constant_of(const Operation& operation, const Operands&... operands) {
+  if (!(operands.has_value() && ...)) return std::nullopt;
+  try {
+    return operation(*operands...);
+  } catch (const NoValue&) {
+    return std::nullopt;
+  } catch (const cln::runtime_exception&) {  // overflow
+    return std::nullopt;
+  }
+}
 
 constexpr double most_bits = 1 << 16;
 
@@ -62,13 +77,15 @@ class Lowering {
       case Node::Kind::number: {
         const cln::cl_RA value = exact(node.text);
         const auto bits = integer_length(cln::numerator(value)) + integer_length(cln::denominator(value));
-        return {GiNaC::numeric(value), static_cast<double>(bits)};
+        return {GiNaC::numeric(value), static_cast<double>(bits), Ball{value}};
       }
       case Node::Kind::symbol:
-        return {node.text == "pi" ? GiNaC::ex(GiNaC::Pi) : GiNaC::ex(symbols_[node.text]), 0};
+        if (node.text == "pi") return {GiNaC::Pi, 0, arithmetic_.pi()};
+        return {symbols_[node.text], 0, std::nullopt};
       case Node::Kind::negative: {
         const Lowered operand = lower(node.children[0]);
-        return {-operand.value, operand.bits};
+        return {-operand.value, operand.bits,
+                constant_of([&](const Ball& x) { return arithmetic_.negative(x); }, operand.constant)};
       }
       case Node::Kind::sum:
         return combine(node, true);
@@ -85,14 +102,22 @@ class Lowering {
   Lowered combine(const Node& node, bool sum) const {
     GiNaC::exvector parts;
     double bits = 0;
+    std::optional<Ball> total = Ball{sum ? 0 : 1};
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       const Lowered part = lower(node.children[i]);
       bits += part.bits;
+      total = constant_of([&](const Ball& x, const Ball& y) { return combined(x, y, sum, node.inverse[i]); },
+                          total, part.constant);
       const GiNaC::ex inverted = sum ? -part.value : divisor(*node.children[i], node.inverse[i], part.value);
       parts.push_back(node.inverse[i] ? inverted : part.value);
     }
     if (bits > most_bits) refuse(node, "too_large", "the numbers in this would be too large");
-    return {sum ? GiNaC::ex(GiNaC::add(parts)) : GiNaC::ex(GiNaC::mul(parts)), bits};
+    return {sum ? GiNaC::ex(GiNaC::add(parts)) : GiNaC::ex(GiNaC::mul(parts)), bits, total};
+  }
+
+  Ball combined(const Ball& x, const Ball& y, bool sum, bool inverse) const {
+    if (sum) return arithmetic_.plus(x, inverse ? arithmetic_.negative(y) : y);
+    return inverse ? arithmetic_.over(x, y) : arithmetic_.times(x, y);
   }
 
   static GiNaC::ex divisor(const Node& node, bool inverse, const GiNaC::ex& value) {
@@ -103,8 +128,10 @@ class Lowering {
 
   Lowered power(const Node& node) const {
     const Lowered base = lower(node.children[0]), exponent = lower(node.children[1]);
+    const auto constant = constant_of([&](const Ball& x, const Ball& y) { return arithmetic_.power(x, y); },
+                                      base.constant, exponent.constant);
     if (!GiNaC::is_a<GiNaC::numeric>(exponent.value)) {
-      return {GiNaC::pow(base.value, exponent.value), base.bits + exponent.bits};
+      return {GiNaC::pow(base.value, exponent.value), base.bits + exponent.bits, constant};
     }
     const auto& n = GiNaC::ex_to<GiNaC::numeric>(exponent.value);
     const GiNaC::ex inner = GiNaC::is_a<GiNaC::power>(base.value) ? base.value.op(1) : GiNaC::ex(1);
@@ -114,12 +141,12 @@ class Lowering {
     }
     const double bits = (base.bits + 1) * (GiNaC::abs(n).to_double() + 1);
     if (bits > most_bits) refuse(node, "too_large", "the numbers in this would be too large");
-    if (base.value.info(GiNaC::info_flags::negative) && !n.is_integer()) {
+    if (base.constant && is_negative(*base.constant) && !n.is_integer()) {
       refuse(node, "undefined", "a root of a negative number has no real value");
     }
     if (base.value.is_zero() && !n.is_positive())
       refuse(node, "undefined", "this divides by zero, or is 0^0");
-    return {GiNaC::pow(base.value, n), bits};
+    return {GiNaC::pow(base.value, n), bits, constant};
   }
 
   Lowered call(const Node& node) const {
@@ -151,40 +178,43 @@ class Lowering {
     if (function == functions.end())
       refuse(node, "unknown_function", "there is no function '" + node.text + "'");
     const Lowered argument = lower(node.children[0]);
-    const ex value = function->second(argument.value);
-    if (is_certainly_not_real(value)) refuse(node, "undefined", "this has no real value");
-    return {value, 2 * argument.bits};
-  }
-
-  /// asin(2) and the like, which GiNaC leaves as they are.
-  static bool is_certainly_not_real(const GiNaC::ex& value) {
-    try {
-      const GiNaC::ex number = value.evalf();
-      return GiNaC::is_a<GiNaC::numeric>(number) && !number.info(GiNaC::info_flags::real);
-    } catch (const cln::runtime_exception&) {  // exp(10^30) is real, though no floating-point number
-      return false;
+    if (argument.constant && is_outside_domain(node.text, *argument.constant)) {
+      refuse(node, "undefined", "this has no real value");
     }
+    const auto constant =
+        constant_of([&](const Ball& x) { return arithmetic_.call(node.text, x); }, argument.constant);
+    return {function->second(argument.value), 2 * argument.bits, constant};
   }
 
   const Symbols& symbols_;
   const Limits& limits_;
+  BallArithmetic arithmetic_{40};
 };
 
-/// The first part of the tree whose value is not real although all that it is made of is: sqrt(-1), log(-2).
-void refuse_imaginary(const GiNaC::ex& value, const Node& node) {
-  for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part) {
-    if (GiNaC::is_a<GiNaC::numeric>(*part) && !GiNaC::ex_to<GiNaC::numeric>(*part).is_real()) {
-      throw SyntaxError("undefined", node.position, "this has no real value");
+/// All values are real here: what GiNaC thinks may be complex is its own conjugate. And i is none of ours.
+class Real : public GiNaC::map_function {
+ public:
+  explicit Real(const Node& node) : node_(node) {}
+
+  GiNaC::ex operator()(const GiNaC::ex& e) override {
+    if (GiNaC::is_a<GiNaC::numeric>(e) && !e.info(GiNaC::info_flags::real)) {
+      throw SyntaxError("undefined", node_.position, "this has no real value");
     }
+    const bool own =
+        GiNaC::is_a<GiNaC::function>(e) && is_for_complex(GiNaC::ex_to<GiNaC::function>(e).get_name());
+    return own ? (*this)(e.op(0)) : e.map(*this);
   }
-}
+
+ private:
+  static bool is_for_complex(const std::string& name) { return name == "conjugate" || name == "real_part"; }
+
+  const Node& node_;
+};
 
 }  // namespace
 
 GiNaC::ex lower(const Tree& tree, const Symbols& symbols, const Limits& limits) {
-  const GiNaC::ex value = Lowering(symbols, limits).lower(tree).value;
-  refuse_imaginary(value, *tree);
-  return value;
+  return Real(*tree)(Lowering(symbols, limits).lower(tree).value);
 }
 
 }  // namespace rederive
