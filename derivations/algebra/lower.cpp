@@ -200,21 +200,25 @@ class Real : public GiNaC::map_function {
     if (GiNaC::is_a<GiNaC::numeric>(e) && !e.info(GiNaC::info_flags::real)) {
       throw SyntaxError("undefined", node_.position, "this has no real value");
     }
-    const bool own =
-        GiNaC::is_a<GiNaC::function>(e) && is_for_complex(GiNaC::ex_to<GiNaC::function>(e).get_name());
-    return own ? (*this)(e.op(0)) : e.map(*this);
+    if (!GiNaC::is_a<GiNaC::function>(e)) return e.map(*this);
+    const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
+    if (name == "imag_part") return 0;
+    return name == "conjugate" || name == "real_part" ? (*this)(e.op(0)) : e.map(*this);
   }
 
  private:
-  static bool is_for_complex(const std::string& name) { return name == "conjugate" || name == "real_part"; }
-
   const Node& node_;
 };
 
 }  // namespace
 
 GiNaC::ex lower(const Tree& tree, const Symbols& symbols, const Limits& limits) {
-  return Real(*tree)(Lowering(symbols, limits).lower(tree).value);
+  const GiNaC::ex value = Lowering(symbols, limits).lower(tree).value;
+  try {
+    return Real(*tree)(value);
+  } catch (const GiNaC::pole_error&) {
+    throw SyntaxError("undefined", tree->position, "this has no value");
+  }
 }
 
 }  // namespace rederive
