@@ -7,7 +7,7 @@ using GiNaC::ex;
 ex energy(Side side) { return kinetic_energy(side) + weight_potential(side); }
 
 ex energy_rate(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex along_motion = angular_acceleration(side);
   ex rate = time_derivative(energy(side), block_rates()).subs(s.thetaddot == along_motion);
   for (const Given& given : inertia_and_frequency()) rate = rate.subs(given.name == given.value);
@@ -17,13 +17,13 @@ ex energy_rate(Side side) {
 namespace {
 
 Derivation energy_of(Side side, const Derivation& kinetic, const Derivation& potential) {
-  return derived(notation().E, energy(side),
+  return derived(letters().E, energy(side),
                  {from(kinetic, "The kinetic energy"), from(potential, "the potential")});
 }
 
 // In (21) with θ̈ = 0, solved for the ground acceleration at θ = α.
 Derivation ground_at_alpha(Side side, const Derivation& motion) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex rest = angular_acceleration(side).subs(s.theta == s.alpha);
   return derived(
       s.u_gddot_alpha, -rest.coeff(s.u_gddot, 0) / rest.coeff(s.u_gddot, 1),
@@ -33,7 +33,7 @@ Derivation ground_at_alpha(Side side, const Derivation& motion) {
 }  // namespace
 
 Derivation total_energy() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   Derivation result = derived(s.E, s.K + s.Omega,
                               {in_words("The block moves and is lifted; it is rigid, so nothing else "
                                         "stores energy")},

@@ -6,19 +6,19 @@ namespace rederive {
 using GiNaC::ex;
 
 Rectangle block_from_pivot(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex width = 2 * s.b, density = s.m / (4 * s.b * s.h);
   if (side == Side::negative) return {s.x, s.y, 0, width, 0, 2 * s.h, density};
   return {s.x, s.y, -width, 0, 0, 2 * s.h, density};
 }
 
 Rectangle block_from_centre() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return {s.x, s.y, -s.b, s.b, -s.h, s.h, s.m / (4 * s.b * s.h)};
 }
 
 ex kinetic_energy(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const Vector velocity = centre_velocity(side);
   const ex translation = s.m / 2 * dot(velocity, velocity), rotation = s.J_c / 2 * pow(s.thetadot, 2);
   // The parallel axis: what turns about C with J_c and moves with C turns about the pivot with J_o.
@@ -27,12 +27,12 @@ ex kinetic_energy(Side side) {
 }
 
 ex weight_potential(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return s.m * s.g * s.R * (centre_displacement(side).up / s.R).expand();
 }
 
 LagrangeTerms block_lagrange_terms(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return lagrange_terms(kinetic_energy(side), weight_potential(side), {s.theta, s.thetadot, s.thetaddot},
                         block_rates());
 }
@@ -40,7 +40,7 @@ LagrangeTerms block_lagrange_terms(Side side) {
 ex motion_by_lagrange(Side side) { return block_lagrange_terms(side).sum().expand(); }
 
 ex motion_by_moments(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex across = side == Side::negative ? s.b : -s.b;
   const AppliedForce weight{turned_clockwise({across, s.h}, s.theta), {0, -s.m * s.g}};
   const Vector element = turned_clockwise({s.x, s.y}, s.theta);
@@ -49,7 +49,7 @@ ex motion_by_moments(Side side) {
 }
 
 ex angular_acceleration(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex motion = motion_by_lagrange(side);
   const ex solved = -motion.coeff(s.thetaddot, 0) / motion.coeff(s.thetaddot, 1);
   const ex J_o = ex(4) / 3 * s.m * pow(s.R, 2);
@@ -61,7 +61,7 @@ namespace {
 const char* pivot_name(Side side) { return side == Side::negative ? "O" : "O'"; }
 
 Derivation kinetic_energy_in_J_o(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.K, kinetic_energy(side),
                  {from(equation_5(), "König: the energy of the rotation about C and of C itself"),
                   from(horizontal_velocity(side), "with the velocity of C"),
@@ -70,37 +70,37 @@ Derivation kinetic_energy_in_J_o(Side side) {
 }
 
 Derivation weight(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.Omega, weight_potential(side),
                  {{"The weight m g is lifted by", s.y_c, centre_displacement(side).up}});
 }
 
 Derivation momentum(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.dK_dthetadot, block_lagrange_terms(side).momentum,
                  {from(kinetic_energy_in_J_o(side), "Differentiate by θ̇")});
 }
 
 Derivation momentum_rate(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.ddt_dK_dthetadot, block_lagrange_terms(side).momentum_rate.expand(),
                  {from(momentum(side), "Differentiate by time; θ, θ̇ and u̇_g all depend on it")});
 }
 
 Derivation kinetic_slope(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.dK_dtheta, block_lagrange_terms(side).kinetic_slope,
                  {from(kinetic_energy_in_J_o(side), "Differentiate by θ")});
 }
 
 Derivation potential_slope(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.dOmega_dtheta, block_lagrange_terms(side).potential_slope.expand(),
                  {from(weight(side), "Differentiate by θ")});
 }
 
 Derivation motion(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(motion_by_lagrange(side), 0,
                  {{"Lagrange's equation", s.ddt_dK_dthetadot - s.dK_dtheta + s.dOmega_dtheta, 0},
                   from(momentum_rate(side), "with"),
@@ -111,7 +111,7 @@ Derivation motion(Side side) {
 }
 
 Derivation normalised_motion(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.thetaddot - angular_acceleration(side), 0,
                  {from(motion(side), "Divide by J_o"),
                   {"which is", s.J_o, ex(4) / 3 * s.m * pow(s.R, 2)},
@@ -125,14 +125,14 @@ namespace {
 
 // b² = R² − h²: leaves J_o as 4/3 m R².
 ex squared_width() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return pow(s.b, 2) == pow(s.R, 2) - pow(s.h, 2);
 }
 
 }  // namespace
 
 Derivation equation_1() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const LagrangeTerms terms = block_lagrange_terms(Side::negative);
   std::vector<Given> given = sides_of_the_block();
   given.push_back({s.ddt_dK_dthetadot, terms.momentum_rate.subs(s.J_o == ex(4) / 3 * s.m * pow(s.R, 2))});
@@ -147,7 +147,7 @@ Derivation equation_1() {
 }
 
 Derivation moment_of_inertia_about_centre() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex sum = over_body(pow(s.x, 2) + pow(s.y, 2), block_from_centre());
   return derived(s.J_c,
                  by_pythagoras(sum.subs(GiNaC::lst{s.b == s.R * sin(s.alpha), s.h == s.R * cos(s.alpha)})),
@@ -158,7 +158,7 @@ Derivation moment_of_inertia_about_centre() {
 namespace {
 
 Derivation inertia_about(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex sum = over_body(pow(s.x, 2) + pow(s.y, 2), block_from_pivot(side));
   return derived(
       s.J_o, by_pythagoras(sum.subs(GiNaC::lst{s.b == s.R * sin(s.alpha), s.h == s.R * cos(s.alpha)})),
@@ -170,7 +170,7 @@ Derivation inertia_about(Side side) {
 }  // namespace
 
 Derivation parallel_axis() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex square = pow(s.x, 2) + pow(s.y, 2);
   const ex more =
       over_body(square, block_from_pivot(Side::negative)) - over_body(square, block_from_centre());
@@ -184,7 +184,7 @@ Derivation moment_of_inertia_about_pivot() { return inertia_about(Side::negative
 Derivation moment_of_inertia_about_other_pivot() { return inertia_about(Side::positive); }
 
 Derivation frequency_parameter() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex J_o = moment_of_inertia_about_pivot().right;
   return derived(
       s.p, sqrt(s.m * s.g * s.R / J_o),
@@ -193,7 +193,7 @@ Derivation frequency_parameter() {
 }
 
 Derivation equation_5() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   // Seen along axes fixed in the block, an element at (x, y) moves with C and turns about it.
   const Vector with_centre = turned_clockwise({s.u_cdot, s.y_cdot}, -s.theta);
   const Vector velocity = with_centre + s.thetadot * Vector{s.y, -s.x};

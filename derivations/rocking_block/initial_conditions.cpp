@@ -16,7 +16,7 @@ ex cosine_motion() { return with_amplitude(forced_motion(Side::positive, Pulse::
 
 // Time counted from phase π − ψ on: α_p cos(π − ψ + ω_p t), which is −α_p cos(ψ − ω_p t). It starts at −α g.
 ex cosine_after_wait() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return -s.a_p * cos(s.psi - s.omega_p * s.t);
 }
 
@@ -24,7 +24,7 @@ Derivation threshold(const ThresholdEquation& found, std::vector<Step> steps, st
   return derived(found.left, found.right, std::move(steps), std::move(given));
 }
 
-Given end(Pulse pulse) { return {notation().T_ex, end_of_pulse(pulse)}; }
+Given end(Pulse pulse) { return {letters().T_ex, end_of_pulse(pulse)}; }
 
 }  // namespace
 
@@ -34,7 +34,7 @@ ThresholdEquation overturning_cosine_pulse() {
 ThresholdEquation overturning_sine_pulse() { return threshold_without_impact(Side::negative, Pulse::sine); }
 
 ThresholdEquation overturning_cosine_pulse_from_rest() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex last = 2 * GiNaC::Pi - GiNaC::Pi / 2, first = GiNaC::Pi - s.psi;
   const ThresholdEquation any = threshold_without_impact(
       Side::positive, cosine_after_wait(), amplitude(Pulse::cosine), ((last - first) / s.omega_p).expand());
@@ -42,24 +42,24 @@ ThresholdEquation overturning_cosine_pulse_from_rest() {
 }
 
 Derivation cosine_is_shifted_sine() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.u_gddot, ground_acceleration(Pulse::cosine),
                  {in_words("A sine a quarter of a turn ahead")});
 }
 
 Derivation first_acceleration_of_cosine() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.u_gddot_0, ground_acceleration(Pulse::cosine).subs(s.t == 0), {in_words("Set t = 0")});
 }
 
 Derivation share_of_cosine() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(first_acceleration_of_cosine().right, s.lambda * s.a_p,
                  {from(first_acceleration_of_cosine(), "λ is the share of the amplitude at t = 0, and")});
 }
 
 Derivation phase_of_cosine() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.psi, acos(s.lambda), {from(share_of_cosine(), "Solve for ψ, between 0 and π/2,")});
 }
 
@@ -67,7 +67,7 @@ namespace {
 
 // λ α_p = g tan α with λ = cos ψ.
 ex exact_amplitude() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex rest = motion_by_lagrange(Side::negative).subs(lst{s.theta == 0, s.thetaddot == 0});
   const ex suffices = -rest.coeff(s.u_gddot, 0) / rest.coeff(s.u_gddot, 1);
   return suffices / (first_acceleration_of_cosine().right / s.a_p);
@@ -77,18 +77,18 @@ ex exact_amplitude() {
 
 Derivation amplitude_of_cosine() {
   return derived(
-      notation().a_p, exact_amplitude(),
+      letters().a_p, exact_amplitude(),
       {from(first_acceleration_of_cosine(), "The acceleration at t = 0"), in_words("is taken as g tan α")});
 }
 
 Derivation scaled_amplitude_of_cosine() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.a_p / (s.g * tan(s.alpha)), exact_amplitude() * cos(s.alpha) / (s.g * sin(s.alpha)),
                  {from(amplitude_of_cosine(), "Divide by g tan α")});
 }
 
 Derivation linear_amplitude_of_cosine() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   Derivation result = derived(s.a_p / (s.alpha * s.g), amplitude(Pulse::cosine).value / (s.alpha * s.g),
                               {from(scaled_amplitude_of_cosine(), "To first order in α,")});
   result.order = 1;
@@ -97,7 +97,7 @@ Derivation linear_amplitude_of_cosine() {
 }
 
 Derivation equation_97() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
   Derivation result =
       derived(s.thetaddot - pow(equation.k, 2) * s.theta, with_amplitude(equation.forcing).expand(),
@@ -111,48 +111,48 @@ Derivation equation_97() {
 
 Derivation equation_98() {
   return derived(
-      notation().theta, cosine_motion(),
+      letters().theta, cosine_motion(),
       {from(equation_97(), "Solve"), in_words("by undetermined coefficients, with sinh p t and cosh p t")});
 }
 
 Derivation equation_99() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.thetadot / s.p, (cosine_motion().diff(s.t) / s.p).expand(),
                  {from(equation_98(), "Differentiate")});
 }
 
 Derivation equation_100a() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.A_3, forced_constants(Side::positive, Pulse::cosine).C.normal(),
                  {from(equation_99(), "Set t = 0 and θ̇ = θ̇_0 in")});
 }
 
 Derivation equation_100b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.A_4, forced_constants(Side::positive, Pulse::cosine).D.normal(),
                  {from(equation_98(), "Set t = 0 and θ = θ_0 in")});
 }
 
 Derivation end_of_cosine_pulse() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.T_ex, end_of_pulse(Pulse::cosine),
                  {from(cosine_is_shifted_sine(), "The pulse is"),
                   in_words("and ends with the sine, where its phase is 2π")});
 }
 
 Derivation equation_101a() {
-  return derived(notation().theta_ex, angle_at_end(Side::positive, Pulse::cosine),
+  return derived(letters().theta_ex, angle_at_end(Side::positive, Pulse::cosine),
                  {from(equation_98(), "At T_ex the cosine is 0:")});
 }
 
 Derivation equation_101b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.thetadot_ex / s.p, rate_at_end(Side::positive, Pulse::cosine),
                  {from(equation_99(), "At T_ex the sine is −1:")});
 }
 
 Derivation equation_102() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex growth = exp(s.p * s.T_ex);
   const ex sum = critical_sum(Side::positive, angle_at_end(Side::positive, Pulse::cosine),
                               s.p * rate_at_end(Side::positive, Pulse::cosine));
@@ -178,7 +178,7 @@ Derivation equation_104() {
 }
 
 Derivation first_acceleration_to_the_right() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
   return derived(
       s.thetaddot_0, with_amplitude(equation.forcing).subs(s.t == 0).expand(),
@@ -188,7 +188,7 @@ Derivation first_acceleration_to_the_right() {
 }
 
 Derivation start_under_cosine() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   // The side θ > 0 starts where its right side of (97), at θ = 0, comes to zero: cos(phase) = −cos ψ.
   const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
   const ex phase = s.omega_p * s.t + s.psi;

@@ -10,45 +10,45 @@ namespace {
 // The moment about O that the weight can hold and the one that the ground acceleration exerts, at rest: (11)
 // there.
 ex moment_at_rest() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return motion_by_lagrange(Side::negative).subs(lst{s.theta == 0, s.thetaddot == 0});
 }
 
 ex acceleration_that_suffices() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex moment = moment_at_rest();
   return -moment.coeff(s.u_gddot, 0) / moment.coeff(s.u_gddot, 1);
 }
 
 // At t = 0+ the block stands upright and has not yet moved, but accelerates.
 ex at_start(const ex& e) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return e.subs(lst{s.theta == 0, s.thetadot == 0, s.thetaddot == s.thetaddot_0, s.u_gddot == s.u_gddot_0});
 }
 
 ex first_horizontal_force() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return (s.m * at_start(centre_acceleration(Side::negative).right)).expand();
 }
 
 ex first_vertical_force() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return (s.m * (s.g + at_start(centre_acceleration(Side::negative).up))).expand();
 }
 
 ex by_share(const ex& e) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return e.subs(s.u_gddot_0 == s.lambda * s.a_p);
 }
 
 // The clockwise moment of the reaction at O about C, less what the angular acceleration needs.
 ex moments_about_centre() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return clockwise_cross({-s.b, -s.h}, {s.H_0, s.V_0}) - s.J_c * s.thetaddot_0;
 }
 
 Given share() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return {s.u_gddot_0, s.lambda * s.a_p};
 }
 
@@ -58,7 +58,7 @@ const char* newton_up = "Newton, upwards: V carries the weight and accelerates C
 }  // namespace
 
 ex first_angular_acceleration() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex balance = moments_about_centre().subs(
       lst{s.H_0 == by_share(first_horizontal_force()), s.V_0 == first_vertical_force(),
           s.b == s.R * sin(s.alpha), s.h == s.R * cos(s.alpha), s.J_c == s.m * pow(s.R, 2) / 3});
@@ -67,7 +67,7 @@ ex first_angular_acceleration() {
 }
 
 ex first_friction_demand() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex start = s.thetaddot_0 == first_angular_acceleration();
   const ex across = by_share(first_horizontal_force() / s.m).expand().subs(start).expand();
   const ex up = (first_vertical_force() / s.m).expand().subs(start).expand();
@@ -75,7 +75,7 @@ ex first_friction_demand() {
 }
 
 Derivation equation_23() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex moment = moment_at_rest();
   const ex force = moment.coeff(s.u_gddot, 1) * s.H / s.m, hold = -moment.coeff(s.u_gddot, 0);
   return derived(
@@ -87,14 +87,14 @@ Derivation equation_23() {
 }
 
 Derivation force_before_rocking() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(
       s.H, s.m * s.u_gddot,
       {in_words("As long as the block stands, C moves with the ground; H is what accelerates it")});
 }
 
 Derivation force_at_peak() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   Derivation result =
       derived(s.m * s.u_gddot, s.m * s.a_p,
               {in_words("The ground acceleration reaches its amplitude α_p at its peak, and only there")});
@@ -103,7 +103,7 @@ Derivation force_at_peak() {
 }
 
 Derivation equation_24a() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(
       s.a_p, acceleration_that_suffices(),
       {from(equation_23(), "The condition"), from(force_before_rocking(), "with"),
@@ -113,17 +113,17 @@ Derivation equation_24a() {
 }
 
 Derivation equation_24b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.a_p_min, acceleration_that_suffices(),
                  {from(equation_24a(), "The smallest amplitude that meets")});
 }
 
 Derivation equation_25a() {
-  return derived(notation().H_0, first_horizontal_force(), {in_words(newton_right)});
+  return derived(letters().H_0, first_horizontal_force(), {in_words(newton_right)});
 }
 
 Derivation equation_25b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex force = by_share(first_horizontal_force()).subs(s.R * cos(s.alpha) == s.h);
   std::vector<Given> given = sides_of_the_block();
   given.push_back(share());
@@ -133,10 +133,10 @@ Derivation equation_25b() {
                  given);
 }
 
-Derivation equation_26a() { return derived(notation().V_0, first_vertical_force(), {in_words(newton_up)}); }
+Derivation equation_26a() { return derived(letters().V_0, first_vertical_force(), {in_words(newton_up)}); }
 
 Derivation equation_26b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.V_0, first_vertical_force(), {from(equation_26a(), "The force, in b")},
                  sides_of_the_block());
 }
@@ -149,19 +149,19 @@ Derivation equation_27() {
 }
 
 Derivation share_at_most_one() {
-  return derived(1, notation().lambda,
+  return derived(1, letters().lambda,
                  {in_words("λ α_p = ü_g(0) cannot exceed the amplitude α_p, which is positive")}, {}, ">=");
 }
 
 Derivation share_at_least() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.lambda * s.a_p, acceleration_that_suffices(),
                  {from(equation_23(), "Rocking must begin at t = 0"), in_words("with H = m λ α_p")}, {},
                  ">=");
 }
 
 Derivation equation_28a() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex R = 3 * s.g / (4 * pow(s.p, 2));
   return derived(s.thetaddot_0, first_angular_acceleration().subs(s.R == R).expand(),
                  {from(equation_25b(), "Put"),
@@ -172,19 +172,19 @@ Derivation equation_28a() {
 }
 
 Derivation equation_28b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(pow(s.p, 2), s.m * s.g * s.R / moment_of_inertia_about_pivot().right,
                  {in_words("As in (21): the moment m g R of the weight over J_o")});
 }
 
 Derivation equation_30() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.mu, s.H_0 / s.V_0, {in_words("Divide (29) by V(0): the ground can only push, V(0) > 0")},
                  {}, ">=");
 }
 
 Derivation equation_31() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.mu, first_friction_demand(),
                  {from(equation_30(), "In"), from(equation_25b(), "put"), from(equation_26b(), "and"),
                   from(equation_28a(), "with")},
@@ -192,20 +192,20 @@ Derivation equation_31() {
 }
 
 Derivation first_acceleration() {
-  return derived(notation().u_gddot_0, acceleration_that_suffices(),
+  return derived(letters().u_gddot_0, acceleration_that_suffices(),
                  {from(equation_23(), "Rocking begins when the moment of the weight is reached,"),
                   in_words("with H = m ü_g")});
 }
 
 Derivation start_of_gradual_pulse() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.lambda * s.a_p, acceleration_that_suffices(),
                  {from(first_acceleration(), "A pulse that grows from zero sets the block in motion when"),
                   in_words("time is counted from there, and λ α_p is the acceleration at that moment")});
 }
 
 Derivation equation_32a() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex slope = sin(s.alpha) / cos(s.alpha);
   const ex gradual = first_friction_demand().subs(s.lambda == s.g * slope / s.a_p).normal();
   return derived(s.mu, gradual,
@@ -217,17 +217,17 @@ Derivation equation_32a() {
 
 ex slope_of_diagonal() {
   const Vector centre = centre_from_pivot(Side::negative);
-  const ex at_rest = notation().theta == 0;
+  const ex at_rest = letters().theta == 0;
   return centre.right.subs(at_rest) / centre.up.subs(at_rest);
 }
 
 Derivation equation_32b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.b / s.h, slope_of_diagonal(), {in_words("The sides of the block, R sin α and R cos α")});
 }
 
 Derivation equation_33() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   Derivation result =
       derived(s.mu, s.H / s.V,
               {in_words("Coulomb: no sliding while |H| < μ V, with V > 0 as long as there is contact"),

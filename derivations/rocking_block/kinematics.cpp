@@ -5,24 +5,24 @@ namespace rederive {
 using GiNaC::ex;
 
 ex inclination(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return side == Side::negative ? s.alpha + s.theta : s.alpha - s.theta;
 }
 
 Vector centre_from_pivot(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex upright = inclination(side), across = s.R * sin(upright);
   return {side == Side::negative ? across : -across, s.R * cos(upright)};
 }
 
 Vector centre_displacement(Side side) {
   const Vector now = centre_from_pivot(side);
-  const ex at_rest = notation().theta == 0;
+  const ex at_rest = letters().theta == 0;
   return {now.right - now.right.subs(at_rest), now.up - now.up.subs(at_rest)};
 }
 
 Vector centre_velocity(Side side) {
-  return time_derivative(Vector{notation().u_g, 0} + centre_from_pivot(side), block_rates());
+  return time_derivative(Vector{letters().u_g, 0} + centre_from_pivot(side), block_rates());
 }
 
 Vector centre_acceleration(Side side) { return time_derivative(centre_velocity(side), block_rates()); }
@@ -40,14 +40,14 @@ const char* place_of_centre(Side side) {
 
 // x_c counts the way from rest to the left about O and to the right about O': positive in both cases.
 ex way_of_centre(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex moved = centre_displacement(side).right;
   const ex b = s.R * sin(s.alpha);
   return (side == Side::negative ? ex(-moved) : moved).subs(b == s.b);
 }
 
 Derivation total_displacement(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const bool left = side == Side::negative;
   return derived(s.u_c, left ? s.u_g - s.x_c : s.u_g + s.x_c,
                  {in_words(place_of_centre(side)),
@@ -58,7 +58,7 @@ Derivation total_displacement(Side side) {
 }
 
 Derivation horizontal_displacement(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(
       s.x_c, way_of_centre(side),
       {in_words(place_of_centre(side)), {"at rest it is half a width away", s.b, s.R * sin(s.alpha)}},
@@ -66,7 +66,7 @@ Derivation horizontal_displacement(Side side) {
 }
 
 Derivation vertical_displacement(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(
       s.y_c, centre_displacement(side).up,
       {in_words(place_of_centre(side)),
@@ -76,14 +76,14 @@ Derivation vertical_displacement(Side side) {
 }  // namespace
 
 Derivation horizontal_velocity(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(
       s.u_cdot, centre_velocity(side).right,
       {{"The way of C", s.u_c, s.u_g + centre_displacement(side).right}, in_words("differentiated")});
 }
 
 Derivation vertical_velocity(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.y_cdot, centre_velocity(side).up,
                  {{"The rise of C", s.y_c, centre_displacement(side).up}, in_words("differentiated")});
 }

@@ -2,7 +2,7 @@
 // about O'.
 #pragma once
 
-#include <derivations/rocking_block/notation.hpp>
+#include <derivations/rocking_block/letters.hpp>
 
 namespace rederive {
 

@@ -7,21 +7,21 @@ using GiNaC::ex;
 using GiNaC::lst;
 
 ex ground_acceleration(Pulse pulse) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex phase = s.omega_p * s.t + s.psi;
   if (pulse == Pulse::none) return 0;
   return pulse == Pulse::sine ? s.a_p * sin(phase) : s.a_p * cos(phase);
 }
 
 ex end_of_pulse(Pulse pulse) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   // The cosine is the sine a quarter of a turn ahead, and ends with it.
   const ex last = pulse == Pulse::cosine ? 2 * GiNaC::Pi - GiNaC::Pi / 2 : 2 * GiNaC::Pi;
   return (last - s.psi) / s.omega_p;
 }
 
 LinearEquation linear_equation_under(Side side, const ex& ground) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex acceleration = angular_acceleration(side).subs(s.u_gddot == ground);
   const ex linear = taylor(acceleration, {s.alpha, s.theta, s.a_p}, 1);
   return {s.p, (linear - pow(s.p, 2) * s.theta).expand(), s.t};
@@ -32,7 +32,7 @@ LinearEquation linear_equation(Side side, Pulse pulse) {
 }
 
 Given amplitude(Pulse pulse) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex at_rest = linear_equation(Side::negative, pulse).forcing.subs(s.t == 0);
   return {s.a_p, -at_rest.coeff(s.a_p, 0) / at_rest.coeff(s.a_p, 1)};
 }
@@ -40,12 +40,12 @@ Given amplitude(Pulse pulse) {
 namespace {
 
 Constants names(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return side == Side::negative ? Constants{s.A_1, s.A_2} : Constants{s.A_3, s.A_4};
 }
 
 Constants free_names(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return side == Side::negative ? Constants{s.Abar_1, s.Abar_2} : Constants{s.Abar_3, s.Abar_4};
 }
 
@@ -62,23 +62,23 @@ ex forced_motion(Side side, Pulse pulse) {
 }
 
 Constants forced_constants(Side side, Pulse pulse) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const Constants c = constants_from_start(linear_equation(side, pulse), 0, s.theta_0, s.thetadot_0);
   return {with_amplitude(c.C, pulse), with_amplitude(c.D, pulse)};
 }
 
 ex linear_response(Side side, Pulse pulse) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return solution_from(linear_equation(side, pulse), 0, s.theta_0, s.thetadot_0);
 }
 
 ex free_motion(Side side) {
   const Constants c = free_names(side);
-  return general_solution(linear_equation(side, Pulse::none), notation().t_o, c.C, c.D);
+  return general_solution(linear_equation(side, Pulse::none), letters().t_o, c.C, c.D);
 }
 
 ex growing_part(const ex& free_motion, const ex& start) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const GiNaC::symbol growth("growth");
   const ex phase = s.p * (s.t - start);
   const ex in_growth = free_motion.subs(
@@ -89,7 +89,7 @@ ex growing_part(const ex& free_motion, const ex& start) {
 namespace {
 
 Derivation linearised(Side side, const Derivation& exact, Pulse pulse) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const LinearEquation equation = linear_equation(side, pulse);
   Derivation result =
       derived(s.thetaddot - pow(equation.k, 2) * s.theta, equation.forcing,
@@ -102,7 +102,7 @@ Derivation linearised(Side side, const Derivation& exact, Pulse pulse) {
 }
 
 Derivation forced(Side side, const Derivation& equation) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex particular = particular_solution(linear_equation(side, Pulse::sine));
   return derived(
       s.theta, forced_motion(side, Pulse::sine),
@@ -113,7 +113,7 @@ Derivation forced(Side side, const Derivation& equation) {
 }
 
 Derivation forced_rate(Side side, const Derivation& motion) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex rate = forced_motion(side, Pulse::sine).diff(s.t);
   return derived(s.thetadot / s.p, (with_amplitude(rate, Pulse::sine) / s.p).expand(),
                  {from(motion, "Differentiate"), from(linear_amplitude(), "and put in the amplitude")});
@@ -126,25 +126,25 @@ Derivation constant(Side side, bool first, const Derivation& motion, const Deriv
 }
 
 Derivation free_equation(Side side, const Derivation& forced_equation) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.thetaddot - pow(s.p, 2) * s.theta, linear_equation(side, Pulse::none).forcing,
                  {from(forced_equation, "Let the ground rest in")});
 }
 
 Derivation free(Side side, const Derivation& equation) {
-  return derived(notation().theta, free_motion(side),
+  return derived(letters().theta, free_motion(side),
                  {from(equation, "Solve, counting time from t_o,"), in_words("sinh, cosh and a constant")});
 }
 
 Derivation free_rate(Side side, const Derivation& motion) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(
       s.thetadot / s.p, (free_motion(side).diff(s.t) / s.p).expand(),
       {from(motion, "Differentiate"), in_words("the left side is the angular velocity at t, not at t_o")});
 }
 
 Derivation free_constant(Side side, bool first, const Derivation& motion) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const Constants name = free_names(side);
   const Constants value =
       constants_from_start(linear_equation(side, Pulse::none), s.t_o, s.theta_to, s.thetadot_to);
@@ -154,7 +154,7 @@ Derivation free_constant(Side side, bool first, const Derivation& motion) {
 
 // Where the free block of (21) can stand: its weight above the pivot.
 Derivation critical_angle(Side side, const ex& value) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex weight = angular_acceleration(side).subs(s.u_gddot == 0);
   return derived(s.theta_star, value,
                  {{"After the pulse the block accelerates with", s.thetaddot, weight},
@@ -166,46 +166,46 @@ Derivation critical_angle(Side side, const ex& value) {
 }  // namespace
 
 Derivation equation_53a() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.u_gddot_0, ground_acceleration(Pulse::sine).subs(s.t == 0),
                  {in_words("Set t = 0 in (52)")});
 }
 
 Derivation equation_53b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(ground_acceleration(Pulse::sine).subs(s.t == 0), s.lambda * s.a_p,
                  {from(equation_53a(), "λ is the share of the amplitude at t = 0, and")});
 }
 
 Derivation equation_53c() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.psi, asin(s.lambda), {from(equation_53b(), "Solve for ψ, between 0 and π/2,")});
 }
 
 Derivation pulse_begins() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(0, s.omega_p * s.t + s.psi, {in_words("One sine: the phase of (52) runs from 0")}, {}, "<=");
 }
 
 Derivation pulse_ends() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.omega_p * s.t + s.psi, 2 * GiNaC::Pi, {in_words("One sine: the phase of (52) runs to 2π")},
                  {}, "<=");
 }
 
 Derivation equation_54() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex share = s.g * tan(s.alpha) / s.a_p;
   return derived(s.psi, asin(share), {from(equation_53c(), "Into"), {"put", s.lambda, share}});
 }
 
 Derivation equation_55a() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(slope_of_diagonal(), s.b / s.h, {from(equation_32b(), "The shape of the block")});
 }
 
 Derivation equation_55b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.b / s.h, s.mu, {in_words("Inequality (32), without its limit")}, {}, "<");
 }
 
@@ -213,7 +213,7 @@ Derivation equation_56a() { return linearised(Side::negative, equation_21a(), Pu
 Derivation equation_56b() { return linearised(Side::positive, equation_21b(), Pulse::sine); }
 
 Derivation linear_amplitude() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   Derivation result =
       derived(s.a_p / (s.g * s.alpha), amplitude(Pulse::sine).value / (s.g * s.alpha),
               {from(equation_56a(), "At rest and upright, about to move at t = 0, the right side of"),
@@ -231,12 +231,12 @@ Derivation equation_58a() { return constant(Side::negative, true, equation_57a()
 Derivation equation_58b() { return constant(Side::negative, false, equation_57a(), equation_59a()); }
 Derivation equation_58c() { return constant(Side::positive, true, equation_57b(), equation_59b()); }
 Derivation equation_58d() { return constant(Side::positive, false, equation_57b(), equation_59b()); }
-Derivation equation_60_negative() { return critical_angle(Side::negative, -notation().alpha); }
-Derivation equation_60_positive() { return critical_angle(Side::positive, notation().alpha); }
+Derivation equation_60_negative() { return critical_angle(Side::negative, -letters().alpha); }
+Derivation equation_60_positive() { return critical_angle(Side::positive, letters().alpha); }
 
 Derivation equation_60_rate() {
   return derived(
-      notation().thetadot_star, 0,
+      letters().thetadot_star, 0,
       {in_words("The critical motion neither falls over nor comes back: it ends in that equilibrium, "
                 "which it approaches without end as t* grows")});
 }
@@ -253,7 +253,7 @@ Derivation equation_64c() { return free_constant(Side::positive, true, equation_
 Derivation equation_64d() { return free_constant(Side::positive, false, equation_62b()); }
 
 Derivation end_of_sine_pulse() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.T_ex, end_of_pulse(Pulse::sine),
                  {in_words("The phase ω_p t + ψ of (52) has then come to 2π")});
 }

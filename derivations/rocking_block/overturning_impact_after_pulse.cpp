@@ -8,19 +8,19 @@ using GiNaC::lst;
 
 namespace {
 
-ex at_impact(const ex& e) { return e.subs(notation().t == notation().t_i); }
+ex at_impact(const ex& e) { return e.subs(letters().t == letters().t_i); }
 
-Given sine_end() { return {notation().T_ex, end_of_pulse(Pulse::sine)}; }
+Given sine_end() { return {letters().T_ex, end_of_pulse(Pulse::sine)}; }
 
 }  // namespace
 
 ex scaled_rate_at_end() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return (rate_at_end(Side::negative, Pulse::sine).subs(constants_from_rest()) / s.alpha).expand();
 }
 
 ex scaled_angle_at_end() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return ((angle_at_end(Side::negative, Pulse::sine).subs(constants_from_rest()) + s.alpha) / s.alpha)
       .expand();
 }
@@ -31,12 +31,12 @@ namespace {
 LinearEquation free_equation() { return linear_equation(Side::negative, Pulse::none); }
 
 ex free_from_end() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return solution_from(free_equation(), s.T_ex, s.theta_ex, s.thetadot_ex);
 }
 
 ex from_state_at_end(const ex& e) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return e.subs(lst{s.theta_ex == s.alpha * (scaled_angle_at_end() - 1),
                     s.thetadot_ex == s.alpha * s.p * scaled_rate_at_end()});
 }
@@ -44,24 +44,24 @@ ex from_state_at_end(const ex& e) {
 }  // namespace
 
 ex impact_after_pulse() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return (from_state_at_end(at_impact(free_from_end())) / s.alpha).expand();
 }
 
 ex overturning_impact_after_pulse() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex rate = from_state_at_end(at_impact(free_from_end().diff(s.t)));
   return (s.e * rate / (s.p * s.alpha) - 1).expand();
 }
 
 Derivation equation_89a() {
-  return derived(notation().theta, free_from_end(),
+  return derived(letters().theta, free_from_end(),
                  {from(equation_62a(), "Free motion from T_ex:"), from(equation_66a(), "with"),
                   from(equation_66b(), "and")});
 }
 
 Derivation equation_89b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.thetadot / s.p, (free_from_end().diff(s.t) / s.p).expand(),
                  {from(equation_89a(), "Differentiate")});
 }
@@ -70,13 +70,13 @@ Derivation equation_90a() { return equation_70a(); }
 Derivation equation_90b() { return equation_70b(); }
 
 Derivation equation_91a() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.theta_ex, s.alpha * scaled_angle_at_end() - s.alpha,
                  {from(equation_69a(), "Into"), from(equation_70a(), "put"), from(equation_70b(), "and")});
 }
 
 Derivation equation_91b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.thetadot_ex / s.p, (s.alpha * scaled_rate_at_end()).expand(),
                  {from(equation_69b(), "Into"), from(equation_70a(), "put"), from(equation_70b(), "and")});
 }
@@ -88,7 +88,7 @@ Derivation equation_92a() {
 }
 
 Derivation equation_92b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(
       s.thetadot_before, from_state_at_end(at_impact(free_from_end().diff(s.t))).expand(),
       {from(equation_89b(), "At t_i, in"), from(equation_91a(), "put"), from(equation_91b(), "and")});
@@ -97,24 +97,24 @@ Derivation equation_92b() {
 namespace {
 
 ex free_after_impact() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return general_solution(linear_equation(Side::positive, Pulse::none), s.t_i, s.c_1, s.c_2);
 }
 
 Constants free_constants_after_impact() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return constants_from_start(linear_equation(Side::positive, Pulse::none), s.t_i, 0, s.thetadot_after);
 }
 
 ex at_corner(const ex& e) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const Constants c = free_constants_after_impact();
   return e.subs(lst{s.c_1 == c.C, s.c_2 == c.D, s.t == s.t_star});
 }
 
 // c_1 + c_2: what decides the free motion after the impact.
 ex growth_after_impact() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const Constants c = free_constants_after_impact();
   return 2 * growing_part(free_after_impact(), s.t_i).subs(lst{s.c_1 == c.C, s.c_2 == c.D});
 }
@@ -122,28 +122,28 @@ ex growth_after_impact() {
 }  // namespace
 
 Derivation equation_93a() {
-  return derived(notation().theta, free_after_impact(),
+  return derived(letters().theta, free_after_impact(),
                  {from(equation_61b(), "Solve, counting time from t_i,")});
 }
 
 Derivation equation_93b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.thetadot / s.p, (free_after_impact().diff(s.t) / s.p).expand(),
                  {from(equation_93a(), "Differentiate")});
 }
 
 Derivation second_constant_after_impact() {
-  return derived(notation().c_2, free_constants_after_impact().D,
+  return derived(letters().c_2, free_constants_after_impact().D,
                  {from(equation_93a(), "At t_i the block is upright:")});
 }
 
 Derivation first_constant_after_impact() {
-  return derived(notation().c_1, free_constants_after_impact().C,
+  return derived(letters().c_1, free_constants_after_impact().C,
                  {from(equation_93b(), "At t_i, just after the impact:")});
 }
 
 Derivation first_constant_by_restitution() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.thetadot_after / s.p,
                  free_constants_after_impact().C.subs(s.thetadot_after == s.e * s.thetadot_before),
                  {from(first_constant_after_impact(), "With"),
@@ -151,7 +151,7 @@ Derivation first_constant_by_restitution() {
 }
 
 Derivation equation_94a() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(at_corner(free_after_impact()) - s.alpha, 0,
                  {from(equation_93a(), "At t* the block is to stand on its corner:"),
                   from(first_constant_after_impact(), "with"), from(second_constant_after_impact(), "and"),
@@ -159,14 +159,14 @@ Derivation equation_94a() {
 }
 
 Derivation equation_94b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(at_corner(free_after_impact().diff(s.t) / s.p).expand(), 0,
                  {from(equation_93b(), "and to be at rest there:"),
                   in_words("the velocity in it is the one after the impact")});
 }
 
 Derivation equation_95a() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(
       (s.p * growth_after_impact()).expand(), 0,
       {from(equation_94a(), "At no finite time do"), from(equation_94b(), "and"),
@@ -175,7 +175,7 @@ Derivation equation_95a() {
 }
 
 Derivation equation_95b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived((s.p * growth_after_impact()).expand().subs(s.thetadot_after == s.e * s.thetadot_before), 0,
                  {from(equation_95a(), "With the impact"), {"", s.thetadot_after, s.e * s.thetadot_before}});
 }
@@ -191,7 +191,7 @@ ex energy_at_end() { return (pow(scaled_rate_at_end(), 2) - pow(scaled_angle_at_
 
 // θ̇²/p² − (θ + α)² keeps its value in free motion; at an upright block it is θ̇²/p² − α².
 ex energy_at_critical_impact() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex rate = s.alpha / s.e;  // e θ̇/p = α
   return ((pow(rate, 2) - pow(s.alpha, 2)) / pow(s.alpha, 2)).expand();
 }
@@ -219,7 +219,7 @@ Derivation overturns_after_pulse() {
 }
 
 Derivation time_of_critical_impact() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex growth = exp(s.p * (s.t_i - s.T_ex));
   return derived(
       (scaled_rate_at_end() + scaled_angle_at_end()) * growth, 1 + 1 / s.e,
@@ -230,7 +230,7 @@ Derivation time_of_critical_impact() {
 }
 
 Derivation velocity_near_first_mode() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   // θ̇(T_ex) = −p (θ(T_ex) + α) by (68): the block that just comes back has left its corner from rest.
   const ex square = pow(s.thetadot_ex / s.p, 2) - pow(s.theta_ex + s.alpha, 2) + pow(s.alpha, 2);
   const ex critical = square.subs(s.thetadot_ex == -s.p * (s.theta_ex + s.alpha)).expand();

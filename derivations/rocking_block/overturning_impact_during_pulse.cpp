@@ -15,18 +15,18 @@ ex with_amplitude(const ex& e) {
 
 // The forced motion after an impact at t_i, with time counted from there: (79a).
 ex motion_after_impact() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return with_amplitude(general_solution(linear_equation(Side::positive, Pulse::sine), s.t_i, s.A_3, s.A_4));
 }
 
 // The phase at T_ex is 2π; the symbol T_ex stays where time is counted from t_i.
 ex at_end_of_sine(const ex& e) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return e.subs(s.omega_p * s.t + s.psi == 2 * GiNaC::Pi).subs(s.t == s.T_ex);
 }
 
 Constants constants_after_impact() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const Constants c =
       constants_from_start(linear_equation(Side::positive, Pulse::sine), s.t_i, 0, s.e * s.thetadot_before);
   return {with_amplitude(c.C), with_amplitude(c.D)};
@@ -34,13 +34,13 @@ Constants constants_after_impact() {
 
 ex motion_before_impact() { return with_amplitude(forced_motion(Side::negative, Pulse::sine)); }
 
-ex rate_before_impact() { return motion_before_impact().diff(notation().t); }
+ex rate_before_impact() { return motion_before_impact().diff(letters().t); }
 
-ex at_impact(const ex& e) { return e.subs(notation().t == notation().t_i); }
+ex at_impact(const ex& e) { return e.subs(letters().t == letters().t_i); }
 
 // sin(ω_p t_i + ψ) and its cosine by the addition theorem.
 ex by_addition(const ex& e) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex turned = s.omega_p * s.t_i, whole = turned + s.psi;
   return e
       .subs(lst{sin(whole) == sin(turned) * cos(s.psi) + cos(turned) * sin(s.psi),
@@ -49,7 +49,7 @@ ex by_addition(const ex& e) {
 }
 
 ex scale() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return (1 + pow(s.omega_p / s.p, 2)) * sin(s.psi) / s.alpha;
 }
 
@@ -57,13 +57,13 @@ ex scale() {
 struct CriticalSum {
   ex grown, added;
   ex over_growth() const {
-    const Notation& s = notation();
+    const Letters& s = letters();
     return grown + added * exp(-s.p * (s.T_ex - s.t_i));
   }
 };
 
 CriticalSum critical_after_impact(const ex& A_3, const ex& A_4) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const GiNaC::symbol growth("growth");
   const ex phase = s.p * (s.t - s.t_i);
   const ex sum = critical_sum(Side::positive, motion_after_impact(), motion_after_impact().diff(s.t));
@@ -94,7 +94,7 @@ ex impact_during_pulse() {
 }
 
 ex overturning_impact_during_pulse() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const Constants c = constants_after_impact();
   const ex before = at_impact(rate_before_impact()).subs(constants_from_rest());
   const ex condition =
@@ -104,41 +104,41 @@ ex overturning_impact_during_pulse() {
 
 Derivation equation_79a() {
   return derived(
-      notation().theta, motion_after_impact(),
+      letters().theta, motion_after_impact(),
       {from(equation_57b(), "As in"), in_words("with time counted from the impact in sinh and cosh")});
 }
 
 Derivation equation_79b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.thetadot / s.p, (motion_after_impact().diff(s.t) / s.p).expand(),
                  {from(equation_79a(), "Differentiate")});
 }
 
 Derivation equation_80a() {
-  return derived(notation().theta_ex, at_end_of_sine(motion_after_impact()),
+  return derived(letters().theta_ex, at_end_of_sine(motion_after_impact()),
                  {from(equation_79a(), "At T_ex, where the phase is 2π,")});
 }
 
 Derivation equation_80b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.thetadot_ex / s.p, at_end_of_sine((motion_after_impact().diff(s.t) / s.p).expand()),
                  {from(equation_79b(), "At T_ex, where the phase is 2π,")});
 }
 
 Derivation equation_81() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.A_4, constants_after_impact().D, {from(equation_79a(), "At t_i the block is upright:")});
 }
 
 Derivation equation_82() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.A_3, constants_after_impact().C,
                  {from(equation_79b(), "At t_i the block leaves with"),
                   {"by the impact", s.thetadot_after, s.e * s.thetadot_before}});
 }
 
 Derivation equation_83() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex growth = exp(s.p * (s.T_ex - s.t_i));
   const CriticalSum sum = critical_after_impact(s.A_3, s.A_4);
   return derived(sum.grown * growth, -sum.added,
@@ -147,18 +147,18 @@ Derivation equation_83() {
 }
 
 Derivation equation_84() {
-  return derived(notation().theta_i, at_impact(motion_before_impact()),
+  return derived(letters().theta_i, at_impact(motion_before_impact()),
                  {from(equation_57a(), "Before the impact, at t_i,")});
 }
 
 Derivation equation_85() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.thetadot_before / s.p, (at_impact(rate_before_impact()) / s.p).expand(),
                  {from(equation_59a(), "Before the impact, at t_i,")});
 }
 
 Derivation equation_86() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex vanishes = impact_during_pulse();
   const ex of_cosine = vanishes.coeff(cos(s.psi), 1), of_sine = vanishes.coeff(cos(s.psi), 0) / sin(s.psi);
   return derived(tan(s.psi), (-of_cosine / of_sine).normal(),
@@ -170,7 +170,7 @@ Derivation equation_86() {
 }
 
 Derivation equation_87a() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const Constants c = constants_after_impact();
   return sorted((critical_after_impact(c.C, c.D).over_growth() * scale()).expand().normal(),
                 {from(equation_83(), "Into"),
@@ -180,14 +180,14 @@ Derivation equation_87a() {
 }
 
 Derivation equation_87b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex rate = (at_impact(rate_before_impact()) / s.p).subs(constants_from_rest());
   return derived(s.thetadot_before / s.p, by_addition(rate),
                  {from(equation_85(), "In"), from(equation_70a(), "put"), from(equation_70b(), "and")});
 }
 
 Derivation equation_88() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return sorted(overturning_impact_during_pulse(),
                 {from(equation_87a(), "Into"),
                  from(equation_87b(), "put"),

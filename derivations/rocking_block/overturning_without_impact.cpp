@@ -7,22 +7,22 @@ using GiNaC::lst;
 
 namespace {
 
-ex corner(Side side) { return side == Side::negative ? ex(-notation().alpha) : ex(notation().alpha); }
+ex corner(Side side) { return side == Side::negative ? ex(-letters().alpha) : ex(letters().alpha); }
 
 Constants free_names(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return side == Side::negative ? Constants{s.Abar_1, s.Abar_2} : Constants{s.Abar_3, s.Abar_4};
 }
 
 // The free motion from the end of the pulse on.
 ex free_from_end(Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return free_motion(side).subs(s.t_o == s.T_ex);
 }
 
 // At T_ex the phase is a multiple of π/2, whose sine and cosine GiNaC knows.
 ex at_end(const ex& e, Pulse pulse) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex phase = s.omega_p * end_of_pulse(pulse) + s.psi;
   return e.subs(s.omega_p * s.t + s.psi == phase.expand()).subs(s.t == s.T_ex);
 }
@@ -35,20 +35,20 @@ ex in_exponentials(const ex& e) {
 }
 
 lst constants_from_rest() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const Constants c = forced_constants(Side::negative, Pulse::sine);
   const lst rest{s.theta_0 == 0, s.thetadot_0 == 0};
   return lst{s.A_1 == c.C.subs(rest).normal(), s.A_2 == c.D.subs(rest).normal()};
 }
 
 ex critical_sum(Side side, const ex& angle, const ex& rate) {
-  return rate / notation().p + angle - corner(side);
+  return rate / letters().p + angle - corner(side);
 }
 
 ex angle_at_end(Side side, Pulse pulse) { return at_end(forced_motion(side, pulse), pulse); }
 
 ex rate_at_end(Side side, Pulse pulse) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const Given a = amplitude(pulse);
   const ex rate = forced_motion(side, pulse).diff(s.t).subs(a.name == a.value);
   return (at_end(rate, pulse) / s.p).expand();
@@ -56,7 +56,7 @@ ex rate_at_end(Side side, Pulse pulse) {
 
 ThresholdEquation threshold_without_impact(Side side, const ex& ground, const Given& amplitude,
                                            const ex& end) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const GiNaC::symbol growth("growth");  // e^{p t} at the end of the pulse
   const ex motion = solution_from(linear_equation_under(side, ground), 0, s.theta_0, s.thetadot_0);
   const ex sum = critical_sum(side, motion, motion.diff(s.t)).subs(amplitude.name == amplitude.value);
@@ -79,25 +79,25 @@ namespace {
 Derivation corner_reached(Side side, const Derivation& motion) {
   return derived(corner(side), free_from_end(side),
                  {from(motion, "The motion after the pulse, t_o = T_ex,"),
-                  {"reaches the corner", notation().theta, corner(side)}});
+                  {"reaches the corner", letters().theta, corner(side)}});
 }
 
 Derivation corner_at_rest(Side side, const Derivation& motion) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(
       0, (free_from_end(side).diff(s.t) / s.p).expand(),
       {from(motion, "The motion after the pulse, t_o = T_ex,"), in_words("comes there without velocity")});
 }
 
 Derivation constant_at_end(const Derivation& free_constant) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const auto at_end = lst{s.t_o == s.T_ex, s.theta_to == s.theta_ex, s.thetadot_to == s.thetadot_ex};
   return derived(free_constant.left, free_constant.right.subs(at_end),
                  {from(free_constant, "Free motion begins at t_o = T_ex; so")});
 }
 
 Derivation no_growth(Side side, const Derivation& motion) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const Constants c = free_names(side);
   const ex growing = growing_part(free_from_end(side), s.T_ex);
   return derived(
@@ -110,30 +110,30 @@ Derivation no_growth(Side side, const Derivation& motion) {
 
 Derivation critical(Side side, const Derivation& condition, const Derivation& first,
                     const Derivation& second) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived((s.p * critical_sum(side, s.theta_ex, s.thetadot_ex)).expand(), 0,
                  {from(condition, "Into"), from(first, "put"), from(second, "and")});
 }
 
 Derivation end_angle(Side side, const Derivation& motion) {
-  return derived(notation().theta_ex, angle_at_end(side, Pulse::sine),
+  return derived(letters().theta_ex, angle_at_end(side, Pulse::sine),
                  {from(motion, "At T_ex the phase of the pulse is 2π, and its sine 0:")});
 }
 
 Derivation end_rate(Side side, const Derivation& rate) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.thetadot_ex / s.p, rate_at_end(side, Pulse::sine),
                  {from(rate, "At T_ex the phase of the pulse is 2π, and its cosine 1:")});
 }
 
 Derivation from_rest(const Derivation& constant) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(constant.left, constant.right.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0}).normal(),
                  {from(constant, "From rest, θ_0 = θ̇_0 = 0:")});
 }
 
 Derivation threshold(Side side, const std::vector<Derivation>& ingredients) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ThresholdEquation found = threshold_without_impact(side, Pulse::sine);
   std::vector<Step> steps;
   for (const Derivation& d : ingredients) steps.push_back(from(d, steps.empty() ? "Into" : "put"));

@@ -9,13 +9,13 @@ using GiNaC::lst;
 namespace {
 
 ex with_motion(const ex& e, Side side) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return e.subs(s.thetaddot == angular_acceleration(side)).expand();
 }
 
 // x_c, y_c of (48), (49): for θ < 0 the way of C is u_c = u_g − x_c.
 ex way(int derivatives) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   ex result = -centre_displacement(Side::negative).right.subs(s.R * sin(s.alpha) == s.b);
   for (int n = 0; n < derivatives; ++n) result = time_derivative(result, block_rates());
   return result.expand();
@@ -28,7 +28,7 @@ ex rise(int derivatives) {
 }
 
 Derivation horizontal(Side side, const Derivation& motion) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex acceleration = centre_acceleration(side).right;
   return derived(s.H / s.m, horizontal_reaction(side),
                  {{"Newton, to the right: H alone accelerates C", s.H / s.m, acceleration},
@@ -36,7 +36,7 @@ Derivation horizontal(Side side, const Derivation& motion) {
 }
 
 Derivation vertical(Side side, const Derivation& motion) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex acceleration = centre_acceleration(side).up;
   return derived(s.V / s.m, vertical_reaction(side),
                  {{"Newton, upwards: V carries the weight and accelerates C", s.V / s.m, s.g + acceleration},
@@ -44,7 +44,7 @@ Derivation vertical(Side side, const Derivation& motion) {
 }
 
 Derivation demand(Side side, const Derivation& motion) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.H / s.V, horizontal_reaction(side) / vertical_reaction(side),
                  {from(horizontal(side, motion), "The ratio of"), from(vertical(side, motion), "to")});
 }
@@ -56,7 +56,7 @@ Derivation contact(Side side, const Derivation& motion) {
 
 // (51): the block at rest, about to move under ü_g = g tan α.
 ex at_initiation(const ex& e) {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return e.subs(lst{s.theta == 0, s.thetadot == 0, s.u_gddot == s.g * sin(s.alpha) / cos(s.alpha)})
       .subs(s.R == 3 * s.g / (4 * pow(s.p, 2)));
 }
@@ -74,37 +74,37 @@ Given acceleration_at_start() {
 }  // namespace
 
 ex horizontal_reaction(Side side) { return with_motion(centre_acceleration(side).right, side); }
-ex vertical_reaction(Side side) { return with_motion(notation().g + centre_acceleration(side).up, side); }
+ex vertical_reaction(Side side) { return with_motion(letters().g + centre_acceleration(side).up, side); }
 
 Derivation equation_47a() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.H, s.m * (s.u_gddot - s.x_cddot),
                  {{"Newton, to the right", s.H, s.m * s.u_cddot},
                   {"and by (2), differentiated twice", s.u_cddot, s.u_gddot - s.x_cddot}});
 }
 
 Derivation equation_47b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.V, s.m * (s.g + s.y_cddot),
                  {in_words("Newton, upwards, as y_c is counted: V − m g = m ÿ_c"),
                   in_words("At t = 0 this is (26), where ÿ_c(0) = −R θ̈(0) sin α")});
 }
 
 Derivation equation_48a() {
-  return derived(notation().x_c, way(0), {in_words("As in (2)")}, sides_of_the_block());
+  return derived(letters().x_c, way(0), {in_words("As in (2)")}, sides_of_the_block());
 }
 Derivation equation_48b() {
-  return derived(notation().x_cdot, way(1), {from(equation_48a(), "Differentiate")});
+  return derived(letters().x_cdot, way(1), {from(equation_48a(), "Differentiate")});
 }
 Derivation equation_48c() {
-  return derived(notation().x_cddot, way(2), {from(equation_48b(), "Differentiate")});
+  return derived(letters().x_cddot, way(2), {from(equation_48b(), "Differentiate")});
 }
-Derivation equation_49a() { return derived(notation().y_c, rise(0), {in_words("As in (3)")}); }
+Derivation equation_49a() { return derived(letters().y_c, rise(0), {in_words("As in (3)")}); }
 Derivation equation_49b() {
-  return derived(notation().y_cdot, rise(1), {from(equation_49a(), "Differentiate")});
+  return derived(letters().y_cdot, rise(1), {from(equation_49a(), "Differentiate")});
 }
 Derivation equation_49c() {
-  return derived(notation().y_cddot, rise(2), {from(equation_49b(), "Differentiate")});
+  return derived(letters().y_cddot, rise(2), {from(equation_49b(), "Differentiate")});
 }
 
 Derivation horizontal_reaction_negative() { return horizontal(Side::negative, equation_21a()); }
@@ -121,7 +121,7 @@ Derivation equation_50b() { return vertical_reaction_negative(); }
 Derivation equation_50() { return friction_demand_negative(); }
 
 Derivation equation_50c() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   Derivation result = derived(
       s.H / s.V, s.mu, {in_words("Coulomb: |H| <= μ V, with V > 0 as long as there is contact")}, {}, "<=");
   result.assumption = "H >= 0; where H < 0 the condition is -H/V <= mu";
@@ -129,7 +129,7 @@ Derivation equation_50c() {
 }
 
 Derivation equation_51a() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(
       s.H_0 / s.V_0, first_ratio().normal(),
       {from(friction_demand_negative(), "In"),
@@ -138,13 +138,13 @@ Derivation equation_51a() {
 }
 
 Derivation equation_51b() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(s.u_gddot_0 / s.g, first_acceleration().right / s.g,
                  {from(first_acceleration(), "Divide by g")});
 }
 
 Derivation equation_51c() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return derived(tan(s.alpha), s.mu, {from(equation_51a(), "Coulomb, with"), in_words("which is positive")},
                  {}, "<=");
 }

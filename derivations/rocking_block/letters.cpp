@@ -1,16 +1,16 @@
-#include <derivations/rocking_block/notation.hpp>
+#include <derivations/rocking_block/letters.hpp>
 
 namespace rederive {
 
 using GiNaC::ex;
 
-const Notation& notation() {
-  static const Notation names;
-  return names;
+const Letters& letters() {
+  static const Letters all;
+  return all;
 }
 
 Rates block_rates() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return {{s.theta, s.thetadot}, {s.thetadot, s.thetaddot}, {s.u_g, s.u_gdot}, {s.u_gdot, s.u_gddot}};
 }
 
@@ -33,13 +33,13 @@ Step from(const Derivation& other, std::string says) {
 }
 
 std::vector<Given> inertia_and_frequency() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   const ex R = 3 * s.g / (4 * pow(s.p, 2));
   return {{s.J_o, ex(4) / 3 * s.m * pow(R, 2)}, {s.R, R}};
 }
 
 std::vector<Given> sides_of_the_block() {
-  const Notation& s = notation();
+  const Letters& s = letters();
   return {{s.b, s.R * sin(s.alpha)}, {s.h, s.R * cos(s.alpha)}};
 }
 

@@ -8,7 +8,7 @@
 namespace rederive {
 
 /// paper_symbols() with a member for each name that the derivations use.
-struct Notation {
+struct Letters {
   const Symbols& table = paper_symbols();
   // the block and its surroundings
   const SymbolExpression m = table["m"], g = table["g"], R = table["R"], b = table["b"], h = table["h"],
@@ -55,8 +55,8 @@ struct Notation {
                          Abar_4 = table["Abar_4"], c_1 = table["c_1"], c_2 = table["c_2"];
 };
 
-/// The one Notation.
-const Notation& notation();
+/// The one set of Letters.
+const Letters& letters();
 
 /// The rates along any motion of block and ground: θ → θ̇ → θ̈, u_g → u̇_g → ü_g.
 Rates block_rates();

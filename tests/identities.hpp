@@ -1,0 +1,38 @@
+// Statements about expressions, for tests.
+#pragma once
+
+#include <cmath>
+#include <derivations/algebra/print.hpp>
+#include <derivations/algebra/prove.hpp>
+#include <functional>
+#include <initializer_list>
+#include <string_view>
+#include <utility>
+
+namespace rederive {
+
+/// Whether two expressions are proved to be the same.
+inline bool identical(const GiNaC::ex& a, const GiNaC::ex& b) {
+  if (b.is_zero()) return identical(a + 1, 1);  // a number that cancels to 0 has no relative precision
+  return prove({{to_tree(a)}, {}}, {{to_tree(b)}, {}}).verdict == Verdict::proved;
+}
+
+/// The value of an expression with numbers for its symbols.
+inline double value(const GiNaC::ex& e, std::initializer_list<std::pair<std::string_view, double>> numbers) {
+  GiNaC::exmap map;
+  for (const auto& [name, number] : numbers) map[paper_symbols()[name]] = number;
+  return GiNaC::ex_to<GiNaC::numeric>(e.subs(map, GiNaC::subs_options::no_pattern).evalf()).to_double();
+}
+
+/// Where f changes its sign between `low` and `high`; NaN where it does not.
+inline double root(const std::function<double(double)>& f, double low, double high) {
+  if ((f(low) > 0) == (f(high) > 0)) return std::nan("");
+  const bool rising = f(high) > 0;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = (low + high) / 2;
+    ((f(middle) > 0) == rising ? high : low) = middle;
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace rederive
