@@ -202,7 +202,8 @@ class Real : public GiNaC::map_function {
     }
     if (!GiNaC::is_a<GiNaC::function>(e)) return e.map(*this);
     const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-    if (name == "imag_part") return 0;
+    if (name == "imag_part" || name == "atan2")
+      return 0;  // the angle of a real power is that of its positive base
     return name == "conjugate" || name == "real_part" ? (*this)(e.op(0)) : e.map(*this);
   }
 
