@@ -120,9 +120,12 @@ struct Product {
             !(c.imaginary + turn * opposite->second.imaginary).expand().is_zero())
           return std::nullopt;
       }
-      // a e^{iφ} + conj = 2 Re a cos φ - 2 Im a sin φ, half of it from each of the two terms
+      // a e^{iφ} + conj = 2 Re a cos φ - 2 Im a sin φ, once for the two terms together
+      const auto first = std::find_if(circular.begin(), circular.end(), [](const auto& k) { return !k.second.is_zero(); });
+      if (first != circular.end() && first->second.is_negative()) continue;
+      const int count = first == circular.end() ? 1 : 2;
       const ex even = real_sum(rest, turn < 0), odd = real_sum(rest, turn > 0);
-      sum += even * GiNaC::cos(phase(circular)) - turn * odd * GiNaC::sin(phase(circular));
+      sum += count * (even * GiNaC::cos(phase(circular)) - turn * odd * GiNaC::sin(phase(circular)));
     }
     return sum;
   }

@@ -80,7 +80,7 @@ struct Prepare : GiNaC::map_function {
     if (is_a<numeric>(base) && !ex_to<numeric>(base).is_rational()) throw Undecidable("a number that is not exact");
     ex outside = 1, inside = 1;
     for (auto [factor, n] : factors(base)) {
-      const bool even = n.is_even() && q.denom().is_even();
+      const bool even = n.is_even();
       const int sign = sign_of(factor, symbols);
       if (is_a<numeric>(factor)) {
         const numeric value = ex_to<numeric>(factor);

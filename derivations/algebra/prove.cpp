@@ -202,7 +202,7 @@ std::optional<Proof> differ_at_a_root(const Pair& pair, const Points& points, bo
   const Tree &zero = of_right ? pair.right : pair.left, &other = of_right ? pair.left : pair.right;
   const auto root = find_root([&](const Point& p) { return value_of(zero, p); }, points, names_of(pair), most, [&](const Point& p) {
     const auto a = value_of(zero, p), b = value_of(other, p);
-    return a && b && !differ(*a, 0) && cln::abs(*b) * cln::expt_pos(cln::cl_I(10), 15) > 1 && is_admitted(pair, p, symbols);
+    return a && b && is_nearly_zero(*a) && cln::abs(*b) * cln::expt_pos(cln::cl_I(10), 15) > 1 && is_admitted(pair, p, symbols);
   });
   if (!root) return std::nullopt;
   return refute(make_witness(pair, *root), of_right ? "at the witness the right one holds with equality, the left one does not"

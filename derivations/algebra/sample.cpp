@@ -4,7 +4,7 @@ namespace rederive {
 
 namespace {
 
-constexpr int working_digits = 60, shown_digits = 30;
+constexpr int working_digits = 70, shown_digits = 30;
 
 cln::cl_R power_of_ten(int exponent) {
   const cln::cl_I power = cln::expt_pos(cln::cl_I(10), std::abs(exponent));
@@ -19,8 +19,8 @@ Tree number(const std::string& text) {
 }
 
 /// The text "0" where a value is 0 to all the places that can be had.
-std::string shown(const Tree& tree, const Point& point) {
-  if (const auto value = evaluate(tree, point, shown_digits + 5)) return decimal(*value, shown_digits);
+std::string shown(const Tree& tree, const Point& point, int digits) {
+  if (const auto value = evaluate(tree, point, digits + 5)) return decimal(*value, digits);
   return value_of(tree, point) ? "0" : "undefined";
 }
 
@@ -59,11 +59,16 @@ bool differ(const cln::cl_R& a, const cln::cl_R& b) {
   return cln::abs(a - b) > size * power_of_ten(20 - working_digits);
 }
 
+bool is_nearly_zero(const cln::cl_R& value) { return cln::abs(value) < power_of_ten(-35); }
+
 Witness make_witness(const Pair& pair, const Point& point) {
   Witness witness;
   for (const auto& [name, value] : point) witness.at[name] = rational_text(value);
-  witness.printed = shown(pair.left, point);
-  witness.derived = shown(pair.right, point);
+  for (int digits = shown_digits; digits <= working_digits; digits += 20) {  // more, where they differ further on
+    witness.printed = shown(pair.left, point, digits);
+    witness.derived = shown(pair.right, point, digits);
+    if (witness.printed != witness.derived) break;
+  }
   return witness;
 }
 

@@ -15,7 +15,7 @@ struct Pair {
 
 std::set<std::string> names_of(const Pair& pair);
 
-/// The value of a tree to about 50 decimal places, 0 included; nothing where it has none.
+/// The value of a tree to about 70 decimal places, 0 included; nothing where it has none.
 std::optional<cln::cl_R> value_of(const Tree& tree, const Point& point);
 
 /// Whether the point keeps every name that was replaced inside its declared range.
@@ -23,6 +23,9 @@ bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols);
 
 /// Beyond all doubt: the difference is far above the accuracy of value_of.
 bool differ(const cln::cl_R& a, const cln::cl_R& b);
+
+/// What is left at a root that is known to 45 digits.
+bool is_nearly_zero(const cln::cl_R& value);
 
 /// Both sides at a point, to 30 digits.
 Witness make_witness(const Pair& pair, const Point& point);

@@ -64,7 +64,7 @@ Point Points::at(int index) const {
       value = range.low + (range.high - range.low) * (0.1 + 0.8 * part);
     } else {
       double size = small_numbers[static_cast<std::size_t>((index * 3 + place * 7) % 10)] * (1 + 0.3 * (part - 0.5));
-      if (index >= 8) size *= std::exp(6 * (mixed(place, static_cast<unsigned>(index) + 77) - 0.5));
+      if (index >= 8) size *= std::exp((index < 24 ? 6 : 16) * (mixed(place, static_cast<unsigned>(index) + 77) - 0.5));
       if (std::isfinite(range.low)) value = range.low + size;
       else if (std::isfinite(range.high)) value = range.high - size;
       else value = mixed(place + 5, static_cast<unsigned>(index) + 11) < 0.5 ? size : -size;

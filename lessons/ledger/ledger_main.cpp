@@ -7,6 +7,7 @@
 #include <derivations/command_line.hpp>
 #include <derivations/paper/mutate.hpp>
 #include <lessons/ledger/prove_command.hpp>
+#include <lessons/ledger/prove_table.hpp>
 #include <lessons/ledger/report.hpp>
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ namespace {
 struct Options {
   bool json = false;
   std::string equations = equations_file();
-  std::string id, format = "text";
+  std::string id, format = "text", table;
   unsigned seed = 1;
   ProveRequest request;
 };
@@ -121,6 +122,12 @@ int show_proof(const Options& options) {
   return verdict == "refuted" ? not_as_expected : verdict == "undecided" ? undecided_or_failed : as_expected;
 }
 
+int show_table(const Options& options) {
+  int unexpected = 0;
+  put(table_page(read_table(options.table), unexpected));
+  return unexpected == 0 ? as_expected : not_as_expected;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -140,15 +147,19 @@ int main(int argc, char** argv) {
   mutation->add_option("--seed", options.seed, "Which slips are tried");
   auto* dot = app.add_subcommand("graph", "What follows from what, in DOT");
   auto* proving = app.add_subcommand("prove", "Decides any statement: LHS and RHS are expressions, equations or inequalities");
-  proving->add_option("lhs", options.request.left, "\"sin(2*x)\"")->required();
-  proving->add_option("rhs", options.request.right, "\"2*sin(x)*cos(x)\"")->required();
+  auto* lhs = proving->add_option("lhs", options.request.left, "\"sin(2*x)\"");
+  auto* rhs = proving->add_option("rhs", options.request.right, "\"2*sin(x)*cos(x)\"");
   proving->add_option("--assume", options.request.assumptions, "\"x > 0\", \"0 < x < 1\", \"h = R*cos(alpha)\"")->take_all()->allow_extra_args(false);
   proving->add_option("--small", options.request.small, "Compare Taylor polynomials in these symbols")->delimiter(',')->allow_extra_args(false);
   proving->add_option("--order", options.request.order, "… up to this order");
 
+  auto* table = proving->add_option("--table", options.table, "Decides every row of a table and writes a page in Markdown")->check(CLI::ExistingFile)->excludes(lhs)->excludes(rhs);
+
   return run_command(app, argc, argv, [&]() -> int {
     if (*show) return show_one(options);
     if (*mutation) return show_mutation(options);
+    if (*proving && *table) return show_table(options);
+    if (*proving && (!*lhs || !*rhs)) throw BadInput("prove wants two statements; right is, for example, ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
     if (*proving) return show_proof(options);
     if (*dot) return put(graph(all(options))), as_expected;
     if (*sheet) return put(errata(all(options), options.json ? "json" : options.format)), as_expected;

@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <derivations/command_line.hpp>
+#include <lessons/ledger/prove_table.hpp>
+#include <map>
+#include <toml++/toml.h>
+
+namespace rederive {
+
+namespace {
+
+std::string text(const toml::table& row, const char* key) { return row[key].value_or(std::string()); }
+
+std::vector<std::string> list(const toml::table& row, const char* key) {
+  std::vector<std::string> items;
+  if (const toml::array* array = row[key].as_array())
+    for (const toml::node& item : *array) items.push_back(item.value_or(std::string()));
+  return items;
+}
+
+/// A formula in a cell of a Markdown table.
+std::string cell(std::string formula) {
+  for (std::size_t k = 0; (k = formula.find('|', k)) != std::string::npos; k += 2) formula.insert(k, "\\");
+  return "`" + formula + "`";
+}
+
+std::string assumptions(const ProveRequest& request) {
+  std::string result;
+  for (const std::string& assumption : request.assumptions) result += (result.empty() ? "" : ", ") + cell(assumption);
+  if (request.order > 0) {
+    std::string small;
+    for (const std::string& name : request.small) small += (small.empty() ? "" : ", ") + name;
+    result += fmt::format("{} small, order {}", cell(small), request.order);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<TableRow> read_table(const std::filesystem::path& file) {
+  std::vector<TableRow> rows;
+  try {
+    const toml::table table = toml::parse_file(file.string());
+    const toml::array* array = table["row"].as_array();
+    if (array == nullptr) throw BadInput("'" + file.string() + "' has no [[row]]");
+    for (const toml::node& node : *array) {
+      const toml::table& row = *node.as_table();
+      TableRow entry{text(row, "group"), text(row, "why"), text(row, "expected"), row["limit"].value_or(false), {}};
+      entry.request = {text(row, "left"), text(row, "right"), list(row, "assume"), list(row, "small"), row["order"].value_or(0)};
+      if (entry.expected.empty() || entry.group.empty())
+        throw BadInput(fmt::format("{}:{}: a row needs left, right, group and expected", file.string(), node.source().begin.line));
+      rows.push_back(std::move(entry));
+    }
+  } catch (const toml::parse_error& error) {
+    throw BadInput(fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
+  }
+  return rows;
+}
+
+std::string verdict_of(const TableRow& row) {
+  try {
+    return to_string(decide(row.request).verdict);
+  } catch (const BadInput&) {
+    return "refused";
+  }
+}
+
+std::string table_page(const std::vector<TableRow>& rows, int& unexpected) {
+  std::map<std::string, int> counts;
+  std::string body, group;
+  for (const TableRow& row : rows) {
+    if (row.group != group) body += fmt::format("\n## {}\n\n| left | right | assumed | verdict | why it is here |\n|---|---|---|---|---|\n", row.group);
+    group = row.group;
+    const std::string verdict = verdict_of(row);
+    ++counts[row.limit && verdict == "undecided" ? "undecided, though true" : verdict];
+    const bool as_expected = verdict == row.expected;
+    unexpected += as_expected ? 0 : 1;
+    body += fmt::format("| {} | {} | {} | {}{} | {} |\n", cell(row.request.left), cell(row.request.right), assumptions(row.request),
+                        verdict, as_expected ? "" : " (**expected " + row.expected + "**)", row.why);
+  }
+  std::string head = fmt::format("# What `ledger prove` can decide, and what it cannot\n\n{} statements, decided as this page was written:", rows.size());
+  for (const auto& [verdict, count] : counts) head += fmt::format(" {} {},", count, verdict);
+  head.back() = '.';
+  return head + "\n" + body;
+}
+
+}  // namespace rederive

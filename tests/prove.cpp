@@ -1,0 +1,100 @@
+// The table of statements, row by row, and what `ledger prove` says to a user.
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <derivations/algebra/witness.hpp>
+#include <lessons/ledger/prove_table.hpp>
+#include <nlohmann/json.hpp>
+#include <tests/run_program.hpp>
+
+using namespace rederive;
+
+namespace {
+
+const std::string table_file = std::string(REDERIVE_SOURCE) + "/tests/prove_table.toml";
+
+nlohmann::json prove_json(std::vector<std::string> arguments, int exit_code) {
+  arguments.insert(arguments.begin(), "prove");
+  arguments.push_back("--json");
+  const Result r = run_program("ledger", arguments);
+  INFO(r.out << r.err);
+  CHECK(r.exit_code == exit_code);
+  return nlohmann::json::parse(r.out);
+}
+
+}  // namespace
+
+TEST_CASE("every row of the table has the verdict that it should have") {
+  const auto rows = read_table(table_file);
+  CHECK(rows.size() >= 400);
+  for (const TableRow& row : rows) {
+    INFO(row.group << ": " << row.request.left << "  |  " << row.request.right << "  (" << row.why << ")");
+    const auto start = std::chrono::steady_clock::now();
+    CHECK(verdict_of(row) == row.expected);
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(2));
+    CHECK_FALSE(row.why.empty());
+  }
+}
+
+TEST_CASE("every refuted row has a witness inside the declared ranges, of which both sides are shown") {
+  for (const TableRow& row : read_table(table_file)) {
+    if (row.expected != "refuted") continue;
+    INFO(row.request.left << "  |  " << row.request.right);
+    const Proof proof = decide(row.request);
+    REQUIRE(proof.witness);
+    const bool relation = row.request.left.find_first_of("=<>") != std::string::npos;  // there both may be 0: x < y, x <= y
+    CHECK((relation || proof.witness->printed != proof.witness->derived));
+    const Context context = make_context(row.request);
+    for (const auto& [name, value] : proof.witness->at) {
+      const Symbol* symbol = context.symbols.find(name);
+      REQUIRE(symbol != nullptr);
+      CHECK(is_inside(symbol->range, cln::cl_RA(value.c_str())));
+    }
+  }
+}
+
+TEST_CASE("a proof says what it rests on") {
+  const auto j = prove_json({"sqrt(g^2)", "g"}, 0);
+  CHECK(j["verdict"] == "proved");
+  CHECK(j["side_conditions"] == nlohmann::json{"g > 0"});
+  CHECK(prove_json({"x/x", "1"}, 0)["side_conditions"] == nlohmann::json{"x != 0"});
+  CHECK(prove_json({"sqrt(x)^2", "x"}, 0)["side_conditions"] == nlohmann::json{"x >= 0"});
+  CHECK(prove_json({"m*a = m*b", "a = b"}, 0)["factor"] == "m");
+}
+
+TEST_CASE("a refutation can be checked by hand") {
+  const auto j = prove_json({"sqrt(x^2)", "x"}, 1);
+  CHECK(j["verdict"] == "refuted");
+  REQUIRE(j["witness"]["at"].contains("x"));
+  CHECK(j["witness"]["at"]["x"].get<std::string>().starts_with("-"));
+  CHECK(j["witness"]["derived"] == "-" + j["witness"]["printed"].get<std::string>());
+}
+
+TEST_CASE("what cannot be decided is said to be undecided, with the reason and what would help") {
+  const auto j = prove_json({"log(x*y)", "log(x)+log(y)"}, 3);
+  CHECK(j["verdict"] == "undecided");
+  CHECK(j["reason"].get<std::string>().find("sign of x, y") != std::string::npos);
+  CHECK(prove_json({"log(x*y)", "log(x)+log(y)", "--assume", "x > 0", "--assume", "y > 0"}, 0)["verdict"] == "proved");
+}
+
+TEST_CASE("given equations and approximations have verdicts of their own") {
+  CHECK(prove_json({"b^2+h^2", "R^2", "--assume", "b = R*sin(alpha)", "--assume", "h = R*cos(alpha)"}, 0)["verdict"] == "proved_under");
+  CHECK(prove_json({"sin(theta)", "theta", "--small", "theta", "--order", "1"}, 0)["verdict"] == "approximation");
+}
+
+TEST_CASE("a text that cannot be read ends with 2 and a caret under the character") {
+  const Result r = run_program("ledger", {"prove", "2x", "x"});
+  CHECK(r.exit_code == 2);
+  CHECK(r.out.empty());
+  CHECK(r.err.find("^") != std::string::npos);
+  CHECK(r.err.find("2*x") != std::string::npos);
+  CHECK(run_program("ledger", {"prove", "x"}).exit_code == 2);
+  CHECK(run_program("ledger", {"prove", "x", "y", "--assume", "x > 1", "--assume", "x < 0"}).exit_code == 2);
+}
+
+TEST_CASE("the page of what can be decided is written from the table") {
+  const Result r = run_program("ledger", {"prove", "--table", table_file});
+  CHECK(r.exit_code == 0);
+  CHECK(r.out.find("## Known limits") != std::string::npos);
+  CHECK(r.out.find("**expected") == std::string::npos);
+}
