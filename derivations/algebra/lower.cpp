@@ -24,10 +24,15 @@ cln::cl_RA exact(const std::string& number) {
 
 namespace {
 
-/// An expression, how many bits the numbers in it can take at most, and its value if it is a constant.
+/// How many bits the numbers in an expression can take at most, and how many parts it has.
+struct Size {
+  double bits = 0, parts = 1;
+};
+
+/// An expression, its size, and its value if it is a constant.
 struct Lowered {
   GiNaC::ex value;
-  double bits;
+  Size size;
   std::optional<Ball> constant;
 };
 
@@ -44,7 +49,7 @@ std::optional<Ball> constant_of(const Operation& operation, const Operands&... o
   }
 }
 
-constexpr double most_bits = 1 << 16;
+constexpr double most_bits = 1 << 16, most_parts = 100'000;
 
 class Lowering {
  public:
@@ -53,7 +58,7 @@ class Lowering {
   Lowered lower(const Tree& tree) const {
     try {
       Lowered result = build(*tree);
-      if (result.bits > most_bits) refuse(*tree, "too_large", "the numbers in this would be too large");
+      check(*tree, result.size);
       if (GiNaC::is_a<GiNaC::numeric>(result.value) && !result.value.info(GiNaC::info_flags::real)) {
         refuse(*tree, "undefined", "this has no real value");
       }
@@ -72,19 +77,24 @@ class Lowering {
     throw SyntaxError(note, node.position, message);
   }
 
+  static void check(const Node& node, const Size& size) {
+    if (size.bits > most_bits) refuse(node, "too_large", "the numbers in this would be too large");
+    if (size.parts > most_parts) refuse(node, "too_large", "this would be too large when written out");
+  }
+
   Lowered build(const Node& node) const {
     switch (node.kind) {
       case Node::Kind::number: {
         const cln::cl_RA value = exact(node.text);
         const auto bits = integer_length(cln::numerator(value)) + integer_length(cln::denominator(value));
-        return {GiNaC::numeric(value), static_cast<double>(bits), Ball{value}};
+        return {GiNaC::numeric(value), {static_cast<double>(bits)}, Ball{value}};
       }
       case Node::Kind::symbol:
-        if (node.text == "pi") return {GiNaC::Pi, 0, arithmetic_.pi()};
-        return {symbols_[node.text], 0, std::nullopt};
+        if (node.text == "pi") return {GiNaC::Pi, {}, arithmetic_.pi()};
+        return {symbols_[node.text], {}, std::nullopt};
       case Node::Kind::negative: {
         const Lowered operand = lower(node.children[0]);
-        return {-operand.value, operand.bits,
+        return {-operand.value, operand.size,
                 constant_of([&](const Ball& x) { return arithmetic_.negative(x); }, operand.constant)};
       }
       case Node::Kind::sum:
@@ -101,18 +111,18 @@ class Lowering {
 
   Lowered combine(const Node& node, bool sum) const {
     GiNaC::exvector parts;
-    double bits = 0;
+    Size size;
     std::optional<Ball> total = Ball{sum ? 0 : 1};
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       const Lowered part = lower(node.children[i]);
-      bits += part.bits;
+      size = {size.bits + part.size.bits, size.parts + part.size.parts};
       total = constant_of([&](const Ball& x, const Ball& y) { return combined(x, y, sum, node.inverse[i]); },
                           total, part.constant);
       const GiNaC::ex inverted = sum ? -part.value : divisor(*node.children[i], node.inverse[i], part.value);
       parts.push_back(node.inverse[i] ? inverted : part.value);
     }
-    if (bits > most_bits) refuse(node, "too_large", "the numbers in this would be too large");
-    return {sum ? GiNaC::ex(GiNaC::add(parts)) : GiNaC::ex(GiNaC::mul(parts)), bits, total};
+    check(node, size);
+    return {sum ? GiNaC::ex(GiNaC::add(parts)) : GiNaC::ex(GiNaC::mul(parts)), size, total};
   }
 
   Ball combined(const Ball& x, const Ball& y, bool sum, bool inverse) const {
@@ -131,7 +141,8 @@ class Lowering {
     const auto constant = constant_of([&](const Ball& x, const Ball& y) { return arithmetic_.power(x, y); },
                                       base.constant, exponent.constant);
     if (!GiNaC::is_a<GiNaC::numeric>(exponent.value)) {
-      return {GiNaC::pow(base.value, exponent.value), base.bits + exponent.bits, constant};
+      const Size size{base.size.bits + exponent.size.bits, base.size.parts + exponent.size.parts};
+      return {GiNaC::pow(base.value, exponent.value), size, constant};
     }
     const auto& n = GiNaC::ex_to<GiNaC::numeric>(exponent.value);
     const GiNaC::ex inner = GiNaC::is_a<GiNaC::power>(base.value) ? base.value.op(1) : GiNaC::ex(1);
@@ -139,14 +150,14 @@ class Lowering {
     if (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(total)) > limits_.exponent || n.denom() > 1000) {
       refuse(*node.children[1], "too_large", "exponents go up to " + std::to_string(limits_.exponent));
     }
-    const double bits = (base.bits + 1) * (GiNaC::abs(n).to_double() + 1);
-    if (bits > most_bits) refuse(node, "too_large", "the numbers in this would be too large");
+    const Size size{(base.size.bits + 1) * (GiNaC::abs(n).to_double() + 1), base.size.parts + 1};
+    check(node, size);
     if (base.constant && is_negative(*base.constant) && !n.is_integer()) {
       refuse(node, "undefined", "a root of a negative number has no real value");
     }
     if (base.value.is_zero() && !n.is_positive())
       refuse(node, "undefined", "this divides by zero, or is 0^0");
-    return {GiNaC::pow(base.value, n), bits, constant};
+    return {GiNaC::pow(base.value, n), size, constant};
   }
 
   Lowered call(const Node& node) const {
@@ -183,7 +194,10 @@ class Lowering {
     }
     const auto constant =
         constant_of([&](const Ball& x) { return arithmetic_.call(node.text, x); }, argument.constant);
-    return {function->second(argument.value), 2 * argument.bits, constant};
+    const double copies = node.text == "cot" || node.text == "coth" ? 2 : 1;  // cos(x)/sin(x)
+    const Size size{copies * argument.size.bits + 1, copies * argument.size.parts + 1};
+    check(node, size);
+    return {function->second(argument.value), size, constant};
   }
 
   const Symbols& symbols_;
