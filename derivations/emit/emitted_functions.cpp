@@ -32,8 +32,8 @@ namespace {
 using GiNaC::ex;
 using GiNaC::lst;
 
-/// Notation, and the symbols that only numeric functions have.
-struct Names : Notation {
+/// The letters of the paper, and the symbols that only numeric functions have.
+struct Names : Letters {
   const SymbolExpression ground = emission_symbols()["ground"], amplitude = emission_symbols()["amplitude"],
                          omega_ratio = emission_symbols()["omega_ratio"], tau_i = emission_symbols()["tau_i"],
                          push = emission_symbols()["push"];
