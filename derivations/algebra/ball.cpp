@@ -50,12 +50,12 @@ Ball BallArithmetic::pi() const {
 
 Ball BallArithmetic::negative(const Ball& x) const {
   Ball result{-x.middle, x.radius};
-  if (x.of_pi) result.of_pi = -*x.of_pi;
+  result.of_pi = -x.of_pi;
   return result;
 }
 
 Ball BallArithmetic::plus(const Ball& x, const Ball& y) const {
-  if (x.of_pi && y.of_pi) return times(exactly(*x.of_pi + *y.of_pi), pi());
+  if (x.is_of_pi() && y.is_of_pi()) return times(exactly(x.of_pi + y.of_pi), pi());
   // The rounding error of a sum is relative to what is added, not to what remains.
   Ball sum = rounded(x.middle + y.middle, x.radius + y.radius);
   if (!sum.exact()) sum.radius = sum.radius + (rough(cln::abs(x.middle)) + rough(cln::abs(y.middle))) * unit_;
@@ -66,18 +66,18 @@ Ball BallArithmetic::times(const Ball& x, const Ball& y) const {
   if (is_zero(x) || is_zero(y)) return exactly(0);
   const cl_R radius = cln::abs(x.middle) * y.radius + cln::abs(y.middle) * x.radius + x.radius * y.radius;
   Ball product = rounded(x.middle * y.middle, radius);
-  if (x.exact() && y.of_pi) product.of_pi = rational(x) * *y.of_pi;
-  if (y.exact() && x.of_pi) product.of_pi = rational(y) * *x.of_pi;
+  if (x.exact()) product.of_pi = rational(x) * y.of_pi;
+  if (y.exact()) product.of_pi = rational(y) * x.of_pi;
   return product;
 }
 
 Ball BallArithmetic::over(const Ball& x, const Ball& y) const {
   const cl_R nearest = cln::abs(y.middle) - y.radius;  // to zero
   if (!cln::plusp(nearest)) throw NoValue{};
-  if (x.of_pi && y.of_pi) return exactly(*x.of_pi / *y.of_pi);
+  if (x.is_of_pi() && y.is_of_pi()) return exactly(x.of_pi / y.of_pi);
   const cl_R quotient = x.middle / y.middle;
   Ball result = rounded(quotient, (x.radius + cln::abs(quotient) * y.radius) / nearest);
-  if (y.exact() && x.of_pi) result.of_pi = *x.of_pi / rational(y);
+  if (y.exact()) result.of_pi = x.of_pi / rational(y);
   return result;
 }
 
@@ -104,7 +104,7 @@ Ball BallArithmetic::power(const Ball& x, const Ball& y) const {
 
 Ball BallArithmetic::absolute(const Ball& x) const {
   Ball result{cln::abs(x.middle), x.radius};
-  if (x.of_pi) result.of_pi = cln::abs(*x.of_pi);
+  result.of_pi = cln::abs(x.of_pi);
   return result;
 }
 
@@ -139,15 +139,15 @@ cl_F BallArithmetic::reducible(const Ball& x) const {
 
 Ball BallArithmetic::sin(const Ball& x) const {
   if (is_zero(x)) return exactly(0);
-  if (x.of_pi) return cos(plus(x, times(exactly(cl_RA(-1) / 2), pi())));
+  if (x.is_of_pi()) return cos(plus(x, times(exactly(cl_RA(-1) / 2), pi())));
   const cl_F argument = reducible(x);
   return rounded(cln::sin(argument), x.radius + rough(cln::abs(argument)) * unit_);
 }
 
 Ball BallArithmetic::cos(const Ball& x) const {
   if (is_zero(x)) return exactly(1);
-  if (x.of_pi) {  // at multiples of π/3 and π/2 the value is rational
-    const cl_R sixths = cln::abs(*x.of_pi * 6 - 12 * cln::round1(*x.of_pi / 2));
+  if (x.is_of_pi()) {  // at multiples of π/3 and π/2 the value is rational
+    const cl_R sixths = cln::abs(x.of_pi * 6 - 12 * cln::round1(x.of_pi / 2));
     if (sixths == 0) return exactly(1);
     if (sixths == 2) return exactly(cl_RA(1) / 2);
     if (sixths == 3) return exactly(0);

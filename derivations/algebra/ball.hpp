@@ -4,7 +4,6 @@
 
 #include <cln/cln.h>
 
-#include <optional>
 #include <string>
 
 namespace rederive {
@@ -13,8 +12,9 @@ namespace rederive {
 struct Ball {
   cln::cl_R middle;
   cln::cl_R radius = 0;
-  std::optional<cln::cl_RA> of_pi = {};  ///< known to be this rational multiple of π
+  cln::cl_RA of_pi = 0;  ///< where it is not 0, the value is known to be this rational multiple of π
 
+  bool is_of_pi() const { return !cln::zerop(of_pi); }
   bool exact() const { return cln::zerop(radius) && cln:: instanceof (middle, cln::cl_RA_ring); }
 };
 

@@ -5,6 +5,7 @@
 #include <derivations/algebra/ball.hpp>
 #include <derivations/algebra/syntax.hpp>
 #include <functional>
+#include <optional>
 
 namespace rederive {
 
