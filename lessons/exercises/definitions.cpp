@@ -1,4 +1,4 @@
-#include <derivations/rocking_block/notation.hpp>
+#include <derivations/rocking_block/letters.hpp>
 #include <lessons/exercises/definitions.hpp>
 
 #include <algorithm>
