@@ -1,0 +1,73 @@
+// The README's worked example, done as it says: a row, a function, a line in the table.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <tests/run_program.hpp>
+
+namespace {
+
+const std::string root = REDERIVE_SOURCE;
+
+/// The n-th block fenced as ```language after `heading`.
+std::string block(const std::string& heading, const std::string& language, int n) {
+  const std::string readme = read_file(root + "/README.md");
+  std::size_t place = readme.find(heading);
+  REQUIRE(place != std::string::npos);
+  const std::string fence = "```" + language + "\n";
+  for (int k = 0; k <= n; ++k) {
+    place = readme.find(fence, place);
+    REQUIRE(place != std::string::npos);
+    place += fence.size();
+  }
+  return readme.substr(place, readme.find("```", place) - place);
+}
+
+void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+}  // namespace
+
+TEST_CASE("adding an equation works as the README says") {
+  const TemporaryFolder folder;
+  const auto equations = folder.path / "equations.toml";
+  write(equations, read_file(root + "/derivations/paper/equations.toml") + "\n" + block("## Add an equation", "toml", 0));
+  write(folder.path / "worked_example.cpp", block("## Add an equation", "cpp", 0));
+
+  std::string table = read_file(root + "/derivations/rocking_block/table.cpp");
+  const std::string first = "table{";
+  const auto line = table.find(first) + first.size();
+  REQUIRE(line > first.size());
+  table.insert(line, "\n" + block("## Add an equation", "cpp", 1));
+  const auto opening = table.find("namespace rederive {");
+  table.insert(opening, "namespace rederive {\nDerivation rise_to_the_corner();\n}\n");
+  write(folder.path / "table.cpp", table);
+
+  const std::string built = REDERIVE_BINARY;
+  const std::string ledger = (folder.path / "ledger").string();
+  const Result made = run_program("/bin/bash", {"-c", "cd '" + folder.path.string() + "' && c++ -std=c++20 -O0 -DREDERIVE_VERSION='\"0\"' -I'" + root + "' -I'" + built +
+                                                         "' worked_example.cpp table.cpp '" + root + "/lessons/ledger/ledger_main.cpp' " REDERIVE_LEDGER_LIBRARIES " -o ledger"});
+  REQUIRE_MESSAGE(made.exit_code == 0, made.err);
+  const Result shown = run_program(ledger, {"--equations", equations.string(), "show", "w1", "--json"});
+  CHECK(shown.exit_code == 0);
+  CHECK(nlohmann::json::parse(shown.out)["verdict"] == "proved");
+
+  // and the new row can turn red like any other
+  std::string wrong = read_file(equations);
+  wrong.replace(wrong.find("R*(1 - cos(alpha))"), 18, "R*(1 - sin(alpha))");
+  write(equations, wrong);
+  const Result spoiled = run_program(ledger, {"--equations", equations.string(), "show", "w1", "--json"});
+  CHECK(spoiled.exit_code == 1);
+  CHECK(nlohmann::json::parse(spoiled.out)["verdict"] == "refuted");
+}
+
+TEST_CASE("the library can be used from another CMake project as the README says") {
+  const TemporaryFolder folder;
+  write(folder.path / "main.cpp", block("## In your own project", "cpp", 0));
+  std::filesystem::create_directory_symlink(root, folder.path / "rederive");
+  write(folder.path / "CMakeLists.txt", "cmake_minimum_required(VERSION 3.22)\nproject(mine CXX)\nset(CMAKE_CXX_STANDARD 20)\nset(CMAKE_BUILD_TYPE Release)\n"
+                                        "add_executable(my_program main.cpp)\n" + block("## In your own project", "cmake", 0));
+  const Result made = run_program("/bin/bash", {"-c", "cd '" + folder.path.string() + "' && cmake -G Ninja -B b . && cmake --build b --target my_program"});
+  REQUIRE_MESSAGE(made.exit_code == 0, made.out, made.err);
+  CHECK(std::stod(run_program((folder.path / "b/my_program").string(), {}).out) == doctest::Approx(1 - 1.5 * std::pow(std::sin(0.25), 2)).epsilon(1e-14));
+}
