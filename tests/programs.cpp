@@ -1,0 +1,110 @@
+// What holds for every program: the same bytes twice, help, a version, and a clear refusal of bad input.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <tests/run_program.hpp>
+
+namespace {
+
+std::set<std::string> programs() {
+  std::set<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(REDERIVE_PROGRAMS)) names.insert(file.path().filename());
+  return names;
+}
+
+struct Call {
+  const char* program;
+  std::vector<std::string> arguments;
+  const char* names;  ///< what the refusal must mention; "" where the call is good
+};
+
+const std::vector<Call> good{
+    {"ledger", {}, ""},
+    {"ledger", {"show", "50", "--json"}, ""},
+    {"ledger", {"prove", "cos(x)^2", "1 - sin(x)^2", "--json"}, ""},
+    {"emit", {"--list"}, ""},
+    {"emit", {"--target", "cpp"}, ""},
+    {"rocking", {"threshold", "--omega", "2.7", "--json"}, ""},
+    {"rocking", {"response", "--omega", "2.7", "--amplitude", "1.3", "--json"}, ""},
+    {"exercises", {"list"}, ""},
+};
+
+const std::vector<Call> bad{
+    {"ledger", {"show", "999"}, "999"},
+    {"ledger", {"--equations", "/no/such/file.toml"}, "/no/such/file.toml"},
+    {"ledger", {"prove", "sin(x", "x"}, "sin(x"},
+    {"ledger", {"prove", "x"}, "rhs"},
+    {"ledger", {"prove", "2x", "x"}, "2*x"},
+    {"ledger", {"frobnicate"}, "frobnicate"},
+    {"emit", {"--target", "cobol"}, "cobol"},
+    {"emit", {"--target", "cpp", "--function", "no_such"}, "no_such"},
+    {"emit", {"--target", "cpp", "--out", "/no/such/folder/file"}, "/no/such/folder/file"},
+    {"rocking", {"threshold", "--omega", "nan"}, "nan"},
+    {"rocking", {"threshold", "--omega", "-2"}, "-2"},
+    {"rocking", {"threshold", "--omega", "2", "--alpha", "7"}, "7"},
+    {"rocking", {"threshold", "--omega", "2", "--restitution", "1.5"}, "1.5"},
+    {"rocking", {"response", "--omega", "2", "--amplitude", "lots"}, "lots"},
+    {"rocking", {"response", "--omega", "2"}, "amplitude"},
+    {"rocking", {"response", "--omega", "2", "--amplitude", "3", "--csv", "/no/such/folder/file"}, "/no/such/folder/file"},
+    {"exercises", {"check", "no-such-exercise", "x"}, "no-such-exercise"},
+    {"lesson-01-the-block-and-its-motion", {"--step", "99"}, "99"},
+    {"lesson-01-the-block-and-its-motion", {"--format", "papyrus"}, "papyrus"},
+};
+
+std::string command(const Call& call) {
+  std::string text = call.program;
+  for (const auto& argument : call.arguments) text += " " + argument;
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("every program explains itself") {
+  for (const std::string& name : programs()) {
+    INFO(name);
+    const Result help = run_program(name, {"--help"});
+    CHECK(help.exit_code == 0);
+    CHECK(help.out.size() > 100);
+    CHECK(help.err.empty());
+    CHECK(run_program(name, {"--version"}).out.starts_with("Rederive "));
+    const Result unknown = run_program(name, {"--no-such-flag"});
+    CHECK(unknown.exit_code == 2);
+    CHECK(unknown.err.find("no-such-flag") != std::string::npos);
+    CHECK(unknown.out.empty());
+  }
+}
+
+TEST_CASE("two runs give the same bytes") {
+  for (const Call& call : good) {
+    INFO(command(call));
+    const Result first = run_program(call.program, call.arguments), second = run_program(call.program, call.arguments);
+    CHECK(first.exit_code == 0);
+    CHECK(first.out == second.out);
+    CHECK(first.err == second.err);
+  }
+  for (const std::string& name : programs()) {
+    if (!name.starts_with("lesson-")) continue;
+    INFO(name);
+    CHECK(run_program(name, {}).out == run_program(name, {}).out);
+  }
+}
+
+TEST_CASE("what asks for JSON gets one JSON document and nothing else") {
+  for (const Call& call : good)
+    if (call.arguments.size() > 1 && call.arguments.back() == "--json") {
+      INFO(command(call));
+      CHECK(nlohmann::json::accept(run_program(call.program, call.arguments).out));
+    }
+}
+
+TEST_CASE("bad input ends with 2, names what was wrong, and says nothing on standard output") {
+  for (const Call& call : bad) {
+    INFO(command(call));
+    const Result r = run_program(call.program, call.arguments);
+    CHECK(r.exit_code == 2);
+    CHECK_MESSAGE(r.err.find(call.names) != std::string::npos, r.err);
+    CHECK(r.out.empty());
+  }
+}
