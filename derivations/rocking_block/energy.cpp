@@ -16,13 +16,13 @@ ex energy_rate(Side side) {
 
 namespace {
 
-Derivation energy_of(Side side, const Derivation& kinetic, const Derivation& potential) {
+Derivation energy_of(Side side, const Cited& kinetic, const Cited& potential) {
   return derived(letters().E, energy(side),
                  {from(kinetic, "The kinetic energy"), from(potential, "the potential")});
 }
 
 // In (21) with θ̈ = 0, solved for the ground acceleration at θ = α.
-Derivation ground_at_alpha(Side side, const Derivation& motion) {
+Derivation ground_at_alpha(Side side, const Cited& motion) {
   const Letters& s = letters();
   const ex rest = angular_acceleration(side).subs(s.theta == s.alpha);
   return derived(
@@ -42,9 +42,13 @@ Derivation total_energy() {
   return result;
 }
 
-Derivation equation_22a() { return energy_of(Side::negative, equation_6(), equation_9()); }
-Derivation equation_22b() { return energy_of(Side::positive, equation_16b(), equation_14()); }
-Derivation ground_at_alpha_by_21a() { return ground_at_alpha(Side::negative, equation_21a()); }
-Derivation ground_at_alpha_by_21b() { return ground_at_alpha(Side::positive, equation_21b()); }
+Derivation equation_22a() {
+  return energy_of(Side::negative, Cited{"6", equation_6()}, Cited{"9", equation_9()});
+}
+Derivation equation_22b() {
+  return energy_of(Side::positive, Cited{"16b", equation_16b()}, Cited{"14", equation_14()});
+}
+Derivation ground_at_alpha_by_21a() { return ground_at_alpha(Side::negative, Cited{"21a", equation_21a()}); }
+Derivation ground_at_alpha_by_21b() { return ground_at_alpha(Side::positive, Cited{"21b", equation_21b()}); }
 
 }  // namespace rederive

@@ -62,11 +62,12 @@ const char* pivot_name(Side side) { return side == Side::negative ? "O" : "O'"; 
 
 Derivation kinetic_energy_in_J_o(Side side) {
   const Letters& s = letters();
-  return derived(s.K, kinetic_energy(side),
-                 {from(equation_5(), "König: the energy of the rotation about C and of C itself"),
-                  from(horizontal_velocity(side), "with the velocity of C"),
-                  from(vertical_velocity(side), "and"),
-                  {"and what J_o is", s.J_o, s.J_c + s.m * pow(s.R, 2)}});
+  return derived(
+      s.K, kinetic_energy(side),
+      {from(Cited{"5", equation_5()}, "König, #: the energy of the rotation about C and of C itself"),
+       from(horizontal_velocity(side), "with the velocity of C"),
+       from(vertical_velocity(side), "and"),
+       {"and what J_o is", s.J_o, s.J_c + s.m * pow(s.R, 2)}});
 }
 
 Derivation weight(Side side) {
@@ -102,21 +103,28 @@ Derivation potential_slope(Side side) {
 Derivation motion(Side side) {
   const Letters& s = letters();
   return derived(motion_by_lagrange(side), 0,
-                 {{"Lagrange's equation", s.ddt_dK_dthetadot - s.dK_dtheta + s.dOmega_dtheta, 0},
-                  from(momentum_rate(side), "with"),
+                 {from(horizontal_velocity(side),
+                       std::string("Turning about ") + pivot_name(side) + ", C moves to the right with"),
+                  from(vertical_velocity(side), "and upwards with"),
+                  from(kinetic_energy_in_J_o(side), "so that the kinetic energy is"),
+                  from(weight(side), "and the potential"),
+                  {"Lagrange's equation", s.ddt_dK_dthetadot - s.dK_dtheta + s.dOmega_dtheta, 0},
+                  from(momentum_rate(side), "takes"),
                   from(kinetic_slope(side), "and"),
                   from(potential_slope(side), "and"),
-                  in_words(std::string("The moments of all elements about ") + pivot_name(side) +
-                           " give the same: the second road, taken in the tests and in equation (1)")});
+                  {std::string("By the other road, the moments of all elements about ") + pivot_name(side) +
+                       ", it is the same",
+                   motion_by_moments(side), 0}});
 }
 
 Derivation normalised_motion(Side side) {
   const Letters& s = letters();
-  return derived(s.thetaddot - angular_acceleration(side), 0,
-                 {from(motion(side), "Divide by J_o"),
-                  {"which is", s.J_o, ex(4) / 3 * s.m * pow(s.R, 2)},
-                  {"so that the weight enters by", pow(s.p, 2), s.m * s.g * s.R / s.J_o}},
-                 inertia_and_frequency());
+  const Derivation before = motion(side);
+  return derived(
+      s.thetaddot - angular_acceleration(side), 0,
+      as_before({before}, {{"Divide by", s.J_o, ex(4) / 3 * s.m * pow(s.R, 2)},
+                           {"so that the weight enters by", pow(s.p, 2), s.m * s.g * s.R / s.J_o}}),
+      inertia_and_frequency());
 }
 
 }  // namespace

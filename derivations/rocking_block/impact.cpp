@@ -141,7 +141,7 @@ Derivation distance_from_pivot() {
 Derivation equation_39() {
   const Letters& s = letters();
   return derived(s.hO_minus, element_momentum_before(),
-                 {from(equation_38(), "The angular momentum of an element"),
+                 {from(Cited{"38", equation_38()}, "The angular momentum of an element"),
                   in_words("in the coordinates x and y of the block")},
                  {{s.r, sqrt(pow(s.y, 2) + pow(2 * s.b - s.x, 2))}});
 }
@@ -167,8 +167,9 @@ Derivation equation_40a() {
 Derivation equation_40b() {
   const Letters& s = letters();
   const ex integrand = (element_momentum_before() / s.thetadot_minus).expand();
-  return derived(pow(s.r, 2) - 2 * s.b * (2 * s.b - s.x), integrand,
-                 {from(equation_40a(), "With the distance from O"), in_words("the squares of b cancel")});
+  return derived(
+      pow(s.r, 2) - 2 * s.b * (2 * s.b - s.x), integrand,
+      {from(Cited{"40a", equation_40a()}, "With the distance from O"), in_words("the squares of b cancel")});
 }
 
 Derivation equation_41() {
@@ -176,7 +177,8 @@ Derivation equation_41() {
   Rectangle face = block_at_impact();
   face.density = 1;
   return derived(s.integral_41, over_body((element_momentum_before() / s.thetadot_minus).expand(), face),
-                 {from(equation_40b(), "Integrate over the face of the block, 0 < x < 2b and 0 < y < 2h")});
+                 {from(Cited{"40b", equation_40b()},
+                       "Integrate # over the face of the block, 0 < x < 2b and 0 < y < 2h")});
 }
 
 Derivation equation_42a() {
@@ -187,19 +189,21 @@ Derivation equation_42a() {
 Derivation equation_42b() {
   const Letters& s = letters();
   const ex squares = pow(s.h, 2);
-  return derived(equation_41().right,
-                 equation_41().right.subs(pow(s.h, 3) == s.h * (pow(s.R, 2) - pow(s.b, 2))).expand(),
-                 {from(equation_42a(), "With"), {"and Pythagoras", squares, pow(s.R, 2) - pow(s.b, 2)}},
-                 {{s.b, s.R * sin(s.alpha)}});
+  return derived(
+      equation_41().right,
+      equation_41().right.subs(pow(s.h, 3) == s.h * (pow(s.R, 2) - pow(s.b, 2))).expand(),
+      {from(Cited{"42a", equation_42a()}, "With"), {"and Pythagoras", squares, pow(s.R, 2) - pow(s.b, 2)}},
+      {{s.b, s.R * sin(s.alpha)}});
 }
 
 Derivation equation_43a() { return equation_39_height(); }
 
 Derivation equation_43b() {
   const Letters& s = letters();
-  return derived(s.HO_minus, momentum_before_impact(),
-                 {from(equation_41(), "The integral"), from(mass_of_the_block(), "times the density"),
-                  from(equation_42b(), "in R and α")});
+  return derived(
+      s.HO_minus, momentum_before_impact(),
+      {from(Cited{"41", equation_41()}, "The integral"), from(mass_of_the_block(), "times the density"),
+       from(Cited{"42b", equation_42b()}, "in R and α #")});
 }
 
 Derivation equation_45a() {
@@ -211,22 +215,23 @@ Derivation equation_45a() {
 
 Derivation equation_45b() {
   const Letters& s = letters();
-  return derived(s.HO_plus, momentum_after_impact(),
-                 {from(equation_45a(), "Integrate over the block"), in_words("which is J_o θ̇₊")});
+  return derived(
+      s.HO_plus, momentum_after_impact(),
+      {from(Cited{"45a", equation_45a()}, "Integrate over the block"), in_words("which is J_o θ̇₊")});
 }
 
 Derivation equation_46a() {
   const Letters& s = letters();
-  return derived(
-      restitution() * s.thetadot_minus, s.thetadot_plus,
-      {from(equation_43b(), "The impact acts at O' and has no moment about it: the angular momentum"),
-       from(equation_45b(), "stays the same")});
+  return derived(restitution() * s.thetadot_minus, s.thetadot_plus,
+                 {from(Cited{"43b", equation_43b()},
+                       "The impact acts at O' and has no moment about it: the angular momentum #"),
+                  from(Cited{"45b", equation_45b()}, "stays the same, #")});
 }
 
 Derivation equation_46b() {
-  return derived(
-      letters().e, restitution(),
-      {from(equation_46a(), "So the ratio of the angular velocities is fixed by the shape alone")});
+  return derived(letters().e, restitution(),
+                 {from(Cited{"46a", equation_46a()},
+                       "By # the ratio of the angular velocities is fixed by the shape alone")});
 }
 
 Derivation restitution_of_spread_impact() {
@@ -243,8 +248,8 @@ Derivation restitution_of_spread_impact() {
       {in_words(
            "C sinks with b θ̇₋ about O and rises with b θ̇₊ about O': so much momentum the impact gives it"),
        {"which, acting at d from O', adds to the angular momentum", s.HO_plus - s.HO_minus, moment},
-       from(equation_43b(), "with"),
-       from(equation_45b(), "and")});
+       from(Cited{"43b", equation_43b()}, "with"),
+       from(Cited{"45b", equation_45b()}, "and")});
 }
 
 }  // namespace rederive

@@ -32,6 +32,23 @@ Step from(const Derivation& other, std::string says) {
   return {std::move(says), other.left, other.right, other.relation};
 }
 
+Step from(const Cited& other, std::string says) {
+  const std::string number = "(" + other.number + ")";
+  const auto place = says.find('#');
+  if (place == std::string::npos)
+    says += " " + number;
+  else
+    says.replace(place, 1, number);
+  return from(other.derivation, std::move(says));
+}
+
+std::vector<Step> as_before(std::initializer_list<Derivation> others, const std::vector<Step>& more) {
+  std::vector<Step> steps;
+  for (const Derivation& other : others) steps.insert(steps.end(), other.steps.begin(), other.steps.end());
+  steps.insert(steps.end(), more.begin(), more.end());
+  return steps;
+}
+
 std::vector<Given> inertia_and_frequency() {
   const Letters& s = letters();
   const ex R = 3 * s.g / (4 * pow(s.p, 2));

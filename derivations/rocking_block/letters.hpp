@@ -69,8 +69,17 @@ Derivation derived(const GiNaC::ex& left, const GiNaC::ex& right, std::vector<St
                    std::vector<Given> given = {}, const std::string& relation = "=");
 /// A step that is words only.
 Step in_words(std::string says);
-/// The conclusion of another derivation as a step of this one.
+/// A derivation with the number that the paper gives to its result.
+struct Cited {
+  std::string number;
+  Derivation derivation;
+};
+/// The conclusion of another derivation as a step of this one. The number of a cited one stands where `says`
+/// has a #, or else after it: "put (81)".
 Step from(const Derivation& other, std::string says);
+Step from(const Cited& other, std::string says);
+/// The whole argument of other derivations, one after the other, as the first steps of this one.
+std::vector<Step> as_before(std::initializer_list<Derivation> others, const std::vector<Step>& more);
 
 /// J_o = 4/3 m R² and R = 3g/(4p²), both in terms of m, g, p: what turns (11), (20) into (21).
 std::vector<Given> inertia_and_frequency();

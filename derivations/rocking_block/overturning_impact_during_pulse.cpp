@@ -83,7 +83,8 @@ Derivation sorted(const ex& vanishes, std::vector<Step> steps, std::vector<Given
     const ex term = one_term ? sum : sum.op(i);
     (term.has(exp(GiNaC::wild())) ? right : left) += term.has(exp(GiNaC::wild())) ? ex(-term) : term;
   }
-  return derived(left, right, std::move(steps), std::move(given));
+  return derived(left.collect(lst{cos(letters().psi), sin(letters().psi)}, true), right, std::move(steps),
+                 std::move(given));
 }
 
 }  // namespace
@@ -96,44 +97,45 @@ ex impact_during_pulse() {
 ex overturning_impact_during_pulse() {
   const Letters& s = letters();
   const Constants c = constants_after_impact();
-  const ex before = at_impact(rate_before_impact()).subs(constants_from_rest());
+  const ex before = by_addition(at_impact(rate_before_impact()).subs(constants_from_rest()));
   const ex condition =
       critical_after_impact(c.C, c.D).over_growth().subs(s.thetadot_before == before) * scale();
   return (-condition.expand() * s.p / s.omega_p).expand().normal().expand();
 }
 
 Derivation equation_79a() {
-  return derived(
-      letters().theta, motion_after_impact(),
-      {from(equation_57b(), "As in"), in_words("with time counted from the impact in sinh and cosh")});
+  return derived(letters().theta, motion_after_impact(),
+                 {from(Cited{"57b", equation_57b()}, "As in"),
+                  in_words("with time counted from the impact in sinh and cosh")});
 }
 
 Derivation equation_79b() {
   const Letters& s = letters();
   return derived(s.thetadot / s.p, (motion_after_impact().diff(s.t) / s.p).expand(),
-                 {from(equation_79a(), "Differentiate")});
+                 {from(Cited{"79a", equation_79a()}, "Differentiate")});
 }
 
 Derivation equation_80a() {
   return derived(letters().theta_ex, at_end_of_sine(motion_after_impact()),
-                 {from(equation_79a(), "At T_ex, where the phase is 2π,")});
+                 {from(Cited{"79a", equation_79a()}, "# at T_ex, where the phase is 2π")});
 }
 
 Derivation equation_80b() {
   const Letters& s = letters();
   return derived(s.thetadot_ex / s.p, at_end_of_sine((motion_after_impact().diff(s.t) / s.p).expand()),
-                 {from(equation_79b(), "At T_ex, where the phase is 2π,")});
+                 {from(Cited{"79b", equation_79b()}, "# at T_ex, where the phase is 2π")});
 }
 
 Derivation equation_81() {
   const Letters& s = letters();
-  return derived(s.A_4, constants_after_impact().D, {from(equation_79a(), "At t_i the block is upright:")});
+  return derived(s.A_4, constants_after_impact().D,
+                 {from(Cited{"79a", equation_79a()}, "At t_i the block is upright: by #")});
 }
 
 Derivation equation_82() {
   const Letters& s = letters();
   return derived(s.A_3, constants_after_impact().C,
-                 {from(equation_79b(), "At t_i the block leaves with"),
+                 {from(Cited{"79b", equation_79b()}, "At t_i the block leaves with"),
                   {"by the impact", s.thetadot_after, s.e * s.thetadot_before}});
 }
 
@@ -141,20 +143,21 @@ Derivation equation_83() {
   const Letters& s = letters();
   const ex growth = exp(s.p * (s.T_ex - s.t_i));
   const CriticalSum sum = critical_after_impact(s.A_3, s.A_4);
-  return derived(sum.grown * growth, -sum.added,
-                 {from(equation_75(), "Into"), from(equation_80a(), "put"), from(equation_80b(), "and"),
-                  in_words("sinh and cosh join to e^{p(T_ex − t_i)}")});
+  return derived(
+      sum.grown * growth, -sum.added,
+      {from(Cited{"75", equation_75()}, "Into"), from(Cited{"80a", equation_80a()}, "put"),
+       from(Cited{"80b", equation_80b()}, "and"), in_words("sinh and cosh join to e^{p(T_ex − t_i)}")});
 }
 
 Derivation equation_84() {
   return derived(letters().theta_i, at_impact(motion_before_impact()),
-                 {from(equation_57a(), "Before the impact, at t_i,")});
+                 {from(Cited{"57a", equation_57a()}, "# at t_i, before the impact")});
 }
 
 Derivation equation_85() {
   const Letters& s = letters();
   return derived(s.thetadot_before / s.p, (at_impact(rate_before_impact()) / s.p).expand(),
-                 {from(equation_59a(), "Before the impact, at t_i,")});
+                 {from(Cited{"59a", equation_59a()}, "# at t_i, before the impact")});
 }
 
 Derivation equation_86() {
@@ -162,37 +165,34 @@ Derivation equation_86() {
   const ex vanishes = impact_during_pulse();
   const ex of_cosine = vanishes.coeff(cos(s.psi), 1), of_sine = vanishes.coeff(cos(s.psi), 0) / sin(s.psi);
   return derived(tan(s.psi), (-of_cosine / of_sine).normal(),
-                 {from(equation_84(), "The block is upright, θ_i = 0, in"),
-                  from(equation_70a(), "with"),
-                  from(equation_70b(), "and"),
+                 {from(Cited{"84", equation_84()}, "The block is upright, θ_i = 0, in"),
+                  from(Cited{"70a", equation_70a()}, "with"),
+                  from(Cited{"70b", equation_70b()}, "and"),
                   {"With sin(ω_p t_i + ψ) taken apart, and times (1 + ω_p²/p²) sin ψ/α,", vanishes, 0},
                   in_words("which is linear in cos ψ and sin ψ")});
 }
 
 Derivation equation_87a() {
-  const Letters& s = letters();
   const Constants c = constants_after_impact();
   return sorted((critical_after_impact(c.C, c.D).over_growth() * scale()).expand().normal(),
-                {from(equation_83(), "Into"),
-                 from(equation_81(), "put"),
-                 from(equation_82(), "and"),
-                 {"and multiply by", scale() * exp(-s.p * (s.T_ex - s.t_i)), 0}});
+                {from(Cited{"83", equation_83()}, "Into"), from(Cited{"81", equation_81()}, "put"),
+                 from(Cited{"82", equation_82()}, "and"),
+                 in_words("and multiply by (1 + ω_p²/p²) sin ψ/α · e^{−p(T_ex − t_i)}")});
 }
 
 Derivation equation_87b() {
   const Letters& s = letters();
   const ex rate = (at_impact(rate_before_impact()) / s.p).subs(constants_from_rest());
   return derived(s.thetadot_before / s.p, by_addition(rate),
-                 {from(equation_85(), "In"), from(equation_70a(), "put"), from(equation_70b(), "and")});
+                 {from(Cited{"85", equation_85()}, "In"), from(Cited{"70a", equation_70a()}, "put"),
+                  from(Cited{"70b", equation_70b()}, "and")});
 }
 
 Derivation equation_88() {
   const Letters& s = letters();
   return sorted(overturning_impact_during_pulse(),
-                {from(equation_87a(), "Into"),
-                 from(equation_87b(), "put"),
-                 {"and divide by", -s.omega_p / s.p, 0},
-                 in_words("the time in it is t_i throughout")},
+                {from(Cited{"87a", equation_87a()}, "Into"), from(Cited{"87b", equation_87b()}, "put"),
+                 in_words("and divide by −ω_p/p"), in_words("the time in it is t_i throughout")},
                 {{s.T_ex, end_of_pulse(Pulse::sine)}});
 }
 

@@ -29,6 +29,11 @@ ex at_end(const ex& e, Pulse pulse) {
 
 }  // namespace
 
+ex by_phase(const ex& e) {
+  const Letters& s = letters();
+  return e.normal().expand().collect(lst{cos(s.psi), sin(s.psi)}, true);
+}
+
 ex in_exponentials(const ex& e) {
   const ex any = GiNaC::wild();
   return e.subs(lst{sinh(any) == (exp(any) - exp(-any)) / 2, cosh(any) == (exp(any) + exp(-any)) / 2});
@@ -66,7 +71,7 @@ ThresholdEquation threshold_without_impact(Side side, const ex& ground, const Gi
                         .expand();
   // What has grown, and what the pulse still adds. Divided so that e^{−p T_ex} stands alone.
   const ex grown = at_end.coeff(growth, 1), added = at_end.coeff(growth, 0);
-  return {(-grown / added).normal().expand(), exp(-s.p * end)};
+  return {by_phase(-grown / added), exp(-s.p * end)};
 }
 
 ThresholdEquation threshold_without_impact(Side side, Pulse pulse) {
@@ -76,27 +81,27 @@ ThresholdEquation threshold_without_impact(Side side, Pulse pulse) {
 namespace {
 
 // φ(T_ex) = corner and φ̇(T_ex) = 0 for the free motion: (65), (72).
-Derivation corner_reached(Side side, const Derivation& motion) {
+Derivation corner_reached(Side side, const Cited& motion) {
   return derived(corner(side), free_from_end(side),
-                 {from(motion, "The motion after the pulse, t_o = T_ex,"),
+                 {from(motion, "The motion # after the pulse, t_o = T_ex,"),
                   {"reaches the corner", letters().theta, corner(side)}});
 }
 
-Derivation corner_at_rest(Side side, const Derivation& motion) {
+Derivation corner_at_rest(Side side, const Cited& motion) {
   const Letters& s = letters();
   return derived(
       0, (free_from_end(side).diff(s.t) / s.p).expand(),
-      {from(motion, "The motion after the pulse, t_o = T_ex,"), in_words("comes there without velocity")});
+      {from(motion, "The motion # after the pulse, t_o = T_ex,"), in_words("comes there without velocity")});
 }
 
-Derivation constant_at_end(const Derivation& free_constant) {
+Derivation constant_at_end(const Cited& free_constant) {
   const Letters& s = letters();
   const auto at_end = lst{s.t_o == s.T_ex, s.theta_to == s.theta_ex, s.thetadot_to == s.thetadot_ex};
-  return derived(free_constant.left, free_constant.right.subs(at_end),
-                 {from(free_constant, "Free motion begins at t_o = T_ex; so")});
+  return derived(free_constant.derivation.left, free_constant.derivation.right.subs(at_end),
+                 {from(free_constant, "Free motion begins at t_o = T_ex; so by #")});
 }
 
-Derivation no_growth(Side side, const Derivation& motion) {
+Derivation no_growth(Side side, const Cited& motion) {
   const Letters& s = letters();
   const Constants c = free_names(side);
   const ex growing = growing_part(free_from_end(side), s.T_ex);
@@ -108,69 +113,82 @@ Derivation no_growth(Side side, const Derivation& motion) {
                 "and (65b), or (72a) and (72b), hold: the corner is reached as t grows without end")});
 }
 
-Derivation critical(Side side, const Derivation& condition, const Derivation& first,
-                    const Derivation& second) {
+Derivation critical(Side side, const Cited& condition, const Cited& first, const Cited& second) {
   const Letters& s = letters();
   return derived((s.p * critical_sum(side, s.theta_ex, s.thetadot_ex)).expand(), 0,
                  {from(condition, "Into"), from(first, "put"), from(second, "and")});
 }
 
-Derivation end_angle(Side side, const Derivation& motion) {
+Derivation end_angle(Side side, const Cited& motion) {
   return derived(letters().theta_ex, angle_at_end(side, Pulse::sine),
-                 {from(motion, "At T_ex the phase of the pulse is 2π, and its sine 0:")});
+                 {from(motion, "At T_ex the phase of the pulse is 2π, and its sine 0: by #")});
 }
 
-Derivation end_rate(Side side, const Derivation& rate) {
+Derivation end_rate(Side side, const Cited& rate) {
   const Letters& s = letters();
   return derived(s.thetadot_ex / s.p, rate_at_end(side, Pulse::sine),
-                 {from(rate, "At T_ex the phase of the pulse is 2π, and its cosine 1:")});
+                 {from(rate, "At T_ex the phase of the pulse is 2π, and its cosine 1: by #")});
 }
 
-Derivation from_rest(const Derivation& constant) {
+Derivation from_rest(const Cited& constant) {
   const Letters& s = letters();
-  return derived(constant.left, constant.right.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0}).normal(),
-                 {from(constant, "From rest, θ_0 = θ̇_0 = 0:")});
+  return derived(constant.derivation.left,
+                 constant.derivation.right.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0}).normal(),
+                 {from(constant, "From rest, θ_0 = θ̇_0 = 0: by #")});
 }
 
-Derivation threshold(Side side, const std::vector<Derivation>& ingredients) {
+Derivation threshold(Side side, const std::vector<Cited>& ingredients) {
   const Letters& s = letters();
   const ThresholdEquation found = threshold_without_impact(side, Pulse::sine);
   std::vector<Step> steps;
-  for (const Derivation& d : ingredients) steps.push_back(from(d, steps.empty() ? "Into" : "put"));
+  for (const Cited& d : ingredients)
+    steps.push_back(from(d, steps.empty() ? "Into" : steps.size() == 1 ? "put" : "and"));
+  steps.push_back(from(end_of_sine_pulse(), "where"));
   steps.push_back(in_words("sinh and cosh join to exponentials; divide by the factor of e^{−p T_ex}"));
-  return derived(found.left.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0}).normal().expand(), found.right,
-                 steps);
+  return derived(by_phase(found.left.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0})), found.right, steps);
 }
 
 }  // namespace
 
-Derivation equation_65a() { return corner_reached(Side::negative, equation_62a()); }
-Derivation equation_65b() { return corner_at_rest(Side::negative, equation_62a()); }
-Derivation equation_66a() { return constant_at_end(equation_64a()); }
-Derivation equation_66b() { return constant_at_end(equation_64b()); }
-Derivation equation_67() { return no_growth(Side::negative, equation_62a()); }
-Derivation equation_68() { return critical(Side::negative, equation_67(), equation_66a(), equation_66b()); }
-Derivation equation_69a() { return end_angle(Side::negative, equation_57a()); }
-Derivation equation_69b() { return end_rate(Side::negative, equation_59a()); }
-Derivation equation_70a() { return from_rest(equation_58a()); }
-Derivation equation_70b() { return from_rest(equation_58b()); }
-Derivation equation_71() {
-  return threshold(Side::negative, {equation_68(), equation_69a(), equation_69b(), equation_70a(),
-                                    equation_70b(), end_of_sine_pulse()});
+Derivation equation_65a() { return corner_reached(Side::negative, Cited{"62a", equation_62a()}); }
+Derivation equation_65b() { return corner_at_rest(Side::negative, Cited{"62a", equation_62a()}); }
+Derivation equation_66a() { return constant_at_end(Cited{"64a", equation_64a()}); }
+Derivation equation_66b() { return constant_at_end(Cited{"64b", equation_64b()}); }
+Derivation equation_67() { return no_growth(Side::negative, Cited{"62a", equation_62a()}); }
+Derivation equation_68() {
+  return critical(Side::negative, Cited{"67", equation_67()}, Cited{"66a", equation_66a()},
+                  Cited{"66b", equation_66b()});
 }
-Derivation equation_72a() { return corner_reached(Side::positive, equation_62b()); }
-Derivation equation_72b() { return corner_at_rest(Side::positive, equation_62b()); }
-Derivation equation_73a() { return constant_at_end(equation_64c()); }
-Derivation equation_73b() { return constant_at_end(equation_64d()); }
-Derivation equation_74() { return no_growth(Side::positive, equation_62b()); }
-Derivation equation_75() { return critical(Side::positive, equation_74(), equation_73a(), equation_73b()); }
-Derivation equation_76a() { return end_angle(Side::positive, equation_57b()); }
-Derivation equation_76b() { return end_rate(Side::positive, equation_59b()); }
-Derivation equation_77a() { return from_rest(equation_58c()); }
-Derivation equation_77b() { return from_rest(equation_58d()); }
+Derivation equation_69a() { return end_angle(Side::negative, Cited{"57a", equation_57a()}); }
+Derivation equation_69b() { return end_rate(Side::negative, Cited{"59a", equation_59a()}); }
+Derivation equation_70a() { return from_rest(Cited{"58a", equation_58a()}); }
+Derivation equation_70b() { return from_rest(Cited{"58b", equation_58b()}); }
+Derivation equation_71() {
+  return threshold(Side::negative, {{"68", equation_68()},
+                                    {"69a", equation_69a()},
+                                    {"69b", equation_69b()},
+                                    {"70a", equation_70a()},
+                                    {"70b", equation_70b()}});
+}
+Derivation equation_72a() { return corner_reached(Side::positive, Cited{"62b", equation_62b()}); }
+Derivation equation_72b() { return corner_at_rest(Side::positive, Cited{"62b", equation_62b()}); }
+Derivation equation_73a() { return constant_at_end(Cited{"64c", equation_64c()}); }
+Derivation equation_73b() { return constant_at_end(Cited{"64d", equation_64d()}); }
+Derivation equation_74() { return no_growth(Side::positive, Cited{"62b", equation_62b()}); }
+Derivation equation_75() {
+  return critical(Side::positive, Cited{"74", equation_74()}, Cited{"73a", equation_73a()},
+                  Cited{"73b", equation_73b()});
+}
+Derivation equation_76a() { return end_angle(Side::positive, Cited{"57b", equation_57b()}); }
+Derivation equation_76b() { return end_rate(Side::positive, Cited{"59b", equation_59b()}); }
+Derivation equation_77a() { return from_rest(Cited{"58c", equation_58c()}); }
+Derivation equation_77b() { return from_rest(Cited{"58d", equation_58d()}); }
 Derivation equation_78() {
-  return threshold(Side::positive, {equation_75(), equation_76a(), equation_76b(), equation_77a(),
-                                    equation_77b(), end_of_sine_pulse()});
+  return threshold(Side::positive, {{"75", equation_75()},
+                                    {"76a", equation_76a()},
+                                    {"76b", equation_76b()},
+                                    {"77a", equation_77a()},
+                                    {"77b", equation_77b()}});
 }
 
 }  // namespace rederive

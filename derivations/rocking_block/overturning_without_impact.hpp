@@ -26,6 +26,8 @@ GiNaC::ex angle_at_end(Side side, Pulse pulse);
 GiNaC::ex rate_at_end(Side side, Pulse pulse);
 /// A_1, A_2 of the motion from rest, (70), to put in.
 GiNaC::lst constants_from_rest();
+/// Expanded, and collected by cos ψ and sin ψ.
+GiNaC::ex by_phase(const GiNaC::ex& e);
 /// sinh and cosh by exponentials, products of exponentials joined.
 GiNaC::ex in_exponentials(const GiNaC::ex& e);
 

@@ -27,29 +27,30 @@ ex rise(int derivatives) {
   return result.expand();
 }
 
-Derivation horizontal(Side side, const Derivation& motion) {
+Derivation horizontal(Side side, const Cited& motion) {
   const Letters& s = letters();
-  const ex acceleration = centre_acceleration(side).right;
   return derived(s.H / s.m, horizontal_reaction(side),
-                 {{"Newton, to the right: H alone accelerates C", s.H / s.m, acceleration},
+                 {{"C accelerates to the right with", s.u_cddot, centre_acceleration(side).right},
+                  {"Newton: H alone accelerates it", s.H, s.m * s.u_cddot},
                   from(motion, "with the angular acceleration from")});
 }
 
-Derivation vertical(Side side, const Derivation& motion) {
+Derivation vertical(Side side, const Cited& motion) {
   const Letters& s = letters();
-  const ex acceleration = centre_acceleration(side).up;
   return derived(s.V / s.m, vertical_reaction(side),
-                 {{"Newton, upwards: V carries the weight and accelerates C", s.V / s.m, s.g + acceleration},
+                 {{"C accelerates upwards with", s.y_cddot, centre_acceleration(side).up},
+                  {"Newton: V carries the weight and accelerates it", s.V, s.m * (s.g + s.y_cddot)},
                   from(motion, "with the angular acceleration from")});
 }
 
-Derivation demand(Side side, const Derivation& motion) {
+Derivation demand(Side side, const Cited& motion) {
   const Letters& s = letters();
-  return derived(s.H / s.V, horizontal_reaction(side) / vertical_reaction(side),
-                 {from(horizontal(side, motion), "The ratio of"), from(vertical(side, motion), "to")});
+  return derived(
+      s.H / s.V, horizontal_reaction(side) / vertical_reaction(side),
+      as_before({horizontal(side, motion), vertical(side, motion)}, {in_words("and their ratio")}));
 }
 
-Derivation contact(Side side, const Derivation& motion) {
+Derivation contact(Side side, const Cited& motion) {
   return derived(vertical_reaction(side), 0,
                  {from(vertical(side, motion), "The ground pushes and never pulls")}, {}, ">");
 }
@@ -94,27 +95,27 @@ Derivation equation_48a() {
   return derived(letters().x_c, way(0), {in_words("As in (2)")}, sides_of_the_block());
 }
 Derivation equation_48b() {
-  return derived(letters().x_cdot, way(1), {from(equation_48a(), "Differentiate")});
+  return derived(letters().x_cdot, way(1), {from(Cited{"48a", equation_48a()}, "Differentiate")});
 }
 Derivation equation_48c() {
-  return derived(letters().x_cddot, way(2), {from(equation_48b(), "Differentiate")});
+  return derived(letters().x_cddot, way(2), {from(Cited{"48b", equation_48b()}, "Differentiate")});
 }
 Derivation equation_49a() { return derived(letters().y_c, rise(0), {in_words("As in (3)")}); }
 Derivation equation_49b() {
-  return derived(letters().y_cdot, rise(1), {from(equation_49a(), "Differentiate")});
+  return derived(letters().y_cdot, rise(1), {from(Cited{"49a", equation_49a()}, "Differentiate")});
 }
 Derivation equation_49c() {
-  return derived(letters().y_cddot, rise(2), {from(equation_49b(), "Differentiate")});
+  return derived(letters().y_cddot, rise(2), {from(Cited{"49b", equation_49b()}, "Differentiate")});
 }
 
-Derivation horizontal_reaction_negative() { return horizontal(Side::negative, equation_21a()); }
-Derivation vertical_reaction_negative() { return vertical(Side::negative, equation_21a()); }
-Derivation friction_demand_negative() { return demand(Side::negative, equation_21a()); }
-Derivation contact_negative() { return contact(Side::negative, equation_21a()); }
-Derivation horizontal_reaction_positive() { return horizontal(Side::positive, equation_21b()); }
-Derivation vertical_reaction_positive() { return vertical(Side::positive, equation_21b()); }
-Derivation friction_demand_positive() { return demand(Side::positive, equation_21b()); }
-Derivation contact_positive() { return contact(Side::positive, equation_21b()); }
+Derivation horizontal_reaction_negative() { return horizontal(Side::negative, Cited{"21a", equation_21a()}); }
+Derivation vertical_reaction_negative() { return vertical(Side::negative, Cited{"21a", equation_21a()}); }
+Derivation friction_demand_negative() { return demand(Side::negative, Cited{"21a", equation_21a()}); }
+Derivation contact_negative() { return contact(Side::negative, Cited{"21a", equation_21a()}); }
+Derivation horizontal_reaction_positive() { return horizontal(Side::positive, Cited{"21b", equation_21b()}); }
+Derivation vertical_reaction_positive() { return vertical(Side::positive, Cited{"21b", equation_21b()}); }
+Derivation friction_demand_positive() { return demand(Side::positive, Cited{"21b", equation_21b()}); }
+Derivation contact_positive() { return contact(Side::positive, Cited{"21b", equation_21b()}); }
 
 Derivation equation_50a() { return horizontal_reaction_negative(); }
 Derivation equation_50b() { return vertical_reaction_negative(); }
@@ -145,8 +146,9 @@ Derivation equation_51b() {
 
 Derivation equation_51c() {
   const Letters& s = letters();
-  return derived(tan(s.alpha), s.mu, {from(equation_51a(), "Coulomb, with"), in_words("which is positive")},
-                 {}, "<=");
+  return derived(tan(s.alpha), s.mu,
+                 {from(Cited{"51a", equation_51a()}, "Coulomb, with #"), in_words("which is positive")}, {},
+                 "<=");
 }
 
 }  // namespace rederive
