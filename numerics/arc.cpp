@@ -24,10 +24,10 @@ Point linear_point(const Arc& arc, Real time) {
   };
   const Real angle = arc.start.angle - line, velocity = arc.start.velocity - piece.slope;
   if (arc.side < 0)
-    return about_line(emitted::linear_response_negative_with_derivatives(one, one, piece.omega, piece.amplitude, phase,
-                                                                         angle, velocity, since));
-  return about_line(emitted::linear_response_positive_with_derivatives(one, one, piece.omega, piece.amplitude, phase,
-                                                                       angle, velocity, since));
+    return about_line(emitted::linear_response_negative_with_derivatives(
+        one, one, piece.omega, piece.amplitude, phase, angle, velocity, since));
+  return about_line(emitted::linear_response_positive_with_derivatives(one, one, piece.omega, piece.amplitude,
+                                                                       phase, angle, velocity, since));
 }
 
 /// First h >= 0 with -y + u h + m h^2 / 2 = 0 for y >= 0, m >= 0: the earliest return to upright.
@@ -78,7 +78,8 @@ Real Mover::certain_time(const Arc& arc, const Point& at, Real until) const {
 }
 
 Point Mover::advance(const Arc& arc, const Point& from, Real time) {
-  return model_ == Model::linear ? linear_point(arc, time) : integrator_->integrate(arc.piece, arc.side, from, time);
+  return model_ == Model::linear ? linear_point(arc, time)
+                                 : integrator_->integrate(arc.piece, arc.side, from, time);
 }
 
 Point Mover::along(const Arc& arc, Real time) { return advance(arc, arc.start, time); }

@@ -18,8 +18,8 @@ struct Arc {
   ArcEnd kind = ArcEnd::time;
 };
 
-/// Moves the block along arcs: linear by the closed forms (57), (59), (62), (63); nonlinear by integrating (21)
-/// with an eighth-order Runge-Kutta method and a step chosen to keep the error below `tolerance`.
+/// Moves the block along arcs: linear by the closed forms (57), (59), (62), (63); nonlinear by integrating
+/// (21) with an eighth-order Runge-Kutta method and a step chosen to keep the error below `tolerance`.
 class Mover {
  public:
   Mover(const Block& block, Model model, double tolerance = default_tolerance);
@@ -30,9 +30,9 @@ class Mover {
 
   /// From `start` until the first impact, `until` (inside the piece), or |theta| = pi/2 (nonlinear).
   ///
-  /// The first impact cannot be missed: before each step a bound of the acceleration towards the upright position
-  /// gives a time in which the block cannot reach it, and the step goes no further. The steps converge to the
-  /// impact from below, quadratically, as Newton's iteration does, to the last bit.
+  /// The first impact cannot be missed: before each step a bound of the acceleration towards the upright
+  /// position gives a time in which the block cannot reach it, and the step goes no further. The steps
+  /// converge to the impact from below, quadratically, as Newton's iteration does, to the last bit.
   Arc move(const Piece& piece, int side, const Point& start, Real until);
 
   /// The state at `time` on an arc known not to end before.
@@ -46,8 +46,8 @@ class Mover {
 
   Block block_;
   Model model_;
-  Real level_;             ///< start_level
-  Real still_, per_ground_;  ///< bound of the acceleration towards upright: still + per_ground * (-ground)
+  Real level_;                ///< start_level
+  Real still_, per_ground_;   ///< bound of the acceleration towards upright: still + per_ground * (-ground)
   std::vector<Push> pushes_;  ///< of the piece that starts at pushes_from_
   Real pushes_from_ = -1;
   std::unique_ptr<Integrator> integrator_;

@@ -17,8 +17,8 @@ Block make_block(double alpha, double p, std::optional<double> restitution) {
   const double e = restitution.value_or(emitted::restitution(alpha));
   if (!restitution && !(e > 0))
     throw std::invalid_argument(fmt::format(
-        "restitution by eq (46) is {} for alpha = {}: so stocky a block does not rock on; give a restitution", e,
-        alpha));
+        "restitution by eq (46) is {} for alpha = {}: so stocky a block does not rock on; give a restitution",
+        e, alpha));
   if (!(e > 0 && e <= 1))
     throw std::invalid_argument(fmt::format("restitution = {} must be above 0 and at most 1", e));
   return {alpha, p, e};
@@ -43,8 +43,12 @@ Real acceleration(const Block& block, Model model, int side, Real angle, Real gr
   const Real one = 1, zero = 0;
   if (model == Model::linear) {
     const Real crest = std::numbers::pi_v<Real> / 2;  // ground = ground * sin(0 t + pi/2)
-    return side < 0 ? emitted::linear_velocity_negative_with_derivatives(one, one, zero, ground, crest, angle, zero, zero).d_t
-                    : emitted::linear_velocity_positive_with_derivatives(one, one, zero, ground, crest, angle, zero, zero).d_t;
+    return side < 0 ? emitted::linear_velocity_negative_with_derivatives(one, one, zero, ground, crest, angle,
+                                                                         zero, zero)
+                          .d_t
+                    : emitted::linear_velocity_positive_with_derivatives(one, one, zero, ground, crest, angle,
+                                                                         zero, zero)
+                          .d_t;
   }
   const Real alpha = block.alpha;
   return (side < 0 ? emitted::angular_acceleration_negative(alpha, one, alpha * angle, alpha * ground)

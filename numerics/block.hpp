@@ -40,8 +40,8 @@ struct Point {
   Real velocity = 0;
 };
 
-/// thetaddot/(alpha p^2) on one side (-1: theta<0, +1: theta>0) under `ground` = u_gddot/(alpha g), of (21a,b)
-/// or, for the linear model, of (56a,b).
+/// thetaddot/(alpha p^2) on one side (-1: theta<0, +1: theta>0) under `ground` = u_gddot/(alpha g), of
+/// (21a,b) or, for the linear model, of (56a,b).
 Real acceleration(const Block& block, Model model, int side, Real angle, Real ground);
 
 }  // namespace rederive

@@ -57,7 +57,7 @@ ClosedForm root_at(const PulseCase& asked, Form form, Real psi, std::optional<do
 void add_without_impact(const PulseCase& asked, Form form, std::vector<ClosedForm>& all) {
   const auto residual = [&](Real psi) { return residual_of_psi(form, inputs_of(asked), psi).value; };
   const Real shift = form == Form::eq103 ? pi / 2 : 0, margin = 1e-9L;
-  for (Real psi : roots_between(residual, margin - shift, pi - margin - shift, 4000))
+  for (Real psi : roots_between(residual, margin - shift, pi - margin - shift, 2000))
     all.push_back(root_at(asked, form, psi, {}));
 }
 
@@ -76,7 +76,7 @@ void add_impact_during_pulse(const PulseCase& asked, std::vector<ClosedForm>& al
     return residuals_with_impact(Form::eq86_88, in, phase_of_impact(in, tau), tau).value[1];
   };
   const Real longest = 2 * pi / in.omega_ratio;
-  for (Real tau : roots_between(residual, 1e-4L * longest, 3 * longest, 12000)) {
+  for (Real tau : roots_between(residual, 1e-4L * longest, 3 * longest, 6000)) {
     const Real psi = phase_of_impact(in, tau);
     if (std::abs(psi - phase_of_impact(in, tau * (1 - 1e-9L))) < 0.1L)  // else psi jumps between 0 and pi
       all.push_back(root_at(asked, Form::eq86_88, psi, static_cast<double>(tau)));
@@ -84,14 +84,16 @@ void add_impact_during_pulse(const PulseCase& asked, std::vector<ClosedForm>& al
 }
 
 /// The free motion after the pulse reaches upright where (theta + alpha) cosh + thetadot sinh = alpha: with
-/// z = e^(tau_i - T_ex) a quadratic, whose root with impact velocity `speed` is (1 + speed)/(theta + alpha + thetadot).
+/// z = e^(tau_i - T_ex) a quadratic, whose root with impact velocity `speed` is (1 + speed)/(theta + alpha +
+/// thetadot).
 struct EndOfPulse {
   Real time, height, velocity;  ///< (theta + alpha)/alpha and thetadot/(alpha p)
 };
 
 EndOfPulse end_of_pulse(Real w, Real psi) {
   const Real one = 1, zero = 0, time = (2 * pi - psi) / w;
-  const auto at = emitted::linear_response_negative_with_derivatives(one, one, w, 1 / std::sin(psi), psi, zero, zero, time);
+  const auto at = emitted::linear_response_negative_with_derivatives(one, one, w, 1 / std::sin(psi), psi,
+                                                                     zero, zero, time);
   return {time, at.value + 1, at.d_t};
 }
 
@@ -102,10 +104,11 @@ void add_impact_after_pulse(const PulseCase& asked, std::vector<ClosedForm>& all
     const EndOfPulse end = end_of_pulse(in.omega_ratio, psi);
     return 1 + (end.velocity - end.height) * (end.velocity + end.height) - speed * speed;
   };
-  for (Real psi : roots_between(residual, 1e-6L, pi - 1e-6L, 12000)) {
+  for (Real psi : roots_between(residual, 1e-6L, pi - 1e-6L, 4000)) {
     const EndOfPulse end = end_of_pulse(in.omega_ratio, psi);
     const Real z = (1 + speed) / (end.height + end.velocity);
-    if (z > 0) all.push_back(root_at(asked, Form::eq92a_96, psi, static_cast<double>(end.time + std::log(z))));
+    if (z > 0)
+      all.push_back(root_at(asked, Form::eq92a_96, psi, static_cast<double>(end.time + std::log(z))));
   }
 }
 
@@ -133,7 +136,8 @@ void polish(Form form, const Inputs<Digits>& in, Digits& psi, Digits& tau, int d
     tau -= step.tau;
     if (abs(step.psi) < enough) return;
   }
-  throw std::runtime_error(fmt::format("{} digits cannot be reached at omega_p/p = {}", digits, in.omega_ratio.text(6)));
+  throw std::runtime_error(
+      fmt::format("{} digits cannot be reached at omega_p/p = {}", digits, in.omega_ratio.text(6)));
 }
 
 }  // namespace

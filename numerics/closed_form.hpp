@@ -14,7 +14,8 @@ namespace rederive {
 /// (103): cosine pulse to theta>0; (104): sine pulse to theta<0, both with initial conditions.
 enum class Form { eq71, eq78, eq86_88, eq92a_96, eq103, eq104 };
 
-/// One root of a closed form of the linear model. amplitude = 1/sin(psi), for (103) 1/cos(psi); times are p t.
+/// One root of a closed form of the linear model. amplitude = 1/sin(psi), for (103) 1/cos(psi); times are p
+/// t.
 struct ClosedForm {
   Form form;
   double amplitude, psi;
@@ -35,8 +36,8 @@ struct ExactCase {
   Digits omega_ratio, restitution, push;  ///< push = (theta_0 + thetadot_0/p)/alpha
 };
 
-/// The root by Newton's iteration on the emitted residual and its emitted derivatives, until nothing changes within
-/// `digits` and ten more. Throws std::runtime_error if the working digits do not allow that.
+/// The root by Newton's iteration on the emitted residual and its emitted derivatives, until nothing changes
+/// within `digits` and ten more. Throws std::runtime_error if the working digits do not allow that.
 struct ExactRoot {
   Digits amplitude, psi, impact_time, pulse_end;
 };

@@ -30,9 +30,12 @@ template <class T>
 Residual<T> residual_of_psi(Form form, const Inputs<T>& in, const T& psi) {
   const auto both = [](const auto& at) { return Residual<T>{at.value, at.d_psi}; };
   switch (form) {
-    case Form::eq71: return both(emitted::overturning_without_impact_negative_with_derivatives(in.omega_ratio, psi));
-    case Form::eq78: return both(emitted::overturning_without_impact_positive_with_derivatives(in.omega_ratio, psi));
-    case Form::eq103: return both(emitted::overturning_cosine_pulse_with_derivatives(in.omega_ratio, psi, in.push));
+    case Form::eq71:
+      return both(emitted::overturning_without_impact_negative_with_derivatives(in.omega_ratio, psi));
+    case Form::eq78:
+      return both(emitted::overturning_without_impact_positive_with_derivatives(in.omega_ratio, psi));
+    case Form::eq103:
+      return both(emitted::overturning_cosine_pulse_with_derivatives(in.omega_ratio, psi, in.push));
     default: return both(emitted::overturning_sine_pulse_with_derivatives(in.omega_ratio, psi, in.push));
   }
 }

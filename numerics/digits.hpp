@@ -34,10 +34,22 @@ class Digits {
   double to_double() const { return cln::double_approx(value_); }
   const cln::cl_F& value() const { return value_; }
 
-  Digits& operator+=(const Digits& b) { value_ = value_ + b.value_; return *this; }
-  Digits& operator-=(const Digits& b) { value_ = value_ - b.value_; return *this; }
-  Digits& operator*=(const Digits& b) { value_ = value_ * b.value_; return *this; }
-  Digits& operator/=(const Digits& b) { value_ = value_ / b.value_; return *this; }
+  Digits& operator+=(const Digits& b) {
+    value_ = value_ + b.value_;
+    return *this;
+  }
+  Digits& operator-=(const Digits& b) {
+    value_ = value_ - b.value_;
+    return *this;
+  }
+  Digits& operator*=(const Digits& b) {
+    value_ = value_ * b.value_;
+    return *this;
+  }
+  Digits& operator/=(const Digits& b) {
+    value_ = value_ / b.value_;
+    return *this;
+  }
   friend Digits operator+(Digits a, const Digits& b) { return a += b; }
   friend Digits operator-(Digits a, const Digits& b) { return a -= b; }
   friend Digits operator*(Digits a, const Digits& b) { return a *= b; }

@@ -17,7 +17,9 @@ bool holds_phase(Real low, Real high, Real centre) {
   return std::ceil((low - centre) / (2 * pi)) <= std::floor((high - centre) / (2 * pi));
 }
 
-Real time_of_phase(const Piece& piece, Real phase) { return piece.from + (phase - piece.phase) / piece.omega; }
+Real time_of_phase(const Piece& piece, Real phase) {
+  return piece.from + (phase - piece.phase) / piece.omega;
+}
 
 std::vector<Push> pushes_of_sine(const Piece& piece, Real level) {
   std::vector<Push> all;
@@ -27,8 +29,8 @@ std::vector<Push> pushes_of_sine(const Piece& piece, Real level) {
   for (int lobe = 0; lobe * pi < last; ++lobe) {
     const Real begin = lobe * pi + psi, end = (lobe + 1) * pi - psi;
     if (end <= piece.phase) continue;
-    all.push_back({std::max(piece.from, time_of_phase(piece, begin)), std::min(piece.to, time_of_phase(piece, end)),
-                   lobe % 2 == 0 ? -1 : 1});
+    all.push_back({std::max(piece.from, time_of_phase(piece, begin)),
+                   std::min(piece.to, time_of_phase(piece, end)), lobe % 2 == 0 ? -1 : 1});
   }
   return all;
 }
@@ -54,7 +56,8 @@ Real pulse_phase(Pulse pulse, Real amplitude, Real level) {
 
 GroundMotion pulse_motion(Pulse pulse, Real omega_ratio, Real amplitude, Real level) {
   if (!(omega_ratio > 0 && std::isfinite(omega_ratio)))
-    throw std::invalid_argument(fmt::format("omega_p/p = {} must be positive", static_cast<double>(omega_ratio)));
+    throw std::invalid_argument(
+        fmt::format("omega_p/p = {} must be positive", static_cast<double>(omega_ratio)));
   if (!(std::isfinite(amplitude) && amplitude >= level))
     throw std::invalid_argument(fmt::format("amplitude = {}: no instant at which rocking can start, below {}",
                                             static_cast<double>(amplitude), static_cast<double>(level)));

@@ -53,9 +53,9 @@ struct Record {
 
 enum class RecordUnit { g, metres_per_second_squared };
 
-/// Reads two columns "time value", one column with `step` in seconds, or the PEER AT2 layout (four header lines,
-/// the fourth with NPTS and DT; always in g). Lines that begin with # or % are comments.
-/// Throws std::invalid_argument with file and line for what cannot be read.
+/// Reads two columns "time value", one column with `step` in seconds, or the PEER AT2 layout (four header
+/// lines, the fourth with NPTS and DT; always in g). Lines that begin with # or % are comments. Throws
+/// std::invalid_argument with file and line for what cannot be read.
 Record read_record(const std::string& file, RecordUnit unit, double step = 0);
 
 /// The record interpolated linearly, for a block with this alpha and p.

@@ -66,7 +66,8 @@ Point RockingIntegrator::integrate(const Piece& piece, int side, const Point& fr
     const int status =
         gsl_odeiv2_evolve_apply(evolve_.get(), control_.get(), step_.get(), &system, &t, end, &step, state);
     if (status != GSL_SUCCESS || count > 1'000'000 || !std::isfinite(state[0]))
-      throw std::runtime_error(fmt::format("the integration stopped at tau = {}", static_cast<double>(from.time) + t));
+      throw std::runtime_error(
+          fmt::format("the integration stopped at tau = {}", static_cast<double>(from.time) + t));
     if (t - before > guess_ / 4) guess_ = std::max(step, t - before);
     if (side * state[0] >= lying) return {from.time + t, state[0], state[1]};
   }

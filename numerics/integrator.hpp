@@ -9,8 +9,9 @@
 
 namespace rederive {
 
-/// GSL's eighth-order Prince-Dormand method with step control; time is counted from the start of each call, so that
-/// very short stretches lose no digits. Throws std::runtime_error if no step keeps the error small enough.
+/// GSL's eighth-order Prince-Dormand method with step control; time is counted from the start of each call,
+/// so that very short stretches lose no digits. Throws std::runtime_error if no step keeps the error small
+/// enough.
 class RockingIntegrator {
  public:
   RockingIntegrator(const Block& block, double tolerance);

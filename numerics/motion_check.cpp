@@ -23,14 +23,16 @@ std::string wrong_start(const PulseCase& linear, const ClosedForm& root) {
     return root.psi >= 0 ? "" : "psi < 0: the ground acceleration has its crest after the start, not before";
   if (root.psi <= std::numbers::pi / 2) return "";
   return root.form == Form::eq78
-             ? "psi > pi/2: the ground acceleration falls from the start, a block at rest does not move then, "
+             ? "psi > pi/2: the ground acceleration falls from the start, a block at rest does not move "
+               "then, "
                "and under a rising one it turns to theta < 0, not to theta > 0"
              : "psi > pi/2: the ground acceleration falls from the start, a block at rest does not move then";
 }
 
 std::string wrong_side_of_pulse_end(const ClosedForm& root) {
   if (root.form == Form::eq86_88 && *root.impact_time >= root.pulse_end)
-    return fmt::format("t_i > T_ex: impact at {:.6g}, after the pulse ends at {:.6g}", *root.impact_time, root.pulse_end);
+    return fmt::format("t_i > T_ex: impact at {:.6g}, after the pulse ends at {:.6g}", *root.impact_time,
+                       root.pulse_end);
   if (root.form == Form::eq92a_96 && *root.impact_time <= root.pulse_end)
     return fmt::format("t_i < T_ex: impact at {:.6g}, before the pulse ends at {:.6g}", *root.impact_time,
                        root.pulse_end);
@@ -52,11 +54,13 @@ std::string other_motion(const ClosedForm& root, const Response& response) {
   if (response.arcs.empty()) return "the block rests: no motion is possible";
   if (response.events.front().kind == EventKind::start && response.arcs.front().start.time > 0 &&
       root.form == Form::eq103)
-    return fmt::format("from rest the block stays at rest until {:.6g}: the ground acceleration falls at once",
-                       static_cast<double>(response.arcs.front().start.time));
+    return fmt::format(
+        "from rest the block stays at rest until {:.6g}: the ground acceleration falls at once",
+        static_cast<double>(response.arcs.front().start.time));
   const int first_side = has_impact(root.form) ? -1 : side_of(root.form);
   if (response.arcs.front().side != first_side)
-    return fmt::format("theta has the other sign: the motion starts with theta {} 0", first_side > 0 ? "<" : ">");
+    return fmt::format("theta has the other sign: the motion starts with theta {} 0",
+                       first_side > 0 ? "<" : ">");
   const auto times = impact_times(response, root.pulse_end);
   if (!has_impact(root.form))
     return times.empty() || times.front() > root.pulse_end
@@ -78,7 +82,8 @@ std::string not_least(const PulseCase& linear, const ClosedForm& root) {
   const int below = root.amplitude - step >= 1 ? outcome_at(linear, root.amplitude - step).code : 0;
   if (above == code && below != code) return "";
   if (below == code) return "not a minimum: it overturns below this amplitude and not above";
-  return fmt::format("not a minimum: just above it the outcome is {}", above == 0 ? "safe" : fmt::format("{:+}", above));
+  return fmt::format("not a minimum: just above it the outcome is {}",
+                     above == 0 ? "safe" : fmt::format("{:+}", above));
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace rederive {
 
-/// Follows the linear motion at the root's amplitude. Empty if it is the motion that the closed form describes and
-/// its amplitude is the least of a window; otherwise says what happens instead.
+/// Follows the linear motion at the root's amplitude. Empty if it is the motion that the closed form
+/// describes and its amplitude is the least of a window; otherwise says what happens instead.
 std::string why_not(const PulseCase& linear, const ClosedForm& root);
 
 }  // namespace rederive

@@ -23,7 +23,8 @@ Margins linear_margins(Real y, Real u, Real e) {
   return {outward, e * std::sqrt(std::max<Real>(0, impact_squared)) - 1};
 }
 
-/// The velocity whose energy is this much, with p = 1: E/(m g R) = thetadot^2/2 + ..., (22) with R = 3g/(4 p^2).
+/// The velocity whose energy is this much, with p = 1: E/(m g R) = thetadot^2/2 + ..., (22) with R = 3g/(4
+/// p^2).
 Real velocity_of(Real energy_difference) { return std::sqrt(2 * std::max<Real>(0, energy_difference)); }
 
 Margins nonlinear_margins(Real alpha, int side, Real y, Real u, Real e) {

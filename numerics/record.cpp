@@ -32,8 +32,10 @@ std::vector<double> numbers_in(std::string line, const std::string& file, std::s
     } catch (const std::exception&) {
       used = 0;
     }
-    if (used == 0 || used != word.size()) refuse(file, number, "'" + word.substr(0, 40) + "' is not a number");
-    if (!std::isfinite(value) || std::abs(value) > 1e9) refuse(file, number, "'" + word + "' is out of range");
+    if (used == 0 || used != word.size())
+      refuse(file, number, "'" + word.substr(0, 40) + "' is not a number");
+    if (!std::isfinite(value) || std::abs(value) > 1e9)
+      refuse(file, number, "'" + word + "' is out of range");
     values.push_back(value);
   }
   return values;
@@ -93,11 +95,13 @@ Record column_record(const std::vector<std::string>& lines, const std::string& f
     if (values.size() == 1 && step > 0) {
       record.time.push_back(static_cast<double>(record.time.size()) * step);
     } else if (values.size() == 2 && step == 0) {
-      if (!record.time.empty() && !(values[0] > record.time.back())) refuse(file, i + 1, "time must increase");
+      if (!record.time.empty() && !(values[0] > record.time.back()))
+        refuse(file, i + 1, "time must increase");
       record.time.push_back(values[0]);
     } else {
-      refuse(file, i + 1, step > 0 ? "one column is expected with a time step"
-                                   : "two columns are expected: time and acceleration");
+      refuse(file, i + 1,
+             step > 0 ? "one column is expected with a time step"
+                      : "two columns are expected: time and acceleration");
     }
     record.acceleration.push_back(values.back());
   }

@@ -14,6 +14,10 @@ namespace {
 constexpr Real rest_speed = 1e-9L;
 constexpr int most_impacts = 500'000;
 
+/// Without loss (e = 1) a chain never ends: after so many impacts, hops slower than this count as rest, too.
+constexpr int many_impacts = 5'000;
+constexpr Real slow = 1e-4L;
+
 class Walk {
  public:
   Walk(const Block& block, Model model, const InitialState& initial, const ResponseOptions& options)
@@ -27,8 +31,10 @@ class Walk {
 
   void through(const Piece& piece) {
     while (!response_.lies && response_.end.time < piece.to)
-      if (response_.side == 0) wait(piece);
-      else swing(piece);
+      if (response_.side == 0)
+        wait(piece);
+      else
+        swing(piece);
   }
 
   void pulse_over() {
@@ -84,16 +90,18 @@ class Walk {
     response_.side = -response_.side;
     response_.end.velocity = after;
     response_.last_launch = response_.end.time;
-    if (std::abs(after) < rest_speed) settle(piece);
+    if (std::abs(after) < rest_speed || (total_ > many_impacts && std::abs(after) < slow)) settle(piece);
   }
 
   /// Ends a chain of impacts whose remaining duration fits in before the ground can start the block again.
   void settle(const Piece& piece) {
     Point& at = response_.end;
     const Real room = level_ - std::abs(ground_at(piece, at.time));
-    const Real slowing = std::cos(static_cast<Real>(block_.alpha)) * room;  // at most the true one in both models
-    const Real chain = 2 * std::abs(at.velocity) / ((1 - block_.restitution) * slowing);
-    if (!(room > 0 && chain < 1e-3L)) return;
+    const Real slowing =
+        std::cos(static_cast<Real>(block_.alpha)) * room;  // at most the true one in both models
+    const Real loss = std::max<Real>(1 - block_.restitution, 1e-4L);
+    const Real chain = 2 * std::abs(at.velocity) / (loss * slowing);
+    if (!(room > 0 && (chain < 1e-3L || total_ > many_impacts))) return;
     const Real over = std::min(piece.to, at.time + chain);
     const Range range = ground_range(piece, at.time, over);
     if (range.high >= level_ || range.low <= -level_) return;
@@ -127,9 +135,11 @@ std::string_view name_of(EventKind kind) {
 
 InitialState initial_state(const Block& block, Model model, double theta_0, double thetadot_0) {
   if (!std::isfinite(theta_0) || !std::isfinite(thetadot_0))
-    throw std::invalid_argument(fmt::format("initial conditions {} rad, {} rad/s must be finite", theta_0, thetadot_0));
+    throw std::invalid_argument(
+        fmt::format("initial conditions {} rad, {} rad/s must be finite", theta_0, thetadot_0));
   if (model == Model::nonlinear && !(std::abs(theta_0) < std::numbers::pi / 2))
-    throw std::invalid_argument(fmt::format("theta0 = {} rad: the block already lies; |theta0| < pi/2", theta_0));
+    throw std::invalid_argument(
+        fmt::format("theta0 = {} rad: the block already lies; |theta0| < pi/2", theta_0));
   const Real alpha = block.alpha;
   return {theta_0 / alpha, thetadot_0 / (alpha * block.p)};
 }
@@ -149,8 +159,8 @@ Response respond(const Block& block, Model model, const GroundMotion& motion, co
   return std::move(walk).result();
 }
 
-std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion& motion, const Response& response,
-                            Real until, int count) {
+std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion& motion,
+                            const Response& response, Real until, int count) {
   std::vector<Sample> samples;
   Mover mover(block, model);
   std::size_t arc = 0, piece = 0;

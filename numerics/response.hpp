@@ -14,8 +14,8 @@ struct InitialState {
   Real velocity = 0;
 };
 
-/// From theta_0 in rad and thetadot_0 in rad/s. Throws std::invalid_argument unless finite and, for the nonlinear
-/// model, |theta_0| < pi/2.
+/// From theta_0 in rad and thetadot_0 in rad/s. Throws std::invalid_argument unless finite and, for the
+/// nonlinear model, |theta_0| < pi/2.
 InitialState initial_state(const Block& block, Model model, double theta_0, double thetadot_0);
 
 enum class EventKind { start, impact, rest, restart, pulse_end, overturn };
@@ -30,11 +30,11 @@ struct Event {
 /// What happened between tau = 0 and `end.time`.
 struct Response {
   Point end;
-  int side = 0;           ///< 0: at rest
-  bool lies = false;      ///< |theta| reached pi/2
-  int impacts = 0;        ///< since the block last left rest
-  int rests = 0;          ///< chains of impacts that ended in rest
-  Real last_launch = 0;   ///< time of the last start or impact
+  int side = 0;               ///< 0: at rest
+  bool lies = false;          ///< |theta| reached pi/2
+  int impacts = 0;            ///< since the block last left rest
+  int rests = 0;              ///< chains of impacts that ended in rest
+  Real last_launch = 0;       ///< time of the last start or impact
   std::vector<Event> events;  ///< when wanted
   std::vector<Arc> arcs;      ///< when wanted
 };
@@ -45,18 +45,20 @@ struct ResponseOptions {
   double tolerance = Mover::default_tolerance;
 };
 
-/// Moves the block from `initial` through the ground motion. After an impact the velocity is e times that before,
-/// (34), on the other side. Ever smaller impacts end in rest, once what is left of them is too small to matter and
-/// over before the ground can start the block again; a resting block starts when |ground| rises above start_level.
-/// Throws std::runtime_error after 500000 impacts.
+/// Moves the block from `initial` through the ground motion. After an impact the velocity is e times that
+/// before, (34), on the other side. Ever smaller impacts end in rest, once what is left of them is too small
+/// to matter and over before the ground can start the block again; a resting block starts when |ground| rises
+/// above start_level. After 5000 impacts, hops slower than 1e-4 alpha p count as rest even if e = 1. Throws
+/// std::runtime_error after 500000 impacts.
 Response respond(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
                  const ResponseOptions& options = {});
 
-/// The same states at `count` times evenly from 0 to `until`, and the ground acceleration in units of alpha g.
+/// The same states at `count` times evenly from 0 to `until`, and the ground acceleration in units of alpha
+/// g.
 struct Sample {
   Real time, angle, velocity, ground;
 };
-std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion& motion, const Response& response,
-                            Real until, int count);
+std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion& motion,
+                            const Response& response, Real until, int count);
 
 }  // namespace rederive

@@ -5,12 +5,16 @@
 
 int main(int argc, char** argv) {
   using namespace rederive;
-  CLI::App app{"Thresholds, histories, spectra and figures of a rigid block under ground excitation.\n"
-               "Times are p t, amplitudes a_p/(alpha g); an overturning is coded side*(impacts+1), 0 = safe."};
+  CLI::App app{
+      "Thresholds, histories, spectra and figures of a rigid block under ground excitation.\n"
+      "Times are p t, amplitudes a_p/(alpha g); an overturning is coded side*(impacts+1), 0 = safe."};
   app.require_subcommand(1);
   Run run;
   add_threshold(app, run);
   add_response(app, run);
+  add_spectrum(app, run);
+  add_map(app, run);
+  add_figure(app, run);
   return run_command(app, argc, argv, [&] {
     try {
       return run();

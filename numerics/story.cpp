@@ -10,7 +10,7 @@
 namespace rederive {
 namespace {
 
-constexpr Real long_enough = 60;   ///< e^60 times any margin above zero has left |theta| = alpha behind
+constexpr Real long_enough = 60;  ///< e^60 times any margin above zero has left |theta| = alpha behind
 constexpr Real a_while = 10;
 
 /// The last passage of |theta| = alpha outward on the side to which the block overturns.
@@ -19,7 +19,8 @@ Event overturn_event(Mover& mover, const Response& response, int side) {
   for (const Arc& arc : response.arcs)
     if (arc.side == side && side * arc.start.angle < 1 && side * arc.end.angle >= 1) last = &arc;
   Real low = last->start.time, high = side * last->start.angle >= 1 ? low : last->end.time;
-  for (Real middle = std::midpoint(low, high); low < middle && middle < high; middle = std::midpoint(low, high))
+  for (Real middle = std::midpoint(low, high); low < middle && middle < high;
+       middle = std::midpoint(low, high))
     (side * mover.along(*last, middle).angle < 1 ? low : high) = middle;
   const Point at = mover.along(*last, high);
   return {EventKind::overturn, high, at.angle, at.velocity, at.velocity};
@@ -41,7 +42,8 @@ struct Reactions {
 
 Reactions reactions(const Block& block, const Arc& arc, const Point& at) {
   const Real alpha = block.alpha, one = 1;
-  const Real theta = alpha * at.angle, thetadot = alpha * at.velocity, ground = alpha * ground_at(arc.piece, at.time);
+  const Real theta = alpha * at.angle, thetadot = alpha * at.velocity,
+             ground = alpha * ground_at(arc.piece, at.time);
   if (arc.side < 0)
     return {emitted::horizontal_reaction_negative(alpha, theta, thetadot, ground, one),
             emitted::vertical_reaction_negative(alpha, theta, thetadot, ground, one)};
@@ -55,8 +57,10 @@ void friction_on(const Block& block, Mover& mover, const Arc& arc, Real until, F
   const Real end = std::min(arc.end.time, until);
   const auto ratio = [&](Real time) {
     const Reactions force = reactions(block, arc, mover.along(arc, time));
-    if (force.vertical <= 0 && !friction.uplift) friction.uplift = true, friction.uplift_time = static_cast<double>(time);
-    return force.vertical > 0 ? std::abs(force.horizontal) / force.vertical : std::numeric_limits<Real>::infinity();
+    if (force.vertical <= 0 && !friction.uplift)
+      friction.uplift = true, friction.uplift_time = static_cast<double>(time);
+    return force.vertical > 0 ? std::abs(force.horizontal) / force.vertical
+                              : std::numeric_limits<Real>::infinity();
   };
   Real best = arc.start.time, most = ratio(best);
   for (int i = 1; i <= count; ++i) {
@@ -79,8 +83,8 @@ void friction_on(const Block& block, Mover& mover, const Arc& arc, Real until, F
 
 }  // namespace
 
-Story tell(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial, Real until,
-           double tolerance) {
+Story tell(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
+           Real until, double tolerance) {
   Story story;
   story.outcome = outcome_of(block, model, motion, initial, tolerance);
   ResponseOptions options;
@@ -95,7 +99,8 @@ Story tell(const Block& block, Model model, const GroundMotion& motion, const In
     events.push_back(overturn_event(mover, story.response, story.outcome.code > 0 ? 1 : -1));
     story.overturn_time = events.back().time;
   }
-  std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.time < b.time; });
+  std::stable_sort(events.begin(), events.end(),
+                   [](const Event& a, const Event& b) { return a.time < b.time; });
   story.until = until < 0 ? default_end(story, motion) : until;
   std::erase_if(events, [&](const Event& event) { return event.time > story.until; });
   return story;

@@ -14,17 +14,18 @@ struct Story {
   Real until = 0;
 };
 
-/// Follows the block until tau = `until`; if negative, until shortly after it overturns, or comes to rest, or ten
-/// units of p t after the ground.
-Story tell(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial, Real until = -1,
-           double tolerance = Mover::default_tolerance);
+/// Follows the block until tau = `until`; if negative, until shortly after it overturns, or comes to rest, or
+/// ten units of p t after the ground.
+Story tell(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
+           Real until = -1, double tolerance = Mover::default_tolerance);
 
-/// The friction that the motion needs at the pivot: the largest |H|/V, from the reactions of the corrected (47).
+/// The friction that the motion needs at the pivot: the largest |H|/V, from the reactions of the corrected
+/// (47).
 struct Friction {
-  double required = 0;          ///< infinite if V <= 0 somewhere
-  double time = 0;              ///< when
-  bool uplift = false;          ///< V <= 0 somewhere: the block would leave the ground
-  double uplift_time = 0;       ///< when first found
+  double required = 0;     ///< infinite if V <= 0 somewhere
+  double time = 0;         ///< when
+  bool uplift = false;     ///< V <= 0 somewhere: the block would leave the ground
+  double uplift_time = 0;  ///< when first found
 };
 Friction required_friction(const Block& block, Model model, const Story& story);
 

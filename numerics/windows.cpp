@@ -11,7 +11,8 @@
 namespace rederive {
 namespace {
 
-/// The outcome at one amplitude, the margins squeezed into (-1, 1) so that their steep parts do not hide the rest.
+/// The outcome at one amplitude, the margins squeezed into (-1, 1) so that their steep parts do not hide the
+/// rest.
 struct Station {
   double amplitude = 0;
   Outcome outcome;
@@ -35,8 +36,8 @@ class Scan {
     all.push_back(at(level));
     for (int i = 1; i <= search_.stations; ++i) {
       const double share = static_cast<double>(i) / search_.stations;
-      const double amplitude = i == search_.stations ? search_.largest
-                                                     : level + (search_.largest - level) * share * share;
+      const double amplitude =
+          i == search_.stations ? search_.largest : level + (search_.largest - level) * share * share;
       const Station next = at(amplitude);
       if (next.amplitude > all.back().amplitude) refine(all, all.back(), next, 0);
     }
@@ -51,8 +52,8 @@ class Scan {
     return station;
   }
 
-  /// Whether a margin, from its three values and with room to spare, could reach zero between them: as a parabola
-  /// would, or, where the itinerary changes and with it the slope, as twice the differences found.
+  /// Whether a margin, from its three values and with room to spare, could reach zero between them: as a
+  /// parabola would, or, where the itinerary changes and with it the slope, as twice the differences found.
   static bool might_vanish(double a, double b, double c, bool smooth) {
     const double nearest = std::min({std::abs(a), std::abs(b), std::abs(c)});
     const double bend = smooth ? std::abs(a - 2 * b + c) : std::abs(a - b) + std::abs(b - c);
@@ -61,7 +62,8 @@ class Scan {
 
   /// Appends the stations in (low, high].
   void refine(std::vector<Station>& all, const Station& low, const Station& high, int depth) {
-    const double width = high.amplitude - low.amplitude, middle = std::midpoint(low.amplitude, high.amplitude);
+    const double width = high.amplitude - low.amplitude,
+                 middle = std::midpoint(low.amplitude, high.amplitude);
     if (width > search_.narrowest && depth < 48) {
       const Station between = at(middle);
       const bool smooth = itinerary(low) == itinerary(high) && itinerary(low) == itinerary(between);
@@ -109,7 +111,8 @@ Edge edge_of_code(const PulseCase& asked, int code, double inside, double outsid
 
 std::vector<Window> overturning_windows(const PulseCase& asked, const WindowSearch& search) {
   if (!(search.largest > 0 && search.largest <= 1e6))
-    throw std::invalid_argument(fmt::format("largest amplitude = {} must lie between 0 and 1e6", search.largest));
+    throw std::invalid_argument(
+        fmt::format("largest amplitude = {} must lie between 0 and 1e6", search.largest));
   if (!(asked.omega_ratio > 0 && std::isfinite(asked.omega_ratio)))
     throw std::invalid_argument(fmt::format("omega_p/p = {} must be positive", asked.omega_ratio));
   const auto stations = Scan(asked, search).stations();

@@ -8,7 +8,8 @@
 
 namespace rederive {
 
-/// Amplitudes a_p/(alpha g) from .. to that overturn with one code; `to` is empty if it reaches the largest asked.
+/// Amplitudes a_p/(alpha g) from .. to that overturn with one code; `to` is empty if it reaches the largest
+/// asked.
 struct Window {
   double from;
   std::optional<double> to;
@@ -23,16 +24,17 @@ struct WindowSearch {
 
 /// All windows between start_level and `largest`, in order.
 ///
-/// Along a fixed itinerary (impacts during the pulse) both margins are continuous in the amplitude. Intervals are
-/// halved where the itinerary or the code changes and where a margin, seen through its second difference, might
-/// reach zero in between; each edge is then bisected to neighbouring numbers.
-/// Throws std::invalid_argument if omega_p/p or the largest amplitude is out of range.
+/// Along a fixed itinerary (impacts during the pulse) both margins are continuous in the amplitude. Intervals
+/// are halved where the itinerary or the code changes and where a margin, seen through its second difference,
+/// might reach zero in between; each edge is then bisected to neighbouring numbers. Throws
+/// std::invalid_argument if omega_p/p or the largest amplitude is out of range.
 std::vector<Window> overturning_windows(const PulseCase& asked, const WindowSearch& search = {});
 
 /// The window of the smallest amplitude, if any.
 std::optional<Window> least_window(const std::vector<Window>& windows);
 
-/// Bisects to neighbouring numbers: the last amplitude from `low` on with the code at `low`, the other with another.
+/// Bisects to neighbouring numbers: the last amplitude from `low` on with the code at `low`, the other with
+/// another.
 struct Edge {
   double inside, outside;
 };

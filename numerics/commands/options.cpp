@@ -11,23 +11,28 @@
 namespace rederive {
 
 void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequency) {
-  static const std::map<std::string, Model> models{{"linear", Model::linear}, {"nonlinear", Model::nonlinear}};
+  static const std::map<std::string, Model> models{{"linear", Model::linear},
+                                                   {"nonlinear", Model::nonlinear}};
   static const std::map<std::string, Pulse> pulses{{"sine", Pulse::sine}, {"cosine", Pulse::cosine}};
   const auto text = [&](const char* name, std::string& into, const char* what) {
     return app.add_option(name, into, what)->type_name("NUMBER");
   };
-  if (frequency == Frequency::required) text("--omega", options.omega, "omega_p/p of the pulse")->type_name("W");
+  if (frequency == Frequency::required)
+    text("--omega", options.omega, "omega_p/p of the pulse")->type_name("W");
   auto* alpha = text("--alpha", options.alpha, "stockiness atan(b/h) in rad [0.25]");
   auto* p = text("--frequency-parameter", options.frequency_parameter, "p = sqrt(3g/4R) in 1/s [2.14]");
   auto* width = text("--half-width", options.half_width, "b in metres, with --half-height");
   auto* height = text("--half-height", options.half_height, "h in metres");
   width->needs(height)->excludes(alpha)->excludes(p);
   height->needs(width);
-  text("--restitution", options.restitution, "0 < e <= 1, or auto = 1 - 3/2 sin^2(alpha) [auto]")->type_name("E|auto");
+  text("--restitution", options.restitution, "0 < e <= 1, or auto = 1 - 3/2 sin^2(alpha) [auto]")
+      ->type_name("E|auto");
   app.add_option("--model", options.model, "linear or nonlinear [linear]")
-      ->transform(CLI::CheckedTransformer(models))->type_name("NAME");
+      ->transform(CLI::CheckedTransformer(models))
+      ->type_name("NAME");
   app.add_option("--pulse", options.pulse, "sine or cosine [sine]")
-      ->transform(CLI::CheckedTransformer(pulses))->type_name("NAME");
+      ->transform(CLI::CheckedTransformer(pulses))
+      ->type_name("NAME");
   text("--theta0", options.theta0, "theta at t = 0, rad [0]");
   text("--thetadot0", options.thetadot0, "thetadot at t = 0, rad/s [0]");
   app.add_flag("--json", options.json, "one JSON document on standard output");
@@ -54,10 +59,10 @@ Block block_of(const CommonOptions& options) {
   std::optional<double> restitution;
   if (options.restitution != "auto") restitution = number("--restitution", options.restitution);
   if (!options.half_width.empty())
-    return block_from_size(number("--half-width", options.half_width), number("--half-height", options.half_height),
-                           restitution);
-  return make_block(number("--alpha", options.alpha), number("--frequency-parameter", options.frequency_parameter),
-                    restitution);
+    return block_from_size(number("--half-width", options.half_width),
+                           number("--half-height", options.half_height), restitution);
+  return make_block(number("--alpha", options.alpha),
+                    number("--frequency-parameter", options.frequency_parameter), restitution);
 }
 
 PulseCase case_at(const CommonOptions& options, double omega_ratio) {
@@ -78,12 +83,14 @@ PulseCase case_of(const CommonOptions& options) {
 
 ExactCase exact_case_of(const CommonOptions& options) {
   const bool sized = !options.half_width.empty();
-  const Digits b = sized ? Digits::parse(options.half_width) : 0, h = sized ? Digits::parse(options.half_height) : 1;
+  const Digits b = sized ? Digits::parse(options.half_width) : 0,
+               h = sized ? Digits::parse(options.half_height) : 1;
   const Digits alpha = sized ? atan2(b, h) : Digits::parse(options.alpha);
   const Digits gravity = Digits::parse("9.81");
   const Digits p = sized ? emitted::frequency_parameter(sqrt(b * b + h * h), gravity)
                          : Digits::parse(options.frequency_parameter);
-  const Digits e = options.restitution == "auto" ? emitted::restitution(alpha) : Digits::parse(options.restitution);
+  const Digits e =
+      options.restitution == "auto" ? emitted::restitution(alpha) : Digits::parse(options.restitution);
   const Digits push = (Digits::parse(options.theta0) + Digits::parse(options.thetadot0) / p) / alpha;
   return {Digits::parse(options.omega), e, push};
 }
@@ -94,7 +101,8 @@ std::string name_of(Pulse pulse) { return pulse == Pulse::sine ? "sine" : "cosin
 std::string words_for(int code) {
   if (code == 0) return "safe";
   const int impacts = std::abs(code) - 1;
-  const std::string how = impacts == 0 ? "without impact" : fmt::format("after {} impact{}", impacts, impacts == 1 ? "" : "s");
+  const std::string how =
+      impacts == 0 ? "without impact" : fmt::format("after {} impact{}", impacts, impacts == 1 ? "" : "s");
   return fmt::format("overturns to theta {} 0 {}", code < 0 ? "<" : ">", how);
 }
 

@@ -24,7 +24,8 @@ struct CommonOptions {
 
 enum class Frequency { required, absent };
 
-/// Adds --alpha, --restitution, --frequency-parameter, --half-width, --half-height, --model, --pulse, --theta0,
+/// Adds --alpha, --restitution, --frequency-parameter, --half-width, --half-height, --model, --pulse,
+/// --theta0,
 /// --thetadot0 and --json, and --omega if it is one number.
 void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequency);
 
@@ -67,5 +68,8 @@ double station(const Span& span, int index);
 using Run = std::function<int()>;
 void add_threshold(CLI::App& app, Run& run);
 void add_response(CLI::App& app, Run& run);
+void add_spectrum(CLI::App& app, Run& run);
+void add_map(CLI::App& app, Run& run);
+void add_figure(CLI::App& app, Run& run);
 
 }  // namespace rederive

@@ -1,5 +1,6 @@
 // rocking response: outcome, events and time history.
 #include <numerics/commands/options.hpp>
+#include <numerics/figures.hpp>
 #include <numerics/story.hpp>
 
 #include <fmt/format.h>
@@ -92,14 +93,14 @@ void print_told(const Told& told) {
   const Story& story = told.story;
   fmt::print("{}", words_for(story.outcome.code));
   if (const auto time = time_of(story)) fmt::print(" at tau = p t = {:.15g}", *time);
-  fmt::print(" (code {})\n\n{:>14}  {:10} {:>14} {:>14} {:>14}\n", story.outcome.code, "tau", "event", "theta/alpha",
-             "before", "after");
+  fmt::print(" (code {})\n\n{:>14}  {:10} {:>14} {:>14} {:>14}\n", story.outcome.code, "tau", "event",
+             "theta/alpha", "before", "after");
   constexpr std::size_t shown = 24;
   for (std::size_t i = 0; i < story.response.events.size() && i < shown; ++i) {
     const Event& event = story.response.events[i];
     fmt::print("{:>14.9f}  {:10} {:>14.9f} {:>14.9f} {:>14.9f}\n", static_cast<double>(event.time),
-               name_of(event.kind), static_cast<double>(event.angle), static_cast<double>(event.velocity_before),
-               static_cast<double>(event.velocity_after));
+               name_of(event.kind), static_cast<double>(event.angle),
+               static_cast<double>(event.velocity_before), static_cast<double>(event.velocity_after));
   }
   if (story.response.events.size() > shown)
     fmt::print("{:>14}  and {} more (--json gives all)\n", "...", story.response.events.size() - shown);
@@ -109,25 +110,42 @@ void print_told(const Told& told) {
 
 std::string history_csv(const Told& told) {
   std::string text = "tau,theta_over_alpha,thetadot_over_alpha_p,ground_over_g\n";
-  for (const Sample& at : sampled(told.block, told.model, told.motion, told.story.response, told.story.until, 2001))
+  for (const Sample& at :
+       sampled(told.block, told.model, told.motion, told.story.response, told.story.until, 2001))
     text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}\n", static_cast<double>(at.time),
                         static_cast<double>(at.angle), static_cast<double>(at.velocity),
                         static_cast<double>(at.ground * told.block.alpha));
   return text;
 }
 
+Figure history_plot(const Told& told, const std::string& caption) {
+  HistoryCurve curve;
+  for (const Sample& at :
+       sampled(told.block, told.model, told.motion, told.story.response, told.story.until, 2001))
+    curve.states.push_back(
+        {static_cast<double>(at.time), static_cast<double>(at.angle), static_cast<double>(at.velocity)});
+  Figure figure{caption, history_panels({curve})};
+  for (Panel& panel : figure.panels) panel.x_range = panel.y_range = {0, 0}, panel.key = "off";
+  return figure;
+}
+
 int response(const ResponseCommand& options) {
   Told told;
   told.block = block_of(options.common);
   told.model = options.common.model;
-  const InitialState initial = initial_state(told.block, told.model, number("--theta0", options.common.theta0),
-                                             number("--thetadot0", options.common.thetadot0));
+  const InitialState initial =
+      initial_state(told.block, told.model, number("--theta0", options.common.theta0),
+                    number("--thetadot0", options.common.thetadot0));
   told.motion = motion_of(options, told.block, initial);
   const double until = options.until.empty() ? -1 : number_between("--until", options.until, 0, 1e5);
   if (!options.friction.empty()) told.limit = number_between("--friction", options.friction, 0, 1e9);
   told.story = tell(told.block, told.model, told.motion, initial, until);
   told.friction = required_friction(told.block, told.model, told.story);
   if (!options.csv.empty()) write_whole(options.csv, history_csv(told));
+  if (!options.plot.empty())
+    draw(history_plot(told,
+                      fmt::format("{} model: {}", name_of(told.model), words_for(told.story.outcome.code))),
+         options.plot);
   options.common.json ? print_as_json(told) : print_told(told);
   return as_expected;
 }
@@ -135,7 +153,8 @@ int response(const ResponseCommand& options) {
 }  // namespace
 
 void add_response(CLI::App& app, Run& run) {
-  auto* command = app.add_subcommand("response", "outcome, events and time history under one pulse or record");
+  auto* command =
+      app.add_subcommand("response", "outcome, events and time history under one pulse or record");
   auto options = std::make_shared<ResponseCommand>();
   add_common_options(*command, options->common, Frequency::required);
   const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
@@ -144,10 +163,12 @@ void add_response(CLI::App& app, Run& run) {
   add("--amplitude", options->amplitude, "A", "a_p/(alpha g) of the pulse");
   add("--until", options->until, "TAU", "end of the history, in p t");
   add("--csv", options->csv, "FILE", "write the history");
+  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf");
   add("--friction", options->friction, "MU", "say whether this friction suffices");
   auto* record = add("--record", options->record, "FILE", "a recorded acceleration instead of a pulse");
   add("--step", options->step, "SECONDS", "time step of a record of one column")->needs(record);
-  add("--unit", options->unit, "NAME", "unit of the record: g or m/s2 [g]")->check(CLI::IsMember({"g", "m/s2"}));
+  add("--unit", options->unit, "NAME", "unit of the record: g or m/s2 [g]")
+      ->check(CLI::IsMember({"g", "m/s2"}));
   add("--scale", options->scale, "NUMBER", "multiplies the record [1]")->needs(record);
   command->callback([options, &run] { run = [options] { return response(*options); }; });
 }

@@ -1,0 +1,46 @@
+// rocking figure N: the paper's figures, computed.
+#include <numerics/commands/options.hpp>
+#include <numerics/commands/sweep.hpp>
+#include <numerics/figures.hpp>
+
+#include <fmt/format.h>
+
+namespace rederive {
+namespace {
+
+struct FigureCommand {
+  std::string number, out, data, ground_acceleration = "0.24", threads;
+};
+
+int run_figure(const FigureCommand& options) {
+  const double number = number_between("figure", options.number, 8, 16);
+  if (number != static_cast<int>(number))
+    throw BadInput("figure " + options.number + " must be a whole number from 8 to 16");
+  FigureOptions wanted;
+  wanted.ground_acceleration = number_between("--ground-acceleration", options.ground_acceleration, 0, 10);
+  wanted.work = sweep_work(options.threads, 1, "");
+  wanted.work.progress = {};
+  const Figure figure = paper_figure(static_cast<int>(number), wanted);
+  if (was_interrupted(wanted.work)) return not_as_expected;
+  if (!options.out.empty()) draw(figure, options.out);
+  if (!options.data.empty()) write_whole(options.data, figure_data(figure));
+  fmt::print("Figure {}. {}\n", static_cast<int>(number), figure.caption);
+  if (options.out.empty() && options.data.empty()) fmt::print("\n{}", figure_data(figure));
+  return as_expected;
+}
+
+}  // namespace
+
+void add_figure(CLI::App& app, Run& run) {
+  auto* command = app.add_subcommand("figure", "the paper's figures 8 to 16, computed");
+  auto options = std::make_shared<FigureCommand>();
+  command->add_option("number", options->number, "8 to 16")->required()->type_name("NUMBER");
+  command->add_option("--out", options->out, "draw to .svg, .png or .pdf")->type_name("FILE");
+  command->add_option("--data", options->data, "write the curves as CSV")->type_name("FILE");
+  command->add_option("--ground-acceleration", options->ground_acceleration, "a_g/g of figure 16 [0.24]")
+      ->type_name("NUMBER");
+  command->add_option("--threads", options->threads, "threads [all]")->type_name("T");
+  command->callback([options, &run] { run = [options] { return run_figure(*options); }; });
+}
+
+}  // namespace rederive

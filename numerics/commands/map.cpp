@@ -1,0 +1,97 @@
+// rocking map: the code at each point of a grid.
+#include <numerics/map.hpp>
+
+#include <numerics/commands/options.hpp>
+#include <numerics/commands/sweep.hpp>
+#include <numerics/plot.hpp>
+
+#include <fmt/format.h>
+
+#include <map>
+
+namespace rederive {
+namespace {
+
+struct MapCommand {
+  CommonOptions common;
+  std::string omega, amplitude, csv, plot, threads;
+};
+
+std::string csv_of(const OutcomeMap& map) {
+  std::string text = "omega_ratio,amplitude,code\n";
+  for (std::size_t i = 0; i < map.omega_ratios.size(); ++i)
+    for (std::size_t j = 0; j < map.codes[i].size(); ++j)
+      text += fmt::format("{:.17g},{:.17g},{}\n", map.omega_ratios[i], map.amplitudes[j], map.codes[i][j]);
+  return text;
+}
+
+std::map<int, int> counts_of(const OutcomeMap& map) {
+  std::map<int, int> counts;
+  for (const auto& column : map.codes)
+    for (int code : column) ++counts[code];
+  return counts;
+}
+
+nlohmann::ordered_json json_of(const OutcomeMap& map) {
+  nlohmann::ordered_json document{{"unit", "alpha_g"},
+                                  {"omega_ratios", map.omega_ratios},
+                                  {"amplitudes", map.amplitudes},
+                                  {"codes", map.codes}};
+  return document;
+}
+
+std::vector<double> stations(const std::string& option, const std::string& text, double low, double high) {
+  const Span span = span_of(option, text);
+  if (!(span.from >= low && span.to <= high))
+    throw BadInput(fmt::format("{} {} must lie between {} and {}", option, text, low, high));
+  std::vector<double> values;
+  for (int i = 0; i < span.count; ++i) values.push_back(station(span, i));
+  return values;
+}
+
+int run_map(const MapCommand& options) {
+  const auto ratios = stations("--omega", options.omega, 0.01, 1000);
+  const auto amplitudes = stations("--amplitude", options.amplitude, 0, 1e6);
+  if (ratios.size() * amplitudes.size() > 50'000'000)
+    throw BadInput("--omega and --amplitude: more than 50 million points");
+  const PulseCase asked = case_at(options.common, ratios.front());
+  const Real level = start_level(asked.block, asked.model);
+  if ((asked.initial.angle != 0 || asked.initial.velocity != 0) && amplitudes.front() < level)
+    throw BadInput(
+        fmt::format("--amplitude: with initial conditions the pulse begins where rocking can start, from {}",
+                    static_cast<double>(level)));
+  const Work work = sweep_work(options.threads, static_cast<int>(ratios.size()), "frequencies");
+  const OutcomeMap map = outcome_map(asked, ratios, amplitudes, work);
+  const bool stopped = was_interrupted(work);
+  if (!options.csv.empty()) write_whole(options.csv, csv_of(map));
+  if (!options.plot.empty())
+    draw(Shades{map.omega_ratios, map.amplitudes, map.codes, "ω_p/p (dimensionless)",
+                "amplitude a_p/(α g) (dimensionless)"},
+         options.plot);
+  if (options.common.json) {
+    print_json(json_of(map));
+  } else {
+    for (const auto& [code, count] : counts_of(map))
+      fmt::print("{:+3d}  {:>9} points  {}\n", code, count, words_for(code));
+  }
+  return stopped ? not_as_expected : as_expected;
+}
+
+}  // namespace
+
+void add_map(CLI::App& app, Run& run) {
+  auto* command = app.add_subcommand("map", "the code over a grid of omega_p/p and amplitude");
+  auto options = std::make_shared<MapCommand>();
+  add_common_options(*command, options->common, Frequency::absent);
+  const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
+    return command->add_option(name, into, what)->type_name(type);
+  };
+  add("--omega", options->omega, "W1:W2:N", "omega_p/p from, to, how many")->required();
+  add("--amplitude", options->amplitude, "A1:A2:M", "a_p/(alpha g) from, to, how many")->required();
+  add("--threads", options->threads, "T", "threads [all]");
+  add("--csv", options->csv, "FILE", "write the grid");
+  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf");
+  command->callback([options, &run] { run = [options] { return run_map(*options); }; });
+}
+
+}  // namespace rederive

@@ -1,0 +1,115 @@
+// rocking spectrum: thresholds against omega_p/p.
+#include <numerics/commands/options.hpp>
+#include <numerics/commands/sweep.hpp>
+#include <numerics/plot.hpp>
+#include <numerics/spectrum.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace rederive {
+namespace {
+
+struct SpectrumCommand {
+  CommonOptions common;
+  std::string from, to, points, csv, plot, threads, max_amplitude = "12";
+};
+
+std::string field(const std::optional<double>& value) { return value ? fmt::format("{:.17g}", *value) : ""; }
+
+std::string csv_of(const std::vector<SpectrumPoint>& points) {
+  std::string text = "omega_ratio,minimum,code,mode1,mode2_lower,mode2_upper\n";
+  for (const auto& at : points)
+    if (at.done)
+      text += fmt::format("{:.17g},{},{},{},{},{}\n", at.omega_ratio, field(at.minimum),
+                          at.minimum ? std::to_string(at.code) : "", field(at.mode1), field(at.mode2_lower),
+                          field(at.mode2_upper));
+  return text;
+}
+
+Curve curve_of(const std::vector<SpectrumPoint>& points, std::optional<double> SpectrumPoint::*value,
+               std::string title, int dash, double width) {
+  Curve curve;
+  curve.title = std::move(title), curve.dash = dash, curve.width = width;
+  for (const auto& at : points)
+    if (at.done)
+      curve.points.emplace_back(at.omega_ratio,
+                                (at.*value).value_or(std::numeric_limits<double>::quiet_NaN()));
+  return curve;
+}
+
+Figure figure_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked) {
+  Panel panel;
+  panel.x_label = "ω_p/p (dimensionless)";
+  panel.y_label = "amplitude a_p/(α g) (dimensionless)";
+  panel.curves = {curve_of(points, &SpectrumPoint::minimum, "least amplitude that overturns", 1, 5),
+                  curve_of(points, &SpectrumPoint::mode1, "without impact", 2, 2),
+                  curve_of(points, &SpectrumPoint::mode2_lower, "after one impact, from", 3, 2),
+                  curve_of(points, &SpectrumPoint::mode2_upper, "after one impact, to", 4, 2)};
+  panel.curves[0].grey = true;
+  return {fmt::format("{} model, one-{} pulse, α = {:.6g} rad, e = {:.6g}", name_of(asked.model),
+                      name_of(asked.pulse), asked.block.alpha, asked.block.restitution),
+          {panel}};
+}
+
+nlohmann::ordered_json json_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked) {
+  nlohmann::ordered_json document{{"alpha", asked.block.alpha},
+                                  {"restitution", asked.block.restitution},
+                                  {"model", name_of(asked.model)},
+                                  {"pulse", name_of(asked.pulse)},
+                                  {"unit", "alpha_g"},
+                                  {"points", nlohmann::ordered_json::array()}};
+  for (const auto& at : points)
+    if (at.done)
+      document["points"].push_back({{"omega_ratio", at.omega_ratio},
+                                    {"minimum", or_null(at.minimum)},
+                                    {"code", at.code},
+                                    {"mode1", or_null(at.mode1)},
+                                    {"mode2_lower", or_null(at.mode2_lower)},
+                                    {"mode2_upper", or_null(at.mode2_upper)}});
+  return document;
+}
+
+int run_spectrum(const SpectrumCommand& options) {
+  const Span span =
+      checked_span("--from, --to, --points", number_between("--from", options.from, 0.01, 1000),
+                   number_between("--to", options.to, 0.01, 1000), number("--points", options.points));
+  const PulseCase asked = case_at(options.common, span.from);
+  WindowSearch search;
+  search.largest = number_between("--max-amplitude", options.max_amplitude, 1e-9, 1e6);
+  std::vector<double> ratios;
+  for (int i = 0; i < span.count; ++i) ratios.push_back(station(span, i));
+  const Work work = sweep_work(options.threads, span.count, "frequencies");
+  const auto points = spectrum(asked, ratios, search, work);
+  const bool stopped = was_interrupted(work);
+  if (!options.csv.empty()) write_whole(options.csv, csv_of(points));
+  if (!options.plot.empty()) draw(figure_of(points, asked), options.plot);
+  if (options.common.json)
+    print_json(json_of(points, asked));
+  else if (options.csv.empty())
+    fmt::print("{}", csv_of(points));
+  return stopped ? not_as_expected : as_expected;
+}
+
+}  // namespace
+
+void add_spectrum(CLI::App& app, Run& run) {
+  auto* command = app.add_subcommand("spectrum", "thresholds against omega_p/p");
+  auto options = std::make_shared<SpectrumCommand>();
+  add_common_options(*command, options->common, Frequency::absent);
+  const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
+    return command->add_option(name, into, what)->type_name(type);
+  };
+  add("--from", options->from, "W1", "first omega_p/p")->required();
+  add("--to", options->to, "W2", "last omega_p/p")->required();
+  add("--points", options->points, "N", "how many")->required();
+  add("--max-amplitude", options->max_amplitude, "NUMBER", "largest amplitude, in alpha g [12]");
+  add("--threads", options->threads, "T", "threads [all]");
+  add("--csv", options->csv, "FILE", "write the table");
+  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf");
+  command->callback([options, &run] { run = [options] { return run_spectrum(*options); }; });
+}
+
+}  // namespace rederive

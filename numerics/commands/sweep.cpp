@@ -1,0 +1,42 @@
+#include <numerics/commands/sweep.hpp>
+
+#include <numerics/commands/options.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <thread>
+
+namespace rederive {
+namespace {
+
+std::atomic<bool>& interruption() {
+  static std::atomic<bool> flag{false};  // a signal handler can reach nothing else
+  return flag;
+}
+
+}  // namespace
+
+Work sweep_work(const std::string& threads, int count, const char* unit) {
+  Work work;
+  const double machine = std::max(1U, std::thread::hardware_concurrency());
+  work.threads = static_cast<int>(threads.empty() ? machine : number_between("--threads", threads, 1, 1024));
+  work.count = count;
+  work.stop = &interruption();
+  std::signal(SIGINT, [](int) { interruption() = true; });
+  if (is_lively(2))
+    work.progress = [count, unit](int done) {
+      fmt::print(stderr, "\r{} of {} {}{}", done, count, unit, done == count ? "\n" : "");
+      std::fflush(stderr);
+    };
+  return work;
+}
+
+bool was_interrupted(const Work& work) {
+  const bool stopped = interruption();
+  if (stopped) fmt::print(stderr, "{}interrupted: what was done is kept\n", work.progress ? "\n" : "");
+  return stopped;
+}
+
+}  // namespace rederive

@@ -1,0 +1,16 @@
+// Long computations on the command line: threads, progress on a terminal, Ctrl-C keeps what is done.
+#pragma once
+
+#include <numerics/parallel.hpp>
+
+#include <string>
+
+namespace rederive {
+
+/// From --threads ("" = as many as the machine has), with progress on a terminal and stopping at Ctrl-C.
+Work sweep_work(const std::string& threads, int count, const char* unit);
+
+/// Whether Ctrl-C was pressed; ends the progress line.
+bool was_interrupted(const Work& work);
+
+}  // namespace rederive

@@ -1,0 +1,50 @@
+// Figures by gnuplot: black lines told apart by their dashes, so that they survive a black-and-white printer.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rederive {
+
+/// A curve, or points (`marks`), with a name for the key; a point that is not finite breaks the curve.
+struct Curve {
+  std::string title;
+  std::vector<std::pair<double, double>> points;
+  int dash = 1;        ///< 1 solid, 2 dashed, 3 dotted, 4 dash-dotted ...
+  bool marks = false;  ///< points alone
+  bool grey = false;
+  int symbol = 2;  ///< of the marks: gnuplot's point type
+  double width = 2;
+};
+
+/// One pair of axes. An empty range (low == high) is left to gnuplot.
+struct Panel {
+  std::string title, x_label, y_label;
+  std::vector<Curve> curves;
+  std::pair<double, double> x_range{0, 0}, y_range{0, 0};
+  std::string key = "top left";
+};
+
+/// Shades of grey over a grid, with a legend by code.
+struct Shades {
+  std::vector<double> x, y;
+  std::vector<std::vector<int>> codes;  ///< codes[x][y]; an empty column is left white
+  std::string x_label, y_label;
+};
+
+struct Figure {
+  std::string caption;  ///< lines separated by '\n'
+  std::vector<Panel> panels;
+};
+
+/// Draws to SVG, PNG or PDF by the extension, whole or not at all.
+/// Throws std::invalid_argument for another extension, an unwritable file, or if gnuplot is missing.
+void draw(const Figure& figure, const std::filesystem::path& file);
+void draw(const Shades& shades, const std::filesystem::path& file);
+
+/// All curves as text: "panel,curve,x,y" lines under a header.
+std::string figure_data(const Figure& figure);
+
+}  // namespace rederive

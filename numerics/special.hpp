@@ -1,0 +1,22 @@
+// The two special frequencies of overturning after one impact under a one-sine pulse from rest.
+#pragma once
+
+#include <numerics/overturning.hpp>
+
+#include <optional>
+
+namespace rederive {
+
+struct SpecialPoint {
+  double omega_ratio, amplitude;
+};
+
+/// Where the impact that just overturns comes exactly at the end of the pulse: below, it comes during the
+/// pulse, (86)&(88), above, after it, (92a)&(96). Empty if there is none with 1 < omega_p/p < 60.
+std::optional<SpecialPoint> handover(const PulseCase& asked);
+
+/// Where the window of overturning after one impact shrinks to a point: at larger omega_p/p no amplitude up
+/// to 200 overturns so. Empty if there is none with 1 < omega_p/p < 60 (so for e = 1).
+std::optional<SpecialPoint> end_of_mode_2(const PulseCase& asked);
+
+}  // namespace rederive

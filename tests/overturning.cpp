@@ -1,0 +1,228 @@
+#include <numerics/overturning.hpp>
+
+#include <doctest/doctest.h>
+#include <numerics/closed_form.hpp>
+#include <numerics/special.hpp>
+#include <numerics/story.hpp>
+#include <numerics/windows.hpp>
+
+#include <cmath>
+#include <stdexcept>
+
+using namespace rederive;
+
+namespace {
+
+PulseCase asked(double omega_ratio, Model model = Model::linear, double alpha = 0.25,
+                std::optional<double> e = {}) {
+  PulseCase result;
+  result.block = make_block(alpha, 2.14, e);
+  result.model = model;
+  result.omega_ratio = omega_ratio;
+  return result;
+}
+
+const ClosedForm* root_of(const std::vector<ClosedForm>& roots, Form form, bool admissible = true) {
+  for (const ClosedForm& root : roots)
+    if (root.form == form && root.admissible == admissible) return &root;
+  return nullptr;
+}
+
+/// Bisection on the simulation: where overturning without impact begins.
+double mode_1_by_bisection(const PulseCase& of) {
+  double safe = 1.01, over = 200;
+  for (double middle = std::midpoint(safe, over); safe < middle && middle < over;
+       middle = std::midpoint(safe, over))
+    (outcome_at(of, middle).code == -1 ? over : safe) = middle;
+  return over;
+}
+
+}  // namespace
+
+TEST_CASE("the closed form (71) and bisection on the linear simulation meet") {
+  for (double ratio : {0.5, 1.0, 2.0, 4.0, 5.5, 9.0}) {
+    const auto roots = closed_forms(asked(ratio));
+    const ClosedForm* root = root_of(roots, Form::eq71);
+    REQUIRE(root != nullptr);
+    CHECK(std::abs(mode_1_by_bisection(asked(ratio)) / root->amplitude - 1) < 1e-12);
+  }
+}
+
+TEST_CASE("(86)&(88) corrected and (92a)&(96) are the edges of overturning after one impact") {
+  for (double ratio : {1.5, 3.0, 4.5, 5.5, 6.5}) {
+    const PulseCase of = asked(ratio);
+    const auto roots = closed_forms(of);
+    const ClosedForm* root = root_of(roots, ratio < 4.8 ? Form::eq86_88 : Form::eq92a_96);
+    REQUIRE(root != nullptr);
+    const auto windows = overturning_windows(of);
+    REQUIRE(windows.front().code == 2);
+    CHECK(std::abs(windows.front().from / root->amplitude - 1) < 1e-12);
+    CHECK((*root->impact_time < root->pulse_end) == (ratio < 4.8));
+  }
+}
+
+TEST_CASE("the paper's printed amplitudes without impact are nonlinear and in units of g tan(alpha)") {
+  const double unit = std::tan(0.25) / 0.25;
+  const double at_2 = mode_1_by_bisection(asked(2, Model::nonlinear)) / unit;
+  CHECK(at_2 > 2.35766);
+  CHECK(at_2 < 2.35771);
+  const double at_4 = mode_1_by_bisection(asked(4, Model::nonlinear)) / unit;
+  CHECK(at_4 > 5.3230);
+  CHECK(at_4 < 5.32303);
+}
+
+TEST_CASE("a root is admissible only if the block moves so") {
+  const auto roots = closed_forms(asked(5.5));
+  CHECK(root_of(roots, Form::eq78) == nullptr);
+  REQUIRE(root_of(roots, Form::eq86_88, false) != nullptr);
+  CHECK(root_of(roots, Form::eq86_88, false)->why_not.starts_with("t_i > T_ex"));
+  PulseCase cosine = asked(3);
+  cosine.pulse = Pulse::cosine;
+  CHECK(root_of(closed_forms(cosine), Form::eq103, false)->why_not.starts_with("from rest"));
+  cosine.initial = {0.04L, 0.19L};
+  const auto pushed = closed_forms(cosine);
+  const ClosedForm* root = root_of(pushed, Form::eq103);
+  REQUIRE(root != nullptr);
+  CHECK(std::abs(overturning_windows(cosine).front().from / root->amplitude - 1) < 1e-12);
+  PulseCase sine = asked(3);
+  sine.initial = {-0.04L, -0.19L};
+  const auto negative = closed_forms(sine);
+  CHECK(root_of(negative, Form::eq104) != nullptr);
+}
+
+TEST_CASE("closed forms to sixty digits satisfy their equations and begin as the double does") {
+  for (const ClosedForm& root : closed_forms(asked(5.5))) {
+    const ExactRoot exact =
+        exact_root(root, {Digits::parse("5.5"), Digits(asked(5.5).block.restitution), 0}, 60);
+    CHECK(exact.amplitude.to_double() == doctest::Approx(root.amplitude).epsilon(1e-13));
+    if (root.form != Form::eq71) continue;
+    // (71) by its own words: cos(psi) - w sin(psi) = exp(-(2 pi - psi)/w)
+    const Digits w = Digits::parse("5.5");
+    const Digits rest =
+        cos(exact.psi) - w * sin(exact.psi) - exp(-(Digits(2) * Digits::pi() - exact.psi) / w);
+    CHECK(abs(rest) < Digits::parse("1e-60"));
+  }
+}
+
+TEST_CASE("windows after three, five and seven impacts are found, in both models") {
+  for (Model model : {Model::linear, Model::nonlinear}) {
+    const PulseCase of = asked(0.5, model);
+    const auto windows = overturning_windows(of);
+    for (int code : {10, 8, 6, 4, 2})
+      CHECK(std::any_of(windows.begin(), windows.end(), [&](const Window& w) { return w.code == code; }));
+    for (const Window& window : windows) {
+      CHECK(outcome_at(of, window.from).code == window.code);
+      CHECK(outcome_at(of, std::nextafter(window.from, 0)).code != window.code);
+      if (!window.to) continue;
+      CHECK(outcome_at(of, *window.to).code == window.code);
+      CHECK(outcome_at(of, std::nextafter(*window.to, 100)).code != window.code);
+    }
+  }
+}
+
+TEST_CASE("no window is missed that a dense sampling sees") {
+  for (double ratio : {0.7, 2.3}) {
+    const PulseCase of = asked(ratio, Model::linear, 0.3, 0.8);
+    const auto windows = overturning_windows(of);
+    for (double amplitude = 1.005; amplitude < 3; amplitude += 5e-4) {
+      int code = 0;
+      for (const Window& window : windows)
+        if (window.from <= amplitude && (!window.to || amplitude <= *window.to)) code = window.code;
+      CHECK(outcome_at(of, amplitude).code == code);
+    }
+  }
+}
+
+TEST_CASE("similarity: linear results depend on omega_p/p and e only") {
+  const auto slender = overturning_windows(asked(2.5, Model::linear, 0.05, 0.85));
+  const auto stocky = overturning_windows(asked(2.5, Model::linear, 0.6, 0.85));
+  REQUIRE(slender.size() == stocky.size());
+  for (std::size_t i = 0; i < slender.size(); ++i) CHECK(slender[i].from == stocky[i].from);
+}
+
+TEST_CASE("nonlinear thresholds go over into linear ones as alpha^2") {
+  const double linear = mode_1_by_bisection(asked(3, Model::linear, 0.25, 0.9));
+  double before = 0;
+  for (int i = 0; i < 4; ++i) {
+    const double difference =
+        mode_1_by_bisection(asked(3, Model::nonlinear, std::ldexp(0.2, -i), 0.9)) - linear;
+    if (i > 0) CHECK(before / difference == doctest::Approx(4).epsilon(0.06));
+    before = difference;
+  }
+}
+
+TEST_CASE("free motion is decided by energy, with the impact to come") {
+  const Block block = make_block(0.25, 2.14, 0.9);
+  for (Model model : {Model::linear, Model::nonlinear}) {
+    CHECK(free_motion_margins(block, model, -1, {0, -0.5L, -0.6L}).outward > 0);
+    CHECK(free_motion_margins(block, model, -1, {0, -0.5L, -0.4L}).outward < 0);
+    CHECK(free_motion_margins(block, model, 1, {0, 1.3L, -0.2L}).outward > 0);
+    CHECK(free_motion_margins(block, model, 1, {0, 1.3L, -0.4L}).outward < 0);
+    CHECK(free_motion_margins(block, model, 1, {0, 0.5L, -1.3L}).returning > 0);
+    CHECK(free_motion_margins(block, model, 1, {0, 0.5L, -0.3L}).returning < 0);
+  }
+}
+
+TEST_CASE("at the edges of the range the answer is right or a clear error") {
+  CHECK(outcome_at(asked(2), 1.0).code == 0);
+  CHECK(outcome_at(asked(2), 0.5).code == 0);
+  CHECK(outcome_at(asked(2, Model::nonlinear), std::tan(0.25) / 0.25).code == 0);
+  CHECK_THROWS_AS(outcome_at(asked(2), std::nan("")), std::invalid_argument);
+  PulseCase pushed = asked(2);
+  pushed.initial = {0.1L, 0};
+  CHECK_THROWS_AS(outcome_at(pushed, 0.5), std::invalid_argument);
+  CHECK(outcome_of(pushed.block, Model::linear, {}, {0.5L, 1.0L}).code == 1);  // no pulse at all
+  CHECK(outcome_of(pushed.block, Model::linear, {}, {0.5L, 0.1L}).code == 0);
+  CHECK(!overturning_windows(asked(0.02)).empty());
+  CHECK(overturning_windows(asked(1000)).empty());
+  CHECK(!overturning_windows(asked(3, Model::nonlinear, 1.5, 0.5), {100, 256, 2e-6}).empty());
+  CHECK(!overturning_windows(asked(3, Model::nonlinear, 1e-8, 0.9)).empty());
+}
+
+TEST_CASE("without loss at impacts the windows still come out") {
+  const auto windows = overturning_windows(asked(3, Model::linear, 0.25, 1.0));
+  REQUIRE(!windows.empty());
+  for (const Window& window : windows)
+    CHECK(outcome_at(asked(3, Model::linear, 0.25, 1.0), window.from).code == window.code);
+}
+
+TEST_CASE("the hand-over has its impact at the end of the pulse, and mode 2 ends where it should") {
+  for (Model model : {Model::linear, Model::nonlinear}) {
+    const PulseCase of = asked(1, model, 0.25, 0.9);
+    const auto change = handover(of);
+    REQUIRE(change);
+    PulseCase there = of;
+    there.omega_ratio = change->omega_ratio;
+    const auto windows = overturning_windows(there);
+    CHECK(windows.front().from == doctest::Approx(change->amplitude).epsilon(1e-9));
+    const auto end = end_of_mode_2(of);
+    REQUIRE(end);
+    there.omega_ratio = end->omega_ratio * (1 - 1e-6);
+    CHECK(outcome_at(there, end->amplitude).code == 2);
+    there.omega_ratio = end->omega_ratio * (1 + 1e-6);
+    for (int i = -50; i <= 50; ++i) CHECK(outcome_at(there, end->amplitude * (1 + i * 1e-3)).code == 0);
+  }
+}
+
+TEST_CASE("the linear hand-over solves (86) and (88) with t_i = T_ex") {
+  const auto change = handover(asked(1, Model::linear, 0.25, 0.9));
+  REQUIRE(change);
+  PulseCase there = asked(change->omega_ratio, Model::linear, 0.25, 0.9);
+  there.omega_ratio *= 1 - 1e-10;
+  const auto roots = closed_forms(there);
+  const ClosedForm* root = root_of(roots, Form::eq86_88);
+  REQUIRE(root != nullptr);
+  CHECK(*root->impact_time == doctest::Approx(root->pulse_end).epsilon(1e-8));
+  CHECK(root->amplitude == doctest::Approx(change->amplitude).epsilon(1e-8));
+}
+
+TEST_CASE("a story tells when the block passes theta = alpha for the last time") {
+  const Block block = make_block(0.25, 2.14);
+  for (Model model : {Model::linear, Model::nonlinear}) {
+    const Story story = tell(block, model, pulse_motion(Pulse::sine, 2, 1.6L, start_level(block, model)), {});
+    CHECK(story.outcome.code == 2);
+    REQUIRE(story.overturn_time);
+    CHECK(story.response.events.back().kind == EventKind::overturn);
+    CHECK(static_cast<double>(story.response.events.back().angle) == doctest::Approx(1).epsilon(1e-12));
+  }
+}

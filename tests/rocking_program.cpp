@@ -1,0 +1,152 @@
+#include "run_program.hpp"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace {
+
+nlohmann::json json_of(const std::vector<std::string>& arguments) {
+  const Result result = run_program("rocking", arguments);
+  REQUIRE_MESSAGE(result.exit_code == 0, result.err);
+  return nlohmann::json::parse(result.out);
+}
+
+void check_refused(const std::vector<std::string>& arguments, const std::string& named) {
+  const Result result = run_program("rocking", arguments);
+  CAPTURE(named);
+  CAPTURE(result.err);
+  CHECK(result.exit_code == 2);
+  CHECK(result.out.empty());
+  CHECK(result.err.find(named) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("rocking threshold --json keeps its contract") {
+  const auto document = json_of({"threshold", "--omega", "2", "--json"});
+  for (const char* name : {"omega_ratio", "alpha", "restitution", "model", "pulse", "unit", "minimum",
+                           "windows", "closed_forms"})
+    CHECK(document.contains(name));
+  CHECK(document["unit"] == "alpha_g");
+  CHECK(document["minimum"]["code"] == 2);
+  CHECK(document["windows"].back()["to"].is_null());
+  for (const auto& root : document["closed_forms"]) {
+    for (const char* name :
+         {"equations", "amplitude", "psi", "impact_time", "pulse_end", "admissible", "why_not"})
+      CHECK(root.contains(name));
+    CHECK(root["why_not"].is_null() == root["admissible"].get<bool>());
+  }
+}
+
+TEST_CASE("rocking threshold --digits gives that many figures") {
+  const auto document =
+      json_of({"threshold", "--omega", "3.1", "--alpha", "0.3", "--digits", "50", "--json"});
+  for (const auto& root : document["closed_forms"]) {
+    std::string amplitude = root["amplitude"];
+    std::erase(amplitude, '.');
+    CHECK(amplitude.size() == 50);
+  }
+}
+
+TEST_CASE("rocking threshold --special knows where one impact hands over and ends") {
+  const auto document = json_of({"threshold", "--special", "--restitution", "0.9", "--json"});
+  CHECK(document["handover"]["omega_ratio"].get<double>() == doctest::Approx(4.8).epsilon(0.01));
+  CHECK(document["mode2_end"]["omega_ratio"].get<double>() >
+        document["handover"]["omega_ratio"].get<double>());
+}
+
+TEST_CASE("rocking response --json keeps its contract") {
+  const auto document = json_of({"response", "--omega", "2", "--amplitude", "1.6", "--json"});
+  CHECK(document["outcome"] == "overturned");
+  CHECK(document["code"] == 2);
+  CHECK(document["impacts"] == 1);
+  CHECK(document["time"].is_number());
+  for (const auto& event : document["events"])
+    for (const char* name : {"time", "kind", "theta_over_alpha", "velocity_before", "velocity_after"})
+      CHECK(event.contains(name));
+  CHECK(json_of({"response", "--omega", "2", "--amplitude", "0.9", "--json"})["outcome"] == "safe");
+}
+
+TEST_CASE("histories, spectra and maps are written as CSV with their headers") {
+  const TemporaryFolder folder;
+  const std::string file = folder.path / "out.csv";
+  REQUIRE(
+      run_program("rocking", {"response", "--omega", "2", "--amplitude", "1.6", "--csv", file}).exit_code ==
+      0);
+  CHECK(read_file(file).starts_with("tau,theta_over_alpha,thetadot_over_alpha_p,ground_over_g\n0,0,0,"));
+  REQUIRE(run_program("rocking", {"spectrum", "--from", "2", "--to", "3", "--points", "2", "--csv", file})
+              .exit_code == 0);
+  CHECK(read_file(file).starts_with("omega_ratio,minimum,code,mode1,mode2_lower,mode2_upper\n2,1.2"));
+  for (const char* threads : {"1", "3"}) {
+    REQUIRE(run_program("rocking", {"map", "--omega", "1:5:4", "--amplitude", "1:3:3", "--threads", threads,
+                                    "--csv", file + threads})
+                .exit_code == 0);
+    CHECK(read_file(file + threads).starts_with("omega_ratio,amplitude,code\n1,1,0\n"));
+  }
+  CHECK(read_file(file + "1") == read_file(file + "3"));
+}
+
+TEST_CASE("two runs give the same bytes") {
+  const std::vector<std::string> arguments{"threshold", "--omega", "1.3", "--model", "nonlinear", "--json"};
+  CHECK(run_program("rocking", arguments).out == run_program("rocking", arguments).out);
+}
+
+TEST_CASE("plots are drawn by extension") {
+  const TemporaryFolder folder;
+  for (const auto& [name, begin] :
+       {std::pair("p.svg", "<?xml"), std::pair("p.png", "\x89PNG"), std::pair("p.pdf", "%PDF")}) {
+    const std::string file = folder.path / name;
+    const Result result =
+        run_program("rocking", {"response", "--omega", "2", "--amplitude", "1.6", "--plot", file});
+    REQUIRE_MESSAGE(result.exit_code == 0, result.err);
+    CHECK(read_file(file).starts_with(begin));
+  }
+  check_refused({"response", "--omega", "2", "--amplitude", "1.6", "--plot", folder.path / "p.gif"}, "p.gif");
+}
+
+TEST_CASE("a record is followed from its file") {
+  const TemporaryFolder folder;
+  const std::string file = folder.path / "record.txt";
+  std::ofstream(file) << "0 0\n0.5 0.6\n1.0 -0.6\n1.5 0\n";
+  const auto document = json_of({"response", "--record", file, "--json", "--model", "nonlinear"});
+  CHECK(document["events"][0]["kind"] == "start");
+  CHECK(document["required_friction"].get<double>() > std::tan(0.25));
+  check_refused({"response", "--record", "/no/such/file"}, "/no/such/file");
+}
+
+TEST_CASE("bad input ends with exit code 2 and names what was wrong") {
+  check_refused({"threshold"}, "--omega");
+  check_refused({"threshold", "--omega", "nan"}, "--omega");
+  check_refused({"threshold", "--omega", "-1"}, "--omega");
+  check_refused({"threshold", "--omega", "1e999"}, "--omega");
+  check_refused({"threshold", "--omega", "2", "--alpha", "2"}, "alpha");
+  check_refused({"threshold", "--omega", "2", "--alpha", "1.4"}, "restitution");
+  check_refused({"threshold", "--omega", "2", "--restitution", "1.1"}, "restitution");
+  check_refused({"threshold", "--omega", "2", "--model", "cubic"}, "--model");
+  check_refused({"threshold", "--omega", "2", "--digits", "61"}, "--digits");
+  check_refused({"threshold", "--omega", "2", "--max-amplitude", "inf"}, "--max-amplitude");
+  check_refused({"threshold", "--omega", "2", "--theta0", "x"}, "--theta0");
+  check_refused({"threshold", "--omega", "2", "--model", "nonlinear", "--theta0", "1.6"}, "theta0");
+  check_refused({"response", "--omega", "2"}, "--amplitude");
+  check_refused({"response", "--omega", "2", "--amplitude", "-1"}, "--amplitude");
+  check_refused({"response", "--omega", "2", "--amplitude", "0.5", "--theta0", "0.01"}, "amplitude");
+  check_refused({"spectrum", "--from", "3", "--to", "2", "--points", "4"}, "--from");
+  check_refused({"spectrum", "--from", "2", "--to", "3", "--points", "1.5"}, "points");
+  check_refused({"map", "--omega", "1:2", "--amplitude", "1:2:3"}, "--omega");
+  check_refused({"figure", "7"}, "figure");
+  check_refused({"nothing"}, "nothing");
+}
+
+TEST_CASE("a negative number may follow an option") {
+  const auto document =
+      json_of({"threshold", "--omega", "3", "--theta0", "-0.01", "--thetadot0", "-0.1", "--json"});
+  CHECK(document["closed_forms"][0]["equations"][0] == "104");
+}
+
+TEST_CASE("every command has help and the program a version") {
+  for (const char* command : {"threshold", "response", "spectrum", "map", "figure"})
+    CHECK(run_program("rocking", {command, "--help"}).exit_code == 0);
+  CHECK(run_program("rocking", {"--version"}).out.starts_with("Rederive"));
+}
