@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
   CLI::App app{
       "Thresholds, histories, spectra and figures of a rigid block under ground excitation.\n"
       "Times are p t, amplitudes a_p/(alpha g); an overturning is coded side*(impacts+1), 0 = safe."};
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // none is told below, so that an unknown one is named
   Run run;
   add_threshold(app, run);
   add_response(app, run);
@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   add_figure(app, run);
   return run_command(app, argc, argv, [&] {
     try {
+      if (!run) throw BadInput("one of threshold, response, spectrum, map, figure is wanted; see --help");
       return run();
     } catch (const std::invalid_argument& error) {
       throw BadInput(error.what());

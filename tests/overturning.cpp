@@ -6,7 +6,9 @@
 #include <numerics/story.hpp>
 #include <numerics/windows.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 using namespace rederive;

@@ -99,13 +99,14 @@ TEST_CASE("between events time can be reversed") {
 TEST_CASE("mirror symmetry: (u_gddot, theta) -> (-u_gddot, -theta)") {
   const Block block = make_block(0.2, 2.14, 0.85);
   for (Model model : {Model::linear, Model::nonlinear}) {
-    GroundMotion motion = pulse_motion(Pulse::sine, 1.3L, 1.4L, start_level(block, model));
+    GroundMotion motion = pulse_motion(Pulse::sine, 2.3L, 1.4L, start_level(block, model));
     const Response one = respond(block, model, motion, {0.1L, -0.2L});
     motion[0].amplitude = -motion[0].amplitude;
     GroundMotion mirrored = motion;  // -a sin(x) = a sin(x + pi)
     mirrored[0].amplitude = -motion[0].amplitude;
     mirrored[0].phase += std::numbers::pi_v<Real>;
     const Response other = respond(block, model, mirrored, {-0.1L, 0.2L});
+    CHECK(!one.lies);
     CHECK(one.impacts == other.impacts);
     CHECK(std::abs(one.end.angle + other.end.angle) < 1e-11L);
     CHECK(std::abs(one.end.velocity + other.end.velocity) < 1e-11L);
@@ -157,20 +158,21 @@ TEST_CASE("the nonlinear integration converges with its tolerance") {
   CHECK(std::abs(end(1e-13) - exact) < 1e-11L);
 }
 
-TEST_CASE("the integrator is of eighth order") {
-  // Fixed stretches of one step each: halving the step divides the error by about 2^8.
+TEST_CASE("the integrator is of eighth order at least") {
+  // One step a stretch, under a ground acceleration that turns fast: half the step, 2^8 times less error.
   const Block block = make_block(0.3, 2.14, 0.9);
-  Piece still;
-  still.to = 10;
-  const auto error_of = [&](int steps) {
-    Mover coarse(block, Model::nonlinear, 1e3), fine(block, Model::nonlinear, 1e-15);
-    Point at{0, -0.9L, -1.0L};
-    for (int i = 1; i <= steps; ++i) at = coarse.along({still, -1, at, at, ArcEnd::time}, 4.0L * i / steps);
-    return std::abs(at.angle - fine.along({still, -1, {0, -0.9L, -1.0L}, {}, ArcEnd::time}, 4).angle);
+  Piece shaking;
+  shaking.to = 10, shaking.amplitude = 2, shaking.omega = 30;
+  const Point start{0, -0.9L, -1.0L};
+  const auto end = [&](int steps, double tolerance) {
+    Mover mover(block, Model::nonlinear, tolerance);
+    Point at = start;
+    for (int i = 1; i <= steps; ++i) at = mover.along({shaking, -1, at, at, ArcEnd::time}, 0.8L * i / steps);
+    return at.angle;
   };
-  const double order = std::log2(static_cast<double>(error_of(4) / error_of(8)));
-  CHECK(order > 7);
-  CHECK(order < 11);
+  const Real exact = end(800, 1e-15);
+  const double ratio = static_cast<double>((end(16, 1e3) - exact) / (end(32, 1e3) - exact));
+  CHECK(std::log2(std::abs(ratio)) > 7.8);
 }
 
 TEST_CASE("ever smaller impacts end in rest, and a resting block starts again") {
