@@ -31,7 +31,7 @@ const Line lines[] = {
     // Energies, forces, momenta
     {"K", "K", "K", energy, "[0, inf)", "kinetic energy", "(1)"},
     {"Omega", "\\Omega", "Ω", energy, any, "potential of the weight", "(1)"},
-    {"V_s", "V", "V_s", energy, "[0, inf)", "a strain energy, printed V in the sentence before (22)", "(22)"},
+    {"V_s", "V_s", "V_s", energy, "[0, inf)", "a strain energy, printed V in the sentence before (22)", "(22)"},
     {"U", "U", "U", energy, any, "potential energy", "(22)"},
     {"E", "E", "E", energy, any, "total energy", "(22)"},
     {"E_L", "E_L", "E_L", energy, any, "energy lost at an impact", "(35)"},

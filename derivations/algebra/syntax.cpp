@@ -52,7 +52,7 @@ class Parser {
   /// Counts how deep the recursion is, and refuses to go deeper than asked, or than the stack can bear.
   struct Deeper {
     explicit Deeper(Parser& parser) : parser_(parser) {
-      constexpr std::size_t bearable = 2000;
+      constexpr std::size_t bearable = 500;
       if (++parser_.depth_ > std::min(parser_.limits_.depth, bearable)) {
         parser_.refuse("too_deep",
                        "this is nested deeper than " + std::to_string(parser_.depth_ - 1) + " levels");
