@@ -43,12 +43,12 @@ Derivation total_energy() {
 }
 
 Derivation equation_22a() {
-  return energy_of(Side::negative, Cited{"6", equation_6()}, Cited{"9", equation_9()});
+  return energy_of(Side::negative, Cited{"6", equation_6}, Cited{"9", equation_9});
 }
 Derivation equation_22b() {
-  return energy_of(Side::positive, Cited{"16b", equation_16b()}, Cited{"14", equation_14()});
+  return energy_of(Side::positive, Cited{"16b", equation_16b}, Cited{"14", equation_14});
 }
-Derivation ground_at_alpha_by_21a() { return ground_at_alpha(Side::negative, Cited{"21a", equation_21a()}); }
-Derivation ground_at_alpha_by_21b() { return ground_at_alpha(Side::positive, Cited{"21b", equation_21b()}); }
+Derivation ground_at_alpha_by_21a() { return ground_at_alpha(Side::negative, Cited{"21a", equation_21a}); }
+Derivation ground_at_alpha_by_21b() { return ground_at_alpha(Side::positive, Cited{"21b", equation_21b}); }
 
 }  // namespace rederive

@@ -64,7 +64,7 @@ Derivation kinetic_energy_in_J_o(Side side) {
   const Letters& s = letters();
   return derived(
       s.K, kinetic_energy(side),
-      {from(Cited{"5", equation_5()}, "König, #: the energy of the rotation about C and of C itself"),
+      {from(Cited{"5", equation_5}, "König, #: the energy of the rotation about C and of C itself"),
        from(horizontal_velocity(side), "with the velocity of C"),
        from(vertical_velocity(side), "and"),
        {"and what J_o is", s.J_o, s.J_c + s.m * pow(s.R, 2)}});

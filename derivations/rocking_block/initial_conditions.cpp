@@ -101,7 +101,7 @@ Derivation equation_97() {
   const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
   Derivation result =
       derived(s.thetaddot - pow(equation.k, 2) * s.theta, with_amplitude(equation.forcing).expand(),
-              {from(Cited{"21b", equation_21b()}, "Take # to first order in α, θ and α_p/g"),
+              {from(Cited{"21b", equation_21b}, "Take # to first order in α, θ and α_p/g"),
                {"with", s.u_gddot, ground_acceleration(Pulse::cosine)},
                from(linear_amplitude_of_cosine(), "and")});
   result.order = 1;
@@ -111,26 +111,26 @@ Derivation equation_97() {
 
 Derivation equation_98() {
   return derived(letters().theta, cosine_motion(),
-                 {from(Cited{"97", equation_97()}, "Solve"),
+                 {from(Cited{"97", equation_97}, "Solve"),
                   in_words("by undetermined coefficients, with sinh p t and cosh p t")});
 }
 
 Derivation equation_99() {
   const Letters& s = letters();
   return derived(s.thetadot / s.p, (cosine_motion().diff(s.t) / s.p).expand(),
-                 {from(Cited{"98", equation_98()}, "Differentiate")});
+                 {from(Cited{"98", equation_98}, "Differentiate")});
 }
 
 Derivation equation_100a() {
   const Letters& s = letters();
   return derived(s.A_3, forced_constants(Side::positive, Pulse::cosine).C.normal(),
-                 {from(Cited{"99", equation_99()}, "Set t = 0 and θ̇ = θ̇_0 in #")});
+                 {from(Cited{"99", equation_99}, "Set t = 0 and θ̇ = θ̇_0 in #")});
 }
 
 Derivation equation_100b() {
   const Letters& s = letters();
   return derived(s.A_4, forced_constants(Side::positive, Pulse::cosine).D.normal(),
-                 {from(Cited{"98", equation_98()}, "Set t = 0 and θ = θ_0 in")});
+                 {from(Cited{"98", equation_98}, "Set t = 0 and θ = θ_0 in")});
 }
 
 Derivation end_of_cosine_pulse() {
@@ -142,13 +142,13 @@ Derivation end_of_cosine_pulse() {
 
 Derivation equation_101a() {
   return derived(letters().theta_ex, angle_at_end(Side::positive, Pulse::cosine),
-                 {from(Cited{"98", equation_98()}, "# at T_ex, where the cosine is 0")});
+                 {from(Cited{"98", equation_98}, "# at T_ex, where the cosine is 0")});
 }
 
 Derivation equation_101b() {
   const Letters& s = letters();
   return derived(s.thetadot_ex / s.p, rate_at_end(Side::positive, Pulse::cosine),
-                 {from(Cited{"99", equation_99()}, "# at T_ex, where the sine is −1")});
+                 {from(Cited{"99", equation_99}, "# at T_ex, where the sine is −1")});
 }
 
 Derivation equation_102() {
@@ -158,24 +158,24 @@ Derivation equation_102() {
                               s.p * rate_at_end(Side::positive, Pulse::cosine));
   const ex joined = in_exponentials(sum).expand().subs(exp(-s.p * s.T_ex) == 1 / growth).expand();
   return derived(joined.coeff(growth, 1), -joined.coeff(growth, 0) / growth,
-                 {from(Cited{"75", equation_75()}, "Into"), from(Cited{"101a", equation_101a()}, "put"),
-                  from(Cited{"101b", equation_101b()}, "and"), in_words("sinh and cosh join to e^{p T_ex}")});
+                 {from(Cited{"75", equation_75}, "Into"), from(Cited{"101a", equation_101a}, "put"),
+                  from(Cited{"101b", equation_101b}, "and"), in_words("sinh and cosh join to e^{p T_ex}")});
 }
 
 Derivation equation_103() {
   return threshold(
       overturning_cosine_pulse(),
-      {from(Cited{"102", equation_102()}, "Into"), from(Cited{"100a", equation_100a()}, "put"),
-       from(Cited{"100b", equation_100b()}, "and"), in_words("and divide by the factor of e^{−p T_ex}")},
+      {from(Cited{"102", equation_102}, "Into"), from(Cited{"100a", equation_100a}, "put"),
+       from(Cited{"100b", equation_100b}, "and"), in_words("and divide by the factor of e^{−p T_ex}")},
       {end(Pulse::cosine)});
 }
 
 Derivation equation_104() {
   return threshold(
       overturning_sine_pulse(),
-      {from(Cited{"68", equation_68()}, "Into"), from(Cited{"69a", equation_69a()}, "put"),
-       from(Cited{"69b", equation_69b()}, "and"), from(Cited{"58a", equation_58a()}, "with"),
-       from(Cited{"58b", equation_58b()}, "and"), in_words("and divide by the factor of e^{−p T_ex}")},
+      {from(Cited{"68", equation_68}, "Into"), from(Cited{"69a", equation_69a}, "put"),
+       from(Cited{"69b", equation_69b}, "and"), from(Cited{"58a", equation_58a}, "with"),
+       from(Cited{"58b", equation_58b}, "and"), in_words("and divide by the factor of e^{−p T_ex}")},
       {end(Pulse::sine)});
 }
 
@@ -184,7 +184,7 @@ Derivation first_acceleration_to_the_right() {
   const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
   return derived(
       s.thetaddot_0, with_amplitude(equation.forcing).subs(s.t == 0).expand(),
-      {from(Cited{"97", equation_97()}, "# at rest and upright, just after t = 0,"),
+      {from(Cited{"97", equation_97}, "# at rest and upright, just after t = 0,"),
        in_words("which is negative: the block is pressed onto its base and does not turn to θ > 0. To turn "
                 "to θ < 0 it needs more than α g, and the acceleration decreases")});
 }
@@ -198,7 +198,7 @@ Derivation start_under_cosine() {
   const ex needed = -forcing.coeff(cos(phase), 0) / forcing.coeff(cos(phase), 1);
   return derived(
       cos(GiNaC::Pi - s.psi), needed,
-      {from(Cited{"97", equation_97()}, "The block starts to θ > 0 when the right side of"),
+      {from(Cited{"97", equation_97}, "The block starts to θ > 0 when the right side of"),
        in_words("is no longer negative at θ = 0: when the cosine has come to −cos ψ, at phase π − ψ")});
 }
 
@@ -207,7 +207,7 @@ Derivation threshold_of_cosine_from_rest() {
       overturning_cosine_pulse_from_rest(),
       {from(start_under_cosine(), "Rocking begins, from rest, at phase π − ψ, where"),
        in_words("with time counted from there the acceleration is −α_p cos(ω_p t − ψ), until phase 3π/2"),
-       from(Cited{"75", equation_75()}, "The critical motion has"),
+       from(Cited{"75", equation_75}, "The critical motion has"),
        in_words("and dividing by the factor of the exponential gives the threshold: the one of half a "
                 "sine, with π/2 − ψ for its phase")},
       {});

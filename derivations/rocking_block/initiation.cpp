@@ -80,7 +80,7 @@ Derivation equation_23() {
   const ex force = moment.coeff(s.u_gddot, 1) * s.H / s.m, hold = -moment.coeff(s.u_gddot, 0);
   return derived(
       force, hold,
-      {from(Cited{"11", equation_11()}, "In"),
+      {from(Cited{"11", equation_11}, "In"),
        in_words("the block turns about O (θ̈ < 0) as soon as the moment of H = m ü_g, which acts at the "
                 "height of C, exceeds that of the weight")},
       {}, ">=");
@@ -106,7 +106,7 @@ Derivation equation_24a() {
   const Letters& s = letters();
   return derived(
       s.a_p, acceleration_that_suffices(),
-      {from(Cited{"23", equation_23()}, "The condition"), from(force_before_rocking(), "with"),
+      {from(Cited{"23", equation_23}, "The condition"), from(force_before_rocking(), "with"),
        in_words(
            "must be met at some time, so it must be met at the peak, where ü_g = α_p; divide by m R cos α")},
       {}, ">=");
@@ -115,7 +115,7 @@ Derivation equation_24a() {
 Derivation equation_24b() {
   const Letters& s = letters();
   return derived(s.a_p_min, acceleration_that_suffices(),
-                 {from(Cited{"24a", equation_24a()}, "The smallest amplitude that meets")});
+                 {from(Cited{"24a", equation_24a}, "The smallest amplitude that meets")});
 }
 
 Derivation equation_25a() {
@@ -128,7 +128,7 @@ Derivation equation_25b() {
   std::vector<Given> given = sides_of_the_block();
   given.push_back(share());
   return derived(s.H_0, force,
-                 {from(Cited{"25a", equation_25a()}, "The force"),
+                 {from(Cited{"25a", equation_25a}, "The force"),
                   {"with λ, the share of the amplitude", s.u_gddot_0, s.lambda * s.a_p}},
                  given);
 }
@@ -137,7 +137,7 @@ Derivation equation_26a() { return derived(letters().V_0, first_vertical_force()
 
 Derivation equation_26b() {
   const Letters& s = letters();
-  return derived(s.V_0, first_vertical_force(), {from(Cited{"26a", equation_26a()}, "The force #, in b")},
+  return derived(s.V_0, first_vertical_force(), {from(Cited{"26a", equation_26a}, "The force #, in b")},
                  sides_of_the_block());
 }
 
@@ -157,7 +157,7 @@ Derivation share_at_least() {
   const Letters& s = letters();
   return derived(
       s.lambda * s.a_p, acceleration_that_suffices(),
-      {from(Cited{"23", equation_23()}, "Rocking must begin at t = 0, #"), in_words("with H = m λ α_p")}, {},
+      {from(Cited{"23", equation_23}, "Rocking must begin at t = 0, #"), in_words("with H = m λ α_p")}, {},
       ">=");
 }
 
@@ -165,9 +165,9 @@ Derivation equation_28a() {
   const Letters& s = letters();
   const ex R = 3 * s.g / (4 * pow(s.p, 2));
   return derived(s.thetaddot_0, first_angular_acceleration().subs(s.R == R).expand(),
-                 {from(Cited{"25b", equation_25b()}, "Put"),
-                  from(Cited{"26b", equation_26b()}, "and"),
-                  from(Cited{"27", equation_27()}, "into"),
+                 {from(Cited{"25b", equation_25b}, "Put"),
+                  from(Cited{"26b", equation_26b}, "and"),
+                  from(Cited{"27", equation_27}, "into"),
                   {"with", s.J_c, s.m * pow(s.R, 2) / 3},
                   {"and", s.R, R}});
 }
@@ -187,15 +187,15 @@ Derivation equation_30() {
 Derivation equation_31() {
   const Letters& s = letters();
   return derived(s.mu, first_friction_demand(),
-                 {from(Cited{"30", equation_30()}, "In"), from(Cited{"25b", equation_25b()}, "put"),
-                  from(Cited{"26b", equation_26b()}, "and"), from(Cited{"28a", equation_28a()}, "with")},
+                 {from(Cited{"30", equation_30}, "In"), from(Cited{"25b", equation_25b}, "put"),
+                  from(Cited{"26b", equation_26b}, "and"), from(Cited{"28a", equation_28a}, "with")},
                  {}, ">=");
 }
 
 Derivation first_acceleration() {
   return derived(
       letters().u_gddot_0, acceleration_that_suffices(),
-      {from(Cited{"23", equation_23()}, "Rocking begins when the moment of the weight is reached, #"),
+      {from(Cited{"23", equation_23}, "Rocking begins when the moment of the weight is reached, #"),
        in_words("with H = m ü_g")});
 }
 
@@ -211,7 +211,7 @@ Derivation equation_32a() {
   const ex slope = sin(s.alpha) / cos(s.alpha);
   const ex gradual = first_friction_demand().subs(s.lambda == s.g * slope / s.a_p).normal();
   return derived(s.mu, gradual,
-                 {from(Cited{"31", equation_31()}, "In"),
+                 {from(Cited{"31", equation_31}, "In"),
                   {"put the acceleration that just suffices, as it does where it grows from zero",
                    s.lambda * s.a_p, s.g * tan(s.alpha)}},
                  sides_of_the_block(), ">=");

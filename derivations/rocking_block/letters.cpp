@@ -1,4 +1,6 @@
 #include <derivations/rocking_block/letters.hpp>
+#include <map>
+#include <mutex>
 
 namespace rederive {
 
@@ -32,6 +34,14 @@ Step from(const Derivation& other, std::string says) {
   return {std::move(says), other.left, other.right, other.relation};
 }
 
+const Derivation& Cited::derivation() const {
+  static std::map<Derive, Derivation> remembered;
+  static std::recursive_mutex guard;
+  const std::lock_guard lock(guard);
+  if (const auto found = remembered.find(derive); found != remembered.end()) return found->second;
+  return remembered.emplace(derive, derive()).first->second;
+}
+
 Step from(const Cited& other, std::string says) {
   const std::string number = "(" + other.number + ")";
   const auto place = says.find('#');
@@ -39,7 +49,7 @@ Step from(const Cited& other, std::string says) {
     says += " " + number;
   else
     says.replace(place, 1, number);
-  return from(other.derivation, std::move(says));
+  return from(other.derivation(), std::move(says));
 }
 
 std::vector<Step> as_before(std::initializer_list<Derivation> others, const std::vector<Step>& more) {

@@ -69,10 +69,12 @@ Derivation derived(const GiNaC::ex& left, const GiNaC::ex& right, std::vector<St
                    std::vector<Given> given = {}, const std::string& relation = "=");
 /// A step that is words only.
 Step in_words(std::string says);
-/// A derivation with the number that the paper gives to its result.
+/// A derivation with the number that the paper gives to its result. It is derived once in a run, however
+/// often it is cited.
 struct Cited {
   std::string number;
-  Derivation derivation;
+  Derive derive;
+  const Derivation& derivation() const;
 };
 /// The conclusion of another derivation as a step of this one. The number of a cited one stands where `says`
 /// has a #, or else after it: "put (81)".

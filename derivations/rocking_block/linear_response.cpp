@@ -174,13 +174,13 @@ Derivation equation_53a() {
 Derivation equation_53b() {
   const Letters& s = letters();
   return derived(ground_acceleration(Pulse::sine).subs(s.t == 0), s.lambda * s.a_p,
-                 {from(Cited{"53a", equation_53a()}, "λ is the share of the amplitude at t = 0, and by #")});
+                 {from(Cited{"53a", equation_53a}, "λ is the share of the amplitude at t = 0, and by #")});
 }
 
 Derivation equation_53c() {
   const Letters& s = letters();
   return derived(s.psi, asin(s.lambda),
-                 {from(Cited{"53b", equation_53b()}, "Solve # for ψ, between 0 and π/2")});
+                 {from(Cited{"53b", equation_53b}, "Solve # for ψ, between 0 and π/2")});
 }
 
 Derivation pulse_begins() {
@@ -197,13 +197,13 @@ Derivation pulse_ends() {
 Derivation equation_54() {
   const Letters& s = letters();
   const ex share = s.g * tan(s.alpha) / s.a_p;
-  return derived(s.psi, asin(share), {from(Cited{"53c", equation_53c()}, "Into"), {"put", s.lambda, share}});
+  return derived(s.psi, asin(share), {from(Cited{"53c", equation_53c}, "Into"), {"put", s.lambda, share}});
 }
 
 Derivation equation_55a() {
   const Letters& s = letters();
   return derived(slope_of_diagonal(), s.b / s.h,
-                 {from(Cited{"32b", equation_32b()}, "The shape of the block")});
+                 {from(Cited{"32b", equation_32b}, "The shape of the block")});
 }
 
 Derivation equation_55b() {
@@ -211,35 +211,35 @@ Derivation equation_55b() {
   return derived(s.b / s.h, s.mu, {in_words("Inequality (32), without its limit")}, {}, "<");
 }
 
-Derivation equation_56a() { return linearised(Side::negative, Cited{"21a", equation_21a()}, Pulse::sine); }
-Derivation equation_56b() { return linearised(Side::positive, Cited{"21b", equation_21b()}, Pulse::sine); }
+Derivation equation_56a() { return linearised(Side::negative, Cited{"21a", equation_21a}, Pulse::sine); }
+Derivation equation_56b() { return linearised(Side::positive, Cited{"21b", equation_21b}, Pulse::sine); }
 
 Derivation linear_amplitude() {
   const Letters& s = letters();
   Derivation result = derived(
       s.a_p / (s.g * s.alpha), amplitude(Pulse::sine).value / (s.g * s.alpha),
-      {from(Cited{"56a", equation_56a()}, "At rest and upright, about to move at t = 0, the right side of #"),
+      {from(Cited{"56a", equation_56a}, "At rest and upright, about to move at t = 0, the right side of #"),
        in_words("vanishes; without linearisation tan α stands for α")});
   result.order = 1;
   result.small = "alpha";
   return result;
 }
 
-Derivation equation_57a() { return forced(Side::negative, Cited{"56a", equation_56a()}); }
-Derivation equation_57b() { return forced(Side::positive, Cited{"56b", equation_56b()}); }
-Derivation equation_59a() { return forced_rate(Side::negative, Cited{"57a", equation_57a()}); }
-Derivation equation_59b() { return forced_rate(Side::positive, Cited{"57b", equation_57b()}); }
+Derivation equation_57a() { return forced(Side::negative, Cited{"56a", equation_56a}); }
+Derivation equation_57b() { return forced(Side::positive, Cited{"56b", equation_56b}); }
+Derivation equation_59a() { return forced_rate(Side::negative, Cited{"57a", equation_57a}); }
+Derivation equation_59b() { return forced_rate(Side::positive, Cited{"57b", equation_57b}); }
 Derivation equation_58a() {
-  return constant(Side::negative, true, Cited{"57a", equation_57a()}, Cited{"59a", equation_59a()});
+  return constant(Side::negative, true, Cited{"57a", equation_57a}, Cited{"59a", equation_59a});
 }
 Derivation equation_58b() {
-  return constant(Side::negative, false, Cited{"57a", equation_57a()}, Cited{"59a", equation_59a()});
+  return constant(Side::negative, false, Cited{"57a", equation_57a}, Cited{"59a", equation_59a});
 }
 Derivation equation_58c() {
-  return constant(Side::positive, true, Cited{"57b", equation_57b()}, Cited{"59b", equation_59b()});
+  return constant(Side::positive, true, Cited{"57b", equation_57b}, Cited{"59b", equation_59b});
 }
 Derivation equation_58d() {
-  return constant(Side::positive, false, Cited{"57b", equation_57b()}, Cited{"59b", equation_59b()});
+  return constant(Side::positive, false, Cited{"57b", equation_57b}, Cited{"59b", equation_59b});
 }
 Derivation equation_60_negative() { return critical_angle(Side::negative, -letters().alpha); }
 Derivation equation_60_positive() { return critical_angle(Side::positive, letters().alpha); }
@@ -251,16 +251,16 @@ Derivation equation_60_rate() {
                 "which it approaches without end as t* grows")});
 }
 
-Derivation equation_61a() { return free_equation(Side::negative, Cited{"56a", equation_56a()}); }
-Derivation equation_61b() { return free_equation(Side::positive, Cited{"56b", equation_56b()}); }
-Derivation equation_62a() { return free(Side::negative, Cited{"61a", equation_61a()}); }
-Derivation equation_62b() { return free(Side::positive, Cited{"61b", equation_61b()}); }
-Derivation equation_63a() { return free_rate(Side::negative, Cited{"62a", equation_62a()}); }
-Derivation equation_63b() { return free_rate(Side::positive, Cited{"62b", equation_62b()}); }
-Derivation equation_64a() { return free_constant(Side::negative, true, Cited{"62a", equation_62a()}); }
-Derivation equation_64b() { return free_constant(Side::negative, false, Cited{"62a", equation_62a()}); }
-Derivation equation_64c() { return free_constant(Side::positive, true, Cited{"62b", equation_62b()}); }
-Derivation equation_64d() { return free_constant(Side::positive, false, Cited{"62b", equation_62b()}); }
+Derivation equation_61a() { return free_equation(Side::negative, Cited{"56a", equation_56a}); }
+Derivation equation_61b() { return free_equation(Side::positive, Cited{"56b", equation_56b}); }
+Derivation equation_62a() { return free(Side::negative, Cited{"61a", equation_61a}); }
+Derivation equation_62b() { return free(Side::positive, Cited{"61b", equation_61b}); }
+Derivation equation_63a() { return free_rate(Side::negative, Cited{"62a", equation_62a}); }
+Derivation equation_63b() { return free_rate(Side::positive, Cited{"62b", equation_62b}); }
+Derivation equation_64a() { return free_constant(Side::negative, true, Cited{"62a", equation_62a}); }
+Derivation equation_64b() { return free_constant(Side::negative, false, Cited{"62a", equation_62a}); }
+Derivation equation_64c() { return free_constant(Side::positive, true, Cited{"62b", equation_62b}); }
+Derivation equation_64d() { return free_constant(Side::positive, false, Cited{"62b", equation_62b}); }
 
 Derivation end_of_sine_pulse() {
   const Letters& s = letters();

@@ -105,37 +105,37 @@ ex overturning_impact_during_pulse() {
 
 Derivation equation_79a() {
   return derived(letters().theta, motion_after_impact(),
-                 {from(Cited{"57b", equation_57b()}, "As in"),
+                 {from(Cited{"57b", equation_57b}, "As in"),
                   in_words("with time counted from the impact in sinh and cosh")});
 }
 
 Derivation equation_79b() {
   const Letters& s = letters();
   return derived(s.thetadot / s.p, (motion_after_impact().diff(s.t) / s.p).expand(),
-                 {from(Cited{"79a", equation_79a()}, "Differentiate")});
+                 {from(Cited{"79a", equation_79a}, "Differentiate")});
 }
 
 Derivation equation_80a() {
   return derived(letters().theta_ex, at_end_of_sine(motion_after_impact()),
-                 {from(Cited{"79a", equation_79a()}, "# at T_ex, where the phase is 2π")});
+                 {from(Cited{"79a", equation_79a}, "# at T_ex, where the phase is 2π")});
 }
 
 Derivation equation_80b() {
   const Letters& s = letters();
   return derived(s.thetadot_ex / s.p, at_end_of_sine((motion_after_impact().diff(s.t) / s.p).expand()),
-                 {from(Cited{"79b", equation_79b()}, "# at T_ex, where the phase is 2π")});
+                 {from(Cited{"79b", equation_79b}, "# at T_ex, where the phase is 2π")});
 }
 
 Derivation equation_81() {
   const Letters& s = letters();
   return derived(s.A_4, constants_after_impact().D,
-                 {from(Cited{"79a", equation_79a()}, "At t_i the block is upright: by #")});
+                 {from(Cited{"79a", equation_79a}, "At t_i the block is upright: by #")});
 }
 
 Derivation equation_82() {
   const Letters& s = letters();
   return derived(s.A_3, constants_after_impact().C,
-                 {from(Cited{"79b", equation_79b()}, "At t_i the block leaves with"),
+                 {from(Cited{"79b", equation_79b}, "At t_i the block leaves with"),
                   {"by the impact", s.thetadot_after, s.e * s.thetadot_before}});
 }
 
@@ -145,19 +145,19 @@ Derivation equation_83() {
   const CriticalSum sum = critical_after_impact(s.A_3, s.A_4);
   return derived(
       sum.grown * growth, -sum.added,
-      {from(Cited{"75", equation_75()}, "Into"), from(Cited{"80a", equation_80a()}, "put"),
-       from(Cited{"80b", equation_80b()}, "and"), in_words("sinh and cosh join to e^{p(T_ex − t_i)}")});
+      {from(Cited{"75", equation_75}, "Into"), from(Cited{"80a", equation_80a}, "put"),
+       from(Cited{"80b", equation_80b}, "and"), in_words("sinh and cosh join to e^{p(T_ex − t_i)}")});
 }
 
 Derivation equation_84() {
   return derived(letters().theta_i, at_impact(motion_before_impact()),
-                 {from(Cited{"57a", equation_57a()}, "# at t_i, before the impact")});
+                 {from(Cited{"57a", equation_57a}, "# at t_i, before the impact")});
 }
 
 Derivation equation_85() {
   const Letters& s = letters();
   return derived(s.thetadot_before / s.p, (at_impact(rate_before_impact()) / s.p).expand(),
-                 {from(Cited{"59a", equation_59a()}, "# at t_i, before the impact")});
+                 {from(Cited{"59a", equation_59a}, "# at t_i, before the impact")});
 }
 
 Derivation equation_86() {
@@ -165,9 +165,9 @@ Derivation equation_86() {
   const ex vanishes = impact_during_pulse();
   const ex of_cosine = vanishes.coeff(cos(s.psi), 1), of_sine = vanishes.coeff(cos(s.psi), 0) / sin(s.psi);
   return derived(tan(s.psi), (-of_cosine / of_sine).normal(),
-                 {from(Cited{"84", equation_84()}, "The block is upright, θ_i = 0, in"),
-                  from(Cited{"70a", equation_70a()}, "with"),
-                  from(Cited{"70b", equation_70b()}, "and"),
+                 {from(Cited{"84", equation_84}, "The block is upright, θ_i = 0, in"),
+                  from(Cited{"70a", equation_70a}, "with"),
+                  from(Cited{"70b", equation_70b}, "and"),
                   {"With sin(ω_p t_i + ψ) taken apart, and times (1 + ω_p²/p²) sin ψ/α,", vanishes, 0},
                   in_words("which is linear in cos ψ and sin ψ")});
 }
@@ -175,8 +175,8 @@ Derivation equation_86() {
 Derivation equation_87a() {
   const Constants c = constants_after_impact();
   return sorted((critical_after_impact(c.C, c.D).over_growth() * scale()).expand().normal(),
-                {from(Cited{"83", equation_83()}, "Into"), from(Cited{"81", equation_81()}, "put"),
-                 from(Cited{"82", equation_82()}, "and"),
+                {from(Cited{"83", equation_83}, "Into"), from(Cited{"81", equation_81}, "put"),
+                 from(Cited{"82", equation_82}, "and"),
                  in_words("and multiply by (1 + ω_p²/p²) sin ψ/α · e^{−p(T_ex − t_i)}")});
 }
 
@@ -184,14 +184,14 @@ Derivation equation_87b() {
   const Letters& s = letters();
   const ex rate = (at_impact(rate_before_impact()) / s.p).subs(constants_from_rest());
   return derived(s.thetadot_before / s.p, by_addition(rate),
-                 {from(Cited{"85", equation_85()}, "In"), from(Cited{"70a", equation_70a()}, "put"),
-                  from(Cited{"70b", equation_70b()}, "and")});
+                 {from(Cited{"85", equation_85}, "In"), from(Cited{"70a", equation_70a}, "put"),
+                  from(Cited{"70b", equation_70b}, "and")});
 }
 
 Derivation equation_88() {
   const Letters& s = letters();
   return sorted(overturning_impact_during_pulse(),
-                {from(Cited{"87a", equation_87a()}, "Into"), from(Cited{"87b", equation_87b()}, "put"),
+                {from(Cited{"87a", equation_87a}, "Into"), from(Cited{"87b", equation_87b}, "put"),
                  in_words("and divide by −ω_p/p"), in_words("the time in it is t_i throughout")},
                 {{s.T_ex, end_of_pulse(Pulse::sine)}});
 }

@@ -97,7 +97,7 @@ Derivation corner_at_rest(Side side, const Cited& motion) {
 Derivation constant_at_end(const Cited& free_constant) {
   const Letters& s = letters();
   const auto at_end = lst{s.t_o == s.T_ex, s.theta_to == s.theta_ex, s.thetadot_to == s.thetadot_ex};
-  return derived(free_constant.derivation.left, free_constant.derivation.right.subs(at_end),
+  return derived(free_constant.derivation().left, free_constant.derivation().right.subs(at_end),
                  {from(free_constant, "Free motion begins at t_o = T_ex; so by #")});
 }
 
@@ -132,8 +132,8 @@ Derivation end_rate(Side side, const Cited& rate) {
 
 Derivation from_rest(const Cited& constant) {
   const Letters& s = letters();
-  return derived(constant.derivation.left,
-                 constant.derivation.right.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0}).normal(),
+  return derived(constant.derivation().left,
+                 constant.derivation().right.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0}).normal(),
                  {from(constant, "From rest, θ_0 = θ̇_0 = 0: by #")});
 }
 
@@ -150,45 +150,45 @@ Derivation threshold(Side side, const std::vector<Cited>& ingredients) {
 
 }  // namespace
 
-Derivation equation_65a() { return corner_reached(Side::negative, Cited{"62a", equation_62a()}); }
-Derivation equation_65b() { return corner_at_rest(Side::negative, Cited{"62a", equation_62a()}); }
-Derivation equation_66a() { return constant_at_end(Cited{"64a", equation_64a()}); }
-Derivation equation_66b() { return constant_at_end(Cited{"64b", equation_64b()}); }
-Derivation equation_67() { return no_growth(Side::negative, Cited{"62a", equation_62a()}); }
+Derivation equation_65a() { return corner_reached(Side::negative, Cited{"62a", equation_62a}); }
+Derivation equation_65b() { return corner_at_rest(Side::negative, Cited{"62a", equation_62a}); }
+Derivation equation_66a() { return constant_at_end(Cited{"64a", equation_64a}); }
+Derivation equation_66b() { return constant_at_end(Cited{"64b", equation_64b}); }
+Derivation equation_67() { return no_growth(Side::negative, Cited{"62a", equation_62a}); }
 Derivation equation_68() {
-  return critical(Side::negative, Cited{"67", equation_67()}, Cited{"66a", equation_66a()},
-                  Cited{"66b", equation_66b()});
+  return critical(Side::negative, Cited{"67", equation_67}, Cited{"66a", equation_66a},
+                  Cited{"66b", equation_66b});
 }
-Derivation equation_69a() { return end_angle(Side::negative, Cited{"57a", equation_57a()}); }
-Derivation equation_69b() { return end_rate(Side::negative, Cited{"59a", equation_59a()}); }
-Derivation equation_70a() { return from_rest(Cited{"58a", equation_58a()}); }
-Derivation equation_70b() { return from_rest(Cited{"58b", equation_58b()}); }
+Derivation equation_69a() { return end_angle(Side::negative, Cited{"57a", equation_57a}); }
+Derivation equation_69b() { return end_rate(Side::negative, Cited{"59a", equation_59a}); }
+Derivation equation_70a() { return from_rest(Cited{"58a", equation_58a}); }
+Derivation equation_70b() { return from_rest(Cited{"58b", equation_58b}); }
 Derivation equation_71() {
-  return threshold(Side::negative, {{"68", equation_68()},
-                                    {"69a", equation_69a()},
-                                    {"69b", equation_69b()},
-                                    {"70a", equation_70a()},
-                                    {"70b", equation_70b()}});
+  return threshold(Side::negative, {{"68", equation_68},
+                                    {"69a", equation_69a},
+                                    {"69b", equation_69b},
+                                    {"70a", equation_70a},
+                                    {"70b", equation_70b}});
 }
-Derivation equation_72a() { return corner_reached(Side::positive, Cited{"62b", equation_62b()}); }
-Derivation equation_72b() { return corner_at_rest(Side::positive, Cited{"62b", equation_62b()}); }
-Derivation equation_73a() { return constant_at_end(Cited{"64c", equation_64c()}); }
-Derivation equation_73b() { return constant_at_end(Cited{"64d", equation_64d()}); }
-Derivation equation_74() { return no_growth(Side::positive, Cited{"62b", equation_62b()}); }
+Derivation equation_72a() { return corner_reached(Side::positive, Cited{"62b", equation_62b}); }
+Derivation equation_72b() { return corner_at_rest(Side::positive, Cited{"62b", equation_62b}); }
+Derivation equation_73a() { return constant_at_end(Cited{"64c", equation_64c}); }
+Derivation equation_73b() { return constant_at_end(Cited{"64d", equation_64d}); }
+Derivation equation_74() { return no_growth(Side::positive, Cited{"62b", equation_62b}); }
 Derivation equation_75() {
-  return critical(Side::positive, Cited{"74", equation_74()}, Cited{"73a", equation_73a()},
-                  Cited{"73b", equation_73b()});
+  return critical(Side::positive, Cited{"74", equation_74}, Cited{"73a", equation_73a},
+                  Cited{"73b", equation_73b});
 }
-Derivation equation_76a() { return end_angle(Side::positive, Cited{"57b", equation_57b()}); }
-Derivation equation_76b() { return end_rate(Side::positive, Cited{"59b", equation_59b()}); }
-Derivation equation_77a() { return from_rest(Cited{"58c", equation_58c()}); }
-Derivation equation_77b() { return from_rest(Cited{"58d", equation_58d()}); }
+Derivation equation_76a() { return end_angle(Side::positive, Cited{"57b", equation_57b}); }
+Derivation equation_76b() { return end_rate(Side::positive, Cited{"59b", equation_59b}); }
+Derivation equation_77a() { return from_rest(Cited{"58c", equation_58c}); }
+Derivation equation_77b() { return from_rest(Cited{"58d", equation_58d}); }
 Derivation equation_78() {
-  return threshold(Side::positive, {{"75", equation_75()},
-                                    {"76a", equation_76a()},
-                                    {"76b", equation_76b()},
-                                    {"77a", equation_77a()},
-                                    {"77b", equation_77b()}});
+  return threshold(Side::positive, {{"75", equation_75},
+                                    {"76a", equation_76a},
+                                    {"76b", equation_76b},
+                                    {"77a", equation_77a},
+                                    {"77b", equation_77b}});
 }
 
 }  // namespace rederive

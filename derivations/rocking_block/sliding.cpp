@@ -95,27 +95,27 @@ Derivation equation_48a() {
   return derived(letters().x_c, way(0), {in_words("As in (2)")}, sides_of_the_block());
 }
 Derivation equation_48b() {
-  return derived(letters().x_cdot, way(1), {from(Cited{"48a", equation_48a()}, "Differentiate")});
+  return derived(letters().x_cdot, way(1), {from(Cited{"48a", equation_48a}, "Differentiate")});
 }
 Derivation equation_48c() {
-  return derived(letters().x_cddot, way(2), {from(Cited{"48b", equation_48b()}, "Differentiate")});
+  return derived(letters().x_cddot, way(2), {from(Cited{"48b", equation_48b}, "Differentiate")});
 }
 Derivation equation_49a() { return derived(letters().y_c, rise(0), {in_words("As in (3)")}); }
 Derivation equation_49b() {
-  return derived(letters().y_cdot, rise(1), {from(Cited{"49a", equation_49a()}, "Differentiate")});
+  return derived(letters().y_cdot, rise(1), {from(Cited{"49a", equation_49a}, "Differentiate")});
 }
 Derivation equation_49c() {
-  return derived(letters().y_cddot, rise(2), {from(Cited{"49b", equation_49b()}, "Differentiate")});
+  return derived(letters().y_cddot, rise(2), {from(Cited{"49b", equation_49b}, "Differentiate")});
 }
 
-Derivation horizontal_reaction_negative() { return horizontal(Side::negative, Cited{"21a", equation_21a()}); }
-Derivation vertical_reaction_negative() { return vertical(Side::negative, Cited{"21a", equation_21a()}); }
-Derivation friction_demand_negative() { return demand(Side::negative, Cited{"21a", equation_21a()}); }
-Derivation contact_negative() { return contact(Side::negative, Cited{"21a", equation_21a()}); }
-Derivation horizontal_reaction_positive() { return horizontal(Side::positive, Cited{"21b", equation_21b()}); }
-Derivation vertical_reaction_positive() { return vertical(Side::positive, Cited{"21b", equation_21b()}); }
-Derivation friction_demand_positive() { return demand(Side::positive, Cited{"21b", equation_21b()}); }
-Derivation contact_positive() { return contact(Side::positive, Cited{"21b", equation_21b()}); }
+Derivation horizontal_reaction_negative() { return horizontal(Side::negative, Cited{"21a", equation_21a}); }
+Derivation vertical_reaction_negative() { return vertical(Side::negative, Cited{"21a", equation_21a}); }
+Derivation friction_demand_negative() { return demand(Side::negative, Cited{"21a", equation_21a}); }
+Derivation contact_negative() { return contact(Side::negative, Cited{"21a", equation_21a}); }
+Derivation horizontal_reaction_positive() { return horizontal(Side::positive, Cited{"21b", equation_21b}); }
+Derivation vertical_reaction_positive() { return vertical(Side::positive, Cited{"21b", equation_21b}); }
+Derivation friction_demand_positive() { return demand(Side::positive, Cited{"21b", equation_21b}); }
+Derivation contact_positive() { return contact(Side::positive, Cited{"21b", equation_21b}); }
 
 Derivation equation_50a() { return horizontal_reaction_negative(); }
 Derivation equation_50b() { return vertical_reaction_negative(); }
@@ -147,7 +147,7 @@ Derivation equation_51b() {
 Derivation equation_51c() {
   const Letters& s = letters();
   return derived(tan(s.alpha), s.mu,
-                 {from(Cited{"51a", equation_51a()}, "Coulomb, with #"), in_words("which is positive")}, {},
+                 {from(Cited{"51a", equation_51a}, "Coulomb, with #"), in_words("which is positive")}, {},
                  "<=");
 }
 
