@@ -159,7 +159,7 @@ Derivation critical_angle(Side side, const ex& value) {
   return derived(s.theta_star, value,
                  {{"After the pulse the block accelerates with", s.thetaddot, weight},
                   {"which vanishes, between lying down and standing, where the weight is above the pivot",
-                   weight.subs(s.theta == value), 0},
+                   s.theta, value},
                   in_words("an equilibrium that a disturbance leaves: the critical motion ends there")});
 }
 
