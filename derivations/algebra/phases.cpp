@@ -124,7 +124,7 @@ void Phases::make_generators() {
     generators_.push_back({kind, GiNaC::symbol(name), meaning, 1, 0, 0, false, true});
     return generators_.back();
   };
-  Generator& imaginary = add(Kind::imaginary, "i", GiNaC::I);
+  Generator& imaginary = add(Kind::imaginary, "$i", GiNaC::I);
   imaginary.degree = 2;
   imaginary.value = -1;
   generators_.push_back({Kind::pi, pi_symbol(), GiNaC::Pi, 1, 0, 0, false, true});
@@ -154,7 +154,7 @@ void Phases::make_generators() {
   for (const auto& [base, degree] : roots_) {
     // the root of a symbol or a prime generates; that of anything else is tied to what stands under it
     const bool free = is_a<GiNaC::symbol>(base);
-    Generator& generator = add(Kind::root, "r" + std::to_string(generators_.size()), base);
+    Generator& generator = add(Kind::root, "$r" + std::to_string(generators_.size()), base);
     generator.divisor = generator.degree = static_cast<int>(degree);
     if (free) generator.degree = 0;
     else if (is_a<numeric>(base)) generator.value = base;
@@ -165,12 +165,12 @@ void Phases::make_generators() {
   for (const int circular : {1, 0})
     for (const auto& [phase, n] : divisors[circular]) {
       Generator& generator = add(circular == 1 ? Kind::circular : Kind::real,
-                                 (circular == 1 ? "z" : "h") + std::to_string(generators_.size()), phase);
+                                 (circular == 1 ? "$z" : "$h") + std::to_string(generators_.size()), phase);
       generator.divisor = static_cast<int>(n);
       generator.analytic = defined;
     }
   for (const ex& value : opaques_)
-    if (find(Kind::opaque, value) == nullptr) add(Kind::opaque, "f" + std::to_string(generators_.size()), value);
+    if (find(Kind::opaque, value) == nullptr) add(Kind::opaque, "$f" + std::to_string(generators_.size()), value);
 
   for (std::size_t k = 0; k < generators_.size(); ++k) {  // relations, now that all generators are there
     Generator& generator = generators_[k];
@@ -240,17 +240,26 @@ ex Phases::rewrite(const ex& e) const {
   return opaque(e);
 }
 
-ex Phases::exponential(const ex& argument, bool circular) const {
+std::pair<std::vector<std::pair<GiNaC::symbol, numeric>>, numeric> Phases::combination(const ex& argument,
+                                                                                       bool circular) const {
   const Argument taken = take_apart(argument, circular);
-  ex result = 1;
+  std::vector<std::pair<GiNaC::symbol, numeric>> exponents;
   for (const auto& [phase, coefficient] : taken.parts) {
     const Generator* generator = find(circular ? Kind::circular : Kind::real, phase);
-    if (generator == nullptr) throw Undecidable("an argument that was not seen before");
-    result *= GiNaC::pow(generator->symbol, coefficient * generator->divisor);
+    if (generator == nullptr || !(coefficient * generator->divisor).is_integer())
+      throw Undecidable("an argument that was not seen before");
+    exponents.push_back({generator->symbol, coefficient * generator->divisor});
   }
-  if (taken.pi.is_zero()) return result;
-  return result * (rewrite(prepare(GiNaC::cos(taken.pi * GiNaC::Pi), symbols_)) +
-                   generators_.front().symbol * rewrite(prepare(GiNaC::sin(taken.pi * GiNaC::Pi), symbols_)));
+  return {exponents, taken.pi};
+}
+
+ex Phases::exponential(const ex& argument, bool circular) const {
+  const auto [exponents, pi] = combination(argument, circular);
+  ex result = 1;
+  for (const auto& [symbol, exponent] : exponents) result *= GiNaC::pow(symbol, exponent);
+  if (pi.is_zero()) return result;
+  return result * (rewrite(prepare(GiNaC::cos(pi * GiNaC::Pi), symbols_)) +
+                   generators_.front().symbol * rewrite(prepare(GiNaC::sin(pi * GiNaC::Pi), symbols_)));
 }
 
 ex Phases::root(const ex& base, const numeric& exponent) const {

@@ -30,7 +30,7 @@ struct Generator {
     opaque      ///< a function value that is only equal to itself: meaning
   };
   Kind kind;
-  GiNaC::symbol symbol;
+  GiNaC::symbol symbol;       ///< "$z3": no name that can be typed
   GiNaC::ex meaning;          ///< in the symbols of the statement
   int divisor = 1;            ///< n in e^{iφ/n}, or the degree of the root
   int degree = 0;             ///< symbol^degree = value holds; 0: no relation
@@ -52,6 +52,11 @@ class Phases {
   GiNaC::ex reduce(const GiNaC::ex& polynomial, GiNaC::ex* scale = nullptr) const;
   /// A rational function back in the symbols of the statement, for a numeric check.
   GiNaC::ex meaning_of(const GiNaC::ex& rational) const;
+
+  /// An argument of sin, cos … (circular) or exp, sinh … as Σ n·(meaning/divisor) + q·π: n by generator, and q.
+  /// Throws Undecidable where it is none of those that were seen.
+  std::pair<std::vector<std::pair<GiNaC::symbol, GiNaC::numeric>>, GiNaC::numeric> combination(
+      const GiNaC::ex& argument, bool circular) const;
 
   const std::vector<Generator>& generators() const { return generators_; }
   /// Numerator of the statement's phases' common denominator: must not vanish.

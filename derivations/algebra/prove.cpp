@@ -24,6 +24,17 @@ std::string to_string(Verdict verdict) {
   return "undecided";
 }
 
+ex put_in(ex e, const std::vector<Given>& given) {
+  GiNaC::exmap map;
+  for (const Given& g : given) map[g.name] = g.value;
+  for (std::size_t round = 0; round <= given.size(); ++round) {  // givens may mention each other
+    const ex next = e.subs(map, GiNaC::subs_options::no_pattern);
+    if (next.is_equal(e)) return e;
+    e = next;
+  }
+  throw Undecidable("the equations that are given go round in a circle");
+}
+
 namespace {
 
 /// Which signs would help: symbols under roots, in logarithms and between bars that may be of either sign.
@@ -40,17 +51,6 @@ std::string advice(const ex& e, const Symbols& symbols) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "; an assumption on the sign of " : ", ") + name;
   return text.empty() ? text : text + " may decide it";
-}
-
-ex put_in(ex e, const std::vector<Given>& given) {
-  GiNaC::exmap map;
-  for (const Given& g : given) map[g.name] = g.value;
-  for (std::size_t round = 0; round <= given.size(); ++round) {  // givens may mention each other
-    const ex next = e.subs(map, GiNaC::subs_options::no_pattern);
-    if (next.is_equal(e)) return e;
-    e = next;
-  }
-  throw Undecidable("the equations that are given go round in a circle");
 }
 
 /// What everything below needs to know.

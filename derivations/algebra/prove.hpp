@@ -43,6 +43,9 @@ struct Given {
   GiNaC::ex value;
 };
 
+/// Puts the givens in, and those that they mention. Throws Undecidable (phases.hpp) if they go round in a circle.
+GiNaC::ex put_in(GiNaC::ex expression, const std::vector<Given>& given);
+
 /// Decides left against right: two expressions, two equations or two inequalities. A chain "K = a = b" on the left
 /// is taken link by link. Never throws for a statement that parses; what cannot be decided is undecided.
 Proof prove(const Relation& left, const Relation& right, const Symbols& symbols = paper_symbols(),

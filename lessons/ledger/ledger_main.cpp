@@ -6,6 +6,7 @@
 //               ledger prove "sin(2*x)" "2*sin(x)*cos(x)"
 #include <derivations/command_line.hpp>
 #include <derivations/paper/mutate.hpp>
+#include <lessons/ledger/certificate.hpp>
 #include <lessons/ledger/prove_command.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <lessons/ledger/report.hpp>
@@ -19,7 +20,7 @@ namespace {
 struct Options {
   bool json = false;
   std::string equations = equations_file();
-  std::string id, format = "text", table;
+  std::string id, format = "text", table, certificate, folder;
   unsigned seed = 1;
   ProveRequest request;
 };
@@ -105,7 +106,10 @@ int show_mutation(const Options& options) {
 }
 
 int show_proof(const Options& options) {
-  const auto json = decide_bounded(options.request);
+  nlohmann::ordered_json certificate;
+  const auto json = decide_bounded(options.request, options.certificate.empty() ? nullptr : &certificate);
+  if (!certificate.is_null()) write_whole(options.certificate, certificate.dump(1) + "\n");
+  else if (!options.certificate.empty()) fmt::print(stderr, "no certificate: nothing is proved, or not by polynomials alone\n");
   const std::string verdict = json["verdict"];
   if (options.json) {
     put(json);
@@ -120,6 +124,23 @@ int show_proof(const Options& options) {
     }
   }
   return verdict == "refuted" ? not_as_expected : verdict == "undecided" ? undecided_or_failed : as_expected;
+}
+
+/// A file for every printed row that is proved; the others are named.
+int certify(const Options& options) {
+  std::filesystem::create_directories(options.folder);
+  std::string without;
+  int written = 0;
+  for (const Entry& entry : all(options)) {
+    if (!entry.derivation || entry.row.printed.empty() || entry.proof.verdict == Verdict::refuted || entry.proof.verdict == Verdict::undecided) continue;
+    const Symbols symbols = symbols_in(entry.row.domain);
+    const auto found = certificate(parse_statement(entry.row.printed, symbols), derived_relation(*entry.derivation), symbols, entry.derivation->given);
+    if (found) write_whole(std::filesystem::path(options.folder) / (entry.row.id + ".json"), found->dump(1) + "\n"), ++written;
+    else without += " " + entry.row.id;
+  }
+  fmt::print("{} certificates in {}\n", written, options.folder);
+  if (!without.empty()) fmt::print("proved by more than polynomials, and so without a certificate:{}\n", without);
+  return as_expected;
 }
 
 int show_table(const Options& options) {
@@ -153,11 +174,15 @@ int main(int argc, char** argv) {
   proving->add_option("--small", options.request.small, "Compare Taylor polynomials in these symbols")->delimiter(',')->allow_extra_args(false);
   proving->add_option("--order", options.request.order, "… up to this order");
 
+  proving->add_option("--certificate", options.certificate, "Writes what is needed to check the proof to this file");
+  auto* certifying = app.add_subcommand("certify", "Writes the certificates of all proved equations into a folder");
+  certifying->add_option("folder", options.folder, "It is made if it is not there")->required();
   auto* table = proving->add_option("--table", options.table, "Decides every row of a table and writes a page in Markdown")->check(CLI::ExistingFile)->excludes(lhs)->excludes(rhs);
 
   return run_command(app, argc, argv, [&]() -> int {
     if (*show) return show_one(options);
     if (*mutation) return show_mutation(options);
+    if (*certifying) return certify(options);
     if (*proving && *table) return show_table(options);
     if (*proving && (!*lhs || !*rhs)) throw BadInput("prove wants two statements; right is, for example, ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
     if (*proving) return show_proof(options);

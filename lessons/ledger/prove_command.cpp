@@ -1,6 +1,7 @@
 #include <chrono>
 #include <derivations/bounded.hpp>
 #include <derivations/command_line.hpp>
+#include <lessons/ledger/certificate.hpp>
 #include <lessons/ledger/prove_command.hpp>
 #include <lessons/ledger/report.hpp>
 #include <set>
@@ -96,18 +97,30 @@ Proof decide(const ProveRequest& request) {
   return proof;
 }
 
-nlohmann::ordered_json decide_bounded(const ProveRequest& request) {
+nlohmann::ordered_json decide_bounded(const ProveRequest& request, nlohmann::ordered_json* wanted) {
   // the child does everything that may be expensive; what it could not read is said here
   const auto work = [&]() -> std::string {
     try {
-      return "J" + to_json(decide(request)).dump();
+      const Proof proof = decide(request);
+      nlohmann::ordered_json both{{"proof", to_json(proof)}, {"certificate", nullptr}};
+      if (wanted != nullptr && (proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under)) {
+        const Context context = make_context(request);
+        const auto given = proof.verdict == Verdict::proved_under ? context.given : std::vector<Given>{};
+        if (auto found = certificate(read(request.left, context.symbols), read(request.right, context.symbols), context.symbols, given))
+          both["certificate"] = *found;
+      }
+      return "J" + both.dump();
     } catch (const BadInput& error) {
       return std::string("B") + error.what();
     }
   };
   const Bounded outcome = run_bounded(work, 1.8, 480);
   if (outcome.result && outcome.result->front() == 'B') throw BadInput(outcome.result->substr(1));
-  if (outcome.result) return nlohmann::ordered_json::parse(outcome.result->substr(1));
+  if (outcome.result) {
+    const auto both = nlohmann::ordered_json::parse(outcome.result->substr(1));
+    if (wanted != nullptr) *wanted = both["certificate"];
+    return both["proof"];
+  }
   Proof proof;
   proof.reason = "given up: " + outcome.why;
   return to_json(proof);

@@ -30,7 +30,8 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
 /// for what cannot be read. No bounds on time or memory.
 Proof decide(const ProveRequest& request);
 
-/// Decides within two seconds and 500 MB. Throws BadInput (with a caret) for what cannot be read.
-nlohmann::ordered_json decide_bounded(const ProveRequest& request);
+/// Decides within two seconds and 500 MB. Throws BadInput (with a caret) for what cannot be read. `certificate` asks for
+/// one and receives it, or null where there is none.
+nlohmann::ordered_json decide_bounded(const ProveRequest& request, nlohmann::ordered_json* certificate = nullptr);
 
 }  // namespace rederive
