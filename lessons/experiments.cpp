@@ -4,6 +4,7 @@
 #include <numerics/story.hpp>
 #include <numerics/windows.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -14,20 +15,12 @@ constexpr double frequency_parameter = 2.14;
 
 PulseCase case_of(const Experiment& experiment) {
   PulseCase asked;
-  asked.block = make_block(experiment.alpha, frequency_parameter);
+  asked.block = make_block(experiment.alpha, frequency_parameter, experiment.restitution);
   asked.model = experiment.nonlinear ? Model::nonlinear : Model::linear;
   asked.pulse = experiment.cosine ? Pulse::cosine : Pulse::sine;
   asked.omega_ratio = experiment.omega;
   asked.initial = initial_state(asked.block, asked.model, experiment.theta_0, experiment.thetadot_0);
   return asked;
-}
-
-PulseCase case_of(double omega, double alpha, bool nonlinear) {
-  Experiment experiment;
-  experiment.omega = omega;
-  experiment.alpha = alpha;
-  experiment.nonlinear = nonlinear;
-  return case_of(experiment);
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -66,20 +59,33 @@ std::string in_words(int code) {
   return std::string("overturns to ") + (code < 0 ? "θ < 0 " : "θ > 0 ") + times;
 }
 
-std::vector<AmplitudeWindow> overturning_amplitudes(double omega, double alpha, bool nonlinear, double largest) {
+std::vector<AmplitudeWindow> overturning_amplitudes(const Experiment& experiment, double largest) {
   WindowSearch search;
   search.largest = largest;
   std::vector<AmplitudeWindow> result;
-  for (const auto& window : overturning_windows(case_of(omega, alpha, nonlinear), search))
+  for (const auto& window : overturning_windows(case_of(experiment), search))
     result.push_back({window.from, window.to, window.code});
   return result;
 }
 
-LeastOverturning least_overturning(double omega, double alpha, bool nonlinear) {
-  const auto windows = overturning_windows(case_of(omega, alpha, nonlinear), {});
-  const auto least = least_window(windows);
-  if (!least) throw std::runtime_error("no amplitude up to 12 overturns this block");
+LeastOverturning least_overturning(const Experiment& experiment, double largest) {
+  WindowSearch search;
+  search.largest = largest;
+  const auto least = least_window(overturning_windows(case_of(experiment), search));
+  if (!least) throw std::runtime_error("none of the amplitudes asked overturns this block");
   return {least->from, least->code};
+}
+
+double simulated_without_impact(const Experiment& experiment) {
+  const double near = amplitude_without_impact(experiment.omega);
+  return edge_of_code(case_of(experiment), -1, 1.3 * near, std::max(1.02, 0.97 * near)).inside;
+}
+
+std::optional<double> least_by_conditions(const Experiment& experiment, double largest) {
+  std::optional<double> least;
+  for (const auto& root : condition_roots(experiment))
+    if (root.admissible && root.amplitude <= largest && (!least || root.amplitude < *least)) least = root.amplitude;
+  return least;
 }
 
 std::vector<ConditionRoot> condition_roots(const Experiment& experiment) {
@@ -101,10 +107,6 @@ double amplitude_without_impact(double omega) {
 double pulse_length(double omega, double amplitude) {
   const GroundMotion motion = pulse_motion(Pulse::sine, omega, amplitude, 1);
   return static_cast<double>(motion.back().to);
-}
-
-double bisected_amplitude(double omega, double alpha, int code, double inside, double outside) {
-  return edge_of_code(case_of(omega, alpha, false), code, inside, outside).inside;
 }
 
 }  // namespace rederive

@@ -14,6 +14,7 @@ struct Experiment {
   double omega = 2, amplitude = 2, alpha = 0.25, until = 10;
   bool nonlinear = false, cosine = false;
   double theta_0 = 0, thetadot_0 = 0;  ///< rad, rad/s
+  std::optional<double> restitution = {};  ///< that of (46) if nothing is given
 };
 
 struct Motion {
@@ -31,14 +32,19 @@ struct AmplitudeWindow {
   std::optional<double> to;
   int code;
 };
-std::vector<AmplitudeWindow> overturning_amplitudes(double omega, double alpha, bool nonlinear, double largest = 12);
+std::vector<AmplitudeWindow> overturning_amplitudes(const Experiment& experiment, double largest = 12);
 
 /// The smallest amplitude that overturns, and how.
 struct LeastOverturning {
   double amplitude;
   int code;
 };
-LeastOverturning least_overturning(double omega, double alpha, bool nonlinear = false);
+LeastOverturning least_overturning(const Experiment& experiment, double largest = 12);
+/// The smallest amplitude that overturns without impact, by simulation alone: bisected until two neighbouring numbers
+/// of the machine are left. The one way to know it for the nonlinear model.
+double simulated_without_impact(const Experiment& experiment);
+/// The smallest admissible root of the paper's conditions; nothing if there is none up to `largest`.
+std::optional<double> least_by_conditions(const Experiment& experiment, double largest = 12);
 
 /// A root of one of the paper's conditions for overturning.
 struct ConditionRoot {
@@ -55,7 +61,4 @@ std::vector<ConditionRoot> condition_roots(const Experiment& experiment);
 double amplitude_without_impact(double omega);
 /// p T_ex of the sine pulse by (52): (2π − ψ)/(ω_p/p), ψ from a_p sin ψ = αg.
 double pulse_length(double omega, double amplitude);
-/// The value to which an edge of overturning is bisected on the simulation itself, from below `guess`.
-double bisected_amplitude(double omega, double alpha, int code, double inside, double outside);
-
 }  // namespace rederive

@@ -4,29 +4,48 @@
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 
+#include <cmath>
+
 namespace rederive {
 namespace {
 
 /// "0.123456789…" → six significant digits: enough to see that two numbers differ, short enough to read.
 std::string shortened(const std::string& digits) {
   try {
-    return fmt::format("{:.6g}", std::stod(digits));
+    const double value = std::stod(digits);
+    return std::abs(value) < 1e-20 ? "0" : fmt::format("{:.6g}", value);
   } catch (const std::exception&) {
     return digits;  // not a plain number: leave it as the ledger wrote it
   }
 }
 
+/// "123…/456…" → six digits.
+std::string approximately(const std::string& fraction) {
+  const std::size_t bar = fraction.find('/');
+  const double under = bar == std::string::npos ? 1 : std::stod(fraction.substr(bar + 1));
+  return fmt::format("{:.6f}", std::stod(fraction.substr(0, bar)) / under);
+}
+
 std::string witness_sentence(const Witness& witness) {
   std::string at;
-  for (const auto& [symbol, value] : witness.at)
-    at += fmt::format("{}${} = {}$", at.empty() ? "" : ", ", symbol, value);
-  return fmt::format("at {}: the printed form gives {}, the derived one {}", at, shortened(witness.printed),
+  for (const auto& [symbol, value] : witness.at) {
+    const bool short_enough = value.size() <= 12;  // a fraction to work with by hand; the ledger has the long ones
+    at += fmt::format("{}${} = {}$", at.empty() ? "" : ", ", symbol, short_enough ? value : approximately(value));
+  }
+  return fmt::format("at {} the printed form comes to {}, the derived one to {}", at, shortened(witness.printed),
                      shortened(witness.derived));
+}
+
+/// "w != 0" → "$w$ ≠ 0"; a condition in another form stays as it is.
+std::string condition_text(const std::string& condition) {
+  const std::size_t sign = condition.find(" != ");
+  if (sign == std::string::npos) return "$" + condition + "$";
+  return "$" + condition.substr(0, sign) + "$ ≠ $" + condition.substr(sign + 4) + "$";
 }
 
 std::string joined(const std::vector<std::string>& conditions) {
   std::string text;
-  for (const auto& condition : conditions) text += (text.empty() ? "$" : ", $") + condition + "$";
+  for (const auto& condition : conditions) text += (text.empty() ? "" : ", ") + condition_text(condition);
   return text;
 }
 

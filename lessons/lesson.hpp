@@ -7,6 +7,7 @@
 
 #include <derivations/paper/ledger.hpp>
 
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -43,8 +44,11 @@ class Page {
   void result(const std::string& id);
   /// Every step of a derivation, as it is computed, and the result at the end.
   void argue(const std::string& id);
+  void argue(const Derivation& derivation, const std::string& number = "");
   /// What the paper prints and what the ledger found.
   void verdict(const std::string& id);
+  /// Lets the decision procedure compare two statements, and says what it found.
+  void compare(const Relation& left, const Relation& right);
   void table(std::vector<std::string> header, std::vector<std::vector<std::string>> rows);
   void figure(Figure figure);
   void commands(std::vector<std::string> lines);
@@ -74,6 +78,15 @@ Derivation derived(const std::string& id);
 Entry judged(const std::string& id);
 /// left relation right, as a tree to print.
 Relation relation_of(const Derivation& derivation);
+
+/// Values in our syntax to put in for symbols: {{"theta", "0"}, {"u_gddot", "g*tan(alpha)"}}.
+using Values = std::map<std::string, std::string>;
+GiNaC::ex with(const GiNaC::ex& expression, const Values& values);
+/// A special case of what was derived, or of what is printed (the last two sides of its chain).
+Relation derived_with(const std::string& id, const Values& values);
+Relation printed_with(const std::string& id, const Values& values);
+/// The number that an expression comes to. Throws std::invalid_argument if a symbol is left.
+double number_of(const GiNaC::ex& expression, const Values& values = {});
 
 /// Parses the flags that all lessons share, and prints what they ask for. Gives the exit code.
 int run_lesson(const Lesson& lesson, int argc, char** argv);

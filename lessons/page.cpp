@@ -43,6 +43,30 @@ Relation relation_of(const Derivation& derivation) {
   return {{to_tree(derivation.left), to_tree(derivation.right)}, {derivation.relation}};
 }
 
+GiNaC::ex with(const GiNaC::ex& expression, const Values& values) {
+  GiNaC::exmap map;
+  for (const auto& [name, value] : values) map[paper_symbols()[name]] = lower(parse(value));
+  return expression.subs(map);
+}
+
+Relation derived_with(const std::string& id, const Values& values) {
+  const Derivation derivation = derived(id);
+  return {{to_tree(with(derivation.left, values)), to_tree(with(derivation.right, values))}, {derivation.relation}};
+}
+
+Relation printed_with(const std::string& id, const Values& values) {
+  const Relation printed = parse_relation(judged(id).row.printed);
+  const std::size_t last = printed.sides.size() - 1;
+  const auto side = [&](std::size_t i) { return to_tree(with(lower(printed.sides[i]), values)); };
+  return {{side(last - 1), side(last)}, {printed.operators.back()}};
+}
+
+double number_of(const GiNaC::ex& expression, const Values& values) {
+  const GiNaC::ex value = with(expression, values).evalf();
+  if (!GiNaC::is_a<GiNaC::numeric>(value)) throw std::invalid_argument("no number: " + print(value));
+  return GiNaC::ex_to<GiNaC::numeric>(value).to_double();
+}
+
 void Page::say(const std::string& text) {
   for (auto& paragraph : paragraphs(text)) blocks_.push_back(Paragraph{std::move(paragraph)});
 }
@@ -60,8 +84,9 @@ void Page::show(const GiNaC::ex& left, const std::string& relation, const GiNaC:
 
 void Page::result(const std::string& id) { show(relation_of(derived(id)), id); }
 
-void Page::argue(const std::string& id) {
-  const Derivation derivation = derived(id);
+void Page::argue(const std::string& id) { argue(derived(id), id); }
+
+void Page::argue(const Derivation& derivation, const std::string& id) {
   for (std::size_t i = 0; i < derivation.steps.size(); ++i) {
     const Step& step = derivation.steps[i];
     const bool formula = !step.left.is_zero() || !step.right.is_zero();
@@ -72,6 +97,15 @@ void Page::argue(const std::string& id) {
 }
 
 void Page::verdict(const std::string& id) { blocks_.push_back(Judgement{judged(id)}); }
+
+void Page::compare(const Relation& left, const Relation& right) {
+  const Proof proof = prove(left, right);
+  std::string verdict = to_string(proof.verdict);
+  std::replace(verdict.begin(), verdict.end(), '_', ' ');
+  std::string text = "The decision procedure says: *" + verdict + "*";
+  if (!proof.factor.empty() && proof.factor != "1") text += ", up to the factor $" + proof.factor + "$";
+  say(text + ".");
+}
 
 void Page::table(std::vector<std::string> header, std::vector<std::vector<std::string>> rows) {
   blocks_.push_back(Table{std::move(header), std::move(rows)});

@@ -27,4 +27,18 @@ void add_definitions(std::vector<Given>& given, const std::set<std::string>& at_
   }
 }
 
+Derivation mass_at_the_top() {
+  const auto& s = paper_symbols();
+  const GiNaC::ex b = s["b"], h = s["h"], before = s["thetadot_minus"], after = s["thetadot_plus"], top = 2 * h;
+  const GiNaC::ex right = top * before, up = -b * before;  // velocity while it still turns clockwise about O, at (b, 2h)
+  const GiNaC::ex momentum = top * right - (-b) * up;      // moment about O', from which the mass is at (-b, 2h)
+  Derivation result;
+  result.left = s["e"];
+  result.right = (momentum / (before * (b * b + top * top))).normal();
+  result.steps = {{"Per unit of mass the moment about the new corner is, before the impact", s["hO_minus"], momentum, "="},
+                  {"and afterwards", s["hO_plus"], (b * b + top * top) * after, "="},
+                  {"They are equal, hence", result.left, result.right, "="}};
+  return result;
+}
+
 }  // namespace rederive::classroom

@@ -1,7 +1,7 @@
 // An exercise as it stands in lessons/exercises/*.toml, and the answer that it refers to.
 #pragma once
 
-#include <derivations/algebra/prove.hpp>
+#include <derivations/mechanics/derivation.hpp>
 
 #include <filesystem>
 #include <map>
@@ -61,6 +61,9 @@ struct Exercise {
 std::vector<Exercise> read_exercises(const std::filesystem::path& folder);
 /// The folder that ships with the project.
 std::filesystem::path exercises_folder();
+
+/// The derivation that a reference names.
+Derivation argument_of(const Reference& reference);
 
 /// What a reference comes to: a relation (one side alone for an expression), or a number.
 struct Answer {

@@ -21,9 +21,14 @@ double function_value(const std::string& name, const Arguments& arguments) {
   static const std::map<std::string, std::function<double(const Arguments&)>> functions{
       {"amplitude_without_impact", [](const auto& a) { return amplitude_without_impact(argument(a, "omega")); }},
       {"least_amplitude",
-       [](const auto& a) { return least_overturning(argument(a, "omega"), argument(a, "alpha")).amplitude; }},
+       [](const auto& a) {
+         return least_overturning({.omega = argument(a, "omega"), .alpha = argument(a, "alpha")}).amplitude;
+       }},
       {"pulse_length",
-       [](const auto& a) { return pulse_length(argument(a, "omega"), argument(a, "amplitude")); }}};
+       [](const auto& a) { return pulse_length(argument(a, "omega"), argument(a, "amplitude")); }},
+      {"pulse_seconds", [](const auto& a) {
+         return pulse_length(argument(a, "omega"), argument(a, "amplitude")) / argument(a, "p");
+       }}};
   const auto found = functions.find(name);
   if (found == functions.end()) throw std::out_of_range("there is no function " + name);
   return found->second(arguments);

@@ -87,7 +87,8 @@ Opinion judge_number(const Prepared& prepared, const std::string& text) {
     return invalid(error, text);
   }
   const double right = prepared.answer.number;
-  const Dimension wanted = parse_unit(exercise.unit.empty() ? "1" : exercise.unit);
+  const bool angle = exercise.unit.empty() || exercise.unit == "rad";
+  const Dimension wanted = parse_unit(angle ? "1" : exercise.unit);
   const bool pure = unit_text(wanted) == "1";
   if (read.dimension && *read.dimension != wanted)
     return opinion(read, "wrong", near(exercise, read.value, right) ? "unit" : "dimension",

@@ -2,8 +2,10 @@
 #include <derivations/algebra/print.hpp>
 #include <fmt/format.h>
 #include <lessons/exercises/edits.hpp>
+#include <lessons/exercises/definitions.hpp>
 #include <lessons/exercises/exercise.hpp>
 #include <lessons/exercises/functions.hpp>
+#include <lessons/exercises/trees.hpp>
 #include <lessons/lesson.hpp>
 
 #include <algorithm>
@@ -36,7 +38,18 @@ GiNaC::exmap values_to_put(const Reference& reference, bool degrees) {
   return values;
 }
 
+/// Tangents as quotients, so that a sum of them can be simplified.
+ex in_sines(const ex& expression) {
+  const GiNaC::ex any = GiNaC::wild();
+  return expression.subs(GiNaC::tan(any) == GiNaC::sin(any) / GiNaC::cos(any));
+}
+
 }  // namespace
+
+Derivation argument_of(const Reference& reference) {
+  if (reference.derivation == "mass_at_the_top") return mass_at_the_top();  // the one that is not in the paper
+  return derived(reference.derivation);
+}
 
 Answer resolve(const Reference& reference, Kind kind, bool degrees) {
   Answer answer;
@@ -44,7 +57,7 @@ Answer resolve(const Reference& reference, Kind kind, bool degrees) {
     answer.number = function_value(reference.function, reference.arguments);
     return answer;
   }
-  const Derivation derivation = derived(reference.derivation);
+  const Derivation derivation = argument_of(reference);
   ex left = derivation.left, right = derivation.right;
   if (!reference.solve_for.empty()) {
     const auto& symbol = symbol_named(reference.solve_for);
@@ -54,6 +67,7 @@ Answer resolve(const Reference& reference, Kind kind, bool degrees) {
   const GiNaC::exmap values = values_to_put(reference, degrees);
   left = left.subs(values);
   right = right.subs(values);
+  if (!values.empty() && kind == Kind::expression) right = in_sines(right).normal();  // what cancels, cancels
   if (!reference.differentiate.empty()) right = right.diff(symbol_named(reference.differentiate));
   answer.given = derivation.given;
   if (reference.side == "whole") {
@@ -100,10 +114,23 @@ Relation exchanged(const Relation& relation, const Tree& old, const Tree& fresh)
   return result;
 }
 
-/// The slips that a typesetter makes in a term, undone: its sign turned, and each single edit of it.
-std::vector<Tree> repairs(const Tree& term) {
+/// The slips that a typesetter makes in a term, undone: its sign turned, each single edit of it, and a symbol that does not
+/// belong there exchanged for one that is missing.
+std::vector<Tree> repairs(const Tree& term, const std::set<std::string>& strange, const std::set<std::string>& missing) {
   std::vector<Tree> result{negative(term), scaled("2", "1", term), scaled("1", "2", term)};
   for (const auto& edit : edits(term)) result.push_back(edit.tree);
+  for (const auto& old : strange)
+    for (const auto& fresh : missing)
+      if (symbols_in(term).contains(old)) result.push_back(put_in(term, old, parse(fresh)));
+  return result;
+}
+
+/// Symbols of the first relation that the second does not have.
+std::set<std::string> only_in(const Relation& first, const Relation& second) {
+  std::set<std::string> result;
+  const auto others = symbols_in(second);
+  for (const auto& name : symbols_in(first))
+    if (!others.contains(name)) result.insert(name);
   return result;
 }
 
@@ -126,7 +153,7 @@ std::size_t wrong_term(const std::string& row) {
   const auto terms = terms_to_point_at(printed);
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < terms.size(); ++i)
-    for (const auto& repair : repairs(terms[i])) {
+    for (const auto& repair : repairs(terms[i], only_in(printed, right), only_in(right, printed))) {
       const Proof proof = prove(exchanged(printed, terms[i], repair), right, paper_symbols(), entry.derivation->given);
       if (proof.verdict != Verdict::proved) continue;
       found.push_back(i + 1);

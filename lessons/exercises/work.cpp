@@ -44,10 +44,9 @@ int tell(const Classroom& room, const Exercise& exercise, const Opinion& opinion
 /// The argument behind the answer, as the derivation gives it.
 std::string argument(const Prepared& prepared) {
   const auto& reference = prepared.exercise.answer;
-  const std::string id = reference.derivation.empty() ? reference.row : reference.derivation;
-  if (id.empty()) return "";
+  if (!reference.function.empty()) return "";
   Page page;
-  page.argue(id);
+  page.argue(reference.derivation.empty() ? derived(reference.row) : argument_of(reference));
   std::string text;
   for (const auto& block : page.blocks()) {
     if (const auto* words = std::get_if<Paragraph>(&block)) text += readable(words->text, "  ");
