@@ -59,7 +59,9 @@ Mover::Mover(Mover&&) noexcept = default;
 Real Mover::bound(const Arc& arc, Real from, Real to) const {
   const Range range = ground_range(arc.piece, from, to);
   const Real push = arc.side < 0 ? range.low : -range.high;  // > 0: away from upright
-  if (push >= level_ * (1 - 1e-15L)) return 0;  // at the ends of a push it is the level but for rounding
+  const Real rounding =
+      1e-17L * (level_ + arc.piece.amplitude);  // at the ends of a push it is the level but for that
+  if (push >= level_ - 16 * rounding) return 0;
   return model_ == Model::linear ? still_ - push : still_ + per_ground_ * std::max<Real>(0, -push);
 }
 

@@ -10,8 +10,8 @@
 namespace rederive {
 
 Block make_block(double alpha, double p, std::optional<double> restitution) {
-  if (!(alpha > 0 && alpha < std::numbers::pi / 2))
-    throw std::invalid_argument(fmt::format("alpha = {} must lie between 0 and pi/2", alpha));
+  if (!(alpha >= 1e-12 && alpha < std::numbers::pi / 2))
+    throw std::invalid_argument(fmt::format("alpha = {} must lie between 1e-12 and pi/2", alpha));
   if (!(p > 0 && std::isfinite(p)))
     throw std::invalid_argument(fmt::format("the frequency parameter p = {} must be positive", p));
   const double e = restitution.value_or(emitted::restitution(alpha));

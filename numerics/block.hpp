@@ -22,7 +22,7 @@ struct Block {
   double restitution = 1;
 };
 
-/// 0 < alpha < pi/2, p > 0, 0 < restitution <= 1; without a restitution that of eq (46) is taken.
+/// 1e-12 <= alpha < pi/2, p > 0, 0 < restitution <= 1; without a restitution that of eq (46) is taken.
 /// Throws std::invalid_argument naming the value that is out of range.
 Block make_block(double alpha, double p, std::optional<double> restitution = {});
 

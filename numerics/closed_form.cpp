@@ -18,19 +18,45 @@ namespace {
 constexpr Real pi = std::numbers::pi_v<Real>;
 using Function = std::function<Real(Real)>;
 
-/// Roots by sign changes between `count` points, each bisected to the last bit.
+/// The root between two arguments where f has different signs, bisected to the last bit.
+Real bisected(const Function& f, Real low, Real high) {
+  const bool sign = f(low) < 0;
+  for (Real m = std::midpoint(low, high); low < m && m < high; m = std::midpoint(low, high))
+    ((f(m) < 0) == sign ? low : high) = m;
+  return high;
+}
+
+/// Where |f| is least between two arguments, by golden sections.
+Real least_between(const Function& f, Real low, Real high) {
+  for (int i = 0; i < 80; ++i) {
+    const Real left = std::lerp(low, high, 0.382L), right = std::lerp(low, high, 0.618L);
+    (std::abs(f(left)) < std::abs(f(right)) ? high : low) =
+        std::abs(f(left)) < std::abs(f(right)) ? right : left;
+  }
+  return std::midpoint(low, high);
+}
+
+/// Roots by sign changes between `count` points, and by dips of |f| that pass through zero in between.
 std::vector<Real> roots_between(const Function& f, Real low, Real high, int count) {
-  std::vector<Real> roots;
-  Real before = low, f_before = f(low);
-  for (int i = 1; i <= count; ++i) {
-    const Real here = std::lerp(low, high, static_cast<Real>(i) / count), f_here = f(here);
-    if ((f_before < 0) != (f_here < 0)) {
-      Real a = before, b = here;
-      for (Real m = std::midpoint(a, b); a < m && m < b; m = std::midpoint(a, b))
-        ((f(m) < 0) == (f_before < 0) ? a : b) = m;
-      roots.push_back(b);
+  std::vector<Real> roots, at, value;
+  for (int i = 0; i <= count; ++i) {
+    at.push_back(std::lerp(low, high, static_cast<Real>(i) / count));
+    value.push_back(f(at.back()));
+  }
+  const auto differ = [](Real a, Real b) { return (a < 0) != (b < 0); };
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+    if (differ(value[i], value[i + 1])) {
+      roots.push_back(bisected(f, at[i], at[i + 1]));
+      continue;
     }
-    before = here, f_before = f_here;
+    const bool dips = i > 0 && !differ(value[i - 1], value[i]) &&
+                      std::abs(value[i]) <= std::abs(value[i - 1]) &&
+                      std::abs(value[i]) < std::abs(value[i + 1]);
+    if (!dips) continue;
+    const Real least = least_between(f, at[i - 1], at[i + 1]);
+    if (!differ(f(least), value[i])) continue;
+    roots.push_back(bisected(f, at[i - 1], least));
+    roots.push_back(bisected(f, least, at[i + 1]));
   }
   return roots;
 }
@@ -39,19 +65,19 @@ Inputs<Real> inputs_of(const PulseCase& asked) {
   return {asked.omega_ratio, asked.block.restitution, asked.initial.angle + asked.initial.velocity};
 }
 
-ClosedForm root_at(const PulseCase& asked, Form form, Real psi, std::optional<double> impact_time) {
-  const Real w = asked.omega_ratio;
+ClosedForm root_at(const PulseCase& asked, Form form, Real psi, std::optional<Real> impact_time) {
   const bool cosine = form == Form::eq103;
-  ClosedForm root{form,
-                  static_cast<double>(1 / (cosine ? std::cos(psi) : std::sin(psi))),
-                  static_cast<double>(psi),
-                  impact_time,
-                  static_cast<double>(((cosine ? 1.5L : 2) * pi - psi) / w),
-                  false,
-                  ""};
-  root.why_not = why_not(asked, root);
-  root.admissible = root.why_not.empty();
-  return root;
+  const Root root{form, 1 / (cosine ? std::cos(psi) : std::sin(psi)), psi, impact_time,
+                  ((cosine ? 1.5L : 2) * pi - psi) / asked.omega_ratio};
+  const std::string reason = why_not(asked, root);
+  const auto rounded = [](Real value) { return static_cast<double>(value); };
+  return {form,
+          rounded(root.amplitude),
+          rounded(psi),
+          impact_time ? std::optional(rounded(*impact_time)) : std::nullopt,
+          rounded(root.pulse_end),
+          reason.empty(),
+          reason};
 }
 
 void add_without_impact(const PulseCase& asked, Form form, std::vector<ClosedForm>& all) {
@@ -79,7 +105,7 @@ void add_impact_during_pulse(const PulseCase& asked, std::vector<ClosedForm>& al
   for (Real tau : roots_between(residual, 1e-4L * longest, 3 * longest, 6000)) {
     const Real psi = phase_of_impact(in, tau);
     if (std::abs(psi - phase_of_impact(in, tau * (1 - 1e-9L))) < 0.1L)  // else psi jumps between 0 and pi
-      all.push_back(root_at(asked, Form::eq86_88, psi, static_cast<double>(tau)));
+      all.push_back(root_at(asked, Form::eq86_88, psi, tau));
   }
 }
 
@@ -107,8 +133,7 @@ void add_impact_after_pulse(const PulseCase& asked, std::vector<ClosedForm>& all
   for (Real psi : roots_between(residual, 1e-6L, pi - 1e-6L, 4000)) {
     const EndOfPulse end = end_of_pulse(in.omega_ratio, psi);
     const Real z = (1 + speed) / (end.height + end.velocity);
-    if (z > 0)
-      all.push_back(root_at(asked, Form::eq92a_96, psi, static_cast<double>(end.time + std::log(z))));
+    if (z > 0) all.push_back(root_at(asked, Form::eq92a_96, psi, end.time + std::log(z)));
   }
 }
 

@@ -49,6 +49,7 @@ Motion motion_from(const Block& block, const Piece& piece, int side, Real time) 
 RockingIntegrator::RockingIntegrator(const Block& block, double tolerance)
     : block_(block), step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 2)),
       control_(gsl_odeiv2_control_y_new(tolerance, tolerance)), evolve_(gsl_odeiv2_evolve_alloc(2)) {
+  gsl_set_error_handler_off();  // errors are told by status, not by abort
   if (!step_ || !control_ || !evolve_) throw std::bad_alloc();
 }
 

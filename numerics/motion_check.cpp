@@ -8,7 +8,7 @@
 namespace rederive {
 namespace {
 
-constexpr double same_time = 1e-7;  ///< relative: the closed form's impact and the simulated one are the same
+constexpr Real same_time = 1e-6L;  ///< relative: the closed form's impact and the simulated one are the same
 
 bool has_impact(Form form) { return form == Form::eq86_88 || form == Form::eq92a_96; }
 
@@ -18,7 +18,7 @@ int side_of(Form form) {
 }
 
 /// What the phase alone forbids.
-std::string wrong_start(const PulseCase& linear, const ClosedForm& root) {
+std::string wrong_start(const PulseCase& linear, const Root& root) {
   if (linear.pulse == Pulse::cosine)
     return root.psi >= 0 ? "" : "psi < 0: the ground acceleration has its crest after the start, not before";
   if (root.psi <= std::numbers::pi / 2) return "";
@@ -29,7 +29,7 @@ std::string wrong_start(const PulseCase& linear, const ClosedForm& root) {
              : "psi > pi/2: the ground acceleration falls from the start, a block at rest does not move then";
 }
 
-std::string wrong_side_of_pulse_end(const ClosedForm& root) {
+std::string wrong_side_of_pulse_end(const Root& root) {
   if (root.form == Form::eq86_88 && *root.impact_time >= root.pulse_end)
     return fmt::format("t_i > T_ex: impact at {:.6g}, after the pulse ends at {:.6g}", *root.impact_time,
                        root.pulse_end);
@@ -40,17 +40,17 @@ std::string wrong_side_of_pulse_end(const ClosedForm& root) {
 }
 
 /// The times of the impacts until the end of the pulse, and of the first one after it.
-std::vector<double> impact_times(const Response& response, Real pulse_end) {
-  std::vector<double> times;
+std::vector<Real> impact_times(const Response& response, Real pulse_end) {
+  std::vector<Real> times;
   for (const Event& event : response.events) {
     if (event.kind != EventKind::impact) continue;
-    times.push_back(static_cast<double>(event.time));
+    times.push_back(event.time);
     if (event.time > pulse_end) break;
   }
   return times;
 }
 
-std::string other_motion(const ClosedForm& root, const Response& response) {
+std::string other_motion(const Root& root, const Response& response) {
   if (response.arcs.empty()) return "the block rests: no motion is possible";
   if (response.events.front().kind == EventKind::start && response.arcs.front().start.time > 0 &&
       root.form == Form::eq103)
@@ -75,9 +75,9 @@ std::string other_motion(const ClosedForm& root, const Response& response) {
 }
 
 /// Whether amplitudes just above, and not those just below, overturn in the form's own way.
-std::string not_least(const PulseCase& linear, const ClosedForm& root) {
+std::string not_least(const PulseCase& linear, const Root& root) {
   const int code = side_of(root.form) * (has_impact(root.form) ? 2 : 1);
-  const double step = 1e-9 * root.amplitude;
+  const Real step = 1e-9L * root.amplitude;
   const int above = outcome_at(linear, root.amplitude + step).code;
   const int below = root.amplitude - step >= 1 ? outcome_at(linear, root.amplitude - step).code : 0;
   if (above == code && below != code) return "";
@@ -88,7 +88,7 @@ std::string not_least(const PulseCase& linear, const ClosedForm& root) {
 
 }  // namespace
 
-std::string why_not(const PulseCase& linear, const ClosedForm& root) {
+std::string why_not(const PulseCase& linear, const Root& root) {
   if (!std::isfinite(root.amplitude) || root.amplitude < 1) return "no amplitude: 1/sin(psi) is not above 1";
   if (std::string reason = wrong_start(linear, root); !reason.empty()) return reason;
   if (std::string reason = wrong_side_of_pulse_end(root); !reason.empty()) return reason;

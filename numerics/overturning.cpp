@@ -1,19 +1,11 @@
 #include <numerics/overturning.hpp>
 
-#include <emitted/rocking_block.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace rederive {
 namespace {
-
-Real energy(Real alpha, int side, Real theta, Real thetadot) {
-  const Real one = 1;
-  return side < 0 ? emitted::rocking_energy_negative(alpha, theta, thetadot, one)
-                  : emitted::rocking_energy_positive(alpha, theta, thetadot, one);
-}
 
 /// Equations (62), (63): (theta -+ alpha)^2 - thetadot^2 is constant, and theta = alpha is approached along
 /// thetadot + p (theta -+ alpha) = 0, (68), (75).
@@ -23,18 +15,14 @@ Margins linear_margins(Real y, Real u, Real e) {
   return {outward, e * std::sqrt(std::max<Real>(0, impact_squared)) - 1};
 }
 
-/// The velocity whose energy is this much, with p = 1: E/(m g R) = thetadot^2/2 + ..., (22) with R = 3g/(4
-/// p^2).
-Real velocity_of(Real energy_difference) { return std::sqrt(2 * std::max<Real>(0, energy_difference)); }
-
-Margins nonlinear_margins(Real alpha, int side, Real y, Real u, Real e) {
-  const Real barrier = energy(alpha, side, side * alpha, 0);
-  const Real height = energy(alpha, side, side * alpha * y, 0);
-  const Real needed = velocity_of(barrier - height) / alpha;
-  const Real total = energy(alpha, side, side * alpha * y, side * alpha * u);
-  const Real impact = velocity_of(total) / alpha;
-  const Real launch = velocity_of(barrier) / alpha;
-  return {y < 1 ? u - needed : u + needed, e * impact - launch};
+/// The energies (22) with p = 1, E/(m g R) = thetadot^2/2 + cos(alpha - |theta|) - cos(alpha), their
+/// differences of cosines written as products: so nothing cancels for slender blocks or near theta = alpha.
+Margins nonlinear_margins(Real alpha, Real y, Real u, Real e) {
+  const Real climb = 2 * std::sin(alpha * (1 - y) / 2) / alpha;  // to theta = alpha; < 0 beyond it
+  const Real height = 2 * (std::sin(alpha * (2 - y) / 2) / alpha) * (std::sin(alpha * y / 2) / alpha);
+  const Real impact = std::sqrt(std::max<Real>(0, u * u + 2 * height));
+  const Real launch = 2 * std::sin(alpha / 2) / alpha;
+  return {u - climb, e * impact - launch};
 }
 
 }  // namespace
@@ -42,7 +30,7 @@ Margins nonlinear_margins(Real alpha, int side, Real y, Real u, Real e) {
 Margins free_motion_margins(const Block& block, Model model, int side, const Point& at) {
   const Real y = side * at.angle, u = side * at.velocity;
   return model == Model::linear ? linear_margins(y, u, block.restitution)
-                                : nonlinear_margins(block.alpha, side, y, u, block.restitution);
+                                : nonlinear_margins(block.alpha, y, u, block.restitution);
 }
 
 Outcome outcome_at_end(const Block& block, Model model, const Response& response) {

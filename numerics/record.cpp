@@ -12,7 +12,7 @@
 namespace rederive {
 namespace {
 
-constexpr std::size_t most_samples = 4'000'000;
+constexpr std::size_t most_samples = 1'000'000;
 
 [[noreturn]] void refuse(const std::string& file, std::size_t line, const std::string& why) {
   throw std::invalid_argument(fmt::format("{}:{}: {}", file, line, why));
@@ -46,16 +46,27 @@ bool is_comment(const std::string& line) {
   return first == std::string::npos || line[first] == '#' || line[first] == '%';
 }
 
-std::vector<std::string> lines_of(const std::string& file) {
+/// The whole file, unless it is larger than any record.
+std::string text_of(const std::string& file) {
+  constexpr std::size_t largest = 100'000'000;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw std::invalid_argument("cannot read '" + file + "'");
+  std::string text(largest + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad()) throw std::invalid_argument("cannot read '" + file + "'");
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > largest) throw std::invalid_argument("'" + file + "' is larger than 100 megabytes");
+  return text;
+}
+
+std::vector<std::string> lines_of(const std::string& file) {
+  std::istringstream stream(text_of(file));
   std::vector<std::string> lines;
   for (std::string line; std::getline(stream, line);) {
-    if (lines.size() >= most_samples) refuse(file, lines.size(), "more than four million lines");
+    if (lines.size() >= most_samples) refuse(file, lines.size(), "more than a million lines");
     if (line.size() > 100'000) refuse(file, lines.size() + 1, "a line of more than 100000 characters");
     lines.push_back(std::move(line));
   }
-  if (stream.bad()) throw std::invalid_argument("cannot read '" + file + "'");
   return lines;
 }
 

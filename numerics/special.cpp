@@ -67,11 +67,15 @@ double best_amplitude(const PulseCase& asked) {
   return low;
 }
 
-/// Bisects a decreasing function of omega_p/p over the whole range.
+/// The first omega_p/p at which `positive` turns false, walking up from the lowest.
 template <class F>
-std::optional<double> falling_root(F&& positive) {
-  double low = lowest_ratio, high = highest_ratio;
-  if (!positive(low) || positive(high)) return std::nullopt;
+std::optional<double> first_end(F&& positive) {
+  double low = lowest_ratio, high = lowest_ratio;
+  if (!positive(low)) return std::nullopt;
+  do {
+    low = high, high *= 1.08;
+    if (high > highest_ratio) return std::nullopt;
+  } while (positive(high));
   for (double middle = std::midpoint(low, high); low < middle && middle < high;
        middle = std::midpoint(low, high))
     (positive(middle) ? low : high) = middle;
@@ -85,7 +89,7 @@ std::optional<SpecialPoint> handover(const PulseCase& asked) {
     const PulseCase here = at_ratio(asked, ratio);
     return margin_after_one_impact(here, amplitude_of_impact_at_end(here)) > 0;
   };
-  const auto ratio = falling_root(overturns);
+  const auto ratio = first_end(overturns);
   if (!ratio) return std::nullopt;
   return SpecialPoint{*ratio, amplitude_of_impact_at_end(at_ratio(asked, *ratio))};
 }
@@ -95,7 +99,7 @@ std::optional<SpecialPoint> end_of_mode_2(const PulseCase& asked) {
     const PulseCase here = at_ratio(asked, ratio);
     return margin_after_one_impact(here, best_amplitude(here)) > 0;
   };
-  const auto ratio = falling_root(overturns);
+  const auto ratio = first_end(overturns);
   if (!ratio) return std::nullopt;
   return SpecialPoint{*ratio, best_amplitude(at_ratio(asked, *ratio))};
 }

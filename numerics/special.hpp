@@ -15,8 +15,9 @@ struct SpecialPoint {
 /// pulse, (86)&(88), above, after it, (92a)&(96). Empty if there is none with 1 < omega_p/p < 60.
 std::optional<SpecialPoint> handover(const PulseCase& asked);
 
-/// Where the window of overturning after one impact shrinks to a point: at larger omega_p/p no amplitude up
-/// to 200 overturns so. Empty if there is none with 1 < omega_p/p < 60 (so for e = 1).
+/// Where the window of overturning after one impact shrinks to a point: just above that omega_p/p no
+/// amplitude up to 200 overturns so. (A nonlinear block can be overturned so again by pulses that are very
+/// much shorter and stronger.) Empty if there is none with 1 < omega_p/p < 60 (so for e = 1).
 std::optional<SpecialPoint> end_of_mode_2(const PulseCase& asked);
 
 }  // namespace rederive

@@ -53,8 +53,8 @@ Reactions reactions(const Block& block, const Arc& arc, const Point& at) {
 
 /// The largest ratio on one arc: the best of a few points, refined between its neighbours by golden sections.
 void friction_on(const Block& block, Mover& mover, const Arc& arc, Real until, Friction& friction) {
-  constexpr int count = 64;
   const Real end = std::min(arc.end.time, until);
+  const int count = std::clamp(static_cast<int>((end - arc.start.time) / 0.02L), 2, 64);
   const auto ratio = [&](Real time) {
     const Reactions force = reactions(block, arc, mover.along(arc, time));
     if (force.vertical <= 0 && !friction.uplift)
@@ -67,6 +67,7 @@ void friction_on(const Block& block, Mover& mover, const Arc& arc, Real until, F
     const Real time = std::lerp(arc.start.time, end, static_cast<Real>(i) / count), value = ratio(time);
     if (value > most) best = time, most = value;
   }
+  if (most < 0.9L * friction.required) return;
   const Real step = (end - arc.start.time) / count;
   Real low = std::max(arc.start.time, best - step), high = std::min(end, best + step);
   for (int i = 0; i < 60 && std::isfinite(most); ++i) {

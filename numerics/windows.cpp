@@ -30,7 +30,9 @@ class Scan {
   Scan(const PulseCase& asked, const WindowSearch& search) : asked_(asked), search_(search) {}
 
   std::vector<Station> stations() {
-    const double level = std::nextafter(static_cast<double>(start_level(asked_.block, asked_.model)), 1e300);
+    const Real exact = start_level(asked_.block, asked_.model);
+    const double rounded = static_cast<double>(exact);
+    const double level = rounded < exact ? std::nextafter(rounded, 1e300) : rounded;
     std::vector<Station> all;
     if (!(search_.largest >= level)) return all;
     all.push_back(at(level));
