@@ -36,7 +36,11 @@ inline int run_command(CLI::App& app, int argc, char** argv, const std::function
     return code;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    std::fprintf(stderr, "%s: %s\nTry '%s --help'.\n", name.c_str(), error.what(), name.c_str());
+    std::string unread;  // CLI11 may complain of something missing before it comes to what it did not understand
+    for (const std::string& argument : app.remaining(true))
+      if (std::string_view(error.what()).find(argument) == std::string_view::npos) unread += " '" + argument + "'";
+    if (!unread.empty()) unread = " (not understood:" + unread + ")";
+    std::fprintf(stderr, "%s: %s%s\nTry '%s --help'.\n", name.c_str(), error.what(), unread.c_str(), name.c_str());
     return bad_input;
   } catch (const BadInput& error) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());

@@ -35,7 +35,7 @@ const std::vector<Call> bad{
     {"ledger", {"show", "999"}, "999"},
     {"ledger", {"--equations", "/no/such/file.toml"}, "/no/such/file.toml"},
     {"ledger", {"prove", "sin(x", "x"}, "sin(x"},
-    {"ledger", {"prove", "x"}, "rhs"},
+    {"ledger", {"prove", "x"}, "two statements"},
     {"ledger", {"prove", "2x", "x"}, "2*x"},
     {"ledger", {"frobnicate"}, "frobnicate"},
     {"emit", {"--target", "cobol"}, "cobol"},

@@ -82,9 +82,6 @@ int run(const Options& options) {
   if (options.out.empty()) {
     std::fputs(text.c_str(), stdout);
   } else {
-    std::error_code ignored;
-    const auto folder = std::filesystem::path(options.out).parent_path();
-    if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
     write_whole(options.out, text);
   }
   return as_expected;

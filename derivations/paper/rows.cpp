@@ -47,8 +47,8 @@ Row read_row(const toml::table& table, const std::string& where) {
   if (const auto* sources = table["follows_from"].as_array())
     for (const auto& source : *sources) row.follows_from.push_back(source.value_or(std::string()));
   if (row.id.empty()) fail("a row needs an 'id' such as \"21a\"");
-  if (!kinds.contains(row.kind)) fail("row " + row.id + ": 'kind' is one of " + joined(kinds));
-  if (!verdicts.contains(row.expected)) fail("row " + row.id + ": 'expected' is one of " + joined(verdicts));
+  if (!kinds.contains(row.kind)) fail("row " + row.id + ": the kind '" + row.kind + "' is none; right is one of " + joined(kinds));
+  if (!verdicts.contains(row.expected)) fail("row " + row.id + ": '" + row.expected + "' is no verdict; right is one of " + joined(verdicts));
   return row;
 }
 
