@@ -3,10 +3,13 @@
 // Sample runs:  ledger                       a row an equation, counts by verdict
 //               ledger show 17b              all about one row
 //               ledger errata --format markdown
+//               ledger claims                every number and statement of the text
 //               ledger prove "sin(2*x)" "2*sin(x)*cos(x)"
 #include <derivations/command_line.hpp>
 #include <derivations/paper/mutate.hpp>
 #include <lessons/ledger/certificate.hpp>
+#include <lessons/ledger/claims.hpp>
+#include <lessons/ledger/claims_command.hpp>
 #include <lessons/ledger/prove_command.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <lessons/ledger/report.hpp>
@@ -20,6 +23,7 @@ namespace {
 struct Options {
   bool json = false;
   std::string equations = equations_file();
+  std::string claims = claims_file();
   std::string id, format = "text", table, certificate, folder;
   unsigned seed = 1;
   ProveRequest request;
@@ -163,6 +167,9 @@ int main(int argc, char** argv) {
   show->add_option("id", options.id, "Its number, such as 17b")->required();
   auto* sheet = app.add_subcommand("errata", "The errors alone, the most consequential first");
   sheet->add_option("--format", options.format, "text, markdown, latex or json")->check(CLI::IsMember({"text", "markdown", "latex", "json"}));
+  auto* text = app.add_subcommand("claims", "The numbers and statements of the text, each with what was found");
+  text->add_option("id", options.id, "One claim alone");
+  text->add_option("--claims", options.claims, "Another claims.toml than the one that ships")->check(CLI::ExistingFile);
   auto* mutation = app.add_subcommand("mutate", "Spoils every row on purpose; nothing may pass");
   mutation->add_option("id", options.id, "One row alone");
   mutation->add_option("--seed", options.seed, "Which slips are tried");
@@ -181,6 +188,7 @@ int main(int argc, char** argv) {
 
   return run_command(app, argc, argv, [&]() -> int {
     if (*show) return show_one(options);
+    if (*text) return show_claims(options.claims, options.id, options.json);
     if (*mutation) return show_mutation(options);
     if (*certifying) return certify(options);
     if (*proving && *table) return show_table(options);

@@ -1,0 +1,88 @@
+// Judged claims as a table, a page and JSON.
+#include <lessons/ledger/claims.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace rederive {
+
+namespace {
+
+constexpr std::size_t width = 100;
+
+std::string painted(const std::string& text, ClaimVerdict verdict, bool colour) {
+  if (!colour) return text;
+  const char* code = verdict == ClaimVerdict::refuted ? "31" : verdict == ClaimVerdict::confirmed ? "32" : "33";
+  return fmt::format("\033[{}m{}\033[0m", code, text);
+}
+
+std::size_t letters_in(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// Words filled into lines behind a margin; the first line begins with `head`.
+std::string filled(const std::string& head, const std::string& margin, const std::string& text) {
+  std::istringstream words(text);
+  std::string result, line = head;
+  bool fresh = true;
+  for (std::string word; words >> word; fresh = false) {
+    if (!fresh && letters_in(line) + 1 + letters_in(word) > width) {
+      result += line + "\n";
+      line = margin;
+      fresh = true;
+    }
+    line += (fresh ? "" : " ") + word;
+  }
+  return result + line + "\n";
+}
+
+std::string unexpected(const JudgedClaim& judged) {
+  return judged.as_expected() ? "" : "   <- expected " + judged.claim.expected;
+}
+
+}  // namespace
+
+nlohmann::ordered_json claims_json(const std::vector<JudgedClaim>& judged) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& [claim, finding] : judged)
+    list.push_back({{"id", claim.id}, {"where", claim.where}, {"statement", claim.statement},
+                    {"verdict", to_string(finding.verdict)}, {"printed", claim.printed}, {"found", finding.found},
+                    {"explanation", finding.explanation}, {"expected", claim.expected}, {"method", claim.method}});
+  return {{"claims", list}};
+}
+
+std::string claims_table(const std::vector<JudgedClaim>& judged, bool colour) {
+  const std::string margin(7, ' ');
+  std::string text;
+  std::map<std::string, int> counts;
+  for (const JudgedClaim& one : judged) {
+    const auto& [claim, finding] = one;
+    const std::string verdict = to_string(finding.verdict);
+    ++counts[verdict];
+    text += fmt::format("{:<6} {}  {}{}\n", claim.id, painted(fmt::format("{:<9}", verdict), finding.verdict, colour), claim.where, unexpected(one));
+    text += filled(margin, margin, claim.statement) + filled(margin + "-> ", margin + "   ", finding.found) + "\n";
+  }
+  text += fmt::format("{} claims:", judged.size());
+  for (const auto& [verdict, count] : counts) text += fmt::format(" {} {},", count, verdict);
+  text.back() = '\n';
+  return text;
+}
+
+std::string claim_page(const JudgedClaim& judged, bool colour) {
+  const auto& [claim, finding] = judged;
+  std::string text = fmt::format("{}  {}\n\n", claim.id, claim.where);
+  const auto line = [&](const std::string& name, const std::string& value) {
+    if (!value.empty()) text += filled(fmt::format("  {:<12} ", name), std::string(15, ' '), value);
+  };
+  line("the paper", claim.statement);
+  line("printed", claim.printed);
+  text += fmt::format("  {:<12} {}{}\n", "verdict", painted(to_string(finding.verdict), finding.verdict, colour), unexpected(judged));
+  line("found", finding.found);
+  line("that means", finding.explanation);
+  line("decided by", claim.method);
+  return text;
+}
+
+}  // namespace rederive
