@@ -23,6 +23,8 @@ std::string list_of(const std::vector<Reading>& readings) {
   return text.empty() ? "none" : text;
 }
 
+std::string outcome_says(int code) { return code == 0 ? "stays up" : fmt::format("overturns (code {:+d})", code); }
+
 /// A threshold that two printed numbers bracket: as labelled (linear, alpha*g), and read in every other way.
 Finding bracket(Workbench& bench, const Claim& claim, double ratio, int impacts) {
   const auto [below, above] = two_numbers(claim.printed);
@@ -32,16 +34,17 @@ Finding bracket(Workbench& bench, const Claim& claim, double ratio, int impacts)
   const int code_below = code(below), code_above = code(above);
   const double labelled = (impacts == 0 ? bench.thresholds().mode_1(asked) : bench.thresholds().mode_2(asked)).value_or(0);
   const auto readings = threshold_readings(bench.thresholds(), ratio, impacts);
-  auto fits = between(below, above, readings);
-  for (const Match& match : compare_with(below, readings))
-    if (fits.empty() && match.rounds) fits.push_back(match.reading);
-  const std::string found = fmt::format("as labelled the threshold is {:.6f} αg, with code {:+d} at {} and {:+d} at {}; of {} readings these fit: {}", labelled, code_below, below, code_above, above, readings.size(), list_of(fits));
+  const auto inside = between(below, above, readings);
+  const auto matches = compare_with(below, readings);
+  const auto fits = inside.empty() ? fitting(matches) : inside;
+  const std::string between_them = inside.empty() ? fmt::format("none lies between the two numbers; {} {}", below, summary(matches)) : "between the two numbers lies " + list_of(inside);
+  const std::string found = fmt::format("as labelled the threshold is {:.6f} αg, and it {} at {} and {} at {}; of {} readings {}", labelled, outcome_says(code_below), below, outcome_says(code_above), above, readings.size(), between_them);
   if (code_below != wanted && code_above == wanted) return confirmed(found, "As labelled.");
   std::string meaning = code_below == wanted ? fmt::format("As labelled the block overturns at {} already.", below)
                         : labelled > std::stod(above) ? fmt::format("As labelled neither overturns{}.", std::stod(above) < 1 ? "; below 1 αg the block does not even move" : "")
                                                       : "As labelled neither overturns.";
   if (!fits.empty())
-    meaning += " The numbers are those of the " + fits.front().says + ": the figure is not linearized, and its unit is not the one in the caption.";
+    meaning += fmt::format(" The numbers fit another reading ({}){}.", fits.front().says, fits.front().says.starts_with("nonlinear") ? ": the figure is not linearized, and its quantity is not the one in the caption" : "");
   return refuted(found, meaning);
 }
 
@@ -74,7 +77,7 @@ Finding order_of_numbers(Workbench& bench, const Claim& claim) {
   const auto code = [&](double share) { return outcome_at(asked, level / share).code; };
   const double far = 0.001;
   const int small = code(std::stod(below) - far), large = code(std::stod(above) + far);
-  return decided(large == 2 && small == 0, fmt::format("sin ψ at the threshold, nonlinear, e = 0.9: {:.7f}; code {:+d} at {} − 0.001, {:+d} at {} + 0.001", level / threshold, small, below, large, above),
+  return decided(large == 2 && small == 0, fmt::format("sin ψ at the threshold, nonlinear, e = 0.9: {:.7f}; the block {} at {} − 0.001, {} at {} + 0.001", level / threshold, outcome_says(small), below, outcome_says(large), above),
                  "So it is.", "The number is sin ψ = g·tan α/a_p, which falls as the amplitude grows: the smaller number overturns, the larger does not.");
 }
 

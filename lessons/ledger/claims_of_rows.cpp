@@ -77,8 +77,7 @@ Finding reference_to_65(Workbench& bench, const Claim&) {
   const auto& from = bench.rows().at("89a").row.follows_from;
   const bool from_65 = std::find(from.begin(), from.end(), "65a") != from.end();
   return decided(from_65, fmt::format("(89a) {} and follows from {}; (65a): {}", row_verdict(bench, "89a"), fmt::join(from, ", "), bench.rows().at("65a").row.printed),
-                 "It does.", "(65a,b) put θ = −α, θ̇ = 0: they hold at t* in the critical motion only. (89) is the free motion (62a), (63a) with (64). And the interval is "
-                 "printed the wrong way round, t_i ≥ t ≥ T_ex being right for the motion before the impact only.");
+                 "It does.", "(65a,b) put θ = −α, θ̇ = 0: they hold at t* in the critical motion only. (89) is the free motion (62a), (63a) with (64).");
 }
 
 Finding momentum_twice(Workbench& bench, const Claim&) {
@@ -96,7 +95,7 @@ Finding zhang_and_makris(Workbench& bench, const Claim&) {
 
 Finding presented_first(Workbench& bench, const Claim&) {
   return undecided(rows_say(bench, {"78"}),
-                   "No computation decides who was first; but section 4 says of the same curve that it was derived in earlier work, reference 4. One of the two is wrong.");
+                   "No computation decides who was first. Section 4 says of this curve and that of (86), (88) that they were derived in earlier work, reference 4, which the sentence here denies for one of them.");
 }
 
 Finding column_below(Workbench&, const Claim&) {

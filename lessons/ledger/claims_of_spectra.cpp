@@ -114,7 +114,7 @@ Finding safety_by_spectrum(Workbench& bench, const Claim&) {
     const Window slow = bench.thresholds().least(pulse_case(0.5));
     const int code = pulse > 1 ? outcome_at(pulse_case(ratio), pulse).code : 0;
     witness = witness || code != 0;
-    found += fmt::format("{}({:g} αg, {:.3f} s) lies above S_e on A for both dampings while a_g < {:.3f} g; a pulse with ω_p/p = {:g} and amplitude {:.3f} g ends with code {:+d}", found.empty() ? "" : "; ", amplitude, period, passes, ratio, 0.99 * passes, code);
+    found += fmt::format("{}({:g} αg, {:.3f} s) lies above S_e on A for both dampings while a_g < {:.3f} g; a pulse with ω_p/p = {:g} and amplitude {:.3f} g {}", found.empty() ? "" : "; ", amplitude, period, passes, ratio, 0.99 * passes, code == 0 ? std::string("does not overturn it") : fmt::format("overturns it (code {:+d})", code));
     if (pulse > slow.from && code == 0) found += fmt::format(", one with ω_p/p = 0.5 overturns from {:.3f} g on", 0.25 * slow.from), witness = true;
   }
   if (!witness) return undecided(found, "No counterexample was found among one-sine pulses.");

@@ -99,7 +99,7 @@ std::vector<Reading> period_readings(Thresholds& bench, double omega_ratio, doub
     const double psi = std::asin(1 / amplitude.value);
     for (const bool cut : {false, true})
       for (const bool cut_psi : {false, true})
-        list.push_back({fmt::format("T_ex, {}, 2*pi = {}, psi = {}", amplitude.says, cut ? "6.28" : "exact",
+        list.push_back({fmt::format("T_ex, {}, 2*pi = {}, psi {}", amplitude.says, cut ? "6.28" : "exact",
                                     cut_psi ? "with pi = 3.14" : "exact"),
                         (2 * (cut ? short_pi : pi) - psi * (cut_psi ? short_pi / pi : 1)) / omega});
   }
