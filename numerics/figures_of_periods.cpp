@@ -62,7 +62,7 @@ Curve period_curve(const Case& shown, Work work) {
 Panel period_panel(std::string title) {
   Panel panel;
   panel.title = std::move(title), panel.x_label = period_label, panel.y_label = acceleration_label;
-  panel.x_range = {0, 4}, panel.y_range = {0, 1.5}, panel.key = "top right";
+  panel.x_range = {0, 4}, panel.y_range = {0, 1.5}, panel.key = "top right width -14";
   return panel;
 }
 

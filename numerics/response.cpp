@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
 namespace rederive {
 namespace {
 
-/// Impacts slower than this, in units of alpha p, are at the end of a chain: 1e-18 of the barrier in energy.
+/// Where a history is wanted, impacts slower than this, in units of alpha p, are at the end of a chain; where only
+/// the outcome is, any chain that is sure to be over in time may be cut short sooner.
 constexpr Real rest_speed = 1e-9L;
+constexpr Real soon_at_rest = 1e-3L;
 constexpr int most_impacts = 500'000;
 
 /// Without loss (e = 1) a chain never ends: after so many impacts, hops slower than this count as rest, too.
@@ -90,22 +93,31 @@ class Walk {
     response_.side = -response_.side;
     response_.end.velocity = after;
     response_.last_launch = response_.end.time;
-    if (std::abs(after) < rest_speed || (total_ > many_impacts && std::abs(after) < slow)) settle(piece);
+    const Real small = keep_ ? rest_speed : soon_at_rest;
+    if (std::abs(after) < small || (total_ > many_impacts && std::abs(after) < slow)) settle(piece);
   }
 
-  /// Ends a chain of impacts whose remaining duration fits in before the ground can start the block again.
+  /// An upper bound, with a factor of two to spare, of how long a chain lasts that slows down by `room` (level - |g|)
+  /// at least: each hop 2 v/room, each e times the one before. Infinite if hops are not short beside it.
+  Real chain_duration(Real room) const {
+    const Real speed = std::abs(response_.end.velocity), slowing = std::cos(static_cast<Real>(block_.alpha)) * room;
+    if (!(slowing > 4 * speed)) return std::numeric_limits<Real>::infinity();
+    return 4 * speed / (std::max<Real>(1 - block_.restitution, 1e-4L) * slowing);
+  }
+
+  /// Ends a chain of impacts that is over before the ground can start the block again.
   void settle(const Piece& piece) {
     Point& at = response_.end;
-    const Real room = level_ - std::abs(ground_at(piece, at.time));
-    const Real slowing =
-        std::cos(static_cast<Real>(block_.alpha)) * room;  // at most the true one in both models
-    const Real loss = std::max<Real>(1 - block_.restitution, 1e-4L);
-    const Real chain = 2 * std::abs(at.velocity) / (loss * slowing);
-    if (!(room > 0 && (chain < 1e-3L || total_ > many_impacts))) return;
-    const Real over = std::min(piece.to, at.time + chain);
-    const Range range = ground_range(piece, at.time, over);
-    if (range.high >= level_ || range.low <= -level_) return;
-    at = {over, 0, 0};
+    const auto room_until = [&](Real time) {
+      const Range range = ground_range(piece, at.time, time);
+      return level_ - std::max(range.high, -range.low);
+    };
+    const Real first = chain_duration(room_until(at.time));
+    const Real over = std::min(piece.to, at.time + 2 * first);
+    const bool lossless = total_ > many_impacts;
+    if (!lossless && !(at.time + chain_duration(room_until(over)) <= over)) return;
+    if (lossless && !(room_until(at.time) > 0)) return;
+    at = {lossless ? at.time : std::min(over, at.time + first / 2), 0, 0};
     response_.side = 0;
     ++response_.rests;
     note(EventKind::rest, 0);
