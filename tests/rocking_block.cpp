@@ -15,11 +15,6 @@ namespace {
 
 const Side sides[] = {Side::negative, Side::positive};
 
-ex put_in(ex e, const std::vector<Given>& given) {
-  for (const Given& g : given) e = e.subs(g.name == g.value);
-  return e;
-}
-
 /// What becomes of an expression in the mirror: left and right exchanged.
 ex mirrored(const ex& e) {
   const Letters& s = letters();
