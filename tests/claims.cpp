@@ -1,11 +1,11 @@
 // The claims of the text: decided by computation, so that another printed number gives another verdict.
-#include "run_program.hpp"
-
 #include <doctest/doctest.h>
-#include <nlohmann/json.hpp>
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
+
+#include "run_program.hpp"
 
 namespace {
 
@@ -27,7 +27,8 @@ Result with_change(const std::string& id, const std::string& from, const std::st
 
 Json claim_of(const Result& result) { return Json::parse(result.out)["claims"].at(0); }
 
-TEST_CASE("all claims together: every verdict as expected, every one with what was found, the same bytes twice") {
+TEST_CASE(
+    "all claims together: every verdict as expected, every one with what was found, the same bytes twice") {
   const Result first = run_program("ledger", {"claims", "--json"});
   CHECK(first.exit_code == 0);
   CHECK(first.err.empty());
@@ -40,7 +41,8 @@ TEST_CASE("all claims together: every verdict as expected, every one with what w
     CAPTURE(id);
     CHECK(ids.insert(id).second);
     CHECK(claim["verdict"] == claim["expected"]);
-    for (const char* key : {"where", "statement", "found", "explanation"}) CHECK_FALSE(claim[key].get<std::string>().empty());
+    for (const char* key : {"where", "statement", "found", "explanation"})
+      CHECK_FALSE(claim[key].get<std::string>().empty());
     CHECK(claim["printed"].is_string());
     ++verdicts[claim["verdict"]];
   }
@@ -74,16 +76,20 @@ TEST_CASE("other printed numbers get other verdicts") {
     const Result result = with_change(change.id, change.from, change.to);
     CHECK(claim_of(result)["verdict"] == change.verdict);
   }
-  const Result as_labelled = with_change("c54", "printed = \"2.35766/2.35771\"", "printed = \"2.34985/2.34995\"");
+  const Result as_labelled =
+      with_change("c54", "printed = \"2.35766/2.35771\"", "printed = \"2.34985/2.34995\"");
   CHECK(claim_of(as_labelled)["verdict"] == "confirmed");
   CHECK(as_labelled.exit_code == 1);
 }
 
 TEST_CASE("printed numbers are read in every way that has a name") {
-  const auto found = [](const std::string& id) { return claim_of(run_program("ledger", {"claims", id, "--json"}))["found"].get<std::string>(); };
+  const auto found = [](const std::string& id) {
+    return claim_of(run_program("ledger", {"claims", id, "--json"}))["found"].get<std::string>();
+  };
   CHECK(found("c54").find("nonlinear, alpha = 0.25, in g*tan(alpha): 2.35768") != std::string::npos);
   CHECK(found("c55").find("nonlinear, alpha = 0.25, in g*tan(alpha): 5.32301") != std::string::npos);
-  CHECK(found("c61").find("nonlinear, alpha = 0.25, e = 0.9, reciprocal of g*tan(alpha): 0.71155") != std::string::npos);
+  CHECK(found("c61").find("nonlinear, alpha = 0.25, e = 0.9, reciprocal of g*tan(alpha): 0.71155") !=
+        std::string::npos);
   CHECK(found("c71").find("2*pi = 6.28") != std::string::npos);
   CHECK(found("c57b").find("none of") != std::string::npos);
 }
@@ -99,7 +105,8 @@ TEST_CASE("one claim is told in full, an unknown one is refused") {
 }
 
 TEST_CASE("a claims file that cannot be used is refused with its place") {
-  const Result unknown_check = with_change("c25", "check = \"restitution_of_statues\"", "check = \"guesswork\"");
+  const Result unknown_check =
+      with_change("c25", "check = \"restitution_of_statues\"", "check = \"guesswork\"");
   CHECK(unknown_check.exit_code == 2);
   CHECK(unknown_check.err.find("guesswork") != std::string::npos);
   const Result unknown_key = with_change("c25", "where = ", "whence = ");

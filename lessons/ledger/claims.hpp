@@ -45,7 +45,8 @@ std::vector<Claim> read_claims(const std::filesystem::path& file);
 /// Decides one claim. Throws std::runtime_error if its check is not listed.
 JudgedClaim judge(const Claim& claim, Workbench& bench);
 
-/// {"claims": [{"id", "where", "statement", "verdict", "printed", "found", "explanation", "expected", "method"}]}
+/// {"claims": [{"id", "where", "statement", "verdict", "printed", "found", "explanation", "expected",
+/// "method"}]}
 nlohmann::ordered_json claims_json(const std::vector<JudgedClaim>& judged);
 /// A few lines a claim, counts by verdict at the end; `colour` for terminals.
 std::string claims_table(const std::vector<JudgedClaim>& judged, bool colour);

@@ -1,11 +1,10 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <derivations/command_line.hpp>
 #include <lessons/ledger/claims.hpp>
 #include <lessons/ledger/claims_command.hpp>
 #include <lessons/ledger/claims_workbench.hpp>
-
-#include <fmt/format.h>
-
-#include <algorithm>
 
 namespace rederive {
 
@@ -19,7 +18,9 @@ std::vector<Claim> asked_for(const std::string& file, const std::string& id) {
     throw BadInput(error.what());
   }
   for (const Claim& claim : claims)
-    if (!claim_checks().contains(claim.check)) throw BadInput(file + ": claim " + claim.id + " names the check '" + claim.check + "', which there is not");
+    if (!claim_checks().contains(claim.check))
+      throw BadInput(file + ": claim " + claim.id + " names the check '" + claim.check +
+                     "', which there is not");
   if (id.empty()) return claims;
   std::erase_if(claims, [&](const Claim& claim) { return claim.id != id; });
   if (claims.empty()) throw BadInput("there is no claim '" + id + "'; 'ledger claims' lists them all");
@@ -36,9 +37,12 @@ int show_claims(const std::string& file, const std::string& id, bool json) {
     judged.push_back(judge(claim, bench));
   }
   if (is_lively(2)) fmt::print(stderr, "\r{:<8}\r", "");
-  const std::string text = json ? claims_json(judged).dump(2) + "\n" : id.empty() ? claims_table(judged, is_lively(1)) : claim_page(judged.front(), is_lively(1));
+  const std::string text = json         ? claims_json(judged).dump(2) + "\n"
+                           : id.empty() ? claims_table(judged, is_lively(1))
+                                        : claim_page(judged.front(), is_lively(1));
   std::fputs(text.c_str(), stdout);
-  const bool fine = std::all_of(judged.begin(), judged.end(), [](const JudgedClaim& one) { return one.as_expected(); });
+  const bool fine =
+      std::all_of(judged.begin(), judged.end(), [](const JudgedClaim& one) { return one.as_expected(); });
   return fine ? as_expected : not_as_expected;
 }
 

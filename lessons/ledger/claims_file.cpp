@@ -1,10 +1,10 @@
 // claims.toml → claims. Every complaint names the file, the row and what would be right.
-#include <lessons/ledger/claims.hpp>
-#include <derivations/paper/ledger.hpp>
+#include <toml++/toml.h>
 
+#include <derivations/paper/ledger.hpp>
+#include <lessons/ledger/claims.hpp>
 #include <set>
 #include <stdexcept>
-#include <toml++/toml.h>
 
 namespace rederive {
 
@@ -13,8 +13,9 @@ namespace {
 Claim read_claim(const toml::table& table, const std::string& where) {
   Claim claim;
   const std::map<std::string, std::string*> fields{
-      {"id", &claim.id},           {"where", &claim.where}, {"statement", &claim.statement}, {"printed", &claim.printed},
-      {"expected", &claim.expected}, {"check", &claim.check}, {"method", &claim.method}};
+      {"id", &claim.id},           {"where", &claim.where},       {"statement", &claim.statement},
+      {"printed", &claim.printed}, {"expected", &claim.expected}, {"check", &claim.check},
+      {"method", &claim.method}};
   const auto fail = [&](const std::string& what) { throw std::runtime_error(where + ": " + what); };
   for (const auto& [key, value] : table) {
     const auto field = fields.find(std::string(key.str()));
@@ -28,7 +29,8 @@ Claim read_claim(const toml::table& table, const std::string& where) {
   }
   for (const char* needed : {"id", "where", "statement", "expected", "check", "method"})
     if (fields.at(needed)->empty()) fail(std::string("a claim needs '") + needed + "'");
-  for (const ClaimVerdict verdict : {ClaimVerdict::confirmed, ClaimVerdict::refuted, ClaimVerdict::qualified, ClaimVerdict::undecided})
+  for (const ClaimVerdict verdict :
+       {ClaimVerdict::confirmed, ClaimVerdict::refuted, ClaimVerdict::qualified, ClaimVerdict::undecided})
     if (to_string(verdict) == claim.expected) return claim;
   fail("claim " + claim.id + ": 'expected' is one of confirmed, refuted, qualified, undecided");
   return claim;
@@ -38,10 +40,14 @@ Claim read_claim(const toml::table& table, const std::string& where) {
 
 std::string to_string(ClaimVerdict verdict) {
   switch (verdict) {
-    case ClaimVerdict::confirmed: return "confirmed";
-    case ClaimVerdict::refuted: return "refuted";
-    case ClaimVerdict::qualified: return "qualified";
-    default: return "undecided";
+    case ClaimVerdict::confirmed:
+      return "confirmed";
+    case ClaimVerdict::refuted:
+      return "refuted";
+    case ClaimVerdict::qualified:
+      return "qualified";
+    default:
+      return "undecided";
   }
 }
 
@@ -58,17 +64,20 @@ std::vector<Claim> read_claims(const std::filesystem::path& file) {
       const std::string where = file.string() + ":" + std::to_string(entry.source().begin.line);
       if (!entry.is_table()) throw std::runtime_error(where + ": [[claim]] must be a table");
       claims.push_back(read_claim(*entry.as_table(), where));
-      if (!ids.insert(claims.back().id).second) throw std::runtime_error(where + ": the id " + claims.back().id + " stands twice");
+      if (!ids.insert(claims.back().id).second)
+        throw std::runtime_error(where + ": the id " + claims.back().id + " stands twice");
     }
   } catch (const toml::parse_error& error) {
-    throw std::runtime_error(file.string() + ":" + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
+    throw std::runtime_error(file.string() + ":" + std::to_string(error.source().begin.line) + ": " +
+                             std::string(error.description()));
   }
   return claims;
 }
 
 JudgedClaim judge(const Claim& claim, Workbench& bench) {
   const auto check = claim_checks().find(claim.check);
-  if (check == claim_checks().end()) throw std::runtime_error("claim " + claim.id + ": there is no check '" + claim.check + "'");
+  if (check == claim_checks().end())
+    throw std::runtime_error("claim " + claim.id + ": there is no check '" + claim.check + "'");
   return {claim, check->second(bench, claim)};
 }
 

@@ -1,8 +1,6 @@
-#include <lessons/ledger/claims_motion.hpp>
-
-#include <emitted/rocking_block.hpp>
-
 #include <algorithm>
+#include <emitted/rocking_block.hpp>
+#include <lessons/ledger/claims_motion.hpp>
 #include <limits>
 
 namespace rederive {
@@ -31,12 +29,15 @@ FrictionRange friction_range(const PulseCase& asked, double amplitude) {
   const double alpha = asked.block.alpha, one = 1;
   FrictionRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const Sample& sample : samples_at(asked, amplitude)) {
-    const double theta = alpha * static_cast<double>(sample.angle), thetadot = alpha * static_cast<double>(sample.velocity);
+    const double theta = alpha * static_cast<double>(sample.angle),
+                 thetadot = alpha * static_cast<double>(sample.velocity);
     const double ground = alpha * static_cast<double>(sample.ground);
     if (theta == 0) continue;
     const bool left = theta < 0;
-    const double h = left ? emitted::horizontal_reaction_negative(alpha, theta, thetadot, ground, one) : emitted::horizontal_reaction_positive(alpha, theta, thetadot, ground, one);
-    const double v = left ? emitted::vertical_reaction_negative(alpha, theta, thetadot, ground, one) : emitted::vertical_reaction_positive(alpha, theta, thetadot, ground, one);
+    const double h = left ? emitted::horizontal_reaction_negative(alpha, theta, thetadot, ground, one)
+                          : emitted::horizontal_reaction_positive(alpha, theta, thetadot, ground, one);
+    const double v = left ? emitted::vertical_reaction_negative(alpha, theta, thetadot, ground, one)
+                          : emitted::vertical_reaction_positive(alpha, theta, thetadot, ground, one);
     const double ratio = v > 0 ? h / v : std::numeric_limits<double>::infinity();
     range = {std::min(range.least, ratio), std::max(range.most, ratio)};
   }

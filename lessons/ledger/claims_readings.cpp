@@ -1,9 +1,8 @@
-#include <lessons/ledger/claims_readings.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <lessons/ledger/claims_readings.hpp>
 #include <numbers>
 
 namespace rederive {
@@ -22,11 +21,13 @@ std::vector<Shape> shapes(double omega_ratio, bool with_impact) {
   std::vector<Shape> list;
   for (const Model model : {Model::linear, Model::nonlinear})
     for (const bool ratio : {false, true})
-      for (const std::optional<double> e : {std::optional<double>{}, std::optional<double>{0.9}, std::optional<double>{1.0}}) {
+      for (const std::optional<double> e :
+           {std::optional<double>{}, std::optional<double>{0.9}, std::optional<double>{1.0}}) {
         if (!with_impact && e) continue;
         if (model == Model::linear && ratio && (e || !with_impact)) continue;  // free of alpha but for e
         const double alpha = ratio ? std::atan(0.25) : 0.25;
-        std::string says = fmt::format("{}, alpha = {}", model == Model::linear ? "linear" : "nonlinear", ratio ? "atan(0.25)" : "0.25");
+        std::string says = fmt::format("{}, alpha = {}", model == Model::linear ? "linear" : "nonlinear",
+                                       ratio ? "atan(0.25)" : "0.25");
         if (with_impact) says += e ? fmt::format(", e = {:g}", *e) : std::string(", e of (46)");
         list.push_back({says, with_alpha(pulse_case(omega_ratio, model), alpha, e)});
       }
@@ -34,7 +35,8 @@ std::vector<Shape> shapes(double omega_ratio, bool with_impact) {
 }
 
 std::string summary_of(const Match& match) {
-  return fmt::format("{}: {:.7g} ({:+.2f} of the last digit)", match.reading.says, match.reading.value, match.off);
+  return fmt::format("{}: {:.7g} ({:+.2f} of the last digit)", match.reading.says, match.reading.value,
+                     match.off);
 }
 
 }  // namespace
@@ -48,11 +50,13 @@ std::vector<Match> compare_with(const std::string& printed, const std::vector<Re
     const double off = (reading.value - value) / unit;
     matches.push_back({reading, off, std::abs(off) <= 0.5, off >= 0 && off < 1});
   }
-  std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) { return std::abs(a.off) < std::abs(b.off); });
+  std::stable_sort(matches.begin(), matches.end(),
+                   [](const Match& a, const Match& b) { return std::abs(a.off) < std::abs(b.off); });
   return matches;
 }
 
-std::vector<Reading> between(const std::string& one, const std::string& other, const std::vector<Reading>& readings) {
+std::vector<Reading> between(const std::string& one, const std::string& other,
+                             const std::vector<Reading>& readings) {
   const double a = std::stod(one), b = std::stod(other), low = std::min(a, b), high = std::max(a, b);
   std::vector<Reading> inside;
   for (const Reading& reading : readings)
@@ -81,7 +85,9 @@ std::vector<Reading> threshold_readings(Thresholds& bench, double omega_ratio, i
     const auto amplitude = impacts == 0 ? bench.mode_1(shape.asked) : bench.mode_2(shape.asked);
     if (!amplitude) continue;
     const double alpha = shape.asked.block.alpha;
-    const std::vector<Reading> units{{"alpha*g", *amplitude}, {"g*tan(alpha)", in_tangent(shape.asked, *amplitude)}, {"g", *amplitude * alpha}};
+    const std::vector<Reading> units{{"alpha*g", *amplitude},
+                                     {"g*tan(alpha)", in_tangent(shape.asked, *amplitude)},
+                                     {"g", *amplitude * alpha}};
     for (const Reading& unit : units) {
       list.push_back({shape.says + ", in " + unit.says, unit.value});
       list.push_back({shape.says + ", reciprocal of " + unit.says, 1 / unit.value});

@@ -1,9 +1,8 @@
 // Judged claims as a table, a page and JSON.
-#include <lessons/ledger/claims.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <lessons/ledger/claims.hpp>
 #include <sstream>
 
 namespace rederive {
@@ -14,12 +13,15 @@ constexpr std::size_t width = 100;
 
 std::string painted(const std::string& text, ClaimVerdict verdict, bool colour) {
   if (!colour) return text;
-  const char* code = verdict == ClaimVerdict::refuted ? "31" : verdict == ClaimVerdict::confirmed ? "32" : "33";
+  const char* code = verdict == ClaimVerdict::refuted     ? "31"
+                     : verdict == ClaimVerdict::confirmed ? "32"
+                                                          : "33";
   return fmt::format("\033[{}m{}\033[0m", code, text);
 }
 
 std::size_t letters_in(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 /// Words filled into lines behind a margin; the first line begins with `head`.
@@ -47,9 +49,15 @@ std::string unexpected(const JudgedClaim& judged) {
 nlohmann::ordered_json claims_json(const std::vector<JudgedClaim>& judged) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const auto& [claim, finding] : judged)
-    list.push_back({{"id", claim.id}, {"where", claim.where}, {"statement", claim.statement},
-                    {"verdict", to_string(finding.verdict)}, {"printed", claim.printed}, {"found", finding.found},
-                    {"explanation", finding.explanation}, {"expected", claim.expected}, {"method", claim.method}});
+    list.push_back({{"id", claim.id},
+                    {"where", claim.where},
+                    {"statement", claim.statement},
+                    {"verdict", to_string(finding.verdict)},
+                    {"printed", claim.printed},
+                    {"found", finding.found},
+                    {"explanation", finding.explanation},
+                    {"expected", claim.expected},
+                    {"method", claim.method}});
   return {{"claims", list}};
 }
 
@@ -61,8 +69,11 @@ std::string claims_table(const std::vector<JudgedClaim>& judged, bool colour) {
     const auto& [claim, finding] = one;
     const std::string verdict = to_string(finding.verdict);
     ++counts[verdict];
-    text += fmt::format("{:<6} {}  {}{}\n", claim.id, painted(fmt::format("{:<9}", verdict), finding.verdict, colour), claim.where, unexpected(one));
-    text += filled(margin, margin, claim.statement) + filled(margin + "-> ", margin + "   ", finding.found) + "\n";
+    text += fmt::format("{:<6} {}  {}{}\n", claim.id,
+                        painted(fmt::format("{:<9}", verdict), finding.verdict, colour), claim.where,
+                        unexpected(one));
+    text += filled(margin, margin, claim.statement) + filled(margin + "-> ", margin + "   ", finding.found) +
+            "\n";
   }
   text += fmt::format("{} claims:", judged.size());
   for (const auto& [verdict, count] : counts) text += fmt::format(" {} {},", count, verdict);
@@ -78,7 +89,8 @@ std::string claim_page(const JudgedClaim& judged, bool colour) {
   };
   line("the paper", claim.statement);
   line("printed", claim.printed);
-  text += fmt::format("  {:<12} {}{}\n", "verdict", painted(to_string(finding.verdict), finding.verdict, colour), unexpected(judged));
+  text += fmt::format("  {:<12} {}{}\n", "verdict",
+                      painted(to_string(finding.verdict), finding.verdict, colour), unexpected(judged));
   line("found", finding.found);
   line("that means", finding.explanation);
   line("decided by", claim.method);

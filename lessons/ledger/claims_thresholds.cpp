@@ -1,9 +1,8 @@
-#include <lessons/ledger/claims_thresholds.hpp>
-#include <lessons/ledger/claims_workbench.hpp>
-
 #include <fmt/format.h>
 
 #include <cmath>
+#include <lessons/ledger/claims_thresholds.hpp>
+#include <lessons/ledger/claims_workbench.hpp>
 
 namespace rederive {
 
@@ -12,9 +11,9 @@ namespace {
 constexpr double largest = 20, factor = 1.02;
 
 std::string key_of(const PulseCase& asked) {
-  return fmt::format("{}/{}/{}/{}/{}/{}/{}", asked.block.alpha, asked.block.restitution, static_cast<int>(asked.model),
-                     static_cast<int>(asked.pulse), asked.omega_ratio, static_cast<double>(asked.initial.angle),
-                     static_cast<double>(asked.initial.velocity));
+  return fmt::format("{}/{}/{}/{}/{}/{}/{}", asked.block.alpha, asked.block.restitution,
+                     static_cast<int>(asked.model), static_cast<int>(asked.pulse), asked.omega_ratio,
+                     static_cast<double>(asked.initial.angle), static_cast<double>(asked.initial.velocity));
 }
 
 template <class Value, class Make>
@@ -31,7 +30,8 @@ const std::vector<Window>& Thresholds::windows(const PulseCase& asked) {
   return kept(windows_, key_of(asked), [&] { return overturning_windows(asked); });
 }
 
-/// The region of one code is connected: from the first (or last) amplitude of a row of them that has it, bisect.
+/// The region of one code is connected: from the first (or last) amplitude of a row of them that has it,
+/// bisect.
 std::optional<double> Thresholds::edge(const PulseCase& asked, int code, bool upper) {
   return kept(edges_, fmt::format("{}/{}/{}", key_of(asked), code, upper), [&]() -> std::optional<double> {
     const double least = static_cast<double>(start_level(asked.block, asked.model)) * (1 + 1e-9);
@@ -50,9 +50,15 @@ std::optional<double> Thresholds::edge(const PulseCase& asked, int code, bool up
   });
 }
 
-std::optional<double> Thresholds::mode_1(const PulseCase& asked) { return edge(asked, asked.pulse == Pulse::sine ? -1 : 1, false); }
-std::optional<double> Thresholds::mode_2(const PulseCase& asked) { return edge(asked, asked.pulse == Pulse::sine ? 2 : -2, false); }
-std::optional<double> Thresholds::mode_2_upper(const PulseCase& asked) { return edge(asked, asked.pulse == Pulse::sine ? 2 : -2, true); }
+std::optional<double> Thresholds::mode_1(const PulseCase& asked) {
+  return edge(asked, asked.pulse == Pulse::sine ? -1 : 1, false);
+}
+std::optional<double> Thresholds::mode_2(const PulseCase& asked) {
+  return edge(asked, asked.pulse == Pulse::sine ? 2 : -2, false);
+}
+std::optional<double> Thresholds::mode_2_upper(const PulseCase& asked) {
+  return edge(asked, asked.pulse == Pulse::sine ? 2 : -2, true);
+}
 
 Window Thresholds::least(const PulseCase& asked) {
   const auto window = least_window(windows(asked));
@@ -91,6 +97,8 @@ std::vector<ClosedForm> roots_of(Form form, const PulseCase& asked) {
   return roots;
 }
 
-double in_tangent(const PulseCase& asked, double amplitude) { return amplitude * asked.block.alpha / std::tan(asked.block.alpha); }
+double in_tangent(const PulseCase& asked, double amplitude) {
+  return amplitude * asked.block.alpha / std::tan(asked.block.alpha);
+}
 
 }  // namespace rederive

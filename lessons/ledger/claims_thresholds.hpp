@@ -1,11 +1,11 @@
-// Thresholds of the paper's pulses, each computed once. This header and those of the derivations do not go together.
+// Thresholds of the paper's pulses, each computed once. This header and those of the derivations do not go
+// together.
 #pragma once
 
 #include <lessons/ledger/claims_verdicts.hpp>
 #include <numerics/closed_form.hpp>
 #include <numerics/special.hpp>
 #include <numerics/windows.hpp>
-
 #include <optional>
 
 namespace rederive {

@@ -1,9 +1,9 @@
+#include <fmt/format.h>
+
+#include <derivations/algebra/print.hpp>
 #include <lessons/ledger/claims_rows.hpp>
 #include <lessons/ledger/claims_verdicts.hpp>
 #include <lessons/ledger/claims_workbench.hpp>
-
-#include <derivations/algebra/print.hpp>
-#include <fmt/format.h>
 
 namespace rederive {
 
@@ -19,30 +19,43 @@ const Entry& JudgedRows::at(const std::string& id) {
 
 std::string fixed(double value, int digits) {
   const std::string text = fmt::format("{:.{}f}", value, digits);
-  return text.find_first_of("123456789") == std::string::npos && text[0] == '-' ? text.substr(1) : text;  // no "-0.0000"
+  return text.find_first_of("123456789") == std::string::npos && text[0] == '-' ? text.substr(1)
+                                                                                : text;  // no "-0.0000"
 }
 
 std::string paired(const std::vector<std::pair<double, double>>& pairs, int digits) {
   std::string text;
-  for (const auto& [at, value] : pairs) text += fmt::format("{}{:g}: {:.{}f}", text.empty() ? "" : ", ", at, value, digits);
+  for (const auto& [at, value] : pairs)
+    text += fmt::format("{}{:g}: {:.{}f}", text.empty() ? "" : ", ", at, value, digits);
   return text;
 }
 
-Finding confirmed(std::string found, std::string explanation) { return {ClaimVerdict::confirmed, std::move(found), std::move(explanation)}; }
-Finding refuted(std::string found, std::string explanation) { return {ClaimVerdict::refuted, std::move(found), std::move(explanation)}; }
-Finding qualified(std::string found, std::string explanation) { return {ClaimVerdict::qualified, std::move(found), std::move(explanation)}; }
-Finding undecided(std::string found, std::string explanation) { return {ClaimVerdict::undecided, std::move(found), std::move(explanation)}; }
+Finding confirmed(std::string found, std::string explanation) {
+  return {ClaimVerdict::confirmed, std::move(found), std::move(explanation)};
+}
+Finding refuted(std::string found, std::string explanation) {
+  return {ClaimVerdict::refuted, std::move(found), std::move(explanation)};
+}
+Finding qualified(std::string found, std::string explanation) {
+  return {ClaimVerdict::qualified, std::move(found), std::move(explanation)};
+}
+Finding undecided(std::string found, std::string explanation) {
+  return {ClaimVerdict::undecided, std::move(found), std::move(explanation)};
+}
 
 Finding decided(bool holds, std::string found, std::string if_so, std::string if_not) {
   return holds ? confirmed(std::move(found), std::move(if_so)) : refuted(std::move(found), std::move(if_not));
 }
 
-std::string row_verdict(Workbench& bench, const std::string& id) { return to_string(bench.rows().at(id).proof.verdict); }
+std::string row_verdict(Workbench& bench, const std::string& id) {
+  return to_string(bench.rows().at(id).proof.verdict);
+}
 
 bool rows_stand(Workbench& bench, const std::vector<std::string>& ids) {
   for (const std::string& id : ids) {
     const Verdict verdict = bench.rows().at(id).proof.verdict;
-    if (verdict != Verdict::proved && verdict != Verdict::proved_under && verdict != Verdict::approximation) return false;
+    if (verdict != Verdict::proved && verdict != Verdict::proved_under && verdict != Verdict::approximation)
+      return false;
   }
   return true;
 }
@@ -52,7 +65,8 @@ std::string rows_say(Workbench& bench, const std::vector<std::string>& ids) {
   for (const std::string& id : ids) {
     const Entry& entry = bench.rows().at(id);
     text += fmt::format("{}({}) {}", text.empty() ? "" : ", ", id, to_string(entry.proof.verdict));
-    if (!entry.correction.empty()) text += ": right is " + print(parse_statement(entry.correction), Notation::unicode);
+    if (!entry.correction.empty())
+      text += ": right is " + print(parse_statement(entry.correction), Notation::unicode);
   }
   return text;
 }

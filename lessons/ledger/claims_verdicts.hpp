@@ -18,7 +18,6 @@ Finding undecided(std::string found, std::string explanation);
 /// confirmed where it holds, else refuted.
 Finding decided(bool holds, std::string found, std::string if_so, std::string if_not);
 
-
 /// The verdict of a row of equations.toml, as a word.
 std::string row_verdict(Workbench& bench, const std::string& id);
 /// Whether all these rows are proved, proved_under or approximation.

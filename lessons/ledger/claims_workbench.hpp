@@ -10,8 +10,8 @@ class Thresholds;
 std::shared_ptr<JudgedRows> make_judged_rows();
 std::shared_ptr<Thresholds> make_thresholds();
 
-/// One bench serves all claims of one run. Derivations and numerics stay behind their own headers, claims_rows.hpp
-/// and claims_thresholds.hpp.
+/// One bench serves all claims of one run. Derivations and numerics stay behind their own headers,
+/// claims_rows.hpp and claims_thresholds.hpp.
 class Workbench {
  public:
   Workbench() : rows_(make_judged_rows()), thresholds_(make_thresholds()) {}
