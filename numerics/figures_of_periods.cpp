@@ -25,7 +25,7 @@ struct Case {
 std::vector<Case> paper_cases() {
   return {{"(71) sine, from rest", Pulse::sine, 0, 0, Form::eq71, 1, false},
           {"(104) sine, -0.01 rad, -0.1 rad/s", Pulse::sine, -0.01, -0.1, Form::eq104, 2, false},
-          {"(86)&(88), (92a)&(96) sine, one impact, from rest", Pulse::sine, 0, 0, Form::eq86_88, 3, false},
+          {"(86)&(88), (92a)&(96) sine, one impact", Pulse::sine, 0, 0, Form::eq86_88, 3, false},
           {"(103) cosine, 0.01 rad, 0.1 rad/s", Pulse::cosine, 0.01, 0.1, Form::eq103, 4, false},
           {"(103) cosine, from rest: not admissible", Pulse::cosine, 0, 0, Form::eq103, 1, true}};
 }
@@ -62,7 +62,7 @@ Curve period_curve(const Case& shown, Work work) {
 Panel period_panel(std::string title) {
   Panel panel;
   panel.title = std::move(title), panel.x_label = period_label, panel.y_label = acceleration_label;
-  panel.x_range = {0, 4}, panel.y_range = {0, 1.5}, panel.key = "top right width -14";
+  panel.x_range = {0, 4}, panel.y_range = {0, 1.5}, panel.key = "top right width -10";
   return panel;
 }
 
