@@ -92,7 +92,7 @@ std::vector<ConditionRoot> condition_roots(const Experiment& experiment) {
   std::vector<ConditionRoot> result;
   for (const auto& root : closed_forms(case_of(experiment)))
     result.push_back({joined(root.equations()), root.amplitude, root.psi, root.impact_time, root.pulse_end,
-                      root.admissible, root.why_not});
+                      root.admissible, root.why_not.substr(0, root.why_not.find(':'))});
   return result;
 }
 

@@ -53,7 +53,7 @@ struct ConditionRoot {
   std::optional<double> impact_time;
   double pulse_end;
   bool admissible;
-  std::string why_not;
+  std::string why_not;  ///< in short; `rocking threshold` says more
 };
 std::vector<ConditionRoot> condition_roots(const Experiment& experiment);
 

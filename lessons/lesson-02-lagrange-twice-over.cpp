@@ -75,9 +75,9 @@ void train(Page& page) {
   page.result("7b");
   page.result("8");
   page.say(R"(
-    and in the difference, which is what Lagrange's equation takes, they are gone. A student once forgot the second term
-    of (7b), the one that comes from differentiating the cosine. The equation that resulted said that a block in a
-    train tips over at 200 km/h. Check: does it? Then one term is missing.)");
+    and in the difference, which is what Lagrange's equation takes, they are gone. Forget the second term
+    of (7b), the one that comes from differentiating the cosine, and you have an equation by which a block in a train
+    tips over at 200 km/h although the train runs smoothly. When an equation says that, look for the missing term.)");
 }
 
 void try_it(Page& page) {
@@ -86,7 +86,7 @@ void try_it(Page& page) {
   page.points({"About which other point could one take moments, and what would one have to know then? (Exercise "
                "moment-of-weight begins with the corner.)",
                "The block is turned into a cylinder of the same $R$ and $alpha$. Which numbers in (21) change? "
-               "(Exercise inertia-about-corner.)",
+               "(Exercise inertia-about-corner is about the rectangle.)",
                "State the mirror symmetry for the *energies* (22a) and (22b). Careful: there is a trap, and lesson 3 "
                "walks into it with open eyes."});
 }

@@ -97,18 +97,18 @@ void numbers(Page& page) {
   page.say(fmt::format(R"(
     For $alpha = 0.25$ (46) gives {:.3f}; with the force a quarter of the half width inside, $d = b/4$, it would be {:.3f}. So without
     bouncing (46) is the *least* that one should expect, not the most: a block on a slightly hollow base rocks
-    longer than the theory says. Experiments find just that. A number without its assumptions is half a number.)",
+    longer than the theory says. Experiments often find just that. A number without its assumptions is half a number.)",
                        number_of(derived("46b").right, {{"alpha", "0.25"}}),
                        number_of(with(derived("r16").right, {{"d", "R*sin(alpha)/4"}}), {{"alpha", "0.25"}, {"R", "1"}})));
 }
 
 void decay(Page& page) {
-  Experiment experiment{.omega = 2, .amplitude = 1.6, .alpha = 0.25, .until = 14};
+  Experiment experiment{.omega = 2, .amplitude = 1.2, .alpha = 0.25, .until = 14};
   const Motion motion = motion_of(experiment);
   page.say(fmt::format(R"(
-    What does that do to a motion? Here a block is set rocking by a pulse of one sine of 1.6 times the rocking acceleration;
+    What does that do to a motion? Here a block is set rocking by a pulse of one sine of 1.2 times the rocking acceleration;
     the outcome, computed, is: {}. Each time the curve crosses zero the velocity is multiplied by $e$, and
-    as the swings become smaller they also become quicker, until they are over. A ringing coin does the same.)", in_words(motion.code)));
+    as the swings become smaller they also become quicker, until they are over. A coin that comes to rest on a table does the same.)", in_words(motion.code)));
   page.figure(plot("lesson-05-decay", "Rotation and rate of a block with $alpha = 0.25$ under one sine pulse; the rate jumps at each impact.",
                    "set xlabel 'p t'; set ylabel 'θ / α   and   rate / (α p)'",
                    {{motion.angle, "θ / α", "with lines ls 1"}, {motion.velocity, "rate / (α p)", "with lines ls 2"}}));
@@ -116,8 +116,8 @@ void decay(Page& page) {
 
 void try_it(Page& page) {
   page.commands({"build/bin/ledger show 46b", "build/bin/exercises show restitution",
-                 "build/bin/rocking response --omega 2 --amplitude 1.6 --until 14"});
-  page.points({"At which $b/h$ is $e$ zero? What does the block do then? (Exercise no-rocking.)",
+                 "build/bin/rocking response --omega 2 --amplitude 1.2 --until 14"});
+  page.points({"At which $b/h$ is $e$ zero? What does the block do then? (Begin with exercise restitution-of-a-statue.)",
                "What does $e$ become for a block with all its mass at the top? Do it by the second road. (Exercise mass-at-the-top.)",
                "The paper says in one sentence that the angular momentum is conserved, and in another that it is *not actually "
                "conserved*. Which angular momentum, and about which point? (Exercise which-momentum.)"});

@@ -115,7 +115,7 @@ void try_it(Page& page) {
   page.commands({"build/bin/rocking response --omega 2 --amplitude 2.2 --until 8", "build/bin/rocking response --omega 2 --amplitude 2.2 --until 8 --model nonlinear",
                  "build/bin/exercises show linear-equation"});
   page.points({"Why is there a minus before $p^2*theta$ in both lines of (56)? (Exercise linear-equation.)",
-               "How long does free rocking from $theta_0$ take to come back to upright? (Exercise quarter-period.)",
+               "How long does free rocking from $theta_0$ take to come back to upright? (Exercise release-from-rest is the first step.)",
                "What is $psi$ for a pulse of twice the rocking acceleration? In degrees? (Exercise phase-of-a-pulse.)"});
 }
 

@@ -106,8 +106,8 @@ void what_to_believe(Page& page) {
 
 void try_it(Page& page) {
   page.commands({"build/bin/rocking threshold --omega 5", "build/bin/rocking spectrum --from 0.5 --to 8 --points 60 --plot spectrum.png",
-                 "build/bin/rocking map --omega 1:8:200 --amplitude 1:10:200 --plot map.png", "build/bin/exercises show modes"});
-  page.points({"Which of these statements about overturning is true? (Exercise modes.)",
+                 "build/bin/rocking map --omega 1:8:200 --amplitude 1:10:200 --plot map.png", "build/bin/exercises show strike-near-first-mode"});
+  page.points({"With which velocity does a block strike that has almost overturned? (Exercise strike-near-first-mode.)",
                "What is the smallest amplitude that overturns at $omega_p/p = 3$? (Exercise least-amplitude.)",
                "What remains of the windows if there is no loss at the impact, $e = 1$? Try `--restitution 1`."});
 }

@@ -100,6 +100,8 @@ void write_lesson(const Lesson& lesson, const Flags& flags, const std::function<
 int run(const Lesson& lesson, const Flags& flags) {
   if (flags.step && (*flags.step < 1 || *flags.step > static_cast<int>(lesson.steps.size())))
     throw BadInput(fmt::format("--step {}: this lesson has the steps 1 to {}", *flags.step, lesson.steps.size()));
+  if (!flags.out.empty() && !fs::is_directory(fs::absolute(flags.out).parent_path()))
+    throw BadInput("--out " + flags.out + ": there is no such folder");
   std::string text;
   int code = as_expected;
   const auto put = [&](const std::string& part) {

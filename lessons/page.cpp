@@ -15,6 +15,15 @@ const std::vector<Row>& all_rows() {
   return rows;
 }
 
+/// Tangents as quotients, double angles halved, and what cancels cancelled, where that makes the expression shorter.
+GiNaC::ex simplified(const GiNaC::ex& expression) {
+  const GiNaC::ex any = GiNaC::wild();
+  const GiNaC::lst rules{GiNaC::tan(any) == GiNaC::sin(any) / GiNaC::cos(any),
+                         GiNaC::sin(2 * any) == 2 * GiNaC::sin(any) * GiNaC::cos(any)};
+  const GiNaC::ex shorter = expression.subs(rules).normal();
+  return print(shorter).size() < print(expression).size() ? shorter : expression;
+}
+
 /// A step's words with a capital letter, and with a colon where a formula follows.
 std::string as_sentence(std::string words, bool formula) {
   if (words.empty()) return words;
@@ -51,13 +60,14 @@ GiNaC::ex with(const GiNaC::ex& expression, const Values& values) {
 
 Relation derived_with(const std::string& id, const Values& values) {
   const Derivation derivation = derived(id);
-  return {{to_tree(with(derivation.left, values)), to_tree(with(derivation.right, values))}, {derivation.relation}};
+  const auto side = [&](const GiNaC::ex& value) { return to_tree(simplified(with(value, values))); };
+  return {{side(derivation.left), side(derivation.right)}, {derivation.relation}};
 }
 
 Relation printed_with(const std::string& id, const Values& values) {
   const Relation printed = parse_relation(judged(id).row.printed);
   const std::size_t last = printed.sides.size() - 1;
-  const auto side = [&](std::size_t i) { return to_tree(with(lower(printed.sides[i]), values)); };
+  const auto side = [&](std::size_t i) { return to_tree(simplified(with(lower(printed.sides[i]), values))); };
   return {{side(last - 1), side(last)}, {printed.operators.back()}};
 }
 

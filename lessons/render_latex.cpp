@@ -34,7 +34,20 @@ constexpr auto letters = R"(\DeclareUnicodeCharacter{03B1}{\ensuremath{\alpha}}
 \DeclareUnicodeCharacter{03BC}{\ensuremath{\mu}}
 \DeclareUnicodeCharacter{03BB}{\ensuremath{\lambda}}
 \DeclareUnicodeCharacter{03A9}{\ensuremath{\Omega}}
-\DeclareUnicodeCharacter{0307}{\textasciidot}
+\DeclareUnicodeCharacter{0307}{\ensuremath{^{\cdot}}}
+\DeclareUnicodeCharacter{0308}{\ensuremath{^{\cdot\cdot}}}
+\DeclareUnicodeCharacter{207A}{\ensuremath{^{+}}}
+\DeclareUnicodeCharacter{207B}{\ensuremath{^{-}}}
+\DeclareUnicodeCharacter{208A}{\ensuremath{_{+}}}
+\DeclareUnicodeCharacter{208B}{\ensuremath{_{-}}}
+\DeclareUnicodeCharacter{2080}{\ensuremath{_0}}
+\DeclareUnicodeCharacter{2081}{\ensuremath{_1}}
+\DeclareUnicodeCharacter{2082}{\ensuremath{_2}}
+\DeclareUnicodeCharacter{2083}{\ensuremath{_3}}
+\DeclareUnicodeCharacter{2084}{\ensuremath{_4}}
+\DeclareUnicodeCharacter{2070}{\ensuremath{^0}}
+\DeclareUnicodeCharacter{222B}{\ensuremath{\int}}
+\DeclareUnicodeCharacter{221A}{\ensuremath{\surd}}
 \DeclareUnicodeCharacter{2212}{\ensuremath{-}}
 \DeclareUnicodeCharacter{2202}{\ensuremath{\partial}}
 \DeclareUnicodeCharacter{2264}{\ensuremath{\le}}
@@ -44,7 +57,6 @@ constexpr auto letters = R"(\DeclareUnicodeCharacter{03B1}{\ensuremath{\alpha}}
 \DeclareUnicodeCharacter{2032}{\ensuremath{'}}
 \DeclareUnicodeCharacter{2192}{\ensuremath{\to}}
 \DeclareUnicodeCharacter{221E}{\ensuremath{\infty}}
-\newcommand{\textasciidot}{\.{}}
 )";
 
 std::string protect(const std::string& text) {

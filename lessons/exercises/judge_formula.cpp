@@ -84,23 +84,41 @@ std::optional<std::string> wrong_dimension(const Prepared& prepared, const Relat
                      unit_text(*wanted.dimension));
 }
 
-/// Does the answer approach the right one, in proportion, as all angles (or the rotation alone) go to zero?
+/// How far apart two signatures are, in proportion to the second.
+double distance(const Signature& left, const Signature& right) {
+  double error = 0;
+  for (std::size_t i = 0; i < left.size(); ++i)
+    error = std::max(error, std::abs(left[i] - right[i]) / (std::abs(right[i]) + 1e-300));
+  return error;
+}
+
+Signature minus(const Signature& left, const Signature& right) {
+  Signature result = left;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] -= right[i];
+  return result;
+}
+
+/// Does the answer approach the right one as all angles (or the rotation alone) go to zero? Compared is what the angles
+/// change, so that 1 + wrong*alpha^2 is not taken for 1 + right*alpha^2; an answer without any angle is compared whole.
 bool right_for_small_angles(const Prepared& prepared, const Relation& read, bool rotations_only) {
   const Relation mine = put_in(read, prepared.answer.given), right = put_in(prepared.answer.relation, prepared.answer.given);
   std::set<std::string> names = symbols_in(mine);
   names.merge(symbols_in(right));
+  const auto at = [&](const Relation& statement, const cln::cl_RA& scale) {
+    return signature(statement, prepared.exercise.pivot, sample_points(names, 2, scale, rotations_only));
+  };
+  const auto mine_at_zero = at(mine, 0), right_at_zero = at(right, 0);
   double before = 1;
   for (const int shrink : {40, 400}) {
-    const auto points = sample_points(names, 2, cln::cl_RA(1) / shrink, rotations_only);
-    const auto a = signature(mine, prepared.exercise.pivot, points), b = signature(right, prepared.exercise.pivot, points);
+    auto a = at(mine, cln::cl_RA(1) / shrink), b = at(right, cln::cl_RA(1) / shrink);
     if (!a || !b) return false;
-    double error = 0;
-    for (std::size_t i = 0; i < a->size(); ++i)
-      error = std::max(error, std::abs((*a)[i] - (*b)[i]) / (std::abs((*b)[i]) + 1e-300));
+    const bool varies = mine_at_zero && right_at_zero && !alike(*a, *mine_at_zero);
+    if (varies) a = minus(*a, *mine_at_zero), b = minus(*b, *right_at_zero);
+    const double error = distance(*a, *b);
     if (error > before / 8 || (shrink == 40 && error > 0.1)) return false;
     before = error;
   }
-  return true;
+  return !mine_at_zero || !right_at_zero || alike(*mine_at_zero, *right_at_zero);
 }
 
 std::optional<Opinion> by_roads(const Prepared& prepared, const Relation& read, const Signature& mine,

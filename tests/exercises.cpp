@@ -1,0 +1,184 @@
+// The classroom as students and teachers meet it: right answers in unusual forms, wrong ones in usual ways, and a class
+// that hands in anything at all.
+#include <doctest/doctest.h>
+#include <sys/stat.h>
+
+#include <nlohmann/json.hpp>
+
+#include "run_program.hpp"
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// One student's own progress file.
+struct Desk {
+  TemporaryFolder folder;
+  fs::path progress = folder.path / "state" / "progress.txt";
+  Result run(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"--progress", progress.string()});
+    return run_program("exercises", arguments);
+  }
+  json judged(const std::string& id, const std::string& answer) const {
+    return json::parse(run({"check", id, "--json", "--", answer}).out);
+  }
+};
+
+void write(const fs::path& path, const std::string& text) {
+  fs::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+}  // namespace
+
+TEST_CASE("the exercise set is sound") {
+  const Result result = run_program("exercises", {"selftest"});
+  CHECK_MESSAGE(result.exit_code == 0, result.out);
+  const auto report = json::parse(run_program("exercises", {"selftest", "--json"}).out);
+  CHECK(report["exercises"].get<int>() >= 36);
+  CHECK(report["complaints"].empty());
+}
+
+TEST_CASE("right answers are right in any form") {
+  const Desk desk;
+  for (const auto* answer : {"R*(cos(alpha-theta)-cos(alpha))", "R*cos(theta - alpha) - cos(alpha)*R", "y_c = R*(cos(α-θ)-cos(α))",
+                             "2*R*sin(theta/2)*sin(alpha - theta/2)", "(cos(alpha)*cos(theta)+sin(alpha)*sin(theta)-cos(alpha))*R"})
+    CHECK_MESSAGE(desk.judged("height-of-centre", answer)["verdict"] == "correct", answer);
+  for (const auto* answer : {"1 - 3/2*(1 - cos(alpha)^2)", "1-1.5*(sin(alpha))^2", "(1 + 3*cos(2*alpha))/4", "e = 1 - 3*sin(alpha)^2/2"})
+    CHECK_MESSAGE(desk.judged("restitution", answer)["verdict"] == "correct", answer);
+  for (const auto* answer : {"0 = thetaddot + p^2*(u_gddot/g*cos(alpha-theta)+sin(alpha-theta))",
+                             "-2*thetaddot = 2*p^2*(u_gddot/g*cos(alpha-theta)+sin(alpha-theta))", "thetaddot/p^2 = sin(theta-alpha) - u_gddot*cos(alpha-theta)/g"})
+    CHECK_MESSAGE(desk.judged("equation-of-motion", answer)["verdict"] == "correct", answer);
+  for (const auto* answer : {"30 deg", "30°", "pi/6", "0.5236 rad", "0.52360"})
+    CHECK_MESSAGE(desk.judged("phase-of-a-pulse", answer)["verdict"] == "correct", answer);
+}
+
+TEST_CASE("a slip is named by a stable word") {
+  const Desk desk;
+  const auto note = [&](const char* id, const char* answer) { return desk.judged(id, answer)["note"].get<std::string>(); };
+  CHECK(note("height-of-centre", "R*(cos(alpha+theta)-cos(alpha))") == "wrong_angle");
+  CHECK(note("height-of-centre", "R*(cos(alpha)-cos(alpha-theta))") == "sign");
+  CHECK(note("height-of-centre", "cos(alpha-theta)-cos(alpha)") == "dimension");
+  CHECK(note("height-of-centre", "R*sin(alpha)*theta") == "small_angle");
+  CHECK(note("height-of-centre", "3*R*(cos(alpha-theta)-cos(alpha))") == "factor");
+  CHECK(note("height-of-centre", "R*cos(theta)") == "missing_symbol");
+  CHECK(note("height-of-centre", "h*theta") == "symbol_not_given");
+  CHECK(note("height-of-centre", "beta*R") == "unknown_symbol");
+  CHECK(note("velocity-of-centre", "u_gdot + R*theta*cos(alpha-theta)") == "dimension");  // a lost dot
+  CHECK(note("momentum", "J_o*thetadot - m*R*u_gdot*cos(alpha-theta)") == "sign");
+  CHECK(note("momentum", "m*R*u_gdot*cos(alpha-theta)") == "missing_term");
+  CHECK(note("restitution", "1 - sin(alpha)^2/2") != "correct");
+  CHECK(note("frequency-of-a-bookcase", "2.69") == "missing_unit");
+  CHECK(note("frequency-of-a-bookcase", "2.69 s") == "unit");
+  CHECK(note("barrier-and-size", "29.9 m") == "power_of_ten");
+  CHECK(note("equation-of-motion", "thetaddot = -p^2*(u_gddot/g + alpha - theta)") == "small_angle");
+  CHECK(note("equation-of-motion", "thetaddot = -p^2*sin(alpha-theta)") == "assumption");
+}
+
+TEST_CASE("a wrong answer that no rule knows gets a point to try by hand") {
+  const Desk desk;
+  const json opinion = desk.judged("height-of-centre", "R*(cos(alpha - theta/2) - cos(alpha))");
+  CHECK(opinion["note"] == "other");
+  CHECK(opinion["witness"]["at"].size() == 3);
+  CHECK(opinion["witness"]["answer"] != opinion["witness"]["right"]);
+  CHECK(opinion["score"] == 0);
+}
+
+TEST_CASE("what cannot be read is explained with a caret and costs nothing") {
+  const Desk desk;
+  const Result result = desk.run({"check", "height-of-centre", "R*(cos(alpha)"});
+  CHECK(result.exit_code == 2);
+  CHECK(result.out.find("\n    ^") != std::string::npos);
+  for (const auto* hostile : {"1e999999999", "((((((((((", "R^R^R^R^R^999", "1/0", "", "?", "R R", "sin", "\xff\xfe", "R; rm -rf /"})
+    CHECK_MESSAGE(desk.run({"check", "height-of-centre", "--", hostile}).exit_code == 2, hostile);
+  const auto listed = json::parse(desk.run({"list", "--json"}).out);
+  CHECK(listed["exercises"][0]["attempts"] == 0);
+}
+
+TEST_CASE("exit codes are those of the contract") {
+  const Desk desk;
+  CHECK(desk.run({"check", "restitution", "1 - 3/2*sin(alpha)^2"}).exit_code == 0);
+  CHECK(desk.run({"check", "restitution", "cos(2*alpha)"}).exit_code == 1);
+  CHECK(desk.run({"check", "no-such-exercise", "1"}).exit_code == 2);
+  CHECK(desk.run({"check", "restitution"}).exit_code == 2);
+  CHECK(desk.run({"check", "restitution", "--file", "/no/such/file"}).err.find("/no/such/file") != std::string::npos);
+  CHECK(desk.run({}).exit_code == 2);
+  CHECK(desk.run({"grade", "/no/such/folder"}).exit_code == 2);
+}
+
+TEST_CASE("hints come one by one, the solution only when it is due, and reset keeps the old answer") {
+  const Desk desk;
+  const std::string first = desk.run({"hint", "restitution"}).out, second = desk.run({"hint", "restitution"}).out;
+  CHECK(first.find("Hint 1 of 3") == 0);
+  CHECK(second.find("Hint 2 of 3") == 0);
+  CHECK(desk.run({"solution", "restitution"}).exit_code == 1);
+  CHECK(desk.run({"solution", "restitution"}).out == "");
+  desk.run({"check", "restitution", "1 - 3/2*sin(alpha)^2"});
+  const Result solved = desk.run({"solution", "restitution"});
+  CHECK(solved.exit_code == 0);
+  CHECK(solved.out.find("How it comes about") != std::string::npos);
+  CHECK(desk.run({"solution", "strike-velocity", "--give-up"}).exit_code == 0);
+  desk.run({"reset", "restitution"});
+  const std::string kept = read_file(desk.progress);
+  CHECK(kept.find("old\trestitution\t1 - 3/2*sin(alpha)^2") != std::string::npos);
+  const auto listed = json::parse(desk.run({"list", "--json"}).out);
+  CHECK(listed["next"] == "height-of-centre");
+}
+
+TEST_CASE("a progress file that was damaged is not overwritten") {
+  const Desk desk;
+  write(desk.progress, "height-of-centre\tsolved\tmany\t0\tx\n");
+  CHECK(desk.run({"list"}).exit_code == 2);
+  CHECK(desk.run({"list"}).err.find("line 1") != std::string::npos);
+  CHECK(desk.run({"check", "restitution", "1 - 3/2*sin(alpha)^2"}).exit_code == 0);
+  CHECK(read_file(desk.progress).find("many") != std::string::npos);
+}
+
+TEST_CASE("watch makes a file for the next exercise and judges what is written into it") {
+  const Desk desk;
+  const fs::path folder = desk.folder.path / "work";
+  fs::create_directories(folder);
+  CHECK(desk.run({"watch", folder.string(), "--once"}).exit_code == 0);
+  const std::string stub = read_file(folder / "height-of-centre.txt");
+  CHECK(stub.find("# How high does C rise?") != std::string::npos);
+  write(folder / "height-of-centre.txt", stub + "R*(cos(alpha - theta) - cos(alpha))\n");
+  CHECK(desk.run({"watch", folder.string(), "--once"}).out.find("Correct.") != std::string::npos);
+  CHECK(json::parse(desk.run({"list", "--json"}).out)["next"] == "velocity-of-centre");
+}
+
+TEST_CASE("a class with everything that can go wrong is graded, twice alike") {
+  TemporaryFolder folder;
+  const fs::path room = folder.path / "class", csv = folder.path / "grades.csv";
+  write(room / "anna" / "restitution.txt", "# my answer\n1 - 3/2*sin(alpha)^2\n");
+  write(room / "anna" / "height-of-centre.txt", "R*(cos(alpha+theta)-cos(alpha))\n");
+  write(room / "bert" / "restitution.txt", "1 - 3/2*sin(\xe4lpha)^2\n");
+  write(room / "bert" / "momentum.txt", "");
+  write(room / "bert" / "notes.docx", "PK");
+  write(room / "line\nbreak, \"quoted\"" / "restitution.txt", "cos(2*alpha)");
+  write(room / "README", "not a student");
+  fs::create_directories(room / "empty");
+  write(folder.path / "secret.txt", "1 - 3/2*sin(alpha)^2");
+  fs::create_symlink(folder.path / "secret.txt", room / "anna" / "energy-lost.txt");
+  fs::create_symlink(folder.path, room / "linked");
+  ::mkfifo((room / "anna" / "stiffness.txt").c_str(), 0600);
+  write(room / "carl" / "restitution.txt", "");
+  fs::resize_file(room / "carl" / "restitution.txt", 1u << 30);
+  write(room / "carl" / "barrier.txt", std::string(9000, '('));
+  for (int i = 0; i < 300; ++i) write(room / "dora" / ("x" + std::to_string(i) + ".txt"), "1");
+  fs::create_directories(room / "dora" / "restitution.txt");
+  const Result first = run_program("exercises", {"grade", room.string(), "--csv", csv.string()});
+  REQUIRE(first.exit_code == 0);
+  const std::string text = read_file(csv);
+  for (const auto* row : {"student,exercise,verdict,note,score\n", "anna,restitution,correct,correct,1\n",
+                          "anna,height-of-centre,wrong,wrong_angle,0\n", "anna,energy-lost,invalid,symlink,0\n",
+                          "anna,stiffness,invalid,not_a_file,0\n", "bert,restitution,invalid,encoding,0\n",
+                          "bert,momentum,invalid,empty,0\n", "bert,notes.docx,invalid,unknown_exercise,0\n",
+                          "carl,restitution,invalid,too_large,0\n", "carl,barrier,invalid,", "dora,restitution,invalid,not_a_file,0\n",
+                          "dora,,invalid,too_many_files,0\n", "empty,,invalid,empty_folder,0\n", "linked,,invalid,symlink,0\n",
+                          "README,,invalid,not_a_folder,0\n", "\"line\nbreak, \"\"quoted\"\"\",restitution,wrong,missing_term,0\n"})
+    CHECK_MESSAGE(text.find(row) != std::string::npos, row);
+  CHECK(first.out.find("restitution") != std::string::npos);
+  run_program("exercises", {"grade", room.string(), "--csv", csv.string(), "--workers", "3"});
+  CHECK(read_file(csv) == text);
+}

@@ -1,0 +1,139 @@
+// The twelve lessons as a reader meets them. Their texts, numbers rounded, are kept in tests/golden; after a change that
+// is meant, write them anew with  REDERIVE_UPDATE_GOLDEN=1 build/tests/test_lessons  and look at the difference.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <regex>
+
+#include "run_program.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> lessons() {
+  std::vector<std::string> names;
+  for (const auto& file : fs::directory_iterator(REDERIVE_PROGRAMS))
+    if (file.path().filename().string().starts_with("lesson-")) names.push_back(file.path().filename());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Numbers with a point to four significant digits; paths of pictures to their names.
+std::string rounded(const std::string& text) {
+  static const std::regex number(R"(\d+\.\d+(e[-+]?\d+)?)"), path(R"(\([^()]*/([a-z0-9-]+\.svg)\))");
+  const std::string named = std::regex_replace(text, path, "($1)");
+  std::string result;
+  auto at = named.cbegin();
+  for (std::sregex_iterator match(named.cbegin(), named.cend(), number), end; match != end; ++match) {
+    char buffer[40];
+    std::snprintf(buffer, sizeof buffer, "%.4g", std::stod(match->str()));
+    result.append(at, named.cbegin() + match->position());
+    result += buffer;
+    at = named.cbegin() + match->position() + match->length();
+  }
+  return result.append(at, named.cend());
+}
+
+bool is_ascii(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x80; });
+}
+
+}  // namespace
+
+TEST_CASE("there are twelve, and each is as it was when it was last looked at") {
+  REQUIRE(lessons().size() == 12);
+  const bool update = std::getenv("REDERIVE_UPDATE_GOLDEN") != nullptr;
+  for (const auto& lesson : lessons()) {
+    CAPTURE(lesson);
+    TemporaryFolder folder;
+    const auto out = folder.path / "lesson.md";
+    const Result result = run_program(lesson, {"--format", "markdown", "--out", out.string()});
+    CHECK(result.exit_code == 0);
+    CHECK(result.err == "");
+    const fs::path golden = fs::path(REDERIVE_SOURCE) / "tests" / "golden" / (lesson + ".md");
+    const std::string text = rounded(read_file(out));
+    if (update) {
+      fs::create_directories(golden.parent_path());
+      std::ofstream(golden, std::ios::binary) << text;
+    }
+    const bool same = text == read_file(golden);
+    CHECK_MESSAGE(same, "the lesson has changed: see the head of tests/lessons.cpp");
+  }
+}
+
+TEST_CASE("every verdict of every lesson is as expected") {
+  for (const auto& lesson : lessons()) {
+    CAPTURE(lesson);
+    const Result result = run_program(lesson, {"--quiet"});
+    CHECK(result.exit_code == 0);
+    CHECK(result.out.find("not as expected") == std::string::npos);
+    CHECK(result.out.find("): ") != std::string::npos);
+  }
+}
+
+TEST_CASE("each has a contents, steps, and a last step that leads to the exercises") {
+  const std::string known = run_program("exercises", {"list"}).out;
+  for (const auto& lesson : lessons()) {
+    CAPTURE(lesson);
+    const std::string contents = run_program(lesson, {"--list"}).out;
+    CHECK(contents.find("Lesson ") == 0);
+    const auto steps = std::count(contents.begin(), contents.end(), '\n') - 1;
+    CHECK(steps >= 5);
+    const Result last = run_program(lesson, {"--step", std::to_string(steps)});
+    CHECK(last.out.find("Try it") != std::string::npos);
+    static const std::regex shown("exercises show ([a-z0-9-]+)");
+    std::smatch match;
+    REQUIRE(std::regex_search(last.out, match, shown));
+    CHECK(known.find(match[1].str() + " ") != std::string::npos);
+    CHECK(run_program(lesson, {"--step", std::to_string(steps + 1)}).exit_code == 2);
+  }
+}
+
+TEST_CASE("plain is ASCII, a terminal's lines are short, and two runs say the same") {
+  for (const auto& lesson : {lessons().at(0), lessons().at(4)}) {
+    CAPTURE(lesson);
+    CHECK(is_ascii(run_program(lesson, {"--format", "plain"}).out));
+    CHECK(run_program(lesson, {}).out == run_program(lesson, {}).out);
+  }
+}
+
+TEST_CASE("a web page holds all that it shows") {
+  TemporaryFolder folder;
+  const auto page = folder.path / "page.html";
+  REQUIRE(run_program(lessons().at(0), {"--format", "html", "--out", page.string()}).exit_code == 0);
+  const std::string text = read_file(page);
+  CHECK(text.find("<math") != std::string::npos);
+  CHECK(text.find("data:image/svg+xml;base64,") != std::string::npos);
+  for (const auto* fetched : {"src=\"http", "href=\"http", "<script", "@import", "url("})
+    CHECK_MESSAGE(text.find(fetched) == std::string::npos, fetched);
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+}
+
+TEST_CASE("bad usage is told") {
+  const std::string lesson = lessons().at(0);
+  CHECK(run_program(lesson, {"--step", "0"}).exit_code == 2);
+  CHECK(run_program(lesson, {"--step", "99"}).err.find("99") != std::string::npos);
+  CHECK(run_program(lesson, {"--format", "papyrus"}).exit_code == 2);
+  CHECK(run_program(lesson, {"--out", "/nowhere/at/all.md"}).exit_code == 2);
+  CHECK(run_program(lesson, {"surplus"}).exit_code == 2);
+}
+
+TEST_CASE("LaTeX is what pdflatex takes") {
+  if (std::system("command -v pdflatex >/dev/null 2>&1") != 0) {
+    REQUIRE(std::getenv("REDERIVE_REQUIRE_ALL_TESTS") == nullptr);
+    MESSAGE("skipped: pdflatex is not installed");
+    return;
+  }
+  for (const auto& lesson : lessons()) {
+    CAPTURE(lesson);
+    TemporaryFolder folder;
+    REQUIRE(run_program(lesson, {"--format", "latex", "--out", (folder.path / "lesson.tex").string()}).exit_code == 0);
+    const std::string command = "cd " + quoted(folder.path) + " && pdflatex -halt-on-error -interaction=nonstopmode lesson.tex >log 2>&1";
+    const bool taken = std::system(command.c_str()) == 0;
+    const std::string log = read_file(folder.path / "log");
+    CHECK_MESSAGE(taken, log.substr(log.size() - std::min<std::size_t>(log.size(), 800)));
+  }
+}
