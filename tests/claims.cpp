@@ -1,8 +1,10 @@
 // The claims of the text: decided by computation, so that another printed number gives another verdict.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numerics/special.hpp>
 #include <set>
 
 #include "run_program.hpp"
@@ -92,6 +94,18 @@ TEST_CASE("printed numbers are read in every way that has a name") {
         std::string::npos);
   CHECK(found("c71").find("2*pi = 6.28") != std::string::npos);
   CHECK(found("c57b").find("none of") != std::string::npos);
+}
+
+TEST_CASE("the ratios at which overturning after one impact changes agree with numerics/special") {
+  const auto found = [](const std::string& id) {
+    return claim_of(run_program("ledger", {"claims", id, "--json"}))["found"].get<std::string>();
+  };
+  rederive::PulseCase asked;
+  asked.block = rederive::make_block(0.25, 2.14, 0.9);
+  CHECK(found("c45").find(fmt::format("{:.7g}", rederive::handover(asked)->omega_ratio)) !=
+        std::string::npos);
+  CHECK(found("c57b").find(fmt::format("{:.7g}", rederive::end_of_mode_2(asked)->omega_ratio)) !=
+        std::string::npos);
 }
 
 TEST_CASE("one claim is told in full, an unknown one is refused") {

@@ -28,8 +28,8 @@ Finding order_of_modes(Workbench& bench, const Claim&) {
   bool holds_for_one = false;
   for (const std::optional<double> e : {std::optional<double>{}, std::optional<double>{0.9}}) {
     const PulseCase asked = pulse_case(1, Model::linear, e);
-    const double from = bench.thresholds().handover_of(asked)->omega_ratio,
-                 to = bench.thresholds().end_of(asked)->omega_ratio;
+    const double from = bench.thresholds().handover_of(asked).value_or(0),
+                 to = bench.thresholds().end_of(asked).value_or(0);
     holds_for_one = holds_for_one || (from <= 4.8 && to >= 6.7);
     found += fmt::format("{}e {}: from {:.4f} to {:.4f}", found.empty() ? "" : "; ", e ? "= 0.9" : "of (46)",
                          from, to);
@@ -45,8 +45,8 @@ Finding order_of_modes(Workbench& bench, const Claim&) {
 
 Finding end_of_curve(Workbench& bench, const Claim& claim) {
   const auto matches = compare_with(claim.printed, end_readings(bench.thresholds()));
-  const double own = bench.thresholds().end_of(pulse_case(1))->omega_ratio,
-               rounded = bench.thresholds().end_of(pulse_case(1, Model::linear, 0.9))->omega_ratio;
+  const double own = bench.thresholds().end_of(pulse_case(1)).value_or(0),
+               rounded = bench.thresholds().end_of(pulse_case(1, Model::linear, 0.9)).value_or(0);
   const std::string found =
       fmt::format("linear: {:.4f} with e of (46), {:.4f} with e = 0.9; {}", own, rounded, summary(matches));
   const auto fits = fitting(matches);

@@ -32,7 +32,7 @@ Finding admissible_86_88(Workbench&, const Claim& claim) {
 
 Finding handover(Workbench& bench, const Claim& claim) {
   const auto matches = compare_with(claim.printed, handover_readings(bench.thresholds()));
-  const double derived = bench.thresholds().handover_of(pulse_case(1))->omega_ratio;
+  const double derived = bench.thresholds().handover_of(pulse_case(1)).value_or(0);
   const std::string found = fmt::format("linear, e of (46): {:.4f}; {}", derived, summary(matches));
   const auto fits = fitting(matches);
   if (fits.empty()) return refuted(found, "No reading gives it.");

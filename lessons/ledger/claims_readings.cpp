@@ -117,7 +117,7 @@ std::vector<Reading> handover_readings(Thresholds& bench) {
   std::vector<Reading> list;
   for (const Shape& shape : shapes(1, true)) {
     if (shape.asked.model != Model::linear || shape.asked.block.restitution == 1) continue;
-    if (const auto point = bench.handover_of(shape.asked)) list.push_back({shape.says, point->omega_ratio});
+    if (const auto point = bench.handover_of(shape.asked)) list.push_back({shape.says, *point});
   }
   return list;
 }
@@ -127,7 +127,7 @@ std::vector<Reading> end_readings(Thresholds& bench) {
   for (const Shape& shape : shapes(1, true)) {
     if (shape.asked.block.restitution == 1) continue;  // without loss it never ends
     if (shape.asked.model == Model::nonlinear && shape.asked.block.alpha != 0.25) continue;
-    if (const auto point = bench.end_of(shape.asked)) list.push_back({shape.says, point->omega_ratio});
+    if (const auto point = bench.end_of(shape.asked)) list.push_back({shape.says, *point});
   }
   return list;
 }

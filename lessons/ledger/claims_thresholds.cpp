@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <lessons/ledger/claims_ratios.hpp>
 #include <lessons/ledger/claims_thresholds.hpp>
 #include <lessons/ledger/claims_workbench.hpp>
 
@@ -66,12 +67,14 @@ Window Thresholds::least(const PulseCase& asked) {
   return *window;
 }
 
-std::optional<SpecialPoint> Thresholds::handover_of(const PulseCase& asked) {
-  return kept(special_, "handover " + key_of(asked), [&] { return handover(asked); });
+std::optional<double> Thresholds::handover_of(const PulseCase& asked) {
+  return kept(ratios_, "handover " + key_of(asked), [&] {
+    return ratio_of_handover(asked, [&](const PulseCase& here) { return edge(here, 2, false); });
+  });
 }
 
-std::optional<SpecialPoint> Thresholds::end_of(const PulseCase& asked) {
-  return kept(special_, "end " + key_of(asked), [&] { return end_of_mode_2(asked); });
+std::optional<double> Thresholds::end_of(const PulseCase& asked) {
+  return kept(ratios_, "end " + key_of(asked), [&] { return ratio_of_end(asked); });
 }
 
 Block paper_block(std::optional<double> restitution) { return make_block(0.25, 2.14, restitution); }

@@ -4,7 +4,6 @@
 
 #include <lessons/ledger/claims_verdicts.hpp>
 #include <numerics/closed_form.hpp>
-#include <numerics/special.hpp>
 #include <numerics/windows.hpp>
 #include <optional>
 
@@ -22,15 +21,17 @@ class Thresholds {
   std::optional<double> mode_2_upper(const PulseCase& asked);
   /// The least amplitude that overturns at all, with its code.
   Window least(const PulseCase& asked);
-  std::optional<SpecialPoint> handover_of(const PulseCase& asked);
-  std::optional<SpecialPoint> end_of(const PulseCase& asked);
+  /// omega_p/p at which the critical impact meets the end of the pulse, and at which mode_2 ends; see
+  /// claims_ratios.hpp.
+  std::optional<double> handover_of(const PulseCase& asked);
+  std::optional<double> end_of(const PulseCase& asked);
 
  private:
   std::optional<double> edge(const PulseCase& asked, int code, bool upper);
 
   std::map<std::string, std::vector<Window>> windows_;
   std::map<std::string, std::optional<double>> edges_;
-  std::map<std::string, std::optional<SpecialPoint>> special_;
+  std::map<std::string, std::optional<double>> ratios_;
 };
 
 /// The block of the captions: alpha = 0.25, p = 2.14; without a restitution that of (46).
