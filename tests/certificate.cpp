@@ -17,8 +17,9 @@ namespace {
 
 std::optional<Json> certificate_of(const ProveRequest& request) {
   const Context context = make_context(request);
-  const auto found = certificate(parse_statement(request.left, context.symbols), parse_statement(request.right, context.symbols),
-                                 context.symbols, context.given);
+  const auto found =
+      certificate(parse_statement(request.left, context.symbols),
+                  parse_statement(request.right, context.symbols), context.symbols, context.given);
   return found ? std::optional(Json::parse(found->dump())) : std::nullopt;
 }
 
@@ -33,8 +34,9 @@ std::string verdict(const Json& certificate) {
 
 /// Changes the first digit, sign or function name after a random place of a text; empty if there is none.
 std::string slip(const std::string& text, std::mt19937& random) {
-  static const std::vector<std::pair<std::string, std::string>> slips{{"+", "-"}, {"-", "+"}, {"2", "3"}, {"3", "5"}, {"1", "2"}, {"4", "7"}, {"sin", "cos"}, {"cos", "sin"},
-                                                                      {"x", "y"}, {"y", "x"}, {"*", "+"}, {"alpha", "theta"}};
+  static const std::vector<std::pair<std::string, std::string>> slips{
+      {"+", "-"},     {"-", "+"},     {"2", "3"}, {"3", "5"}, {"1", "2"}, {"4", "7"},
+      {"sin", "cos"}, {"cos", "sin"}, {"x", "y"}, {"y", "x"}, {"*", "+"}, {"alpha", "theta"}};
   for (int tries = 0; tries < 50; ++tries) {
     const auto& [from, to] = slips[random() % slips.size()];
     const auto place = text.find(from, random() % text.size());
@@ -58,17 +60,19 @@ TEST_CASE("proved statements of the table have certificates, and the checker acc
     ++certified;
     trusting += verdict(*c) == "accepted" && certificate_checker::check(*c) > 0 ? 1 : 0;
   }
-  std::cout << proved << " proved, " << certified << " certificates, " << trusting << " with roots or branches taken on trust\n";
+  std::cout << proved << " proved, " << certified << " certificates, " << trusting
+            << " with roots or branches taken on trust\n";
   CHECK(certified * 10 >= proved * 8);
 }
 
 TEST_CASE("a hundred spoiled certificates are rejected") {
-  const std::vector<ProveRequest> requests{{"sin(2*x)", "2*sin(x)*cos(x)", {}, {}, 0},
-                                           {"m*R*thetaddot + m*g*sin(theta) = 0", "thetaddot = -g/R*sin(theta)", {}, {}, 0},
-                                           {"tan(x+y)", "(tan(x)+tan(y))/(1-tan(x)*tan(y))", {}, {}, 0},
-                                           {"cosh(x)^2-sinh(x)^2", "1", {}, {}, 0},
-                                           {"sin(x+pi/3)", "sin(x)/2+sqrt(3)/2*cos(x)", {}, {}, 0},
-                                           {"b^2+h^2", "R^2", {"b = R*sin(alpha)", "h = R*cos(alpha)"}, {}, 0}};
+  const std::vector<ProveRequest> requests{
+      {"sin(2*x)", "2*sin(x)*cos(x)", {}, {}, 0},
+      {"m*R*thetaddot + m*g*sin(theta) = 0", "thetaddot = -g/R*sin(theta)", {}, {}, 0},
+      {"tan(x+y)", "(tan(x)+tan(y))/(1-tan(x)*tan(y))", {}, {}, 0},
+      {"cosh(x)^2-sinh(x)^2", "1", {}, {}, 0},
+      {"sin(x+pi/3)", "sin(x)/2+sqrt(3)/2*cos(x)", {}, {}, 0},
+      {"b^2+h^2", "R^2", {"b = R*sin(alpha)", "h = R*cos(alpha)"}, {}, 0}};
   std::mt19937 random(7);
   int spoiled = 0;
   while (spoiled < 120) {
@@ -77,8 +81,10 @@ TEST_CASE("a hundred spoiled certificates are rejected") {
     std::vector<Json::json_pointer> places;  // every text and number that says something mathematical
     const Json flat = whole.flatten();
     for (const auto& [path, item] : flat.items()) {
-      const bool idle = path == "/format" || path.find("/name") != std::string::npos || path.find("/kind") != std::string::npos || path.find("/facts") == 0;
-      if (!idle && !item.is_boolean() && !(item.is_string() && item.get<std::string>().empty())) places.emplace_back(path);
+      const bool idle = path == "/format" || path.find("/name") != std::string::npos ||
+                        path.find("/kind") != std::string::npos || path.find("/facts") == 0;
+      if (!idle && !item.is_boolean() && !(item.is_string() && item.get<std::string>().empty()))
+        places.emplace_back(path);
     }
     Json broken = whole;
     Json& item = broken[places[random() % places.size()]];
@@ -122,7 +128,8 @@ TEST_CASE("the ledger is certified row by row") {
 TEST_CASE("prove writes the certificate of what it proves, and of nothing else") {
   TemporaryFolder folder;
   const std::string file = (folder.path / "c.json").string();
-  CHECK(run_program("ledger", {"prove", "sin(2*x)", "2*sin(x)*cos(x)", "--certificate", file}).exit_code == 0);
+  CHECK(run_program("ledger", {"prove", "sin(2*x)", "2*sin(x)*cos(x)", "--certificate", file}).exit_code ==
+        0);
   CHECK(verdict(Json::parse(read_file(file))) == "accepted");
   const std::string other = (folder.path / "d.json").string();
   CHECK(run_program("ledger", {"prove", "sin(2*x)", "2*sin(x)", "--certificate", other}).exit_code == 1);

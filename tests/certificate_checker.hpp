@@ -1,6 +1,7 @@
-// Checks a certificate of `ledger prove` without trusting the program that wrote it: reads the statement itself,
-// replays it in sparse polynomials with exact coefficients, and looks whether nothing remains. What cannot be seen by
-// polynomials (the sign of a root, the branch of an inverse function) is taken from the certificate and counted.
+// Checks a certificate of `ledger prove` without trusting the program that wrote it: reads the statement
+// itself, replays it in sparse polynomials with exact coefficients, and looks whether nothing remains. What
+// cannot be seen by polynomials (the sign of a root, the branch of an inverse function) is taken from the
+// certificate and counted.
 #pragma once
 
 #include <cln/cln.h>
@@ -18,16 +19,21 @@ using Json = nlohmann::json;
 using Number = cln::cl_RA;
 using Monomial = std::map<std::string, int>;  // exponents, negative ones too
 using Polynomial = std::map<Monomial, Number>;
-struct Fraction { Polynomial above, below; };
+struct Fraction {
+  Polynomial above, below;
+};
 
-inline void require(bool condition, const std::string& what) { if (!condition) throw std::runtime_error(what); }
+inline void require(bool condition, const std::string& what) {
+  if (!condition) throw std::runtime_error(what);
+}
 
 inline Polynomial constant(const Number& n) { return cln::zerop(n) ? Polynomial{} : Polynomial{{{}, n}}; }
 inline Polynomial variable(const std::string& name, int power = 1) {
   return power == 0 ? constant(1) : Polynomial{{{{name, power}}, 1}};
 }
 inline Polynomial plus(Polynomial a, const Polynomial& b, const Number& scale = 1) {
-  for (const auto& [m, c] : b) if (Number& sum = a.try_emplace(m, 0).first->second; cln::zerop(sum = sum + scale * c)) a.erase(m);
+  for (const auto& [m, c] : b)
+    if (Number& sum = a.try_emplace(m, 0).first->second; cln::zerop(sum = sum + scale * c)) a.erase(m);
   return a;
 }
 inline Polynomial times(const Polynomial& a, const Polynomial& b) {
@@ -35,12 +41,16 @@ inline Polynomial times(const Polynomial& a, const Polynomial& b) {
   for (const auto& [m, c] : a)
     for (const auto& [n, d] : b) {
       Monomial both = m;
-      for (const auto& [name, power] : n) if ((both[name] += power) == 0) both.erase(name);
-      if (Number& sum = product.try_emplace(both, 0).first->second; cln::zerop(sum = sum + c * d)) product.erase(both);
+      for (const auto& [name, power] : n)
+        if ((both[name] += power) == 0) both.erase(name);
+      if (Number& sum = product.try_emplace(both, 0).first->second; cln::zerop(sum = sum + c * d))
+        product.erase(both);
     }
   return product;
 }
-inline Polynomial raised(const Polynomial& a, int n) { return n == 0 ? constant(1) : times(raised(a, n - 1), a); }
+inline Polynomial raised(const Polynomial& a, int n) {
+  return n == 0 ? constant(1) : times(raised(a, n - 1), a);
+}
 
 inline Fraction fraction(const Polynomial& p) { return {p, constant(1)}; }
 inline Fraction over(const Fraction& a, const Fraction& b) {
@@ -51,7 +61,9 @@ inline Fraction over(const Fraction& a, const Fraction& b) {
   for (const auto& [name, power] : below.begin()->first) inverse[name] = -power;
   return fraction(times(above, {{inverse, 1 / below.begin()->second}}));
 }
-inline Fraction product(const Fraction& a, const Fraction& b) { return {times(a.above, b.above), times(a.below, b.below)}; }
+inline Fraction product(const Fraction& a, const Fraction& b) {
+  return {times(a.above, b.above), times(a.below, b.below)};
+}
 inline Fraction sum(const Fraction& a, const Fraction& b, int sign = 1) {
   if (a.below == b.below) return {plus(a.above, b.above, sign), a.below};
   return {plus(times(a.above, b.below), times(b.above, a.below), sign), times(a.below, b.below)};
@@ -78,19 +90,32 @@ class Checker {
   }
 
  private:
-  struct Relation { int degree; Fraction value; };
-  struct Argument { const Json& says; Fraction of, pi; };
-  struct Known { std::string name; std::vector<Fraction> of; Fraction is; };
+  struct Relation {
+    int degree;
+    Fraction value;
+  };
+  struct Argument {
+    const Json& says;
+    Fraction of, pi;
+  };
+  struct Known {
+    std::string name;
+    std::vector<Fraction> of;
+    Fraction is;
+  };
 
   bool same(const Fraction& a, const Fraction& b) { return reduced(sum(a, b, -1).above).empty(); }
-  Fraction given_fraction(const Json& j) { return over(value(j.at("numerator")), value(j.at("denominator"))); }
+  Fraction given_fraction(const Json& j) {
+    return over(value(j.at("numerator")), value(j.at("denominator")));
+  }
 
   void read_generator(const Json& g) {
     const std::string name = g.at("name"), kind = g.at("kind"), meaning = g.at("meaning");
     const int degree = g.at("degree"), divisor = g.at("divisor");
     require(name.starts_with("$") && !kinds_.contains(name), "a generator may not be called " + name);
     kinds_[name] = kind, divisors_of_[name] = divisor, meanings_[name] = meaning;
-    require(divisor == 1 || (divisor > 1 && kind != "imaginary" && kind != "opaque"), "nothing divides " + name);
+    require(divisor == 1 || (divisor > 1 && kind != "imaginary" && kind != "opaque"),
+            "nothing divides " + name);
     if (kind == "imaginary") imaginary_ = name, require(degree == 2, "i is a square root");
     if (kind == "root" && degree == 0) roots_of_symbols_[meaning] = name;
     if (kind == "root" && (meaning == "2" || meaning == "3") && divisor == 2) numbers_[meaning] = name;
@@ -107,14 +132,17 @@ class Checker {
   /// One may stand inside the other: those that can be read now, until all are read.
   void read_calls() {
     std::vector<const Json*> waiting;
-    for (const char* list : {"arguments", "facts"}) for (const Json& item : c_.at(list)) waiting.push_back(&item);
+    for (const char* list : {"arguments", "facts"})
+      for (const Json& item : c_.at(list)) waiting.push_back(&item);
     while (!waiting.empty()) {
       std::vector<const Json*> later;
       std::string why;
       for (const Json* item : waiting) {
         try {
-          if (item->contains("is")) read_fact(*item);
-          else arguments_.push_back({*item, value(item->at("of")), value(item->at("pi"))});
+          if (item->contains("is"))
+            read_fact(*item);
+          else
+            arguments_.push_back({*item, value(item->at("of")), value(item->at("pi"))});
         } catch (const std::runtime_error& error) {
           depth_ = 0, why = error.what(), later.push_back(item);
         }
@@ -128,9 +156,11 @@ class Checker {
     Fraction total = product(argument.pi, fraction(variable("pi")));
     for (const auto& [name, n] : a.at("phases").items()) {
       require(kinds_.at(name) == (a.at("circular") ? "circular" : "real"), "a phase of another kind");
-      total = sum(total, product(fraction(constant(Number(n.get<int>()) / divisors_of_.at(name))), value(meanings_.at(name))));
+      total = sum(total, product(fraction(constant(Number(n.get<int>()) / divisors_of_.at(name))),
+                                 value(meanings_.at(name))));
     }
-    require(same(total, argument.of), "the argument " + a.at("of").get<std::string>() + " is not that combination");
+    require(same(total, argument.of),
+            "the argument " + a.at("of").get<std::string>() + " is not that combination");
   }
   void read_fact(const Json& f) {
     const std::string text = f.at("of");
@@ -141,38 +171,51 @@ class Checker {
       depth += text[k] == '(' ? 1 : text[k] == ')' ? -1 : 0;
       if (text[k] == '^' && depth == 0) split = k;
     }
-    if (split != std::string::npos) known = {"^", {value(text.substr(0, split)), value(text.substr(split + 1))}, known.is};
-    else known = {text.substr(0, open), {value(text.substr(open))}, known.is};
+    if (split != std::string::npos)
+      known = {"^", {value(text.substr(0, split)), value(text.substr(split + 1))}, known.is};
+    else
+      known = {text.substr(0, open), {value(text.substr(open))}, known.is};
     const Fraction& x = known.of[0];
-    if (known.name == "sqrt") require(same(power(known.is, 2), x), "not the root: " + text);
-    else if (known.name == "fabs") require(same(power(known.is, 2), power(x, 2)), "not the size: " + text);
+    if (known.name == "sqrt")
+      require(same(power(known.is, 2), x), "not the root: " + text);
+    else if (known.name == "fabs")
+      require(same(power(known.is, 2), power(x, 2)), "not the size: " + text);
     else if (const Number* q = known.name == "^" ? number(known.of[1]) : nullptr; q != nullptr)
-      require(same(power(known.is, cln::cl_I_to_int(cln::denominator(*q))), power(x, cln::cl_I_to_int(cln::numerator(*q)))), "not the power: " + text);
+      require(same(power(known.is, cln::cl_I_to_int(cln::denominator(*q))),
+                   power(x, cln::cl_I_to_int(cln::numerator(*q)))),
+              "not the power: " + text);
     ++trusted_;
     facts_.push_back(known);
   }
   const Number* number(const Fraction& f) const {
     static const Number zero = 0;
     if (f.above.empty()) return &zero;
-    return f.below == constant(1) && f.above.size() == 1 && f.above.begin()->first.empty() ? &f.above.begin()->second : nullptr;
+    return f.below == constant(1) && f.above.size() == 1 && f.above.begin()->first.empty()
+               ? &f.above.begin()->second
+               : nullptr;
   }
 
   void check_link(const Json& link, std::size_t k) {
-    const Fraction left = given_fraction(link.at("left")), right = given_fraction(link.at("right")), factor = value(link.at("factor"));
+    const Fraction left = given_fraction(link.at("left")), right = given_fraction(link.at("right")),
+                   factor = value(link.at("factor"));
     collecting_ = true;
     require(same(left, residual(c_.at("left"), k)), "the left side is another one");
     require(same(right, residual(c_.at("right"), 0)), "the right side is another one");
     collecting_ = false;
     const Fraction remains = sum(left, product(factor, right), -1);
     require(same(fraction(constant(0)), value(link.at("remains"))), "what remains does not vanish");
-    require(same(fraction(constant(0)), remains) && !reduced(remains.below).empty(), "the two sides are not the same");
+    require(same(fraction(constant(0)), remains) && !reduced(remains.below).empty(),
+            "the two sides are not the same");
     require(!reduced(factor.above).empty(), "the factor vanishes");
   }
   /// An expression; the difference of the sides of a relation; the k-th link of a chain.
   Fraction residual(const std::string& text, std::size_t k) {
     std::vector<std::string> sides{""}, operators;
     for (std::size_t at = 0; at < text.size(); ++at) {
-      if (std::string("=<>").find(text[at]) == std::string::npos) { sides.back() += text[at]; continue; }
+      if (std::string("=<>").find(text[at]) == std::string::npos) {
+        sides.back() += text[at];
+        continue;
+      }
       operators.push_back(text.substr(at, 1));
       if (at + 1 < text.size() && text[at + 1] == '=') ++at;
       sides.push_back("");
@@ -189,7 +232,9 @@ class Checker {
       changed = false;
       for (const auto& [name, relation] : relations_) {
         int least = 0, most = 0;
-        for (const auto& [m, c] : p) if (const auto at = m.find(name); at != m.end()) least = std::min(least, at->second), most = std::max(most, at->second);
+        for (const auto& [m, c] : p)
+          if (const auto at = m.find(name); at != m.end())
+            least = std::min(least, at->second), most = std::max(most, at->second);
         if (least == 0 && most < relation.degree) continue;
         Polynomial next;
         const int shift = -least, times_most = (most + shift) / relation.degree;
@@ -199,7 +244,9 @@ class Checker {
           const int k = (at == rest.end() ? 0 : at->second) + shift;
           rest.erase(name);
           if (k % relation.degree != 0) rest[name] = k % relation.degree;
-          next = plus(next, times({{rest, c}}, times(raised(relation.value.above, k / relation.degree), raised(relation.value.below, times_most - k / relation.degree))));
+          next = plus(next, times({{rest, c}},
+                                  times(raised(relation.value.above, k / relation.degree),
+                                        raised(relation.value.below, times_most - k / relation.degree))));
         }
         p = next, changed = true;
       }
@@ -211,11 +258,16 @@ class Checker {
   struct Text {
     const std::string& all;
     std::size_t at = 0;
-    char peek() { while (at < all.size() && all[at] == ' ') ++at; return at < all.size() ? all[at] : '\0'; }
+    char peek() {
+      while (at < all.size() && all[at] == ' ') ++at;
+      return at < all.size() ? all[at] : '\0';
+    }
     bool eat(char c) { return peek() == c && ++at > 0; }
     std::string word() {
       const std::size_t start = at;
-      while (at < all.size() && (std::isalnum(static_cast<unsigned char>(all[at])) != 0 || all[at] == '_' || all[at] == '$' || all[at] == '.')) ++at;
+      while (at < all.size() && (std::isalnum(static_cast<unsigned char>(all[at])) != 0 || all[at] == '_' ||
+                                 all[at] == '$' || all[at] == '.'))
+        ++at;
       require(at > start, "cannot read '" + all + "'");
       return all.substr(start, at - start);
     }
@@ -230,16 +282,22 @@ class Checker {
   Fraction read_sum(Text& t) {
     Fraction total = read_product(t);
     for (;;)
-      if (t.eat('+')) total = sum(total, read_product(t));
-      else if (t.eat('-')) total = sum(total, read_product(t), -1);
-      else return total;
+      if (t.eat('+'))
+        total = sum(total, read_product(t));
+      else if (t.eat('-'))
+        total = sum(total, read_product(t), -1);
+      else
+        return total;
   }
   Fraction read_product(Text& t) {
     Fraction total = read_factor(t);
     for (;;)
-      if (t.eat('*')) total = product(total, read_factor(t));
-      else if (t.eat('/')) total = over(total, divisor(read_factor(t)));
-      else return total;
+      if (t.eat('*'))
+        total = product(total, read_factor(t));
+      else if (t.eat('/'))
+        total = over(total, divisor(read_factor(t)));
+      else
+        return total;
   }
   Fraction read_factor(Text& t) {
     if (t.eat('-')) return product(fraction(constant(-1)), read_factor(t));
@@ -257,12 +315,14 @@ class Checker {
       return inside;
     }
     std::string word = t.word();
-    if (word.back() == 'e' && std::isdigit(static_cast<unsigned char>(word[0])) != 0 && t.eat('-')) word += "-" + t.word();
+    if (word.back() == 'e' && std::isdigit(static_cast<unsigned char>(word[0])) != 0 && t.eat('-'))
+      word += "-" + t.word();
     if (std::isdigit(static_cast<unsigned char>(word[0])) != 0) return fraction(constant(decimal(word)));
     if (t.peek() == '(') return call(word, read_atom(t));
     if (const auto g = c_.at("given").find(word); g != c_.at("given").end()) return value(*g);
     const auto root = roots_of_symbols_.find(word);
-    return fraction(root == roots_of_symbols_.end() ? variable(word) : variable(root->second, divisors_of_.at(root->second)));
+    return fraction(root == roots_of_symbols_.end() ? variable(word)
+                                                    : variable(root->second, divisors_of_.at(root->second)));
   }
   static Number decimal(std::string digits) {
     if (const auto e = digits.find('e'); e != std::string::npos) {
@@ -273,18 +333,21 @@ class Checker {
     const auto point = digits.find('.');
     const std::size_t places = point == std::string::npos ? 0 : digits.size() - point - 1;
     if (point != std::string::npos) digits.erase(point, 1);
-    return Number(cln::cl_I(digits.c_str())) / cln::expt_pos(cln::cl_I(10), static_cast<long>(places) + 1) * 10;
+    return Number(cln::cl_I(digits.c_str())) / cln::expt_pos(cln::cl_I(10), static_cast<long>(places) + 1) *
+           10;
   }
   Fraction divisor(const Fraction& d) {
     if (!collecting_) return d;
     bool found = false;
-    for (std::size_t k = 0; k < divisors_.size(); ++k) if (same(divisors_[k], d)) found = divisor_used_[k] = true;
+    for (std::size_t k = 0; k < divisors_.size(); ++k)
+      if (same(divisors_[k], d)) found = divisor_used_[k] = true;
     require(found, "a divisor is not listed");
     return d;
   }
   const Known* find(const std::string& name, const std::vector<Fraction>& of) {
     for (const Known& known : facts_)
-      if (known.name == name && same(known.of[0], of[0]) && (of.size() == 1 || same(known.of[1], of[1]))) return &known;
+      if (known.name == name && same(known.of[0], of[0]) && (of.size() == 1 || same(known.of[1], of[1])))
+        return &known;
     return nullptr;
   }
   Fraction fact(const std::string& name, const std::vector<Fraction>& of) {
@@ -293,20 +356,29 @@ class Checker {
     return known->is;
   }
   Fraction call(const std::string& name, const Fraction& x) {
-    for (const auto& [ratio, a, b] : {std::array{"tan", "sin", "cos"}, {"cot", "cos", "sin"}, {"sec", "", "cos"}, {"csc", "", "sin"},
-                                      {"tanh", "sinh", "cosh"}, {"coth", "cosh", "sinh"}, {"sech", "", "cosh"}, {"csch", "", "sinh"}})
+    for (const auto& [ratio, a, b] : {std::array{"tan", "sin", "cos"},
+                                      {"cot", "cos", "sin"},
+                                      {"sec", "", "cos"},
+                                      {"csc", "", "sin"},
+                                      {"tanh", "sinh", "cosh"},
+                                      {"coth", "cosh", "sinh"},
+                                      {"sech", "", "cosh"},
+                                      {"csch", "", "sinh"}})
       if (name == ratio) {
         const Fraction below = divisor(call(b, x));
-        return find(name, {x}) != nullptr ? fact(name, {x}) : over(*a == '\0' ? fraction(constant(1)) : call(a, x), below);
+        return find(name, {x}) != nullptr ? fact(name, {x})
+                                          : over(*a == '\0' ? fraction(constant(1)) : call(a, x), below);
       }
     const bool circular = name == "sin" || name == "cos";
     if (!circular && name != "sinh" && name != "cosh" && name != "exp") return fact(name, {x});
     for (const auto& [a, of, pi] : arguments_) {
       if (a.at("circular") != circular || !same(of, x)) continue;
       Fraction unit = circular ? turn(pi) : fraction(constant(1));
-      for (const auto& [phase, n] : a.at("phases").items()) unit = product(unit, fraction(variable(phase, n.get<int>())));
+      for (const auto& [phase, n] : a.at("phases").items())
+        unit = product(unit, fraction(variable(phase, n.get<int>())));
       if (name == "exp") return unit;
-      const Fraction both = sum(unit, over(fraction(constant(1)), unit), name == "sin" || name == "sinh" ? -1 : 1);
+      const Fraction both =
+          sum(unit, over(fraction(constant(1)), unit), name == "sin" || name == "sinh" ? -1 : 1);
       return over(both, fraction(name == "sin" ? times(constant(2), variable(imaginary_)) : constant(2)));
     }
     return fact(name, {x});
@@ -324,12 +396,20 @@ class Checker {
     if (k > 6) return product(fraction(constant(-1)), cosine(12 - k));
     const auto root = [&](const char* n) { return fraction(variable(numbers_.at(n))); };
     switch (k) {
-      case 0: return fraction(constant(1));
-      case 1: case 5: return product(fraction(constant(Number(1) / 4)), product(root("2"), sum(root("3"), fraction(constant(1)), k == 1 ? 1 : -1)));
-      case 2: return product(fraction(constant(Number(1) / 2)), root("3"));
-      case 3: return product(fraction(constant(Number(1) / 2)), root("2"));
-      case 4: return fraction(constant(Number(1) / 2));
-      default: return fraction({});
+      case 0:
+        return fraction(constant(1));
+      case 1:
+      case 5:
+        return product(fraction(constant(Number(1) / 4)),
+                       product(root("2"), sum(root("3"), fraction(constant(1)), k == 1 ? 1 : -1)));
+      case 2:
+        return product(fraction(constant(Number(1) / 2)), root("3"));
+      case 3:
+        return product(fraction(constant(Number(1) / 2)), root("2"));
+      case 4:
+        return fraction(constant(Number(1) / 2));
+      default:
+        return fraction({});
     }
   }
 
@@ -346,7 +426,8 @@ class Checker {
   int trusted_ = 0, depth_ = 0;
 };
 
-/// Throws std::runtime_error saying what is wrong with a certificate; returns how many facts it takes on trust.
+/// Throws std::runtime_error saying what is wrong with a certificate; returns how many facts it takes on
+/// trust.
 inline int check(const Json& certificate) { return Checker(certificate).check(); }
 
 }  // namespace certificate_checker

@@ -42,7 +42,8 @@ TEST_CASE("every refuted row has a witness inside the declared ranges, of which 
     INFO(row.request.left << "  |  " << row.request.right);
     const Proof proof = decide(row.request);
     REQUIRE(proof.witness);
-    const bool relation = row.request.left.find_first_of("=<>") != std::string::npos;  // there both may be 0: x < y, x <= y
+    const bool relation =
+        row.request.left.find_first_of("=<>") != std::string::npos;  // there both may be 0: x < y, x <= y
     CHECK((relation || proof.witness->printed != proof.witness->derived));
     const Context context = make_context(row.request);
     for (const auto& [name, value] : proof.witness->at) {
@@ -74,12 +75,15 @@ TEST_CASE("what cannot be decided is said to be undecided, with the reason and w
   const auto j = prove_json({"log(x*y)", "log(x)+log(y)"}, 3);
   CHECK(j["verdict"] == "undecided");
   CHECK(j["reason"].get<std::string>().find("sign of x, y") != std::string::npos);
-  CHECK(prove_json({"log(x*y)", "log(x)+log(y)", "--assume", "x > 0", "--assume", "y > 0"}, 0)["verdict"] == "proved");
+  CHECK(prove_json({"log(x*y)", "log(x)+log(y)", "--assume", "x > 0", "--assume", "y > 0"}, 0)["verdict"] ==
+        "proved");
 }
 
 TEST_CASE("given equations and approximations have verdicts of their own") {
-  CHECK(prove_json({"b^2+h^2", "R^2", "--assume", "b = R*sin(alpha)", "--assume", "h = R*cos(alpha)"}, 0)["verdict"] == "proved_under");
-  CHECK(prove_json({"sin(theta)", "theta", "--small", "theta", "--order", "1"}, 0)["verdict"] == "approximation");
+  CHECK(prove_json({"b^2+h^2", "R^2", "--assume", "b = R*sin(alpha)", "--assume", "h = R*cos(alpha)"},
+                   0)["verdict"] == "proved_under");
+  CHECK(prove_json({"sin(theta)", "theta", "--small", "theta", "--order", "1"}, 0)["verdict"] ==
+        "approximation");
 }
 
 TEST_CASE("a text that cannot be read ends with 2 and a caret under the character") {

@@ -1,8 +1,7 @@
+#include <algorithm>
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
-
-#include <algorithm>
 
 namespace rederive {
 
@@ -29,9 +28,7 @@ struct Collector {
     }
   }
 
-  bool may_be_negative(const Tree& exponent) const {
-    return sign_of(lower(exponent, symbols), symbols) <= 0;
-  }
+  bool may_be_negative(const Tree& exponent) const { return sign_of(lower(exponent, symbols), symbols) <= 0; }
 
   void visit(const Tree& tree) {
     for (const Tree& child : tree->children) visit(child);
@@ -43,15 +40,21 @@ struct Collector {
         break;
       case Node::Kind::power: {
         const GiNaC::ex exponent = value(1);
-        const bool whole = GiNaC::is_a<GiNaC::numeric>(exponent) && GiNaC::ex_to<GiNaC::numeric>(exponent).is_integer();
-        if (!whole) note(value(0), may_be_negative(tree->children[1]) ? ">" : ">=",
-                         may_be_negative(tree->children[1]) ? sign_of(value(0), symbols) > 0
-                                                            : is_nonnegative(value(0), symbols));
-        else if (may_be_negative(tree->children[1])) nonzero(value(0));
+        const bool whole =
+            GiNaC::is_a<GiNaC::numeric>(exponent) && GiNaC::ex_to<GiNaC::numeric>(exponent).is_integer();
+        if (!whole)
+          note(value(0), may_be_negative(tree->children[1]) ? ">" : ">=",
+               may_be_negative(tree->children[1]) ? sign_of(value(0), symbols) > 0
+                                                  : is_nonnegative(value(0), symbols));
+        else if (may_be_negative(tree->children[1]))
+          nonzero(value(0));
         break;
       }
-      case Node::Kind::call: call(tree->text, value(0)); break;
-      default: break;
+      case Node::Kind::call:
+        call(tree->text, value(0));
+        break;
+      default:
+        break;
     }
   }
 

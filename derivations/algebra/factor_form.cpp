@@ -101,9 +101,12 @@ struct Product {
         continue;
       }
       const ex& d = imaginary ? other->second.imaginary : other->second.real;
-      if ((c - d).expand().is_zero()) sum += c * GiNaC::cosh(phase(e));
-      else if ((c + d).expand().is_zero()) sum += c * GiNaC::sinh(phase(e));
-      else sum += c * GiNaC::exp(phase(e));
+      if ((c - d).expand().is_zero())
+        sum += c * GiNaC::cosh(phase(e));
+      else if ((c + d).expand().is_zero())
+        sum += c * GiNaC::sinh(phase(e));
+      else
+        sum += c * GiNaC::exp(phase(e));
     }
     return sum;
   }
@@ -121,7 +124,8 @@ struct Product {
           return std::nullopt;
       }
       // a e^{iφ} + conj = 2 Re a cos φ - 2 Im a sin φ, once for the two terms together
-      const auto first = std::find_if(circular.begin(), circular.end(), [](const auto& k) { return !k.second.is_zero(); });
+      const auto first =
+          std::find_if(circular.begin(), circular.end(), [](const auto& k) { return !k.second.is_zero(); });
       if (first != circular.end() && first->second.is_negative()) continue;
       const int count = first == circular.end() ? 1 : 2;
       const ex even = real_sum(rest, turn < 0), odd = real_sum(rest, turn > 0);
@@ -146,7 +150,8 @@ struct Product {
     if (!form && (form = real_form(terms, -1))) exponents[0] += exponent;
     if (!form) return false;
     const ex number = is_a<GiNaC::mul>(*form) && is_a<numeric>(form->op(form->nops() - 1))
-                          ? form->op(form->nops() - 1) : ex(1);
+                          ? form->op(form->nops() - 1)
+                          : ex(1);
     parts.push_back({number, exponent});
     parts.push_back({*form / number, exponent});
     return true;
@@ -190,7 +195,8 @@ struct Product {
         if (p.first.is_equal(q.first)) {
           p.second += q.second;
           q.second = 0;
-        } else if (is(p, "sin") && is(q, "cos") && p.first.op(0).is_equal(q.first.op(0)) && p.second == q.second) {
+        } else if (is(p, "sin") && is(q, "cos") && p.first.op(0).is_equal(q.first.op(0)) &&
+                   p.second == q.second) {
           parts.push_back({2, -p.second});
           parts.push_back({GiNaC::sin(2 * p.first.op(0)), p.second});
           parts[a].second = parts[b].second = 0;

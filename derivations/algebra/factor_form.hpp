@@ -11,8 +11,8 @@ namespace rederive {
 /// A part of a product in the symbols of the statement, with its exponent.
 using Part = std::pair<GiNaC::ex, GiNaC::numeric>;
 
-/// The parts of the product, each with its integer exponent. Every part is real: c + Σ a cos(…) + Σ b sin(…), with
-/// polynomials, cosh, sinh and exp. Nothing where the fraction is not real, factor by factor.
+/// The parts of the product, each with its integer exponent. Every part is real: c + Σ a cos(…) + Σ b sin(…),
+/// with polynomials, cosh, sinh and exp. Nothing where the fraction is not real, factor by factor.
 std::optional<std::vector<Part>> factor_form(const GiNaC::ex& fraction, const Phases& phases);
 
 /// The same of an expression that has been prepared: its generators are made here.

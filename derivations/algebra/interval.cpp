@@ -1,6 +1,5 @@
-#include <derivations/algebra/interval.hpp>
-
 #include <cmath>
+#include <derivations/algebra/interval.hpp>
 #include <map>
 #include <stdexcept>
 
@@ -15,7 +14,8 @@ int compare(const ex& a, const ex& b) {
   const ex difference = (a - b).expand();
   if (difference.is_zero()) return 0;
   const ex value = difference.evalf();
-  if (!is_a<numeric>(value) || !ex_to<numeric>(value).is_real()) throw std::domain_error("not a real constant");
+  if (!is_a<numeric>(value) || !ex_to<numeric>(value).is_real())
+    throw std::domain_error("not a real constant");
   const double d = ex_to<numeric>(value).to_double();
   if (std::fabs(d) < 1e-9 && !is_a<numeric>(difference)) throw std::domain_error("too close to tell");
   if (is_a<numeric>(difference)) return ex_to<numeric>(difference).is_positive() ? 1 : -1;
@@ -69,7 +69,8 @@ End product(const End& a, const End& b) {
 }
 
 Interval product(const Interval& a, const Interval& b) {
-  return hull({product(a.low, b.low), product(a.low, b.high), product(a.high, b.low), product(a.high, b.high)});
+  return hull(
+      {product(a.low, b.low), product(a.low, b.high), product(a.high, b.low), product(a.high, b.high)});
 }
 
 /// Of what is defined: 0 itself has no reciprocal, so that [0, 2] becomes [1/2, inf).
@@ -118,11 +119,13 @@ Interval cosine(const Interval& i) {
   const Interval whole{{-1, 0, true}, {1, 0, true}};
   if (i.low.infinite != 0 || i.high.infinite != 0) return whole;
   const double turns = ex_to<numeric>((i.low.value / GiNaC::Pi).evalf()).to_double();
-  std::vector<End> ends{{GiNaC::cos(i.low.value), 0, i.low.closed}, {GiNaC::cos(i.high.value), 0, i.high.closed}};
+  std::vector<End> ends{{GiNaC::cos(i.low.value), 0, i.low.closed},
+                        {GiNaC::cos(i.high.value), 0, i.high.closed}};
   const long first = static_cast<long>(std::floor(turns)) - 1;
   for (long k = first; k < first + 6; ++k) {
     const End extremum{k * GiNaC::Pi, 0, true};
-    if (compare(extremum, i.low) > 0 && compare(extremum, i.high) < 0) ends.push_back({k % 2 == 0 ? 1 : -1, 0, true});
+    if (compare(extremum, i.low) > 0 && compare(extremum, i.high) < 0)
+      ends.push_back({k % 2 == 0 ? 1 : -1, 0, true});
   }
   if (compare(End{i.low.value + 2 * GiNaC::Pi, 0, true}, i.high) < 0) return whole;
   return hull(ends);
@@ -148,24 +151,36 @@ Interval tangent(const Interval& i) {
 Interval function_interval(const std::string& name, const Interval& i) {
   const End minus{0, -1, false}, plus{0, +1, false}, zero{0, 0, false};
   const auto at = [](const ex& v) { return End{v, 0, false}; };
-  if (name == "exp") return increasing(i, [](const ex& v) { return GiNaC::exp(v); }, zero, plus);
-  if (name == "sinh") return increasing(i, [](const ex& v) { return GiNaC::sinh(v); }, minus, plus);
-  if (name == "asinh") return increasing(i, [](const ex& v) { return GiNaC::asinh(v); }, minus, plus);
-  if (name == "tanh") return increasing(i, [](const ex& v) { return GiNaC::tanh(v); }, at(-1), at(1));
+  if (name == "exp")
+    return increasing(
+        i, [](const ex& v) { return GiNaC::exp(v); }, zero, plus);
+  if (name == "sinh")
+    return increasing(
+        i, [](const ex& v) { return GiNaC::sinh(v); }, minus, plus);
+  if (name == "asinh")
+    return increasing(
+        i, [](const ex& v) { return GiNaC::asinh(v); }, minus, plus);
+  if (name == "tanh")
+    return increasing(
+        i, [](const ex& v) { return GiNaC::tanh(v); }, at(-1), at(1));
   if (name == "atan")
-    return increasing(i, [](const ex& v) { return GiNaC::atan(v); }, at(-GiNaC::Pi / 2), at(GiNaC::Pi / 2));
+    return increasing(
+        i, [](const ex& v) { return GiNaC::atan(v); }, at(-GiNaC::Pi / 2), at(GiNaC::Pi / 2));
   if (name == "asin" && compare(i.low, at(-1)) >= 0 && compare(i.high, at(1)) <= 0)
-    return increasing(i, [](const ex& v) { return GiNaC::asin(v); }, minus, plus);
+    return increasing(
+        i, [](const ex& v) { return GiNaC::asin(v); }, minus, plus);
   if (name == "asin") return {{-GiNaC::Pi / 2, 0, true}, {GiNaC::Pi / 2, 0, true}};
   if (name == "acosh") return {{0, 0, true}, plus};
   if (name == "acos") return {{0, 0, true}, {GiNaC::Pi, 0, true}};
   if (name == "log" && sign(i.low) >= 0) {
     const Interval inner{sign(i.low) == 0 ? End{0, -1, false} : i.low, i.high};
-    return increasing(inner, [](const ex& v) { return GiNaC::log(v); }, minus, plus);
+    return increasing(
+        inner, [](const ex& v) { return GiNaC::log(v); }, minus, plus);
   }
   if (name == "cosh") {
     const Interval size = function_interval("abs", i);
-    return increasing(size, [](const ex& v) { return GiNaC::cosh(v); }, at(1), plus);
+    return increasing(
+        size, [](const ex& v) { return GiNaC::cosh(v); }, at(1), plus);
   }
   if (name == "abs") {
     if (sign(i.low) >= 0) return i;
@@ -223,14 +238,16 @@ End parse_end(std::string text, bool closed, std::string_view whole) {
     const ex value = GiNaC::parser(table, true)(text);
     return {value, 0, closed};
   } catch (const std::exception&) {
-    throw std::invalid_argument("cannot read the range '" + std::string(whole) + "'; right is, for example, (0, pi/2)");
+    throw std::invalid_argument("cannot read the range '" + std::string(whole) +
+                                "'; right is, for example, (0, pi/2)");
   }
 }
 
 }  // namespace
 
 Interval parse_range(std::string_view range) {
-  thread_local std::map<std::string, Interval, std::less<>> known;  // the same few ranges are asked for all the time
+  thread_local std::map<std::string, Interval, std::less<>>
+      known;  // the same few ranges are asked for all the time
   if (const auto found = known.find(range); found != known.end()) return found->second;
   const Range ends = read_range(range);
   const Interval interval{parse_end(ends.lower, ends.lower_closed, range),
@@ -252,7 +269,8 @@ static int definite_quadratic(const ex& e, const Symbols& symbols) {
   if (!is_a<GiNaC::add>(e) || e.nops() > 8) return 0;
   const ex expanded = e.expand();
   for (auto part = expanded.preorder_begin(); part != expanded.preorder_end(); ++part) {
-    if (!is_a<GiNaC::symbol>(*part) || !expanded.is_polynomial(*part) || expanded.degree(*part) != 2) continue;
+    if (!is_a<GiNaC::symbol>(*part) || !expanded.is_polynomial(*part) || expanded.degree(*part) != 2)
+      continue;
     const ex a = expanded.coeff(*part, 2), b = expanded.coeff(*part, 1), c = expanded.coeff(*part, 0);
     if (b.is_zero()) return 0;
     return sign_of((4 * a * c - b * b).expand(), symbols) > 0 ? sign_of(a, symbols) : 0;

@@ -5,7 +5,8 @@
 
 namespace rederive {
 
-/// One end of an interval: an exact constant (rationals, π, roots of them), or infinite. A closed end is attained.
+/// One end of an interval: an exact constant (rationals, π, roots of them), or infinite. A closed end is
+/// attained.
 struct End {
   GiNaC::ex value;
   int infinite = 0;  ///< -1 or +1; value is 0 then

@@ -21,7 +21,9 @@ std::string name_of(const ex& e) {
   return is_a<GiNaC::function>(e) && e.nops() == 1 ? ex_to<GiNaC::function>(e).get_name() : std::string();
 }
 bool is_circular(const std::string& name) { return name == "sin" || name == "cos"; }
-bool is_real_exponential(const std::string& name) { return name == "sinh" || name == "cosh" || name == "exp"; }
+bool is_real_exponential(const std::string& name) {
+  return name == "sinh" || name == "cosh" || name == "exp";
+}
 
 /// Number and monomial of a term of an expanded polynomial.
 std::pair<numeric, ex> split(const ex& term) {
@@ -30,8 +32,10 @@ std::pair<numeric, ex> split(const ex& term) {
   numeric number = 1;
   ex monomial = 1;
   for (const ex& factor : term) {
-    if (is_a<numeric>(factor)) number *= ex_to<numeric>(factor);
-    else monomial *= factor;
+    if (is_a<numeric>(factor))
+      number *= ex_to<numeric>(factor);
+    else
+      monomial *= factor;
   }
   return {number, monomial};
 }
@@ -45,6 +49,9 @@ std::vector<ex> terms(const ex& polynomial) {
 bool is_fractional_power(const ex& e) {
   return is_a<GiNaC::power>(e) && is_a<numeric>(e.op(1)) && !ex_to<numeric>(e.op(1)).is_integer();
 }
+
+/// Whether cos qπ and sin qπ are square roots that GiNaC knows: denominators 1, 2, 3, 4, 6, 12.
+bool is_tabled(const numeric& q) { return (q * 12).is_integer(); }
 
 /// What stands under the root that ties an inverse function to algebra: 1-u² for asin u; 0 for anything else.
 ex under_the_root(const ex& inverse) {
@@ -101,7 +108,8 @@ Phases::Argument Phases::take_apart(const ex& argument, bool circular) const {
   Argument result;
   ex rest = numerator;
   const ex of_pi = numerator.coeff(pi_symbol(), 1);
-  if (circular && !of_pi.is_zero() && numerator.degree(pi_symbol()) == 1) {  // how many whole denominators stand beside π?
+  if (circular && !of_pi.is_zero() &&
+      numerator.degree(pi_symbol()) == 1) {  // how many whole denominators stand beside π?
     const auto [lead, monomial] = split(terms(denominator_).front());
     for (const ex& term : terms(of_pi)) {
       const auto [number, other] = split(term);
@@ -135,6 +143,7 @@ void Phases::make_generators() {
     denominator_ = GiNaC::lcm(denominator_, (denominator / denominator.integer_content()).expand()).expand();
   }
   std::map<ex, long, GiNaC::ex_is_less> divisors[2];
+  numeric turns = 1;
   for (const auto& [argument, circular] : arguments_) {
     const Argument taken = take_apart(argument, circular);
     for (const auto& [phase, coefficient] : taken.parts) {
@@ -144,24 +153,37 @@ void Phases::make_generators() {
       n = common.to_long();
       if (GiNaC::abs(coefficient * common) > 4000) throw Undecidable("a phase with a multiple above 4000");
     }
-    // cos qπ and sin qπ bring roots of their own
-    if (circular && !taken.pi.is_integer())
-      for (const ex& value : std::vector<ex>{GiNaC::cos(taken.pi * GiNaC::Pi), GiNaC::sin(taken.pi * GiNaC::Pi)}) {
-        if (!name_of(value).empty()) throw Undecidable("a multiple of pi whose denominator is not 1, 2, 3, 4, 6 or 12");
-        collect(prepare(value, symbols_));
-      }
+    // cos qπ and sin qπ bring roots of their own, or a root of unity
+    if (circular && !taken.pi.is_integer()) {
+      if (!is_tabled(taken.pi))
+        turns = GiNaC::lcm(turns, taken.pi.denom());
+      else
+        for (const ex& value : {GiNaC::cos(taken.pi * GiNaC::Pi), GiNaC::sin(taken.pi * GiNaC::Pi)})
+          collect(prepare(value, symbols_));
+    }
+  }
+  if (turns > 60) throw Undecidable("a multiple of pi with a denominator above 60");
+  if (turns > 1) {
+    Generator& turn = add(Kind::circular, "$z" + std::to_string(generators_.size()), GiNaC::Pi);
+    const ex polynomial = cyclotomic(2 * turns.to_int(), turn.symbol);
+    turn.divisor = turns.to_int();
+    turn.degree = polynomial.degree(turn.symbol);
+    turn.value = (GiNaC::pow(turn.symbol, turn.degree) - polynomial).expand();
   }
   for (const auto& [base, degree] : roots_) {
     // the root of a symbol or a prime generates; that of anything else is tied to what stands under it
     const bool free = is_a<GiNaC::symbol>(base);
     Generator& generator = add(Kind::root, "$r" + std::to_string(generators_.size()), base);
     generator.divisor = generator.degree = static_cast<int>(degree);
-    if (free) generator.degree = 0;
-    else if (is_a<numeric>(base)) generator.value = base;
+    if (free)
+      generator.degree = 0;
+    else if (is_a<numeric>(base))
+      generator.value = base;
     generator.has_branches = !free && !is_a<numeric>(base);
     generator.analytic = sign_of(base, symbols_) > 0;
   }
-  const bool defined = denominator_.is_equal(1) || sign_of(denominator_.subs(pi_symbol() == GiNaC::Pi), symbols_) != 0;
+  const bool defined =
+      denominator_.is_equal(1) || sign_of(denominator_.subs(pi_symbol() == GiNaC::Pi), symbols_) != 0;
   for (const int circular : {1, 0})
     for (const auto& [phase, n] : divisors[circular]) {
       Generator& generator = add(circular == 1 ? Kind::circular : Kind::real,
@@ -170,7 +192,8 @@ void Phases::make_generators() {
       generator.analytic = defined;
     }
   for (const ex& value : opaques_)
-    if (find(Kind::opaque, value) == nullptr) add(Kind::opaque, "$f" + std::to_string(generators_.size()), value);
+    if (find(Kind::opaque, value) == nullptr)
+      add(Kind::opaque, "$f" + std::to_string(generators_.size()), value);
 
   for (std::size_t k = 0; k < generators_.size(); ++k) {  // relations, now that all generators are there
     Generator& generator = generators_[k];
@@ -250,7 +273,12 @@ std::pair<std::vector<std::pair<GiNaC::symbol, numeric>>, numeric> Phases::combi
       throw Undecidable("an argument that was not seen before");
     exponents.push_back({generator->symbol, coefficient * generator->divisor});
   }
-  return {exponents, taken.pi};
+  if (!circular || is_tabled(taken.pi)) return {exponents, taken.pi};
+  const Generator* turn = find(Kind::circular, GiNaC::Pi);
+  if (turn == nullptr || !(taken.pi * turn->divisor).is_integer())
+    throw Undecidable("a multiple of pi that was not seen before");
+  exponents.push_back({turn->symbol, taken.pi * turn->divisor});
+  return {exponents, 0};
 }
 
 ex Phases::exponential(const ex& argument, bool circular) const {
@@ -270,7 +298,8 @@ ex Phases::root(const ex& base, const numeric& exponent) const {
 
 ex Phases::opaque(const ex& value) const {
   const Generator* generator = find(Kind::opaque, value);
-  if (generator == nullptr) throw Undecidable("the function " + name_of(value) + " in a place where it is not handled");
+  if (generator == nullptr)
+    throw Undecidable("the function " + name_of(value) + " in a place where it is not handled");
   return generator->symbol;
 }
 
@@ -278,43 +307,6 @@ const Generator* Phases::find(Kind kind, const ex& meaning) const {
   for (const Generator& generator : generators_)
     if (generator.kind == kind && generator.meaning.is_equal(meaning)) return &generator;
   return nullptr;
-}
-
-/// Every g^k becomes g^{k mod n}·value^{k div n}; what the denominators of values multiply by is remembered.
-ex Phases::reduce(const ex& polynomial, ex* scale) const {
-  ex rest = polynomial.expand();
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (auto generator = generators_.rbegin(); generator != generators_.rend(); ++generator) {
-      const int degree = rest.degree(generator->symbol);
-      if (generator->degree == 0 || degree < generator->degree) continue;
-      const ex value = generator->value.numer_denom();
-      const int most = degree / generator->degree;
-      ex replaced = 0;
-      for (int k = rest.ldegree(generator->symbol); k <= degree; ++k) {
-        const int times = k / generator->degree;
-        replaced += rest.coeff(generator->symbol, k) * GiNaC::pow(generator->symbol, k % generator->degree) *
-                    GiNaC::pow(value.op(0), times) * GiNaC::pow(value.op(1), most - times);
-      }
-      rest = replaced.expand();
-      if (scale != nullptr) *scale *= GiNaC::pow(value.op(1), most);
-      changed = true;
-    }
-  }
-  return rest;
-}
-
-ex Phases::meaning_of(const ex& rational) const {
-  GiNaC::exmap back;
-  for (const Generator& g : generators_) {
-    switch (g.kind) {
-      case Kind::circular: back[g.symbol] = GiNaC::exp(GiNaC::I * g.meaning / g.divisor); break;
-      case Kind::real: back[g.symbol] = GiNaC::exp(g.meaning / g.divisor); break;
-      case Kind::root: back[g.symbol] = GiNaC::pow(g.meaning, numeric(1, g.divisor)); break;
-      default: back[g.symbol] = g.meaning;
-    }
-  }
-  return rational.subs(back, GiNaC::subs_options::no_pattern);
 }
 
 }  // namespace rederive

@@ -1,15 +1,15 @@
-// Expression → rational function of independent generators, with true algebraic relations between some of them.
+// Expression → rational function of independent generators, with true algebraic relations between some of
+// them.
 //
-// Every argument of sin, cos, sinh, cosh, exp … is taken apart into rational multiples of independent phases; a
-// circular phase φ becomes z = e^{iφ/n}, a real one x becomes h = e^{x/n}, with n such that only whole powers are
-// left. Rational multiples of π become numbers; roots of primes and of what is positive, the imaginary unit and
-// inverse functions inside arguments become generators with a relation (i² = -1).
+// Every argument of sin, cos, sinh, cosh, exp … is taken apart into rational multiples of independent phases;
+// a circular phase φ becomes z = e^{iφ/n}, a real one x becomes h = e^{x/n}, with n such that only whole
+// powers are left. Rational multiples of π become numbers; roots of primes and of what is positive, the
+// imaginary unit and inverse functions inside arguments become generators with a relation (i² = -1).
 //
 // Everything done here is a true identity, so that a numerator which vanishes proves the statement.
 #pragma once
 
 #include <derivations/algebra/symbols.hpp>
-
 #include <stdexcept>
 
 namespace rederive {
@@ -30,16 +30,18 @@ struct Generator {
     opaque      ///< a function value that is only equal to itself: meaning
   };
   Kind kind;
-  GiNaC::symbol symbol;       ///< "$z3": no name that can be typed
-  GiNaC::ex meaning;          ///< in the symbols of the statement
-  int divisor = 1;            ///< n in e^{iφ/n}, or the degree of the root
-  int degree = 0;             ///< symbol^degree = value holds; 0: no relation
-  GiNaC::ex value;            ///< in the generators before it
-  bool has_branches = false;  ///< a root of something that may be a perfect power: the relation may be reducible
-  bool analytic = true;       ///< over the declared ranges: the meaning has no pole or branch point there
+  GiNaC::symbol symbol;  ///< "$z3": no name that can be typed
+  GiNaC::ex meaning;     ///< in the symbols of the statement
+  int divisor = 1;       ///< n in e^{iφ/n}, or the degree of the root
+  int degree = 0;        ///< symbol^degree = value holds; 0: no relation
+  GiNaC::ex value;       ///< in the generators before it
+  bool has_branches =
+      false;             ///< a root of something that may be a perfect power: the relation may be reducible
+  bool analytic = true;  ///< over the declared ranges: the meaning has no pole or branch point there
 };
 
-/// The rewriting of a set of expressions that belong together: build it from all of them, then apply it to each.
+/// The rewriting of a set of expressions that belong together: build it from all of them, then apply it to
+/// each.
 class Phases {
  public:
   /// Throws Undecidable where an expression is outside the class.
@@ -47,14 +49,14 @@ class Phases {
 
   /// The rational function of generators and plain symbols that one of those expressions is.
   GiNaC::ex operator()(const GiNaC::ex& expression) const;
-  /// The remainder of a polynomial modulo all relations: 0 iff it is 0 in the ring. It is `scale` times as large as
-  /// the polynomial, a product of denominators in the relations.
+  /// The remainder of a polynomial modulo all relations: 0 iff it is 0 in the ring. It is `scale` times as
+  /// large as the polynomial, a product of denominators in the relations.
   GiNaC::ex reduce(const GiNaC::ex& polynomial, GiNaC::ex* scale = nullptr) const;
   /// A rational function back in the symbols of the statement, for a numeric check.
   GiNaC::ex meaning_of(const GiNaC::ex& rational) const;
 
-  /// An argument of sin, cos … (circular) or exp, sinh … as Σ n·(meaning/divisor) + q·π: n by generator, and q.
-  /// Throws Undecidable where it is none of those that were seen.
+  /// An argument of sin, cos … (circular) or exp, sinh … as Σ n·(meaning/divisor) + q·π: n by generator, and
+  /// q. Throws Undecidable where it is none of those that were seen.
   std::pair<std::vector<std::pair<GiNaC::symbol, GiNaC::numeric>>, GiNaC::numeric> combination(
       const GiNaC::ex& argument, bool circular) const;
 
@@ -65,7 +67,7 @@ class Phases {
  private:
   struct Argument {
     std::map<GiNaC::ex, GiNaC::numeric, GiNaC::ex_is_less> parts;  ///< phase → rational coefficient
-    GiNaC::numeric pi = 0;                                           ///< and so many times π
+    GiNaC::numeric pi = 0;                                         ///< and so many times π
   };
   void collect(const GiNaC::ex& prepared);
   Argument take_apart(const GiNaC::ex& argument, bool circular) const;
@@ -78,14 +80,17 @@ class Phases {
   const Generator* find(Generator::Kind kind, const GiNaC::ex& meaning) const;
 
   const Symbols& symbols_;
-  GiNaC::exmap prepared_;                             ///< expression → what it was rewritten to, once
+  GiNaC::exmap prepared_;  ///< expression → what it was rewritten to, once
   std::vector<Generator> generators_;
   GiNaC::ex denominator_ = 1;
-  mutable GiNaC::exmap atoms_;                        ///< stand-in symbol → function value inside an argument
-  std::vector<std::pair<GiNaC::ex, bool>> arguments_; ///< (argument, circular?)
-  std::map<GiNaC::ex, long, GiNaC::ex_is_less> roots_; ///< base → least common denominator of its exponents
+  mutable GiNaC::exmap atoms_;  ///< stand-in symbol → function value inside an argument
+  std::vector<std::pair<GiNaC::ex, bool>> arguments_;   ///< (argument, circular?)
+  std::map<GiNaC::ex, long, GiNaC::ex_is_less> roots_;  ///< base → least common denominator of its exponents
   std::vector<GiNaC::ex> opaques_;
 };
+
+/// The irreducible polynomial of e^{2πi/n} in x.
+GiNaC::ex cyclotomic(int n, const GiNaC::symbol& x);
 
 /// Rewrites by identities that need no phases: tan, tanh, symbolic powers, logarithms of products, roots of
 /// products, inverse functions of what they invert. Throws Undecidable.

@@ -1,4 +1,5 @@
-// Identities that need no phases, applied from the inside out. Each is true wherever both its sides are defined.
+// Identities that need no phases, applied from the inside out. Each is true wherever both its sides are
+// defined.
 #include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
@@ -32,7 +33,8 @@ struct Prepare : GiNaC::map_function {
   ex power(const ex& base, const ex& exponent) {
     if (is_a<numeric>(exponent) && ex_to<numeric>(exponent).is_integer()) return GiNaC::pow(base, exponent);
     if (is_call(base, "exp")) return (*this)(GiNaC::exp((base.op(0) * exponent).expand()));
-    if (is_a<numeric>(exponent) && ex_to<numeric>(exponent).is_rational()) return root(base, ex_to<numeric>(exponent));
+    if (is_a<numeric>(exponent) && ex_to<numeric>(exponent).is_rational())
+      return root(base, ex_to<numeric>(exponent));
     if (sign_of(base, symbols) <= 0)
       throw Undecidable("a power with a symbolic exponent, of a base that is not known to be positive");
     return (*this)(GiNaC::exp((exponent * logarithm(base)).expand()));
@@ -45,8 +47,8 @@ struct Prepare : GiNaC::map_function {
     return false;
   }
 
-  /// The factors with their exponents: in the ring of phases (1 - sin²x is cos²x there), else with functions taken
-  /// as symbols.
+  /// The factors with their exponents: in the ring of phases (1 - sin²x is cos²x there), else with functions
+  /// taken as symbols.
   std::vector<Part> factors(const ex& e) {
     if (has_phases(e)) {
       try {
@@ -61,7 +63,8 @@ struct Prepare : GiNaC::map_function {
       const ex product = GiNaC::factor(part.op(sign > 0 ? 0 : 1));
       const auto one = [&](const ex& f) {
         if (is_a<GiNaC::power>(f) && is_a<numeric>(f.op(1)) && ex_to<numeric>(f.op(1)).is_integer())
-          result.push_back({f.op(0).subs(atoms, GiNaC::subs_options::no_pattern), ex_to<numeric>(f.op(1)) * sign});
+          result.push_back(
+              {f.op(0).subs(atoms, GiNaC::subs_options::no_pattern), ex_to<numeric>(f.op(1)) * sign});
         else
           result.push_back({f.subs(atoms, GiNaC::subs_options::no_pattern), sign});
       };
@@ -77,8 +80,10 @@ struct Prepare : GiNaC::map_function {
 
   /// (∏ f_k^{n_k})^q: what is positive comes out, the rest stays together under one root.
   ex root(const ex& base, const numeric& q) {
-    if (is_a<numeric>(base) && !ex_to<numeric>(base).is_rational()) throw Undecidable("a number that is not exact");
+    if (is_a<numeric>(base) && !ex_to<numeric>(base).is_rational())
+      throw Undecidable("a number that is not exact");
     ex outside = 1, inside = 1;
+    std::vector<Part> unknown;  // odd powers of what may have either sign
     for (auto [factor, n] : factors(base)) {
       const bool even = n.is_even();
       const int sign = sign_of(factor, symbols);
@@ -94,7 +99,18 @@ struct Prepare : GiNaC::map_function {
       } else if (even) {
         outside *= GiNaC::pow(GiNaC::abs(turned_up(factor)), n * q);
       } else {
-        inside *= GiNaC::pow(factor, n);
+        unknown.push_back({factor, n});
+      }
+    }
+    // one alone must be positive with its sign, or there is no root; of several, f^n = |f|^{n-1} f
+    if (unknown.size() == 1 && unknown[0].second.is_positive()) {
+      outside *= GiNaC::pow(inside * unknown[0].first, unknown[0].second * q);
+      inside = 1;
+    } else {
+      for (const auto& [factor, n] : unknown) {
+        const int least = n.is_negative() ? -1 : 1;
+        if (n != least) outside *= GiNaC::pow(GiNaC::abs(turned_up(factor)), (n - least) * q);
+        inside *= GiNaC::pow(factor, least);
       }
     }
     if (inside.is_equal(-1)) throw Undecidable("the root of a negative number");
@@ -148,12 +164,17 @@ struct Prepare : GiNaC::map_function {
     ex sum = 0, rest = 1;
     for (auto [factor, n] : factors(value)) {
       if (factor.is_equal(1)) continue;
-      if (is_call(factor, "exp")) sum += n * factor.op(0);
-      else if (is_a<numeric>(factor) && ex_to<numeric>(factor).is_positive()) sum += n * number_logarithm(ex_to<numeric>(factor));
-      else if (is_a<GiNaC::power>(factor) && is_a<numeric>(factor.op(1)) && sign_of(factor.op(0), symbols) > 0)
+      if (is_call(factor, "exp"))
+        sum += n * factor.op(0);
+      else if (is_a<numeric>(factor) && ex_to<numeric>(factor).is_positive())
+        sum += n * number_logarithm(ex_to<numeric>(factor));
+      else if (is_a<GiNaC::power>(factor) && is_a<numeric>(factor.op(1)) &&
+               sign_of(factor.op(0), symbols) > 0)
         sum += n * factor.op(1) * logarithm(factor.op(0));
-      else if (sign_of(factor, symbols) > 0) sum += n * GiNaC::log(factor);
-      else rest *= GiNaC::pow(factor, n);
+      else if (sign_of(factor, symbols) > 0)
+        sum += n * GiNaC::log(factor);
+      else
+        rest *= GiNaC::pow(factor, n);
     }
     return rest.is_equal(1) ? sum : sum + GiNaC::log(rest.normal());
   }
@@ -163,7 +184,8 @@ struct Prepare : GiNaC::map_function {
     for (const auto& [part, side] : {std::pair{value.numer(), 1}, std::pair{value.denom(), -1}}) {
       numeric rest = part;
       for (numeric prime = 2; prime * prime <= rest && prime < 10'000; prime += 1)
-        while (GiNaC::irem(rest, prime).is_zero()) rest = GiNaC::iquo(rest, prime), sum += side * GiNaC::log(ex(prime));
+        while (GiNaC::irem(rest, prime).is_zero())
+          rest = GiNaC::iquo(rest, prime), sum += side * GiNaC::log(ex(prime));
       if (rest != 1) sum += side * GiNaC::log(ex(rest));
     }
     return sum;
@@ -236,7 +258,8 @@ struct Prepare : GiNaC::map_function {
   ex arctangent(const ex& x, const ex& whole) {
     const ex half = GiNaC::Pi / 2;
     for (const ex& angle : angles_in(x, "sin")) {
-      if ((x * GiNaC::cos(angle) - GiNaC::sin(angle)).normal().is_zero() && within(angle, -half, half)) return angle;
+      if ((x * GiNaC::cos(angle) - GiNaC::sin(angle)).normal().is_zero() && within(angle, -half, half))
+        return angle;
       if ((x * GiNaC::sin(angle) - GiNaC::cos(angle)).normal().is_zero() && within(angle, 0, GiNaC::Pi))
         return half - angle;
     }
@@ -246,7 +269,8 @@ struct Prepare : GiNaC::map_function {
   std::vector<ex> angles_in(const ex& e, const std::string& name) {
     std::vector<ex> angles;
     for (auto i = e.preorder_begin(); i != e.preorder_end(); ++i)
-      if (is_a<GiNaC::function>(*i) && ex_to<GiNaC::function>(*i).get_name() == name) angles.push_back(i->op(0));
+      if (is_a<GiNaC::function>(*i) && ex_to<GiNaC::function>(*i).get_name() == name)
+        angles.push_back(i->op(0));
     return angles;
   }
 };

@@ -1,6 +1,7 @@
 // Decides whether two expressions, equations or inequalities are the same.
 //
-// 1. Both sides are evaluated at rational points inside the declared ranges. Where they differ beyond all doubt,
+// 1. Both sides are evaluated at rational points inside the declared ranges. Where they differ beyond all
+// doubt,
 //    that point is the witness: refuted.
 // 2. Else both become rational functions of independent generators (phases.hpp). If the numerator of the
 //    difference vanishes modulo the generators' relations: proved.
@@ -11,7 +12,6 @@
 
 #include <derivations/algebra/evaluate.hpp>
 #include <derivations/algebra/syntax.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,9 +21,10 @@ namespace rederive {
 enum class Verdict { proved, proved_under, approximation, refuted, definition, undecided };
 std::string to_string(Verdict verdict);
 
-/// A point at which the two sides differ, to check by hand. `printed` is the left statement's value, `derived` the
-/// right one's: of the expressions; of the right-hand sides where both equations have the same left one; else
-/// of left minus right (the right statement's residual is 0 there, to 40 digits, or differs in sign).
+/// A point at which the two sides differ, to check by hand. `printed` is the left statement's value,
+/// `derived` the right one's: of the expressions; of the right-hand sides where both equations have the same
+/// left one; else of left minus right (the right statement's residual is 0 there, to 40 digits, or differs in
+/// sign).
 struct Witness {
   std::map<std::string, std::string> at;  ///< symbol → rational number as text
   std::string printed, derived;           ///< 30 digits
@@ -43,18 +44,18 @@ struct Given {
   GiNaC::ex value;
 };
 
-/// Puts the givens in, and those that they mention. Throws Undecidable (phases.hpp) if they go round in a circle.
+/// Puts the givens in, and those that they mention. Throws Undecidable (phases.hpp) if they go round in a
+/// circle.
 GiNaC::ex put_in(GiNaC::ex expression, const std::vector<Given>& given);
 
-/// Decides left against right: two expressions, two equations or two inequalities. A chain "K = a = b" on the left
-/// is taken link by link. Never throws for a statement that parses; what cannot be decided is undecided.
+/// Decides left against right: two expressions, two equations or two inequalities. A chain "K = a = b" on the
+/// left is taken link by link. Never throws for a statement that parses; what cannot be decided is undecided.
 Proof prove(const Relation& left, const Relation& right, const Symbols& symbols = paper_symbols(),
             const std::vector<Given>& given = {});
 
-/// Whether two expressions, or the sides of two relations, have the same Taylor polynomial of `order` in the small
-/// symbols, all of one size.
-Proof prove_approximation(const Relation& left, const Relation& right, const std::vector<std::string>& small, int order,
-                          const Symbols& symbols = paper_symbols());
-
+/// Whether two expressions, or the sides of two relations, have the same Taylor polynomial of `order` in the
+/// small symbols, all of one size.
+Proof prove_approximation(const Relation& left, const Relation& right, const std::vector<std::string>& small,
+                          int order, const Symbols& symbols = paper_symbols());
 
 }  // namespace rederive

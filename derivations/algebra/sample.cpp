@@ -11,13 +11,6 @@ cln::cl_R power_of_ten(int exponent) {
   return exponent < 0 ? cln::cl_RA(1) / power : cln::cl_RA(power);
 }
 
-Tree number(const std::string& text) {
-  Node node{};
-  node.kind = Node::Kind::number;
-  node.text = text;
-  return std::make_shared<const Node>(std::move(node));
-}
-
 /// The text "0" where a value is 0 to all the places that can be had.
 std::string shown(const Tree& tree, const Point& point, int digits) {
   if (const auto value = evaluate(tree, point, digits + 5)) return decimal(*value, digits);
@@ -32,18 +25,6 @@ std::set<std::string> names_of(const Pair& pair) {
   collect_names(pair.right, names);
   for (const auto& [name, value] : pair.bound) collect_names(value, names);
   return names;
-}
-
-std::optional<cln::cl_R> value_of(const Tree& tree, const Point& point) {
-  // evaluate gives significant digits, of which 0 has none: an odd constant beside it gives decimal places
-  static const Tree offset = number("0.618033");
-  Node beside{};
-  beside.kind = Node::Kind::sum;
-  beside.children = {offset, tree};
-  beside.inverse = {false, false};
-  const auto value = evaluate(std::make_shared<const Node>(std::move(beside)), point, working_digits);
-  if (!value) return std::nullopt;
-  return *value - exact(offset->text);
 }
 
 bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols) {
@@ -64,7 +45,8 @@ bool is_nearly_zero(const cln::cl_R& value) { return cln::abs(value) < power_of_
 Witness make_witness(const Pair& pair, const Point& point) {
   Witness witness;
   for (const auto& [name, value] : point) witness.at[name] = rational_text(value);
-  for (int digits = shown_digits; digits <= working_digits; digits += 20) {  // more, where they differ further on
+  for (int digits = shown_digits; digits <= working_digits;
+       digits += 20) {  // more, where they differ further on
     witness.printed = shown(pair.left, point, digits);
     witness.derived = shown(pair.right, point, digits);
     if (witness.printed != witness.derived) break;

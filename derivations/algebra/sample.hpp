@@ -15,9 +15,6 @@ struct Pair {
 
 std::set<std::string> names_of(const Pair& pair);
 
-/// The value of a tree to about 70 decimal places, 0 included; nothing where it has none.
-std::optional<cln::cl_R> value_of(const Tree& tree, const Point& point);
-
 /// Whether the point keeps every name that was replaced inside its declared range.
 bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols);
 

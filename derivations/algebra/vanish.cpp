@@ -1,9 +1,8 @@
+#include <complex>
 #include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/witness.hpp>
-
-#include <complex>
 
 namespace rederive {
 
@@ -21,12 +20,23 @@ std::string name_of(const ex& e) {
 /// The sign that a rational function keeps over all ranges, factor by factor: 0 if it may change or vanish.
 int strict_sign(const ex& e, const Symbols& symbols) {
   if (const int sign = sign_of(e, symbols)) return sign;
+  int sign = 1;
+  try {
+    if (const auto parts = factor_form(prepare(e, symbols), symbols)) {
+      for (const auto& [part, exponent] : *parts) {
+        const int s = sign_of(part, symbols);
+        sign *= exponent.is_even() ? s * s : s;
+      }
+      return sign;
+    }
+  } catch (const Undecidable&) {
+  }
   GiNaC::exmap atoms;
   const ex parts = e.to_rational(atoms).numer_denom();
-  int sign = 1;
   for (const ex& part : parts) {
     const ex product = GiNaC::factor(part).subs(atoms, GiNaC::subs_options::no_pattern);
-    if (!is_a<GiNaC::mul>(product)) sign *= sign_of(product, symbols);
+    if (!is_a<GiNaC::mul>(product))
+      sign *= sign_of(product, symbols);
     else
       for (const ex& factor : product) {
         const bool squared = is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::even);
@@ -48,7 +58,8 @@ bool is_analytic(const ex& e, const Symbols& symbols) {
   if (is_a<GiNaC::power>(e)) {
     const ex exponent = e.op(1);
     if (is_a<numeric>(exponent) && ex_to<numeric>(exponent).is_nonneg_integer()) return true;
-    if (is_a<numeric>(exponent) && ex_to<numeric>(exponent).is_integer()) return strict_sign(e.op(0), symbols) != 0;
+    if (is_a<numeric>(exponent) && ex_to<numeric>(exponent).is_integer())
+      return strict_sign(e.op(0), symbols) != 0;
     return strict_sign(e.op(0), symbols) > 0;
   }
   const std::string name = name_of(e);
@@ -63,7 +74,8 @@ bool is_analytic(const ex& e, const Symbols& symbols) {
   return false;
 }
 
-/// Where something with asin u, acos u, atanh u is defined, u lies in [-1, 1]: for a symbol u that narrows its range.
+/// Where something with asin u, acos u, atanh u is defined, u lies in [-1, 1]: for a symbol u that narrows
+/// its range.
 Symbols narrowed(const ex& e, Symbols symbols) {
   for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
     const std::string name = name_of(*part);
@@ -111,43 +123,34 @@ bool is_alive(const ex& polynomial, const Phases& phases, const Points& points, 
   return false;
 }
 
-/// Square roots r_k = ±√u_k may satisfy relations that r² = u does not show. Over a connected domain on which all u_k
-/// are positive everything here is analytic; if the product over all sign choices vanishes identically, one of its
-/// factors does, and it is ours if every other one is different from zero somewhere.
-bool vanishes_on_our_branch(const ex& numerator, const Phases& phases, const ex& expression, const Symbols& symbols) {
-  std::vector<GiNaC::symbol> roots;
+/// Square roots may satisfy relations that r² = u does not show. Over a connected domain on which u is
+/// positive, N(r) and N(-r) are analytic; if their product, which has no r any more, vanishes identically,
+/// one of the two does, and it is ours if the other one is different from zero somewhere.
+bool vanishes_on_our_branch(const ex& numerator, const Phases& phases, const Points& points,
+                            const Symbols& symbols, int depth = 0) {
+  if (numerator.is_zero()) return true;
+  const Generator* root = nullptr;
   for (const Generator& g : phases.generators()) {
-    if (!numerator.has(g.symbol)) continue;
-    if (g.kind == Generator::Kind::imaginary) continue;
+    if (!numerator.has(g.symbol) || g.kind == Generator::Kind::imaginary) continue;
     if (!is_analytic(g.meaning, symbols)) return false;
-    if (g.kind == Generator::Kind::root && sign_of(g.meaning, symbols) <= 0) return false;
-    if (g.kind == Generator::Kind::root && g.degree == 2) roots.push_back(g.symbol);
+    if (g.kind != Generator::Kind::root) continue;
+    if (sign_of(g.meaning, symbols) <= 0) return false;
+    if (g.degree == 2 && (root == nullptr || g.value.has(root->symbol)))
+      root = &g;  // the outer of nested ones first
   }
-  if (roots.empty() || roots.size() > 4) return false;
-  std::vector<ex> conjugates{numerator};
-  for (const GiNaC::symbol& root : roots) {
-    const std::vector<ex> before = conjugates;
-    for (const ex& conjugate : before) {
-      const ex turned = conjugate.subs(root == -root).expand();
-      bool known = false;
-      for (const ex& other : conjugates) known = known || (turned - other).is_zero() || (turned + other).is_zero();
-      if (!known) conjugates.push_back(turned);
-    }
-  }
-  ex norm = 1;
-  for (const ex& conjugate : conjugates) norm = phases.reduce(norm * conjugate);
-  if (!norm.is_zero()) return false;
-  const Points points = points_for(expression, symbols);
-  for (std::size_t k = 1; k < conjugates.size(); ++k)
-    if (!is_alive(conjugates[k], phases, points, symbols)) return false;
-  return true;
+  if (root == nullptr || depth > 5) return false;
+  const ex turned = numerator.subs(root->symbol == -root->symbol).expand();
+  if ((numerator + turned).expand().is_zero())  // r times something
+    return vanishes_on_our_branch((numerator / root->symbol).expand(), phases, points, symbols, depth + 1);
+  return is_alive(turned, phases, points, symbols) &&
+         vanishes_on_our_branch(phases.reduce(numerator * turned), phases, points, symbols, depth + 1);
 }
 
 bool vanishes(const ex& expression, const Symbols& symbols, int depth);
 
-/// A sum E of inverse functions and angles, with integer coefficients: e^E = 1 makes it 0, where it has logarithms
-/// and area functions; e^{2iE} = 1 makes it a multiple of π, the same one all over a connected domain, where it has
-/// arcs: which one is seen at one point.
+/// A sum E of inverse functions and angles, with integer coefficients: e^E = 1 makes it 0, where it has
+/// logarithms and area functions; e^{2iE} = 1 makes it a multiple of π, the same one all over a connected
+/// domain, where it has arcs: which one is seen at one point.
 bool vanishes_by_its_exponential(const ex& sum, const Symbols& given, int depth) {
   bool arcs = false, areas = false;
   for (auto part = sum.preorder_begin(); part != sum.preorder_end(); ++part) {
@@ -171,7 +174,7 @@ bool vanishes(const ex& expression, const Symbols& symbols, int depth) {
   if (expression.is_zero()) return true;
   const Phases phases({expression}, symbols);
   const ex numerator = phases.reduce(phases(expression).normal().numer());
-  if (numerator.is_zero() || vanishes_on_our_branch(numerator, phases, expression, symbols)) return true;
+  if (vanishes_on_our_branch(numerator, phases, points_for(expression, symbols), symbols)) return true;
   if (depth > 1) return false;
   bool has_inverse = false;
   for (const Generator& g : phases.generators())

@@ -1,7 +1,6 @@
-#include <derivations/algebra/witness.hpp>
-
 #include <array>
 #include <cmath>
+#include <derivations/algebra/witness.hpp>
 #include <sstream>
 
 namespace rederive {
@@ -20,7 +19,8 @@ double to_double(const End& end) {
 
 /// A rational number with a small denominator near `value`.
 cln::cl_RA near(double value, long denominator) {
-  return cln::cl_RA(static_cast<long>(std::floor(value * static_cast<double>(denominator) + 0.5))) / denominator;
+  return cln::cl_RA(static_cast<long>(std::floor(value * static_cast<double>(denominator) + 0.5))) /
+         denominator;
 }
 
 /// A repeatable mixing of two small integers into [0, 1).
@@ -31,9 +31,37 @@ double mixed(unsigned a, unsigned b) {
   return static_cast<double>(x >> 11) / 9007199254740992.0;
 }
 
+constexpr int working_digits = 70;
+
+Tree number(const std::string& text) {
+  Node node{};
+  node.kind = Node::Kind::number;
+  node.text = text;
+  return std::make_shared<const Node>(std::move(node));
+}
+
 constexpr std::array small_numbers{0.4, 1.25, 0.75, 2.0, 0.5, 1.5, 3.0, 0.2, 1.75, 0.6};
 
 }  // namespace
+
+std::optional<cln::cl_R> value_of(const Tree& tree, const Point& point) {
+  // evaluate gives significant digits, of which 0 has none: an odd constant beside it gives decimal places
+  static const Tree offset = number("0.618033");
+  Node beside{};
+  beside.kind = Node::Kind::sum;
+  beside.children = {offset, tree};
+  beside.inverse = {false, false};
+  const auto value = evaluate(std::make_shared<const Node>(std::move(beside)), point, working_digits);
+  if (!value) return std::nullopt;
+  return *value - exact(offset->text);
+}
+
+bool is_exactly_zero(const Tree& tree, const Point& point) {
+  const auto value = value_of(tree, point);
+  if (!value || cln::abs(*value) * cln::expt_pos(cln::cl_I(10), 40) >= 1) return false;
+  const auto digits = evaluate(tree, point, 3);
+  return !digits || cln::zerop(*digits);
+}
 
 Points::Points(const std::set<std::string>& names, const Symbols& symbols) {
   for (const std::string& name : names) {
@@ -63,11 +91,16 @@ Point Points::at(int index) const {
     if (std::isfinite(range.low) && std::isfinite(range.high)) {
       value = range.low + (range.high - range.low) * (0.1 + 0.8 * part);
     } else {
-      double size = small_numbers[static_cast<std::size_t>((index * 3 + place * 7) % 10)] * (1 + 0.3 * (part - 0.5));
-      if (index >= 8) size *= std::exp((index < 24 ? 6 : 16) * (mixed(place, static_cast<unsigned>(index) + 77) - 0.5));
-      if (std::isfinite(range.low)) value = range.low + size;
-      else if (std::isfinite(range.high)) value = range.high - size;
-      else value = mixed(place + 5, static_cast<unsigned>(index) + 11) < 0.5 ? size : -size;
+      double size =
+          small_numbers[static_cast<std::size_t>((index * 3 + place * 7) % 10)] * (1 + 0.3 * (part - 0.5));
+      if (index >= 8)
+        size *= std::exp((index < 24 ? 6 : 16) * (mixed(place, static_cast<unsigned>(index) + 77) - 0.5));
+      if (std::isfinite(range.low))
+        value = range.low + size;
+      else if (std::isfinite(range.high))
+        value = range.high - size;
+      else
+        value = mixed(place + 5, static_cast<unsigned>(index) + 11) < 0.5 ? size : -size;
     }
     // coarse numbers are easier on the hand; finer ones where the range leaves no room
     for (long denominator : {20L, 1000L, 1000000L, 1000000000000L}) {
@@ -82,8 +115,8 @@ Point Points::at(int index) const {
 namespace {
 
 /// Illinois' variant of false position, on exact rationals rounded to 45 digits.
-std::optional<Point> polish(const Value& f, Point point, const std::string& name, cln::cl_RA a, cln::cl_RA b,
-                            cln::cl_R fa, cln::cl_R fb) {
+std::optional<Point> polish(const Tree& tree, Point point, const std::string& name, cln::cl_RA a,
+                            cln::cl_RA b, cln::cl_R fa, cln::cl_R fb) {
   const cln::cl_I scale = cln::expt_pos(cln::cl_I(10), 45);
   const cln::cl_R larger = cln::max(cln::abs(fa), cln::abs(fb));
   int side = 0;
@@ -93,15 +126,11 @@ std::optional<Point> polish(const Value& f, Point point, const std::string& name
     if (step % 3 == 2 || c <= cln::min(a, b) || c >= cln::max(a, b))
       c = cln::round1((a + b) / 2 * scale) / cln::cl_RA(scale);
     point[name] = c;
-    auto fc = f(point);
-    if (!fc) {  // nothing here: perhaps the very root, of which no digit can be told from 0; step aside
-      c = (2 * c + (step % 2 == 0 ? a : b)) / 3;
-      point[name] = c;
-      fc = f(point);
-      if (!fc) return std::nullopt;
-    }
+    const auto fc = value_of(tree, point);
+    if (!fc) return std::nullopt;
     if (cln::zerop(*fc) || cln::abs(b - a) * scale <= 4) {
-      if (cln::abs(*fc) * cln::expt_pos(cln::cl_I(10), 20) > larger) return std::nullopt;  // a jump, not a root
+      if (cln::abs(*fc) * cln::expt_pos(cln::cl_I(10), 20) > larger)
+        return std::nullopt;  // a jump, not a root
       return point;
     }
     if (cln::minusp(*fc) == cln::minusp(fb)) {
@@ -119,8 +148,8 @@ std::optional<Point> polish(const Value& f, Point point, const std::string& name
 
 }  // namespace
 
-std::optional<Point> find_root(const Value& f, const Points& points, const std::set<std::string>& names, int most,
-                               const std::function<bool(const Point&)>& wanted) {
+std::optional<Point> find_root(const Tree& tree, const Points& points, const std::set<std::string>& names,
+                               int most, const std::function<bool(const Point&)>& wanted) {
   int found = 0;
   for (int start = 0; start < 4; ++start) {
     const Point base = points.at(start);
@@ -136,10 +165,12 @@ std::optional<Point> find_root(const Value& f, const Points& points, const std::
       for (const cln::cl_RA& value : values) {
         Point here = base;
         here[name] = value;
-        const auto now = f(here);
-        if (now && cln::abs(*now) * cln::expt_pos(cln::cl_I(10), 40) < 1 && wanted(here)) return here;
+        const auto now = value_of(tree, here);
+        if (now && cln::abs(*now) * cln::expt_pos(cln::cl_I(10), 40) < 1 && is_exactly_zero(tree, here) &&
+            wanted(here))
+          return here;
         if (now && before && cln::minusp(*now) != cln::minusp(*before)) {
-          const auto root = polish(f, base, name, at_before, value, *before, *now);
+          const auto root = polish(tree, base, name, at_before, value, *before, *now);
           if (root && wanted(*root)) return root;
           if (++found == most) return std::nullopt;
         }

@@ -3,7 +3,6 @@
 
 #include <derivations/algebra/evaluate.hpp>
 #include <derivations/algebra/interval.hpp>
-
 #include <functional>
 #include <set>
 #include <vector>
@@ -30,13 +29,16 @@ class Points {
 /// Whether a value lies inside a declared range such as "(0, pi/2)".
 bool is_inside(const std::string& range, const cln::cl_R& value);
 
-/// A function of one point; nothing where it is undefined.
-using Value = std::function<std::optional<cln::cl_R>(const Point&)>;
+/// The value of a tree to about 70 decimal places, 0 included; nothing where it has none.
+std::optional<cln::cl_R> value_of(const Tree& tree, const Point& point);
+/// As far as can be told: no number of digits finds a first one that is not 0.
+bool is_exactly_zero(const Tree& tree, const Point& point);
 
-/// A point, near some Points::at, where `vanishing` changes its sign along one symbol, to 40 digits, and that `wanted`
-/// accepts. Only crossings without a jump count. Nothing if none is found among the first `most`.
-std::optional<Point> find_root(const Value& vanishing, const Points& points, const std::set<std::string>& names, int most,
-                               const std::function<bool(const Point&)>& wanted);
+/// A point, near some Points::at, where `tree` is 0, or changes its sign along one symbol (known to 40
+/// digits), and that `wanted` accepts. Only crossings without a jump count. Nothing if none is found among
+/// the first `most`.
+std::optional<Point> find_root(const Tree& tree, const Points& points, const std::set<std::string>& names,
+                               int most, const std::function<bool(const Point&)>& wanted);
 
 /// "7/5"
 std::string rational_text(const cln::cl_RA& value);

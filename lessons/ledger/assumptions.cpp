@@ -15,9 +15,9 @@ namespace {
 
 const std::string any = "(-inf, inf)";
 const std::vector<std::string> greek{
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta",   "theta", "iota",  "kappa", "lambda",
-    "mu",    "nu",   "xi",    "rho",   "sigma",   "tau",  "phi",   "chi",   "psi",   "omega", "upsilon",
-    "Gamma", "Xi",   "Delta", "Theta", "Lambda",  "Pi",   "Sigma", "Phi",   "Psi",   "Omega"};
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta",   "theta", "iota", "kappa", "lambda",
+    "mu",    "nu",   "xi",    "rho",   "sigma",   "tau",  "phi",   "chi",   "psi",  "omega", "upsilon",
+    "Gamma", "Xi",   "Delta", "Theta", "Lambda",  "Pi",   "Sigma", "Phi",   "Psi",  "Omega"};
 
 void declare_free(Symbols& symbols, const std::string& name) {
   if (symbols.find(name) == nullptr) symbols.declare(name, name, name, "1", any, "a real number", "");
@@ -39,7 +39,8 @@ void declare_names_in(const std::string& text, Symbols& symbols) {
     const std::string name = text.substr(start, end - start);
     const auto after = text.find_first_not_of(' ', end);
     if (name.size() > 24 || name == "pi" || (after != std::string::npos && text[after] == '(')) continue;
-    const bool indexed = name.size() > 1 && (name[1] == '_' || std::isdigit(static_cast<unsigned char>(name[1])) != 0);
+    const bool indexed =
+        name.size() > 1 && (name[1] == '_' || std::isdigit(static_cast<unsigned char>(name[1])) != 0);
     std::size_t stem = indexed || name.ends_with("dot") ? 1 : 0;
     for (const std::string& letter : greek)
       if (name.starts_with(letter)) stem = std::max(stem, letter.size());
@@ -58,14 +59,17 @@ auto reading(const std::string& text, Read read) {
 }
 
 /// Narrows a range by one comparison of a symbol with a number.
-void narrow(Symbols& symbols, const std::string& name, std::string op, const GiNaC::ex& value, bool symbol_on_left) {
+void narrow(Symbols& symbols, const std::string& name, std::string op, const GiNaC::ex& value,
+            bool symbol_on_left) {
   if (!symbol_on_left) op = std::string(op[0] == '<' ? ">" : "<") + op.substr(1);
   const Symbol old = *symbols.find(name);
   Range range = read_range(old.range);
   const Interval present = parse_range(old.range);
   const bool closed = op.size() == 2, lower_end = op[0] == '>';
   const End& end = lower_end ? present.low : present.high;
-  const int order = end.infinite != 0 ? -1 : lower_end ? compare(end.value, value) : compare(value, end.value);
+  const int order = end.infinite != 0 ? -1
+                    : lower_end       ? compare(end.value, value)
+                                      : compare(value, end.value);
   if (order > 0 || (order == 0 && !end.closed)) return;  // nothing new
   (lower_end ? range.lower : range.upper) = print(value, Notation::plain, symbols);
   (lower_end ? range.lower_closed : range.upper_closed) = closed;
@@ -86,11 +90,13 @@ std::optional<GiNaC::ex> number(const Tree& tree, const std::string& text, const
 }
 
 [[noreturn]] void refuse(const std::string& text) {
-  throw BadInput("the assumption '" + text + "' neither compares one symbol with numbers nor says what one symbol is; "
+  throw BadInput("the assumption '" + text +
+                 "' neither compares one symbol with numbers nor says what one symbol is; "
                  "right is, for example, \"x > 0\", \"0 < x < pi/2\" or \"h = R*cos(alpha)\"");
 }
 
-void assume_range(const Tree& a, const std::string& op, const Tree& b, const std::string& text, Symbols& symbols) {
+void assume_range(const Tree& a, const std::string& op, const Tree& b, const std::string& text,
+                  Symbols& symbols) {
   const bool on_left = is_name(a);
   if (!on_left && !is_name(b)) refuse(text);
   const auto bound = number(on_left ? b : a, text, symbols);
@@ -107,7 +113,8 @@ Given read_given(const Tree& a, const Tree& b, const std::string& text, const Sy
   for (const auto& [name, value] : {std::pair{a, b}, std::pair{b, a}}) {
     if (!is_name(name)) continue;
     const Given given = reading(text, [&] { return Given{lower(name, symbols), lower(value, symbols)}; });
-    if (given.value.has(given.name)) throw BadInput("the assumption '" + text + "' has its symbol on both sides");
+    if (given.value.has(given.name))
+      throw BadInput("the assumption '" + text + "' has its symbol on both sides");
     return given;
   }
   refuse(text);
@@ -122,8 +129,9 @@ void check_givens(const std::vector<Given>& given, const Symbols& symbols) {
     const Interval range = parse_range(symbols.find(given[k].name)->range);
     const bool below = range.low.infinite == 0 && sign_of(range.low.value - given[k].value, symbols) > 0;
     const bool above = range.high.infinite == 0 && sign_of(given[k].value - range.high.value, symbols) > 0;
-    const bool on_open_end = (range.low.infinite == 0 && !range.low.closed && given[k].value.is_equal(range.low.value)) ||
-                             (range.high.infinite == 0 && !range.high.closed && given[k].value.is_equal(range.high.value));
+    const bool on_open_end =
+        (range.low.infinite == 0 && !range.low.closed && given[k].value.is_equal(range.low.value)) ||
+        (range.high.infinite == 0 && !range.high.closed && given[k].value.is_equal(range.high.value));
     if (below || above || on_open_end)
       throw BadInput("the assumption on " + print(given[k].name, Notation::plain, symbols) +
                      " contradicts its range " + symbols.find(given[k].name)->range);

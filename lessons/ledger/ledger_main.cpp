@@ -5,6 +5,8 @@
 //               ledger errata --format markdown
 //               ledger claims                every number and statement of the text
 //               ledger prove "sin(2*x)" "2*sin(x)*cos(x)"
+#include <fmt/format.h>
+
 #include <derivations/command_line.hpp>
 #include <derivations/paper/mutate.hpp>
 #include <lessons/ledger/certificate.hpp>
@@ -13,8 +15,6 @@
 #include <lessons/ledger/prove_command.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <lessons/ledger/report.hpp>
-
-#include <fmt/format.h>
 
 using namespace rederive;
 
@@ -60,7 +60,8 @@ const Row& row_of(const std::string& id, const std::vector<Row>& rows) {
     if (row.id == id) return row;
     if (!id.empty() && row.id.starts_with(id)) known += " " + row.id;
   }
-  throw BadInput("there is no equation '" + id + "'" + (known.empty() ? "; 'ledger' lists them all" : "; there is" + known));
+  throw BadInput("there is no equation '" + id + "'" +
+                 (known.empty() ? "; 'ledger' lists them all" : "; there is" + known));
 }
 
 int exit_code(const std::vector<Entry>& entries) {
@@ -74,16 +75,20 @@ void put(const nlohmann::ordered_json& json) { put(json.dump(2) + "\n"); }
 
 int show_all(const Options& options) {
   const auto entries = all(options);
-  if (options.json) put(to_json(entries));
-  else put(ledger_table(entries, is_lively(1)));
+  if (options.json)
+    put(to_json(entries));
+  else
+    put(ledger_table(entries, is_lively(1)));
   return exit_code(entries);
 }
 
 int show_one(const Options& options) {
   const auto rows = rows_of(options);
   const Entry entry = judged(row_of(options.id, rows), rows);
-  if (options.json) put(to_json(entry));
-  else put(ledger_page(entry, is_lively(1)));
+  if (options.json)
+    put(to_json(entry));
+  else
+    put(ledger_page(entry, is_lively(1)));
   return exit_code({entry});
 }
 
@@ -96,24 +101,40 @@ int show_mutation(const Options& options) {
     if (!options.id.empty() && row.id != options.id) continue;
     if (is_lively(2)) fmt::print(stderr, "\r{:<8}", row.id);
     const Mutation m = mutate(row, options.seed);
-    list.push_back({{"id", m.id}, {"mutants", m.mutants}, {"refuted", m.refuted}, {"equal", m.equal}, {"survived", m.survived}});
-    total.mutants += m.mutants, total.refuted += m.refuted, total.equal += m.equal, total.survived += m.survived;
+    list.push_back({{"id", m.id},
+                    {"mutants", m.mutants},
+                    {"refuted", m.refuted},
+                    {"equal", m.equal},
+                    {"survived", m.survived}});
+    total.mutants += m.mutants, total.refuted += m.refuted, total.equal += m.equal,
+        total.survived += m.survived;
     if (options.json) continue;
-    if (m.mutants > 0) fmt::print("{:<6} {:>4} mutants {:>4} refuted {:>4} equal {:>4} survived\n", m.id, m.mutants, m.refuted, m.equal, m.survived);
+    if (m.mutants > 0)
+      fmt::print("{:<6} {:>4} mutants {:>4} refuted {:>4} equal {:>4} survived\n", m.id, m.mutants, m.refuted,
+                 m.equal, m.survived);
     for (const std::string& text : m.survivors) fmt::print("         survived: {}\n", text);
   }
   if (is_lively(2)) fmt::print(stderr, "\r{:<8}\r", "");
   if (options.json)
-    put(nlohmann::ordered_json{{"rows", list}, {"totals", {{"mutants", total.mutants}, {"refuted", total.refuted}, {"equal", total.equal}, {"survived", total.survived}}}});
-  else fmt::print("{:<6} {:>4} mutants {:>4} refuted {:>4} equal {:>4} survived\n", "all", total.mutants, total.refuted, total.equal, total.survived);
+    put(nlohmann::ordered_json{{"rows", list},
+                               {"totals",
+                                {{"mutants", total.mutants},
+                                 {"refuted", total.refuted},
+                                 {"equal", total.equal},
+                                 {"survived", total.survived}}}});
+  else
+    fmt::print("{:<6} {:>4} mutants {:>4} refuted {:>4} equal {:>4} survived\n", "all", total.mutants,
+               total.refuted, total.equal, total.survived);
   return total.survived == 0 ? as_expected : not_as_expected;
 }
 
 int show_proof(const Options& options) {
   nlohmann::ordered_json certificate;
   const auto json = decide_bounded(options.request, options.certificate.empty() ? nullptr : &certificate);
-  if (!certificate.is_null()) write_whole(options.certificate, certificate.dump(1) + "\n");
-  else if (!options.certificate.empty()) fmt::print(stderr, "no certificate: nothing is proved, or not by polynomials alone\n");
+  if (!certificate.is_null())
+    write_whole(options.certificate, certificate.dump(1) + "\n");
+  else if (!options.certificate.empty())
+    fmt::print(stderr, "no certificate: nothing is proved, or not by polynomials alone\n");
   const std::string verdict = json["verdict"];
   if (options.json) {
     put(json);
@@ -121,10 +142,13 @@ int show_proof(const Options& options) {
     put(verdict + "\n");
     for (const char* key : {"factor", "reason"})
       if (json[key].is_string()) put(fmt::format("  {:<16} {}\n", key, json[key].get<std::string>()));
-    for (const auto& condition : json["side_conditions"]) put(fmt::format("  {:<16} {}\n", "if", condition.get<std::string>()));
+    for (const auto& condition : json["side_conditions"])
+      put(fmt::format("  {:<16} {}\n", "if", condition.get<std::string>()));
     if (!json["witness"].is_null()) {
-      for (const auto& [name, value] : json["witness"]["at"].items()) put(fmt::format("  {:<16} {} = {}\n", "witness", name, value.get<std::string>()));
-      put(fmt::format("  {:<16} {}\n  {:<16} {}\n", "left", json["witness"]["printed"].get<std::string>(), "right", json["witness"]["derived"].get<std::string>()));
+      for (const auto& [name, value] : json["witness"]["at"].items())
+        put(fmt::format("  {:<16} {} = {}\n", "witness", name, value.get<std::string>()));
+      put(fmt::format("  {:<16} {}\n  {:<16} {}\n", "left", json["witness"]["printed"].get<std::string>(),
+                      "right", json["witness"]["derived"].get<std::string>()));
     }
   }
   return verdict == "refuted" ? not_as_expected : verdict == "undecided" ? undecided_or_failed : as_expected;
@@ -136,14 +160,21 @@ int certify(const Options& options) {
   std::string without;
   int written = 0;
   for (const Entry& entry : all(options)) {
-    if (!entry.derivation || entry.row.printed.empty() || entry.proof.verdict == Verdict::refuted || entry.proof.verdict == Verdict::undecided) continue;
+    if (!entry.derivation || entry.row.printed.empty() || entry.proof.verdict == Verdict::refuted ||
+        entry.proof.verdict == Verdict::undecided)
+      continue;
     const Symbols symbols = symbols_in(entry.row.domain);
-    const auto found = certificate(parse_statement(entry.row.printed, symbols), derived_relation(*entry.derivation), symbols, entry.derivation->given);
-    if (found) write_whole(std::filesystem::path(options.folder) / (entry.row.id + ".json"), found->dump(1) + "\n"), ++written;
-    else without += " " + entry.row.id;
+    const auto found = certificate(parse_statement(entry.row.printed, symbols),
+                                   derived_relation(*entry.derivation), symbols, entry.derivation->given);
+    if (found)
+      write_whole(std::filesystem::path(options.folder) / (entry.row.id + ".json"), found->dump(1) + "\n"),
+          ++written;
+    else
+      without += " " + entry.row.id;
   }
   fmt::print("{} certificates in {}\n", written, options.folder);
-  if (!without.empty()) fmt::print("proved by more than polynomials, and so without a certificate:{}\n", without);
+  if (!without.empty())
+    fmt::print("proved by more than polynomials, and so without a certificate:{}\n", without);
   return as_expected;
 }
 
@@ -156,10 +187,12 @@ int show_table(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"What the paper says, and what is true. Without a subcommand: every equation with its verdict."};
+  CLI::App app{
+      "What the paper says, and what is true. Without a subcommand: every equation with its verdict."};
   Options options;
   app.add_flag("--json", options.json, "One JSON document on standard output");
-  app.add_option("--equations", options.equations, "Another equations.toml than the one that ships")->check(CLI::ExistingFile);
+  app.add_option("--equations", options.equations, "Another equations.toml than the one that ships")
+      ->check(CLI::ExistingFile);
   app.fallthrough();
   app.require_subcommand(0, 1);
 
@@ -174,17 +207,30 @@ int main(int argc, char** argv) {
   mutation->add_option("id", options.id, "One row alone");
   mutation->add_option("--seed", options.seed, "Which slips are tried");
   auto* dot = app.add_subcommand("graph", "What follows from what, in DOT");
-  auto* proving = app.add_subcommand("prove", "Decides any statement: LHS and RHS are expressions, equations or inequalities");
+  auto* proving = app.add_subcommand(
+      "prove", "Decides any statement: LHS and RHS are expressions, equations or inequalities");
   auto* lhs = proving->add_option("lhs", options.request.left, "\"sin(2*x)\"");
   auto* rhs = proving->add_option("rhs", options.request.right, "\"2*sin(x)*cos(x)\"");
-  proving->add_option("--assume", options.request.assumptions, "\"x > 0\", \"0 < x < 1\", \"h = R*cos(alpha)\"")->take_all()->allow_extra_args(false);
-  proving->add_option("--small", options.request.small, "Compare Taylor polynomials in these symbols")->delimiter(',')->allow_extra_args(false);
+  proving
+      ->add_option("--assume", options.request.assumptions, "\"x > 0\", \"0 < x < 1\", \"h = R*cos(alpha)\"")
+      ->take_all()
+      ->allow_extra_args(false);
+  proving->add_option("--small", options.request.small, "Compare Taylor polynomials in these symbols")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   proving->add_option("--order", options.request.order, "… up to this order");
 
-  proving->add_option("--certificate", options.certificate, "Writes what is needed to check the proof to this file");
-  auto* certifying = app.add_subcommand("certify", "Writes the certificates of all proved equations into a folder");
+  proving->add_option("--certificate", options.certificate,
+                      "Writes what is needed to check the proof to this file");
+  auto* certifying =
+      app.add_subcommand("certify", "Writes the certificates of all proved equations into a folder");
   certifying->add_option("folder", options.folder, "It is made if it is not there")->required();
-  auto* table = proving->add_option("--table", options.table, "Decides every row of a table and writes a page in Markdown")->check(CLI::ExistingFile)->excludes(lhs)->excludes(rhs);
+  auto* table =
+      proving
+          ->add_option("--table", options.table, "Decides every row of a table and writes a page in Markdown")
+          ->check(CLI::ExistingFile)
+          ->excludes(lhs)
+          ->excludes(rhs);
 
   return run_command(app, argc, argv, [&]() -> int {
     if (*show) return show_one(options);
@@ -192,7 +238,9 @@ int main(int argc, char** argv) {
     if (*mutation) return show_mutation(options);
     if (*certifying) return certify(options);
     if (*proving && *table) return show_table(options);
-    if (*proving && (!*lhs || !*rhs)) throw BadInput("prove wants two statements; right is, for example, ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
+    if (*proving && (!*lhs || !*rhs))
+      throw BadInput(
+          "prove wants two statements; right is, for example, ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
     if (*proving) return show_proof(options);
     if (*dot) return put(graph(all(options))), as_expected;
     if (*sheet) return put(errata(all(options), options.json ? "json" : options.format)), as_expected;

@@ -32,7 +32,8 @@ Proof decide_in(const Context& context, const ProveRequest& request) {
   const Relation left = read(request.left, context.symbols), right = read(request.right, context.symbols);
   Proof proof = prove(left, right, context.symbols);
   if (proof.verdict == Verdict::proved) return proof;
-  if (request.order > 0) return prove_approximation(left, right, request.small, request.order, context.symbols);
+  if (request.order > 0)
+    return prove_approximation(left, right, request.small, request.order, context.symbols);
   if (context.given.empty()) return proof;
   proof = prove(left, right, context.symbols, context.given);
   if (proof.verdict == Verdict::proved) proof.verdict = Verdict::proved_under;
@@ -52,7 +53,8 @@ std::vector<std::string> ranged_names(const Context& context, const ProveRequest
   std::vector<std::string> result;
   for (const std::string& name : names) {
     const Symbol *here = context.symbols.find(name), *paper = paper_symbols().find(name);
-    if (paper != nullptr && here->range != "(-inf, inf)" && here->range == paper->range) result.push_back(name);
+    if (paper != nullptr && here->range != "(-inf, inf)" && here->range == paper->range)
+      result.push_back(name);
   }
   return result;
 }
@@ -90,7 +92,8 @@ Proof decide(const ProveRequest& request) {
     throw BadInput("--small and --order (1 to 12) belong together");
   const Context context = make_context(request);
   for (const std::string& name : request.small)
-    if (context.symbols.find(name) == nullptr) throw BadInput("--small names '" + name + "', which is no symbol here");
+    if (context.symbols.find(name) == nullptr)
+      throw BadInput("--small names '" + name + "', which is no symbol here");
   Proof proof = decide_in(context, request);
   if (proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under)
     add_ranges_used(proof, context, request);
@@ -106,7 +109,8 @@ nlohmann::ordered_json decide_bounded(const ProveRequest& request, nlohmann::ord
       if (wanted != nullptr && (proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under)) {
         const Context context = make_context(request);
         const auto given = proof.verdict == Verdict::proved_under ? context.given : std::vector<Given>{};
-        if (auto found = certificate(read(request.left, context.symbols), read(request.right, context.symbols), context.symbols, given))
+        if (auto found = certificate(read(request.left, context.symbols),
+                                     read(request.right, context.symbols), context.symbols, given))
           both["certificate"] = *found;
       }
       return "J" + both.dump();

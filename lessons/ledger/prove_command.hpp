@@ -16,9 +16,10 @@ struct ProveRequest {
   int order = 0;                         ///< > 0: compare Taylor polynomials
 };
 
-/// The symbols of the paper, every letter and Greek letter (with an index or dots) that the texts use, and what the
-/// assumptions say of them; assumptions that are equations become givens. The names in `freed` are any real numbers
-/// but for what the assumptions say, and so are t and r, which everybody uses for something else than the paper does.
+/// The symbols of the paper, every letter and Greek letter (with an index or dots) that the texts use, and
+/// what the assumptions say of them; assumptions that are equations become givens. The names in `freed` are
+/// any real numbers but for what the assumptions say, and so are t and r, which everybody uses for something
+/// else than the paper does.
 struct Context {
   Symbols symbols;
   std::vector<Given> given;
@@ -26,12 +27,13 @@ struct Context {
 /// Throws BadInput for an assumption that cannot be read, or that contradicts another.
 Context make_context(const ProveRequest& request, const std::vector<std::string>& freed = {});
 
-/// Decides. The declared ranges that a proof rests on are among its side conditions. Throws BadInput (with a caret)
-/// for what cannot be read. No bounds on time or memory.
+/// Decides. The declared ranges that a proof rests on are among its side conditions. Throws BadInput (with a
+/// caret) for what cannot be read. No bounds on time or memory.
 Proof decide(const ProveRequest& request);
 
-/// Decides within two seconds and 500 MB. Throws BadInput (with a caret) for what cannot be read. `certificate` asks for
-/// one and receives it, or null where there is none.
-nlohmann::ordered_json decide_bounded(const ProveRequest& request, nlohmann::ordered_json* certificate = nullptr);
+/// Decides within two seconds and 500 MB. Throws BadInput (with a caret) for what cannot be read.
+/// `certificate` asks for one and receives it, or null where there is none.
+nlohmann::ordered_json decide_bounded(const ProveRequest& request,
+                                      nlohmann::ordered_json* certificate = nullptr);
 
 }  // namespace rederive

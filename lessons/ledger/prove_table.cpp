@@ -1,9 +1,9 @@
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <derivations/command_line.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <map>
-#include <toml++/toml.h>
 
 namespace rederive {
 
@@ -26,7 +26,8 @@ std::string cell(std::string formula) {
 
 std::string assumptions(const ProveRequest& request) {
   std::string result;
-  for (const std::string& assumption : request.assumptions) result += (result.empty() ? "" : ", ") + cell(assumption);
+  for (const std::string& assumption : request.assumptions)
+    result += (result.empty() ? "" : ", ") + cell(assumption);
   if (request.order > 0) {
     std::string small;
     for (const std::string& name : request.small) small += (small.empty() ? "" : ", ") + name;
@@ -45,10 +46,13 @@ std::vector<TableRow> read_table(const std::filesystem::path& file) {
     if (array == nullptr) throw BadInput("'" + file.string() + "' has no [[row]]");
     for (const toml::node& node : *array) {
       const toml::table& row = *node.as_table();
-      TableRow entry{text(row, "group"), text(row, "why"), text(row, "expected"), row["limit"].value_or(false), {}};
-      entry.request = {text(row, "left"), text(row, "right"), list(row, "assume"), list(row, "small"), row["order"].value_or(0)};
+      TableRow entry{
+          text(row, "group"), text(row, "why"), text(row, "expected"), row["limit"].value_or(false), {}};
+      entry.request = {text(row, "left"), text(row, "right"), list(row, "assume"), list(row, "small"),
+                       row["order"].value_or(0)};
       if (entry.expected.empty() || entry.group.empty())
-        throw BadInput(fmt::format("{}:{}: a row needs left, right, group and expected", file.string(), node.source().begin.line));
+        throw BadInput(fmt::format("{}:{}: a row needs left, right, group and expected", file.string(),
+                                   node.source().begin.line));
       rows.push_back(std::move(entry));
     }
   } catch (const toml::parse_error& error) {
@@ -69,16 +73,23 @@ std::string table_page(const std::vector<TableRow>& rows, int& unexpected) {
   std::map<std::string, int> counts;
   std::string body, group;
   for (const TableRow& row : rows) {
-    if (row.group != group) body += fmt::format("\n## {}\n\n| left | right | assumed | verdict | why it is here |\n|---|---|---|---|---|\n", row.group);
+    if (row.group != group)
+      body += fmt::format(
+          "\n## {}\n\n| left | right | assumed | verdict | why it is here |\n|---|---|---|---|---|\n",
+          row.group);
     group = row.group;
     const std::string verdict = verdict_of(row);
     ++counts[row.limit && verdict == "undecided" ? "undecided, though true" : verdict];
     const bool as_expected = verdict == row.expected;
     unexpected += as_expected ? 0 : 1;
-    body += fmt::format("| {} | {} | {} | {}{} | {} |\n", cell(row.request.left), cell(row.request.right), assumptions(row.request),
-                        verdict, as_expected ? "" : " (**expected " + row.expected + "**)", row.why);
+    body += fmt::format("| {} | {} | {} | {}{} | {} |\n", cell(row.request.left), cell(row.request.right),
+                        assumptions(row.request), verdict,
+                        as_expected ? "" : " (**expected " + row.expected + "**)", row.why);
   }
-  std::string head = fmt::format("# What `ledger prove` can decide, and what it cannot\n\n{} statements, decided as this page was written:", rows.size());
+  std::string head = fmt::format(
+      "# What `ledger prove` can decide, and what it cannot\n\n{} statements, decided as this page was "
+      "written:",
+      rows.size());
   for (const auto& [verdict, count] : counts) head += fmt::format(" {} {},", count, verdict);
   head.back() = '.';
   return head + "\n" + body;

@@ -1,0 +1,28 @@
+// Equations and inequalities, compared as residuals: left minus right, or what must be positive.
+#pragma once
+
+#include <derivations/algebra/sample.hpp>
+
+namespace rederive {
+
+/// What a residual must be for its relation to hold.
+enum class Claim { zero, positive, not_negative };
+
+/// Two residuals, and what else is known of them.
+struct Residuals {
+  Pair pair;
+  Claim left, right;
+  std::vector<GiNaC::ex> divisors;  ///< what the statements divide by: not zero where they mean anything
+};
+
+/// The same statement, up to a factor that cannot vanish (for inequalities: that is positive)? Else a witness
+/// at which one holds and the other fails.
+Proof prove_residuals(const Residuals& residuals, const Symbols& symbols);
+
+Proof refuted(Witness witness, std::string reason);
+Proof undecided(std::string reason);
+/// "; an assumption on the sign of x may decide it": symbols under roots, in logarithms and between bars that
+/// may be of either sign; empty if there are none.
+std::string advice(const GiNaC::ex& expression, const Symbols& symbols);
+
+}  // namespace rederive
