@@ -4,75 +4,15 @@
 // certificate and counted.
 #pragma once
 
-#include <cln/cln.h>
-
 #include <array>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <string>
+#include <tests/statement_reader.hpp>
 #include <vector>
 
 namespace certificate_checker {
 
 using Json = nlohmann::json;
-using Number = cln::cl_RA;
-using Monomial = std::map<std::string, int>;  // exponents, negative ones too
-using Polynomial = std::map<Monomial, Number>;
-struct Fraction {
-  Polynomial above, below;
-};
-
-inline void require(bool condition, const std::string& what) {
-  if (!condition) throw std::runtime_error(what);
-}
-
-inline Polynomial constant(const Number& n) { return cln::zerop(n) ? Polynomial{} : Polynomial{{{}, n}}; }
-inline Polynomial variable(const std::string& name, int power = 1) {
-  return power == 0 ? constant(1) : Polynomial{{{{name, power}}, 1}};
-}
-inline Polynomial plus(Polynomial a, const Polynomial& b, const Number& scale = 1) {
-  for (const auto& [m, c] : b)
-    if (Number& sum = a.try_emplace(m, 0).first->second; cln::zerop(sum = sum + scale * c)) a.erase(m);
-  return a;
-}
-inline Polynomial times(const Polynomial& a, const Polynomial& b) {
-  Polynomial product;
-  for (const auto& [m, c] : a)
-    for (const auto& [n, d] : b) {
-      Monomial both = m;
-      for (const auto& [name, power] : n)
-        if ((both[name] += power) == 0) both.erase(name);
-      if (Number& sum = product.try_emplace(both, 0).first->second; cln::zerop(sum = sum + c * d))
-        product.erase(both);
-    }
-  return product;
-}
-inline Polynomial raised(const Polynomial& a, int n) {
-  return n == 0 ? constant(1) : times(raised(a, n - 1), a);
-}
-
-inline Fraction fraction(const Polynomial& p) { return {p, constant(1)}; }
-inline Fraction over(const Fraction& a, const Fraction& b) {
-  Polynomial above = times(a.above, b.below), below = times(a.below, b.above);
-  require(!below.empty(), "a division by zero");
-  if (below.size() > 1) return {above, below};
-  Monomial inverse;  // one term: it goes to the top
-  for (const auto& [name, power] : below.begin()->first) inverse[name] = -power;
-  return fraction(times(above, {{inverse, 1 / below.begin()->second}}));
-}
-inline Fraction product(const Fraction& a, const Fraction& b) {
-  return {times(a.above, b.above), times(a.below, b.below)};
-}
-inline Fraction sum(const Fraction& a, const Fraction& b, int sign = 1) {
-  if (a.below == b.below) return {plus(a.above, b.above, sign), a.below};
-  return {plus(times(a.above, b.below), times(b.above, a.below), sign), times(a.below, b.below)};
-}
-inline Fraction power(const Fraction& a, int n) {
-  return n < 0 ? over(fraction(constant(1)), power(a, -n)) : Fraction{raised(a.above, n), raised(a.below, n)};
-}
-
-class Checker {
+class Checker : private StatementReader {
  public:
   explicit Checker(const Json& certificate) : c_(certificate) {}
 
@@ -116,15 +56,18 @@ class Checker {
     kinds_[name] = kind, divisors_of_[name] = divisor, meanings_[name] = meaning;
     require(divisor == 1 || (divisor > 1 && kind != "imaginary" && kind != "opaque"),
             "nothing divides " + name);
-    if (kind == "imaginary") imaginary_ = name, require(degree == 2, "i is a square root");
+    if (kind == "imaginary") imaginary_ = name;
     if (kind == "root" && degree == 0) roots_of_symbols_[meaning] = name;
     if (kind == "root" && (meaning == "2" || meaning == "3") && divisor == 2) numbers_[meaning] = name;
     if (degree == 0) return;
     relations_[name] = {degree, given_fraction(g.at("relation"))};
-    if (kind == "imaginary") require(relations_[name].value.above == constant(-1), "i^2 is -1");
     if (kind == "circular" || kind == "real") ++trusted_;  // e^{i asin u} = √(1-u²) + iu and its kin
   }
   void check_root(const Json& g) {
+    if (g.at("kind") == "imaginary") {
+      const Fraction i = fraction(variable(imaginary_));
+      require(same(product(i, i), fraction(constant(-1))), "i^2 is -1");
+    }
     if (g.at("kind") != "root" || g.at("degree") == 0) return;
     require(g.at("degree") == g.at("divisor"), "a root has the degree of its relation");
     require(same(relations_.at(g.at("name")).value, value(g.at("meaning"))), "a root of something else");
@@ -187,14 +130,6 @@ class Checker {
     ++trusted_;
     facts_.push_back(known);
   }
-  const Number* number(const Fraction& f) const {
-    static const Number zero = 0;
-    if (f.above.empty()) return &zero;
-    return f.below == constant(1) && f.above.size() == 1 && f.above.begin()->first.empty()
-               ? &f.above.begin()->second
-               : nullptr;
-  }
-
   void check_link(const Json& link, std::size_t k) {
     const Fraction left = given_fraction(link.at("left")), right = given_fraction(link.at("right")),
                    factor = value(link.at("factor"));
@@ -254,89 +189,16 @@ class Checker {
     return p;
   }
 
-  // The grammar of statements, read straight into fractions.
-  struct Text {
-    const std::string& all;
-    std::size_t at = 0;
-    char peek() {
-      while (at < all.size() && all[at] == ' ') ++at;
-      return at < all.size() ? all[at] : '\0';
-    }
-    bool eat(char c) { return peek() == c && ++at > 0; }
-    std::string word() {
-      const std::size_t start = at;
-      while (at < all.size() && (std::isalnum(static_cast<unsigned char>(all[at])) != 0 || all[at] == '_' ||
-                                 all[at] == '$' || all[at] == '.'))
-        ++at;
-      require(at > start, "cannot read '" + all + "'");
-      return all.substr(start, at - start);
-    }
-  };
-  Fraction value(const std::string& text) {
-    require(++depth_ < 60, "what is given goes round in a circle");
-    Text t{text};
-    const Fraction result = read_sum(t);
-    require(t.peek() == '\0', "cannot read '" + text + "'");
-    return --depth_, result;
-  }
-  Fraction read_sum(Text& t) {
-    Fraction total = read_product(t);
-    for (;;)
-      if (t.eat('+'))
-        total = sum(total, read_product(t));
-      else if (t.eat('-'))
-        total = sum(total, read_product(t), -1);
-      else
-        return total;
-  }
-  Fraction read_product(Text& t) {
-    Fraction total = read_factor(t);
-    for (;;)
-      if (t.eat('*'))
-        total = product(total, read_factor(t));
-      else if (t.eat('/'))
-        total = over(total, divisor(read_factor(t)));
-      else
-        return total;
-  }
-  Fraction read_factor(Text& t) {
-    if (t.eat('-')) return product(fraction(constant(-1)), read_factor(t));
-    const Fraction base = read_atom(t);
-    if (!t.eat('^')) return base;
-    const Fraction exponent = read_factor(t);
-    const Number* n = number(exponent);
-    if (n == nullptr || cln::denominator(*n) != 1) return fact("^", {base, exponent});
-    return power(cln::minusp(*n) ? divisor(base) : base, cln::cl_I_to_int(cln::numerator(*n)));
-  }
-  Fraction read_atom(Text& t) {
-    if (t.eat('(')) {
-      const Fraction inside = read_sum(t);
-      require(t.eat(')'), "a parenthesis is missing");
-      return inside;
-    }
-    std::string word = t.word();
-    if (word.back() == 'e' && std::isdigit(static_cast<unsigned char>(word[0])) != 0 && t.eat('-'))
-      word += "-" + t.word();
-    if (std::isdigit(static_cast<unsigned char>(word[0])) != 0) return fraction(constant(decimal(word)));
-    if (t.peek() == '(') return call(word, read_atom(t));
+  Fraction symbol(const std::string& word) override {
     if (const auto g = c_.at("given").find(word); g != c_.at("given").end()) return value(*g);
     const auto root = roots_of_symbols_.find(word);
     return fraction(root == roots_of_symbols_.end() ? variable(word)
                                                     : variable(root->second, divisors_of_.at(root->second)));
   }
-  static Number decimal(std::string digits) {
-    if (const auto e = digits.find('e'); e != std::string::npos) {
-      const long tens = std::stol(digits.substr(e + 1));
-      const Number scale = cln::expt_pos(cln::cl_I(10), std::labs(tens) + 1);
-      return decimal(digits.substr(0, e)) * (tens < 0 ? 10 / scale : scale / 10);
-    }
-    const auto point = digits.find('.');
-    const std::size_t places = point == std::string::npos ? 0 : digits.size() - point - 1;
-    if (point != std::string::npos) digits.erase(point, 1);
-    return Number(cln::cl_I(digits.c_str())) / cln::expt_pos(cln::cl_I(10), static_cast<long>(places) + 1) *
-           10;
+  Fraction root(const Fraction& base, const Fraction& exponent) override {
+    return fact("^", {base, exponent});
   }
-  Fraction divisor(const Fraction& d) {
+  Fraction divisor(const Fraction& d) override {
     if (!collecting_) return d;
     bool found = false;
     for (std::size_t k = 0; k < divisors_.size(); ++k)
@@ -355,7 +217,7 @@ class Checker {
     require(known != nullptr, "nothing is said of " + name);
     return known->is;
   }
-  Fraction call(const std::string& name, const Fraction& x) {
+  Fraction call(const std::string& name, const Fraction& x) override {
     for (const auto& [ratio, a, b] : {std::array{"tan", "sin", "cos"},
                                       {"cot", "cos", "sin"},
                                       {"sec", "", "cos"},
@@ -423,7 +285,7 @@ class Checker {
   std::vector<Fraction> divisors_;
   std::vector<bool> divisor_used_;
   bool collecting_ = false;
-  int trusted_ = 0, depth_ = 0;
+  int trusted_ = 0;
 };
 
 /// Throws std::runtime_error saying what is wrong with a certificate; returns how many facts it takes on

@@ -143,7 +143,7 @@ void Phases::make_generators() {
     denominator_ = GiNaC::lcm(denominator_, (denominator / denominator.integer_content()).expand()).expand();
   }
   std::map<ex, long, GiNaC::ex_is_less> divisors[2];
-  numeric turns = 1;
+  std::vector<numeric> turns;
   for (const auto& [argument, circular] : arguments_) {
     const Argument taken = take_apart(argument, circular);
     for (const auto& [phase, coefficient] : taken.parts) {
@@ -153,23 +153,9 @@ void Phases::make_generators() {
       n = common.to_long();
       if (GiNaC::abs(coefficient * common) > 4000) throw Undecidable("a phase with a multiple above 4000");
     }
-    // cos qπ and sin qπ bring roots of their own, or a root of unity
-    if (circular && !taken.pi.is_integer()) {
-      if (!is_tabled(taken.pi))
-        turns = GiNaC::lcm(turns, taken.pi.denom());
-      else
-        for (const ex& value : {GiNaC::cos(taken.pi * GiNaC::Pi), GiNaC::sin(taken.pi * GiNaC::Pi)})
-          collect(prepare(value, symbols_));
-    }
+    if (circular && !taken.pi.is_integer()) turns.push_back(taken.pi);
   }
-  if (turns > 60) throw Undecidable("a multiple of pi with a denominator above 60");
-  if (turns > 1) {
-    Generator& turn = add(Kind::circular, "$z" + std::to_string(generators_.size()), GiNaC::Pi);
-    const ex polynomial = cyclotomic(2 * turns.to_int(), turn.symbol);
-    turn.divisor = turns.to_int();
-    turn.degree = polynomial.degree(turn.symbol);
-    turn.value = (GiNaC::pow(turn.symbol, turn.degree) - polynomial).expand();
-  }
+  make_turns(turns);
   for (const auto& [base, degree] : roots_) {
     // the root of a symbol or a prime generates; that of anything else is tied to what stands under it
     const bool free = is_a<GiNaC::symbol>(base);
@@ -212,6 +198,31 @@ void Phases::make_generators() {
     }
     if (generator.kind == Kind::circular || generator.kind == Kind::real) relate_inverse(generator);
   }
+}
+
+/// cos qπ and sin qπ bring square roots of their own; or, where one of them is no square root that is known,
+/// a root of unity for all of them, i among its powers.
+void Phases::make_turns(const std::vector<numeric>& turns) {
+  numeric divisor = 2;
+  bool tabled = true;
+  for (const numeric& q : turns) {
+    divisor = GiNaC::lcm(divisor, q.denom());
+    tabled = tabled && is_tabled(q);
+  }
+  if (tabled) {
+    for (const numeric& q : turns)
+      for (const ex& value : std::vector<ex>{GiNaC::cos(q * GiNaC::Pi), GiNaC::sin(q * GiNaC::Pi)})
+        collect(prepare(value, symbols_));
+    return;
+  }
+  if (divisor > 60) throw Undecidable("multiples of pi whose common denominator is above 60");
+  const GiNaC::symbol z("$z" + std::to_string(generators_.size()));
+  const ex polynomial = cyclotomic(2 * divisor.to_int(), z);
+  const int degree = polynomial.degree(z);
+  const ex value = (GiNaC::pow(z, degree) - polynomial).expand();
+  generators_.push_back({Kind::circular, z, GiNaC::Pi, divisor.to_int(), degree, value, false, true});
+  generators_.front().degree = 1;
+  generators_.front().value = GiNaC::pow(z, divisor / 2);
 }
 
 /// e^{i asin u} = √(1-u²) + iu and its kin: an inverse function inside an argument ties its phase to algebra.
@@ -273,10 +284,14 @@ std::pair<std::vector<std::pair<GiNaC::symbol, numeric>>, numeric> Phases::combi
       throw Undecidable("an argument that was not seen before");
     exponents.push_back({generator->symbol, coefficient * generator->divisor});
   }
-  if (!circular || is_tabled(taken.pi)) return {exponents, taken.pi};
-  const Generator* turn = find(Kind::circular, GiNaC::Pi);
-  if (turn == nullptr || !(taken.pi * turn->divisor).is_integer())
+  const Generator* turn = circular ? find(Kind::circular, GiNaC::Pi) : nullptr;
+  if (turn == nullptr) {
+    if (!is_tabled(taken.pi)) throw Undecidable("a multiple of pi that was not seen before");
+    return {exponents, taken.pi};
+  }
+  if (!(taken.pi * turn->divisor).is_integer())
     throw Undecidable("a multiple of pi that was not seen before");
+  if (taken.pi.is_zero()) return {exponents, 0};
   exponents.push_back({turn->symbol, taken.pi * turn->divisor});
   return {exponents, 0};
 }

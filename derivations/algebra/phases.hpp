@@ -72,6 +72,7 @@ class Phases {
   void collect(const GiNaC::ex& prepared);
   Argument take_apart(const GiNaC::ex& argument, bool circular) const;
   void make_generators();
+  void make_turns(const std::vector<GiNaC::numeric>& turns);
   void relate_inverse(Generator& generator);
   GiNaC::ex rewrite(const GiNaC::ex& prepared) const;
   GiNaC::ex exponential(const GiNaC::ex& argument, bool circular) const;
