@@ -68,7 +68,9 @@ Finding beyond_the_end(Workbench& bench, const Claim&) {
       still ? "yes" : "no", gone ? "no" : "yes", full ? "yes" : "no");
   if (!gone) return refuted(found, "It goes on.");
   if (!still && !full) return confirmed(found, "It does.");
-  return qualified(found, "From 6.91 on in the linear model with e of (46); later in the nonlinear one.");
+  return qualified(
+      found, fmt::format("From {:.2f} on in the linear model with e of (46); later in the nonlinear one.",
+                         bench.thresholds().end_of(pulse_case(1)).value_or(0)));
 }
 
 Finding smallest_amplitude(Workbench& bench, const Claim&) {
