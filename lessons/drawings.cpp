@@ -122,7 +122,7 @@ Figure plot(const std::string& name, const std::string& caption, const std::stri
     const std::string title = curves[i].title.empty() ? "notitle" : "title '" + curves[i].title + "'";
     command += fmt::format("{}$curve{} using 1:2 {} {}", i == 0 ? "" : ", ", i, curves[i].style, title);
   }
-  return {name, caption, data + "set grid lc rgb '#dddddd'\nset key top right\n" + settings + "\n" + command + "\n"};
+  return {name, caption, data + "set grid lc rgb '#dddddd'\nset key below\n" + settings + "\n" + command + "\n"};
 }
 
 }  // namespace rederive

@@ -1,5 +1,6 @@
 #include <lessons/experiments.hpp>
 #include <numerics/closed_form.hpp>
+#include <numerics/code_spectrum.hpp>
 #include <numerics/ground_motion.hpp>
 #include <numerics/story.hpp>
 #include <numerics/windows.hpp>
@@ -94,6 +95,10 @@ std::vector<ConditionRoot> condition_roots(const Experiment& experiment) {
     result.push_back({joined(root.equations()), root.amplitude, root.psi, root.impact_time, root.pulse_end,
                       root.admissible, root.why_not.substr(0, root.why_not.find(':'))});
   return result;
+}
+
+double code_response(char ground, double damping_percent, double period) {
+  return elastic_response(ground_type(ground), 1, damping_percent, period);
 }
 
 double amplitude_without_impact(double omega) {

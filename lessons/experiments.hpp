@@ -57,6 +57,9 @@ struct ConditionRoot {
 };
 std::vector<ConditionRoot> condition_roots(const Experiment& experiment);
 
+/// S_e of Eurocode 8 (Type 1, ground A to E) in units of the design ground acceleration a_g; period in s.
+double code_response(char ground, double damping_percent, double period);
+
 /// a_p/(αg) by (71).
 double amplitude_without_impact(double omega);
 /// p T_ex of the sine pulse by (52): (2π − ψ)/(ω_p/p), ψ from a_p sin ψ = αg.

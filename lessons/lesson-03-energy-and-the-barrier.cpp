@@ -39,13 +39,13 @@ Curve potential_curve(const std::string& alpha, const std::string& style) {
   const auto height = [=](double theta) {
     return number_of(theta < 0 ? left : right, {{"theta", fmt::format("{:.6f}", theta)}, {"alpha", alpha}, {"R", "1"}});
   };
-  return {sampled(-0.5, 0.5, 81, height), "alpha = " + alpha, style};
+  return {sampled(-0.5, 0.5, 81, height), "α = " + alpha, style};
 }
 
 void barrier_plot(Page& page) {
   page.figure(plot("lesson-03-barrier", "The rise of C, divided by $R$, against the rotation. The valley at upright has a "
                    "sharp bottom, and beyond the crests the block falls.",
-                   "set xlabel 'θ (rad)'; set ylabel 'rise of C / R'; set key bottom center; set yrange [-0.06:0.09]",
+                   "set xlabel 'θ (rad)'; set ylabel 'rise of C / R'; set yrange [-0.06:0.09]",
                    {potential_curve("0.15", "with lines ls 1"), potential_curve("0.25", "with lines ls 2"),
                     potential_curve("0.40", "with lines ls 3")}));
 }

@@ -105,7 +105,7 @@ void a_picture(Page& page) {
   const Motion safe = motion_of({.omega = 3, .amplitude = least.amplitude * 0.9995, .alpha = 0.25, .until = 14});
   const Motion falls = motion_of({.omega = 3, .amplitude = least.amplitude * 1.0005, .alpha = 0.25, .until = 14});
   page.figure(plot("lesson-09-phase", "Two motions in the phase plane at $omega_p/p = 3$, with amplitudes that differ by a thousandth.",
-                   "set xlabel 'θ / α'; set ylabel 'rate / (α p)'; set xrange [-1.3:1.6]; set yrange [-1.5:1.5]; set key bottom right",
+                   "set xlabel 'θ / α'; set ylabel 'rate / (α p)'; set xrange [-1.3:1.6]; set yrange [-1.5:1.5]",
                    {{safe.phase, in_words(safe.code), "with lines ls 1"}, {falls.phase, in_words(falls.code), "with lines ls 2"}}));
   page.say(R"(
     Start at the middle. The block goes to the left, turns round, and crosses the axis; there the rate drops by the factor

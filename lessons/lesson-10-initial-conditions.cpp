@@ -84,7 +84,7 @@ void in_numbers(Page& page) {
   if (!hindered.empty()) curves.push_back({hindered, "cosine, pushed to the right", "with lines ls 3"});
   page.figure(plot("lesson-10-initial", "Amplitudes that overturn without impact, for $theta_0$ = 0.01 rad and $thetadot_0$ = 0.1 rad/s in the "
                    "direction of falling; roots that the block really follows.",
-                   "set xlabel 'frequency ratio'; set ylabel 'amplitude / (α g)'; set yrange [0:12]; set key top left", curves));
+                   "set xlabel 'frequency ratio'; set ylabel 'amplitude / (α g)'; set yrange [0:12]", curves));
   std::vector<std::vector<std::string>> rows;
   for (const double omega : {2.0, 4.0})
     for (const auto& experiment : {Experiment{.omega = omega}, Experiment{.omega = omega, .theta_0 = -0.01, .thetadot_0 = -0.1},

@@ -27,7 +27,7 @@ void one_curve(Page& page) {
     the spectrum of the block, Figure 10 of the paper: everything an engineer seems to need. Below the curve the block is safe. Is
     it?)");
   page.figure(plot("lesson-11-spectrum", "The smallest admissible root of all conditions (red), and that of (71), without impact (blue). Linear model, restitution by (46), $alpha = 0.25$.",
-                   "set xlabel 'frequency ratio'; set ylabel 'amplitude / (α g)'; set key top left; set yrange [0:12]",
+                   "set xlabel 'frequency ratio'; set ylabel 'amplitude / (α g)'; set yrange [0:12]",
                    {{without, "without impact", "with lines ls 1"}, {least, "the smallest", "with lines ls 2"}}));
   page.say(R"(
     The two curves are one for slow pulses, part, and come together again for fast ones, where the block gets no second
@@ -80,7 +80,7 @@ void more_impacts(Page& page) {
     comes back at another phase of the pulse; some of them are the wrong ones. The number of impacts is always odd here, because the pulse ends by
     pushing to the other side. *There are two modes* was a statement about the computations that had been made, not about the block.
 
-    The windows are narrow: a few thousandths of the amplitude. A study that steps through the amplitudes, as one does when one
+    The windows are narrow, the first of them a thousandth of the amplitude wide. A study that steps through the amplitudes, as one does when one
     draws a map, can pass them by. Ours does not step; it looks for the places where the number of impacts changes, and between two of these
     the outcome is a smooth question.)");
 }
@@ -99,7 +99,7 @@ void what_to_believe(Page& page) {
   stands.amplitude = (*all.front().to + all[1].from) / 2;
   const Motion first = motion_of(fallen), second = motion_of(stands);
   page.figure(plot("lesson-11-stronger-is-safer", "Two pulses at $omega_p/p = 5$: the weaker one overturns the block, the stronger one does not.",
-                   "set xlabel 'p t'; set ylabel 'θ / α'; set yrange [-1.6:1.6]; set key bottom right",
+                   "set xlabel 'p t'; set ylabel 'θ / α'; set yrange [-1.6:1.6]",
                    {{first.angle, fmt::format("{:.2f}: {}", fallen.amplitude, in_words(first.code)), "with lines ls 2"},
                     {second.angle, fmt::format("{:.2f}: {}", stands.amplitude, in_words(second.code)), "with lines ls 1"}}));
 }

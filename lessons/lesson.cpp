@@ -60,6 +60,7 @@ Setting setting_from(const Flags& flags) {
   setting.width = terminal_width();
   setting.lively = flags.out.empty() && is_lively(1) && setting.format == Format::unicode;
   setting.figures = figures_folder(flags);
+  setting.beside = !flags.out.empty();
   setting.previous = neighbour(-1);
   setting.next = neighbour(+1);
   return setting;

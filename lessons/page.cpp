@@ -27,6 +27,7 @@ GiNaC::ex simplified(const GiNaC::ex& expression) {
 /// A step's words with a capital letter, and with a colon where a formula follows.
 std::string as_sentence(std::string words, bool formula) {
   if (words.empty()) return words;
+  if (words.back() == ',') words.pop_back();
   words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
   const bool ended = words.back() == '.' || words.back() == ':' || words.back() == '?';
   return ended ? words : words + (formula ? ":" : ".");

@@ -17,6 +17,7 @@ struct Setting {
   std::size_t width = 80;         ///< of the terminal
   bool lively = false;            ///< bold and colour allowed
   std::filesystem::path figures;  ///< the folder that pictures are written into
+  bool beside = false;            ///< the text stands in that folder, too, and names them without it
   std::string previous, next;     ///< programs of the neighbouring lessons; empty if there is none
 };
 

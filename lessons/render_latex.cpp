@@ -140,7 +140,7 @@ class LatexRenderer : public Renderer {
 
   std::string render(const Figure& part) const {
     const auto picture = draw(part, "pdf", setting_.figures);
-    const std::string image = picture ? "\\includegraphics[width=.75\\linewidth]{" + picture->string() + "}\\\\\n" : "";
+    const std::string image = picture ? "\\includegraphics[width=.75\\linewidth]{" + (setting_.beside ? picture->filename() : *picture).string() + "}\\\\\n" : "";
     return "\\begin{center}" + image + "\\small " + flat(part.caption) + "\\end{center}\n";
   }
 

@@ -75,7 +75,7 @@ class MarkdownRenderer : public Renderer {
   std::string render(const Figure& part) const {
     const auto picture = draw(part, "svg", setting_.figures);
     const std::string caption = flat(part.caption);
-    return (picture ? fmt::format("![{}]({})\n\n", part.name, picture->string()) : std::string()) + caption + "\n";
+    return (picture ? fmt::format("![{}]({})\n\n", part.name, (setting_.beside ? picture->filename() : *picture).string()) : std::string()) + caption + "\n";
   }
 
   static std::string render(const Commands& part) {
