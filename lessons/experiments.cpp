@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::inline teaching {
 namespace {
 
 constexpr double frequency_parameter = 2.14;
@@ -114,4 +114,4 @@ double pulse_length(double omega, double amplitude) {
   return static_cast<double>(motion.back().to);
 }
 
-}  // namespace rederive
+}  // namespace rederive::teaching

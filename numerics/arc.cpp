@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
@@ -114,4 +114,4 @@ Arc Mover::move(const Piece& piece, int side, const Point& start, Real until) {
   return arc;
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

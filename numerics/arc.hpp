@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 /// How an arc ends: at an impact (theta = 0), at the end of the time given, or lying on the side.
 enum class ArcEnd { impact, time, lies };
@@ -53,4 +53,4 @@ class Mover {
   std::unique_ptr<Integrator> integrator_;
 };
 
-}  // namespace rederive
+}  // namespace rederive::numeric

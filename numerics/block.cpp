@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 Block make_block(double alpha, double p, std::optional<double> restitution) {
   if (!(alpha >= 1e-12 && alpha < std::numbers::pi / 2))
@@ -56,4 +56,4 @@ Real acceleration(const Block& block, Model model, int side, Real angle, Real gr
          alpha;
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 /// g in m/s^2, where a length or an acceleration is given in SI units.
 inline constexpr double standard_gravity = 9.81;
@@ -44,4 +44,4 @@ struct Point {
 /// (21a,b) or, for the linear model, of (56a,b).
 Real acceleration(const Block& block, Model model, int side, Real angle, Real ground);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -12,7 +12,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 constexpr Real pi = std::numbers::pi_v<Real>;
@@ -206,4 +206,4 @@ ExactRoot exact_root(const ClosedForm& root, const ExactCase& exact, int digits)
   return {Digits(1) / (cosine ? cos(psi) : sin(psi)), psi, tau, (whole - psi) / exact.omega_ratio};
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

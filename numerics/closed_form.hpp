@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 /// (71), (78): without impact from rest; (86)&(88): one impact before the pulse ends; (92a)&(96): one after;
 /// (103): cosine pulse to theta>0; (104): sine pulse to theta<0, both with initial conditions.
@@ -43,4 +43,4 @@ struct ExactRoot {
 };
 ExactRoot exact_root(const ClosedForm& root, const ExactCase& exact, int digits);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -13,7 +13,7 @@ inline Digits pi<Digits>() {
 }
 }  // namespace rederive::emitted
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 template <class T>
 struct Inputs {
@@ -59,4 +59,4 @@ ResidualPair<T> residuals_with_impact(Form form, const Inputs<T>& in, const T& p
               emitted::overturning_impact_after_pulse_with_derivatives(w, psi, tau, e));
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

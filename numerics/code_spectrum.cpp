@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 const std::vector<GroundType>& ground_types() {
   static const std::vector<GroundType> table{{'A', 1.0, 0.15, 0.4, 2.0},
@@ -45,4 +45,4 @@ double elastic_response(const GroundType& ground, double ground_acceleration, do
   return scale * plateau * ground.period_c * ground.period_d / (period * period);
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -8,7 +8,7 @@
 #include <regex>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 cln::cl_RA power_of_ten(int exponent) {
@@ -57,4 +57,4 @@ Digits atan2(const Digits& y, const Digits& x) {
   return Digits(cln::cl_float(cln::atan(x.value_, y.value_), Digits::format()));
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

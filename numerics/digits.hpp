@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 /// Behaves as a floating-point type; functions are found by argument-dependent lookup. All numbers carry
 /// `working_digits` decimal digits, which is a property of the type.
@@ -76,4 +76,4 @@ class Digits {
   cln::cl_F value_;
 };
 
-}  // namespace rederive
+}  // namespace rederive::numeric

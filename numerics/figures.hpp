@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 struct FigureOptions {
   double ground_acceleration = 0.24;  ///< a_g/g of figure 16: the paper does not say which it used
@@ -33,4 +33,4 @@ struct HistoryCurve {
 };
 std::vector<Panel> history_panels(const std::vector<HistoryCurve>& curves);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 constexpr double span_of_tau = 16;
@@ -158,4 +158,4 @@ Figure history_figure(int number) {
   }
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

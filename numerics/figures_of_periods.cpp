@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 const char* const period_label = "T = T_{ex} (s)";
@@ -113,4 +113,4 @@ Figure code_comparison_figure(const FigureOptions& options) {
   return figure;
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <tuple>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 constexpr double highest = 12;         // of the axis
@@ -235,4 +235,4 @@ Figure paper_figure(int number, const FigureOptions& options) {
   }
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

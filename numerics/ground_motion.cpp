@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 constexpr Real pi = std::numbers::pi_v<Real>;
@@ -106,4 +106,4 @@ GroundMotion record_motion(const Record& record, const Block& block, double scal
   return motion;
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 enum class Pulse { sine, cosine };
 
@@ -61,4 +61,4 @@ Record read_record(const std::string& file, RecordUnit unit, double step = 0);
 /// The record interpolated linearly, for a block with this alpha and p.
 GroundMotion record_motion(const Record& record, const Block& block, double scale = 1);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

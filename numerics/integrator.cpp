@@ -9,7 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 struct Motion {
@@ -75,4 +75,4 @@ Point RockingIntegrator::integrate(const Piece& piece, int side, const Point& fr
   return {time, state[0], state[1]};
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 /// GSL's eighth-order Prince-Dormand method with step control; time is counted from the start of each call,
 /// so that very short stretches lose no digits. Throws std::runtime_error if no step keeps the error small
@@ -31,4 +31,4 @@ class RockingIntegrator {
   double guess_ = 0.1;  ///< the last step size that worked
 };
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -1,6 +1,6 @@
 #include <numerics/map.hpp>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 OutcomeMap outcome_map(const PulseCase& asked, std::vector<double> omega_ratios,
                        std::vector<double> amplitudes, Work work) {
@@ -18,4 +18,4 @@ OutcomeMap outcome_map(const PulseCase& asked, std::vector<double> omega_ratios,
   return map;
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

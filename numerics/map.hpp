@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 struct OutcomeMap {
   std::vector<double> omega_ratios, amplitudes;
@@ -17,4 +17,4 @@ struct OutcomeMap {
 OutcomeMap outcome_map(const PulseCase& asked, std::vector<double> omega_ratios,
                        std::vector<double> amplitudes, Work work);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 constexpr Real same_time = 1e-6L;  ///< relative: the closed form's impact and the simulated one are the same
@@ -101,4 +101,4 @@ std::string why_not(const PulseCase& linear, const Root& root) {
   return not_least(linear, root);
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -3,7 +3,7 @@
 
 #include <numerics/closed_form.hpp>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 /// A root before it is rounded: slow pulses magnify the rounding of the amplitude by e^T_ex.
 struct Root {
@@ -17,4 +17,4 @@ struct Root {
 /// describes and its amplitude is the least of a window; otherwise says what happens instead.
 std::string why_not(const PulseCase& linear, const Root& root);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

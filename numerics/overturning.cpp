@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 /// Equations (62), (63): (theta -+ alpha)^2 - thetadot^2 is constant, and theta = alpha is approached along
@@ -67,4 +67,4 @@ Outcome outcome_at(const PulseCase& asked, Real amplitude) {
   return outcome_of(asked.block, asked.model, motion, asked.initial, asked.tolerance);
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -3,7 +3,7 @@
 
 #include <numerics/response.hpp>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 /// How far the free motion at the end of the ground motion is from each way of overturning; positive = it
 /// does.
@@ -48,4 +48,4 @@ struct PulseCase {
 /// instant then, and std::invalid_argument is thrown.
 Outcome outcome_at(const PulseCase& asked, Real amplitude);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 int for_each_index(const Work& work, const std::function<void(int)>& body) {
   std::atomic<int> next{0};
@@ -37,4 +37,4 @@ int for_each_index(const Work& work, const std::function<void(int)>& body) {
   return done;
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

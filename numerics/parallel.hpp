@@ -4,7 +4,7 @@
 #include <atomic>
 #include <functional>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 struct Work {
   int count = 0;
@@ -17,4 +17,4 @@ struct Work {
 /// Returns how many were done.
 int for_each_index(const Work& work, const std::function<void(int)>& body);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

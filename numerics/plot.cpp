@@ -10,7 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 namespace fs = std::filesystem;
@@ -160,4 +160,4 @@ std::string figure_data(const Figure& figure) {
   return text;
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 /// A curve, or points (`marks`), with a name for the key; a point that is not finite breaks the curve.
 struct Curve {
@@ -47,4 +47,4 @@ void draw(const Shades& shades, const std::filesystem::path& file);
 /// All curves as text: "panel,curve,x,y" lines under a header.
 std::string figure_data(const Figure& figure);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 constexpr std::size_t most_samples = 1'000'000;
@@ -134,4 +134,4 @@ Record read_record(const std::string& file, RecordUnit unit, double step) {
   return record;
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 /// Where a history is wanted, impacts slower than this, in units of alpha p, are at the end of a chain; where only
@@ -192,4 +192,4 @@ std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion&
   return samples;
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

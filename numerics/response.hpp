@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 /// theta_0/alpha and thetadot_0/(alpha p) at tau = 0; both zero: at rest.
 struct InitialState {
@@ -61,4 +61,4 @@ struct Sample {
 std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion& motion,
                             const Response& response, Real until, int count);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 constexpr double lowest_ratio = 1, highest_ratio = 60, largest_amplitude = 200;
@@ -104,4 +104,4 @@ std::optional<SpecialPoint> end_of_mode_2(const PulseCase& asked) {
   return SpecialPoint{*ratio, best_amplitude(at_ratio(asked, *ratio))};
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 struct SpecialPoint {
   double omega_ratio, amplitude;
@@ -20,4 +20,4 @@ std::optional<SpecialPoint> handover(const PulseCase& asked);
 /// much shorter and stronger.) Empty if there is none with 1 < omega_p/p < 60 (so for e = 1).
 std::optional<SpecialPoint> end_of_mode_2(const PulseCase& asked);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

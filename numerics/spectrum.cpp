@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 SpectrumPoint spectrum_point(const PulseCase& asked, const WindowSearch& search) {
   SpectrumPoint point;
@@ -31,4 +31,4 @@ std::vector<SpectrumPoint> spectrum(const PulseCase& asked, const std::vector<do
   return points;
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 constexpr Real long_enough = 60;  ///< e^60 times any margin above zero has left |theta| = alpha behind
@@ -115,4 +115,4 @@ Friction required_friction(const Block& block, Model model, const Story& story) 
   return friction;
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 struct Story {
   Outcome outcome;
@@ -29,4 +29,4 @@ struct Friction {
 };
 Friction required_friction(const Block& block, Model model, const Story& story);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <tuple>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 /// The outcome at one amplitude, the margins squeezed into (-1, 1) so that their steep parts do not hide the
@@ -139,4 +139,4 @@ std::optional<Window> least_window(const std::vector<Window>& windows) {
   return windows.front();
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

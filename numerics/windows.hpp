@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 /// Amplitudes a_p/(alpha g) from .. to that overturn with one code; `to` is empty if it reaches the largest
 /// asked.
@@ -40,4 +40,4 @@ struct Edge {
 };
 Edge edge_of_code(const PulseCase& asked, int code, double inside, double outside);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-namespace rederive {
+namespace rederive::inline teaching {
 
 using GiNaC::ex;
 using GiNaC::ex_to;
@@ -258,4 +258,4 @@ std::optional<Json> certificate(const Relation& left, const Relation& right, con
   }
 }
 
-}  // namespace rederive
+}  // namespace rederive::teaching

@@ -3,7 +3,7 @@
 
 #include <derivations/paper/ledger.hpp>
 
-namespace rederive {
+namespace rederive::inline teaching {
 
 class JudgedRows {
  public:
@@ -16,4 +16,4 @@ class JudgedRows {
   std::map<std::string, Entry> entries_;
 };
 
-}  // namespace rederive
+}  // namespace rederive::teaching

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-namespace rederive {
+namespace rederive::inline teaching {
 
 class JudgedRows;
 class Thresholds;
@@ -23,4 +23,4 @@ class Workbench {
   std::shared_ptr<Thresholds> thresholds_;
 };
 
-}  // namespace rederive
+}  // namespace rederive::teaching

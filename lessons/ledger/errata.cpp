@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace rederive {
+namespace rederive::inline teaching {
 
 namespace {
 
@@ -149,4 +149,4 @@ std::string graph(const std::vector<Entry>& entries) {
   return text + "}\n";
 }
 
-}  // namespace rederive
+}  // namespace rederive::teaching

@@ -6,7 +6,7 @@
 #include <lessons/ledger/report.hpp>
 #include <set>
 
-namespace rederive {
+namespace rederive::inline teaching {
 
 namespace {
 
@@ -130,4 +130,4 @@ nlohmann::ordered_json decide_bounded(const ProveRequest& request, nlohmann::ord
   return to_json(proof);
 }
 
-}  // namespace rederive
+}  // namespace rederive::teaching

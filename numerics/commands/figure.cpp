@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 struct FigureCommand {
@@ -43,4 +43,4 @@ void add_figure(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return run_figure(*options); }; });
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -9,7 +9,7 @@
 
 #include <map>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 struct MapCommand {
@@ -94,4 +94,4 @@ void add_map(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return run_map(*options); }; });
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

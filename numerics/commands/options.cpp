@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequency) {
   static const std::map<std::string, Model> models{{"linear", Model::linear},
@@ -138,4 +138,4 @@ double station(const Span& span, int index) {
   return std::lerp(span.from, span.to, static_cast<double>(index) / (span.count - 1));
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

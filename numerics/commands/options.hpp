@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 /// Options are kept as text, so that --digits can use every digit that was typed.
 struct CommonOptions {
@@ -72,4 +72,4 @@ void add_spectrum(CLI::App& app, Run& run);
 void add_map(CLI::App& app, Run& run);
 void add_figure(CLI::App& app, Run& run);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -173,4 +173,4 @@ void add_response(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return response(*options); }; });
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

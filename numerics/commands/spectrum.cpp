@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 struct SpectrumCommand {
@@ -112,4 +112,4 @@ void add_spectrum(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return run_spectrum(*options); }; });
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

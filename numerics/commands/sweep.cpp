@@ -8,7 +8,7 @@
 #include <csignal>
 #include <thread>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 std::atomic<bool>& interruption() {
@@ -39,4 +39,4 @@ bool was_interrupted(const Work& work) {
   return stopped;
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric

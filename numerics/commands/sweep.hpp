@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace rederive {
+namespace rederive::inline numeric {
 
 /// From --threads ("" = as many as the machine has), with progress on a terminal and stopping at Ctrl-C.
 Work sweep_work(const std::string& threads, int count, const char* unit);
@@ -13,4 +13,4 @@ Work sweep_work(const std::string& threads, int count, const char* unit);
 /// Whether Ctrl-C was pressed; ends the progress line.
 bool was_interrupted(const Work& work);
 
-}  // namespace rederive
+}  // namespace rederive::numeric

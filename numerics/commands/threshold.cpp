@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace rederive {
+namespace rederive::inline numeric {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -161,4 +161,4 @@ void add_threshold(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return threshold(*options); }; });
 }
 
-}  // namespace rederive
+}  // namespace rederive::numeric
