@@ -8,7 +8,7 @@
 #include <sstream>
 #include <unistd.h>
 
-namespace rederive::inline teaching {
+namespace rederive {
 namespace {
 
 constexpr auto terminals =
@@ -58,4 +58,4 @@ std::optional<std::filesystem::path> draw(const Figure& figure, const std::strin
   return picture;
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

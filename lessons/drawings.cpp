@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace rederive::inline teaching {
+namespace rederive {
 namespace {
 
 constexpr double half_width = 0.5, half_height = 1.5;
@@ -125,4 +125,4 @@ Figure plot(const std::string& name, const std::string& caption, const std::stri
   return {name, caption, data + "set grid lc rgb '#dddddd'\nset key below\n" + settings + "\n" + command + "\n"};
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

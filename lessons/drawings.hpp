@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 /// The block of Fig. 1, at rest and turned about O' by theta > 0, with its lengths and angles named.
 Figure block_at_rest(const std::string& name);
@@ -27,4 +27,4 @@ std::vector<std::pair<double, double>> sampled(double first, double last, int co
 Figure plot(const std::string& name, const std::string& caption, const std::string& settings,
             const std::vector<Curve>& curves);
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace rederive::inline teaching {
+namespace rederive {
 namespace {
 
 constexpr double frequency_parameter = 2.14;
@@ -114,4 +114,4 @@ double pulse_length(double omega, double amplitude) {
   return static_cast<double>(motion.back().to);
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

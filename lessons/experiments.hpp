@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 /// One motion under a one-sine pulse (or a one-cosine pulse) that begins when rocking can.
 struct Experiment {
@@ -64,4 +64,4 @@ double code_response(char ground, double damping_percent, double period);
 double amplitude_without_impact(double omega);
 /// p T_ex of the sine pulse by (52): (2π − ψ)/(ω_p/p), ψ from a_p sin ψ = αg.
 double pulse_length(double omega, double amplitude);
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace rederive::inline teaching {
+namespace rederive {
 namespace {
 
 /// "0.123456789…" → six significant digits: enough to see that two numbers differ, short enough to read.
@@ -86,4 +86,4 @@ std::vector<Finding> findings(const Entry& entry) {
   return lines;
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -9,7 +9,7 @@
 #include <map>
 #include <optional>
 
-namespace rederive::inline teaching {
+namespace rederive {
 namespace {
 
 namespace fs = std::filesystem;
@@ -147,4 +147,4 @@ int run_lesson(const Lesson& lesson, int argc, char** argv) {
   return run_command(app, argc, argv, [&] { return run(lesson, flags); });
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 /// Sentences. `$...$` is mathematics in our own syntax, `*...*` emphasis, and backquotes enclose what is typed.
 struct Paragraph { std::string text; };
@@ -91,4 +91,4 @@ double number_of(const GiNaC::ex& expression, const Values& values = {});
 /// Parses the flags that all lessons share, and prints what they ask for. Gives the exit code.
 int run_lesson(const Lesson& lesson, int argc, char** argv);
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -6,7 +6,7 @@
 #include <map>
 #include <stdexcept>
 
-namespace rederive::inline teaching {
+namespace rederive {
 namespace {
 
 const std::map<std::string, std::string, std::less<>> letters{
@@ -198,4 +198,4 @@ std::string escaped(const std::string& text) {
 
 std::string mathml(const std::string& latex) { return "<math>" + Translator(latex).all() + "</math>"; }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

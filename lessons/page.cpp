@@ -7,7 +7,7 @@
 #include <cctype>
 #include <stdexcept>
 
-namespace rederive::inline teaching {
+namespace rederive {
 namespace {
 
 const std::vector<Row>& all_rows() {
@@ -128,4 +128,4 @@ void Page::commands(std::vector<std::string> lines) { blocks_.push_back(Commands
 
 void Page::points(std::vector<std::string> items) { blocks_.push_back(Points{std::move(items)}); }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

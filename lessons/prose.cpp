@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace rederive::inline teaching {
+namespace rederive {
 namespace {
 
 constexpr std::string_view no_break = "\u00A0";
@@ -188,4 +188,4 @@ std::string wrap(std::string_view words, std::size_t width, const std::string& f
   return result + "\n";
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

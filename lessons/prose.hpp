@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 /// A stretch of a sentence.
 struct Span {
@@ -43,4 +43,4 @@ std::size_t columns(std::string_view text);
 /// Breaks words into lines. A no-break space (U+00A0) stays inside its word and is printed as a blank.
 std::string wrap(std::string_view words, std::size_t width, const std::string& first, const std::string& rest);
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 enum class Format { unicode, plain, latex, markdown, html };
 
@@ -58,4 +58,4 @@ std::string mathml(const std::string& latex);
 /// Text for HTML, with & < > " escaped.
 std::string escaped(const std::string& text);
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace rederive::inline teaching {
+namespace rederive {
 namespace {
 
 constexpr auto style = R"(<style>
@@ -163,4 +163,4 @@ std::unique_ptr<Renderer> html_renderer(const Setting& setting) {
   return std::make_unique<HtmlRenderer>(setting);
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

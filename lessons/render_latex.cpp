@@ -3,7 +3,7 @@
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 namespace {
 
 constexpr auto preamble = R"(\documentclass[11pt,a4paper]{article}
@@ -165,4 +165,4 @@ std::unique_ptr<Renderer> latex_renderer(const Setting& setting) {
   return std::make_unique<LatexRenderer>(setting);
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -4,7 +4,7 @@
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 namespace {
 
 class MarkdownRenderer : public Renderer {
@@ -99,4 +99,4 @@ std::unique_ptr<Renderer> markdown_renderer(const Setting& setting) {
   return std::make_unique<MarkdownRenderer>(setting);
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace rederive::inline teaching {
+namespace rederive {
 namespace {
 
 class TextRenderer : public Renderer {
@@ -154,4 +154,4 @@ std::unique_ptr<Renderer> text_renderer(const Setting& setting) {
   return std::make_unique<TextRenderer>(setting);
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -9,7 +9,7 @@
 #include <regex>
 #include <set>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -173,4 +173,4 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
   return context;
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

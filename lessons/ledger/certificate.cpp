@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 using GiNaC::ex;
 using GiNaC::ex_to;
@@ -258,4 +258,4 @@ std::optional<Json> certificate(const Relation& left, const Relation& right, con
   }
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

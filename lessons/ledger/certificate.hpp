@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 /// The certificate of a statement that has been proved, link by link where the left side is a chain:
 ///   left, right, given            the statement as text, and what names stand for
@@ -27,4 +27,4 @@ namespace rederive::inline teaching {
 std::optional<nlohmann::ordered_json> certificate(const Relation& left, const Relation& right,
                                                   const Symbols& symbols, const std::vector<Given>& given);
 
-}  // namespace rederive::teaching
+}  // namespace rederive

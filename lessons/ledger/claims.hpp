@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 class Workbench;
 
@@ -53,4 +53,4 @@ std::string claims_table(const std::vector<JudgedClaim>& judged, bool colour);
 /// All about one claim.
 std::string claim_page(const JudgedClaim& judged, bool colour);
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -1,7 +1,7 @@
 #include <lessons/ledger/claims_checks.hpp>
 #include <stdexcept>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 const std::map<std::string, Check>& claim_checks() {
   static const std::map<std::string, Check> table = [] {
@@ -17,4 +17,4 @@ const std::map<std::string, Check>& claim_checks() {
   return table;
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

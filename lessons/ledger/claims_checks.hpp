@@ -3,7 +3,7 @@
 
 #include <lessons/ledger/claims.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 using Checks = std::map<std::string, Check>;
 
@@ -18,4 +18,4 @@ Checks checks_of_figures();       ///< section 4: printed numbers and captions
 Checks checks_of_minima();        ///< section 4: which mode is least, where, and how much
 Checks checks_of_spectra();       ///< section 4 and conclusion 9: periods and Eurocode 8
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -6,7 +6,7 @@
 #include <lessons/ledger/claims_command.hpp>
 #include <lessons/ledger/claims_workbench.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -46,4 +46,4 @@ int show_claims(const std::string& file, const std::string& id, bool json) {
   return fine ? as_expected : not_as_expected;
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

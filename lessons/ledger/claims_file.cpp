@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -81,4 +81,4 @@ JudgedClaim judge(const Claim& claim, Workbench& bench) {
   return {claim, check->second(bench, claim)};
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

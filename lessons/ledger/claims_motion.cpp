@@ -3,7 +3,7 @@
 #include <lessons/ledger/claims_motion.hpp>
 #include <limits>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 GroundMotion ground_of(const PulseCase& asked, double amplitude) {
   return pulse_motion(asked.pulse, asked.omega_ratio, amplitude, start_level(asked.block, asked.model));
@@ -44,4 +44,4 @@ FrictionRange friction_range(const PulseCase& asked, double amplitude) {
   return range;
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

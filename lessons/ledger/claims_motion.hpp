@@ -3,7 +3,7 @@
 
 #include <numerics/overturning.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 /// 400 states of the block from the start of the pulse of that amplitude to its end.
 std::vector<Sample> samples_at(const PulseCase& asked, double amplitude);
@@ -17,4 +17,4 @@ struct FrictionRange {
 };
 FrictionRange friction_range(const PulseCase& asked, double amplitude);
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -7,7 +7,7 @@
 #include <lessons/ledger/claims_motion.hpp>
 #include <lessons/ledger/claims_thresholds.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -189,4 +189,4 @@ Checks checks_of_cosine() {
           {"cosine_against_sine", cosine_against_sine}};
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

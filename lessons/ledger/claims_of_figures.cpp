@@ -7,7 +7,7 @@
 #include <lessons/ledger/claims_readings.hpp>
 #include <numerics/story.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -248,4 +248,4 @@ Checks checks_of_figures() {
           {"regions_of_agreement", good_agreement}};
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

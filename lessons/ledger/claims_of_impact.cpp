@@ -8,7 +8,7 @@
 #include <lessons/ledger/claims_readings.hpp>
 #include <numbers>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -152,4 +152,4 @@ Checks checks_of_impact() {
           {"slender_example", slender_example}};
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -8,7 +8,7 @@
 #include <lessons/ledger/claims_thresholds.hpp>
 #include <numbers>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -211,4 +211,4 @@ Checks checks_of_linear_model() {
           {"limit_of_tanh", limit_of_tanh}};
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

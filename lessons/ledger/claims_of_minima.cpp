@@ -5,7 +5,7 @@
 #include <lessons/ledger/claims_checks.hpp>
 #include <lessons/ledger/claims_readings.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -138,4 +138,4 @@ Checks checks_of_minima() {
           {"amplitude_at_4", amplitude_at_4}};
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

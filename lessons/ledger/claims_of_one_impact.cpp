@@ -5,7 +5,7 @@
 #include <lessons/ledger/claims_checks.hpp>
 #include <lessons/ledger/claims_readings.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -103,4 +103,4 @@ Checks checks_of_one_impact() {
           {"independent_of_alpha", independent_of_alpha}};
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -6,7 +6,7 @@
 #include <lessons/ledger/claims_rows.hpp>
 #include <lessons/ledger/claims_verdicts.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -166,4 +166,4 @@ Checks checks_of_rows() {
   return checks;
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numerics/code_spectrum.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -177,4 +177,4 @@ Checks checks_of_spectra() {
           {"safety_by_spectrum", safety_by_spectrum}};
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

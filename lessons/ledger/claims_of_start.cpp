@@ -9,7 +9,7 @@
 #include <numerics/story.hpp>
 #include <set>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -216,4 +216,4 @@ Checks checks_of_start() {
           {"tangent_is_enough", tangent_is_enough}};
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -10,7 +10,7 @@
 #include <lessons/ledger/claims_rows.hpp>
 #include <lessons/ledger/claims_verdicts.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -238,4 +238,4 @@ Checks checks_of_symbols() {
           {"extends_71", extends_71}};
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

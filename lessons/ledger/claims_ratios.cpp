@@ -2,7 +2,7 @@
 #include <lessons/ledger/claims_motion.hpp>
 #include <lessons/ledger/claims_ratios.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::optional<double> ratio_of_end(const PulseCase& asked) {
   return first_end([&](double ratio) { return best_margin(at(asked, ratio)) > 0; });
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

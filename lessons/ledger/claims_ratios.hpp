@@ -5,7 +5,7 @@
 #include <numerics/overturning.hpp>
 #include <optional>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 /// omega_p/p at which the critical impact comes exactly when the pulse ends; `threshold` gives the least
 /// amplitude after one impact. Empty if there is none between 3 and 12. numerics/special.hpp finds it to the
@@ -16,4 +16,4 @@ std::optional<double> ratio_of_handover(
 /// strikes after the pulse is 0. Empty if there is none between 3 and 12.
 std::optional<double> ratio_of_end(const PulseCase& asked);
 
-}  // namespace rederive::teaching
+}  // namespace rederive

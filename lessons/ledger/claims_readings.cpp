@@ -5,7 +5,7 @@
 #include <lessons/ledger/claims_readings.hpp>
 #include <numbers>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -132,4 +132,4 @@ std::vector<Reading> end_readings(Thresholds& bench) {
   return list;
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

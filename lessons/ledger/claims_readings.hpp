@@ -3,7 +3,7 @@
 
 #include <lessons/ledger/claims_thresholds.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 /// One way to read a number: in words, and the value that it gives.
 struct Reading {
@@ -41,4 +41,4 @@ std::vector<Reading> period_readings(Thresholds& bench, double omega_ratio, doub
 std::vector<Reading> handover_readings(Thresholds& bench);
 std::vector<Reading> end_readings(Thresholds& bench);
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -5,7 +5,7 @@
 #include <lessons/ledger/claims.hpp>
 #include <sstream>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -97,4 +97,4 @@ std::string claim_page(const JudgedClaim& judged, bool colour) {
   return text;
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -3,7 +3,7 @@
 
 #include <derivations/paper/ledger.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 class JudgedRows {
  public:
@@ -16,4 +16,4 @@ class JudgedRows {
   std::map<std::string, Entry> entries_;
 };
 
-}  // namespace rederive::teaching
+}  // namespace rederive

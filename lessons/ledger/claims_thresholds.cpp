@@ -5,7 +5,7 @@
 #include <lessons/ledger/claims_thresholds.hpp>
 #include <lessons/ledger/claims_workbench.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -104,4 +104,4 @@ double in_tangent(const PulseCase& asked, double amplitude) {
   return amplitude * asked.block.alpha / std::tan(asked.block.alpha);
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -7,7 +7,7 @@
 #include <numerics/windows.hpp>
 #include <optional>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 /// Keeps what is expensive.
 class Thresholds {
@@ -49,4 +49,4 @@ std::vector<ClosedForm> roots_of(Form form, const PulseCase& asked);
 /// Amplitude in units of g*tan(alpha) instead of alpha*g.
 double in_tangent(const PulseCase& asked, double amplitude);
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -5,7 +5,7 @@
 #include <lessons/ledger/claims_verdicts.hpp>
 #include <lessons/ledger/claims_workbench.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 std::shared_ptr<JudgedRows> make_judged_rows() { return std::make_shared<JudgedRows>(); }
 
@@ -71,4 +71,4 @@ std::string rows_say(Workbench& bench, const std::vector<std::string>& ids) {
   return text;
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -4,7 +4,7 @@
 #include <lessons/ledger/claims.hpp>
 #include <lessons/ledger/claims_workbench.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 /// "2.3577": `digits` after the point.
 std::string fixed(double value, int digits = 4);
@@ -25,4 +25,4 @@ bool rows_stand(Workbench& bench, const std::vector<std::string>& ids);
 /// "(24b) proved, (88) refuted: right is …".
 std::string rows_say(Workbench& bench, const std::vector<std::string>& ids);
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 class JudgedRows;
 class Thresholds;
@@ -23,4 +23,4 @@ class Workbench {
   std::shared_ptr<Thresholds> thresholds_;
 };
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -149,4 +149,4 @@ std::string graph(const std::vector<Entry>& entries) {
   return text + "}\n";
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

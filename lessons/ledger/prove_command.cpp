@@ -6,7 +6,7 @@
 #include <lessons/ledger/report.hpp>
 #include <set>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -130,4 +130,4 @@ nlohmann::ordered_json decide_bounded(const ProveRequest& request, nlohmann::ord
   return to_json(proof);
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

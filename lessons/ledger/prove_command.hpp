@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 /// What was asked.
 struct ProveRequest {
@@ -36,4 +36,4 @@ Proof decide(const ProveRequest& request);
 nlohmann::ordered_json decide_bounded(const ProveRequest& request,
                                       nlohmann::ordered_json* certificate = nullptr);
 
-}  // namespace rederive::teaching
+}  // namespace rederive

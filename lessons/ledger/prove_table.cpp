@@ -5,7 +5,7 @@
 #include <lessons/ledger/prove_table.hpp>
 #include <map>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 namespace {
 
@@ -95,4 +95,4 @@ std::string table_page(const std::vector<TableRow>& rows, int& unexpected) {
   return head + "\n" + body;
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <lessons/ledger/prove_command.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 struct TableRow {
   std::string group, why;  ///< the heading it stands under, and why it is there
@@ -24,4 +24,4 @@ std::string verdict_of(const TableRow& row);
 /// whose verdict is not the expected one (they are marked).
 std::string table_page(const std::vector<TableRow>& rows, int& unexpected);
 
-}  // namespace rederive::teaching
+}  // namespace rederive

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 using Json = nlohmann::ordered_json;
 
@@ -135,4 +135,4 @@ std::string ledger_page(const Entry& entry, bool colour) {
   return text;
 }
 
-}  // namespace rederive::teaching
+}  // namespace rederive

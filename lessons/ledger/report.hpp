@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace rederive::inline teaching {
+namespace rederive {
 
 /// The whole ledger in one JSON document, as COMMANDS fixes it: paper, equations, counts.
 nlohmann::ordered_json to_json(const std::vector<Entry>& entries);
@@ -24,4 +24,4 @@ std::string graph(const std::vector<Entry>& entries);
 /// Verdict → how many.
 std::map<std::string, int> counts(const std::vector<Entry>& entries);
 
-}  // namespace rederive::teaching
+}  // namespace rederive
