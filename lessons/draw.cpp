@@ -1,12 +1,12 @@
 // Figures: gnuplot does the drawing, for lines, curves and lettering alike.
 #include <fmt/format.h>
-#include <lessons/render.hpp>
+#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <lessons/render.hpp>
 #include <sstream>
-#include <unistd.h>
 
 namespace rederive {
 namespace {
@@ -43,10 +43,12 @@ std::optional<std::filesystem::path> draw(const Figure& figure, const std::strin
   const auto partial = folder / fmt::format(".{}.{}.{}", figure.name, ::getpid(), kind);
   const auto script = folder / fmt::format(".{}.{}.gnuplot", figure.name, ::getpid());
   const auto log = folder / fmt::format(".{}.{}.log", figure.name, ::getpid());
-  std::ofstream(script) << terminals << terminal(kind) << "set output '" << partial.filename().string() << "'\n"
+  std::ofstream(script) << terminals << terminal(kind) << "set output '" << partial.filename().string()
+                        << "'\n"
                         << figure.script << "\n";
   const int status = std::system(fmt::format("cd {} && gnuplot {} >{} 2>&1", in_quotes(folder),
-                                             in_quotes(script.filename()), in_quotes(log.filename())).c_str());
+                                             in_quotes(script.filename()), in_quotes(log.filename()))
+                                     .c_str());
   std::ostringstream said;
   said << std::ifstream(log).rdbuf();
   std::filesystem::remove(script);

@@ -1,16 +1,18 @@
-#include <emitted/rocking_block.hpp>
 #include <fmt/format.h>
-#include <lessons/drawings.hpp>
 
 #include <array>
 #include <cmath>
+#include <emitted/rocking_block.hpp>
+#include <lessons/drawings.hpp>
 
 namespace rederive {
 namespace {
 
 constexpr double half_width = 0.5, half_height = 1.5;
 
-struct Place { double x, y; };
+struct Place {
+  double x, y;
+};
 
 /// A point of the block given from the corner O', after the block has turned clockwise about it.
 Place turned(Place from_corner, double theta, Place corner) {
@@ -20,8 +22,8 @@ Place turned(Place from_corner, double theta, Place corner) {
 
 /// The four corners as a closed gnuplot data block.
 std::string outline(const std::string& block, double theta, Place corner) {
-  const std::array<Place, 5> corners{{{0, 0}, {0, 2 * half_height}, {-2 * half_width, 2 * half_height},
-                                      {-2 * half_width, 0}, {0, 0}}};
+  const std::array<Place, 5> corners{
+      {{0, 0}, {0, 2 * half_height}, {-2 * half_width, 2 * half_height}, {-2 * half_width, 0}, {0, 0}}};
   std::string text = "$" + block + " << EOD\n";
   for (const auto& place : corners) {
     const Place at = turned(place, theta, corner);
@@ -45,8 +47,9 @@ Figure block_at_rest(const std::string& name) {
   const double theta = 0.17, alpha = std::atan(half_width / half_height);
   const Place centre{left_foot.x - half_width, half_height};
   const Place centre_turned = turned({-half_width, half_height}, theta, right_foot);
-  std::string script = "unset border; unset tics; unset key\nset size ratio -1\nset xrange [-1.6:6.4]\n"
-                       "set yrange [-0.7:3.7]\n";
+  std::string script =
+      "unset border; unset tics; unset key\nset size ratio -1\nset xrange [-1.6:6.4]\n"
+      "set yrange [-0.7:3.7]\n";
   script += outline("standing", 0, left_foot) + outline("turned", theta, right_foot);
   script += line({-1.5, 0}, {6.3, 0}, "nohead lw 2 lc rgb '#555555'");
   script += line(left_foot, centre, "nohead dt 2 lw 1.5 lc rgb '#1f5fa8'");
@@ -55,8 +58,10 @@ Figure block_at_rest(const std::string& name) {
   script += line({-0.75, 0}, {-0.75, 3}, "heads lc rgb '#555555'") + label("2h", {-1.05, 1.5});
   script += label("C", {centre.x - 0.2, centre.y}) + label("R", {centre.x + 0.12, 0.75});
   script += label("α", {left_foot.x - 0.11, 1.0}) + label("O", {-0.5, -0.3}) + label("O′", {0.5, -0.3});
-  script += fmt::format("set object 1 circle at {:.3f},{:.3f} size 0.05 fs solid fc rgb 'black'\n", centre.x, centre.y);
-  script += fmt::format("set object 2 circle at {:.3f},{:.3f} size 0.05 fs solid fc rgb 'black'\n", centre_turned.x, centre_turned.y);
+  script += fmt::format("set object 1 circle at {:.3f},{:.3f} size 0.05 fs solid fc rgb 'black'\n", centre.x,
+                        centre.y);
+  script += fmt::format("set object 2 circle at {:.3f},{:.3f} size 0.05 fs solid fc rgb 'black'\n",
+                        centre_turned.x, centre_turned.y);
   script += line(right_foot, centre_turned, "nohead dt 2 lw 1.5 lc rgb '#1f5fa8'");
   script += line(right_foot, {right_foot.x, 3.2}, "nohead dt 3 lc rgb '#999999'");
   const Place edge = turned({0, 3.3}, theta, right_foot);
@@ -68,8 +73,10 @@ Figure block_at_rest(const std::string& name) {
   script += label("C", {centre_turned.x - 0.2, centre_turned.y}) + label("O′", {right_foot.x, -0.3});
   script += line({2.0, -0.45}, {2.9, -0.45}, "lw 2 lc rgb '#2e8b57'") + label("u_g", {3.2, -0.45});
   script += "plot $standing with lines lw 2 lc rgb 'black', $turned with lines lw 2 lc rgb '#c0392b'\n";
-  return {name, "The block at rest (black), and turned clockwise by $theta > 0$ about its right corner O' (red). "
-                "The ground moves by $u_g$ to the right.", script};
+  return {name,
+          "The block at rest (black), and turned clockwise by $theta > 0$ about its right corner O' (red). "
+          "The ground moves by $u_g$ to the right.",
+          script};
 }
 
 Figure phase_portrait_of_free_rocking(const std::string& name) {
@@ -90,15 +97,22 @@ Figure phase_portrait_of_free_rocking(const std::string& name) {
   std::string levels, curves;
   for (const double part : {0.2, 0.5, 0.8, 1.3, 1.8})
     levels += fmt::format("{}{:.7f}", levels.empty() ? "" : ",", part * barrier);
-  const std::string script = data + fmt::format(
-      "set contour base; unset surface\nset cntrparam levels discrete {}\nset table $rocking\n"
-      "splot $energy using 1:2:3\nunset table\nset cntrparam levels discrete {:.7f}\nset table $limit\n"
-      "splot $energy using 1:2:3\nunset table\n"
-      "set xlabel 'θ / α'; set ylabel 'rate of turning / (α p)'\nset xrange [-1.4:1.4]; set yrange [-1.6:1.6]\n"
-      "set grid lc rgb '#dddddd'; unset key\nset arrow from 0.05,0.84 to 0.3,0.70 lw 2 lc rgb '#1f5fa8'\n"
-      "plot $rocking using 1:2 with lines ls 1, $limit using 1:2 with lines ls 2\n", levels, barrier);
-  return {name, "Free rocking of a block with $alpha = 0.25$. Blue: motions of constant energy. Red: the energy that "
-                "just lifts C above the corner; inside it the block rocks, outside it falls.", script};
+  const std::string script =
+      data +
+      fmt::format(
+          "set contour base; unset surface\nset cntrparam levels discrete {}\nset table $rocking\n"
+          "splot $energy using 1:2:3\nunset table\nset cntrparam levels discrete {:.7f}\nset table $limit\n"
+          "splot $energy using 1:2:3\nunset table\n"
+          "set xlabel 'θ / α'; set ylabel 'rate of turning / (α p)'\nset xrange [-1.4:1.4]; set yrange "
+          "[-1.6:1.6]\n"
+          "set grid lc rgb '#dddddd'; unset key\nset arrow from 0.05,0.84 to 0.3,0.70 lw 2 lc rgb '#1f5fa8'\n"
+          "plot $rocking using 1:2 with lines ls 1, $limit using 1:2 with lines ls 2\n",
+          levels, barrier);
+  return {
+      name,
+      "Free rocking of a block with $alpha = 0.25$. Blue: motions of constant energy. Red: the energy that "
+      "just lifts C above the corner; inside it the block rocks, outside it falls.",
+      script};
 }
 
 std::vector<std::pair<double, double>> sampled(double first, double last, int count,
@@ -122,7 +136,8 @@ Figure plot(const std::string& name, const std::string& caption, const std::stri
     const std::string title = curves[i].title.empty() ? "notitle" : "title '" + curves[i].title + "'";
     command += fmt::format("{}$curve{} using 1:2 {} {}", i == 0 ? "" : ", ", i, curves[i].style, title);
   }
-  return {name, caption, data + "set grid lc rgb '#dddddd'\nset key below\n" + settings + "\n" + command + "\n"};
+  return {name, caption,
+          data + "set grid lc rgb '#dddddd'\nset key below\n" + settings + "\n" + command + "\n"};
 }
 
 }  // namespace rederive

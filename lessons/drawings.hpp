@@ -1,9 +1,8 @@
 // The pictures that lessons share: the block, standing and turned, and plots of computed curves.
 #pragma once
 
-#include <lessons/lesson.hpp>
-
 #include <functional>
+#include <lessons/lesson.hpp>
 #include <string>
 #include <utility>
 #include <vector>

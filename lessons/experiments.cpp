@@ -1,12 +1,11 @@
+#include <algorithm>
+#include <cmath>
 #include <lessons/experiments.hpp>
 #include <numerics/closed_form.hpp>
 #include <numerics/code_spectrum.hpp>
 #include <numerics/ground_motion.hpp>
 #include <numerics/story.hpp>
 #include <numerics/windows.hpp>
-
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 namespace rederive {
@@ -40,7 +39,8 @@ Motion motion_of(const Experiment& experiment, int points) {
   Motion motion;
   motion.code = story.outcome.code;
   motion.needed_friction = required_friction(asked.block, asked.model, story).required;
-  for (const auto& sample : sampled(asked.block, asked.model, ground, story.response, experiment.until, points)) {
+  for (const auto& sample :
+       sampled(asked.block, asked.model, ground, story.response, experiment.until, points)) {
     const double time = static_cast<double>(sample.time), angle = static_cast<double>(sample.angle);
     const double velocity = static_cast<double>(sample.velocity);
     if (std::abs(angle) > 3) break;  // it is falling: nothing more to see
@@ -55,8 +55,9 @@ Motion motion_of(const Experiment& experiment, int points) {
 std::string in_words(int code) {
   if (code == 0) return "safe";
   const int impacts = std::abs(code) - 1;
-  const std::string times = impacts == 0 ? "without impact" : impacts == 1 ? "after one impact"
-                                                            : "after " + std::to_string(impacts) + " impacts";
+  const std::string times = impacts == 0   ? "without impact"
+                            : impacts == 1 ? "after one impact"
+                                           : "after " + std::to_string(impacts) + " impacts";
   return std::string("overturns to ") + (code < 0 ? "θ < 0 " : "θ > 0 ") + times;
 }
 
@@ -85,7 +86,8 @@ double simulated_without_impact(const Experiment& experiment) {
 std::optional<double> least_by_conditions(const Experiment& experiment, double largest) {
   std::optional<double> least;
   for (const auto& root : condition_roots(experiment))
-    if (root.admissible && root.amplitude <= largest && (!least || root.amplitude < *least)) least = root.amplitude;
+    if (root.admissible && root.amplitude <= largest && (!least || root.amplitude < *least))
+      least = root.amplitude;
   return least;
 }
 

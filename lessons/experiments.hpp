@@ -1,5 +1,5 @@
-// What the lessons ask of the numerics, in plain numbers. Times are p t, angles θ/α, velocities θ̇/(αp), amplitudes
-// a_p/(αg), as in DESIGN; the block has p = 2.14 1/s and the restitution of (46).
+// What the lessons ask of the numerics, in plain numbers. Times are p t, angles θ/α, velocities θ̇/(αp),
+// amplitudes a_p/(αg), as in DESIGN; the block has p = 2.14 1/s and the restitution of (46).
 #pragma once
 
 #include <optional>
@@ -13,14 +13,15 @@ namespace rederive {
 struct Experiment {
   double omega = 2, amplitude = 2, alpha = 0.25, until = 10;
   bool nonlinear = false, cosine = false;
-  double theta_0 = 0, thetadot_0 = 0;  ///< rad, rad/s
+  double theta_0 = 0, thetadot_0 = 0;      ///< rad, rad/s
   std::optional<double> restitution = {};  ///< that of (46) if nothing is given
 };
 
 struct Motion {
-  std::vector<std::pair<double, double>> angle, velocity, phase, ground;  ///< against time; phase: (angle, velocity)
-  int code = 0;                                                          ///< side·(impacts + 1), 0 = safe
-  double needed_friction = 0;                                            ///< the largest |H|/V while it rocks
+  std::vector<std::pair<double, double>> angle, velocity, phase,
+      ground;                  ///< against time; phase: (angle, velocity)
+  int code = 0;                ///< side·(impacts + 1), 0 = safe
+  double needed_friction = 0;  ///< the largest |H|/V while it rocks
 };
 Motion motion_of(const Experiment& experiment, int points = 400);
 /// "safe", "overturns to θ < 0 without impact" …
@@ -40,8 +41,8 @@ struct LeastOverturning {
   int code;
 };
 LeastOverturning least_overturning(const Experiment& experiment, double largest = 12);
-/// The smallest amplitude that overturns without impact, by simulation alone: bisected until two neighbouring numbers
-/// of the machine are left. The one way to know it for the nonlinear model.
+/// The smallest amplitude that overturns without impact, by simulation alone: bisected until two neighbouring
+/// numbers of the machine are left. The one way to know it for the nonlinear model.
 double simulated_without_impact(const Experiment& experiment);
 /// The smallest admissible root of the paper's conditions; nothing if there is none up to `largest`.
 std::optional<double> least_by_conditions(const Experiment& experiment, double largest = 12);

@@ -1,10 +1,10 @@
 // What a judgement says, in words that every format shares.
-#include <derivations/algebra/syntax.hpp>
 #include <fmt/format.h>
-#include <lessons/prose.hpp>
-#include <lessons/render.hpp>
 
 #include <cmath>
+#include <derivations/algebra/syntax.hpp>
+#include <lessons/prose.hpp>
+#include <lessons/render.hpp>
 
 namespace rederive {
 namespace {
@@ -29,11 +29,13 @@ std::string approximately(const std::string& fraction) {
 std::string witness_sentence(const Witness& witness) {
   std::string at;
   for (const auto& [symbol, value] : witness.at) {
-    const bool short_enough = value.size() <= 12;  // a fraction to work with by hand; the ledger has the long ones
-    at += fmt::format("{}${} = {}$", at.empty() ? "" : ", ", symbol, short_enough ? value : approximately(value));
+    const bool short_enough =
+        value.size() <= 12;  // a fraction to work with by hand; the ledger has the long ones
+    at += fmt::format("{}${} = {}$", at.empty() ? "" : ", ", symbol,
+                      short_enough ? value : approximately(value));
   }
-  return fmt::format("at {} the printed form comes to {}, the derived one to {}", at, shortened(witness.printed),
-                     shortened(witness.derived));
+  return fmt::format("at {} the printed form comes to {}, the derived one to {}", at,
+                     shortened(witness.printed), shortened(witness.derived));
 }
 
 /// "w != 0" → "$w$ ≠ 0"; a condition in another form stays as it is.
@@ -77,9 +79,11 @@ std::vector<Finding> findings(const Entry& entry) {
   words("provided that", joined(entry.proof.side_conditions));
   if (entry.derivation) words("assuming that", marked(entry.derivation->assumption));
   if (entry.derivation && entry.proof.verdict == Verdict::approximation)
-    words("approximation", marked(fmt::format("to order {} in {}", entry.derivation->order, entry.derivation->small)));
+    words("approximation",
+          marked(fmt::format("to order {} in {}", entry.derivation->order, entry.derivation->small)));
   if (entry.proof.witness) words("witness", witness_sentence(*entry.proof.witness));
-  if (entry.dimension && !entry.dimension->consistent) words("dimensions", marked(entry.dimension->explanation));
+  if (entry.dimension && !entry.dimension->consistent)
+    words("dimensions", marked(entry.dimension->explanation));
   if (entry.proof.verdict == Verdict::undecided) words("why", marked(entry.proof.reason));
   words("consequence", entry.proof.verdict == Verdict::refuted ? marked(entry.row.consequence) : "");
   words("text repaired", marked(entry.row.scan_repaired));

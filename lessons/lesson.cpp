@@ -1,11 +1,11 @@
 // The main that all lessons share: one set of flags.
-#include <derivations/command_line.hpp>
 #include <fmt/format.h>
-#include <lessons/prose.hpp>
-#include <lessons/render.hpp>
 #include <sys/ioctl.h>
 
 #include <algorithm>
+#include <derivations/command_line.hpp>
+#include <lessons/prose.hpp>
+#include <lessons/render.hpp>
 #include <map>
 #include <optional>
 
@@ -20,8 +20,11 @@ struct Flags {
   std::string format = "unicode", out;
 };
 
-const std::map<std::string, Format> formats{{"unicode", Format::unicode}, {"plain", Format::plain},
-    {"latex", Format::latex}, {"markdown", Format::markdown}, {"html", Format::html}};
+const std::map<std::string, Format> formats{{"unicode", Format::unicode},
+                                            {"plain", Format::plain},
+                                            {"latex", Format::latex},
+                                            {"markdown", Format::markdown},
+                                            {"html", Format::html}};
 
 fs::path own_program() { return fs::read_symlink("/proc/self/exe"); }
 
@@ -33,8 +36,11 @@ std::string neighbour(int distance) {
     if (file.path().filename().string().starts_with("lesson-") && !file.path().has_extension())
       names.push_back(file.path().filename());
   std::sort(names.begin(), names.end());
-  const auto here = std::find(names.begin(), names.end(), self.filename().string()) - names.begin() + distance;
-  return here < 0 || here >= static_cast<std::ptrdiff_t>(names.size()) ? "" : names[static_cast<std::size_t>(here)];
+  const auto here =
+      std::find(names.begin(), names.end(), self.filename().string()) - names.begin() + distance;
+  return here < 0 || here >= static_cast<std::ptrdiff_t>(names.size())
+             ? ""
+             : names[static_cast<std::size_t>(here)];
 }
 
 std::size_t terminal_width() {
@@ -43,8 +49,8 @@ std::size_t terminal_width() {
   return std::clamp<std::size_t>(size.ws_col, 40, 100);
 }
 
-/// Beside --out, where the text refers to them; a web page has them inside. Else build/figures, and the system's
-/// folder for temporary files where that cannot be written.
+/// Beside --out, where the text refers to them; a web page has them inside. Else build/figures, and the
+/// system's folder for temporary files where that cannot be written.
 fs::path figures_folder(const Flags& flags) {
   if (!flags.out.empty() && flags.format != "html") return fs::absolute(flags.out).parent_path();
   const fs::path beside = own_program().parent_path().parent_path() / "figures";
@@ -86,7 +92,8 @@ std::string contents(const Lesson& lesson) {
 }
 
 /// Hands on each part as soon as it is there.
-void write_lesson(const Lesson& lesson, const Flags& flags, const std::function<void(const std::string&)>& put) {
+void write_lesson(const Lesson& lesson, const Flags& flags,
+                  const std::function<void(const std::string&)>& put) {
   const auto renderer = make_renderer(setting_from(flags));
   if (!flags.step) put(renderer->begin(lesson));
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
@@ -100,7 +107,8 @@ void write_lesson(const Lesson& lesson, const Flags& flags, const std::function<
 
 int run(const Lesson& lesson, const Flags& flags) {
   if (flags.step && (*flags.step < 1 || *flags.step > static_cast<int>(lesson.steps.size())))
-    throw BadInput(fmt::format("--step {}: this lesson has the steps 1 to {}", *flags.step, lesson.steps.size()));
+    throw BadInput(
+        fmt::format("--step {}: this lesson has the steps 1 to {}", *flags.step, lesson.steps.size()));
   if (!flags.out.empty() && !fs::is_directory(fs::absolute(flags.out).parent_path()))
     throw BadInput("--out " + flags.out + ": there is no such folder");
   std::string text;
@@ -128,10 +136,14 @@ int run(const Lesson& lesson, const Flags& flags) {
 
 std::unique_ptr<Renderer> make_renderer(const Setting& setting) {
   switch (setting.format) {
-    case Format::latex: return latex_renderer(setting);
-    case Format::markdown: return markdown_renderer(setting);
-    case Format::html: return html_renderer(setting);
-    default: return text_renderer(setting);
+    case Format::latex:
+      return latex_renderer(setting);
+    case Format::markdown:
+      return markdown_renderer(setting);
+    case Format::html:
+      return html_renderer(setting);
+    default:
+      return text_renderer(setting);
   }
 }
 
@@ -141,7 +153,8 @@ int run_lesson(const Lesson& lesson, int argc, char** argv) {
   app.add_flag("--list", flags.list, "the steps of this lesson");
   app.add_option("--step", flags.step, "one step alone, to go slowly")->type_name("N");
   app.add_option("--format", flags.format, "unicode, plain, latex, markdown or html")
-      ->check(CLI::IsMember({"unicode", "plain", "latex", "markdown", "html"}))->type_name("FORMAT");
+      ->check(CLI::IsMember({"unicode", "plain", "latex", "markdown", "html"}))
+      ->type_name("FORMAT");
   app.add_flag("--quiet", flags.quiet, "the ledger's verdicts only");
   app.add_option("--out", flags.out, "write here instead of to the terminal")->type_name("FILE");
   return run_command(app, argc, argv, [&] { return run(lesson, flags); });

@@ -1,12 +1,11 @@
 // What a lesson is made of, and the one main that all lessons share.
 //
 // A lesson is a list of steps, each a function that writes on a Page when its turn comes: sentences, formulas
-// computed at that moment, the ledger's verdicts, tables, figures, things to try. The renderers turn a page into
-// text for a terminal, LaTeX, Markdown or HTML; a lesson knows nothing about them.
+// computed at that moment, the ledger's verdicts, tables, figures, things to try. The renderers turn a page
+// into text for a terminal, LaTeX, Markdown or HTML; a lesson knows nothing about them.
 #pragma once
 
 #include <derivations/paper/ledger.hpp>
-
 #include <map>
 #include <string>
 #include <variant>
@@ -14,19 +13,36 @@
 
 namespace rederive {
 
-/// Sentences. `$...$` is mathematics in our own syntax, `*...*` emphasis, and backquotes enclose what is typed.
-struct Paragraph { std::string text; };
+/// Sentences. `$...$` is mathematics in our own syntax, `*...*` emphasis, and backquotes enclose what is
+/// typed.
+struct Paragraph {
+  std::string text;
+};
 /// A displayed relation (or expression), with the paper's number if it has one.
-struct Formula { Relation relation; std::string number; };
+struct Formula {
+  Relation relation;
+  std::string number;
+};
 /// What the ledger found about one row, computed when the step ran.
-struct Judgement { Entry entry; };
-struct Table { std::vector<std::string> header; std::vector<std::vector<std::string>> rows; };
+struct Judgement {
+  Entry entry;
+};
+struct Table {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+};
 /// A picture: gnuplot commands without terminal and output. The name becomes the file's name.
-struct Figure { std::string name, caption, script; };
+struct Figure {
+  std::string name, caption, script;
+};
 /// Commands to type, one a line.
-struct Commands { std::vector<std::string> lines; };
+struct Commands {
+  std::vector<std::string> lines;
+};
 /// A list of points, each like a Paragraph.
-struct Points { std::vector<std::string> items; };
+struct Points {
+  std::vector<std::string> items;
+};
 
 using Passage = std::variant<Paragraph, Formula, Judgement, Table, Figure, Commands, Points>;
 

@@ -1,8 +1,7 @@
-// LaTeX, as far as `print` and the symbol table use it, → MathML. Browsers draw MathML by themselves, so a page
-// needs no script, no font and no network; and a reader's screen reader can read it aloud.
-#include <lessons/render.hpp>
-
+// LaTeX, as far as `print` and the symbol table use it, → MathML. Browsers draw MathML by themselves, so a
+// page needs no script, no font and no network; and a reader's screen reader can read it aloud.
 #include <cctype>
+#include <lessons/render.hpp>
 #include <map>
 #include <stdexcept>
 
@@ -10,21 +9,24 @@ namespace rederive {
 namespace {
 
 const std::map<std::string, std::string, std::less<>> letters{
-    {"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"delta", "δ"}, {"epsilon", "ϵ"}, {"varepsilon", "ε"},
-    {"eta", "η"}, {"theta", "θ"}, {"vartheta", "ϑ"}, {"lambda", "λ"}, {"mu", "μ"}, {"xi", "ξ"}, {"pi", "π"},
-    {"rho", "ρ"}, {"sigma", "σ"}, {"tau", "τ"}, {"phi", "ϕ"}, {"varphi", "φ"}, {"psi", "ψ"}, {"omega", "ω"},
-    {"Omega", "Ω"}, {"Psi", "Ψ"}, {"Delta", "Δ"}, {"infty", "∞"}, {"partial", "∂"}, {"ell", "ℓ"}, {"chi", "χ"},
-    {"nu", "ν"}, {"kappa", "κ"}, {"zeta", "ζ"}, {"Theta", "Θ"}, {"Phi", "Φ"}, {"Lambda", "Λ"}, {"Sigma", "Σ"}};
+    {"alpha", "α"},      {"beta", "β"}, {"gamma", "γ"},  {"delta", "δ"},    {"epsilon", "ϵ"},
+    {"varepsilon", "ε"}, {"eta", "η"},  {"theta", "θ"},  {"vartheta", "ϑ"}, {"lambda", "λ"},
+    {"mu", "μ"},         {"xi", "ξ"},   {"pi", "π"},     {"rho", "ρ"},      {"sigma", "σ"},
+    {"tau", "τ"},        {"phi", "ϕ"},  {"varphi", "φ"}, {"psi", "ψ"},      {"omega", "ω"},
+    {"Omega", "Ω"},      {"Psi", "Ψ"},  {"Delta", "Δ"},  {"infty", "∞"},    {"partial", "∂"},
+    {"ell", "ℓ"},        {"chi", "χ"},  {"nu", "ν"},     {"kappa", "κ"},    {"zeta", "ζ"},
+    {"Theta", "Θ"},      {"Phi", "Φ"},  {"Lambda", "Λ"}, {"Sigma", "Σ"}};
 const std::map<std::string, std::string, std::less<>> operators{
-    {"cdot", "·"}, {"times", "×"}, {"le", "≤"}, {"leq", "≤"}, {"ge", "≥"}, {"geq", "≥"}, {"ne", "≠"},
-    {"neq", "≠"}, {"approx", "≈"}, {"pm", "±"}, {"mp", "∓"}, {"to", "→"}, {"int", "∫"}, {"prime", "′"},
-    {"lvert", "|"}, {"rvert", "|"}, {"vert", "|"}, {"langle", "⟨"}, {"rangle", "⟩"}, {"ast", "*"}, {"star", "⋆"},
-    {"lt", "<"}, {"gt", ">"}};
+    {"cdot", "·"},   {"times", "×"}, {"le", "≤"},     {"leq", "≤"},   {"ge", "≥"},   {"geq", "≥"},
+    {"ne", "≠"},     {"neq", "≠"},   {"approx", "≈"}, {"pm", "±"},    {"mp", "∓"},   {"to", "→"},
+    {"int", "∫"},    {"prime", "′"}, {"lvert", "|"},  {"rvert", "|"}, {"vert", "|"}, {"langle", "⟨"},
+    {"rangle", "⟩"}, {"ast", "*"},   {"star", "⋆"},   {"lt", "<"},    {"gt", ">"}};
 const std::map<std::string, std::string, std::less<>> accents{
     {"dot", "˙"}, {"ddot", "¨"}, {"bar", "¯"}, {"overline", "¯"}, {"hat", "^"}, {"tilde", "~"}};
 
 constexpr std::string_view functions =
-    " sin cos tan cot sec csc sinh cosh tanh coth exp log ln arcsin arccos arctan arsinh arcosh artanh min max ";
+    " sin cos tan cot sec csc sinh cosh tanh coth exp log ln arcsin arccos arctan arsinh arcosh artanh min "
+    "max ";
 constexpr auto thin_gap = "<mspace width=\"0.17em\"/>";
 
 class Translator {
@@ -79,10 +81,13 @@ class Translator {
 
   std::string scripted() {
     std::string base = atom(), below, above;
-    for (skip_blanks(); !done() && (text_[at_] == '_' || text_[at_] == '^' || text_[at_] == '\''); skip_blanks()) {
+    for (skip_blanks(); !done() && (text_[at_] == '_' || text_[at_] == '^' || text_[at_] == '\'');
+         skip_blanks()) {
       const char mark = text_[at_++];
-      if (mark == '\'') above += "<mo>′</mo>";
-      else (mark == '_' ? below : above) += argument();
+      if (mark == '\'')
+        above += "<mo>′</mo>";
+      else
+        (mark == '_' ? below : above) += argument();
     }
     if (below.empty() && above.empty()) return base;
     if (above.empty()) return "<msub>" + base + grouped(below) + "</msub>";
@@ -141,15 +146,19 @@ class Translator {
       sign = name == "{" || name == "}" ? name : found != operators.end() ? found->second : "";
       if (sign.empty()) fail("\\" + name + " as a bracket");
     }
-    return sign == "." ? std::string() : "<mo form=\"" + form + "\" lspace=\"0\" rspace=\"0\" stretchy=\"true\">" + escaped(sign) + "</mo>";
+    return sign == "." ? std::string()
+                       : "<mo form=\"" + form + "\" lspace=\"0\" rspace=\"0\" stretchy=\"true\">" +
+                             escaped(sign) + "</mo>";
   }
 
   std::string by_name(const std::string& name) {
-    if (const auto found = letters.find(name); found != letters.end()) return "<mi>" + found->second + "</mi>";
+    if (const auto found = letters.find(name); found != letters.end())
+      return "<mi>" + found->second + "</mi>";
     if (const auto found = operators.find(name); found != operators.end())
       return "<mo>" + escaped(found->second) + "</mo>";
     if (const auto found = accents.find(name); found != accents.end())
-      return "<mover accent=\"true\">" + argument() + "<mo stretchy=\"false\">" + found->second + "</mo></mover>";
+      return "<mover accent=\"true\">" + argument() + "<mo stretchy=\"false\">" + found->second +
+             "</mo></mover>";
     if (name == "frac" || name == "tfrac" || name == "dfrac") {
       const std::string over = argument();
       return "<mfrac>" + over + argument() + "</mfrac>";
@@ -166,7 +175,8 @@ class Translator {
     if (name == "," || name == ";" || name == ":" || name == " " || name == "quad")
       return name == "quad" ? "<mspace width=\"1em\"/>" : "<mspace width=\"0.17em\"/>";
     if (name == "!") return "";
-    if (name == "displaystyle" || name == "bigl" || name == "bigr" || name == "Bigl" || name == "Bigr") return "";
+    if (name == "displaystyle" || name == "bigl" || name == "bigr" || name == "Bigl" || name == "Bigr")
+      return "";
     if (name == "{" || name == "}") return "<mo>" + name + "</mo>";
     return function(name);
   }
@@ -187,11 +197,16 @@ class Translator {
 std::string escaped(const std::string& text) {
   std::string result;
   for (char c : text) {
-    if (c == '&') result += "&amp;";
-    else if (c == '<') result += "&lt;";
-    else if (c == '>') result += "&gt;";
-    else if (c == '"') result += "&quot;";
-    else result += c;
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
   }
   return result;
 }

@@ -1,10 +1,9 @@
+#include <algorithm>
+#include <cctype>
 #include <derivations/algebra/print.hpp>
 #include <derivations/rocking_block/table.hpp>
 #include <lessons/lesson.hpp>
 #include <lessons/prose.hpp>
-
-#include <algorithm>
-#include <cctype>
 #include <stdexcept>
 
 namespace rederive {
@@ -15,7 +14,8 @@ const std::vector<Row>& all_rows() {
   return rows;
 }
 
-/// Tangents as quotients, double angles halved, and what cancels cancelled, where that makes the expression shorter.
+/// Tangents as quotients, double angles halved, and what cancels cancelled, where that makes the expression
+/// shorter.
 GiNaC::ex simplified(const GiNaC::ex& expression) {
   const GiNaC::ex any = GiNaC::wild();
   const GiNaC::lst rules{GiNaC::tan(any) == GiNaC::sin(any) / GiNaC::cos(any),

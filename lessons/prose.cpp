@@ -1,8 +1,7 @@
-#include <lessons/prose.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <lessons/prose.hpp>
 #include <regex>
 #include <stdexcept>
 #include <utility>
@@ -28,20 +27,23 @@ std::vector<std::string> terms(const Tree& side, Notation notation) {
     const Tree& term = side->children[i];
     const bool enclosed = taken_away && (term->kind == Node::Kind::sum || term->kind == Node::Kind::negative);
     std::string text = print(term, notation);
-    if (enclosed) text = (notation == Notation::latex ? "\\left(" : "(") + text +
-                         (notation == Notation::latex ? "\\right)" : ")");
+    if (enclosed)
+      text = (notation == Notation::latex ? "\\left(" : "(") + text +
+             (notation == Notation::latex ? "\\right)" : ")");
     result.push_back(i == 0 ? (taken_away ? minus + text : text) : (taken_away ? minus : "+") + (" " + text));
   }
   return result;
 }
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 44> ascii_names{{
-    {"α", "alpha"}, {"β", "beta"}, {"θ", "theta"}, {"φ", "phi"}, {"ψ", "psi"}, {"ω", "omega"}, {"μ", "mu"},
-    {"λ", "lambda"}, {"ρ", "rho"}, {"π", "pi"}, {"τ", "tau"}, {"Ω", "Omega"}, {"ξ", "xi"}, {"Δ", "Delta"},
-    {"η", "eta"}, {"ε", "epsilon"}, {"−", "-"}, {"–", "-"}, {"—", "--"}, {"’", "'"}, {"‘", "'"}, {"“", "\""},
-    {"”", "\""}, {"·", "*"}, {"×", "x"}, {"≤", "<="}, {"≥", ">="}, {"≈", "~"}, {"≠", "!="}, {"²", "^2"},
-    {"³", "^3"}, {"½", "1/2"}, {"¾", "3/4"}, {"°", " deg"}, {"→", "->"}, {"∞", "inf"}, {"…", "..."},
-    {"′", "'"}, {"∂", "d"}, {"√", "sqrt"}, {"ö", "oe"}, {"∫", "int "}, {"\u00A0", " "}, {"±", "+-"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 44> ascii_names{
+    {{"α", "alpha"},  {"β", "beta"},   {"θ", "theta"}, {"φ", "phi"},     {"ψ", "psi"}, {"ω", "omega"},
+     {"μ", "mu"},     {"λ", "lambda"}, {"ρ", "rho"},   {"π", "pi"},      {"τ", "tau"}, {"Ω", "Omega"},
+     {"ξ", "xi"},     {"Δ", "Delta"},  {"η", "eta"},   {"ε", "epsilon"}, {"−", "-"},   {"–", "-"},
+     {"—", "--"},     {"’", "'"},      {"‘", "'"},     {"“", "\""},      {"”", "\""},  {"·", "*"},
+     {"×", "x"},      {"≤", "<="},     {"≥", ">="},    {"≈", "~"},       {"≠", "!="},  {"²", "^2"},
+     {"³", "^3"},     {"½", "1/2"},    {"¾", "3/4"},   {"°", " deg"},    {"→", "->"},  {"∞", "inf"},
+     {"…", "..."},    {"′", "'"},      {"∂", "d"},     {"√", "sqrt"},    {"ö", "oe"},  {"∫", "int "},
+     {"\u00A0", " "}, {"±", "+-"}}};
 
 }  // namespace
 
@@ -112,8 +114,10 @@ std::string marked(const std::string& words) {
   std::string done;
   for (char c : result) {
     inside ^= c == '$';
-    if (c == '*' && !inside) done += "·";
-    else done += c;
+    if (c == '*' && !inside)
+      done += "·";
+    else
+      done += c;
   }
   return done;
 }
@@ -158,14 +162,15 @@ std::size_t columns(std::string_view text) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const unsigned char c = static_cast<unsigned char>(text[i]);
-    const bool combining = c == 0xCC || (c == 0xCD && i + 1 < text.size() &&
-                                         static_cast<unsigned char>(text[i + 1]) < 0xB0);
+    const bool combining =
+        c == 0xCC || (c == 0xCD && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xB0);
     count += (c & 0xC0) != 0x80 && !combining;
   }
   return count;
 }
 
-std::string wrap(std::string_view words, std::size_t width, const std::string& first, const std::string& rest) {
+std::string wrap(std::string_view words, std::size_t width, const std::string& first,
+                 const std::string& rest) {
   std::string result = first, line;
   std::size_t used = columns(first);
   bool fresh = true;

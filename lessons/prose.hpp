@@ -2,7 +2,6 @@
 #pragma once
 
 #include <derivations/algebra/print.hpp>
-
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,12 +25,13 @@ std::string print_statement(const Relation& relation, Notation notation);
 /// The same for mathematics inside a sentence, `$...$` without the dollars.
 std::string print_inline(const std::string& text, Notation notation);
 
-/// The places where a long formula may be broken: before a relation sign and before a term of a sum. Joined with
-/// blanks, the pieces are the whole formula.
+/// The places where a long formula may be broken: before a relation sign and before a term of a sum. Joined
+/// with blanks, the pieces are the whole formula.
 std::vector<std::string> pieces(const Relation& relation, Notation notation);
 
-/// Words written without marks (the ledger's notes, a derivation's steps) with marks put in: names from the symbol
-/// table that no English word can be taken for, and calls such as cos(alpha - theta), become mathematics.
+/// Words written without marks (the ledger's notes, a derivation's steps) with marks put in: names from the
+/// symbol table that no English word can be taken for, and calls such as cos(alpha - theta), become
+/// mathematics.
 std::string marked(const std::string& words);
 
 /// Letters and signs beyond ASCII written out: "θ" → "theta", "–" → "-".
@@ -41,6 +41,7 @@ std::string glued(const std::string& text);
 /// How many columns a UTF-8 text takes in a terminal; combining marks take none.
 std::size_t columns(std::string_view text);
 /// Breaks words into lines. A no-break space (U+00A0) stays inside its word and is printed as a blank.
-std::string wrap(std::string_view words, std::size_t width, const std::string& first, const std::string& rest);
+std::string wrap(std::string_view words, std::size_t width, const std::string& first,
+                 const std::string& rest);
 
 }  // namespace rederive

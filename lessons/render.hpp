@@ -1,9 +1,8 @@
 // Pages as text for a terminal (Unicode or ASCII), LaTeX, Markdown or HTML.
 #pragma once
 
-#include <lessons/lesson.hpp>
-
 #include <filesystem>
+#include <lessons/lesson.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,8 +51,8 @@ std::vector<Finding> findings(const Entry& entry);
 std::optional<std::filesystem::path> draw(const Figure& figure, const std::string& kind,
                                           const std::filesystem::path& folder);
 
-/// LaTeX as `print` writes it → MathML, which browsers draw without help. Throws std::invalid_argument naming a
-/// command that it does not know.
+/// LaTeX as `print` writes it → MathML, which browsers draw without help. Throws std::invalid_argument naming
+/// a command that it does not know.
 std::string mathml(const std::string& latex);
 /// Text for HTML, with & < > " escaped.
 std::string escaped(const std::string& text);

@@ -1,11 +1,11 @@
 // A lesson as one self-contained HTML page: MathML, pictures inside, no script, nothing fetched.
-#include <derivations/algebra/print.hpp>
 #include <fmt/format.h>
-#include <lessons/prose.hpp>
-#include <lessons/render.hpp>
 
+#include <derivations/algebra/print.hpp>
 #include <fstream>
 #include <iterator>
+#include <lessons/prose.hpp>
+#include <lessons/render.hpp>
 
 namespace rederive {
 namespace {
@@ -58,9 +58,10 @@ class HtmlRenderer : public Renderer {
     for (const auto& id : lesson.equations) ids += fmt::format("{}({})", ids.empty() ? "" : " ", id);
     return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
            "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
-           "<link rel=\"icon\" href=\"data:,\">\n<title>" + title + "</title>\n" + style + "\n</head>\n<body>\n" +
-           navigation() + "<h1>" + title + "</h1>\n<div class=\"about\">\n<p><b>Teaches:</b> " +
-           flat(lesson.teaches) + "</p>\n<p><b>Builds on:</b> " + flat(lesson.builds_on) + "</p>\n" +
+           "<link rel=\"icon\" href=\"data:,\">\n<title>" +
+           title + "</title>\n" + style + "\n</head>\n<body>\n" + navigation() + "<h1>" + title +
+           "</h1>\n<div class=\"about\">\n<p><b>Teaches:</b> " + flat(lesson.teaches) +
+           "</p>\n<p><b>Builds on:</b> " + flat(lesson.builds_on) + "</p>\n" +
            (ids.empty() ? "" : "<p><b>Equations:</b> " + ids + "</p>\n") + "</div>\n";
   }
 
@@ -86,10 +87,14 @@ class HtmlRenderer : public Renderer {
   static std::string flat(const std::string& sentence) {
     std::string text;
     for (const auto& span : spans(sentence)) {
-      if (span.kind == Span::Kind::math) text += mathml(print_inline(span.text, Notation::latex));
-      else if (span.kind == Span::Kind::code) text += "<code>" + escaped(span.text) + "</code>";
-      else if (span.kind == Span::Kind::emphasis) text += "<em>" + escaped(span.text) + "</em>";
-      else text += escaped(span.text);
+      if (span.kind == Span::Kind::math)
+        text += mathml(print_inline(span.text, Notation::latex));
+      else if (span.kind == Span::Kind::code)
+        text += "<code>" + escaped(span.text) + "</code>";
+      else if (span.kind == Span::Kind::emphasis)
+        text += "<em>" + escaped(span.text) + "</em>";
+      else
+        text += escaped(span.text);
     }
     return text;
   }
@@ -100,7 +105,8 @@ class HtmlRenderer : public Renderer {
     for (const auto& piece : pieces(relation, Notation::latex)) {
       std::string formula = mathml(piece);
       const std::size_t sign = formula.find("<mo>");
-      if (!text.empty() && sign == 6) formula.replace(sign, 4, "<mo form=\"infix\">");  // it stands between two pieces
+      if (!text.empty() && sign == 6)
+        formula.replace(sign, 4, "<mo form=\"infix\">");  // it stands between two pieces
       formula.replace(0, 6, "<math displaystyle=\"true\">");
       text += (text.empty() ? "" : "<wbr>") + formula;
     }
@@ -115,10 +121,11 @@ class HtmlRenderer : public Renderer {
   }
 
   static std::string render(const Judgement& part) {
-    std::string text = "<div class=\"ledger " + to_string(part.entry.proof.verdict) + "\"><p><b>The ledger on " +
-                       escaped(headline(part.entry)) + "</b></p>\n";
+    std::string text = "<div class=\"ledger " + to_string(part.entry.proof.verdict) +
+                       "\"><p><b>The ledger on " + escaped(headline(part.entry)) + "</b></p>\n";
     for (const auto& line : findings(part.entry))
-      text += "<p><i>" + line.label + ":</i> " + (line.formula ? broken(*line.formula) : flat(line.words)) + "</p>\n";
+      text += "<p><i>" + line.label + ":</i> " + (line.formula ? broken(*line.formula) : flat(line.words)) +
+              "</p>\n";
     return text + "</div>\n";
   }
 
@@ -136,7 +143,8 @@ class HtmlRenderer : public Renderer {
 
   std::string render(const Figure& part) const {
     const auto picture = draw(part, "svg", setting_.figures);
-    const std::string image = picture ? "<img alt=\"" + escaped(part.name) + "\" src=\"data:image/svg+xml;base64," +
+    const std::string image = picture ? "<img alt=\"" + escaped(part.name) +
+                                            "\" src=\"data:image/svg+xml;base64," +
                                             base64(whole_file(*picture)) + "\">"
                                       : std::string();
     return "<figure>" + image + "<figcaption>" + flat(part.caption) + "</figcaption></figure>\n";

@@ -1,5 +1,6 @@
 // Lessons as a LaTeX article that pdflatex takes as it is.
 #include <fmt/format.h>
+
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 
@@ -63,11 +64,26 @@ std::string protect(const std::string& text) {
   std::string result;
   for (char c : text) {
     switch (c) {
-      case '\\': result += "\\textbackslash{}"; break;
-      case '~': result += "\\textasciitilde{}"; break;
-      case '^': result += "\\textasciicircum{}"; break;
-      case '&': case '%': case '#': case '_': case '{': case '}': case '$': result += '\\'; [[fallthrough]];
-      default: result += c;
+      case '\\':
+        result += "\\textbackslash{}";
+        break;
+      case '~':
+        result += "\\textasciitilde{}";
+        break;
+      case '^':
+        result += "\\textasciicircum{}";
+        break;
+      case '&':
+      case '%':
+      case '#':
+      case '_':
+      case '{':
+      case '}':
+      case '$':
+        result += '\\';
+        [[fallthrough]];
+      default:
+        result += c;
     }
   }
   return result;
@@ -83,8 +99,8 @@ class LatexRenderer : public Renderer {
     return std::string(preamble) + letters +
            fmt::format("\\title{{Lesson {}. {}}}\n\\author{{}}\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
                        lesson.number, protect(lesson.title)) +
-           "\\textbf{Teaches:} " + flat(lesson.teaches) + "\n\n\\textbf{Builds on:} " + flat(lesson.builds_on) +
-           "\n" + (ids.empty() ? "" : "\n\\textbf{Equations:} " + ids + "\n");
+           "\\textbf{Teaches:} " + flat(lesson.teaches) + "\n\n\\textbf{Builds on:} " +
+           flat(lesson.builds_on) + "\n" + (ids.empty() ? "" : "\n\\textbf{Equations:} " + ids + "\n");
   }
 
   std::string step(std::size_t, const std::string& heading, const Page& page) override {
@@ -100,10 +116,14 @@ class LatexRenderer : public Renderer {
   static std::string flat(const std::string& sentence) {
     std::string text;
     for (const auto& span : spans(sentence)) {
-      if (span.kind == Span::Kind::math) text += "$" + print_inline(span.text, Notation::latex) + "$";
-      else if (span.kind == Span::Kind::code) text += "\\texttt{" + protect(span.text) + "}";
-      else if (span.kind == Span::Kind::emphasis) text += "\\emph{" + protect(span.text) + "}";
-      else text += protect(span.text);
+      if (span.kind == Span::Kind::math)
+        text += "$" + print_inline(span.text, Notation::latex) + "$";
+      else if (span.kind == Span::Kind::code)
+        text += "\\texttt{" + protect(span.text) + "}";
+      else if (span.kind == Span::Kind::emphasis)
+        text += "\\emph{" + protect(span.text) + "}";
+      else
+        text += protect(span.text);
     }
     return text;
   }
@@ -121,7 +141,8 @@ class LatexRenderer : public Renderer {
     for (const auto& line : findings(part.entry))
       text += "\\\\\\emph{" + line.label + ":} {\\raggedright " +
               (line.formula ? "$\\displaystyle " + print_statement(*line.formula, Notation::latex) + "$"
-                            : flat(line.words)) + "}\n";
+                            : flat(line.words)) +
+              "}\n";
     return text + "\\end{quote}\n";
   }
 
@@ -133,14 +154,18 @@ class LatexRenderer : public Renderer {
 
   static std::string render(const Table& part) {
     const std::string align(part.header.size(), 'l');
-    std::string text = "\\begin{center}\\small\\begin{tabular}{" + align + "}\\hline\n" + row(part.header) + "\\hline\n";
+    std::string text =
+        "\\begin{center}\\small\\begin{tabular}{" + align + "}\\hline\n" + row(part.header) + "\\hline\n";
     for (const auto& cells : part.rows) text += row(cells);
     return text + "\\hline\\end{tabular}\\end{center}\n";
   }
 
   std::string render(const Figure& part) const {
     const auto picture = draw(part, "pdf", setting_.figures);
-    const std::string image = picture ? "\\includegraphics[width=.75\\linewidth]{" + (setting_.beside ? picture->filename() : *picture).string() + "}\\\\\n" : "";
+    const std::string image = picture ? "\\includegraphics[width=.75\\linewidth]{" +
+                                            (setting_.beside ? picture->filename() : *picture).string() +
+                                            "}\\\\\n"
+                                      : "";
     return "\\begin{center}" + image + "\\small " + flat(part.caption) + "\\end{center}\n";
   }
 

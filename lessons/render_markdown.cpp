@@ -1,6 +1,7 @@
-// Lessons as Markdown with GitHub's mathematics: $`...`$ in a sentence, a math fence for what is displayed. These
-// two forms are the ones whose contents Markdown does not touch.
+// Lessons as Markdown with GitHub's mathematics: $`...`$ in a sentence, a math fence for what is displayed.
+// These two forms are the ones whose contents Markdown does not touch.
 #include <fmt/format.h>
+
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 
@@ -34,10 +35,14 @@ class MarkdownRenderer : public Renderer {
   static std::string flat(const std::string& sentence) {
     std::string text;
     for (const auto& span : spans(sentence)) {
-      if (span.kind == Span::Kind::math) text += inline_math(print_inline(span.text, Notation::latex));
-      else if (span.kind == Span::Kind::code) text += "`" + span.text + "`";
-      else if (span.kind == Span::Kind::emphasis) text += "*" + span.text + "*";
-      else for (char c : span.text) text += c == '_' || c == '<' ? std::string("\\") + c : std::string(1, c);
+      if (span.kind == Span::Kind::math)
+        text += inline_math(print_inline(span.text, Notation::latex));
+      else if (span.kind == Span::Kind::code)
+        text += "`" + span.text + "`";
+      else if (span.kind == Span::Kind::emphasis)
+        text += "*" + span.text + "*";
+      else
+        for (char c : span.text) text += c == '_' || c == '<' ? std::string("\\") + c : std::string(1, c);
     }
     return text;
   }
@@ -52,9 +57,9 @@ class MarkdownRenderer : public Renderer {
   static std::string render(const Judgement& part) {
     std::string text = "> **The ledger on " + headline(part.entry) + "**\n";
     for (const auto& line : findings(part.entry))
-      text += fmt::format(">\n> *{}:* {}\n", line.label,
-                          line.formula ? inline_math(print_statement(*line.formula, Notation::latex))
-                                       : flat(line.words));
+      text += fmt::format(
+          ">\n> *{}:* {}\n", line.label,
+          line.formula ? inline_math(print_statement(*line.formula, Notation::latex)) : flat(line.words));
     return text;
   }
 
@@ -75,7 +80,10 @@ class MarkdownRenderer : public Renderer {
   std::string render(const Figure& part) const {
     const auto picture = draw(part, "svg", setting_.figures);
     const std::string caption = flat(part.caption);
-    return (picture ? fmt::format("![{}]({})\n\n", part.name, (setting_.beside ? picture->filename() : *picture).string()) : std::string()) + caption + "\n";
+    return (picture ? fmt::format("![{}]({})\n\n", part.name,
+                                  (setting_.beside ? picture->filename() : *picture).string())
+                    : std::string()) +
+           caption + "\n";
   }
 
   static std::string render(const Commands& part) {

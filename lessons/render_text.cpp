@@ -1,9 +1,9 @@
 // Lessons in a terminal: Unicode, or plain ASCII where that is all there is.
 #include <fmt/format.h>
-#include <lessons/prose.hpp>
-#include <lessons/render.hpp>
 
 #include <algorithm>
+#include <lessons/prose.hpp>
+#include <lessons/render.hpp>
 
 namespace rederive {
 namespace {
@@ -11,7 +11,8 @@ namespace {
 class TextRenderer : public Renderer {
  public:
   explicit TextRenderer(const Setting& setting)
-      : setting_(setting), plain_(setting.format == Format::plain),
+      : setting_(setting),
+        plain_(setting.format == Format::plain),
         notation_(plain_ ? Notation::plain : Notation::unicode) {}
 
   std::string begin(const Lesson& lesson) override {
@@ -84,7 +85,8 @@ class TextRenderer : public Renderer {
     const std::size_t last = text.rfind('\n', text.size() - 2);
     const std::size_t used = columns(text.substr(last == std::string::npos ? 0 : last + 1)) - 1;
     text.pop_back();
-    const std::size_t gap = used + 2 + label.size() <= setting_.width ? setting_.width - used - label.size() : 2;
+    const std::size_t gap =
+        used + 2 + label.size() <= setting_.width ? setting_.width - used - label.size() : 2;
     return text + std::string(gap, ' ') + label + "\n";
   }
 
@@ -118,7 +120,8 @@ class TextRenderer : public Renderer {
       while (line.back() == ' ') line.pop_back();
       text += line + "\n";
       if (r > 0) continue;
-      for (std::size_t i = 0; i < widths.size(); ++i) text += "  " + rule(std::string(widths[i], 'x'), plain_ ? "-" : "─");
+      for (std::size_t i = 0; i < widths.size(); ++i)
+        text += "  " + rule(std::string(widths[i], 'x'), plain_ ? "-" : "─");
       text += "\n";
     }
     return text;

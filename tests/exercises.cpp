@@ -1,5 +1,5 @@
-// The classroom as students and teachers meet it: right answers in unusual forms, wrong ones in usual ways, and a class
-// that hands in anything at all.
+// The classroom as students and teachers meet it: right answers in unusual forms, wrong ones in usual ways,
+// and a class that hands in anything at all.
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
@@ -42,13 +42,16 @@ TEST_CASE("the exercise set is sound") {
 
 TEST_CASE("right answers are right in any form") {
   const Desk desk;
-  for (const auto* answer : {"R*(cos(alpha-theta)-cos(alpha))", "R*cos(theta - alpha) - cos(alpha)*R", "y_c = R*(cos(α-θ)-cos(α))",
-                             "2*R*sin(theta/2)*sin(alpha - theta/2)", "(cos(alpha)*cos(theta)+sin(alpha)*sin(theta)-cos(alpha))*R"})
+  for (const auto* answer : {"R*(cos(alpha-theta)-cos(alpha))", "R*cos(theta - alpha) - cos(alpha)*R",
+                             "y_c = R*(cos(α-θ)-cos(α))", "2*R*sin(theta/2)*sin(alpha - theta/2)",
+                             "(cos(alpha)*cos(theta)+sin(alpha)*sin(theta)-cos(alpha))*R"})
     CHECK_MESSAGE(desk.judged("height-of-centre", answer)["verdict"] == "correct", answer);
-  for (const auto* answer : {"1 - 3/2*(1 - cos(alpha)^2)", "1-1.5*(sin(alpha))^2", "(1 + 3*cos(2*alpha))/4", "e = 1 - 3*sin(alpha)^2/2"})
+  for (const auto* answer : {"1 - 3/2*(1 - cos(alpha)^2)", "1-1.5*(sin(alpha))^2", "(1 + 3*cos(2*alpha))/4",
+                             "e = 1 - 3*sin(alpha)^2/2"})
     CHECK_MESSAGE(desk.judged("restitution", answer)["verdict"] == "correct", answer);
   for (const auto* answer : {"0 = thetaddot + p^2*(u_gddot/g*cos(alpha-theta)+sin(alpha-theta))",
-                             "-2*thetaddot = 2*p^2*(u_gddot/g*cos(alpha-theta)+sin(alpha-theta))", "thetaddot/p^2 = sin(theta-alpha) - u_gddot*cos(alpha-theta)/g"})
+                             "-2*thetaddot = 2*p^2*(u_gddot/g*cos(alpha-theta)+sin(alpha-theta))",
+                             "thetaddot/p^2 = sin(theta-alpha) - u_gddot*cos(alpha-theta)/g"})
     CHECK_MESSAGE(desk.judged("equation-of-motion", answer)["verdict"] == "correct", answer);
   for (const auto* answer : {"30 deg", "30°", "pi/6", "0.5236 rad", "0.52360"})
     CHECK_MESSAGE(desk.judged("phase-of-a-pulse", answer)["verdict"] == "correct", answer);
@@ -56,7 +59,9 @@ TEST_CASE("right answers are right in any form") {
 
 TEST_CASE("a slip is named by a stable word") {
   const Desk desk;
-  const auto note = [&](const char* id, const char* answer) { return desk.judged(id, answer)["note"].get<std::string>(); };
+  const auto note = [&](const char* id, const char* answer) {
+    return desk.judged(id, answer)["note"].get<std::string>();
+  };
   CHECK(note("height-of-centre", "R*(cos(alpha+theta)-cos(alpha))") == "wrong_angle");
   CHECK(note("height-of-centre", "R*(cos(alpha)-cos(alpha-theta))") == "sign");
   CHECK(note("height-of-centre", "cos(alpha-theta)-cos(alpha)") == "dimension");
@@ -90,7 +95,8 @@ TEST_CASE("what cannot be read is explained with a caret and costs nothing") {
   const Result result = desk.run({"check", "height-of-centre", "R*(cos(alpha)"});
   CHECK(result.exit_code == 2);
   CHECK(result.out.find("\n    ^") != std::string::npos);
-  for (const auto* hostile : {"1e999999999", "((((((((((", "R^R^R^R^R^999", "1/0", "", "?", "R R", "sin", "\xff\xfe", "R; rm -rf /"})
+  for (const auto* hostile : {"1e999999999", "((((((((((", "R^R^R^R^R^999", "1/0", "", "?", "R R", "sin",
+                              "\xff\xfe", "R; rm -rf /"})
     CHECK_MESSAGE(desk.run({"check", "height-of-centre", "--", hostile}).exit_code == 2, hostile);
   const auto listed = json::parse(desk.run({"list", "--json"}).out);
   CHECK(listed["exercises"][0]["attempts"] == 0);
@@ -102,14 +108,16 @@ TEST_CASE("exit codes are those of the contract") {
   CHECK(desk.run({"check", "restitution", "cos(2*alpha)"}).exit_code == 1);
   CHECK(desk.run({"check", "no-such-exercise", "1"}).exit_code == 2);
   CHECK(desk.run({"check", "restitution"}).exit_code == 2);
-  CHECK(desk.run({"check", "restitution", "--file", "/no/such/file"}).err.find("/no/such/file") != std::string::npos);
+  CHECK(desk.run({"check", "restitution", "--file", "/no/such/file"}).err.find("/no/such/file") !=
+        std::string::npos);
   CHECK(desk.run({}).exit_code == 2);
   CHECK(desk.run({"grade", "/no/such/folder"}).exit_code == 2);
 }
 
 TEST_CASE("hints come one by one, the solution only when it is due, and reset keeps the old answer") {
   const Desk desk;
-  const std::string first = desk.run({"hint", "restitution"}).out, second = desk.run({"hint", "restitution"}).out;
+  const std::string first = desk.run({"hint", "restitution"}).out,
+                    second = desk.run({"hint", "restitution"}).out;
   CHECK(first.find("Hint 1 of 3") == 0);
   CHECK(second.find("Hint 2 of 3") == 0);
   CHECK(desk.run({"solution", "restitution"}).exit_code == 1);
@@ -170,13 +178,15 @@ TEST_CASE("a class with everything that can go wrong is graded, twice alike") {
   const Result first = run_program("exercises", {"grade", room.string(), "--csv", csv.string()});
   REQUIRE(first.exit_code == 0);
   const std::string text = read_file(csv);
-  for (const auto* row : {"student,exercise,verdict,note,score\n", "anna,restitution,correct,correct,1\n",
-                          "anna,height-of-centre,wrong,wrong_angle,0\n", "anna,energy-lost,invalid,symlink,0\n",
-                          "anna,stiffness,invalid,not_a_file,0\n", "bert,restitution,invalid,encoding,0\n",
-                          "bert,momentum,invalid,empty,0\n", "bert,notes.docx,invalid,unknown_exercise,0\n",
-                          "carl,restitution,invalid,too_large,0\n", "carl,barrier,invalid,", "dora,restitution,invalid,not_a_file,0\n",
-                          "dora,,invalid,too_many_files,0\n", "empty,,invalid,empty_folder,0\n", "linked,,invalid,symlink,0\n",
-                          "README,,invalid,not_a_folder,0\n", "\"line\nbreak, \"\"quoted\"\"\",restitution,wrong,missing_term,0\n"})
+  for (const auto* row :
+       {"student,exercise,verdict,note,score\n", "anna,restitution,correct,correct,1\n",
+        "anna,height-of-centre,wrong,wrong_angle,0\n", "anna,energy-lost,invalid,symlink,0\n",
+        "anna,stiffness,invalid,not_a_file,0\n", "bert,restitution,invalid,encoding,0\n",
+        "bert,momentum,invalid,empty,0\n", "bert,notes.docx,invalid,unknown_exercise,0\n",
+        "carl,restitution,invalid,too_large,0\n", "carl,barrier,invalid,",
+        "dora,restitution,invalid,not_a_file,0\n", "dora,,invalid,too_many_files,0\n",
+        "empty,,invalid,empty_folder,0\n", "linked,,invalid,symlink,0\n", "README,,invalid,not_a_folder,0\n",
+        "\"line\nbreak, \"\"quoted\"\"\",restitution,wrong,missing_term,0\n"})
     CHECK_MESSAGE(text.find(row) != std::string::npos, row);
   CHECK(first.out.find("restitution") != std::string::npos);
   run_program("exercises", {"grade", room.string(), "--csv", csv.string(), "--workers", "3"});

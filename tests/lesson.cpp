@@ -1,6 +1,7 @@
 // What the lessons are made of: sentences with mathematics in them, and the formats they are written in.
-#include <derivations/algebra/print.hpp>
 #include <doctest/doctest.h>
+
+#include <derivations/algebra/print.hpp>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 
@@ -54,11 +55,15 @@ TEST_CASE("plain text is ASCII") {
 }
 
 TEST_CASE("LaTeX becomes MathML with the same structure") {
-  CHECK(mathml("\\frac{1}{2} m") == "<math><mfrac><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></mfrac><mi>m</mi></math>");
+  CHECK(mathml("\\frac{1}{2} m") ==
+        "<math><mfrac><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></mfrac><mi>m</mi></math>");
   CHECK(mathml("\\omega_p^2").find("<msubsup><mi>ω</mi>") != std::string::npos);
-  CHECK(mathml("\\ddot\\theta").find("<mover accent=\"true\"><mi>θ</mi><mo stretchy=\"false\">¨</mo></mover>") != std::string::npos);
+  CHECK(mathml("\\ddot\\theta")
+            .find("<mover accent=\"true\"><mi>θ</mi><mo stretchy=\"false\">¨</mo></mover>") !=
+        std::string::npos);
   CHECK(mathml("a < b").find("&lt;") != std::string::npos);
-  for (const auto* wrong : {"\\unknown", "{a", "a}", "\\left( a", "\\frac{1}"}) CHECK_THROWS_AS(mathml(wrong), std::invalid_argument);
+  for (const auto* wrong : {"\\unknown", "{a", "a}", "\\left( a", "\\frac{1}"})
+    CHECK_THROWS_AS(mathml(wrong), std::invalid_argument);
 }
 
 TEST_CASE("every symbol of the paper has MathML and ASCII") {

@@ -1,4 +1,5 @@
-// The web pages in a browser: nothing is asked of the network, no glyph is missing, nothing is wider than a telephone.
+// The web pages in a browser: nothing is asked of the network, no glyph is missing, nothing is wider than a
+// telephone.
 #include <doctest/doctest.h>
 
 #include "run_program.hpp"
@@ -7,7 +8,8 @@ namespace {
 
 bool has_chromium() { return std::system("command -v chromium >/dev/null 2>&1") == 0; }
 
-/// The page in a frame as wide as a telephone (and its scroll bar); a script of the test measures it and writes into its own document.
+/// The page in a frame as wide as a telephone (and its scroll bar); a script of the test measures it and
+/// writes into its own document.
 constexpr auto probe = R"(<!doctype html><meta charset="utf-8"><body><pre id="out">waiting</pre>
 <iframe id="f" width="375" height="3000" src="page.html"></iframe><script>
 document.getElementById('f').onload = function () {
@@ -25,9 +27,11 @@ std::string dump(const std::filesystem::path& folder) {
   const std::string command =
       "cd " + quoted(folder.string()) +
       " && timeout 60 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run"
-      " --disable-background-networking --disable-component-update --disable-sync --allow-file-access-from-files"
-      " --virtual-time-budget=8000 --user-data-dir=" + quoted((folder / "profile").string()) +
-      " --dump-dom " + quoted("file://" + (folder / "probe.html").string()) + " >dom 2>browser.log";
+      " --disable-background-networking --disable-component-update --disable-sync "
+      "--allow-file-access-from-files"
+      " --virtual-time-budget=8000 --user-data-dir=" +
+      quoted((folder / "profile").string()) + " --dump-dom " +
+      quoted("file://" + (folder / "probe.html").string()) + " >dom 2>browser.log";
   if (std::system(command.c_str()) != 0) return "the browser failed: " + read_file(folder / "browser.log");
   const std::string dom = read_file(folder / "dom");
   const auto from = dom.find("<pre id=\"out\">"), to = dom.find("</pre>");
@@ -42,10 +46,13 @@ TEST_CASE("a lesson fits a telephone and fetches nothing") {
     MESSAGE("skipped: chromium is not installed");
     return;
   }
-  for (const auto* lesson : {"lesson-01-the-block-and-its-motion", "lesson-09-overturning-after-one-impact"}) {
+  for (const auto* lesson :
+       {"lesson-01-the-block-and-its-motion", "lesson-09-overturning-after-one-impact"}) {
     CAPTURE(lesson);
     TemporaryFolder folder;
-    REQUIRE(run_program(lesson, {"--format", "html", "--out", (folder.path / "page.html").string()}).exit_code == 0);
+    REQUIRE(
+        run_program(lesson, {"--format", "html", "--out", (folder.path / "page.html").string()}).exit_code ==
+        0);
     std::ofstream(folder.path / "probe.html") << probe;
     const std::string found = dump(folder.path);
     CAPTURE(found);

@@ -1,5 +1,6 @@
-// The twelve lessons as a reader meets them. Their texts, numbers rounded, are kept in tests/golden; after a change that
-// is meant, write them anew with  REDERIVE_UPDATE_GOLDEN=1 build/tests/test_lessons  and look at the difference.
+// The twelve lessons as a reader meets them. Their texts, numbers rounded, are kept in tests/golden; after a
+// change that is meant, write them anew with  REDERIVE_UPDATE_GOLDEN=1 build/tests/test_lessons  and look at
+// the difference.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -130,8 +131,10 @@ TEST_CASE("LaTeX is what pdflatex takes") {
   for (const auto& lesson : lessons()) {
     CAPTURE(lesson);
     TemporaryFolder folder;
-    REQUIRE(run_program(lesson, {"--format", "latex", "--out", (folder.path / "lesson.tex").string()}).exit_code == 0);
-    const std::string command = "cd " + quoted(folder.path) + " && pdflatex -halt-on-error -interaction=nonstopmode lesson.tex >log 2>&1";
+    REQUIRE(run_program(lesson, {"--format", "latex", "--out", (folder.path / "lesson.tex").string()})
+                .exit_code == 0);
+    const std::string command = "cd " + quoted(folder.path) +
+                                " && pdflatex -halt-on-error -interaction=nonstopmode lesson.tex >log 2>&1";
     const bool taken = std::system(command.c_str()) == 0;
     const std::string log = read_file(folder.path / "log");
     CHECK_MESSAGE(taken, log.substr(log.size() - std::min<std::size_t>(log.size(), 800)));

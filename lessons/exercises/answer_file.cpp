@@ -1,9 +1,9 @@
 #include <fcntl.h>
-#include <lessons/exercises/answer_file.hpp>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <lessons/exercises/answer_file.hpp>
 #include <sstream>
 
 namespace rederive::classroom {
@@ -24,7 +24,8 @@ std::string without_comments(const std::string& text) {
   std::istringstream lines(text);
   std::string line, result;
   while (std::getline(lines, line)) {
-    while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t')) line.pop_back();
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t'))
+      line.pop_back();
     const std::size_t first = line.find_first_not_of(" \t");
     if (first == std::string::npos || line[first] == '#') continue;
     result += (result.empty() ? "" : " ") + line.substr(first);
@@ -37,7 +38,11 @@ std::string without_comments(const std::string& text) {
 bool is_utf8(const std::string& text) {
   for (std::size_t i = 0; i < text.size();) {
     const unsigned char c = static_cast<unsigned char>(text[i]);
-    const int more = c < 0x80 ? 0 : c >= 0xC2 && c < 0xE0 ? 1 : c >= 0xE0 && c < 0xF0 ? 2 : c >= 0xF0 && c < 0xF5 ? 3 : -1;
+    const int more = c < 0x80                ? 0
+                     : c >= 0xC2 && c < 0xE0 ? 1
+                     : c >= 0xE0 && c < 0xF0 ? 2
+                     : c >= 0xF0 && c < 0xF5 ? 3
+                                             : -1;
     if (more < 0 || i + static_cast<std::size_t>(more) >= text.size() + (more == 0)) return false;
     for (int k = 1; k <= more; ++k)
       if ((static_cast<unsigned char>(text[i + static_cast<std::size_t>(k)]) & 0xC0) != 0x80) return false;

@@ -6,14 +6,14 @@
 
 namespace rederive::classroom {
 
-/// What a file held. `trouble` is empty, or a stable word: symlink, not_a_file, unreadable, too_large, encoding,
-/// empty; then `says` tells the student.
+/// What a file held. `trouble` is empty, or a stable word: symlink, not_a_file, unreadable, too_large,
+/// encoding, empty; then `says` tells the student.
 struct AnswerFile {
   std::string text, trouble, says;
 };
 
-/// Reads an answer: lines that begin with # are comments, the others are joined. Never follows a link, waits for
-/// a pipe or reads more than 64 kB.
+/// Reads an answer: lines that begin with # are comments, the others are joined. Never follows a link, waits
+/// for a pipe or reads more than 64 kB.
 AnswerFile read_answer_file(const std::filesystem::path& path);
 
 /// Whether a text is UTF-8.

@@ -3,7 +3,6 @@
 
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/progress.hpp>
-
 #include <string>
 #include <vector>
 
@@ -19,7 +18,8 @@ struct Classroom {
 
 /// The exercise of that id; throws BadInput naming the nearest ones.
 const Exercise& find_exercise(const Classroom& room, const std::string& id);
-/// The first exercise that is neither solved nor given up, in the order of lessons; nullptr when all are done.
+/// The first exercise that is neither solved nor given up, in the order of lessons; nullptr when all are
+/// done.
 const Exercise* next_exercise(const Classroom& room, const Progress& progress);
 
 /// A sentence with marks, for a terminal of 80 columns.
@@ -45,8 +45,8 @@ int selftest(const Classroom& room);
 
 struct GradeFlags {
   std::string folder, csv;
-  unsigned workers = 0;   ///< 0: as many as there are processors
-  bool missing = false;   ///< a row also for what was not handed in
+  unsigned workers = 0;  ///< 0: as many as there are processors
+  bool missing = false;  ///< a row also for what was not handed in
 };
 int grade(const Classroom& room, const GradeFlags& flags);
 

@@ -1,20 +1,21 @@
+#include <algorithm>
 #include <derivations/rocking_block/letters.hpp>
 #include <lessons/exercises/definitions.hpp>
-
-#include <algorithm>
 
 namespace rederive::classroom {
 namespace {
 
 bool all_at_hand(const GiNaC::ex& value, const std::set<std::string>& at_hand) {
   for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part)
-    if (GiNaC::is_a<GiNaC::symbol>(*part) && !at_hand.contains(GiNaC::ex_to<GiNaC::symbol>(*part).get_name())) return false;
+    if (GiNaC::is_a<GiNaC::symbol>(*part) && !at_hand.contains(GiNaC::ex_to<GiNaC::symbol>(*part).get_name()))
+      return false;
   return true;
 }
 
 }  // namespace
 
-void add_definitions(std::vector<Given>& given, const std::set<std::string>& at_hand, const std::string& asked_for) {
+void add_definitions(std::vector<Given>& given, const std::set<std::string>& at_hand,
+                     const std::string& asked_for) {
   const auto& s = paper_symbols();
   std::vector<Given> known = sides_of_the_block();
   known.push_back({s["J_c"], s["m"] * pow(s["R"], 2) / 3});
@@ -22,20 +23,25 @@ void add_definitions(std::vector<Given>& given, const std::set<std::string>& at_
   known.push_back({s["R"], 3 * s["g"] / (4 * pow(s["p"], 2))});
   for (const auto& item : known) {
     const std::string name = GiNaC::ex_to<GiNaC::symbol>(item.name).get_name();
-    const bool there = std::any_of(given.begin(), given.end(), [&](const Given& other) { return other.name.is_equal(item.name); });
-    if (!there && name != asked_for && at_hand.contains(name) && all_at_hand(item.value, at_hand)) given.push_back(item);
+    const bool there = std::any_of(given.begin(), given.end(),
+                                   [&](const Given& other) { return other.name.is_equal(item.name); });
+    if (!there && name != asked_for && at_hand.contains(name) && all_at_hand(item.value, at_hand))
+      given.push_back(item);
   }
 }
 
 Derivation mass_at_the_top() {
   const auto& s = paper_symbols();
-  const GiNaC::ex b = s["b"], h = s["h"], before = s["thetadot_minus"], after = s["thetadot_plus"], top = 2 * h;
-  const GiNaC::ex right = top * before, up = -b * before;  // velocity while it still turns clockwise about O, at (b, 2h)
-  const GiNaC::ex momentum = top * right - (-b) * up;      // moment about O', from which the mass is at (-b, 2h)
+  const GiNaC::ex b = s["b"], h = s["h"], before = s["thetadot_minus"], after = s["thetadot_plus"],
+                  top = 2 * h;
+  const GiNaC::ex right = top * before,
+                  up = -b * before;  // velocity while it still turns clockwise about O, at (b, 2h)
+  const GiNaC::ex momentum = top * right - (-b) * up;  // moment about O', from which the mass is at (-b, 2h)
   Derivation result;
   result.left = s["e"];
   result.right = (momentum / (before * (b * b + top * top))).normal();
-  result.steps = {{"Per unit of mass the moment about the new corner is, before the impact", s["hO_minus"], momentum, "="},
+  result.steps = {{"Per unit of mass the moment about the new corner is, before the impact", s["hO_minus"],
+                   momentum, "="},
                   {"and afterwards", s["hO_plus"], (b * b + top * top) * after, "="},
                   {"They are equal, hence", result.left, result.right, "="}};
   return result;

@@ -1,5 +1,4 @@
 #include <lessons/exercises/edits.hpp>
-
 #include <map>
 
 namespace rederive::classroom {
@@ -20,8 +19,10 @@ std::string one_dot_less(const std::string& name) {
 Tree without_child(const Tree& tree, std::size_t index) {
   auto copy = std::make_shared<Node>(*tree);
   copy->children.erase(copy->children.begin() + static_cast<std::ptrdiff_t>(index));
-  if (index < copy->inverse.size()) copy->inverse.erase(copy->inverse.begin() + static_cast<std::ptrdiff_t>(index));
-  if (copy->children.size() == 1 && !(copy->inverse.size() == 1 && copy->inverse[0])) return copy->children[0];
+  if (index < copy->inverse.size())
+    copy->inverse.erase(copy->inverse.begin() + static_cast<std::ptrdiff_t>(index));
+  if (copy->children.size() == 1 && !(copy->inverse.size() == 1 && copy->inverse[0]))
+    return copy->children[0];
   return copy;
 }
 
@@ -39,7 +40,8 @@ void slips_here(const Tree& tree, bool inside, bool exponent, std::vector<Edit>&
     case Kind::sum:
       for (std::size_t i = 0; i < children.size(); ++i) {
         result.push_back({with_flipped(tree, i), inside ? "wrong_angle" : "sign"});
-        const bool leaves_negative = children.size() == 2 && tree->inverse.size() == 2 && tree->inverse[1 - i];
+        const bool leaves_negative =
+            children.size() == 2 && tree->inverse.size() == 2 && tree->inverse[1 - i];
         if (children.size() > 1)
           result.push_back({leaves_negative ? negative(children[1 - i]) : without_child(tree, i),
                             inside ? "wrong_angle" : "missing_term"});
@@ -48,10 +50,15 @@ void slips_here(const Tree& tree, bool inside, bool exponent, std::vector<Edit>&
     case Kind::product:
       for (std::size_t i = 0; i < children.size(); ++i)
         if (children.size() > 1 && !(i == 0 && tree->inverse.size() > 1 && tree->inverse[1]))
-          result.push_back({without_child(tree, i), children[i]->kind == Kind::number ? "factor" : "missing_factor"});
+          result.push_back(
+              {without_child(tree, i), children[i]->kind == Kind::number ? "factor" : "missing_factor"});
       break;
-    case Kind::negative: result.push_back({children[0], inside ? "wrong_angle" : "sign"}); break;
-    case Kind::power: result.push_back({children[0], "power"}); break;
+    case Kind::negative:
+      result.push_back({children[0], inside ? "wrong_angle" : "sign"});
+      break;
+    case Kind::power:
+      result.push_back({children[0], "power"});
+      break;
     case Kind::number:
       if (!exponent) {
         result.push_back({scaled("2", "1", tree), "factor"});
@@ -80,14 +87,17 @@ void collect(const Tree& tree, bool inside, bool exponent, std::vector<Edit>& re
   slips_here(tree, inside, exponent, result);
   for (std::size_t i = 0; i < tree->children.size(); ++i) {
     std::vector<Edit> deeper;
-    collect(tree->children[i], inside || tree->kind == Kind::call, tree->kind == Kind::power && i == 1, deeper);
+    collect(tree->children[i], inside || tree->kind == Kind::call, tree->kind == Kind::power && i == 1,
+            deeper);
     for (auto& edit : deeper) result.push_back({with_child(tree, i, edit.tree), edit.note});
   }
 }
 
 }  // namespace
 
-Tree number(const std::string& digits) { return std::make_shared<Node>(Node{Kind::number, digits, {}, {}, 0}); }
+Tree number(const std::string& digits) {
+  return std::make_shared<Node>(Node{Kind::number, digits, {}, {}, 0});
+}
 
 Tree negative(const Tree& tree) { return std::make_shared<Node>(Node{Kind::negative, "", {tree}, {}, 0}); }
 

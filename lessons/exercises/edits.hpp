@@ -2,7 +2,6 @@
 #pragma once
 
 #include <derivations/algebra/syntax.hpp>
-
 #include <string>
 #include <vector>
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <derivations/mechanics/derivation.hpp>
-
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -15,26 +14,26 @@ enum class Kind { expression, equation, number, choice, wrong_term };
 
 /// Where an answer comes from: a derivation, worked on a little. Never a formula typed into the exercise.
 struct Reference {
-  std::string derivation;   ///< an equation of the paper, as derived: "13"
-  std::string row;          ///< a row of the ledger, for its verdict or its wrong term: "17b"
-  std::string function;     ///< a number from the numerics: "amplitude_without_impact"
-  std::string side = "right";                ///< of the derivation: left, right, whole
-  std::string solve_for;                     ///< a symbol that the equation is linear in
-  std::map<std::string, std::string> put;    ///< symbol → expression, put in after solving
-  std::string differentiate;                 ///< by this symbol, after putting in
-  std::map<std::string, double> arguments;   ///< of the function
+  std::string derivation;                   ///< an equation of the paper, as derived: "13"
+  std::string row;                          ///< a row of the ledger, for its verdict or its wrong term: "17b"
+  std::string function;                     ///< a number from the numerics: "amplitude_without_impact"
+  std::string side = "right";               ///< of the derivation: left, right, whole
+  std::string solve_for;                    ///< a symbol that the equation is linear in
+  std::map<std::string, std::string> put;   ///< symbol → expression, put in after solving
+  std::string differentiate;                ///< by this symbol, after putting in
+  std::map<std::string, double> arguments;  ///< of the function
 };
 
 /// A wrong road that students take, and what to say to one who took it.
 struct Slip {
   std::string note, says;
-  std::optional<Reference> road;   ///< the wrong answer, computed
-  std::string typed;               ///< or the wrong answer as students write it
+  std::optional<Reference> road;  ///< the wrong answer, computed
+  std::string typed;              ///< or the wrong answer as students write it
 };
 
 struct Option {
-  std::string text, claim;         ///< claim: in our syntax, or a verdict of the ledger; decides what is right
-  std::string note, says;          ///< said to one who chose it wrongly
+  std::string text, claim;  ///< claim: in our syntax, or a verdict of the ledger; decides what is right
+  std::string note, says;   ///< said to one who chose it wrongly
 };
 
 /// Right under an assumption that was not given.
@@ -47,10 +46,10 @@ struct Exercise {
   std::string id, title, statement, example, form, name, pivot, unit;
   int lesson = 0;
   Kind kind = Kind::expression;
-  std::vector<std::string> symbols;          ///< that an answer may use
+  std::vector<std::string> symbols;  ///< that an answer may use
   Reference answer;
-  double tolerance = 0;                      ///< relative; numbers only
-  int digits = 0;                            ///< or significant digits
+  double tolerance = 0;  ///< relative; numbers only
+  int digits = 0;        ///< or significant digits
   std::vector<std::string> hints, equivalents;
   std::vector<Slip> slips;
   std::vector<Option> options;

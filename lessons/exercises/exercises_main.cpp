@@ -7,10 +7,9 @@
 //   exercises watch DIR                judges DIR/<ID>.txt again whenever it changes
 //   exercises grade DIR [--csv FILE]   DIR/<student>/<ID>.txt, a whole class
 //   exercises selftest                 is the exercise set sound?
+#include <algorithm>
 #include <derivations/command_line.hpp>
 #include <lessons/exercises/classroom.hpp>
-
-#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -31,7 +30,8 @@ CLI::App* with_json(CLI::App* command, Arguments& given) {
   return command;
 }
 
-CLI::App* command_with_id(CLI::App& app, const std::string& name, const std::string& says, Arguments& given, bool needed = true) {
+CLI::App* command_with_id(CLI::App& app, const std::string& name, const std::string& says, Arguments& given,
+                          bool needed = true) {
   CLI::App* command = with_json(app.add_subcommand(name, says), given);
   auto* option = command->add_option("ID", given.id, "an exercise, as in the list");
   if (needed) option->required();
@@ -44,7 +44,8 @@ void declare(CLI::App& app, Arguments& given) {
   app.add_option("--progress", given.progress, "your progress file")->type_name("FILE");
   with_json(app.add_subcommand("list", "all exercises, and the next one to do"), given);
   command_with_id(app, "show", "the statement of an exercise (of the next one without ID)", given, false);
-  auto* check = command_with_id(app, "check", "judge an answer; -- before it if it begins with a minus", given);
+  auto* check =
+      command_with_id(app, "check", "judge an answer; -- before it if it begins with a minus", given);
   auto* answer = check->add_option("ANSWER", given.answer, "the answer, in quotes");
   check->add_option("--file", given.file, "read the answer from here")->type_name("FILE")->excludes(answer);
   command_with_id(app, "hint", "one more hint", given);
@@ -63,7 +64,8 @@ void declare(CLI::App& app, Arguments& given) {
 }
 
 int run(const CLI::App& app, const Arguments& given) {
-  const Classroom room{read_exercises(exercises_folder()), progress_file(given.progress), given.json, is_lively(1)};
+  const Classroom room{read_exercises(exercises_folder()), progress_file(given.progress), given.json,
+                       is_lively(1)};
   if (app.got_subcommand("list")) return list(room);
   if (app.got_subcommand("show")) return show(room, given.id);
   if (app.got_subcommand("hint")) return hint(room, given.id);
@@ -74,7 +76,8 @@ int run(const CLI::App& app, const Arguments& given) {
   if (app.got_subcommand("selftest")) return selftest(room);
   const auto* check_command = app.get_subcommand("check");
   if (!given.file.empty()) return check_file(room, given.id, given.file);
-  if (check_command->get_option("ANSWER")->count() == 0) throw BadInput("check: an ANSWER or --file FILE is wanted");
+  if (check_command->get_option("ANSWER")->count() == 0)
+    throw BadInput("check: an ANSWER or --file FILE is wanted");
   return check(room, given.id, given.answer);
 }
 
@@ -83,7 +86,8 @@ std::vector<char*> with_answer_marked(int argc, char** argv) {
   static char mark[] = "--";
   std::vector<char*> result(argv, argv + argc);
   const auto is = [](const char* argument, std::string_view text) { return argument == text; };
-  const auto check = std::find_if(result.begin(), result.end(), [&](const char* a) { return is(a, "check"); });
+  const auto check =
+      std::find_if(result.begin(), result.end(), [&](const char* a) { return is(a, "check"); });
   if (check == result.end()) return result;
   for (auto at = check + 1; at != result.end(); ++at) {
     if (is(*at, "--")) break;
@@ -99,9 +103,11 @@ std::vector<char*> with_answer_marked(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Exercises on the rocking block: answer, be told what was read and what is wrong with it, go on."};
+  CLI::App app{
+      "Exercises on the rocking block: answer, be told what was read and what is wrong with it, go on."};
   Arguments given;
   declare(app, given);
   std::vector<char*> arguments = with_answer_marked(argc, argv);
-  return run_command(app, static_cast<int>(arguments.size()), arguments.data(), [&] { return run(app, given); });
+  return run_command(app, static_cast<int>(arguments.size()), arguments.data(),
+                     [&] { return run(app, given); });
 }

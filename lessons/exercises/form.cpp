@@ -1,8 +1,8 @@
 // The forms that an exercise may ask for, judged on the tree as the student wrote it.
 #include <fmt/format.h>
-#include <lessons/exercises/judge.hpp>
 
 #include <algorithm>
+#include <lessons/exercises/judge.hpp>
 
 namespace rederive::classroom {
 namespace {
@@ -28,17 +28,22 @@ bool has_call(const Tree& tree, std::string_view name) {
 
 std::optional<std::string> check(const std::string& form, const Relation& read) {
   const std::size_t colon = form.find(':');
-  const std::string kind = form.substr(0, colon), detail = colon == std::string::npos ? "" : form.substr(colon + 1);
+  const std::string kind = form.substr(0, colon),
+                    detail = colon == std::string::npos ? "" : form.substr(colon + 1);
   const Tree& last = read.sides.back();
   if (kind == "solved_for") {
-    const bool alone = read.sides.size() == 2 && read.sides[0]->kind == NodeKind::symbol && read.sides[0]->text == detail;
+    const bool alone =
+        read.sides.size() == 2 && read.sides[0]->kind == NodeKind::symbol && read.sides[0]->text == detail;
     if (alone && !symbols_in(last).contains(detail)) return {};
-    return fmt::format("Right, but it was asked for in another form: solved, {} = ... with no {} on the right.", detail, detail);
+    return fmt::format(
+        "Right, but it was asked for in another form: solved, {} = ... with no {} on the right.", detail,
+        detail);
   }
   if (kind == "expanded" && anywhere(last, multiplies_a_sum))
     return "Right, but it was asked for in another form: multiplied out, with no bracket that is multiplied.";
   if (kind == "factored" && is_sum(last))
-    return "Right, but it was asked for in another form: as a product, with the common factors outside a bracket.";
+    return "Right, but it was asked for in another form: as a product, with the common factors outside a "
+           "bracket.";
   if (kind == "without" && has_call(last, detail))
     return fmt::format("Right, but it was asked for in another form: without {}.", detail);
   if (kind == "without_symbol" && symbols_in(last).contains(detail))

@@ -1,7 +1,6 @@
+#include <functional>
 #include <lessons/exercises/functions.hpp>
 #include <lessons/experiments.hpp>
-
-#include <functional>
 #include <stdexcept>
 
 namespace rederive::classroom {
@@ -19,7 +18,8 @@ double argument(const Arguments& arguments, const std::string& name) {
 
 double function_value(const std::string& name, const Arguments& arguments) {
   static const std::map<std::string, std::function<double(const Arguments&)>> functions{
-      {"amplitude_without_impact", [](const auto& a) { return amplitude_without_impact(argument(a, "omega")); }},
+      {"amplitude_without_impact",
+       [](const auto& a) { return amplitude_without_impact(argument(a, "omega")); }},
       {"least_amplitude",
        [](const auto& a) {
          return least_overturning({.omega = argument(a, "omega"), .alpha = argument(a, "alpha")}).amplitude;

@@ -1,12 +1,12 @@
 // A whole class: DIR/<student>/<exercise>.txt → one CSV, each answer judged in a process of its own.
-#include <derivations/command_line.hpp>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <derivations/command_line.hpp>
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/exercises/sandbox.hpp>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
 #include <set>
 #include <thread>
 
@@ -33,7 +33,8 @@ constexpr std::size_t most_strange_files = 20;  ///< of one student; beyond that
 std::string as_text(const std::string& name) {
   if (is_utf8(name)) return name;
   std::string text;
-  for (unsigned char c : name) text += c < 0x80 ? std::string(1, static_cast<char>(c)) : fmt::format("\\x{:02X}", c);
+  for (unsigned char c : name)
+    text += c < 0x80 ? std::string(1, static_cast<char>(c)) : fmt::format("\\x{:02X}", c);
   return text;
 }
 
@@ -96,7 +97,8 @@ void add_student(const fs::path& folder, const std::map<std::string, Prepared>& 
 /// In the child: "verdict\tnote\tscore".
 std::string judged_in_child(const Task& task) {
   const AnswerFile file = read_answer_file(task.path);
-  const Opinion opinion = file.trouble.empty() ? judge_answer(*task.prepared, file.text) : invalid(file.trouble, "");
+  const Opinion opinion =
+      file.trouble.empty() ? judge_answer(*task.prepared, file.text) : invalid(file.trouble, "");
   return fmt::format("{}\t{}\t{}", opinion.verdict, opinion.note, opinion.score);
 }
 
@@ -118,9 +120,11 @@ void judge_all(std::vector<Task>& tasks, unsigned workers) {
     if (task.prepared != nullptr) jobs.push_back(&task);
   const bool lively = is_lively(2);
   const auto say = [&](std::size_t done) {
-    if (lively && (done % 20 == 0 || done == jobs.size())) std::fprintf(stderr, "\rJudged %zu of %zu", done, jobs.size());
+    if (lively && (done % 20 == 0 || done == jobs.size()))
+      std::fprintf(stderr, "\rJudged %zu of %zu", done, jobs.size());
   };
-  const auto results = run_jobs(jobs.size(), workers, [&](std::size_t i) { return judged_in_child(*jobs[i]); }, say);
+  const auto results = run_jobs(
+      jobs.size(), workers, [&](std::size_t i) { return judged_in_child(*jobs[i]); }, say);
   if (lively && !jobs.empty()) std::fputs("\n", stderr);
   for (std::size_t i = 0; i < jobs.size(); ++i) fill_in(jobs[i]->row, results[i]);
 }
@@ -128,7 +132,8 @@ void judge_all(std::vector<Task>& tasks, unsigned workers) {
 std::string csv_of(const std::vector<Task>& tasks) {
   std::string text = "student,exercise,verdict,note,score\n";
   for (const auto& [row, path, prepared] : tasks)
-    text += fmt::format("{},{},{},{},{}\n", quoted(row.student), quoted(row.exercise), row.verdict, row.note, row.score);
+    text += fmt::format("{},{},{},{},{}\n", quoted(row.student), quoted(row.exercise), row.verdict, row.note,
+                        row.score);
   return text;
 }
 
@@ -143,8 +148,10 @@ std::map<std::string, Tally> tally(const std::vector<Task>& tasks) {
     if (task.prepared == nullptr) continue;
     Tally& one = result[task.row.exercise];
     ++one.answers;
-    if (task.row.verdict == "correct") ++one.correct;
-    else ++one.notes[task.row.note];
+    if (task.row.verdict == "correct")
+      ++one.correct;
+    else
+      ++one.notes[task.row.note];
   }
   return result;
 }
@@ -152,13 +159,15 @@ std::map<std::string, Tally> tally(const std::vector<Task>& tasks) {
 /// The notes of a tally, the most frequent first.
 std::vector<std::pair<std::string, int>> by_frequency(const Tally& tally) {
   std::vector<std::pair<std::string, int>> notes(tally.notes.begin(), tally.notes.end());
-  std::stable_sort(notes.begin(), notes.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::stable_sort(notes.begin(), notes.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
   return notes;
 }
 
 std::string summary(const Classroom& room, const std::vector<Task>& tasks) {
   const auto tallies = tally(tasks);
-  std::string text = fmt::format("{:<28} {:>7} {:>7}  {}\n", "exercise", "answers", "correct", "what went wrong, most common first");
+  std::string text = fmt::format("{:<28} {:>7} {:>7}  {}\n", "exercise", "answers", "correct",
+                                 "what went wrong, most common first");
   for (const auto& exercise : room.exercises) {
     const auto found = tallies.find(exercise.id);
     if (found == tallies.end()) continue;
@@ -166,22 +175,30 @@ std::string summary(const Classroom& room, const std::vector<Task>& tasks) {
     const auto notes = by_frequency(found->second);
     for (std::size_t i = 0; i < std::min<std::size_t>(notes.size(), 3); ++i)
       slips += fmt::format("{}{} ({})", slips.empty() ? "" : ", ", notes[i].first, notes[i].second);
-    text += fmt::format("{:<28} {:>7} {:>7}  {}\n", exercise.id, found->second.answers, found->second.correct, slips);
+    text += fmt::format("{:<28} {:>7} {:>7}  {}\n", exercise.id, found->second.answers, found->second.correct,
+                        slips);
   }
   return text;
 }
 
 std::string summary_json(const Classroom& room, const std::vector<Task>& tasks, const std::string& csv) {
   const auto tallies = tally(tasks);
-  nlohmann::ordered_json json{{"rows", tasks.size()}, {"csv", csv.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(csv)},
-                              {"exercises", nlohmann::ordered_json::array()}, {"grades", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json{{"rows", tasks.size()},
+                              {"csv", csv.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(csv)},
+                              {"exercises", nlohmann::ordered_json::array()},
+                              {"grades", nlohmann::ordered_json::array()}};
   for (const auto& exercise : room.exercises)
     if (const auto found = tallies.find(exercise.id); found != tallies.end())
-      json["exercises"].push_back({{"exercise", exercise.id}, {"answers", found->second.answers},
-                                   {"correct", found->second.correct}, {"notes", found->second.notes}});
+      json["exercises"].push_back({{"exercise", exercise.id},
+                                   {"answers", found->second.answers},
+                                   {"correct", found->second.correct},
+                                   {"notes", found->second.notes}});
   for (const auto& task : tasks)
-    json["grades"].push_back({{"student", task.row.student}, {"exercise", task.row.exercise}, {"verdict", task.row.verdict},
-                              {"note", task.row.note}, {"score", task.row.score}});
+    json["grades"].push_back({{"student", task.row.student},
+                              {"exercise", task.row.exercise},
+                              {"verdict", task.row.verdict},
+                              {"note", task.row.note},
+                              {"score", task.row.score}});
   return json.dump(2) + "\n";
 }
 
@@ -195,7 +212,8 @@ int grade(const Classroom& room, const GradeFlags& flags) {
   std::map<std::string, Prepared> answers;
   for (const auto& exercise : room.exercises) answers.emplace(exercise.id, prepare(exercise));
   std::vector<Task> tasks;
-  for (const auto& student : *students) add_student(fs::path(flags.folder) / student, answers, flags.missing, tasks);
+  for (const auto& student : *students)
+    add_student(fs::path(flags.folder) / student, answers, flags.missing, tasks);
   judge_all(tasks, flags.workers != 0 ? flags.workers : std::max(1u, std::thread::hardware_concurrency()));
   const std::string csv = csv_of(tasks);
   if (!flags.csv.empty()) write_whole(flags.csv, csv);

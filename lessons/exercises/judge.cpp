@@ -1,10 +1,10 @@
-#include <derivations/algebra/print.hpp>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <derivations/algebra/print.hpp>
 #include <lessons/exercises/definitions.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/lesson.hpp>
-
-#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -21,7 +21,8 @@ std::size_t right_option(const Prepared& prepared) {
     if (!exercise.answer.row.empty()) {
       holds = claim == to_string(judged(exercise.answer.row).proof.verdict);
     } else {
-      const Proof proof = prove(parse_statement(claim), prepared.answer.relation, paper_symbols(), prepared.answer.given);
+      const Proof proof =
+          prove(parse_statement(claim), prepared.answer.relation, paper_symbols(), prepared.answer.given);
       holds = proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
     }
     if (holds) right.push_back(i + 1);
@@ -59,8 +60,8 @@ Prepared prepare(const Exercise& exercise) {
     }
     if (exercise.kind != Kind::number) {
       prepared.points = sample_points(names_to_sample(prepared), 3);
-      prepared.signature = signature(put_in(prepared.answer.relation, prepared.answer.given), exercise.pivot,
-                                     prepared.points);
+      prepared.signature =
+          signature(put_in(prepared.answer.relation, prepared.answer.given), exercise.pivot, prepared.points);
     }
     add_roads(prepared);
   } catch (const std::exception& error) {
@@ -74,9 +75,12 @@ Opinion judge_answer(const Prepared& prepared, const std::string& text) {
     return invalid("empty", "There is no answer here yet.");
   switch (prepared.exercise.kind) {
     case Kind::expression:
-    case Kind::equation: return judge_formula(prepared, text);
-    case Kind::number: return judge_number(prepared, text);
-    default: return judge_choice(prepared, text);
+    case Kind::equation:
+      return judge_formula(prepared, text);
+    case Kind::number:
+      return judge_number(prepared, text);
+    default:
+      return judge_choice(prepared, text);
   }
 }
 
@@ -100,27 +104,33 @@ Opinion invalid(const SyntaxError& error, const std::string& text) {
 
 std::string explanation_of(const std::string& note) {
   static const std::map<std::string, std::string> sentences{
-      {"sign", "A sign is wrong. Check the direction in which each quantity counts as positive, then follow each "
-               "minus sign through your working."},
-      {"wrong_angle", "The angle inside a sine or cosine is not the right one. Look at the drawing: as the block "
-                      "rotates, does the angle between its diagonal and the vertical grow or shrink?"},
+      {"sign",
+       "A sign is wrong. Check the direction in which each quantity counts as positive, then follow each "
+       "minus sign through your working."},
+      {"wrong_angle",
+       "The angle inside a sine or cosine is not the right one. Look at the drawing: as the block "
+       "rotates, does the angle between its diagonal and the vertical grow or shrink?"},
       {"missing_term", "A term is missing. Write down each contribution by itself before you add them up."},
-      {"factor", "A numerical factor is wrong; everything else is right. Look for a square that was "
-                 "differentiated, a half, or a moment of inertia."},
+      {"factor",
+       "A numerical factor is wrong; everything else is right. Look for a square that was "
+       "differentiated, a half, or a moment of inertia."},
       {"missing_factor", "A factor is missing from one of the terms."},
       {"power", "A power is wrong: a square is lost, or there is one too many."},
-      {"sin_cos", "A sine and a cosine (or their like) have been exchanged. Try an angle for which you know the "
-                  "answer, such as zero."},
+      {"sin_cos",
+       "A sine and a cosine (or their like) have been exchanged. Try an angle for which you know the "
+       "answer, such as zero."},
       {"reciprocal", "Your answer is upside down: it is the reciprocal of the right one."},
       {"dimension", "The dimensions do not fit."},
-      {"small_angle", "This holds for small angles only; the exact result was asked for. Somewhere the sine was "
-                      "replaced by its angle, or the cosine by one."},
+      {"small_angle",
+       "This holds for small angles only; the exact result was asked for. Somewhere the sine was "
+       "replaced by its angle, or the cosine by one."},
       {"missing_symbol", "Your answer does not depend on everything that it should depend on."},
       {"extra_symbol", "Your answer depends on something that drops out of the right one."},
       {"unit", "The value is right, but the unit is not."},
       {"missing_unit", "The value is right. Say what it is a value of: give the unit."},
       {"degrees", "This looks like a mix-up of degrees and radians."},
-      {"rounding", "Close, but not close enough: carry more digits through your calculation and round at the end."},
+      {"rounding",
+       "Close, but not close enough: carry more digits through your calculation and round at the end."},
       {"other", "This is not right, and it is none of the usual slips. Try it at one point, by hand:"}};
   const auto found = sentences.find(note);
   return found == sentences.end() ? "" : found->second;
@@ -129,14 +139,18 @@ std::string explanation_of(const std::string& note) {
 std::string model_answer(const Prepared& prepared) {
   const auto& exercise = prepared.exercise;
   switch (exercise.kind) {
-    case Kind::expression: return print(prepared.answer.relation.sides.at(0));
-    case Kind::equation: return print(prepared.answer.relation);
+    case Kind::expression:
+      return print(prepared.answer.relation.sides.at(0));
+    case Kind::equation:
+      return print(prepared.answer.relation);
     case Kind::number: {
       const std::string value = fmt::format("{:.10g}", prepared.answer.number);
       return exercise.unit.empty() || exercise.unit == "1" ? value : value + " " + exercise.unit;
     }
-    case Kind::wrong_term: return std::to_string(prepared.choice);
-    case Kind::choice: return std::string(1, static_cast<char>('a' + prepared.choice - 1));
+    case Kind::wrong_term:
+      return std::to_string(prepared.choice);
+    case Kind::choice:
+      return std::string(1, static_cast<char>('a' + prepared.choice - 1));
   }
   return "";
 }

@@ -3,14 +3,14 @@
 
 #include <lessons/exercises/exercise.hpp>
 #include <lessons/exercises/trees.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace rederive::classroom {
 
-/// What comes back. `verdict`: correct, wrong_form, correct_if, wrong, invalid, undecided. `note`: a stable word.
+/// What comes back. `verdict`: correct, wrong_form, correct_if, wrong, invalid, undecided. `note`: a stable
+/// word.
 struct Opinion {
   std::string verdict, note, read_as, feedback;
   std::optional<Witness> witness;
@@ -31,8 +31,8 @@ struct Prepared {
   Answer answer;
   std::vector<Point> points;
   std::optional<Signature> signature;
-  std::vector<Road> roads;         ///< the catalogued slips and assumptions first, then the slips of a pen
-  std::size_t choice = 0;          ///< the right option or term, from 1
+  std::vector<Road> roads;  ///< the catalogued slips and assumptions first, then the slips of a pen
+  std::size_t choice = 0;   ///< the right option or term, from 1
 };
 
 /// Computes the answer. Throws std::runtime_error naming the exercise if its data do not hold together.

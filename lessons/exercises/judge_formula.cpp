@@ -1,19 +1,56 @@
 // Expressions and equations: right by proof, wrong by the first wrong road that leads to the same formula.
-#include <derivations/algebra/dimension.hpp>
-#include <derivations/algebra/print.hpp>
 #include <fmt/format.h>
-#include <lessons/exercises/edits.hpp>
-#include <lessons/exercises/judge.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <derivations/algebra/dimension.hpp>
+#include <derivations/algebra/print.hpp>
+#include <lessons/exercises/edits.hpp>
+#include <lessons/exercises/judge.hpp>
 
 namespace rederive::classroom {
 namespace {
 
 bool is_right(Verdict verdict) { return verdict == Verdict::proved || verdict == Verdict::proved_under; }
 
+/// left - right of an equation, as an expression.
+Relation residual_of(const Relation& equation) {
+  const auto residual = std::make_shared<Node>(
+      Node{Node::Kind::sum, "", {equation.sides[0], equation.sides[1]}, {false, true}, 0});
+  return {{residual}, {}};
+}
+
+/// "-3/2" as a tree, where the number is such a fraction.
+std::optional<Tree> small_fraction(double value) {
+  for (int under = 1; under <= 360; ++under) {
+    const double over = std::round(std::abs(value) * under);
+    if (over < 1 || over > 1e6 || std::abs(std::abs(value) * under - over) > 1e-9 * over) continue;
+    const Tree size = scaled(fmt::format("{:.0f}", over), std::to_string(under), number("1"));
+    return value < 0 ? negative(size) : size;
+  }
+  return {};
+}
+
+/// Two equations that differ by a number only: then one residual is that multiple of the other, identically.
+std::optional<Proof> same_up_to_a_number(const Prepared& prepared, const Relation& read,
+                                         const Relation& against) {
+  const Relation mine = residual_of(read), right = residual_of(against);
+  const auto a = signature(put_in(mine, prepared.answer.given), "", prepared.points);
+  const auto b = signature(put_in(right, prepared.answer.given), "", prepared.points);
+  const auto ratio = a && b ? common_ratio(*a, *b) : std::nullopt;
+  const auto factor = ratio ? small_fraction(*ratio) : std::nullopt;
+  if (!factor) return {};
+  const auto multiple =
+      std::make_shared<Node>(Node{Node::Kind::product, "", {*factor, right.sides[0]}, {false, false}, 0});
+  const Proof proof = prove(mine, Relation{{multiple}, {}}, paper_symbols(), prepared.answer.given);
+  return is_right(proof.verdict) ? std::optional(proof) : std::nullopt;
+}
+
 Proof proof_of(const Prepared& prepared, const Relation& read, const Relation& against) {
+  const bool equations =
+      read.operators == std::vector<std::string>{"="} && against.operators == read.operators;
+  if (equations)
+    if (const auto proof = same_up_to_a_number(prepared, read, against)) return *proof;
   return prove(read, against, paper_symbols(), prepared.answer.given);
 }
 
@@ -38,7 +75,8 @@ void check_symbols(const Exercise& exercise, const Relation& read) {
   }
 }
 
-/// Text → the statement to judge: of "y_c = ..." the right side where an expression is asked for and y_c is its name.
+/// Text → the statement to judge: of "y_c = ..." the right side where an expression is asked for and y_c is
+/// its name.
 Relation read_answer(const Exercise& exercise, const std::string& text) {
   Relation read = parse_statement(text);
   const bool named = !exercise.name.empty() && read.sides.size() == 2 && read.operators[0] == "=" &&
@@ -48,7 +86,8 @@ Relation read_answer(const Exercise& exercise, const std::string& text) {
     if (!read.operators.empty())
       throw SyntaxError("expression_wanted", 0, "an expression is wanted here, without a relation sign");
   } else {
-    if (read.operators.empty() && !exercise.name.empty()) read = {{parse(exercise.name), read.sides[0]}, {"="}};
+    if (read.operators.empty() && !exercise.name.empty())
+      read = {{parse(exercise.name), read.sides[0]}, {"="}};
     if (read.operators.empty())
       throw SyntaxError("equation_wanted", text.size(), "an equation is wanted here: left side = right side");
     if (read.operators.size() > 1)
@@ -98,10 +137,12 @@ Signature minus(const Signature& left, const Signature& right) {
   return result;
 }
 
-/// Does the answer approach the right one as all angles (or the rotation alone) go to zero? Compared is what the angles
-/// change, so that 1 + wrong*alpha^2 is not taken for 1 + right*alpha^2; an answer without any angle is compared whole.
+/// Does the answer approach the right one as all angles (or the rotation alone) go to zero? Compared is what
+/// the angles change, so that 1 + wrong*alpha^2 is not taken for 1 + right*alpha^2; an answer without any
+/// angle is compared whole.
 bool right_for_small_angles(const Prepared& prepared, const Relation& read, bool rotations_only) {
-  const Relation mine = put_in(read, prepared.answer.given), right = put_in(prepared.answer.relation, prepared.answer.given);
+  const Relation mine = put_in(read, prepared.answer.given),
+                 right = put_in(prepared.answer.relation, prepared.answer.given);
   std::set<std::string> names = symbols_in(mine);
   names.merge(symbols_in(right));
   const auto at = [&](const Relation& statement, const cln::cl_RA& scale) {
@@ -170,8 +211,8 @@ Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::opt
   return opinion;
 }
 
-Road road_to(const Prepared& prepared, const Relation& relation, const std::string& note, const std::string& says,
-             const std::string& verdict = "wrong") {
+Road road_to(const Prepared& prepared, const Relation& relation, const std::string& note,
+             const std::string& says, const std::string& verdict = "wrong") {
   return {note, says, verdict, relation, signature_of(prepared, relation), 0};
 }
 
@@ -189,25 +230,33 @@ void add_roads(Prepared& prepared) {
   for (const auto& slip : exercise.slips) {
     if (exercise.kind == Kind::number) {
       Road road{slip.note, slip.says, "wrong", {}, {}, 0};
-      const auto typed = slip.typed.empty() ? 0 : GiNaC::ex_to<GiNaC::numeric>(lower(parse(slip.typed)).evalf()).to_double();
+      const auto typed =
+          slip.typed.empty() ? 0 : GiNaC::ex_to<GiNaC::numeric>(lower(parse(slip.typed)).evalf()).to_double();
       road.number = slip.road ? resolve(*slip.road, exercise.kind).number : typed;
       prepared.roads.push_back(road);
       continue;
     }
-    const Relation relation = slip.road ? resolve(*slip.road, exercise.kind).relation : parse_statement(slip.typed);
+    const Relation relation =
+        slip.road ? resolve(*slip.road, exercise.kind).relation : parse_statement(slip.typed);
     prepared.roads.push_back(road_to(prepared, relation, slip.note, slip.says));
   }
   if (exercise.kind == Kind::number) return;
   for (const auto& assumption : exercise.assumptions)
-    prepared.roads.push_back(road_to(prepared, with_put(prepared.answer.relation, assumption.put), "assumption",
-                                     assumption.says, "correct_if"));
+    prepared.roads.push_back(road_to(prepared, with_put(prepared.answer.relation, assumption.put),
+                                     "assumption", assumption.says, "correct_if"));
   for (const auto& edit : edits(prepared.answer.relation)) {
     const bool dotless = edit.note == "missing_dot";
-    if (!dotless && !dimension(edit.relation.operators.empty() ? Relation{{edit.relation.sides[0]}, {}} : edit.relation).consistent)
+    if (!dotless &&
+        !dimension(edit.relation.operators.empty() ? Relation{{edit.relation.sides[0]}, {}} : edit.relation)
+             .consistent)
       continue;  // said better by its dimensions
-    Road road = road_to(prepared, edit.relation, dotless ? "dimension" : edit.note, explanation_of(edit.note));
-    if (dotless) road.says = explanation_of("dimension") + " Is there a dot missing somewhere: a rate written as what changes?";
-    if (prepared.signature && road.signature && !alike(*road.signature, *prepared.signature)) prepared.roads.push_back(road);
+    Road road =
+        road_to(prepared, edit.relation, dotless ? "dimension" : edit.note, explanation_of(edit.note));
+    if (dotless)
+      road.says =
+          explanation_of("dimension") + " Is there a dot missing somewhere: a rate written as what changes?";
+    if (prepared.signature && road.signature && !alike(*road.signature, *prepared.signature))
+      prepared.roads.push_back(road);
   }
 }
 
@@ -226,7 +275,8 @@ Opinion judge_formula(const Prepared& prepared, const std::string& text) {
                                 (read.operators.empty() || !prepared.exercise.pivot.empty());
   const Proof proof = proof_of(prepared, read, prepared.answer.relation);
   if (is_right(proof.verdict)) {
-    if (const auto why = not_in_form(prepared.exercise, read)) return found(opinion, "wrong_form", "form", *why, 0.5);
+    if (const auto why = not_in_form(prepared.exercise, read))
+      return found(opinion, "wrong_form", "form", *why, 0.5);
     return found(opinion, "correct", "correct", "Right.", 1);
   }
   if (proof.verdict == Verdict::undecided && !surely_different)

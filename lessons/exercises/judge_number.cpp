@@ -1,13 +1,13 @@
 // Numbers with units, choices, and terms to point at.
-#include <derivations/algebra/print.hpp>
 #include <fmt/format.h>
-#include <lessons/exercises/judge.hpp>
-#include <lessons/exercises/units.hpp>
-#include <lessons/lesson.hpp>
 
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <derivations/algebra/print.hpp>
+#include <lessons/exercises/judge.hpp>
+#include <lessons/exercises/units.hpp>
+#include <lessons/lesson.hpp>
 
 namespace rederive::classroom {
 namespace {
@@ -25,8 +25,8 @@ bool near(const Exercise& exercise, double value, double right) {
   return std::abs(value - right) <= allowance(exercise, right);
 }
 
-Opinion opinion(const Quantity& read, const std::string& verdict, const std::string& note, const std::string& says,
-                double score) {
+Opinion opinion(const Quantity& read, const std::string& verdict, const std::string& note,
+                const std::string& says, double score) {
   Opinion result;
   result.verdict = verdict;
   result.note = note;
@@ -46,7 +46,8 @@ std::string slip_of(const Exercise& exercise, double value, double right) {
     if (near(exercise, value * factor, right)) return "factor";
   for (const double power : {1e-3, 1e-2, 1e-1, 1e1, 1e2, 1e3})
     if (near(exercise, value * power, right)) return "power_of_ten";
-  if (near(exercise, value * value, right) || near(exercise, std::sqrt(std::abs(value)), right)) return "power";
+  if (near(exercise, value * value, right) || near(exercise, std::sqrt(std::abs(value)), right))
+    return "power";
   if (value != 0 && near(exercise, 1 / value, right)) return "reciprocal";
   return std::abs(value - right) <= 10 * allowance(exercise, right) ? "rounding" : "";
 }
@@ -54,16 +55,20 @@ std::string slip_of(const Exercise& exercise, double value, double right) {
 std::string whole_number_in(const std::string& text) {
   std::string digits;
   for (char c : text)
-    if (std::isdigit(static_cast<unsigned char>(c))) digits += c;
-    else if (!std::isspace(static_cast<unsigned char>(c)) && c != '[' && c != ']') return "";
+    if (std::isdigit(static_cast<unsigned char>(c)))
+      digits += c;
+    else if (!std::isspace(static_cast<unsigned char>(c)) && c != '[' && c != ']')
+      return "";
   return digits.size() > 3 ? "" : digits;
 }
 
 std::string single_letter_in(const std::string& text) {
   std::string letters;
   for (char c : text)
-    if (std::isalpha(static_cast<unsigned char>(c))) letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    else if (!std::isspace(static_cast<unsigned char>(c)) && c != '(' && c != ')' && c != '.') return "";
+    if (std::isalpha(static_cast<unsigned char>(c)))
+      letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else if (!std::isspace(static_cast<unsigned char>(c)) && c != '(' && c != ')' && c != '.')
+      return "";
   return letters.size() == 1 ? letters : "";
 }
 
@@ -93,16 +98,19 @@ Opinion judge_number(const Prepared& prepared, const std::string& text) {
   if (read.dimension && *read.dimension != wanted)
     return opinion(read, "wrong", near(exercise, read.value, right) ? "unit" : "dimension",
                    fmt::format("{} You gave {}; {} is wanted.", explanation_of("dimension"),
-                               unit_text(*read.dimension), unit_text(wanted)), 0);
+                               unit_text(*read.dimension), unit_text(wanted)),
+                   0);
   if (near(exercise, read.value, right)) {
-    if (!read.dimension && !pure) return opinion(read, "wrong_form", "missing_unit", explanation_of("missing_unit"), 0.5);
+    if (!read.dimension && !pure)
+      return opinion(read, "wrong_form", "missing_unit", explanation_of("missing_unit"), 0.5);
     return opinion(read, "correct", "correct", "Right.", 1);
   }
   for (const auto& road : prepared.roads)
     if (near(exercise, read.value, road.number)) return opinion(read, "wrong", road.note, road.says, 0);
   const std::string note = slip_of(exercise, read.value, right);
   if (note == "power_of_ten")
-    return opinion(read, "wrong", note, "The digits are right, the power of ten is not. Check the units you put in.", 0);
+    return opinion(read, "wrong", note,
+                   "The digits are right, the power of ten is not. Check the units you put in.", 0);
   if (!note.empty()) return opinion(read, "wrong", note, explanation_of(note), 0);
   return opinion(read, "wrong", "other", read.value > right ? "This is too large." : "This is too small.", 0);
 }
@@ -120,14 +128,16 @@ Opinion judge_choice(const Prepared& prepared, const std::string& text) {
     result.read_as = letter;
   } else {
     const std::string digits = whole_number_in(text);
-    const std::size_t count = terms_to_point_at(parse_relation(judged(exercise.answer.row).row.printed)).size();
+    const std::size_t count =
+        terms_to_point_at(parse_relation(judged(exercise.answer.row).row.printed)).size();
     try {
       chosen = digits.empty() ? term_like(prepared, text) : std::stoul(digits);
     } catch (const SyntaxError& error) {
       return invalid(error, text);
     }
     if (chosen == 0 || chosen > count)
-      return invalid("choice", fmt::format("Point at one term: a number from 1 to {}, or the term as printed.", count));
+      return invalid("choice",
+                     fmt::format("Point at one term: a number from 1 to {}, or the term as printed.", count));
     result.read_as = fmt::format("term {}", chosen);
   }
   const bool right = chosen == prepared.choice;

@@ -1,10 +1,10 @@
-#include <derivations/command_line.hpp>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <lessons/exercises/progress.hpp>
 #include <sys/file.h>
 
 #include <charconv>
+#include <derivations/command_line.hpp>
+#include <lessons/exercises/progress.hpp>
 #include <sstream>
 
 namespace rederive::classroom {
@@ -17,11 +17,16 @@ constexpr auto heading =
 std::string packed(const std::string& text) {
   std::string result;
   for (char c : text) {
-    if (c == '\n') result += "\\n";
-    else if (c == '\r') result += "\\r";
-    else if (c == '\t') result += "\\t";
-    else if (c == '\\') result += "\\\\";
-    else result += c;
+    if (c == '\n')
+      result += "\\n";
+    else if (c == '\r')
+      result += "\\r";
+    else if (c == '\t')
+      result += "\\t";
+    else if (c == '\\')
+      result += "\\\\";
+    else
+      result += c;
   }
   return result;
 }
@@ -29,11 +34,16 @@ std::string packed(const std::string& text) {
 std::string unpacked(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '\\' || i + 1 == text.size()) result += text[i];
-    else if (const char c = text[++i]; c == 'n') result += '\n';
-    else if (c == 'r') result += '\r';
-    else if (c == 't') result += '\t';
-    else result += c;
+    if (text[i] != '\\' || i + 1 == text.size())
+      result += text[i];
+    else if (const char c = text[++i]; c == 'n')
+      result += '\n';
+    else if (c == 'r')
+      result += '\r';
+    else if (c == 't')
+      result += '\t';
+    else
+      result += c;
   }
   return result;
 }
@@ -41,8 +51,10 @@ std::string unpacked(const std::string& text) {
 std::vector<std::string> fields(const std::string& line) {
   std::vector<std::string> result(1);
   for (char c : line)
-    if (c == '\t') result.emplace_back();
-    else result.back() += c;
+    if (c == '\t')
+      result.emplace_back();
+    else
+      result.back() += c;
   return result;
 }
 
@@ -63,7 +75,8 @@ bool take_line(const std::string& line, Progress& progress) {
   Record record{parts[1], 0, 0, unpacked(parts[4])};
   const bool known = record.status == "open" || record.status == "tried" || record.status == "solved" ||
                      record.status == "given_up";
-  if (!known || !whole_number(parts[2], record.attempts) || !whole_number(parts[3], record.hints)) return false;
+  if (!known || !whole_number(parts[2], record.attempts) || !whole_number(parts[3], record.hints))
+    return false;
   progress.records[parts[0]] = record;
   return true;
 }
@@ -82,22 +95,26 @@ std::filesystem::path progress_file(const std::string& given) {
   if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0')
     return std::filesystem::path(state) / "rederive" / "exercises.txt";
   const char* home = std::getenv("HOME");
-  return std::filesystem::path(home == nullptr ? "." : home) / ".local" / "state" / "rederive" / "exercises.txt";
+  return std::filesystem::path(home == nullptr ? "." : home) / ".local" / "state" / "rederive" /
+         "exercises.txt";
 }
 
 Progress load_progress(const std::filesystem::path& file) {
   Progress progress;
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return progress;
-  if (!std::filesystem::is_regular_file(file)) throw BadInput("the progress file '" + file.string() + "' is no file");
+  if (!std::filesystem::is_regular_file(file))
+    throw BadInput("the progress file '" + file.string() + "' is no file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw BadInput("cannot read the progress file '" + file.string() + "'");
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
     if (line.empty() || line[0] == '#') continue;
     if (!take_line(line, progress))
-      throw BadInput(fmt::format("{}, line {}: this is not as Rederive wrote it. Mend the line, or move the file "
-                                 "away to start afresh", file.string(), number));
+      throw BadInput(
+          fmt::format("{}, line {}: this is not as Rederive wrote it. Mend the line, or move the file "
+                      "away to start afresh",
+                      file.string(), number));
   }
   return progress;
 }
@@ -105,8 +122,10 @@ Progress load_progress(const std::filesystem::path& file) {
 void save_progress(const std::filesystem::path& file, const Progress& progress) {
   std::string text = heading;
   for (const auto& [id, record] : progress.records)
-    text += fmt::format("{}\t{}\t{}\t{}\t{}\n", id, record.status, record.attempts, record.hints, packed(record.answer));
-  for (const auto& [id, answer] : progress.old_answers) text += fmt::format("old\t{}\t{}\n", id, packed(answer));
+    text += fmt::format("{}\t{}\t{}\t{}\t{}\n", id, record.status, record.attempts, record.hints,
+                        packed(record.answer));
+  for (const auto& [id, answer] : progress.old_answers)
+    text += fmt::format("old\t{}\t{}\n", id, packed(answer));
   make_folder(file);
   write_whole(file, text);
 }
@@ -115,7 +134,8 @@ ProgressLock::ProgressLock(const std::filesystem::path& file) {
   make_folder(file);
   const std::string name = file.string() + ".lock";
   descriptor_ = ::open(name.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
-  if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);  // where locks are not to be had, one program at a time is fine
+  if (descriptor_ >= 0)
+    ::flock(descriptor_, LOCK_EX);  // where locks are not to be had, one program at a time is fine
 }
 
 ProgressLock::~ProgressLock() {

@@ -12,7 +12,7 @@ namespace rederive::classroom {
 struct Record {
   std::string status = "open";  ///< open, tried, solved, given_up
   int attempts = 0, hints = 0;
-  std::string answer;           ///< the latest that could be read
+  std::string answer;  ///< the latest that could be read
 };
 
 struct Progress {
@@ -20,7 +20,8 @@ struct Progress {
   std::vector<std::pair<std::string, std::string>> old_answers;  ///< (exercise, answer), kept by reset
 };
 
-/// --progress, else $REDERIVE_PROGRESS, else rederive/exercises.txt in the XDG state folder or ~/.local/state.
+/// --progress, else $REDERIVE_PROGRESS, else rederive/exercises.txt in the XDG state folder or
+/// ~/.local/state.
 std::filesystem::path progress_file(const std::string& given);
 /// Reads it; a file that is not there is a fresh start. Throws BadInput naming file and line.
 Progress load_progress(const std::filesystem::path& file);

@@ -1,9 +1,9 @@
 // lessons/exercises/*.toml → exercises; what is missing or misspelt is said with file and exercise.
 #include <fmt/format.h>
-#include <lessons/exercises/exercise.hpp>
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <lessons/exercises/exercise.hpp>
 #include <set>
 #include <stdexcept>
 
@@ -34,13 +34,15 @@ class Reader {
   std::map<std::string, std::string> pairs(const std::string& key) {
     std::map<std::string, std::string> result;
     if (const auto* node = find(key, false))
-      for (const auto& [name, value] : *sub(*node, key)) result[std::string(name.str())] = value.value_or(std::string());
+      for (const auto& [name, value] : *sub(*node, key))
+        result[std::string(name.str())] = value.value_or(std::string());
     return result;
   }
   std::map<std::string, double> numbers(const std::string& key) {
     std::map<std::string, double> result;
     if (const auto* node = find(key, false))
-      for (const auto& [name, value] : *sub(*node, key)) result[std::string(name.str())] = value.value_or(0.0);
+      for (const auto& [name, value] : *sub(*node, key))
+        result[std::string(name.str())] = value.value_or(0.0);
     return result;
   }
   std::vector<Reader> readers(const std::string& key) {
@@ -83,10 +85,14 @@ class Reader {
 };
 
 Kind kind_of(const std::string& name, const Reader& reader) {
-  static const std::map<std::string, Kind> kinds{{"expression", Kind::expression}, {"equation", Kind::equation},
-      {"number", Kind::number}, {"choice", Kind::choice}, {"wrong_term", Kind::wrong_term}};
+  static const std::map<std::string, Kind> kinds{{"expression", Kind::expression},
+                                                 {"equation", Kind::equation},
+                                                 {"number", Kind::number},
+                                                 {"choice", Kind::choice},
+                                                 {"wrong_term", Kind::wrong_term}};
   const auto found = kinds.find(name);
-  if (found == kinds.end()) reader.fail("kind '" + name + "' is none of expression, equation, number, choice, wrong_term");
+  if (found == kinds.end())
+    reader.fail("kind '" + name + "' is none of expression, equation, number, choice, wrong_term");
   return found->second;
 }
 
@@ -131,12 +137,14 @@ Exercise read_exercise(Reader reader) {
   exercise.digits = static_cast<int>(reader.number("digits"));
   exercise.hints = reader.texts("hints");
   exercise.equivalents = reader.texts("equivalents");
-  if (auto answer = reader.reader("answer")) exercise.answer = read_reference(*answer);
-  else reader.fail("'answer' is missing");
+  if (auto answer = reader.reader("answer"))
+    exercise.answer = read_reference(*answer);
+  else
+    reader.fail("'answer' is missing");
   for (auto& slip : reader.readers("slip")) exercise.slips.push_back(read_slip(slip));
   for (auto& option : reader.readers("option")) {
-    exercise.options.push_back({option.text("text", true), option.text("claim", true), option.text("note"),
-                                option.text("says")});
+    exercise.options.push_back(
+        {option.text("text", true), option.text("claim", true), option.text("note"), option.text("says")});
     option.done();
   }
   for (auto& assumption : reader.readers("assumption")) {
@@ -162,7 +170,8 @@ std::vector<Exercise> read_exercises(const std::filesystem::path& folder) {
     try {
       table = toml::parse_file(file.string());
     } catch (const toml::parse_error& error) {
-      throw std::runtime_error(fmt::format("{}, line {}: {}", name, error.source().begin.line, error.description()));
+      throw std::runtime_error(
+          fmt::format("{}, line {}: {}", name, error.source().begin.line, error.description()));
     }
     const auto* list = table["exercise"].as_array();
     if (list == nullptr) throw std::runtime_error(name + ": no [[exercise]]");

@@ -1,14 +1,14 @@
 // References → answers, computed from the derivations and the ledger.
-#include <derivations/algebra/print.hpp>
 #include <fmt/format.h>
-#include <lessons/exercises/edits.hpp>
+
+#include <algorithm>
+#include <derivations/algebra/print.hpp>
 #include <lessons/exercises/definitions.hpp>
+#include <lessons/exercises/edits.hpp>
 #include <lessons/exercises/exercise.hpp>
 #include <lessons/exercises/functions.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/lesson.hpp>
-
-#include <algorithm>
 #include <stdexcept>
 
 namespace rederive::classroom {
@@ -47,7 +47,8 @@ ex in_sines(const ex& expression) {
 }  // namespace
 
 Derivation argument_of(const Reference& reference) {
-  if (reference.derivation == "mass_at_the_top") return mass_at_the_top();  // the one that is not in the paper
+  if (reference.derivation == "mass_at_the_top")
+    return mass_at_the_top();  // the one that is not in the paper
   return derived(reference.derivation);
 }
 
@@ -77,8 +78,7 @@ Answer resolve(const Reference& reference, Kind kind, bool degrees) {
   }
   if (kind == Kind::number) {
     const ex number = (reference.side == "left" ? left : right).evalf();
-    if (!GiNaC::is_a<GiNaC::numeric>(number))
-      throw std::runtime_error("is no number: " + print(number));
+    if (!GiNaC::is_a<GiNaC::numeric>(number)) throw std::runtime_error("is no number: " + print(number));
     answer.number = GiNaC::ex_to<GiNaC::numeric>(number).to_double();
     return answer;
   }
@@ -114,9 +114,10 @@ Relation exchanged(const Relation& relation, const Tree& old, const Tree& fresh)
   return result;
 }
 
-/// The slips that a typesetter makes in a term, undone: its sign turned, each single edit of it, and a symbol that does not
-/// belong there exchanged for one that is missing.
-std::vector<Tree> repairs(const Tree& term, const std::set<std::string>& strange, const std::set<std::string>& missing) {
+/// The slips that a typesetter makes in a term, undone: its sign turned, each single edit of it, and a symbol
+/// that does not belong there exchanged for one that is missing.
+std::vector<Tree> repairs(const Tree& term, const std::set<std::string>& strange,
+                          const std::set<std::string>& missing) {
   std::vector<Tree> result{negative(term), scaled("2", "1", term), scaled("1", "2", term)};
   for (const auto& edit : edits(term)) result.push_back(edit.tree);
   for (const auto& old : strange)
@@ -154,7 +155,8 @@ std::size_t wrong_term(const std::string& row) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < terms.size(); ++i)
     for (const auto& repair : repairs(terms[i], only_in(printed, right), only_in(right, printed))) {
-      const Proof proof = prove(exchanged(printed, terms[i], repair), right, paper_symbols(), entry.derivation->given);
+      const Proof proof =
+          prove(exchanged(printed, terms[i], repair), right, paper_symbols(), entry.derivation->given);
       if (proof.verdict != Verdict::proved) continue;
       found.push_back(i + 1);
       break;

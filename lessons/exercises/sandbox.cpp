@@ -1,5 +1,4 @@
 #include <fcntl.h>
-#include <lessons/exercises/sandbox.hpp>
 #include <poll.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -7,6 +6,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <lessons/exercises/sandbox.hpp>
 #include <new>
 #include <stdexcept>
 
@@ -97,7 +97,8 @@ bool receive(const Running& running, JobResult& result) {
 
 }  // namespace
 
-std::vector<JobResult> run_jobs(std::size_t count, unsigned workers, const std::function<std::string(std::size_t)>& job,
+std::vector<JobResult> run_jobs(std::size_t count, unsigned workers,
+                                const std::function<std::string(std::size_t)>& job,
                                 const std::function<void(std::size_t)>& done) {
   std::vector<JobResult> results(count);
   std::vector<Running> running;

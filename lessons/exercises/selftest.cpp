@@ -1,13 +1,13 @@
-// Proves the exercise set sound: every stub fails, every model answer passes, every slip gets its note, and no hint
-// gives the answer away.
+// Proves the exercise set sound: every stub fails, every model answer passes, every slip gets its note, and
+// no hint gives the answer away.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <derivations/algebra/print.hpp>
 #include <derivations/command_line.hpp>
-#include <fmt/format.h>
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/prose.hpp>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace rederive::classroom {
 namespace {
@@ -39,7 +39,8 @@ bool gives_away(const Prepared& prepared, const std::string& sentence) {
   for (const auto& span : spans(sentence)) {
     if (span.kind == Span::Kind::text) continue;
     if (is_formula(prepared.exercise) && span.kind == Span::Kind::math &&
-        judge_answer(prepared, span.text).score > 0.9) return true;
+        judge_answer(prepared, span.text).score > 0.9)
+      return true;
   }
   if (prepared.exercise.kind != Kind::number) return false;
   return sentence.find(fmt::format("{:.3g}", prepared.answer.number)) != std::string::npos;
@@ -52,7 +53,8 @@ void check_texts(const Prepared& prepared, Findings& findings) {
     findings.check(!text.empty(), "an empty hint");
     findings.check(!gives_away(prepared, text), "a hint contains the answer: " + text);
   }
-  for (const auto& slip : exercise.slips) findings.check(!gives_away(prepared, slip.says), "the feedback contains the answer: " + slip.says);
+  for (const auto& slip : exercise.slips)
+    findings.check(!gives_away(prepared, slip.says), "the feedback contains the answer: " + slip.says);
   findings.check(!exercise.statement.empty(), "no statement");
   findings.check(!presentation(exercise).empty(), "cannot be shown");
   if (exercise.kind != Kind::choice && exercise.kind != Kind::wrong_term)
@@ -64,8 +66,9 @@ void check_right_answers(const Prepared& prepared, Findings& findings) {
   const Exercise& exercise = prepared.exercise;
   if (exercise.form.empty() || !is_formula(exercise) || exercise.equivalents.empty()) {
     const Opinion opinion = judge_answer(prepared, model_answer(prepared));
-    findings.check(opinion.verdict == "correct" || (!exercise.form.empty() && opinion.verdict == "wrong_form"),
-                   "its own answer " + model_answer(prepared) + " is " + got(opinion));
+    findings.check(
+        opinion.verdict == "correct" || (!exercise.form.empty() && opinion.verdict == "wrong_form"),
+        "its own answer " + model_answer(prepared) + " is " + got(opinion));
   }
   for (const auto& text : exercise.equivalents) {
     const Opinion opinion = judge_answer(prepared, text);
@@ -76,22 +79,29 @@ void check_right_answers(const Prepared& prepared, Findings& findings) {
 void check_wrong_answers(const Prepared& prepared, Findings& findings) {
   const Exercise& exercise = prepared.exercise;
   for (const std::string stub : {"", "# answer here", "?"})
-    findings.check(judge_answer(prepared, stub).verdict == "invalid", "the stub '" + stub + "' is not refused");
+    findings.check(judge_answer(prepared, stub).verdict == "invalid",
+                   "the stub '" + stub + "' is not refused");
   for (std::size_t i = 0; i < exercise.slips.size(); ++i) {
     const Slip& slip = exercise.slips[i];
     const Road& road = prepared.roads.at(i);
     std::string text = slip.typed;
-    if (slip.road) text = exercise.kind == Kind::number ? fmt::format("{:.12g} {}", road.number, exercise.unit == "1" ? "" : exercise.unit)
-                                                        : print_statement(road.relation, Notation::plain);
+    if (slip.road)
+      text = exercise.kind == Kind::number
+                 ? fmt::format("{:.12g} {}", road.number, exercise.unit == "1" ? "" : exercise.unit)
+                 : print_statement(road.relation, Notation::plain);
     const Opinion opinion = judge_answer(prepared, text);
-    findings.check(opinion.verdict == "wrong" && opinion.note == slip.note, fmt::format("the slip {}, {}, is {}", slip.note, text, got(opinion)));
+    findings.check(opinion.verdict == "wrong" && opinion.note == slip.note,
+                   fmt::format("the slip {}, {}, is {}", slip.note, text, got(opinion)));
   }
   for (std::size_t i = 0; i < exercise.options.size(); ++i) {
     const Opinion opinion = judge_answer(prepared, std::string(1, static_cast<char>('a' + i)));
-    findings.check((opinion.verdict == "correct") == (i + 1 == prepared.choice), "option " + std::to_string(i + 1) + " is " + got(opinion));
+    findings.check((opinion.verdict == "correct") == (i + 1 == prepared.choice),
+                   "option " + std::to_string(i + 1) + " is " + got(opinion));
   }
   if (is_formula(exercise) && !exercise.slips.empty() && !exercise.hints.empty())
-    findings.check(judge_answer(prepared, exercise.kind == Kind::equation ? "1 = 0" : "0").verdict != "correct", "0 passes");
+    findings.check(
+        judge_answer(prepared, exercise.kind == Kind::equation ? "1 = 0" : "0").verdict != "correct",
+        "0 passes");
 }
 
 }  // namespace
@@ -115,10 +125,18 @@ int selftest(const Classroom& room) {
   }
   if (is_lively(2)) std::fputs("\r", stderr);
   if (room.json) {
-    std::fputs((nlohmann::ordered_json{{"exercises", room.exercises.size()}, {"checks", checks}, {"complaints", complaints}}.dump(2) + "\n").c_str(), stdout);
+    std::fputs((nlohmann::ordered_json{
+                    {"exercises", room.exercises.size()}, {"checks", checks}, {"complaints", complaints}}
+                    .dump(2) +
+                "\n")
+                   .c_str(),
+               stdout);
   } else {
     for (const auto& complaint : complaints) std::fputs((complaint + "\n").c_str(), stdout);
-    std::fputs(fmt::format("{} exercises, {} checks, {} complaints\n", room.exercises.size(), checks, complaints.size()).c_str(), stdout);
+    std::fputs(fmt::format("{} exercises, {} checks, {} complaints\n", room.exercises.size(), checks,
+                           complaints.size())
+                   .c_str(),
+               stdout);
   }
   return complaints.empty() ? as_expected : not_as_expected;
 }

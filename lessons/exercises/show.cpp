@@ -1,12 +1,12 @@
 // What the classroom says to a student.
-#include <derivations/command_line.hpp>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <derivations/command_line.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/lesson.hpp>
 #include <lessons/prose.hpp>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace rederive::classroom {
 namespace {
@@ -17,22 +17,30 @@ std::string form_in_words(const Exercise& exercise) {
     const std::size_t comma = rest.find(',');
     const std::string form = rest.substr(0, comma);
     const std::size_t colon = form.find(':');
-    const std::string kind = form.substr(0, colon), detail = colon == std::string::npos ? "" : form.substr(colon + 1);
+    const std::string kind = form.substr(0, colon),
+                      detail = colon == std::string::npos ? "" : form.substr(colon + 1);
     const std::string word = kind == "solved_for" ? "solved for " + detail + ": " + detail + " = ..."
                              : kind == "expanded" ? "multiplied out"
                              : kind == "factored" ? "as a product"
-                             : kind == "without"  ? "without " + detail : "without the symbol " + detail;
+                             : kind == "without"  ? "without " + detail
+                                                  : "without the symbol " + detail;
     words += (words.empty() ? "" : ", ") + word;
     rest = comma == std::string::npos ? "" : rest.substr(comma + 1);
   }
   if (!words.empty()) return words;
   switch (exercise.kind) {
-    case Kind::expression: return "any equivalent expression";
-    case Kind::equation: return "any equivalent equation";
-    case Kind::number: return exercise.digits > 0 ? fmt::format("to {} significant digits", exercise.digits)
-                                                  : fmt::format("within {} %", 100 * (exercise.tolerance > 0 ? exercise.tolerance : 0.01));
-    case Kind::choice: return "one letter";
-    case Kind::wrong_term: return "the number of the wrong term, or the term as printed";
+    case Kind::expression:
+      return "any equivalent expression";
+    case Kind::equation:
+      return "any equivalent equation";
+    case Kind::number:
+      return exercise.digits > 0
+                 ? fmt::format("to {} significant digits", exercise.digits)
+                 : fmt::format("within {} %", 100 * (exercise.tolerance > 0 ? exercise.tolerance : 0.01));
+    case Kind::choice:
+      return "one letter";
+    case Kind::wrong_term:
+      return "the number of the wrong term, or the term as printed";
   }
   return "";
 }
@@ -40,11 +48,16 @@ std::string form_in_words(const Exercise& exercise) {
 std::string default_example(const Exercise& exercise) {
   if (!exercise.example.empty()) return exercise.example;
   switch (exercise.kind) {
-    case Kind::equation: return "2*x = 3*sin(alpha)^2 - 1";
-    case Kind::number: return exercise.unit.empty() || exercise.unit == "1" ? "0.125" : "0.125 " + exercise.unit;
-    case Kind::choice: return "b";
-    case Kind::wrong_term: return "2";
-    default: return "3/4*R^2*sin(alpha)";
+    case Kind::equation:
+      return "2*x = 3*sin(alpha)^2 - 1";
+    case Kind::number:
+      return exercise.unit.empty() || exercise.unit == "1" ? "0.125" : "0.125 " + exercise.unit;
+    case Kind::choice:
+      return "b";
+    case Kind::wrong_term:
+      return "2";
+    default:
+      return "3/4*R^2*sin(alpha)";
   }
 }
 
@@ -92,8 +105,9 @@ std::string readable(const std::string& sentence, const std::string& indent) {
   for (const auto& paragraph : paragraphs(sentence)) {
     std::string line;
     for (const auto& span : spans(paragraph))
-      line += span.kind == Span::Kind::math ? glued(print_inline(span.text, Notation::unicode))
-              : span.kind == Span::Kind::code ? glued(span.text) : span.text;
+      line += span.kind == Span::Kind::math   ? glued(print_inline(span.text, Notation::unicode))
+              : span.kind == Span::Kind::code ? glued(span.text)
+                                              : span.text;
     text += (text.empty() ? "" : "\n") + wrap(line, 80, indent, indent);
   }
   return text;
@@ -109,20 +123,25 @@ std::string presentation(const Exercise& exercise) {
   if (!exercise.symbols.empty()) text += "You may use:\n" + symbol_table(exercise) + "\n";
   text += "Form wanted: " + form_in_words(exercise) + "\n";
   text += "An answer looks like this (another thing altogether): " + default_example(exercise) + "\n";
-  return text + fmt::format("\nTo answer: exercises check {} \"...\"     for help: exercises hint {}\n", exercise.id, exercise.id);
+  return text + fmt::format("\nTo answer: exercises check {} \"...\"     for help: exercises hint {}\n",
+                            exercise.id, exercise.id);
 }
 
 std::string report(const Classroom& room, const Exercise& exercise, const Opinion& opinion) {
   std::string text;
   if (!opinion.read_as.empty()) text += wrap(glued(opinion.read_as), 80, "Read as: ", "         ");
-  const std::string code = opinion.verdict == "correct" ? "1;32" : opinion.verdict == "wrong" ? "1;31" : "1;33";
+  const std::string code = opinion.verdict == "correct" ? "1;32"
+                           : opinion.verdict == "wrong" ? "1;31"
+                                                        : "1;33";
   text += colour(room, code, verdict_in_words(opinion.verdict)) + "\n";
   const bool several_lines = opinion.feedback.find('\n') != std::string::npos;  // a caret must keep its place
-  if (opinion.verdict != "correct") text += several_lines ? opinion.feedback + "\n" : readable(opinion.feedback);
+  if (opinion.verdict != "correct")
+    text += several_lines ? opinion.feedback + "\n" : readable(opinion.feedback);
   if (text.ends_with("\n\n")) text.pop_back();
   if (opinion.witness) {
     std::string at;
-    for (const auto& [name, value] : opinion.witness->at) at += fmt::format("{}{} = {}", at.empty() ? "" : ", ", name, value);
+    for (const auto& [name, value] : opinion.witness->at)
+      at += fmt::format("{}{} = {}", at.empty() ? "" : ", ", name, value);
     text += wrap("at " + at, 80, "  ", "     ");
     text += fmt::format("  yours: {}\n  right: {}\n", opinion.witness->printed, opinion.witness->derived);
   }
@@ -131,18 +150,23 @@ std::string report(const Classroom& room, const Exercise& exercise, const Opinio
 }
 
 std::string report_json(const Exercise& exercise, const Opinion& opinion) {
-  nlohmann::ordered_json json{{"exercise", exercise.id}, {"verdict", opinion.verdict}, {"note", opinion.note}};
-  json["read_as"] = opinion.read_as.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(opinion.read_as);
+  nlohmann::ordered_json json{
+      {"exercise", exercise.id}, {"verdict", opinion.verdict}, {"note", opinion.note}};
+  json["read_as"] =
+      opinion.read_as.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(opinion.read_as);
   json["feedback"] = opinion.feedback;
   json["witness"] = nullptr;
   if (opinion.witness)
-    json["witness"] = {{"at", opinion.witness->at}, {"answer", opinion.witness->printed}, {"right", opinion.witness->derived}};
+    json["witness"] = {{"at", opinion.witness->at},
+                       {"answer", opinion.witness->printed},
+                       {"right", opinion.witness->derived}};
   json["score"] = opinion.score;
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 int show(const Classroom& room, const std::string& id) {
-  const Exercise* exercise = id.empty() ? next_exercise(room, load_progress(room.progress)) : &find_exercise(room, id);
+  const Exercise* exercise =
+      id.empty() ? next_exercise(room, load_progress(room.progress)) : &find_exercise(room, id);
   if (exercise == nullptr) {
     std::fputs("All exercises are done. Read one again with: exercises show ID\n", stdout);
     return as_expected;
@@ -151,9 +175,13 @@ int show(const Classroom& room, const std::string& id) {
     std::fputs(presentation(*exercise).c_str(), stdout);
     return as_expected;
   }
-  nlohmann::ordered_json json{{"id", exercise->id}, {"lesson", exercise->lesson}, {"title", exercise->title},
-                              {"statement", readable(exercise->statement)}, {"form", form_in_words(*exercise)},
-                              {"example", default_example(*exercise)}, {"symbols", nlohmann::ordered_json::array()},
+  nlohmann::ordered_json json{{"id", exercise->id},
+                              {"lesson", exercise->lesson},
+                              {"title", exercise->title},
+                              {"statement", readable(exercise->statement)},
+                              {"form", form_in_words(*exercise)},
+                              {"example", default_example(*exercise)},
+                              {"symbols", nlohmann::ordered_json::array()},
                               {"options", nlohmann::ordered_json::array()}};
   for (const auto& name : exercise->symbols) {
     const auto* symbol = paper_symbols().find(name);

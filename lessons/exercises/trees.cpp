@@ -1,9 +1,8 @@
+#include <algorithm>
+#include <cmath>
 #include <derivations/algebra/print.hpp>
 #include <lessons/exercises/edits.hpp>
 #include <lessons/exercises/trees.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace rederive::classroom {
 namespace {
@@ -81,8 +80,8 @@ Relation put_in(const Relation& relation, const std::vector<Given>& given) {
   return result;
 }
 
-std::vector<Point> sample_points(const std::set<std::string>& names, std::size_t count, const cln::cl_RA& angles,
-                                 bool rotations_only) {
+std::vector<Point> sample_points(const std::set<std::string>& names, std::size_t count,
+                                 const cln::cl_RA& angles, bool rotations_only) {
   static const std::set<std::string> rotations{"theta", "theta_0", "theta_i", "theta_ex"};
   std::vector<std::string> order(names.begin(), names.end());  // these first: no two of them alike
   for (const auto& name : paper_symbols().names())
@@ -95,7 +94,8 @@ std::vector<Point> sample_points(const std::set<std::string>& names, std::size_t
       const bool pure = symbol != nullptr && symbol->unit == "1";
       const int part = (7 * j + 5 * static_cast<int>(k)) % 31 + 2;
       points[k][name] = pure ? cln::cl_RA(part) / 37 : cln::cl_RA(part + 9) / 13;
-      if (rotations.contains(name) || (name == "alpha" && !rotations_only)) points[k][name] = points[k][name] * angles;
+      if (rotations.contains(name) || (name == "alpha" && !rotations_only))
+        points[k][name] = points[k][name] * angles;
       ++j;
     }
   }

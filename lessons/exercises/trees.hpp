@@ -3,7 +3,6 @@
 
 #include <derivations/algebra/evaluate.hpp>
 #include <derivations/algebra/prove.hpp>
-
 #include <optional>
 #include <set>
 #include <string>
@@ -20,16 +19,18 @@ Relation put_in(const Relation& relation, const std::vector<Given>& given);
 /// The tree with one symbol replaced by a tree.
 Tree put_in(const Tree& tree, const std::string& symbol, const Tree& value);
 
-/// `count` points that give every symbol of the paper an exact value, no two of the named ones alike; the angles (or
-/// the rotations θ alone, the shape α staying) are multiplied by `angles`.
+/// `count` points that give every symbol of the paper an exact value, no two of the named ones alike; the
+/// angles (or the rotations θ alone, the shape α staying) are multiplied by `angles`.
 std::vector<Point> sample_points(const std::set<std::string>& names, std::size_t count,
                                  const cln::cl_RA& angles = 1, bool rotations_only = false);
 
 /// What stands for a statement when two are compared by their values: those of an expression, or those of the
-/// symbol `pivot` that solve an equation linear in it; an equation without a pivot gives ratios of its residuals.
-/// Nothing where that is undefined. Equal values are a reason to try a proof, never one themselves.
+/// symbol `pivot` that solve an equation linear in it; an equation without a pivot gives ratios of its
+/// residuals. Nothing where that is undefined. Equal values are a reason to try a proof, never one
+/// themselves.
 using Signature = std::vector<double>;
-std::optional<Signature> signature(const Relation& statement, const std::string& pivot, const std::vector<Point>& points);
+std::optional<Signature> signature(const Relation& statement, const std::string& pivot,
+                                   const std::vector<Point>& points);
 bool alike(const Signature& left, const Signature& right);
 /// left = factor * right with one factor for all points; nothing if there is none.
 std::optional<double> common_ratio(const Signature& left, const Signature& right);

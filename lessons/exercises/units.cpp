@@ -1,11 +1,11 @@
-#include <derivations/algebra/print.hpp>
 #include <fmt/format.h>
-#include <lessons/exercises/trees.hpp>
-#include <lessons/exercises/units.hpp>
 
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <derivations/algebra/print.hpp>
+#include <lessons/exercises/trees.hpp>
+#include <lessons/exercises/units.hpp>
 
 namespace rederive::classroom {
 namespace {
@@ -15,17 +15,34 @@ struct Unit {
   const char* factor;     ///< its size in those
 };
 
-constexpr std::array<Unit, 21> units{{{"m", "m", "1"}, {"cm", "m", "1/100"}, {"mm", "m", "1/1000"},
-    {"km", "m", "1000"}, {"s", "s", "1"}, {"sec", "s", "1"}, {"ms", "s", "1/1000"}, {"min", "s", "60"},
-    {"kg", "kg", "1"}, {"t", "kg", "1000"}, {"N", "kg*m/s^2", "1"}, {"kN", "kg*m/s^2", "1000"},
-    {"J", "kg*m^2/s^2", "1"}, {"kJ", "kg*m^2/s^2", "1000"}, {"Nm", "kg*m^2/s^2", "1"}, {"Hz", "1/s", "1"},
-    {"rad", "1", "1"}, {"deg", "1", "pi/180"}, {"percent", "1", "1/100"}, {"W", "kg*m^2/s^3", "1"},
-    {"Pa", "kg/m/s^2", "1"}}};
+constexpr std::array<Unit, 22> units{{{"m", "m", "1"},
+                                      {"g", "m/s^2", "981/100"},
+                                      {"cm", "m", "1/100"},
+                                      {"mm", "m", "1/1000"},
+                                      {"km", "m", "1000"},
+                                      {"s", "s", "1"},
+                                      {"sec", "s", "1"},
+                                      {"ms", "s", "1/1000"},
+                                      {"min", "s", "60"},
+                                      {"kg", "kg", "1"},
+                                      {"t", "kg", "1000"},
+                                      {"N", "kg*m/s^2", "1"},
+                                      {"kN", "kg*m/s^2", "1000"},
+                                      {"J", "kg*m^2/s^2", "1"},
+                                      {"kJ", "kg*m^2/s^2", "1000"},
+                                      {"Nm", "kg*m^2/s^2", "1"},
+                                      {"Hz", "1/s", "1"},
+                                      {"rad", "1", "1"},
+                                      {"deg", "1", "pi/180"},
+                                      {"percent", "1", "1/100"},
+                                      {"W", "kg*m^2/s^3", "1"},
+                                      {"Pa", "kg/m/s^2", "1"}}};
 
 const Symbols& unit_symbols() {
   static const Symbols table = [] {
     Symbols symbols;
-    for (const auto& unit : units) symbols.declare(unit.name, unit.name, unit.name, unit.si, "(0, inf)", "a unit", "SI");
+    for (const auto& unit : units)
+      symbols.declare(unit.name, unit.name, unit.name, unit.si, "(0, inf)", "a unit", "SI");
     return symbols;
   }();
   return table;
@@ -54,7 +71,8 @@ double as_number(const GiNaC::ex& value, const std::string& text) {
 std::pair<double, Dimension> read_unit(const std::string& text) {
   const Tree tree = parse(text, unit_symbols());
   GiNaC::exmap sizes;
-  for (const auto& unit : units) sizes[unit_symbols()[unit.name]] = lower(parse(unit.factor, no_symbols()), no_symbols());
+  for (const auto& unit : units)
+    sizes[unit_symbols()[unit.name]] = lower(parse(unit.factor, no_symbols()), no_symbols());
   const auto report = dimension(tree, unit_symbols());
   if (symbols_in(tree).empty()) throw SyntaxError("unit", 0, "this is no unit: " + text);
   if (!report.consistent || !report.dimension) throw SyntaxError("unit", 0, "this is no unit: " + text);
@@ -74,7 +92,8 @@ std::optional<Quantity> split_at(const std::string& text, std::size_t at) {
     if (right[0] == '/') right = "1" + right;
     const double number = as_number(lower(parse(left, no_symbols()), no_symbols()), left);
     const auto [size, what] = read_unit(right);
-    return Quantity{number * size, what, print(parse(left, no_symbols())) + " " + right, right.find("deg") != right.npos};
+    return Quantity{number * size, what, print(parse(left, no_symbols())) + " " + right,
+                    right.find("deg") != right.npos};
   } catch (const SyntaxError&) {
     return {};
   }
@@ -85,7 +104,8 @@ void complain_of_unit(const std::string& text) {
   const std::size_t at = text.find_first_not_of("0123456789.+-eE ");
   if (at == std::string::npos || at == 0 || !std::isalpha(static_cast<unsigned char>(text[at]))) return;
   if (text.find_first_of("(*", at) != std::string::npos || text.compare(at, 2, "pi") == 0) return;
-  throw SyntaxError("unknown_unit", at, "this is no unit known here; m, cm, mm, s, ms, kg, N, J, rad, deg are");
+  throw SyntaxError("unknown_unit", at,
+                    "this is no unit known here; m, cm, mm, s, ms, kg, N, J, rad, deg, g (gravity) are");
 }
 
 }  // namespace
@@ -98,7 +118,8 @@ Quantity parse_quantity(const std::string& typed) {
   replace_all(text, "·", "*");
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
   const std::size_t comma = text.find(',');
-  if (comma != std::string::npos) throw SyntaxError("decimal_comma", comma, "write decimal fractions with a point: 0.25");
+  if (comma != std::string::npos)
+    throw SyntaxError("decimal_comma", comma, "write decimal fractions with a point: 0.25");
   for (std::size_t at = 1; at < text.size(); ++at)
     if (may_split(text, at))
       if (auto quantity = split_at(text, at)) return *quantity;

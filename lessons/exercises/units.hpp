@@ -2,14 +2,13 @@
 #pragma once
 
 #include <derivations/algebra/dimension.hpp>
-
 #include <optional>
 #include <string>
 
 namespace rederive::classroom {
 
 struct Quantity {
-  double value;              ///< in SI units; angles in radians
+  double value;                        ///< in SI units; angles in radians
   std::optional<Dimension> dimension;  ///< nothing where no unit was typed
   std::string read_as;
   bool in_degrees = false;

@@ -1,13 +1,13 @@
 // Watches a folder of answers: a file that changes is judged again, and one key leads on.
-#include <derivations/command_line.hpp>
 #include <fmt/format.h>
-#include <lessons/exercises/answer_file.hpp>
-#include <lessons/exercises/classroom.hpp>
-#include <lessons/exercises/sandbox.hpp>
 #include <poll.h>
 #include <termios.h>
 
 #include <csignal>
+#include <derivations/command_line.hpp>
+#include <lessons/exercises/answer_file.hpp>
+#include <lessons/exercises/classroom.hpp>
+#include <lessons/exercises/sandbox.hpp>
 #include <map>
 
 namespace rederive::classroom {
@@ -41,8 +41,10 @@ class KeyMode {
 std::string stub(const Exercise& exercise) {
   std::string text, line = "# ";
   for (char c : presentation(exercise)) {
-    if (c == '\n') text += line + "\n", line = "# ";
-    else line += c;
+    if (c == '\n')
+      text += line + "\n", line = "# ";
+    else
+      line += c;
   }
   return text + "# Write your answer below, without a leading #.\n\n";
 }
@@ -113,7 +115,8 @@ class Watch {
     const AnswerFile answer = read_answer_file(file);
     say("\n" + std::string(60, '-') + "\n" + exercise.id + "\n");
     if (answer.trouble == "empty") return say("No answer in the file yet.\n");
-    const Opinion opinion = answer.trouble.empty() ? judge_answer(prepare(exercise), answer.text) : invalid(answer.trouble, answer.says);
+    const Opinion opinion = answer.trouble.empty() ? judge_answer(prepare(exercise), answer.text)
+                                                   : invalid(answer.trouble, answer.says);
     {
       const ProgressLock lock(room_.progress);
       Progress progress = load_progress(room_.progress);
@@ -149,8 +152,10 @@ int watch(const Classroom& room, const std::string& folder, bool once) {
     ::poll(&input, 1, 200);
     char c = 0;
     if (input.revents != 0) {
-      if (::read(0, &c, 1) != 1) input_open = false;
-      else if (!watcher.key(c)) break;
+      if (::read(0, &c, 1) != 1)
+        input_open = false;
+      else if (!watcher.key(c))
+        break;
     }
     if (watcher.look()) watcher.keys();
   }

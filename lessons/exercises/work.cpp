@@ -1,13 +1,13 @@
 // A student at work: list, check, hint, solution, reset.
-#include <derivations/command_line.hpp>
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <derivations/command_line.hpp>
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/lesson.hpp>
 #include <lessons/prose.hpp>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace rederive::classroom {
 namespace {
@@ -21,7 +21,8 @@ std::string next_line(const Classroom& room, const Progress& progress) {
 }
 
 /// Keeps the attempt; a progress file that cannot be written costs a warning, not the verdict.
-Progress keep(const Classroom& room, const Exercise& exercise, const Opinion& opinion, const std::string& answer) {
+Progress keep(const Classroom& room, const Exercise& exercise, const Opinion& opinion,
+              const std::string& answer) {
   Progress progress;
   try {
     const ProgressLock lock(room.progress);
@@ -36,8 +37,10 @@ Progress keep(const Classroom& room, const Exercise& exercise, const Opinion& op
 
 int tell(const Classroom& room, const Exercise& exercise, const Opinion& opinion, const std::string& answer) {
   const Progress progress = keep(room, exercise, opinion, answer);
-  if (room.json) put(report_json(exercise, opinion));
-  else put(report(room, exercise, opinion) + (opinion.verdict == "correct" ? next_line(room, progress) : ""));
+  if (room.json)
+    put(report_json(exercise, opinion));
+  else
+    put(report(room, exercise, opinion) + (opinion.verdict == "correct" ? next_line(room, progress) : ""));
   return exit_code(opinion);
 }
 
@@ -52,7 +55,8 @@ std::string argument(const Prepared& prepared) {
     if (const auto* words = std::get_if<Paragraph>(&block)) text += readable(words->text, "  ");
     if (const auto* formula = std::get_if<Formula>(&block)) {
       std::string line;
-      for (const auto& piece : pieces(formula->relation, Notation::unicode)) line += (line.empty() ? "" : " ") + glued(piece);
+      for (const auto& piece : pieces(formula->relation, Notation::unicode))
+        line += (line.empty() ? "" : " ") + glued(piece);
       text += wrap(line, 80, "      ", "        ");
     }
   }
@@ -75,7 +79,8 @@ const Exercise& find_exercise(const Classroom& room, const std::string& id) {
 const Exercise* next_exercise(const Classroom& room, const Progress& progress) {
   for (const auto& exercise : room.exercises) {
     const auto record = progress.records.find(exercise.id);
-    if (record == progress.records.end() || (record->second.status != "solved" && record->second.status != "given_up"))
+    if (record == progress.records.end() ||
+        (record->second.status != "solved" && record->second.status != "given_up"))
       return &exercise;
   }
   return nullptr;
@@ -86,14 +91,17 @@ void enter(Progress& progress, const Exercise& exercise, const Opinion& opinion,
   Record& record = progress.records[exercise.id];
   ++record.attempts;
   record.answer = answer;
-  if (opinion.verdict == "correct") record.status = "solved";
-  else if (record.status == "open") record.status = "tried";
+  if (opinion.verdict == "correct")
+    record.status = "solved";
+  else if (record.status == "open")
+    record.status = "tried";
 }
 
 int list(const Classroom& room) {
   const Progress progress = load_progress(room.progress);
   nlohmann::ordered_json json{{"exercises", nlohmann::ordered_json::array()}};
-  std::string text = fmt::format("{:<28} {:>6}  {:<44} {:<9} {:>8}\n", "exercise", "lesson", "title", "status", "attempts");
+  std::string text =
+      fmt::format("{:<28} {:>6}  {:<44} {:<9} {:>8}\n", "exercise", "lesson", "title", "status", "attempts");
   std::size_t solved = 0;
   for (const auto& exercise : room.exercises) {
     const auto found = progress.records.find(exercise.id);
@@ -101,19 +109,25 @@ int list(const Classroom& room) {
     solved += record.status == "solved";
     text += fmt::format("{:<28} {:>6}  {:<44} {:<9} {:>8}\n", exercise.id, exercise.lesson, exercise.title,
                         record.status == "given_up" ? "given up" : record.status, record.attempts);
-    json["exercises"].push_back({{"id", exercise.id}, {"lesson", exercise.lesson}, {"title", exercise.title},
-                                 {"status", record.status}, {"attempts", record.attempts}, {"hints", record.hints}});
+    json["exercises"].push_back({{"id", exercise.id},
+                                 {"lesson", exercise.lesson},
+                                 {"title", exercise.title},
+                                 {"status", record.status},
+                                 {"attempts", record.attempts},
+                                 {"hints", record.hints}});
   }
   const Exercise* next = next_exercise(room, progress);
   json["next"] = next == nullptr ? nlohmann::ordered_json() : nlohmann::ordered_json(next->id);
   put(room.json ? json.dump(2) + "\n"
-                : text + fmt::format("\n{} of {} solved.  ", solved, room.exercises.size()) + next_line(room, progress));
+                : text + fmt::format("\n{} of {} solved.  ", solved, room.exercises.size()) +
+                      next_line(room, progress));
   return as_expected;
 }
 
 int check(const Classroom& room, const std::string& id, const std::string& answer) {
   const Exercise& exercise = find_exercise(room, id);
-  if (!is_utf8(answer)) return tell(room, exercise, invalid("encoding", "The answer is not text in UTF-8."), answer);
+  if (!is_utf8(answer))
+    return tell(room, exercise, invalid("encoding", "The answer is not text in UTF-8."), answer);
   return tell(room, exercise, judge_answer(prepare(exercise), answer), answer);
 }
 
@@ -138,11 +152,18 @@ int hint(const Classroom& room, const std::string& id) {
   const std::string& text = exercise.hints.at(static_cast<std::size_t>(std::clamp(record.hints, 1, all) - 1));
   if (more) save_progress(room.progress, progress);
   if (room.json) {
-    put(nlohmann::ordered_json{{"exercise", id}, {"hint", readable(text)}, {"number", record.hints}, {"of", all}, {"last", record.hints >= all}}.dump(2) + "\n");
+    put(nlohmann::ordered_json{{"exercise", id},
+                               {"hint", readable(text)},
+                               {"number", record.hints},
+                               {"of", all},
+                               {"last", record.hints >= all}}
+            .dump(2) +
+        "\n");
     return as_expected;
   }
   put(fmt::format("Hint {} of {}\n", record.hints, all) + readable(text));
-  if (!more) put(fmt::format("That was the last hint. To see the answer: exercises solution {} --give-up\n", id));
+  if (!more)
+    put(fmt::format("That was the last hint. To see the answer: exercises solution {} --give-up\n", id));
   return as_expected;
 }
 
@@ -152,7 +173,8 @@ int solution(const Classroom& room, const std::string& id, bool give_up) {
   Progress progress = load_progress(room.progress);
   Record& record = progress.records[id];
   if (record.status != "solved" && !give_up) {
-    std::fprintf(stderr, "exercises: %s is not solved yet. Try again, ask for a hint, or add --give-up.\n", id.c_str());
+    std::fprintf(stderr, "exercises: %s is not solved yet. Try again, ask for a hint, or add --give-up.\n",
+                 id.c_str());
     return not_as_expected;
   }
   if (record.status != "solved" && record.status != "given_up") {
