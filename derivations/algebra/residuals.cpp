@@ -42,19 +42,21 @@ std::string advice(const ex& e, const Symbols& symbols) {
 
 namespace {
 
-bool is_real(const ex& e) {
-  for (auto i = e.preorder_begin(); i != e.preorder_end(); ++i)
-    if (GiNaC::is_a<GiNaC::numeric>(*i) && !GiNaC::ex_to<GiNaC::numeric>(*i).is_real()) return false;
-  return true;
-}
-
-/// Cancels what is common over the complex numbers, where a factor i of all terms of one side is a unit.
+/// (P + iQ)/D with a real D, P/D and Q/D each in lowest terms: where i stands below, gcds over the rationals miss what
+/// is common, and what they miss depends on the order of the terms.
 ex lowest_terms(const ex& quotient, const Phases& phases) {
-  ex complex = quotient;
-  for (const Generator& g : phases.generators())
-    if (g.kind == Generator::Kind::imaginary) complex = complex.subs(g.symbol == GiNaC::I);
-  const ex cancelled = complex.normal();
-  return is_real(cancelled) ? cancelled : quotient.normal();
+  const ex& i = phases.generators().front().symbol;
+  const ex parts = quotient.numer_denom();
+  ex above = parts.op(0), below = parts.op(1);
+  if (below.has(i)) {
+    const ex turned = below.subs(i == -i);
+    ex scale_above = 1, scale_below = 1;
+    above = phases.reduce(above * turned, &scale_above);
+    below = phases.reduce(below * turned, &scale_below);
+    above *= scale_below, below *= scale_above;
+  }
+  above = above.expand();
+  return (above.coeff(i, 0) / below).normal() + i * (above.coeff(i, 1) / below).normal();
 }
 
 /// N/D = NN'/(DN'), where N' has the roots of N turned round: then more may cancel.

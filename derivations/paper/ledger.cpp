@@ -82,11 +82,9 @@ Entry judge(const Row& row, const std::vector<Row>& rows) {
   entry.row = row;
   entry.rests_on_it = downstream(row.id, rows);
   const Symbols symbols = symbols_in(row.domain);
-  std::optional<Relation> printed;
-  if (!row.printed.empty()) {
-    printed = parse_statement(row.printed, symbols);
-    entry.dimension = dimension(*printed, symbols);
-  }
+  // a result of ours stands in the place of a printed equation: it, too, must follow from the derivation
+  const Relation stated = parse_statement(row.kind == "result" ? row.statement : row.printed, symbols);
+  entry.dimension = dimension(stated, symbols);
   const auto found = derivation_table().find(row.id);
   if (found == derivation_table().end()) {
     entry.proof.verdict = row.kind == "definition" ? Verdict::definition : Verdict::undecided;
@@ -95,15 +93,8 @@ Entry judge(const Row& row, const std::vector<Row>& rows) {
     return entry;
   }
   entry.derivation = found->second();
-  const Relation derived = derived_relation(*entry.derivation);
-  entry.derived = print(derived);
-  if (printed) {
-    entry.proof = compare(*printed, *entry.derivation, symbols);
-  } else {  // a result of ours: nothing is printed that it could be compared with
-    entry.proof.verdict = entry.derivation->assumption.empty() ? Verdict::proved : Verdict::proved_under;
-    entry.proof.reason = "derived here; the paper has no such equation";
-    entry.dimension = dimension(derived, symbols);
-  }
+  entry.derived = print(derived_relation(*entry.derivation));
+  entry.proof = compare(stated, *entry.derivation, symbols);
   if (entry.proof.verdict == Verdict::refuted) entry.correction = entry.derived;
   return entry;
 }

@@ -15,6 +15,7 @@ namespace rederive {
 /// One row of equations.toml: what is printed, and what we expect to find. No answer is stored.
 struct Row {
   std::string id, section, kind, printed, latex, domain;
+  std::string statement;      ///< a result of ours, in the form in which we state it; the paper prints nothing like it
   std::vector<std::string> follows_from;
   std::string expected;       ///< a verdict
   std::string error;          ///< with refuted: sign, factor, argument, subscript, limit, missing_term …

@@ -11,7 +11,8 @@ namespace rederive {
 namespace {
 
 const std::set<std::string> keys{"id", "section", "kind", "printed", "latex", "domain", "follows_from", "expected",
-                                 "error", "consequence", "note", "scan_repaired"};
+                                 "error", "consequence", "note", "scan_repaired",
+                                 "statement"};
 const std::set<std::string> kinds{"equation", "inequality", "definition", "result"};
 const std::set<std::string> verdicts{"proved", "proved_under", "approximation", "refuted", "definition", "undecided"};
 
@@ -37,6 +38,7 @@ Row read_row(const toml::table& table, const std::string& where) {
   row.section = text("section");
   row.kind = text("kind");
   row.printed = text("printed");
+  row.statement = text("statement");
   row.latex = text("latex");
   row.domain = text("domain");
   row.expected = text("expected");
@@ -49,6 +51,8 @@ Row read_row(const toml::table& table, const std::string& where) {
   if (row.id.empty()) fail("a row needs an 'id' such as \"21a\"");
   if (!kinds.contains(row.kind)) fail("row " + row.id + ": the kind '" + row.kind + "' is none; right is one of " + joined(kinds));
   if (!verdicts.contains(row.expected)) fail("row " + row.id + ": '" + row.expected + "' is no verdict; right is one of " + joined(verdicts));
+  if ((row.kind == "result") != !row.statement.empty())
+    fail("row " + row.id + ": a row of kind 'result', and no other, has a 'statement' of ours");
   return row;
 }
 

@@ -76,7 +76,7 @@ std::string ledger_table(const std::vector<Entry>& entries, bool colour) {
   for (const Entry& entry : entries) {
     const std::string verdict = to_string(entry.proof.verdict);
     const bool unexpected = verdict != entry.row.expected;
-    const std::string formula = entry.row.printed.empty() ? entry.derived : entry.row.printed;
+    const std::string formula = entry.row.printed.empty() ? entry.row.statement : entry.row.printed;
     text += fmt::format("{:<6} {} {}{}\n", entry.row.id, painted(fmt::format("{:<14}", verdict), entry.proof.verdict, colour),
                         unicode_or(formula), unexpected ? "   <- expected " + entry.row.expected : "");
   }
@@ -93,6 +93,7 @@ std::string ledger_page(const Entry& entry, bool colour) {
     if (!value.empty()) text += fmt::format("  {:<16} {}\n", name, value);
   };
   line("printed", unicode_or(row.printed));
+  line("stated", unicode_or(row.statement));
   line("derived", unicode_or(entry.derived));
   line("verdict", painted(to_string(entry.proof.verdict), entry.proof.verdict, colour) +
                       (to_string(entry.proof.verdict) == row.expected ? "" : "   (expected: " + row.expected + ")"));
