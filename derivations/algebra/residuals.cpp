@@ -42,9 +42,24 @@ std::string advice(const ex& e, const Symbols& symbols) {
 
 namespace {
 
+bool is_real(const ex& e) {
+  for (auto i = e.preorder_begin(); i != e.preorder_end(); ++i)
+    if (GiNaC::is_a<GiNaC::numeric>(*i) && !GiNaC::ex_to<GiNaC::numeric>(*i).is_real()) return false;
+  return true;
+}
+
+/// Cancels what is common over the complex numbers, where a factor i of all terms of one side is a unit.
+ex cancelled_with_complex_numbers(const ex& quotient, const Phases& phases) {
+  ex complex = quotient;
+  for (const Generator& g : phases.generators())
+    if (g.kind == Generator::Kind::imaginary) complex = complex.subs(g.symbol == GiNaC::I);
+  const ex cancelled = complex.normal();
+  return is_real(cancelled) ? cancelled : quotient.normal();
+}
+
 /// (P + iQ)/D with a real D, P/D and Q/D each in lowest terms: where i stands below, gcds over the rationals miss what
 /// is common, and what they miss depends on the order of the terms.
-ex lowest_terms(const ex& quotient, const Phases& phases) {
+ex with_real_denominator(const ex& quotient, const Phases& phases) {
   const ex& i = phases.generators().front().symbol;
   const ex parts = quotient.numer_denom();
   ex above = parts.op(0), below = parts.op(1);
@@ -73,8 +88,11 @@ ex without_roots_above(const ex& quotient, const Phases& phases) {
   return above / below;
 }
 
-/// left/right as a product of named parts, if it is one; with `rational`, without roots above the bar.
-std::optional<std::vector<Part>> quotient(const Pair& pair, const Symbols& symbols, bool rational) {
+/// How a quotient is brought into lowest terms: no way finds everything that cancels.
+enum class Way { real_denominator, complex_numbers, no_roots_above };
+
+/// left/right as a product of named parts, if it is one.
+std::optional<std::vector<Part>> quotient(const Pair& pair, const Symbols& symbols, Way way) {
   if (pair.right_value.is_zero()) return std::nullopt;
   const Phases phases({pair.left_value, pair.right_value}, symbols);
   const auto whole = [&](const ex& e) {
@@ -85,8 +103,11 @@ std::optional<std::vector<Part>> quotient(const Pair& pair, const Symbols& symbo
   };
   const ex right = whole(pair.right_value);
   if (right.is_zero()) return std::nullopt;
-  const ex ratio = lowest_terms(whole(pair.left_value) / right, phases);
-  return factor_form(rational ? lowest_terms(without_roots_above(ratio, phases), phases) : ratio, phases);
+  const ex ratio = whole(pair.left_value) / right;
+  if (way == Way::real_denominator) return factor_form(with_real_denominator(ratio, phases), phases);
+  const ex cancelled = cancelled_with_complex_numbers(ratio, phases);
+  if (way == Way::complex_numbers) return factor_form(cancelled, phases);
+  return factor_form(cancelled_with_complex_numbers(without_roots_above(cancelled, phases), phases), phases);
 }
 
 struct Factor {
@@ -153,9 +174,9 @@ std::optional<Proof> differ_at_a_point(const Residuals& r, const Points& points,
 /// The factor between the two, if there is one that cannot vanish and has the right sign; else why not.
 Proof prove_by_factor(const Residuals& r, const Symbols& symbols) {
   std::string why = "the quotient of the two residuals is no product of recognisable factors";
-  for (const bool rational : {false, true}) {
+  for (const Way way : {Way::real_denominator, Way::complex_numbers, Way::no_roots_above}) {
     try {
-      const auto parts = quotient(r.pair, symbols, rational);
+      const auto parts = quotient(r.pair, symbols, way);
       if (!parts) continue;
       const Factor factor = assess(*parts, r.divisors, symbols);
       if (!factor.doubt.empty())
