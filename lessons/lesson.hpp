@@ -40,11 +40,11 @@ struct Commands {
   std::vector<std::string> lines;
 };
 /// A list of points, each like a Paragraph.
-struct Points {
+struct BulletList {
   std::vector<std::string> items;
 };
 
-using Passage = std::variant<Paragraph, Formula, Judgement, Table, Figure, Commands, Points>;
+using Passage = std::variant<Paragraph, Formula, Judgement, Table, Figure, Commands, BulletList>;
 
 /// What a step writes on.
 class Page {

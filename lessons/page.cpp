@@ -126,6 +126,6 @@ void Page::figure(Figure figure) { blocks_.push_back(std::move(figure)); }
 
 void Page::commands(std::vector<std::string> lines) { blocks_.push_back(Commands{std::move(lines)}); }
 
-void Page::points(std::vector<std::string> items) { blocks_.push_back(Points{std::move(items)}); }
+void Page::points(std::vector<std::string> items) { blocks_.push_back(BulletList{std::move(items)}); }
 
 }  // namespace rederive

@@ -156,7 +156,7 @@ class HtmlRenderer : public Renderer {
     return text + "</pre>\n";
   }
 
-  static std::string render(const Points& part) {
+  static std::string render(const BulletList& part) {
     std::string text = "<ul>\n";
     for (const auto& item : part.items) text += "<li>" + flat(item) + "</li>\n";
     return text + "</ul>\n";

@@ -175,7 +175,7 @@ class LatexRenderer : public Renderer {
     return text + "\\end{verbatim}\n";
   }
 
-  static std::string render(const Points& part) {
+  static std::string render(const BulletList& part) {
     std::string text = "\\begin{itemize}\n";
     for (const auto& item : part.items) text += "\\item " + flat(item) + "\n";
     return text + "\\end{itemize}\n";

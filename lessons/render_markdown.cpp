@@ -92,7 +92,7 @@ class MarkdownRenderer : public Renderer {
     return text + "```\n";
   }
 
-  static std::string render(const Points& part) {
+  static std::string render(const BulletList& part) {
     std::string text;
     for (const auto& item : part.items) text += "- " + flat(item) + "\n";
     return text;

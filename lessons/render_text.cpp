@@ -139,7 +139,7 @@ class TextRenderer : public Renderer {
     return text;
   }
 
-  std::string render(const Points& part) const {
+  std::string render(const BulletList& part) const {
     std::string text;
     for (const auto& item : part.items)
       text += wrap(flat(item), setting_.width, plain_ ? "  - " : "  • ", "    ");
