@@ -10,13 +10,25 @@ namespace rederive {
 
 namespace {
 
+/// How many refuted rows follow from this one without a detour: an error that spreads counts for more than one that
+/// the next line mends.
+long spread(const Entry& entry, const std::vector<Entry>& wrong) {
+  return std::count_if(wrong.begin(), wrong.end(), [&](const Entry& other) {
+    const auto& sources = other.row.follows_from;
+    return std::find(sources.begin(), sources.end(), entry.row.id) != sources.end();
+  });
+}
+
+/// The refuted rows: those that spread first, then those with most resting on them.
 std::vector<Entry> refuted(const std::vector<Entry>& entries) {
   std::vector<Entry> wrong;
   for (const Entry& entry : entries)
     if (entry.proof.verdict == Verdict::refuted) wrong.push_back(entry);
-  std::stable_sort(wrong.begin(), wrong.end(),
-                   [](const Entry& a, const Entry& b) { return a.rests_on_it.size() > b.rests_on_it.size(); });
-  return wrong;
+  std::vector<Entry> sorted = wrong;
+  std::stable_sort(sorted.begin(), sorted.end(), [&](const Entry& a, const Entry& b) {
+    return std::pair(spread(a, wrong), a.rests_on_it.size()) > std::pair(spread(b, wrong), b.rests_on_it.size());
+  });
+  return sorted;
 }
 
 std::string latex_escaped(const std::string& text) {
