@@ -41,9 +41,7 @@ std::string dump(const std::filesystem::path& folder) {
 TEST_CASE("a lesson fits a telephone and fetches nothing") {
   if (!has_tool("chromium")) return;
   int pages = 0;
-  for (const auto& program : std::filesystem::directory_iterator(REDERIVE_PROGRAMS)) {
-    const std::string lesson = program.path().filename();
-    if (!lesson.starts_with("lesson-")) continue;
+  for (const std::string& lesson : lesson_programs()) {
     ++pages;
     CAPTURE(lesson);
     TemporaryFolder folder;

@@ -14,14 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<std::string> lessons() {
-  std::vector<std::string> names;
-  for (const auto& file : fs::directory_iterator(REDERIVE_PROGRAMS))
-    if (file.path().filename().string().starts_with("lesson-")) names.push_back(file.path().filename());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 /// Numbers with a point to four significant digits; paths of pictures to their names.
 std::string rounded(const std::string& text) {
   static const std::regex number(R"(\d+\.\d+(e[-+]?\d+)?)"), path(R"(\([^()]*/([a-z0-9-]+\.svg)\))");
@@ -45,9 +37,9 @@ bool is_ascii(const std::string& text) {
 }  // namespace
 
 TEST_CASE("there are twelve, and each is as it was when it was last looked at") {
-  REQUIRE(lessons().size() == 12);
+  REQUIRE(lesson_programs().size() == 12);
   const bool update = std::getenv("REDERIVE_UPDATE_GOLDEN") != nullptr;
-  for (const auto& lesson : lessons()) {
+  for (const auto& lesson : lesson_programs()) {
     CAPTURE(lesson);
     TemporaryFolder folder;
     const auto out = folder.path / "lesson.md";
@@ -66,7 +58,7 @@ TEST_CASE("there are twelve, and each is as it was when it was last looked at") 
 }
 
 TEST_CASE("every verdict of every lesson is as expected") {
-  for (const auto& lesson : lessons()) {
+  for (const auto& lesson : lesson_programs()) {
     CAPTURE(lesson);
     const Result result = run_program(lesson, {"--quiet"});
     CHECK(result.exit_code == 0);
@@ -77,7 +69,7 @@ TEST_CASE("every verdict of every lesson is as expected") {
 
 TEST_CASE("each has a contents, steps, and a last step that leads to the exercises") {
   const std::string known = run_program("exercises", {"list"}).out;
-  for (const auto& lesson : lessons()) {
+  for (const auto& lesson : lesson_programs()) {
     CAPTURE(lesson);
     const std::string contents = run_program(lesson, {"--list"}).out;
     CHECK(contents.find("Lesson ") == 0);
@@ -94,7 +86,7 @@ TEST_CASE("each has a contents, steps, and a last step that leads to the exercis
 }
 
 TEST_CASE("plain is ASCII, a terminal's lines are short, and two runs say the same") {
-  for (const auto& lesson : {lessons().at(0), lessons().at(4)}) {
+  for (const auto& lesson : {lesson_programs().at(0), lesson_programs().at(4)}) {
     CAPTURE(lesson);
     CHECK(is_ascii(run_program(lesson, {"--format", "plain"}).out));
     CHECK(run_program(lesson, {}).out == run_program(lesson, {}).out);
@@ -104,7 +96,7 @@ TEST_CASE("plain is ASCII, a terminal's lines are short, and two runs say the sa
 TEST_CASE("a web page holds all that it shows") {
   TemporaryFolder folder;
   const auto page = folder.path / "page.html";
-  REQUIRE(run_program(lessons().at(0), {"--format", "html", "--out", page.string()}).exit_code == 0);
+  REQUIRE(run_program(lesson_programs().at(0), {"--format", "html", "--out", page.string()}).exit_code == 0);
   const std::string text = read_file(page);
   CHECK(text.find("<math") != std::string::npos);
   CHECK(text.find("data:image/svg+xml;base64,") != std::string::npos);
@@ -114,25 +106,10 @@ TEST_CASE("a web page holds all that it shows") {
 }
 
 TEST_CASE("bad usage is told") {
-  const std::string lesson = lessons().at(0);
+  const std::string lesson = lesson_programs().at(0);
   CHECK(run_program(lesson, {"--step", "0"}).exit_code == 2);
   CHECK(run_program(lesson, {"--step", "99"}).err.find("99") != std::string::npos);
   CHECK(run_program(lesson, {"--format", "papyrus"}).exit_code == 2);
   CHECK(run_program(lesson, {"--out", "/nowhere/at/all.md"}).exit_code == 2);
   CHECK(run_program(lesson, {"surplus"}).exit_code == 2);
-}
-
-TEST_CASE("LaTeX is what pdflatex takes") {
-  if (!has_tool("pdflatex")) return;
-  for (const auto& lesson : lessons()) {
-    CAPTURE(lesson);
-    TemporaryFolder folder;
-    REQUIRE(run_program(lesson, {"--format", "latex", "--out", (folder.path / "lesson.tex").string()})
-                .exit_code == 0);
-    const std::string command = "cd " + quoted(folder.path) +
-                                " && pdflatex -halt-on-error -interaction=nonstopmode lesson.tex >log 2>&1";
-    const bool taken = std::system(command.c_str()) == 0;
-    const std::string log = read_file(folder.path / "log");
-    CHECK_MESSAGE(taken, log.substr(log.size() - std::min<std::size_t>(log.size(), 800)));
-  }
 }

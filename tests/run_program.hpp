@@ -3,6 +3,7 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -65,4 +66,13 @@ inline bool has_tool(const std::string& name) {
   if (std::getenv("REDERIVE_REQUIRE_ALL_TESTS") != nullptr) throw std::runtime_error("the tool is missing: " + name);
   std::printf("SKIPPED TEST: %s is not installed\n", name.c_str());
   return false;
+}
+
+/// The programs of all lessons, in order.
+inline std::vector<std::string> lesson_programs() {
+  std::vector<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(REDERIVE_PROGRAMS))
+    if (file.path().filename().string().starts_with("lesson-")) names.push_back(file.path().filename());
+  std::sort(names.begin(), names.end());
+  return names;
 }
