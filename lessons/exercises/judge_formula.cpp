@@ -5,6 +5,7 @@
 #include <cmath>
 #include <derivations/algebra/dimension.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/paper/mutate.hpp>
 #include <lessons/exercises/edits.hpp>
 #include <lessons/exercises/judge.hpp>
 
@@ -223,6 +224,20 @@ Relation with_put(const Relation& relation, const std::map<std::string, std::str
   return result;
 }
 
+/// The right answer with one slip in it, if that is not said better by its dimensions and is not right itself.
+void add_slip(Prepared& prepared, const Relation& relation, const std::string& note) {
+  const bool dotless = note == "missing_dot";
+  if (!dotless &&
+      !dimension(relation.operators.empty() ? Relation{{relation.sides[0]}, {}} : relation).consistent)
+    return;
+  Road road = road_to(prepared, relation, dotless ? "dimension" : note, explanation_of(note));
+  if (dotless)
+    road.says =
+        explanation_of("dimension") + " Is there a dot missing somewhere: a rate written as what changes?";
+  if (prepared.signature && road.signature && !alike(*road.signature, *prepared.signature))
+    prepared.roads.push_back(road);
+}
+
 }  // namespace
 
 void add_roads(Prepared& prepared) {
@@ -244,20 +259,13 @@ void add_roads(Prepared& prepared) {
   for (const auto& assumption : exercise.assumptions)
     prepared.roads.push_back(road_to(prepared, with_put(prepared.answer.relation, assumption.put),
                                      "assumption", assumption.says, "correct_if"));
-  for (const auto& edit : edits(prepared.answer.relation)) {
-    const bool dotless = edit.note == "missing_dot";
-    if (!dotless &&
-        !dimension(edit.relation.operators.empty() ? Relation{{edit.relation.sides[0]}, {}} : edit.relation)
-             .consistent)
-      continue;  // said better by its dimensions
-    Road road =
-        road_to(prepared, edit.relation, dotless ? "dimension" : edit.note, explanation_of(edit.note));
-    if (dotless)
-      road.says =
-          explanation_of("dimension") + " Is there a dot missing somewhere: a rate written as what changes?";
-    if (prepared.signature && road.signature && !alike(*road.signature, *prepared.signature))
-      prepared.roads.push_back(road);
-  }
+  for (const auto& edit : edits(prepared.answer.relation)) add_slip(prepared, edit.relation, edit.note);
+  static const std::map<std::string, std::string> notes{
+      {"sign", "sign"},     {"coefficient", "factor"},    {"function", "sin_cos"}, {"square", "power"},
+      {"term", "missing_term"}, {"factor", "missing_factor"}, {"dot", "missing_dot"}};
+  for (const auto& mutant : mutants(prepared.answer.relation))  // the slips that the ledger tries on a printed row
+    if (const auto note = notes.find(mutant.slip); note != notes.end())
+      add_slip(prepared, mutant.relation, note->second);
 }
 
 Opinion judge_formula(const Prepared& prepared, const std::string& text) {
