@@ -48,7 +48,7 @@ int strict_sign(const ex& e, const Symbols& symbols) {
 }
 
 bool inside_unit(const ex& e, const Symbols& symbols) {
-  return strict_sign(1 - e, symbols) > 0 && strict_sign(1 + e, symbols) > 0;
+  return strict_sign((1 - GiNaC::pow(e, 2)).normal(), symbols) > 0;
 }
 
 /// Analytic on the whole box of declared ranges: no pole, no branch point, no corner. The box is connected.
@@ -175,6 +175,7 @@ bool vanishes(const ex& expression, const Symbols& symbols, int depth) {
   const Phases phases({expression}, symbols);
   const ex numerator = phases.reduce(phases(expression).normal().numer());
   if (vanishes_on_our_branch(numerator, phases, points_for(expression, symbols), symbols)) return true;
+  if (cofactor_of_powers(numerator, phases, symbols)) return true;
   if (depth > 1) return false;
   bool has_inverse = false;
   for (const Generator& g : phases.generators())
