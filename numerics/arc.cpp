@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace rederive::inline numeric {
 namespace {
@@ -45,10 +46,13 @@ struct Mover::Integrator : RockingIntegrator {
 
 Mover::Mover(const Block& block, Model model, double tolerance)
     : block_(block), model_(model), level_(start_level(block, model)),
-      still_(acceleration(block, model, -1, 0, 0)), per_ground_(1) {
+      resolution_(std::numeric_limits<Real>::epsilon()), still_(acceleration(block, model, -1, 0, 0)),
+      per_ground_(1) {
   if (model == Model::linear) return;
   // Nothing turns the block faster than a ground acceleration at the height above the pivot, theta = -alpha.
   per_ground_ = acceleration(block, model, -1, -1, -1);
+  weight_ = -acceleration(block, model, 1, 1 - std::numbers::pi_v<Real> / (2 * block.alpha), 0);
+  resolution_ = std::numeric_limits<double>::epsilon();  // GSL's states are in double
   integrator_ = std::make_unique<Integrator>(block, tolerance);
 }
 
@@ -79,6 +83,33 @@ Real Mover::certain_time(const Arc& arc, const Point& at, Real until) const {
   return twice < until ? std::max(time, safe(twice)) : time;
 }
 
+/// Whether the block moves towards upright, and on beyond it, until `to` at half its speed at least: no
+/// acceleration away from upright exceeds that of the weight and of the ground at the lever R.
+bool Mover::falls(const Arc& arc, const Point& at, Real to) const {
+  const Range range = ground_range(arc.piece, at.time, to);
+  const Real push = std::max<Real>(0, arc.side < 0 ? range.high : -range.low);
+  const Real weight =
+      model_ == Model::linear ? arc.side * acceleration(block_, model_, arc.side, at.angle, 0) : weight_;
+  return (weight + per_ground_ * push) * (to - at.time) <= -arc.side * at.velocity / 2;
+}
+
+/// The impact on a step that falls across upright: as Newton's error goes with the square of its last step,
+/// that need not be shorter than the root of the resolution.
+Point Mover::impact_between(const Arc& arc, const Point& above, const Point& below) {
+  const Real enough = std::sqrt(resolution_) * (below.time - above.time);
+  Real low = above.time, high = below.time;
+  Point at = below;
+  for (Real step = high - low; step > enough;) {
+    Real next = at.time - at.angle / at.velocity;
+    if (!(low < next && next < high)) next = std::midpoint(low, high);
+    step = std::abs(next - at.time);
+    at = advance(arc, above, next);
+    (arc.side * at.angle > 0 ? low : high) = next;
+  }
+  at.angle = 0;
+  return at;
+}
+
 Point Mover::advance(const Arc& arc, const Point& from, Real time) {
   return model_ == Model::linear ? linear_point(arc, time)
                                  : integrator_->integrate(arc.piece, arc.side, from, time);
@@ -92,20 +123,22 @@ Arc Mover::move(const Piece& piece, int side, const Point& start, Real until) {
   const Real lying = model_ == Model::linear ? infinity : std::numbers::pi_v<Real> / 2 / block_.alpha;
   Point at = start;
   while (at.time < until) {
-    const Real next = certain_time(arc, at, until);
+    const Real certain = certain_time(arc, at, until), twice = std::min(until, 2 * certain - at.time);
+    const Real next = falls(arc, at, twice) ? twice : certain;
     if (!(next > at.time)) {  // no room left between the block and upright
       arc.kind = ArcEnd::impact;
       at.angle = 0;
       break;
     }
-    at = advance(arc, at, next);
-    if (side * at.angle >= lying) {
-      arc.kind = ArcEnd::lies;
+    const Point there = advance(arc, at, next);
+    if (side * there.angle <= 0 && side * there.velocity < 0) {
+      arc.kind = ArcEnd::impact;
+      at = impact_between(arc, at, there);
       break;
     }
-    if (side * at.angle <= 0 && side * at.velocity < 0) {
-      arc.kind = ArcEnd::impact;
-      at.angle = 0;
+    at = there;
+    if (side * at.angle >= lying) {
+      arc.kind = ArcEnd::lies;
       break;
     }
     if (side * at.angle < 0) at.angle = 0;  // rounding, on leaving upright

@@ -26,13 +26,14 @@ class Mover {
   ~Mover();
   Mover(Mover&&) noexcept;
 
-  static constexpr double default_tolerance = 1e-13;
+  static constexpr double default_tolerance = 1e-12;
 
   /// From `start` until the first impact, `until` (inside the piece), or |theta| = pi/2 (nonlinear).
   ///
-  /// The first impact cannot be missed: before each step a bound of the acceleration towards the upright
-  /// position gives a time in which the block cannot reach it, and the step goes no further. The steps
-  /// converge to the impact from below, quadratically, as Newton's iteration does, to the last bit.
+  /// The first impact cannot be missed. A bound of the acceleration towards upright gives a time in which the
+  /// block cannot come back, and a step goes no further; until, by a bound of the acceleration away from
+  /// upright, it is certain to fall all along a step twice as long. That step is taken, and if it crosses
+  /// upright, the impact is found on it by Newton's iteration in a bracket, to the last bit.
   Arc move(const Piece& piece, int side, const Point& start, Real until);
 
   /// The state at `time` on an arc known not to end before.
@@ -42,12 +43,16 @@ class Mover {
   struct Integrator;
   Point advance(const Arc& arc, const Point& from, Real time);
   Real certain_time(const Arc& arc, const Point& at, Real until) const;
+  bool falls(const Arc& arc, const Point& at, Real to) const;
+  Point impact_between(const Arc& arc, const Point& above, const Point& below);
   Real bound(const Arc& arc, Real from, Real to) const;
 
   Block block_;
   Model model_;
   Real level_;                ///< start_level
+  Real resolution_;           ///< of the time of an impact, in units of the step that crosses
   Real still_, per_ground_;   ///< bound of the acceleration towards upright: still + per_ground * (-ground)
+  Real weight_ = 0;           ///< nonlinear: no acceleration by the weight exceeds this, at any angle
   std::vector<Push> pushes_;  ///< of the piece that starts at pushes_from_
   Real pushes_from_ = -1;
   std::unique_ptr<Integrator> integrator_;

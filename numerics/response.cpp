@@ -177,7 +177,7 @@ std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion&
   Mover mover(block, model);
   std::size_t arc = 0, piece = 0;
   for (int i = 0; i < count; ++i) {
-    const Real time = until * i / (count - 1);
+    const Real time = std::lerp(Real{0}, until, static_cast<Real>(i) / (count - 1));  // exact at the end
     while (piece < motion.size() && motion[piece].to < time) ++piece;
     const Real ground = piece < motion.size() ? ground_at(motion[piece], time) : 0;
     while (arc < response.arcs.size() && response.arcs[arc].end.time < time) ++arc;

@@ -53,8 +53,8 @@ struct ResponseOptions {
 Response respond(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
                  const ResponseOptions& options = {});
 
-/// The same states at `count` times evenly from 0 to `until`, and the ground acceleration in units of alpha
-/// g.
+/// The same states at `count` >= 2 times evenly from 0 to `until`, and the ground acceleration in units of
+/// alpha g.
 struct Sample {
   Real time, angle, velocity, ground;
 };
