@@ -90,23 +90,25 @@ struct Product {
     return sum;
   }
 
-  /// Σ c e^{x} over real exponents; c(e^x ± e^{-x}) becomes a cosh or a sinh.
+  static bool is_turned(const Exponents& e) {
+    const auto first = std::find_if(e.begin(), e.end(), [](const auto& k) { return !k.second.is_zero(); });
+    return first != e.end() && first->second.is_negative();
+  }
+
+  /// Σ c e^{x} over real exponents; c(e^x ± e^{-x}) becomes a cosh or a sinh, once for the two terms
+  /// together.
   ex real_sum(const std::map<Exponents, Coefficient>& terms, bool imaginary) const {
     ex sum = 0;
     for (const auto& [e, coefficient] : terms) {
       const ex& c = imaginary ? coefficient.imaginary : coefficient.real;
       const auto other = terms.find(negated(e));
-      if (other == terms.end() || other->first == e) {
+      const bool paired = other != terms.end() && other->first != e;
+      const ex d = !paired ? ex(0) : imaginary ? other->second.imaginary : other->second.real;
+      const bool even = paired && (c - d).expand().is_zero(), odd = paired && (c + d).expand().is_zero();
+      if (!even && !odd)
         sum += c * GiNaC::exp(phase(e));
-        continue;
-      }
-      const ex& d = imaginary ? other->second.imaginary : other->second.real;
-      if ((c - d).expand().is_zero())
-        sum += c * GiNaC::cosh(phase(e));
-      else if ((c + d).expand().is_zero())
-        sum += c * GiNaC::sinh(phase(e));
-      else
-        sum += c * GiNaC::exp(phase(e));
+      else if (!is_turned(e))
+        sum += 2 * c * (even ? GiNaC::cosh(phase(e)) : GiNaC::sinh(phase(e)));
     }
     return sum;
   }
@@ -124,10 +126,8 @@ struct Product {
           return std::nullopt;
       }
       // a e^{iφ} + conj = 2 Re a cos φ - 2 Im a sin φ, once for the two terms together
-      const auto first =
-          std::find_if(circular.begin(), circular.end(), [](const auto& k) { return !k.second.is_zero(); });
-      if (first != circular.end() && first->second.is_negative()) continue;
-      const int count = first == circular.end() ? 1 : 2;
+      if (is_turned(circular)) continue;
+      const int count = circular == other->first ? 1 : 2;
       const ex even = real_sum(rest, turn < 0), odd = real_sum(rest, turn > 0);
       sum += count * (even * GiNaC::cos(phase(circular)) - turn * odd * GiNaC::sin(phase(circular)));
     }

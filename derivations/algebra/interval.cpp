@@ -264,18 +264,13 @@ Interval interval_of(const ex& expression, const Symbols& symbols) {
   }
 }
 
-/// A quadratic Ax² + Bx + C whose 4AC - B² is positive has the sign of A.
-static int definite_quadratic(const ex& e, const Symbols& symbols) {
-  if (!is_a<GiNaC::add>(e) || e.nops() > 8) return 0;
+std::optional<Quadratic> as_quadratic(const ex& e) {
+  if (!is_a<GiNaC::add>(e) || e.nops() > 8) return std::nullopt;
   const ex expanded = e.expand();
-  for (auto part = expanded.preorder_begin(); part != expanded.preorder_end(); ++part) {
-    if (!is_a<GiNaC::symbol>(*part) || !expanded.is_polynomial(*part) || expanded.degree(*part) != 2)
-      continue;
-    const ex a = expanded.coeff(*part, 2), b = expanded.coeff(*part, 1), c = expanded.coeff(*part, 0);
-    if (b.is_zero()) return 0;
-    return sign_of((4 * a * c - b * b).expand(), symbols) > 0 ? sign_of(a, symbols) : 0;
-  }
-  return 0;
+  for (auto part = expanded.preorder_begin(); part != expanded.preorder_end(); ++part)
+    if (is_a<GiNaC::symbol>(*part) && expanded.is_polynomial(*part) && expanded.degree(*part) == 2)
+      return Quadratic{*part, expanded.coeff(*part, 2), expanded.coeff(*part, 1), expanded.coeff(*part, 0)};
+  return std::nullopt;
 }
 
 int sign_of(const ex& expression, const Symbols& symbols) {
@@ -285,16 +280,20 @@ int sign_of(const ex& expression, const Symbols& symbols) {
     if (i.high.infinite == 0 && (sign(i.high) < 0 || (sign(i.high) == 0 && !i.high.closed))) return -1;
   } catch (const std::exception&) {
   }
-  return definite_quadratic(expression, symbols);
+  const auto quadratic = as_quadratic(expression);
+  if (!quadratic || quadratic->b.is_zero()) return 0;
+  return sign_of(quadratic->discriminant(), symbols) > 0 ? sign_of(quadratic->a, symbols) : 0;
 }
 
 bool is_nonnegative(const ex& expression, const Symbols& symbols) {
   const Interval i = interval_of(expression, symbols);
   try {
-    return i.low.infinite == 0 && sign(i.low) >= 0;
+    if (i.low.infinite == 0 && sign(i.low) >= 0) return true;
   } catch (const std::exception&) {
-    return false;
   }
+  const auto quadratic = as_quadratic(expression);
+  if (!quadratic || quadratic->b.is_zero()) return false;
+  return sign_of(quadratic->a, symbols) > 0 && is_nonnegative(quadratic->discriminant(), symbols);
 }
 
 }  // namespace rederive

@@ -4,6 +4,7 @@
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/prove.hpp>
 #include <derivations/algebra/residuals.hpp>
+#include <derivations/algebra/unwrap.hpp>
 #include <derivations/algebra/vanish.hpp>
 
 namespace rederive {
@@ -81,7 +82,7 @@ Tree difference(const Tree& a, const Tree& b) {
 
 /// Two expressions: identical, or different at a witness.
 Proof prove_identity(const Pair& pair, const Symbols& symbols) {
-  const Points points(names_of(pair), symbols);
+  const Points points = points_for(pair, symbols);
   const auto look = [&](int count) {
     return sample(pair, points, symbols, [&](const Sample& s) { return s.differs || s.both >= count; });
   };
@@ -90,34 +91,25 @@ Proof prove_identity(const Pair& pair, const Symbols& symbols) {
   if (seen.both == 0) return undecided("no point was found at which both sides have a value");
   std::string why = "the sides agree wherever they were compared, but the difference does not reduce to zero";
   try {
-    if (vanishes(pair.left_value - pair.right_value, symbols)) {
-      Proof proof;
-      proof.verdict = Verdict::proved;
-      proof.factor = "1";
-      proof.reason = "the numerator of the difference vanishes identically";
-      return proof;
-    }
+    if (vanishes(pair.left_value - pair.right_value, symbols))
+      return proved("1", "the numerator of the difference vanishes identically");
     why += advice(pair.left_value - pair.right_value, symbols);
   } catch (const Undecidable& error) {
     why = error.what() + advice(pair.left_value - pair.right_value, symbols);
   }
-  if (const Sample more = look(30); more.differs)
+  if (const Sample more = look(Points::count); more.differs)
     return refuted(make_witness(pair, *more.differs), "the two sides differ at the witness");
   return undecided(why);
 }
 
-struct Turned {
-  ex residual;
-  Tree written;
-  Claim claim;
-};
+Claim claim_of(const std::string& op) {
+  return op == "=" ? Claim::zero : op.size() == 1 ? Claim::positive : Claim::not_negative;
+}
 
-/// a < b as b - a > 0.
-Turned turned(const ex& a, const Tree& written_a, const std::string& op, const ex& b, const Tree& written_b) {
-  const bool less = op[0] == '<';
-  const Claim claim = op == "=" ? Claim::zero : op.size() == 1 ? Claim::positive : Claim::not_negative;
-  return {less ? b - a : a - b, less ? difference(written_b, written_a) : difference(written_a, written_b),
-          claim};
+/// What a relation asks to be 0 or positive: a < b is b - a > 0.
+ex residual_of(const Sides& s) { return s.op[0] == '<' ? s.right - s.left : s.left - s.right; }
+Tree residual_of(const Tree& left, const std::string& op, const Tree& right) {
+  return op[0] == '<' ? difference(right, left) : difference(left, right);
 }
 
 bool always_holds(const ex& residual, const Symbols& symbols) {
@@ -144,9 +136,13 @@ Proof prove_link(std::size_t k, const Question& question) {
     if (proof.verdict == Verdict::proved) proof.reason = "both equations hold identically";
     return proof;
   }
-  const Turned l = turned(a, tree_a, op, b, tree_b), r = turned(c, right.sides[0], other, d, right.sides[1]);
-  return prove_residuals({question.pair(l.residual, r.residual, l.written, r.written), l.claim, r.claim,
-                          question.divisors_as_written()},
+  const Sides l{a, op, b}, r{c, other, d};
+  const auto inner = [&](const Sides& s) {
+    return residual_of(unwrapped({put_in(s.left, given), s.op, put_in(s.right, given)}, symbols));
+  };
+  return prove_residuals({question.pair(residual_of(l), residual_of(r), residual_of(tree_a, op, tree_b),
+                                        residual_of(right.sides[0], other, right.sides[1])),
+                          claim_of(op), claim_of(other), inner(l), inner(r), question.divisors_as_written()},
                          symbols);
 }
 

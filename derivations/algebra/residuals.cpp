@@ -1,13 +1,21 @@
 #include <algorithm>
-#include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/residuals.hpp>
 #include <derivations/algebra/vanish.hpp>
 
 namespace rederive {
 
 using GiNaC::ex;
+
+Proof proved(std::string factor, std::string reason) {
+  Proof proof;
+  proof.verdict = Verdict::proved;
+  proof.factor = std::move(factor);
+  proof.reason = std::move(reason);
+  return proof;
+}
 
 Proof refuted(Witness witness, std::string reason) {
   Proof proof;
@@ -42,94 +50,61 @@ std::string advice(const ex& e, const Symbols& symbols) {
 
 namespace {
 
-bool is_real(const ex& e) {
-  for (auto i = e.preorder_begin(); i != e.preorder_end(); ++i)
-    if (GiNaC::is_a<GiNaC::numeric>(*i) && !GiNaC::ex_to<GiNaC::numeric>(*i).is_real()) return false;
-  return true;
-}
-
-/// Cancels what is common over the complex numbers, where a factor i of all terms of one side is a unit.
-ex cancelled_with_complex_numbers(const ex& quotient, const Phases& phases) {
-  ex complex = quotient;
-  for (const Generator& g : phases.generators())
-    if (g.kind == Generator::Kind::imaginary) complex = complex.subs(g.symbol == GiNaC::I);
-  const ex cancelled = complex.normal();
-  return is_real(cancelled) ? cancelled : quotient.normal();
-}
-
-/// (P + iQ)/D with a real D, P/D and Q/D each in lowest terms: where i stands below, gcds over the rationals miss what
-/// is common, and what they miss depends on the order of the terms.
-ex with_real_denominator(const ex& quotient, const Phases& phases) {
-  const ex& i = phases.generators().front().symbol;
-  const ex parts = quotient.numer_denom();
-  ex above = parts.op(0), below = parts.op(1);
-  if (below.has(i)) {
-    const ex turned = below.subs(i == -i);
-    ex scale_above = 1, scale_below = 1;
-    above = phases.reduce(above * turned, &scale_above);
-    below = phases.reduce(below * turned, &scale_below);
-    above *= scale_below, below *= scale_above;
-  }
-  above = above.expand();
-  return (above.coeff(i, 0) / below).normal() + i * (above.coeff(i, 1) / below).normal();
-}
-
-/// N/D = NN'/(DN'), where N' has the roots of N turned round: then more may cancel.
-ex without_roots_above(const ex& quotient, const Phases& phases) {
-  ex above = quotient.numer(), below = quotient.denom();
-  for (const Generator& g : phases.generators()) {
-    if (g.kind != Generator::Kind::root || g.degree != 2 || !above.has(g.symbol)) continue;
-    const ex turned = above.subs(g.symbol == -g.symbol);
-    ex scale_above = 1, scale_below = 1;
-    above = phases.reduce(above * turned, &scale_above);
-    below = phases.reduce(below * turned, &scale_below);
-    above *= scale_below, below *= scale_above;
-  }
-  return above / below;
-}
-
-/// How a quotient is brought into lowest terms: no way finds everything that cancels.
-enum class Way { real_denominator, complex_numbers, no_roots_above };
-
-/// left/right as a product of named parts, if it is one.
-std::optional<std::vector<Part>> quotient(const Pair& pair, const Symbols& symbols, Way way) {
-  if (pair.right_value.is_zero()) return std::nullopt;
-  const Phases phases({pair.left_value, pair.right_value}, symbols);
-  const auto whole = [&](const ex& e) {
-    const ex parts = phases(e).normal().numer_denom();
-    ex scale = 1;
-    const ex numerator = phases.reduce(parts.op(0), &scale);
-    return numerator / (scale * parts.op(1));
-  };
-  const ex right = whole(pair.right_value);
-  if (right.is_zero()) return std::nullopt;
-  const ex ratio = whole(pair.left_value) / right;
-  if (way == Way::real_denominator) return factor_form(with_real_denominator(ratio, phases), phases);
-  const ex cancelled = cancelled_with_complex_numbers(ratio, phases);
-  if (way == Way::complex_numbers) return factor_form(cancelled, phases);
-  return factor_form(cancelled_with_complex_numbers(without_roots_above(cancelled, phases), phases), phases);
-}
-
+/// A product of parts, and what is known of it.
 struct Factor {
   ex value = 1;
-  int sign = 1;       ///< 0: not known to be of one sign
-  std::string doubt;  ///< the first part that may vanish
+  int sign = 1;             ///< where no part is 0; itself 0 if it is not known
+  std::vector<Part> zeros;  ///< the parts that may vanish
 };
+
+/// +1 or -1 where the expression has that sign or is 0, else 0.
+int weak_sign(const ex& e, const Symbols& symbols) {
+  return is_nonnegative(e, symbols) ? 1 : is_nonnegative(-e, symbols) ? -1 : 0;
+}
+
+bool is_multiple(const ex& part, const ex& other) {
+  return !part.is_zero() && !other.is_zero() && GiNaC::is_a<GiNaC::numeric>((part / other).normal());
+}
 
 /// A part cannot vanish if its range says so, or if the statement as written divides by it.
 Factor assess(const std::vector<Part>& parts, const std::vector<ex>& divisors, const Symbols& symbols) {
   Factor factor;
   for (const auto& [part, exponent] : parts) {
     factor.value *= GiNaC::pow(part, exponent);
-    const int s = sign_of(part, symbols);
-    factor.sign *= exponent.is_even() ? 1 : s;
-    const bool divides = std::any_of(divisors.begin(), divisors.end(), [&](const ex& divisor) {
-      return !divisor.is_zero() && GiNaC::is_a<GiNaC::numeric>((part / divisor).normal());
-    });
-    if (s == 0 && !divides && factor.doubt.empty())
-      factor.doubt = "the factor " + print(part, Notation::plain, symbols) + " may vanish";
+    if (!exponent.is_even()) factor.sign *= weak_sign(part, symbols);
+    const bool divides = std::any_of(divisors.begin(), divisors.end(),
+                                     [&, &p = part](const ex& d) { return is_multiple(p, d); });
+    if (sign_of(part, symbols) == 0 && !divides) factor.zeros.push_back({part, exponent});
   }
   return factor;
+}
+
+std::string name_of(const ex& e) {
+  return GiNaC::is_a<GiNaC::function>(e) ? GiNaC::ex_to<GiNaC::function>(e).get_name() : std::string();
+}
+
+/// The only point at which an expression is 0, where that is easily seen: x², sinh(x), A x² + B x + C with
+/// 4AC >= B².
+std::optional<GiNaC::exmap> only_zero(const ex& e, const Symbols& symbols) {
+  if (GiNaC::is_a<GiNaC::symbol>(e)) return GiNaC::exmap{{e, 0}};
+  if (GiNaC::is_a<GiNaC::power>(e) || name_of(e) == "sinh") return only_zero(e.op(0), symbols);
+  if (GiNaC::is_a<GiNaC::mul>(e) && e.nops() == 2 && GiNaC::is_a<GiNaC::numeric>(e.op(1)))
+    return only_zero(e.op(0), symbols);
+  const auto quadratic = as_quadratic(e);
+  if (!quadratic || weak_sign(e, symbols) == 0) return std::nullopt;
+  auto zero = only_zero(quadratic->discriminant(), symbols);
+  if (zero) (*zero)[quadratic->x] = (-quadratic->b / (2 * quadratic->a)).subs(*zero);
+  return zero;
+}
+
+/// Whether `other` is 0 wherever this part is: it has it as a factor, or the only zero of the part is one of
+/// its own.
+bool vanishes_with(const ex& part, const ex& other, const Symbols& symbols) {
+  if (const auto parts = quotient(other, 1, symbols, Way::real_denominator))
+    for (const auto& [factor, exponent] : *parts)
+      if (exponent.is_positive() && is_multiple(part, factor)) return true;
+  const auto zero = only_zero(part, symbols);
+  return zero && other.normal().numer().subs(*zero).expand().is_zero();
 }
 
 /// Whether the relation holds where its residual has this value; a root is known to many digits only.
@@ -138,18 +113,34 @@ bool holds(Claim claim, const cln::cl_R& value) {
   return claim != Claim::zero && cln::plusp(value);
 }
 
+/// Whether a tree has nearly the same value all around the point: where a root is only known to many digits,
+/// the value at the root itself could be missing, as 1/x and log(x) have none at x = 0.
+bool is_steady(const Tree& tree, const Point& point, const cln::cl_R& value) {
+  const cln::cl_RA step = cln::cl_RA(1) / cln::expt_pos(cln::cl_I(10), 30);
+  for (const auto& [name, at] : point)
+    for (const cln::cl_RA& beside : {at - step, at + step}) {
+      Point moved = point;
+      moved[name] = beside;
+      const auto there = value_of(tree, moved);
+      if (!there || cln::abs(*there - value) * 1'000'000 > cln::max(cln::cl_R(1), cln::abs(value)))
+        return false;
+    }
+  return true;
+}
+
 /// A root of one residual at which the other is far from 0, and one relation holds and the other fails.
 std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, bool of_right, int most,
                                       const Symbols& symbols) {
-  const Tree& zero = of_right ? r.pair.right : r.pair.left;
+  const Tree &zero = of_right ? r.pair.right : r.pair.left, &beside = of_right ? r.pair.left : r.pair.right;
   const auto tells_apart = [&](const Point& p) {
     const auto a = value_of(r.pair.left, p), b = value_of(r.pair.right, p);
     if (!a || !b || !is_nearly_zero(of_right ? *b : *a) || !is_admitted(r.pair, p, symbols)) return false;
     const cln::cl_R other = of_right ? *a : *b;
     const bool is_far = cln::abs(other) * cln::expt_pos(cln::cl_I(10), 15) > 1;
-    return is_far && holds(r.left, *a) != holds(r.right, *b);
+    return is_far && holds(r.left, *a) != holds(r.right, *b) &&
+           (is_exactly_zero(zero, p) || is_steady(beside, p, other));
   };
-  const auto root = find_root(zero, points, names_of(r.pair), most, tells_apart);
+  const auto root = find_root(zero, points, most, tells_apart);
   if (!root) return std::nullopt;
   const bool left_holds = holds(r.left, *value_of(r.pair.left, *root));
   return refuted(make_witness(r.pair, *root),
@@ -159,7 +150,7 @@ std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, 
 
 /// A point at which both residuals are clearly not 0, and one relation holds and the other fails.
 std::optional<Proof> differ_at_a_point(const Residuals& r, const Points& points, const Symbols& symbols) {
-  for (int k = 0; k < 24; ++k) {
+  for (int k = 0; k < Points::count; ++k) {
     const Point p = points.at(k);
     const auto a = value_of(r.pair.left, p), b = a ? value_of(r.pair.right, p) : std::nullopt;
     if (!b || !differ(*a, 0) || !differ(*b, 0) || !is_admitted(r.pair, p, symbols)) continue;
@@ -171,25 +162,27 @@ std::optional<Proof> differ_at_a_point(const Residuals& r, const Points& points,
   return std::nullopt;
 }
 
-/// The factor between the two, if there is one that cannot vanish and has the right sign; else why not.
-Proof prove_by_factor(const Residuals& r, const Symbols& symbols) {
+/// The factor between the two, if there is one that has the right sign, and is 0 nowhere but where both of
+/// them are; else why not.
+Proof prove_by_factor(const ex& left, const ex& right, const Residuals& r, const Symbols& symbols) {
   std::string why = "the quotient of the two residuals is no product of recognisable factors";
   for (const Way way : {Way::real_denominator, Way::complex_numbers, Way::no_roots_above}) {
     try {
-      const auto parts = quotient(r.pair, symbols, way);
+      const auto parts = quotient(left, right, symbols, way);
       if (!parts) continue;
       const Factor factor = assess(*parts, r.divisors, symbols);
-      if (!factor.doubt.empty())
-        why = factor.doubt;
+      const auto doubtful = std::find_if(factor.zeros.begin(), factor.zeros.end(), [&](const Part& zero) {
+        return !vanishes_with(zero.first, zero.second.is_positive() ? right : left, symbols);
+      });
+      if (doubtful != factor.zeros.end())
+        why = "the factor " + print(doubtful->first, Notation::plain, symbols) + " may vanish";
       else if (r.left != Claim::zero && factor.sign <= 0)
         why = "the sign of the factor between the two is not known";
-      else if (vanishes(r.pair.left_value - factor.value * r.pair.right_value, symbols)) {
-        Proof proof;
-        proof.verdict = Verdict::proved;
-        proof.factor = print(factor.value, Notation::plain, symbols);
-        proof.reason = "the residuals differ by a factor that cannot vanish";
-        return proof;
-      }
+      else if (vanishes(left - factor.value * right, symbols))
+        return proved(print(factor.value, Notation::plain, symbols),
+                      factor.zeros.empty()
+                          ? "the residuals differ by a factor that cannot vanish"
+                          : "the residuals differ by a factor that vanishes only where both of them do");
     } catch (const Undecidable& error) {
       why = error.what();
     }
@@ -197,30 +190,70 @@ Proof prove_by_factor(const Residuals& r, const Symbols& symbols) {
   return undecided(why);
 }
 
-/// Proved but for this: one is strict and the other is not. That is the same only if the residual is never 0.
-Proof prove_strictness(Proof proof, const Residuals& r, const Points& points, const Symbols& symbols) {
-  if (proof.verdict != Verdict::proved || r.left == r.right || sign_of(r.pair.left_value, symbols) != 0)
-    return proof;
-  const auto root = find_root(r.pair.left, points, names_of(r.pair), 10,
-                              [&](const Point& p) { return is_admitted(r.pair, p, symbols); });
+/// Whether a relation holds at all points of the declared ranges, or at none; nothing where neither is known.
+std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symbols) {
+  try {
+    if (vanishes(residual, symbols)) return claim != Claim::positive;
+    const auto parts = quotient(residual, 1, symbols, Way::real_denominator);
+    if (!parts) return std::nullopt;
+    const Factor factor = assess(*parts, {}, symbols);
+    const bool never_zero = factor.zeros.empty();
+    if (factor.sign == 0) return std::nullopt;
+    if (claim == Claim::zero) return never_zero ? std::optional(false) : std::nullopt;
+    const bool holds = factor.sign > 0,
+               weak = holds == (claim == Claim::not_negative);  // 0 does not matter then
+    return weak || never_zero ? std::optional(holds) : std::nullopt;
+  } catch (const Undecidable&) {
+    return std::nullopt;
+  }
+}
+
+/// One is strict and the other is not, and their factor is right: that is the same only if the residual is
+/// never 0.
+Proof prove_strictness(const Proof& proof, const Residuals& r, const Points& points, const Symbols& symbols) {
+  if (sign_of(r.pair.left_value, symbols) != 0) return proof;
+  const auto root =
+      find_root(r.pair.left, points, 10, [&](const Point& p) { return is_admitted(r.pair, p, symbols); });
   if (root)
     return refuted(make_witness(r.pair, *root),
                    "at the witness both sides are equal, which only one of the two allows");
   return undecided("one allows equality and the other does not");
 }
 
+/// By a factor: as the residuals stand, or without functions around both sides.
+Proof prove_by_some_factor(const Residuals& r, const Symbols& symbols) {
+  if ((r.left == Claim::zero) != (r.right == Claim::zero))
+    return undecided("an equation is not compared with an inequality");
+  Proof proof = prove_by_factor(r.pair.left_value, r.pair.right_value, r, symbols);
+  if (proof.verdict != Verdict::proved &&
+      prove_by_factor(r.inner_left, r.inner_right, r, symbols).verdict == Verdict::proved)
+    return proved(
+        "",
+        "without the increasing functions around their sides, the residuals differ by a factor that "
+        "vanishes at most where both of them do");
+  return proof;
+}
+
+Proof prove_by_algebra(const Residuals& r, const Points& points, const Symbols& symbols) {
+  const Proof proof = prove_by_some_factor(r, symbols);
+  if (proof.verdict == Verdict::proved && r.left == r.right) return proof;
+  const auto left = settled(r.inner_left, r.left, symbols);
+  if (left && left == settled(r.inner_right, r.right, symbols))
+    return proved("", *left ? "both hold for all values in the declared ranges"
+                            : "neither holds for any value in the declared ranges");
+  return proof.verdict == Verdict::proved ? prove_strictness(proof, r, points, symbols) : proof;
+}
+
 }  // namespace
 
 Proof prove_residuals(const Residuals& r, const Symbols& symbols) {
-  const Points points(names_of(r.pair), symbols);
+  const Points points = points_for(r.pair, symbols);
   const Sample seen = sample(r.pair, points, symbols, [](const Sample& s) { return s.both >= 1; });
   if (seen.both == 0) return undecided("no point was found at which both residuals have a value");
   if (auto proof = differ_at_a_point(r, points, symbols)) return *proof;
   if (auto proof = differ_at_a_root(r, points, true, 1, symbols))
     return *proof;  // cheaper than algebra: most slips end here
-  const bool comparable = (r.left == Claim::zero) == (r.right == Claim::zero);
-  Proof proof = undecided("an equation is not compared with an inequality");
-  if (comparable) proof = prove_strictness(prove_by_factor(r, symbols), r, points, symbols);
+  const Proof proof = prove_by_algebra(r, points, symbols);
   if (proof.verdict != Verdict::undecided) return proof;
   if (auto refutation = differ_at_a_root(r, points, false, 10, symbols)) return *refutation;
   if (auto refutation = differ_at_a_root(r, points, true, 10, symbols)) return *refutation;

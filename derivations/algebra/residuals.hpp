@@ -12,6 +12,8 @@ enum class Claim { zero, positive, not_negative };
 struct Residuals {
   Pair pair;
   Claim left, right;
+  GiNaC::ex inner_left,
+      inner_right;                  ///< the same without increasing functions around both sides (unwrap.hpp)
   std::vector<GiNaC::ex> divisors;  ///< what the statements divide by: not zero where they mean anything
 };
 
@@ -19,6 +21,7 @@ struct Residuals {
 /// at which one holds and the other fails.
 Proof prove_residuals(const Residuals& residuals, const Symbols& symbols);
 
+Proof proved(std::string factor, std::string reason);
 Proof refuted(Witness witness, std::string reason);
 Proof undecided(std::string reason);
 /// "; an assumption on the sign of x may decide it": symbols under roots, in logarithms and between bars that

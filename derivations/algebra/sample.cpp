@@ -19,12 +19,13 @@ std::string shown(const Tree& tree, const Point& point, int digits) {
 
 }  // namespace
 
-std::set<std::string> names_of(const Pair& pair) {
+Points points_for(const Pair& pair, const Symbols& symbols) {
+  std::vector<Tree> trees{pair.left, pair.right};
+  for (const auto& [name, value] : pair.bound) trees.push_back(value);
   std::set<std::string> names;
-  collect_names(pair.left, names);
-  collect_names(pair.right, names);
-  for (const auto& [name, value] : pair.bound) collect_names(value, names);
-  return names;
+  std::set<double> numbers;
+  for (const Tree& tree : trees) collect_names(tree, names), collect_numbers(tree, numbers);
+  return Points(names, symbols, numbers);
 }
 
 bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols) {
@@ -57,7 +58,7 @@ Witness make_witness(const Pair& pair, const Point& point) {
 Sample sample(const Pair& pair, const Points& points, const Symbols& symbols,
               const std::function<bool(const Sample&)>& enough) {
   Sample seen;
-  for (int k = 0; k < 60 && !enough(seen); ++k) {
+  for (int k = 0; k < Points::count && !enough(seen); ++k) {
     const Point point = points.at(k);
     const auto a = value_of(pair.left, point);
     const auto b = a ? value_of(pair.right, point) : std::nullopt;

@@ -13,7 +13,8 @@ struct Pair {
   std::vector<std::pair<std::string, Tree>> bound;  ///< a name that was replaced → what stands for it
 };
 
-std::set<std::string> names_of(const Pair& pair);
+/// The points at which the two are compared.
+Points points_for(const Pair& pair, const Symbols& symbols);
 
 /// Whether the point keeps every name that was replaced inside its declared range.
 bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols);

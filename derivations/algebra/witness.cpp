@@ -10,6 +10,11 @@ void collect_names(const Tree& tree, std::set<std::string>& names) {
   for (const Tree& child : tree->children) collect_names(child, names);
 }
 
+void collect_numbers(const Tree& tree, std::set<double>& numbers) {
+  if (tree->kind == Node::Kind::number) numbers.insert(cln::double_approx(exact(tree->text)));
+  for (const Tree& child : tree->children) collect_numbers(child, numbers);
+}
+
 namespace {
 
 double to_double(const End& end) {
@@ -19,8 +24,7 @@ double to_double(const End& end) {
 
 /// A rational number with a small denominator near `value`.
 cln::cl_RA near(double value, long denominator) {
-  return cln::cl_RA(static_cast<long>(std::floor(value * static_cast<double>(denominator) + 0.5))) /
-         denominator;
+  return cln::rational(cln::cl_DF(std::floor(value * static_cast<double>(denominator) + 0.5))) / denominator;
 }
 
 /// A repeatable mixing of two small integers into [0, 1).
@@ -63,12 +67,23 @@ bool is_exactly_zero(const Tree& tree, const Point& point) {
   return !digits || cln::zerop(*digits);
 }
 
-Points::Points(const std::set<std::string>& names, const Symbols& symbols) {
+Points::Points(const std::set<std::string>& names, const Symbols& symbols, const std::set<double>& numbers) {
   for (const std::string& name : names) {
     const Symbol* symbol = symbols.find(name);
     const Interval i = symbol != nullptr ? parse_range(symbol->range) : Interval{};
     ranges_[name] = {to_double(i.low), to_double(i.high)};
   }
+  for (const double n :
+       numbers)  // x, x², 1/x and e^x may be compared with it; the ordinary points pass small ones
+    if (n > 5 || (n > 0 && n < 0.2))
+      for (const double landmark : {n, std::sqrt(n), 1 / n, std::fabs(std::log(n))})
+        if (landmark < 1e12 && landmark > 1e-12) landmarks_.push_back(landmark);
+}
+
+std::vector<std::string> Points::names() const {
+  std::vector<std::string> result;
+  for (const auto& [name, range] : ranges_) result.push_back(name);
+  return result;
 }
 
 bool is_inside(const std::string& range, const cln::cl_R& value) {
@@ -82,30 +97,43 @@ bool Points::is_between(const std::string& name, double value) const {
   return value > range.low && value < range.high;
 }
 
+double Points::ordinary(const Range& range, unsigned index, unsigned place) const {
+  const double part = mixed(index, place);
+  if (std::isfinite(range.low) && std::isfinite(range.high))
+    return range.low + (range.high - range.low) * (0.1 + 0.8 * part);
+  double size = small_numbers[(index * 3 + place * 7) % small_numbers.size()] * (1 + 0.3 * (part - 0.5));
+  if (index >= 8) size *= std::exp((index < 24 ? 6 : 16) * (mixed(place, index + 77) - 0.5));
+  if (std::isfinite(range.low)) return range.low + size;
+  if (std::isfinite(range.high)) return range.high - size;
+  return mixed(place + 5, index + 11) < 0.5 ? size : -size;
+}
+
+/// Near the ends of a bounded range; above and below a landmark, on both sides of 0, in an unbounded one.
+double Points::special(const Range& range, unsigned index, unsigned place) const {
+  constexpr std::array ends{0.0001, 0.9999, 0.02, 0.98}, times{2.0, 0.5, 1.25, 0.75};
+  const unsigned turn = place == 0 ? index : static_cast<unsigned>(1000 * mixed(index, place));
+  if (std::isfinite(range.low) && std::isfinite(range.high))
+    return range.low + (range.high - range.low) * ends[turn % ends.size()];
+  if (landmarks_.empty()) return ordinary(range, index, place);
+  const double size = landmarks_[turn % landmarks_.size()] * times[turn / landmarks_.size() % times.size()];
+  if (std::isfinite(range.low)) return size > range.low ? size : range.low + size;
+  if (std::isfinite(range.high)) return range.high - size;
+  return turn / (landmarks_.size() * times.size()) % 2 == 0 ? size : -size;
+}
+
 Point Points::at(int index) const {
   Point point;
   unsigned place = 0;
   for (const auto& [name, range] : ranges_) {
-    const double part = mixed(static_cast<unsigned>(index), place);
-    double value;
-    if (std::isfinite(range.low) && std::isfinite(range.high)) {
-      value = range.low + (range.high - range.low) * (0.1 + 0.8 * part);
-    } else {
-      double size =
-          small_numbers[static_cast<std::size_t>((index * 3 + place * 7) % 10)] * (1 + 0.3 * (part - 0.5));
-      if (index >= 8)
-        size *= std::exp((index < 24 ? 6 : 16) * (mixed(place, static_cast<unsigned>(index) + 77) - 0.5));
-      if (std::isfinite(range.low))
-        value = range.low + size;
-      else if (std::isfinite(range.high))
-        value = range.high - size;
-      else
-        value = mixed(place + 5, static_cast<unsigned>(index) + 11) < 0.5 ? size : -size;
-    }
-    // coarse numbers are easier on the hand; finer ones where the range leaves no room
-    for (long denominator : {20L, 1000L, 1000000L, 1000000000000L}) {
+    const auto k = static_cast<unsigned>(index);
+    const double value = index < 28 ? ordinary(range, k, place) : special(range, k - 28, place);
+    // coarse numbers are easier on the hand; finer ones where an end of the range, or 0, is near
+    double room = std::min(value - range.low, range.high - value);
+    if (!std::isfinite(room)) room = std::fabs(value);
+    for (const long denominator : {20L, 1000L, 1000000L, 1000000000000000L}) {
       point[name] = near(value, denominator);
-      if (is_between(name, cln::double_approx(point[name]))) break;
+      const double coarse = cln::double_approx(point[name]);
+      if (is_between(name, coarse) && std::fabs(coarse - value) <= 0.2 * room) break;
     }
     ++place;
   }
@@ -148,18 +176,18 @@ std::optional<Point> polish(const Tree& tree, Point point, const std::string& na
 
 }  // namespace
 
-std::optional<Point> find_root(const Tree& tree, const Points& points, const std::set<std::string>& names,
-                               int most, const std::function<bool(const Point&)>& wanted) {
+std::optional<Point> find_root(const Tree& tree, const Points& points, int most,
+                               const std::function<bool(const Point&)>& wanted) {
   int found = 0;
   for (int start = 0; start < 4; ++start) {
     const Point base = points.at(start);
-    for (const std::string& name : names) {
+    for (const std::string& name : points.names()) {
       std::optional<cln::cl_R> before;
       cln::cl_RA at_before = 0;
       // walk over the values that this symbol takes in the other points, in order
       std::set<cln::cl_RA, bool (*)(const cln::cl_RA&, const cln::cl_RA&)> values(
           [](const cln::cl_RA& x, const cln::cl_RA& y) { return x < y; });
-      for (int k = 0; k < 24; ++k) values.insert(points.at(k).at(name));
+      for (int k = 0; k < Points::count; ++k) values.insert(points.at(k).at(name));
       for (int k = -3; k <= 3; ++k)
         if (points.is_between(name, k)) values.insert(k);
       for (const cln::cl_RA& value : values) {
@@ -174,7 +202,7 @@ std::optional<Point> find_root(const Tree& tree, const Points& points, const std
           if (root && wanted(*root)) return root;
           if (++found == most) return std::nullopt;
         }
-        before = now;
+        before = now && cln::zerop(*now) ? std::nullopt : now;  // a root that was not wanted is no crossing
         at_before = value;
       }
     }

@@ -11,19 +11,30 @@ namespace rederive {
 
 /// The names that occur in a tree; pi is none.
 void collect_names(const Tree& tree, std::set<std::string>& names);
+/// The numbers that occur in a tree.
+void collect_numbers(const Tree& tree, std::set<double>& numbers);
 
-/// A fixed sequence of rational points inside the declared ranges: small numbers first, then anything.
+/// A fixed sequence of rational points inside the declared ranges: small numbers first, then larger ones, at
+/// last what is easily overlooked: the ends of ranges, and the sizes that the numbers of the statement
+/// suggest.
 class Points {
  public:
-  Points(const std::set<std::string>& names, const Symbols& symbols);
+  static constexpr int count = 60;
+
+  Points(const std::set<std::string>& names, const Symbols& symbols, const std::set<double>& numbers = {});
   Point at(int index) const;
   bool is_between(const std::string& name, double value) const;  ///< strictly inside the declared range
+  std::vector<std::string> names() const;
 
  private:
   struct Range {
     double low, high;
   };
+  double ordinary(const Range& range, unsigned index, unsigned place) const;
+  double special(const Range& range, unsigned index, unsigned place) const;
+
   std::map<std::string, Range> ranges_;
+  std::vector<double> landmarks_;
 };
 
 /// Whether a value lies inside a declared range such as "(0, pi/2)".
@@ -37,8 +48,8 @@ bool is_exactly_zero(const Tree& tree, const Point& point);
 /// A point, near some Points::at, where `tree` is 0, or changes its sign along one symbol (known to 40
 /// digits), and that `wanted` accepts. Only crossings without a jump count. Nothing if none is found among
 /// the first `most`.
-std::optional<Point> find_root(const Tree& tree, const Points& points, const std::set<std::string>& names,
-                               int most, const std::function<bool(const Point&)>& wanted);
+std::optional<Point> find_root(const Tree& tree, const Points& points, int most,
+                               const std::function<bool(const Point&)>& wanted);
 
 /// "7/5"
 std::string rational_text(const cln::cl_RA& value);

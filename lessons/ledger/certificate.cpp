@@ -173,7 +173,7 @@ std::optional<Json> certificate(const Relation& left, const Relation& right, con
                               : Relation{{left.sides[left.operators[k] == "=" ? 0 : k], left.sides[k + 1]},
                                          {left.operators[k]}};
     const Proof proof = prove(link, right, symbols, given);
-    if (proof.verdict != Verdict::proved) return std::nullopt;
+    if (proof.verdict != Verdict::proved || proof.factor.empty()) return std::nullopt;
     links.push_back({put_in(residual(left, k, symbols), given), put_in(residual(right, 0, symbols), given),
                      parse(proof.factor, symbols)});
     pieces.visit(links.back().factor);
