@@ -133,6 +133,16 @@ TEST_CASE("a product without its sign is refused with what was meant") {
                  {"2 sin(x)", "implicit_multiplication", 2, "2*sin(x)"},
                  {"2e", "implicit_multiplication", 1, "2*e"},
                  {"3 4", "implicit_multiplication", 2, "3*4"},
+                 {"3/2 sin^2(alpha)", "implicit_multiplication", 4, "write 3/2*sin(alpha)^2"},
+                 {"1 - 3/2 sin²alpha", "implicit_multiplication", 8, "write 3/2*sin(alpha)^2"},
+                 {"4/3mR^2", "implicit_multiplication", 3, "write 4/3*m*R^2"},
+                 {"m g R", "implicit_multiplication", 2, "write m*g*R"},
+                 {"theta^2/2g", "implicit_multiplication", 9, "write theta^2/(2*g) or theta^2/2*g"},
+                 {"sin 2x", "implicit_multiplication", 0, "write sin(2*x)"},
+                 {"sin p t cos(theta)", "implicit_multiplication", 0, "write sin(p*t)"},
+                 {"sin2x", "implicit_multiplication", 0, "write sin(2*x)"},
+                 {"cosα", "implicit_multiplication", 0, "write cos(alpha)"},
+                 {"sqrt2", "implicit_multiplication", 0, "write sqrt(2)"},
                  {"pi r", "implicit_multiplication", 3, "pi*r"}});
 }
 
@@ -157,6 +167,11 @@ TEST_CASE("slips of other languages are named") {
                  {"sin^2(x)", "syntax", 0, "sin(x)^2"},
                  {"sin²x", "syntax", 0, "sin(x)^2"},
                  {"sin⁻¹(x)", "syntax", 3, "asin"},
+                 {"tan^-1(x)", "syntax", 3, "atan"},
+                 {"arcsin x", "unknown_function", 0, "asin"},
+                 {"log10(x)", "unknown_function", 0, "log(x)/log(10)"},
+                 {"x > 0 and y > 0", "syntax", 6, "one statement"},
+                 {"x < inf", "unknown_symbol", 4, "infinity"},
                  {"\\alpha", "syntax", 0, "LaTeX"},
                  {"1.2.3", "syntax", 0, "decimal point"},
                  {"fabs(x, y)", "arguments", 0, "1 argument, not 2"},

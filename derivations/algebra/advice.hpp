@@ -11,8 +11,9 @@ class Advice {
   Advice(std::string_view text, const std::vector<Token>& tokens, const Symbols& symbols)
       : text_(text), tokens_(tokens), symbols_(symbols) {}
 
-  /// 2x: the factor from token `first` is followed at once by the operand at `at`.
-  SyntaxError juxtaposition(std::size_t first, std::size_t at) const;
+  /// 3/2x: in the product that begins at token `product`, the factor from `first` is followed at once by
+  /// `at`.
+  SyntaxError juxtaposition(std::size_t product, std::size_t first, std::size_t at) const;
   /// m(b + h): a symbol is followed by a parenthesis.
   SyntaxError called_symbol(std::size_t name) const;
   /// sin x, sin^2(x), sin: a function is not followed by a parenthesis.
@@ -22,9 +23,20 @@ class Advice {
   SyntaxError stray_comma(std::size_t at) const;
 
  private:
+  /// How a stretch of tokens should be written, and the token behind it.
+  struct Meant {
+    std::string text;
+    std::size_t next;
+  };
+
   SyntaxError error(const char* note, const std::string& message, std::size_t at) const;
   std::string written(std::size_t first, std::size_t last) const;
-  std::string operand(std::size_t at) const;
+  bool is_function(std::size_t at) const;
+  Meant operand(std::size_t at) const;
+  Meant call(std::size_t function) const;
+  Meant group(std::size_t opening) const;
+  Meant factors(std::size_t at) const;
+  std::string glued_call(const std::string& name) const;
 
   std::string_view text_;
   const std::vector<Token>& tokens_;

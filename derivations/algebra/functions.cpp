@@ -13,12 +13,27 @@ constexpr std::string_view of_one_argument[] = {
 
 /// What people write elsewhere, and what it is called here.
 const std::map<std::string_view, std::string>& foreign_names() {
-  static const std::map<std::string_view, std::string> names = {
-      {"ln", "log"},        {"arcsin", "asin"},   {"arccos", "acos"},  {"arctan", "atan"},
-      {"tg", "tan"},        {"ctg", "cot"},       {"cosec", "csc"},    {"arcsinh", "asinh"},
-      {"arccosh", "acosh"}, {"arctanh", "atanh"}, {"arsinh", "asinh"}, {"arcosh", "acosh"},
-      {"artanh", "atanh"},  {"sh", "sinh"},       {"ch", "cosh"},      {"th", "tanh"},
-      {"root", "sqrt"},     {"power", "pow"},     {"log10", "log"},    {"atan2", "atan"}};
+  static const std::map<std::string_view, std::string> names = {{"ln", "log"},
+                                                                {"arcsin", "asin"},
+                                                                {"arccos", "acos"},
+                                                                {"arctan", "atan"},
+                                                                {"tg", "tan"},
+                                                                {"ctg", "cot"},
+                                                                {"cosec", "csc"},
+                                                                {"arcsinh", "asinh"},
+                                                                {"arccosh", "acosh"},
+                                                                {"arctanh", "atanh"},
+                                                                {"arsinh", "asinh"},
+                                                                {"arcosh", "acosh"},
+                                                                {"artanh", "atanh"},
+                                                                {"sh", "sinh"},
+                                                                {"ch", "cosh"},
+                                                                {"th", "tanh"},
+                                                                {"root", "sqrt"},
+                                                                {"power", "pow"},
+                                                                {"log10", "log(x)/log(10)"},
+                                                                {"log2", "log(x)/log(2)"},
+                                                                {"atan2", "atan"}};
   return names;
 }
 
@@ -89,6 +104,8 @@ std::string nearest_function(std::string_view name) {
   known.emplace_back("pow");
   return nearest(name, known);
 }
+
+bool is_foreign_function(std::string_view name) { return foreign_names().contains(lower_case(name)); }
 
 std::string split_into_symbols(std::string_view name, const Symbols& symbols) {
   constexpr std::size_t longest = 40;

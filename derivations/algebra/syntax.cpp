@@ -4,6 +4,7 @@
 #include <derivations/algebra/functions.hpp>
 #include <derivations/algebra/syntax.hpp>
 #include <derivations/algebra/tokens.hpp>
+#include <utility>
 
 namespace rederive {
 
@@ -81,14 +82,18 @@ class Parser {
   }
 
   Tree product() {
-    const std::size_t position = now().position;
+    const std::size_t position = now().position, outer = std::exchange(product_, at_);
     Tree first = factor();
-    if (!now().is("*") && !now().is("/")) return first;
+    if (!now().is("*") && !now().is("/")) {
+      product_ = outer;
+      return first;
+    }
     Node node{Node::Kind::product, "", {first}, {false}, position};
     while (now().is("*") || now().is("/")) {
       node.inverse.push_back(take().text == "/");
       node.children.push_back(factor());
     }
+    product_ = outer;
     return std::make_shared<const Node>(std::move(node));
   }
 
@@ -101,7 +106,7 @@ class Parser {
     }
     const std::size_t first = at_;
     Tree operand = power();
-    if (starts_operand(now())) throw advice_.juxtaposition(first, at_);
+    if (starts_operand(now())) throw advice_.juxtaposition(product_, first, at_);
     return operand;
   }
 
@@ -212,7 +217,7 @@ class Parser {
   const Limits& limits_;
   std::vector<Token> tokens_;
   Advice advice_;
-  std::size_t at_ = 0, depth_ = 0;
+  std::size_t at_ = 0, depth_ = 0, product_ = 0;  ///< product_: where the innermost one begins
 };
 
 }  // namespace

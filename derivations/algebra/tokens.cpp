@@ -25,23 +25,27 @@ constexpr Spelling marks[] = {{'+', "+"},  {'-', "-"}, {U'−', "-"}, {'*', "*"}
                               {U'×', "*"}, {'/', "/"}, {U'∕', "/"}, {U'⁄', "/"},   {U'÷', "/"}, {'^', "^"},
                               {'(', "("},  {')', ")"}, {',', ","},  {U'√', "sqrt"}};
 constexpr Spelling relations[] = {{'=', "="}, {'<', "<"}, {'>', ">"}, {U'≤', "<="}, {U'≥', ">="}};
-constexpr Spelling suggestions[] = {{'[', "write '(' instead of '['"},
-                                    {']', "write ')' instead of ']'"},
-                                    {'{', "write '(' instead of '{'"},
-                                    {'}', "write ')' instead of '}'"},
-                                    {U'≠', "'≠' is no relation that can be read here: use =, <, <=, > or >="},
-                                    {'!', "'!' is not used here: relations are =, <, <=, > and >="},
-                                    {U'½', "write 1/2 instead of '½'"},
-                                    {U'¼', "write 1/4 instead of '¼'"},
-                                    {U'¾', "write 3/4 instead of '¾'"},
-                                    {U'–', "write '-' for a minus"},
-                                    {U'—', "write '-' for a minus"},
-                                    {U'∞', "infinity is no number"},
-                                    {'\\', "LaTeX is not read here: write names without '\\'"},
-                                    {';', "';' is not used here"},
-                                    {'|', "write fabs(x) for |x|"},
-                                    {'\'', "primes are not used here"},
-                                    {'"', "quotation marks are not used here"}};
+constexpr Spelling suggestions[] = {
+    {'[', "write '(' instead of '['"},
+    {']', "write ')' instead of ']'"},
+    {'{', "write '(' instead of '{'"},
+    {'}', "write ')' instead of '}'"},
+    {U'≠', "'≠' is no relation that can be read here: use =, <, <=, > or >="},
+    {'!', "'!' is not used here: relations are =, <, <=, > and >=, and factorials are numbers"},
+    {U'½', "write 1/2 instead of '½'"},
+    {U'¼', "write 1/4 instead of '¼'"},
+    {U'¾', "write 3/4 instead of '¾'"},
+    {U'–', "write '-' for a minus"},
+    {U'—', "write '-' for a minus"},
+    {U'∞', "infinity is no number"},
+    {'\\', "LaTeX is not read here: write names without '\\'"},
+    {';', "';' is not used here"},
+    {':', "write '/' for a division"},
+    {U'±', "'±' stands for two statements: write them one by one"},
+    {U'≈', "'≈' is no relation that can be read here: use =, <, <=, > or >="},
+    {'|', "write fabs(x) for |x|"},
+    {'\'', "primes are not used here: the rate of theta is thetadot"},
+    {'"', "quotation marks are not used here"}};
 
 template <std::size_t size>
 const char* lookup(const Spelling (&table)[size], char32_t code) {
