@@ -228,11 +228,12 @@ std::optional<std::vector<Part>> factor_form(const ex& prepared, const Symbols& 
 
 bool is_positive_where_defined(const ex& prepared, const Symbols& symbols) {
   if (is_nonnegative(prepared, symbols)) return true;
-  if (is_a<GiNaC::add>(prepared))  // s + √v with v > s²
-    for (const ex& term : prepared)
-      if (is_a<GiNaC::power>(term) && term.op(1).is_equal(numeric(1, 2)) &&
-          sign_of((term.op(0) - GiNaC::pow(prepared - term, 2)).expand(), symbols) > 0)
-        return true;
+  if (is_a<GiNaC::add>(prepared))  // of s + r the larger one is positive: x + √(x²+1), x - √(x²-1)
+    for (const ex& r : prepared) {
+      const ex s = (prepared - r).expand(), more = (GiNaC::pow(r, 2) - GiNaC::pow(s, 2)).expand();
+      if (is_nonnegative(r, symbols) && sign_of(more, symbols) > 0) return true;
+      if (is_nonnegative(s, symbols) && sign_of(-more, symbols) > 0) return true;
+    }
   const auto parts = factor_form(prepared, symbols);
   if (!parts) return false;
   bool positive = true;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <complex>
 #include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
@@ -86,11 +87,15 @@ Symbols narrowed(const ex& e, Symbols symbols) {
   return symbols;
 }
 
-Points points_for(const ex& expression, const Symbols& symbols) {
+std::set<std::string> names_in(const ex& e) {
   std::set<std::string> names;
-  for (auto part = expression.preorder_begin(); part != expression.preorder_end(); ++part)
+  for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
     if (is_a<GiNaC::symbol>(*part)) names.insert(ex_to<GiNaC::symbol>(*part).get_name());
-  return Points(names, symbols);
+  return names;
+}
+
+Points points_for(const ex& expression, const Symbols& symbols) {
+  return Points(names_in(expression), symbols);
 }
 
 std::optional<std::complex<double>> value_at(const ex& e, const Point& point, const Symbols& symbols) {
@@ -190,8 +195,54 @@ bool vanishes(const ex& expression, const Symbols& symbols, int depth) {
   return std::any_of(product.begin(), product.end(), by_factor);
 }
 
+/// The names of what stands between bars, each in bars of its own: the x of |x| and |sin x|.
+std::set<std::string> names_in_bars(const ex& e) {
+  std::set<std::string> names;
+  for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+    if (const auto inside = names_in(*part); name_of(*part) == "abs" && inside.size() == 1)
+      names.insert(*inside.begin());
+  return names;
+}
+
+/// The box of declared ranges of these names without its edges, cut at x = 0 for some of them; empty if that
+/// is no other box.
+std::vector<Symbols> open_pieces(const Symbols& box, const std::set<std::string>& names,
+                                 const std::set<std::string>& cut) {
+  std::vector<Symbols> pieces{box};
+  for (const std::string& name : names) {
+    const Range range = read_range(box.find(name)->range);
+    const bool inside =
+        cut.contains(name) && !is_nonnegative(box[name], box) && !is_nonnegative(-box[name], box);
+    if (!range.lower_closed && !range.upper_closed && !inside) continue;
+    std::vector<std::string> ranges{"(" + range.lower + ", " + range.upper + ")"};
+    if (inside) ranges = {"(" + range.lower + ", 0)", "(0, " + range.upper + ")"};
+    std::vector<Symbols> finer;
+    for (const Symbols& piece : pieces)
+      for (const std::string& open : ranges) finer.push_back(piece), finer.back().narrow(name, open);
+    pieces = std::move(finer);
+  }
+  const bool same =
+      pieces.size() == 1 && std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+        return pieces[0].find(name)->range == box.find(name)->range;
+      });
+  return same ? std::vector<Symbols>{} : pieces;
+}
+
+/// Inside of every piece the expression is analytic, so that it has a value, and it vanishes; at their edges
+/// it is continuous where it has a value.
+bool vanishes_piece_by_piece(const ex& expression, const Symbols& symbols) {
+  const std::set<std::string> cut = names_in_bars(expression);
+  if (cut.size() > 3) return false;
+  const auto pieces = open_pieces(narrowed(expression, symbols), names_in(expression), cut);
+  return !pieces.empty() && std::all_of(pieces.begin(), pieces.end(), [&](const Symbols& piece) {
+    return is_analytic(expression, piece) && vanishes(expression, piece, 0);
+  });
+}
+
 }  // namespace
 
-bool vanishes(const ex& expression, const Symbols& symbols) { return vanishes(expression, symbols, 0); }
+bool vanishes(const ex& expression, const Symbols& symbols) {
+  return vanishes(expression, symbols, 0) || vanishes_piece_by_piece(expression, symbols);
+}
 
 }  // namespace rederive
