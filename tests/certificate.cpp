@@ -7,7 +7,7 @@
 #include <lessons/ledger/certificate.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <random>
-#include <tests/certificate_checker.hpp>
+#include <tests/certificate_branches.hpp>
 #include <tests/run_program.hpp>
 
 using namespace rederive;
@@ -22,6 +22,9 @@ std::optional<Json> certificate_of(const ProveRequest& request) {
                   parse_statement(request.right, context.symbols), context.symbols, context.given);
   return found ? std::optional(Json::parse(found->dump())) : std::nullopt;
 }
+
+/// Proved by increasing functions on both sides, or because both relations always or never hold: no identity.
+bool has_no_factor(const ProveRequest& request) { return decide(request).factor.empty(); }
 
 std::string verdict(const Json& certificate) {
   try {
@@ -49,42 +52,48 @@ std::string slip(const std::string& text, std::mt19937& random) {
 }  // namespace
 
 TEST_CASE("proved statements of the table have certificates, and the checker accepts them") {
-  int proved = 0, certified = 0, trusting = 0;
+  int proved = 0, branching = 0;
   for (const TableRow& row : read_table(std::string(REDERIVE_SOURCE) + "/tests/prove_table.toml")) {
     if (row.expected != "proved" && row.expected != "proved_under") continue;
-    ++proved;
-    const auto c = certificate_of(row.request);
-    if (!c) continue;
     INFO(row.request.left << "  |  " << row.request.right);
+    // e^|x| is not made of e^x by roots and polynomials
+    if (row.request.left == "acosh(cosh(x))") continue;
+    const auto c = certificate_of(row.request);
+    if (!c && has_no_factor(row.request)) continue;
+    REQUIRE(c);
+    ++proved;
     CHECK(verdict(*c) == "accepted");
-    ++certified;
-    trusting += verdict(*c) == "accepted" && certificate_checker::check(*c) > 0 ? 1 : 0;
+    branching += verdict(*c) == "accepted" && certificate_checker::check(*c) > 0 ? 1 : 0;
   }
-  std::cout << proved << " proved, " << certified << " certificates, " << trusting
-            << " with roots or branches taken on trust\n";
-  CHECK(certified * 10 >= proved * 8);
+  std::cout << proved << " certificates, " << branching << " with branches that were looked at\n";
+  CHECK(proved > 500);
 }
 
-TEST_CASE("a hundred spoiled certificates are rejected") {
+TEST_CASE("spoiled certificates are rejected") {
   const std::vector<ProveRequest> requests{
       {"sin(2*x)", "2*sin(x)*cos(x)", {}, {}, 0},
       {"m*R*thetaddot + m*g*sin(theta) = 0", "thetaddot = -g/R*sin(theta)", {}, {}, 0},
       {"tan(x+y)", "(tan(x)+tan(y))/(1-tan(x)*tan(y))", {}, {}, 0},
       {"cosh(x)^2-sinh(x)^2", "1", {}, {}, 0},
       {"sin(x+pi/3)", "sin(x)/2+sqrt(3)/2*cos(x)", {}, {}, 0},
-      {"b^2+h^2", "R^2", {"b = R*sin(alpha)", "h = R*cos(alpha)"}, {}, 0}};
+      {"b^2+h^2", "R^2", {"b = R*sin(alpha)", "h = R*cos(alpha)"}, {}, 0},
+      {"sqrt(1+sin(2*alpha))", "sin(alpha)+cos(alpha)", {}, {}, 0},
+      {"sin(pi/5)^2", "(5-sqrt(5))/8", {}, {}, 0},
+      {"2*atan(x)", "atan(2*x/(1-x^2))", {"-1<x<1"}, {}, 0},
+      {"log(x*y)", "log(x)+log(y)", {"x>0", "y>0"}, {}, 0},
+      {"sqrt(x^2*y)", "x*sqrt(y)", {"x>0", "y>0"}, {}, 0},
+      {"a_p > g*tan(alpha)", "a_p*cos(alpha) > g*sin(alpha)", {}, {}, 0}};
   std::mt19937 random(7);
   int spoiled = 0;
-  while (spoiled < 120) {
+  while (spoiled < 480) {
     const Json whole = *certificate_of(requests[static_cast<std::size_t>(spoiled) % requests.size()]);
     REQUIRE(verdict(whole) == "accepted");
-    std::vector<Json::json_pointer> places;  // every text and number that says something mathematical
+    std::vector<Json::json_pointer> places;  // all of which a change makes false
     const Json flat = whole.flatten();
     for (const auto& [path, item] : flat.items()) {
-      const bool idle = path == "/format" || path.find("/name") != std::string::npos ||
-                        path.find("/kind") != std::string::npos || path.find("/facts") == 0;
-      if (!idle && !item.is_boolean() && !(item.is_string() && item.get<std::string>().empty()))
-        places.emplace_back(path);
+      const bool idle = path == "/format" || path.find("/ranges") == 0 || path.ends_with("/cofactor") ||
+                        path.ends_with("/degree") || path.ends_with("/over");
+      if (!idle) places.emplace_back(path);
     }
     Json broken = whole;
     Json& item = broken[places[random() % places.size()]];
@@ -103,9 +112,22 @@ TEST_CASE("a hundred spoiled certificates are rejected") {
   }
 }
 
+TEST_CASE("a wrong branch, a factor that vanishes and an inequality turned round are seen") {
+  Json root = *certificate_of({"sqrt(x^2)", "x", {"x > 0"}, {}, 0});
+  root["ranges"]["x"] = "(-inf, inf)";
+  CHECK(verdict(root) == "another branch of ^");
+  Json strict = *certificate_of({"x < y", "2*x < 2*y", {}, {}, 0});
+  CHECK(verdict(strict) == "accepted");
+  strict["right"][1] = "<=";
+  CHECK(verdict(strict) == "only one allows equality");
+  Json turned = *certificate_of({"m*a < m*b", "a < b", {}, {}, 0});
+  turned["ranges"]["m"] = "(-inf, 0)";
+  CHECK(verdict(turned) == "a factor turns the inequality round");
+}
+
 TEST_CASE("a certificate says that a false statement is proved: the checker disagrees") {
   Json c = *certificate_of({"sin(2*x)", "2*sin(x)*cos(x)", {}, {}, 0});
-  c["right"] = "2*sin(x)";
+  c["right"][0] = "2*sin(x)";
   CHECK(verdict(c) == "the right side is another one");
   c["links"][0]["right"] = c["links"][0]["left"];
   CHECK(verdict(c) == "the right side is another one");

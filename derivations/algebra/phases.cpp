@@ -17,9 +17,6 @@ const GiNaC::symbol& pi_symbol() {
   return pi;
 }
 
-std::string name_of(const ex& e) {
-  return is_a<GiNaC::function>(e) && e.nops() == 1 ? ex_to<GiNaC::function>(e).get_name() : std::string();
-}
 bool is_circular(const std::string& name) { return name == "sin" || name == "cos"; }
 bool is_real_exponential(const std::string& name) {
   return name == "sinh" || name == "cosh" || name == "exp";
@@ -48,20 +45,6 @@ std::vector<ex> terms(const ex& polynomial) {
 
 bool is_fractional_power(const ex& e) {
   return is_a<GiNaC::power>(e) && is_a<numeric>(e.op(1)) && !ex_to<numeric>(e.op(1)).is_integer();
-}
-
-/// Whether cos qπ and sin qπ are square roots that GiNaC knows: denominators 1, 2, 3, 4, 6, 12.
-bool is_tabled(const numeric& q) { return (q * 12).is_integer(); }
-
-/// What stands under the root that ties an inverse function to algebra: 1-u² for asin u; 0 for anything else.
-ex under_the_root(const ex& inverse) {
-  const std::string name = name_of(inverse);
-  if (name.empty()) return 0;
-  const ex u = inverse.op(0);
-  if (name == "asin" || name == "atanh") return 1 - u * u;
-  if (name == "atan" || name == "asinh") return 1 + u * u;
-  if (name == "acosh") return u * u - 1;
-  return 0;
 }
 
 }  // namespace
@@ -190,8 +173,7 @@ void Phases::make_generators() {
       generator.has_branches = true;
       generator.analytic = false;
     }
-    if (generator.kind == Kind::real && name_of(generator.meaning) == "log" &&
-        is_positive_where_defined(generator.meaning.op(0), symbols_)) {
+    if (generator.kind == Kind::real && name_of(generator.meaning) == "log") {
       generator.degree = generator.divisor;
       generator.value = rewrite(generator.meaning.op(0));
       generator.has_branches = true;
@@ -200,48 +182,10 @@ void Phases::make_generators() {
   }
 }
 
-/// cos qπ and sin qπ bring square roots of their own; or, where one of them is no square root that is known,
-/// a root of unity for all of them, i among its powers.
-void Phases::make_turns(const std::vector<numeric>& turns) {
-  numeric divisor = 2;
-  bool tabled = true;
-  for (const numeric& q : turns) {
-    divisor = GiNaC::lcm(divisor, q.denom());
-    tabled = tabled && is_tabled(q);
-  }
-  if (tabled) {
-    for (const numeric& q : turns)
-      for (const ex& value : std::vector<ex>{GiNaC::cos(q * GiNaC::Pi), GiNaC::sin(q * GiNaC::Pi)})
-        collect(prepare(value, symbols_));
-    return;
-  }
-  if (divisor > 60) throw Undecidable("multiples of pi whose common denominator is above 60");
-  const GiNaC::symbol z("$z" + std::to_string(generators_.size()));
-  const ex polynomial = cyclotomic(2 * divisor.to_int(), z);
-  const int degree = polynomial.degree(z);
-  const ex value = (GiNaC::pow(z, degree) - polynomial).expand();
-  generators_.push_back({Kind::circular, z, GiNaC::Pi, divisor.to_int(), degree, value, false, true});
-  generators_.front().degree = 1;
-  generators_.front().value = GiNaC::pow(z, divisor / 2);
+ex Phases::operator()(const ex& expression) const {
+  const auto seen = prepared_.find(expression);
+  return rewrite(seen != prepared_.end() ? seen->second : prepare(expression, symbols_));
 }
-
-/// e^{i asin u} = √(1-u²) + iu and its kin: an inverse function inside an argument ties its phase to algebra.
-void Phases::relate_inverse(Generator& generator) {
-  const std::string name = name_of(generator.meaning);
-  const ex under = under_the_root(generator.meaning);
-  const bool circular = generator.kind == Kind::circular;
-  if (under.is_zero() || circular != (name == "asin" || name == "atan")) return;
-  const ex i = generators_.front().symbol, u = rewrite(generator.meaning.op(0));
-  const ex root = rewrite(prepare(GiNaC::pow(under, numeric(1, 2)), symbols_));
-  generator.degree = generator.divisor;
-  generator.has_branches = true;
-  if (name == "asin") generator.value = root + i * u;
-  if (name == "atan") generator.value = (1 + i * u) / root;
-  if (name == "asinh" || name == "acosh") generator.value = u + root;
-  if (name == "atanh") generator.value = (1 + u) / root;
-}
-
-ex Phases::operator()(const ex& expression) const { return rewrite(prepared_.at(expression)); }
 
 /// Second walk: every function becomes a rational function of generators.
 ex Phases::rewrite(const ex& e) const {
@@ -296,13 +240,17 @@ std::pair<std::vector<std::pair<GiNaC::symbol, numeric>>, numeric> Phases::combi
   return {exponents, 0};
 }
 
+ex Phases::turn(const numeric& q) const {
+  if (q.is_zero()) return 1;
+  return rewrite(prepare(GiNaC::cos(q * GiNaC::Pi), symbols_)) +
+         generators_.front().symbol * rewrite(prepare(GiNaC::sin(q * GiNaC::Pi), symbols_));
+}
+
 ex Phases::exponential(const ex& argument, bool circular) const {
   const auto [exponents, pi] = combination(argument, circular);
-  ex result = 1;
+  ex result = turn(pi);
   for (const auto& [symbol, exponent] : exponents) result *= GiNaC::pow(symbol, exponent);
-  if (pi.is_zero()) return result;
-  return result * (rewrite(prepare(GiNaC::cos(pi * GiNaC::Pi), symbols_)) +
-                   generators_.front().symbol * rewrite(prepare(GiNaC::sin(pi * GiNaC::Pi), symbols_)));
+  return result;
 }
 
 ex Phases::root(const ex& base, const numeric& exponent) const {

@@ -19,6 +19,12 @@ struct Undecidable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// "sin" of sin(x); empty where the expression is no function of one argument.
+inline std::string name_of(const GiNaC::ex& e) {
+  const bool is_call = GiNaC::is_a<GiNaC::function>(e) && e.nops() == 1;
+  return is_call ? GiNaC::ex_to<GiNaC::function>(e).get_name() : std::string();
+}
+
 /// One generator of the ring, and what it stands for.
 struct Generator {
   enum class Kind {
@@ -47,7 +53,8 @@ class Phases {
   /// Throws Undecidable where an expression is outside the class.
   Phases(const std::vector<GiNaC::ex>& expressions, const Symbols& symbols);
 
-  /// The rational function of generators and plain symbols that one of those expressions is.
+  /// The rational function of generators and plain symbols that an expression is: one of those, or one that
+  /// is made of the same phases, roots and functions. Throws Undecidable where it is not.
   GiNaC::ex operator()(const GiNaC::ex& expression) const;
   /// The remainder of a polynomial modulo all relations: 0 iff it is 0 in the ring. It is `scale` times as
   /// large as the polynomial, a product of denominators in the relations.
@@ -59,6 +66,10 @@ class Phases {
   /// q. Throws Undecidable where it is none of those that were seen.
   std::pair<std::vector<std::pair<GiNaC::symbol, GiNaC::numeric>>, GiNaC::numeric> combination(
       const GiNaC::ex& argument, bool circular) const;
+  /// e^{i argument} (circular) or e^argument: the product of that. Throws Undecidable.
+  GiNaC::ex exponential(const GiNaC::ex& argument, bool circular) const;
+  /// e^{iqπ} for a q that `combination` gives.
+  GiNaC::ex turn(const GiNaC::numeric& q) const;
 
   const std::vector<Generator>& generators() const { return generators_; }
   /// Numerator of the statement's phases' common denominator: must not vanish.
@@ -75,7 +86,6 @@ class Phases {
   void make_turns(const std::vector<GiNaC::numeric>& turns);
   void relate_inverse(Generator& generator);
   GiNaC::ex rewrite(const GiNaC::ex& prepared) const;
-  GiNaC::ex exponential(const GiNaC::ex& argument, bool circular) const;
   GiNaC::ex root(const GiNaC::ex& base, const GiNaC::numeric& exponent) const;
   GiNaC::ex opaque(const GiNaC::ex& value) const;
   const Generator* find(Generator::Kind kind, const GiNaC::ex& meaning) const;
@@ -89,6 +99,12 @@ class Phases {
   std::map<GiNaC::ex, long, GiNaC::ex_is_less> roots_;  ///< base → least common denominator of its exponents
   std::vector<GiNaC::ex> opaques_;
 };
+
+/// What stands under the root that ties an inverse function to algebra: 1-u² for asin u; 0 for anything else.
+GiNaC::ex under_the_root(const GiNaC::ex& inverse);
+
+/// Whether cos qπ and sin qπ are square roots that GiNaC knows: denominators 1, 2, 3, 4, 6, 12.
+bool is_tabled(const GiNaC::numeric& q);
 
 /// The irreducible polynomial of e^{2πi/n} in x.
 GiNaC::ex cyclotomic(int n, const GiNaC::symbol& x);

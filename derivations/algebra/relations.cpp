@@ -59,4 +59,58 @@ ex Phases::meaning_of(const ex& rational) const {
   return rational.subs(back, GiNaC::subs_options::no_pattern);
 }
 
+/// Whether cos qπ and sin qπ are square roots that GiNaC knows: denominators 1, 2, 3, 4, 6, 12.
+bool is_tabled(const numeric& q) { return (q * 12).is_integer(); }
+
+ex under_the_root(const ex& inverse) {
+  const std::string name = name_of(inverse);
+  if (name.empty()) return 0;
+  const ex u = inverse.op(0);
+  if (name == "asin" || name == "atanh") return 1 - u * u;
+  if (name == "atan" || name == "asinh") return 1 + u * u;
+  if (name == "acosh") return u * u - 1;
+  return 0;
+}
+
+/// cos qπ and sin qπ bring square roots of their own; or, where one of them is no square root that is known,
+/// a root of unity for all of them, i among its powers.
+void Phases::make_turns(const std::vector<numeric>& turns) {
+  numeric divisor = 2;
+  bool tabled = true;
+  for (const numeric& q : turns) {
+    divisor = GiNaC::lcm(divisor, q.denom());
+    tabled = tabled && is_tabled(q);
+  }
+  if (tabled) {
+    for (const numeric& q : turns)
+      for (const ex& value : std::vector<ex>{GiNaC::cos(q * GiNaC::Pi), GiNaC::sin(q * GiNaC::Pi)})
+        collect(prepare(value, symbols_));
+    return;
+  }
+  if (divisor > 60) throw Undecidable("multiples of pi whose common denominator is above 60");
+  const GiNaC::symbol z("$z" + std::to_string(generators_.size()));
+  const ex polynomial = cyclotomic(2 * divisor.to_int(), z);
+  const int degree = polynomial.degree(z);
+  const ex value = (GiNaC::pow(z, degree) - polynomial).expand();
+  generators_.push_back({Kind::circular, z, GiNaC::Pi, divisor.to_int(), degree, value, false, true});
+  generators_.front().degree = 1;
+  generators_.front().value = GiNaC::pow(z, divisor / 2);
+}
+
+/// e^{i asin u} = √(1-u²) + iu and its kin: an inverse function inside an argument ties its phase to algebra.
+void Phases::relate_inverse(Generator& generator) {
+  const std::string name = name_of(generator.meaning);
+  const ex under = under_the_root(generator.meaning);
+  const bool circular = generator.kind == Kind::circular;
+  if (under.is_zero() || circular != (name == "asin" || name == "atan")) return;
+  const ex i = generators_.front().symbol, u = rewrite(generator.meaning.op(0));
+  const ex root = rewrite(prepare(GiNaC::pow(under, numeric(1, 2)), symbols_));
+  generator.degree = generator.divisor;
+  generator.has_branches = true;
+  if (name == "asin") generator.value = root + i * u;
+  if (name == "atan") generator.value = (1 + i * u) / root;
+  if (name == "asinh" || name == "acosh") generator.value = u + root;
+  if (name == "atanh") generator.value = (1 + u) / root;
+}
+
 }  // namespace rederive

@@ -14,10 +14,6 @@ using GiNaC::numeric;
 
 namespace {
 
-std::string name_of(const ex& e) {
-  return is_a<GiNaC::function>(e) && e.nops() == 1 ? ex_to<GiNaC::function>(e).get_name() : std::string();
-}
-
 /// The sign that a rational function keeps over all ranges, factor by factor: 0 if it may change or vanish.
 int strict_sign(const ex& e, const Symbols& symbols) {
   if (const int sign = sign_of(e, symbols)) return sign;
@@ -130,25 +126,27 @@ bool is_alive(const ex& polynomial, const Phases& phases, const Points& points, 
 
 /// Square roots may satisfy relations that r² = u does not show. Over a connected domain on which u is
 /// positive, N(r) and N(-r) are analytic; if their product, which has no r any more, vanishes identically,
-/// one of the two does, and it is ours if the other one is different from zero somewhere.
-bool vanishes_on_our_branch(const ex& numerator, const Phases& phases, const Points& points,
-                            const Symbols& symbols, int depth = 0) {
-  if (numerator.is_zero()) return true;
+/// one of the two does, and it is ours if the other one, the cofactor, is different from zero somewhere.
+std::optional<ex> cofactor_on_our_branch(const ex& numerator, const Phases& phases, const Points& points,
+                                         const Symbols& symbols, int depth = 0) {
+  if (numerator.is_zero()) return 1;
   const Generator* root = nullptr;
   for (const Generator& g : phases.generators()) {
     if (!numerator.has(g.symbol) || g.kind == Generator::Kind::imaginary) continue;
-    if (!is_analytic(g.meaning, symbols)) return false;
+    if (!is_analytic(g.meaning, symbols)) return std::nullopt;
     if (g.kind != Generator::Kind::root) continue;
-    if (sign_of(g.meaning, symbols) <= 0) return false;
+    if (sign_of(g.meaning, symbols) <= 0) return std::nullopt;
     if (g.degree == 2 && (root == nullptr || g.value.has(root->symbol)))
       root = &g;  // the outer of nested ones first
   }
-  if (root == nullptr || depth > 5) return false;
+  if (root == nullptr || depth > 5) return std::nullopt;
   const ex turned = numerator.subs(root->symbol == -root->symbol).expand();
   if ((numerator + turned).expand().is_zero())  // r times something
-    return vanishes_on_our_branch((numerator / root->symbol).expand(), phases, points, symbols, depth + 1);
-  return is_alive(turned, phases, points, symbols) &&
-         vanishes_on_our_branch(phases.reduce(numerator * turned), phases, points, symbols, depth + 1);
+    return cofactor_on_our_branch((numerator / root->symbol).expand(), phases, points, symbols, depth + 1);
+  if (!is_alive(turned, phases, points, symbols)) return std::nullopt;
+  const auto rest =
+      cofactor_on_our_branch(phases.reduce(numerator * turned), phases, points, symbols, depth + 1);
+  return rest ? std::optional(*rest * turned) : std::nullopt;
 }
 
 bool vanishes(const ex& expression, const Symbols& symbols, int depth);
@@ -175,24 +173,26 @@ bool vanishes_by_its_exponential(const ex& sum, const Symbols& given, int depth)
          vanishes(GiNaC::cos((2 * sum).expand()) - 1, symbols, depth + 1);
 }
 
-bool vanishes(const ex& expression, const Symbols& symbols, int depth) {
-  if (expression.is_zero()) return true;
+std::optional<ex> vanishing_sum(const ex& expression, const Symbols& symbols, int depth) {
   const Phases phases({expression}, symbols);
-  const ex numerator = phases.reduce(phases(expression).normal().numer());
-  if (vanishes_on_our_branch(numerator, phases, points_for(expression, symbols), symbols)) return true;
-  if (cofactor_of_powers(numerator, phases, symbols)) return true;
-  if (depth > 1) return false;
   bool has_inverse = false;
   for (const Generator& g : phases.generators())
     has_inverse = has_inverse || (g.kind == Generator::Kind::opaque && name_of(g.meaning) != "abs");
-  if (!has_inverse) return false;
-  const ex product = GiNaC::factor(numerator);
-  const auto by_factor = [&](const ex& f) {
-    const ex base = is_a<GiNaC::power>(f) ? f.op(0) : f;
-    return is_a<GiNaC::add>(base) && vanishes_by_its_exponential(phases.meaning_of(base), symbols, depth);
-  };
-  if (!is_a<GiNaC::mul>(product)) return by_factor(product);
-  return std::any_of(product.begin(), product.end(), by_factor);
+  if (!has_inverse) return std::nullopt;
+  const ex product = GiNaC::factor(phases.reduce(phases(expression).normal().numer()));
+  const ex factors = is_a<GiNaC::mul>(product) ? product : ex(GiNaC::lst{product});
+  for (const ex& f : factors) {
+    const ex base = is_a<GiNaC::power>(f) ? f.op(0) : f, sum = phases.meaning_of(base);
+    if (is_a<GiNaC::add>(base) && vanishes_by_its_exponential(sum, symbols, depth)) return sum;
+  }
+  return std::nullopt;
+}
+
+bool vanishes(const ex& expression, const Symbols& symbols, int depth) {
+  if (expression.is_zero()) return true;
+  const Phases phases({expression}, symbols);
+  if (cofactor(phases.reduce(phases(expression).normal().numer()), phases, symbols)) return true;
+  return depth < 2 && vanishing_sum(expression, symbols, depth);
 }
 
 /// The names of what stands between bars, each in bars of its own: the x of |x| and |sin x|.
@@ -228,21 +228,35 @@ std::vector<Symbols> open_pieces(const Symbols& box, const std::set<std::string>
   return same ? std::vector<Symbols>{} : pieces;
 }
 
-/// Inside of every piece the expression is analytic, so that it has a value, and it vanishes; at their edges
-/// it is continuous where it has a value.
-bool vanishes_piece_by_piece(const ex& expression, const Symbols& symbols) {
-  const std::set<std::string> cut = names_in_bars(expression);
-  if (cut.size() > 3) return false;
-  const auto pieces = open_pieces(narrowed(expression, symbols), names_in(expression), cut);
-  return !pieces.empty() && std::all_of(pieces.begin(), pieces.end(), [&](const Symbols& piece) {
-    return is_analytic(expression, piece) && vanishes(expression, piece, 0);
-  });
-}
-
 }  // namespace
 
+std::optional<ex> cofactor(const ex& numerator, const Phases& phases, const Symbols& symbols) {
+  if (numerator.is_zero()) return 1;
+  const Points points = points_for(phases.meaning_of(numerator), symbols);
+  const auto found = cofactor_on_our_branch(numerator, phases, points, symbols);
+  return found ? found : cofactor_of_powers(numerator, phases, symbols);
+}
+
+std::optional<ex> vanishing_sum(const ex& expression, const Symbols& symbols) {
+  return vanishing_sum(expression, symbols, 0);
+}
+
+std::vector<Symbols> analytic_pieces(const ex& expression, const Symbols& symbols) {
+  const std::set<std::string> cut = names_in_bars(expression);
+  if (cut.size() > 3) return {};
+  const auto pieces = open_pieces(narrowed(expression, symbols), names_in(expression), cut);
+  const bool all_analytic = std::all_of(pieces.begin(), pieces.end(), [&](const Symbols& piece) {
+    return is_analytic(expression, piece);
+  });
+  return all_analytic ? pieces : std::vector<Symbols>{};
+}
+
 bool vanishes(const ex& expression, const Symbols& symbols) {
-  return vanishes(expression, symbols, 0) || vanishes_piece_by_piece(expression, symbols);
+  if (vanishes(expression, symbols, 0)) return true;
+  const auto pieces = analytic_pieces(expression, symbols);
+  return !pieces.empty() && std::all_of(pieces.begin(), pieces.end(), [&](const Symbols& piece) {
+    return vanishes(expression, piece, 0);
+  });
 }
 
 }  // namespace rederive

@@ -83,7 +83,7 @@ Entry judge(const Row& row, const std::vector<Row>& rows) {
   entry.rests_on_it = downstream(row.id, rows);
   const Symbols symbols = symbols_in(row.domain);
   // a result of ours stands in the place of a printed equation: it, too, must follow from the derivation
-  const Relation stated = parse_statement(row.kind == "result" ? row.statement : row.printed, symbols);
+  const Relation stated = parse_statement(row.claim(), symbols);
   entry.dimension = dimension(stated, symbols);
   const auto found = derivation_table().find(row.id);
   if (found == derivation_table().end()) {

@@ -16,6 +16,8 @@ namespace rederive {
 struct Row {
   std::string id, section, kind, printed, latex, domain;
   std::string statement;      ///< a result of ours, in the form in which we state it; the paper prints nothing like it
+  /// What is compared with the derivation: what is printed, or what we state.
+  const std::string& claim() const { return kind == "result" ? statement : printed; }
   std::vector<std::string> follows_from;
   std::string expected;       ///< a verdict
   std::string error;          ///< with refuted: sign, factor, argument, subscript, limit, missing_term …

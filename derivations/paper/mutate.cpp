@@ -153,7 +153,7 @@ Mutation mutate(const Row& row, unsigned seed, int most) {
   if (derive == derivation_table().end()) return outcome;
   const Symbols symbols = symbols_in(row.domain);
   const Derivation derivation = derive->second();
-  std::vector<Mutant> all = mutants(parse_statement(row.kind == "result" ? row.statement : row.printed, symbols), symbols);
+  std::vector<Mutant> all = mutants(parse_statement(row.claim(), symbols), symbols);
   std::mt19937 random(std::accumulate(row.id.begin(), row.id.end(), seed, [](unsigned sum, char c) { return 31 * sum + static_cast<unsigned char>(c); }));
   for (std::size_t k = all.size(); k > 1; --k) std::swap(all[k - 1], all[random() % k]);  // the same on every library
   if (all.size() > static_cast<std::size_t>(most)) all.resize(static_cast<std::size_t>(most));

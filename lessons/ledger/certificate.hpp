@@ -7,23 +7,21 @@
 
 namespace rederive {
 
-/// The certificate of a statement that has been proved, link by link where the left side is a chain:
-///   left, right, given            the statement as text, and what names stand for
-///   generators                    name, kind (circular: e^{i meaning/divisor}; real: e^{meaning/divisor};
-///   root:
-///                                 meaning^{1/divisor}; imaginary; opaque: a function value), meaning,
-///                                 divisor, and the relation name^degree = numerator/denominator where there
-///                                 is one
-///   arguments                     every argument as Σ n·meaning/divisor + q·π
-///   facts                         values of roots and inverse functions in the generators: their squares can
-///   be
-///                                 checked, their signs and branches are assumed
-///   divisors                      everything that is divided by: must not vanish
-///   sides, factor, remains        left - factor·right over a common denominator; `remains`, its numerator,
-///   is 0
-///                                 modulo the relations
-/// Nothing where the proof needs more than that (an argument by branches): then no certificate can be
-/// written.
+/// The certificate of a statement that has been proved:
+///   left, right       the statement in pieces: sides and the operators between them
+///   given             what names in it stand for
+///   ranges            where the other names live
+///   steps             what every function in it is, in generators: powers of e, roots and function values
+///   with names of
+///                     their own, "$z3" (certificate_steps.hpp)
+///   links             for the statement, or for each link of a chain: left and right, the residuals as
+///   quotients of
+///                     polynomials in generators; factor; remains/over, that is left - factor·right; and a
+///                     cofactor, not 0 itself, with remains·cofactor = 0 modulo the relations of the
+///                     generators
+///   divisors          everything that is divided by: must not vanish
+/// All polynomials are text in our own syntax. Nothing where the statement is not proved, or where no such
+/// identity is found.
 std::optional<nlohmann::ordered_json> certificate(const Relation& left, const Relation& right,
                                                   const Symbols& symbols, const std::vector<Given>& given);
 

@@ -134,7 +134,7 @@ int show_proof(const Options& options) {
   if (!certificate.is_null())
     write_whole(options.certificate, certificate.dump(1) + "\n");
   else if (!options.certificate.empty())
-    fmt::print(stderr, "no certificate: nothing is proved, or not by polynomials alone\n");
+    fmt::print(stderr, "no certificate: nothing is proved, or not by an identity of polynomials\n");
   const std::string verdict = json["verdict"];
   if (options.json) {
     put(json);
@@ -154,17 +154,17 @@ int show_proof(const Options& options) {
   return verdict == "refuted" ? not_as_expected : verdict == "undecided" ? undecided_or_failed : as_expected;
 }
 
-/// A file for every printed row that is proved; the others are named.
+/// A file for every row that is proved; the others are named.
 int certify(const Options& options) {
   std::filesystem::create_directories(options.folder);
   std::string without;
   int written = 0;
   for (const Entry& entry : all(options)) {
-    if (!entry.derivation || entry.row.printed.empty() || entry.proof.verdict == Verdict::refuted ||
+    if (!entry.derivation || entry.row.claim().empty() || entry.proof.verdict == Verdict::refuted ||
         entry.proof.verdict == Verdict::undecided)
       continue;
     const Symbols symbols = symbols_in(entry.row.domain);
-    const auto found = certificate(parse_statement(entry.row.printed, symbols),
+    const auto found = certificate(parse_statement(entry.row.claim(), symbols),
                                    derived_relation(*entry.derivation), symbols, entry.derivation->given);
     if (found)
       write_whole(std::filesystem::path(options.folder) / (entry.row.id + ".json"), found->dump(1) + "\n"),
@@ -174,7 +174,7 @@ int certify(const Options& options) {
   }
   fmt::print("{} certificates in {}\n", written, options.folder);
   if (!without.empty())
-    fmt::print("proved by more than polynomials, and so without a certificate:{}\n", without);
+    fmt::print("proved, but not by an identity of polynomials, and so without a certificate:{}\n", without);
   return as_expected;
 }
 
