@@ -36,6 +36,7 @@ class Checker : public StatementReader {
     return nowhere_zero_;
   }  // what must not vanish anywhere
   const std::vector<Fraction>& positive() const { return positive_; }
+  const std::vector<Fraction>& definite() const { return definite_; }  // positive by its very form
 
  private:
   void take(const Json& s) {
@@ -52,19 +53,24 @@ class Checker : public StatementReader {
       facts_.push_back(f);
     }
   }
+  /// What the value of a root is: value^q = base^p; q is 0 for other functions.
+  static std::tuple<Fraction, int, int> root(const Fact& f) {
+    const auto [p, q] = f.function == "^" ? ratio(f.of.at(1)) : std::pair(1, f.function == "fabs" ? 2 : 0);
+    return {f.function == "fabs" ? power(f.of.at(0), 2) : f.of.at(0), p, q};
+  }
   bool introduces(const Fact& f) {
     if (f.function == "exp") exponents_[f.generator] = f.of.at(0);
-    const auto [p, q] = f.function == "^" ? ratio(f.of.at(1)) : std::pair(1, 0);
-    if (q > 0) relations_.emplace_back(f.generator, q, f.of[0]);
+    const auto [base, p, q] = root(f);
+    if (q > 0) relations_.emplace_back(f.generator, q, base);
     return f.generator[0] == '$' && p == 1 && names_.insert(f.generator).second;
   }
   bool holds(const Fact& f, const Json& s) {
     const std::string inverse = s.value("inverse", f.function),
                       forward = inverse == "log" ? "exp" : inverse.substr(1);
     const Fraction cofactor = value(s.value("cofactor", "1"));
-    const auto [p, q] = ratio(f.function == "^" ? f.of.at(1) : value(s.value("turn", "1")));
+    const auto [base, p, q] = root(f);
     not_zero_.push_back(cofactor.first);
-    if (f.function == "^") return q > 0 && same(cofactor * power(f.is, q), cofactor * power(f.of[0], p));
+    if (q > 0) return same(cofactor * power(f.is, q), cofactor * power(base, p));
     if (f.function != "exp") return same(cofactor * call(forward, f.is), cofactor * f.of.at(0));
     if (s.contains("inverse")) {  // e^(i asin(u)), e^(log(u)/n) and their kin
       const Fraction u = value(s.at("at")), exponent = f.of.at(0) * whole(s.at("over").get<int>());
@@ -76,7 +82,8 @@ class Checker : public StatementReader {
     for (const auto& [name, n] : s.at("generators").items())
       exponent = exponent + whole(n.get<int>()) * exponents_.at(name),
       unity = unity / power(variable(name), n);
-    return same(f.of.at(0), exponent) && q > 0 && same(power(unity, 2 * q), whole(1));
+    const int order = ratio(value(s.at("turn"))).second;
+    return same(f.of.at(0), exponent) && order > 0 && same(power(unity, 2 * order), whole(1));
   }
   void check_link(const Json& link, std::size_t k) {
     const Fraction left = value(link.at("left")), right = value(link.at("right")),
@@ -93,9 +100,7 @@ class Checker : public StatementReader {
     require(is_relation || same(factor, whole(1)), "the factor of two expressions is 1");
     require((op == "=") == (other == "="), "an equation and an inequality");
     (op == "=" ? nowhere_zero_ : positive_).push_back(factor);
-    require(
-        op.ends_with('=') == other.ends_with('=') || (is_definite(left.first) && is_definite(left.second)),
-        "only one allows equality");
+    if (op.ends_with('=') != other.ends_with('=')) definite_.push_back(left);
   }
   Fraction stated(const Json& text) {
     require(text.get<std::string>().find('$') == std::string::npos, "a statement has no generators");
@@ -112,22 +117,6 @@ class Checker : public StatementReader {
     return op[0] == '<' ? b - a : a - b;
   }
 
-  /// Never 0: a sum of positive terms, one of them of positive symbols alone.
-  bool is_definite(const Polynomial& p) const {
-    const auto positive = [&](const auto& power) {
-      return c_.at("ranges").value(power.first, "").starts_with("(0,");
-    };
-    const auto strictly = [&](const auto& term) {
-      return std::all_of(term.first.begin(), term.first.end(), positive);
-    };
-    return std::any_of(p.begin(), p.end(), strictly) &&
-           std::all_of(p.begin(), p.end(), [&](const auto& term) {
-             return term.second > 0 &&
-                    std::all_of(term.first.begin(), term.first.end(), [&](const auto& power) {
-                      return positive(power) || (power.second % 2 == 0 && power.first[0] != '$');
-                    });
-           });
-  }
   bool same(const Fraction& a, const Fraction& b) const {
     const Fraction difference = a - b;
     return reduced(difference.first).empty() && !reduced(difference.second).empty();
@@ -170,8 +159,9 @@ class Checker : public StatementReader {
     return q > 1 ? known("^", {base, exponent}) : known("exp", {exponent * call("log", base)});
   }
   Fraction call(const std::string& f, const Fraction& x) override {
-    if (f == "sqrt" || f == "fabs") return known("^", {f == "sqrt" ? x : x * x, whole(1) / whole(2)});
-    return f == "log" || f[0] == 'a' ? known(f, {x}) : of_unit(f, known("exp", {unit_exponent(f, x)}));
+    if (f == "sqrt") return known("^", {x, whole(1) / whole(2)});
+    return f == "log" || f == "fabs" || f[0] == 'a' ? known(f, {x})
+                                                    : of_unit(f, known("exp", {unit_exponent(f, x)}));
   }
   /// f(x) from e^x, or from e^(ix).
   Fraction of_unit(const std::string& f, const Fraction& u) {
@@ -182,6 +172,7 @@ class Checker : public StatementReader {
     if (name == "sec") return whole(1) / divisor(of("cos"));
     if (name == "csc") return whole(1) / divisor(of("sin"));
     if (name == "exp") return u;
+    require(((name == "sin" || name == "cos") && h.empty()) || h == "h", "no function: " + f);
     return (u + whole(name == "sin" ? -1 : 1) / u) / (f == "sin" ? whole(2) * i_ : whole(2));
   }
   Fraction divisor(const Fraction& d) override {
@@ -197,7 +188,7 @@ class Checker : public StatementReader {
   std::set<std::string> names_{"$i"};
   std::vector<Fact> facts_;
   std::vector<Polynomial> not_zero_;
-  std::vector<Fraction> divisors_, nowhere_zero_, positive_;
+  std::vector<Fraction> divisors_, nowhere_zero_, positive_, definite_;
   bool is_stated_ = false;  // by the statement itself, whose divisors must be listed
 };
 

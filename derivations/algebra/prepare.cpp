@@ -158,24 +158,30 @@ struct Prepare : GiNaC::map_function {
     return powers * GiNaC::exp(rest);
   }
 
-  /// log of a product of positive factors is the sum of their logarithms.
+  /// log of a product is the sum of the logarithms of its positive factors, each without a common number.
   ex logarithm(const ex& value) {
     if (is_a<GiNaC::symbol>(value)) return GiNaC::log(value);
     ex sum = 0, rest = 1;
     for (auto [factor, n] : factors(value)) {
-      if (factor.is_equal(1)) continue;
-      if (is_call(factor, "exp"))
+      if (is_call(factor, "exp")) {
         sum += n * factor.op(0);
-      else if (is_a<numeric>(factor) && ex_to<numeric>(factor).is_positive())
-        sum += n * number_logarithm(ex_to<numeric>(factor));
-      else if (is_a<GiNaC::power>(factor) && is_a<numeric>(factor.op(1)) &&
-               sign_of(factor.op(0), symbols) > 0)
+        continue;
+      }
+      if (is_a<GiNaC::power>(factor) && is_a<numeric>(factor.op(1)) && sign_of(factor.op(0), symbols) > 0) {
         sum += n * factor.op(1) * logarithm(factor.op(0));
-      else if (sign_of(factor, symbols) > 0)
-        sum += n * GiNaC::log(factor);
-      else
-        rest *= GiNaC::pow(factor, n);
+        continue;
+      }
+      GiNaC::exmap atoms;
+      const numeric number =
+          is_a<numeric>(factor) ? ex_to<numeric>(factor) : factor.to_rational(atoms).integer_content();
+      const ex other = (factor / number).expand();
+      const int sign = is_a<numeric>(factor) ? 1 : sign_of(other, symbols);
+      sum += n * number_logarithm(GiNaC::abs(number));
+      if (sign != 0 && !other.is_equal(1)) sum += n * GiNaC::log((sign * other).expand());
+      if (sign == 0) rest *= GiNaC::pow(other, n);
+      if ((sign < 0 || number.is_negative()) && n.is_odd()) rest = -rest;
     }
+    if (rest.is_equal(-1)) throw Undecidable("the logarithm of a negative number");
     return rest.is_equal(1) ? sum : sum + GiNaC::log(rest.normal());
   }
 

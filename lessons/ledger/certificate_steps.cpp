@@ -183,16 +183,13 @@ void Steps::given(const std::string& name) {
 void Steps::generator(const Generator& g) {
   const std::string name = g.symbol.get_name();
   if (g.kind == Kind::imaginary || g.kind == Kind::pi || !done_.insert(name).second) return;
-  const bool is_size = g.kind == Kind::opaque && name_of(g.meaning) == "abs";
-  const ex of = is_size                  ? GiNaC::pow(g.meaning.op(0), 2)
-                : g.kind == Kind::opaque ? g.meaning.op(0)
-                                         : g.meaning;
+  const ex of = g.kind == Kind::opaque ? g.meaning.op(0) : g.meaning;
   tree(to_tree(of, q_.symbols));
   Json step{{"generator", name}, {"function", "exp"}, {"of", {text(of)}}};
-  if (g.kind == Kind::root || is_size)
-    step["function"] = "^", step["of"].push_back("1/" + std::to_string(is_size ? 2 : g.divisor));
+  if (g.kind == Kind::root)
+    step["function"] = "^", step["of"].push_back("1/" + std::to_string(g.divisor));
   else if (g.kind == Kind::opaque)
-    step["function"] = name_of(g.meaning);
+    step["function"] = name_of(g.meaning) == "abs" ? "fabs" : name_of(g.meaning);
   else
     step["of"][0] = exponent_text(text(of), g.kind == Kind::circular) + "/" + std::to_string(g.divisor);
   if (g.degree > 0 && step["function"] == "exp") return relation(g, step);
@@ -247,38 +244,39 @@ void Steps::unit(const Tree& written, const ex& argument, bool circular) {
   generators(product);
   power_of_e(of, product, powers, q);
 }
+/// is^q - base^p for a root, an absolute value or another power; f(is) - u for the inverse function of f.
+ex Steps::difference(const Tree& tree, const ex& value, const ex& is) {
+  const ex of = phases_(q_.value(tree->children[0]));
+  if (tree->text == "fabs") return is * is - of * of;
+  if (tree->text == "sqrt") return is * is - of;
+  if (tree->kind == Node::Kind::power) {
+    const numeric q = *q_.rational(tree->children[1]);
+    return GiNaC::pow(is, q.denom()) - GiNaC::pow(of, q.numer());
+  }
+  const std::string forward = tree->text == "log" ? "exp" : tree->text.substr(1);
+  this->tree(to_tree(value, q_.symbols));
+  unit(to_tree(value, q_.symbols), value, is_circular(forward));
+  const ex e = phases_.exponential(value, is_circular(forward));
+  return of_unit(forward, e, phases_.generators().front().symbol) - of;
+}
+
 /// A root or an inverse function in the generators.
 void Steps::value(const Tree& tree) {
   const ex value = q_.value(tree), is = phases_(value).normal();
   generators(is);
-  const bool is_root = tree->kind == Node::Kind::power || is_one_of(tree->text, {"sqrt", "fabs", "abs"});
   for (const Generator& g : phases_.generators())
-    if (!is_root && is.is_equal(g.symbol) && name_of(g.meaning) == tree->text) return;
-  Json of = Json::array();
-  for (const Tree& child : tree->children) of.push_back(q_.text(child));
-  if (is_root && tree->kind == Node::Kind::call) of.push_back("1/2");
-  if (is_root && tree->text.ends_with("abs")) of[0] = "(" + of[0].get<std::string>() + ")^2";
-  ex difference;
-  if (is_root) {
-    const numeric n = tree->kind == Node::Kind::power ? *q_.rational(tree->children[1]) : numeric(1, 2);
-    const ex base = phases_(q_.value(tree->children[0]));
-    difference =
-        GiNaC::pow(is, n.denom()) - GiNaC::pow(tree->text.ends_with("abs") ? base * base : base, n.numer());
-  } else {
-    const std::string forward = tree->text == "log" ? "exp" : tree->text.substr(1);
-    this->tree(to_tree(value, q_.symbols));
-    unit(to_tree(value, q_.symbols), value, is_circular(forward));
-    difference = of_unit(forward, phases_.exponential(value, is_circular(forward)),
-                         phases_.generators().front().symbol) -
-                 phases_(q_.value(tree->children[0]));
-  }
+    if (g.kind == Kind::opaque && is.is_equal(g.symbol) && name_of(g.meaning) == tree->text) return;
+  ex difference = this->difference(tree, value, is);
   for (const Generator& g : phases_.generators())  // that of a logarithm was given as a root
     if (g.kind == Kind::real && name_of(g.meaning) == "log" && difference.has(g.symbol))
       difference = difference.subs(g.symbol == phases_(GiNaC::pow(g.meaning.op(0), numeric(1, g.divisor))));
   const auto c = cofactor(phases_.reduce(difference.normal().numer()), phases_, q_.symbols);
   if (!c) throw Undecidable("no polynomial identity gives the value of " + q_.text(tree));
   generators(*c);
-  steps_.push_back({{"function", is_root ? "^" : tree->text},
+  Json of = Json::array();
+  for (const Tree& child : tree->children) of.push_back(q_.text(child));
+  if (tree->text == "sqrt") of.push_back("1/2");
+  steps_.push_back({{"function", of.size() > 1 ? "^" : tree->text},
                     {"of", of},
                     {"is", fraction_text(is)},
                     {"cofactor", polynomial_text(*c)}});

@@ -69,6 +69,7 @@ class Steps {
   void power_of_e(const std::string& exponent, const GiNaC::ex& is, const nlohmann::ordered_json& generators,
                   const GiNaC::numeric& turn);
   void unit(const Tree& written, const GiNaC::ex& argument, bool circular);
+  GiNaC::ex difference(const Tree& tree, const GiNaC::ex& value, const GiNaC::ex& is);
   void value(const Tree& tree);
 
   const CertifiedStatement& q_;
