@@ -21,14 +21,14 @@ struct Fact {
 
 class Checker : public StatementReader {
  public:
-  /// Throws std::exception saying what is wrong.
-  explicit Checker(const Json& certificate) : c_(certificate) {
+  /// Checks one piece. Throws std::exception saying what is wrong.
+  Checker(const Json& certificate, const Json& piece) : c_(certificate) {
     require(c_.at("format") == "rederive certificate 2", "another format");
-    for (const Json& step : c_.at("steps")) take(step);
+    for (const Json& step : piece.at("steps")) take(step);
     for (const Json& d : c_.at("divisors")) divisors_.push_back(value(d));
     for (const Json& text : c_.at("given")) (void)stated(text);
     for (std::size_t k = 0; k == 0 || 2 * k + 1 < c_.at("left").size(); ++k)
-      check_link(c_.at("links").at(k), k);
+      check_link(piece.at("links").at(k), k);
   }
   const std::vector<Fact>& facts() const { return facts_; }              // each rests on those before it
   const std::vector<Polynomial>& not_zero() const { return not_zero_; }  // what must not vanish everywhere

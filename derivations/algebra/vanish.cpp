@@ -245,18 +245,16 @@ std::vector<Symbols> analytic_pieces(const ex& expression, const Symbols& symbol
   const std::set<std::string> cut = names_in_bars(expression);
   if (cut.size() > 3) return {};
   const auto pieces = open_pieces(narrowed(expression, symbols), names_in(expression), cut);
-  const bool all_analytic = std::all_of(pieces.begin(), pieces.end(), [&](const Symbols& piece) {
-    return is_analytic(expression, piece);
-  });
+  const bool all_analytic = std::all_of(pieces.begin(), pieces.end(),
+                                        [&](const Symbols& piece) { return is_analytic(expression, piece); });
   return all_analytic ? pieces : std::vector<Symbols>{};
 }
 
 bool vanishes(const ex& expression, const Symbols& symbols) {
   if (vanishes(expression, symbols, 0)) return true;
   const auto pieces = analytic_pieces(expression, symbols);
-  return !pieces.empty() && std::all_of(pieces.begin(), pieces.end(), [&](const Symbols& piece) {
-    return vanishes(expression, piece, 0);
-  });
+  return !pieces.empty() && std::all_of(pieces.begin(), pieces.end(),
+                                        [&](const Symbols& piece) { return vanishes(expression, piece, 0); });
 }
 
 }  // namespace rederive

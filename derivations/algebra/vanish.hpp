@@ -21,9 +21,9 @@ std::optional<GiNaC::ex> cofactor_of_powers(const GiNaC::ex& numerator, const Ph
 /// one of them is 0.
 std::optional<GiNaC::ex> cofactor(const GiNaC::ex& numerator, const Phases& phases, const Symbols& symbols);
 
-/// The box of declared ranges without its edges, cut at x = 0 for every |x| in it, if the expression is analytic on all
-/// pieces, so that it has a value there; at their edges it is continuous where it has a value. Empty if that is no other
-/// box.
+/// The box of declared ranges without its edges, cut at x = 0 for every |x| in it, if the expression is
+/// analytic on all pieces, so that it has a value there; at their edges it is continuous where it has a
+/// value. Empty if that is no other box.
 std::vector<Symbols> analytic_pieces(const GiNaC::ex& expression, const Symbols& symbols);
 
 /// Why an expression vanishes that has no cofactor: a factor of it, a sum of inverse functions that is 0

@@ -87,7 +87,7 @@ Tree exact(const Tree& tree, const Symbols& symbols) {
 }
 
 /// A statement in pieces: sides and operators.
-Json pieces(const Relation& relation, const CertifiedStatement& q) {
+Json statement_json(const Relation& relation, const CertifiedStatement& q) {
   Json list{q.text(relation.sides[0])};
   for (std::size_t k = 0; k < relation.operators.size(); ++k)
     list.push_back(relation.operators[k]), list.push_back(q.text(relation.sides[k + 1]));
@@ -131,12 +131,13 @@ std::vector<std::pair<ex, ex>> solutions(const ex& sum) {
   return result;
 }
 
-/// What is put down about a statement: all of its functions, and every link. Throws Undecidable.
+/// What is put down about a statement: all functions in its trees, and every link.
 struct Written {
-  std::vector<Tree> trees, divisors;
-  Json steps, links = Json::array();
+  const std::vector<Tree>& trees;
+  Json steps, links;
 };
 
+/// Throws Undecidable.
 void write_links(const CertifiedStatement& q, const std::vector<Link>& links, Written& written);
 
 /// With one function of a vanishing sum replaced by the others.
@@ -183,31 +184,49 @@ void write_links(const CertifiedStatement& q, const std::vector<Link>& links, Wr
   written.links = list, written.steps = steps.take();
 }
 
-Json write(const CertifiedStatement& q, const std::vector<Link>& links) {
-  Written written;
-  for (const Given& g : q.given) written.trees.push_back(to_tree(g.value, q.symbols));
-  for (const Relation* relation : {&q.left, &q.right})
-    written.trees.insert(written.trees.end(), relation->sides.begin(), relation->sides.end());
-  for (const Tree& tree : written.trees) collect_divisors(tree, q, written.divisors);
-  written.trees.insert(written.trees.end(), written.divisors.begin(), written.divisors.end());
-  for (const Link& link : links) written.trees.push_back(link.factor);
+/// One piece of the domain: its ranges, and all that is put down there.
+Json piece_json(const CertifiedStatement& q, const std::vector<Link>& links, const std::vector<Tree>& trees) {
+  Written written{trees, {}, {}};
   write_links(q, links, written);
-  Json result{{"format", "rederive certificate 2"},
-              {"left", pieces(q.left, q)},
-              {"right", pieces(q.right, q)},
-              {"given", Json::object()},
-              {"ranges", ranges_json(written.trees, q)},
-              {"steps", written.steps},
-              {"links", written.links},
-              {"divisors", Json::array()}};
+  return {{"ranges", ranges_json(trees, q)}, {"steps", written.steps}, {"links", written.links}};
+}
+
+/// The whole domain in one piece, or cut where an absolute value turns.
+Json pieces_json(const CertifiedStatement& q, const std::vector<Link>& links,
+                 const std::vector<Tree>& trees) {
+  try {
+    return Json::array({piece_json(q, links, trees)});
+  } catch (const Undecidable&) {
+    Json pieces = Json::array();
+    const ex difference = lower(links[0].factor, q.symbols) * links[0].right;
+    for (const Symbols& piece : analytic_pieces(put_in(links[0].left - difference, q.given), q.symbols))
+      pieces.push_back(piece_json({q.left, q.right, piece, q.given, {}}, links, trees));
+    if (pieces.empty()) throw;
+    return pieces;
+  }
+}
+
+Json write(const CertifiedStatement& q, const std::vector<Link>& links) {
+  std::vector<Tree> trees, divisors;
+  for (const Given& g : q.given) trees.push_back(to_tree(g.value, q.symbols));
+  for (const Relation* relation : {&q.left, &q.right})
+    trees.insert(trees.end(), relation->sides.begin(), relation->sides.end());
+  for (const Tree& tree : trees) collect_divisors(tree, q, divisors);
+  trees.insert(trees.end(), divisors.begin(), divisors.end());
+  for (const Link& link : links) trees.push_back(link.factor);
+  Json given = Json::object(), texts = Json::array();
   for (const Given& g : q.given)
-    result["given"][ex_to<GiNaC::symbol>(g.name).get_name()] = print(g.value, Notation::plain, q.symbols);
-  Json& divisors = result["divisors"];
-  for (const Tree& divisor : written.divisors)
-    if (const std::string text = q.text(divisor);
-        std::find(divisors.begin(), divisors.end(), text) == divisors.end())
-      divisors.push_back(text);
-  return result;
+    given[ex_to<GiNaC::symbol>(g.name).get_name()] = print(g.value, Notation::plain, q.symbols);
+  for (const Tree& divisor : divisors)
+    if (const std::string text = q.text(divisor); std::find(texts.begin(), texts.end(), text) == texts.end())
+      texts.push_back(text);
+  return {{"format", "rederive certificate 2"},
+          {"left", statement_json(q.left, q)},
+          {"right", statement_json(q.right, q)},
+          {"given", given},
+          {"divisors", texts},
+          {"ranges", ranges_json(trees, q)},
+          {"pieces", pieces_json(q, links, trees)}};
 }
 
 }  // namespace
