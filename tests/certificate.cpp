@@ -118,6 +118,9 @@ TEST_CASE("a wrong branch, a factor that vanishes and an inequality turned round
   CHECK(verdict(root) == "another branch of ^");
   root["pieces"][0]["ranges"]["x"] = "(0, inf)";
   CHECK(verdict(root) == "the pieces do not make up the whole");
+  Json cofactor = *certificate_of({"sqrt(1+sin(2*alpha))", "sin(alpha)+cos(alpha)", {}, {}, 0});
+  cofactor["ranges"]["alpha"] = cofactor["pieces"][0]["ranges"]["alpha"] = "(-pi, pi)";
+  CHECK(verdict(cofactor) == "the cofactor vanishes, not what remains");
   Json strict = *certificate_of({"x < y", "2*x < 2*y", {}, {}, 0});
   CHECK(verdict(strict) == "accepted");
   strict["right"][1] = "<=";

@@ -28,6 +28,8 @@ class Branches {
       ++points;
       for (const Fact& fact : checker_.facts())
         require(is_near(number(fact), at(fact.is)), "another branch of " + fact.function);
+      for (const Polynomial& p : checker_.zero())
+        require(!is_not_zero(p), "the cofactor vanishes, not what remains");
       for (const Fraction& f : checker_.nowhere_zero()) require(is_not_zero(f.first), "a factor vanishes");
       for (const Fraction& f : checker_.positive())
         require(is_not_zero(f.first) && at(f).real() > 0, "a factor turns the inequality round");
@@ -116,7 +118,7 @@ class Branches {
   Number at(const Fraction& f) const { return terms(f.first).first / terms(f.second).first; }
   bool is_not_zero(const Polynomial& p) const {
     const auto [sum, size] = terms(p);
-    return std::abs(sum) > 1e-6 * size;
+    return std::abs(sum) > 1e-9L * size;
   }
 
   const Json& ranges_;

@@ -32,6 +32,7 @@ class Checker : public StatementReader {
   }
   const std::vector<Fact>& facts() const { return facts_; }              // each rests on those before it
   const std::vector<Polynomial>& not_zero() const { return not_zero_; }  // what must not vanish everywhere
+  const std::vector<Polynomial>& zero() const { return zero_; }          // what vanishes: to look at
   const std::vector<Fraction>& nowhere_zero() const {
     return nowhere_zero_;
   }  // what must not vanish anywhere
@@ -94,6 +95,7 @@ class Checker : public StatementReader {
     require(same(left - factor * right, remains / value(link.at("over"))), "something else remains");
     require(same(remains * cofactor, whole(0)), "what remains does not vanish");
     not_zero_.push_back(cofactor.first);
+    zero_.push_back(remains.first);
     const bool is_relation = c_.at("left").size() > 1;
     const std::string op = is_relation ? c_.at("left").at(2 * k + 1) : "",
                       other = is_relation ? c_.at("right").at(1) : "";
@@ -187,7 +189,7 @@ class Checker : public StatementReader {
   std::map<std::string, Fraction> given_, exponents_{{"$i", i_*variable("pi") / whole(2)}};
   std::set<std::string> names_{"$i"};
   std::vector<Fact> facts_;
-  std::vector<Polynomial> not_zero_;
+  std::vector<Polynomial> not_zero_, zero_;
   std::vector<Fraction> divisors_, nowhere_zero_, positive_, definite_;
   bool is_stated_ = false;  // by the statement itself, whose divisors must be listed
 };
