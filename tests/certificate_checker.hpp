@@ -104,12 +104,11 @@ class Checker : public StatementReader {
     (op == "=" ? nowhere_zero_ : positive_).push_back(factor);
     if (op.ends_with('=') != other.ends_with('=')) definite_.push_back(left);
   }
-  Fraction stated(const Json& text) {
-    require(text.get<std::string>().find('$') == std::string::npos, "a statement has no generators");
+  Fraction stated(const std::string& text) {
+    require(text.find('$') == std::string::npos, "a statement has no generators");
     is_stated_ = true;
     const Fraction result = value(text);
-    is_stated_ = false;
-    return result;
+    return is_stated_ = false, result;
   }
   /// An expression; the difference of the sides of a relation, of a chain from a place on.
   Fraction residual(const Json& statement, std::size_t at) {
@@ -162,8 +161,11 @@ class Checker : public StatementReader {
   }
   Fraction call(const std::string& f, const Fraction& x) override {
     if (f == "sqrt") return known("^", {x, whole(1) / whole(2)});
-    return f == "log" || f == "fabs" || f[0] == 'a' ? known(f, {x})
-                                                    : of_unit(f, known("exp", {unit_exponent(f, x)}));
+    if (f == "log" || f == "fabs" || f[0] == 'a') return known(f, {x});
+    for (const Fact& size : facts_)  // cos|u| = cos u
+      if ((f == "cos" || f == "cosh") && size.function == "fabs" && same(size.is, x) && !same(size.of[0], x))
+        return call(f, size.of[0]);
+    return of_unit(f, known("exp", {unit_exponent(f, x)}));
   }
   /// f(x) from e^x, or from e^(ix).
   Fraction of_unit(const std::string& f, const Fraction& u) {

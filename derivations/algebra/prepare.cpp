@@ -114,7 +114,17 @@ struct Prepare : GiNaC::map_function {
       }
     }
     if (inside.is_equal(-1)) throw Undecidable("the root of a negative number");
-    return inside.is_equal(1) ? outside : outside * GiNaC::pow(inside.normal(), q);
+    if (inside.is_equal(1)) return outside;
+    const auto [upper, exponent] = upright(inside);
+    return outside * GiNaC::pow(upper, exponent * q);
+  }
+
+  /// The same for u and 1/u: one of them, and the exponent that makes it u.
+  static std::pair<ex, int> upright(const ex& u) {
+    const ex plain = u.normal(), inverted = (1 / u).normal();
+    const bool is_up =
+        plain.denom().is_equal(1) || (!inverted.denom().is_equal(1) && plain.compare(inverted) > 0);
+    return is_up ? std::pair{plain, 1} : std::pair{inverted, -1};
   }
 
   ex positive_root(const ex& factor, const numeric& q) {
@@ -123,20 +133,30 @@ struct Prepare : GiNaC::map_function {
     return GiNaC::pow(factor, q);
   }
 
-  /// The q-th power of a positive rational number, prime by prime; large cofactors stay whole.
-  ex number_root(numeric value, const numeric& q) {
-    if (q.is_integer()) return GiNaC::pow(value, q);
-    ex result = 1;
+  /// A positive rational number as a product of powers, prime by prime; large cofactors stay whole.
+  static std::vector<std::pair<numeric, long>> prime_powers(const numeric& value) {
+    std::vector<std::pair<numeric, long>> result;
     for (const auto& [part, side] : {std::pair{value.numer(), 1}, std::pair{value.denom(), -1}}) {
       numeric rest = part;
       for (numeric prime = 2; prime * prime <= rest && prime < 10'000; prime += 1) {
         long count = 0;
         while (GiNaC::irem(rest, prime).is_zero()) rest = GiNaC::iquo(rest, prime), ++count;
-        if (count > 0) result *= GiNaC::pow(ex(prime), ex(q * count * side));
+        if (count > 0) result.emplace_back(prime, count * side);
       }
-      if (rest != 1) result *= GiNaC::pow(ex(rest), ex(q * side));
+      if (rest != 1) result.emplace_back(rest, side);
     }
     return result;
+  }
+  ex number_root(const numeric& value, const numeric& q) {
+    if (q.is_integer()) return GiNaC::pow(value, q);
+    ex result = 1;
+    for (const auto& [prime, n] : prime_powers(value)) result *= GiNaC::pow(ex(prime), ex(q * n));
+    return result;
+  }
+  ex number_logarithm(const numeric& value) {
+    ex sum = 0;
+    for (const auto& [prime, n] : prime_powers(value)) sum += n * GiNaC::log(ex(prime));
+    return sum;
   }
 
   /// exp(q·log a + rest) = a^q·exp(rest) for rational q, wherever log a is defined.
@@ -167,7 +187,9 @@ struct Prepare : GiNaC::map_function {
         sum += n * factor.op(0);
         continue;
       }
-      if (is_a<GiNaC::power>(factor) && is_a<numeric>(factor.op(1)) && sign_of(factor.op(0), symbols) > 0) {
+      const bool is_power = is_a<GiNaC::power>(factor) && is_a<numeric>(factor.op(1));
+      if (is_power &&
+          (sign_of(factor.op(0), symbols) > 0 || ex_to<numeric>(factor.op(1)).denom().is_even())) {
         sum += n * factor.op(1) * logarithm(factor.op(0));
         continue;
       }
@@ -182,19 +204,9 @@ struct Prepare : GiNaC::map_function {
       if ((sign < 0 || number.is_negative()) && n.is_odd()) rest = -rest;
     }
     if (rest.is_equal(-1)) throw Undecidable("the logarithm of a negative number");
-    return rest.is_equal(1) ? sum : sum + GiNaC::log(rest.normal());
-  }
-
-  ex number_logarithm(const numeric& value) {
-    ex sum = 0;
-    for (const auto& [part, side] : {std::pair{value.numer(), 1}, std::pair{value.denom(), -1}}) {
-      numeric rest = part;
-      for (numeric prime = 2; prime * prime <= rest && prime < 10'000; prime += 1)
-        while (GiNaC::irem(rest, prime).is_zero())
-          rest = GiNaC::iquo(rest, prime), sum += side * GiNaC::log(ex(prime));
-      if (rest != 1) sum += side * GiNaC::log(ex(rest));
-    }
-    return sum;
+    if (rest.is_equal(1)) return sum;
+    const auto [base, exponent] = upright(rest);
+    return sum + exponent * GiNaC::log(base);  // log(1/u) = -log(u)
   }
 
   bool within(const ex& e, const ex& low, const ex& high) {
@@ -210,6 +222,12 @@ struct Prepare : GiNaC::map_function {
   /// f(g(x)) = x where g inverts f on the range that x is declared to keep to.
   ex function(const std::string& name, const ex& x, const ex& whole) {
     const ex half = GiNaC::Pi / 2;
+    const auto of = [&](const ex& other) {
+      return ex(GiNaC::function(ex_to<GiNaC::function>(whole).get_serial(), other));
+    };
+    if ((name == "cos" || name == "cosh") && is_call(x, "abs")) return of(x.op(0));
+    for (const char* odd : {"asin", "atan", "asinh", "atanh"})
+      if (const ex up = turned_up(x); name == odd && !up.is_equal(x)) return -function(name, up, of(up));
     if (name == "tan") return GiNaC::sin(x) / GiNaC::cos(x);
     if (name == "tanh") return GiNaC::sinh(x) / GiNaC::cosh(x);
     if (name == "log") return is_call(x, "exp") ? x.op(0) : logarithm(x);
@@ -250,14 +268,14 @@ struct Prepare : GiNaC::map_function {
 
   /// e or -e, whichever has the positive number in its first term: |a-b| and |b-a| become the same.
   static ex turned_up(const ex& e) {
-    if (!is_a<GiNaC::add>(e)) return e;
     const auto number = [](const ex& term) {
       const ex last = is_a<GiNaC::mul>(term) ? term.op(term.nops() - 1) : term;
       return is_a<numeric>(last) ? ex_to<numeric>(last) : numeric(1);
     };
-    ex first = e.op(0);
-    for (const ex& term : e)
-      if ((term / number(term)).compare(first / number(first)) < 0) first = term;
+    ex first = is_a<GiNaC::add>(e) ? e.op(0) : e;
+    if (is_a<GiNaC::add>(e))
+      for (const ex& term : e)
+        if ((term / number(term)).compare(first / number(first)) < 0) first = term;
     return number(first).is_negative() ? (-e).expand() : e;
   }
 

@@ -160,9 +160,14 @@ void Steps::tree(const Tree& tree) {
   if (tree->kind == Node::Kind::symbol) return given(tree->text);
   if (tree->kind != Node::Kind::call && !q_.is_root(tree)) return;
   if (!done_.insert(q_.text(tree)).second) return;
-  if (is_circular(tree->text) || is_real(tree->text))
-    unit(tree->children[0], q_.value(tree->children[0]), is_circular(tree->text));
-  else if (tree->kind == Node::Kind::call || q_.rational(tree->children[1]))
+  if (is_circular(tree->text) || is_real(tree->text)) {
+    const bool is_even = tree->text == "cos" || tree->text == "cosh", circular = is_circular(tree->text);
+    const ex argument = q_.value(tree->children[0]);
+    if (is_even && name_of(argument) == "abs")  // cos|u| = cos u
+      unit(to_tree(argument.op(0), q_.symbols), argument.op(0), circular);
+    else
+      unit(tree->children[0], argument, circular);
+  } else if (tree->kind == Node::Kind::call || q_.rational(tree->children[1]))
     value(tree);
   else
     this->tree(logarithm(tree)),
