@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/quotient.hpp>
 
 namespace rederive {
@@ -70,6 +72,73 @@ std::optional<std::vector<Part>> quotient(const ex& left, const ex& right, const
   const ex cancelled = cancelled_with_complex_numbers(ratio, phases);
   if (way == Way::complex_numbers) return factor_form(cancelled, phases);
   return factor_form(cancelled_with_complex_numbers(without_roots_above(cancelled, phases), phases), phases);
+}
+
+namespace {
+
+/// +1 or -1 where the expression has that sign or is 0, else 0.
+int weak_sign(const ex& e, const Symbols& symbols) {
+  return is_nonnegative(e, symbols) ? 1 : is_nonnegative(-e, symbols) ? -1 : 0;
+}
+
+bool is_multiple(const ex& part, const ex& other) {
+  return !part.is_zero() && !other.is_zero() && GiNaC::is_a<GiNaC::numeric>((part / other).normal());
+}
+
+}  // namespace
+
+Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors, const Symbols& symbols) {
+  Quotient result;
+  for (const auto& [part, exponent] : parts) {
+    result.value *= GiNaC::pow(part, exponent);
+    if (!exponent.is_even()) result.sign *= weak_sign(part, symbols);
+    const bool divides = std::any_of(divisors.begin(), divisors.end(),
+                                     [&, &p = part](const ex& d) { return is_multiple(p, d); });
+    if (sign_of(part, symbols) != 0) continue;  // its range says that it cannot vanish
+    if (divides)
+      result.divisors.push_back(part);
+    else
+      result.zeros.push_back({part, exponent});
+  }
+  return result;
+}
+
+namespace {
+
+std::string name_of(const ex& e) {
+  return GiNaC::is_a<GiNaC::function>(e) ? GiNaC::ex_to<GiNaC::function>(e).get_name() : std::string();
+}
+
+/// The only point at which an expression is 0, where that is easily seen: x², sinh(x), A x² + B x + C with
+/// 4AC >= B².
+std::optional<GiNaC::exmap> only_zero(const ex& e, const Symbols& symbols) {
+  if (GiNaC::is_a<GiNaC::symbol>(e)) return GiNaC::exmap{{e, 0}};
+  const bool power = GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::positive);
+  if (power || name_of(e) == "sinh") return only_zero(e.op(0), symbols);
+  if (GiNaC::is_a<GiNaC::mul>(e) && e.nops() == 2 && GiNaC::is_a<GiNaC::numeric>(e.op(1)))
+    return only_zero(e.op(0), symbols);
+  const auto quadratic = as_quadratic(e);
+  if (!quadratic || weak_sign(e, symbols) == 0) return std::nullopt;
+  auto zero = only_zero(quadratic->discriminant(), symbols);
+  if (zero) (*zero)[quadratic->x] = (-quadratic->b / (2 * quadratic->a)).subs(*zero);
+  return zero;
+}
+
+}  // namespace
+
+bool vanishes_with(const ex& part, const ex& other, const Symbols& symbols) {
+  const auto parts = quotient(other, 1, symbols, Way::real_denominator);
+  const auto is_it = [&](const Part& f) { return f.second.is_positive() && is_multiple(part, f.first); };
+  if (parts && std::any_of(parts->begin(), parts->end(), is_it)) return true;
+  const auto zero = only_zero(part, symbols);
+  return zero && other.normal().numer().subs(*zero).expand().is_zero();
+}
+
+bool is_factor(const ex& part, const ex& other, const Symbols& symbols) {
+  const auto rest = quotient(other, part, symbols, Way::real_denominator);
+  return rest && std::none_of(rest->begin(), rest->end(), [&](const Part& f) {
+           return f.second.is_negative() && sign_of(f.first, symbols) == 0;
+         });
 }
 
 }  // namespace rederive

@@ -12,4 +12,22 @@ enum class Way { real_denominator, complex_numbers, no_roots_above };
 std::optional<std::vector<Part>> quotient(const GiNaC::ex& left, const GiNaC::ex& right,
                                           const Symbols& symbols, Way way);
 
+/// A product of parts, and what is known of it.
+struct Quotient {
+  GiNaC::ex value = 1;
+  int sign = 1;                     ///< where no part is 0; itself 0 if it is not known
+  std::vector<Part> zeros;          ///< the parts that may vanish
+  std::vector<GiNaC::ex> divisors;  ///< those that the statement divides by: not zero where it has a meaning
+};
+
+/// `divisors`: what the statement as written divides by.
+Quotient assess(const std::vector<Part>& parts, const std::vector<GiNaC::ex>& divisors,
+                const Symbols& symbols);
+
+/// Whether `other` is 0 wherever this part is: it has it among its parts, or the only zero of the part is one
+/// of its own.
+bool vanishes_with(const GiNaC::ex& part, const GiNaC::ex& other, const Symbols& symbols);
+/// Whether other/part has no pole.
+bool is_factor(const GiNaC::ex& part, const GiNaC::ex& other, const Symbols& symbols);
+
 }  // namespace rederive

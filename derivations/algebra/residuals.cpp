@@ -50,63 +50,6 @@ std::string advice(const ex& e, const Symbols& symbols) {
 
 namespace {
 
-/// A product of parts, and what is known of it.
-struct Factor {
-  ex value = 1;
-  int sign = 1;             ///< where no part is 0; itself 0 if it is not known
-  std::vector<Part> zeros;  ///< the parts that may vanish
-};
-
-/// +1 or -1 where the expression has that sign or is 0, else 0.
-int weak_sign(const ex& e, const Symbols& symbols) {
-  return is_nonnegative(e, symbols) ? 1 : is_nonnegative(-e, symbols) ? -1 : 0;
-}
-
-bool is_multiple(const ex& part, const ex& other) {
-  return !part.is_zero() && !other.is_zero() && GiNaC::is_a<GiNaC::numeric>((part / other).normal());
-}
-
-/// A part cannot vanish if its range says so, or if the statement as written divides by it.
-Factor assess(const std::vector<Part>& parts, const std::vector<ex>& divisors, const Symbols& symbols) {
-  Factor factor;
-  for (const auto& [part, exponent] : parts) {
-    factor.value *= GiNaC::pow(part, exponent);
-    if (!exponent.is_even()) factor.sign *= weak_sign(part, symbols);
-    const bool divides = std::any_of(divisors.begin(), divisors.end(),
-                                     [&, &p = part](const ex& d) { return is_multiple(p, d); });
-    if (sign_of(part, symbols) == 0 && !divides) factor.zeros.push_back({part, exponent});
-  }
-  return factor;
-}
-
-std::string name_of(const ex& e) {
-  return GiNaC::is_a<GiNaC::function>(e) ? GiNaC::ex_to<GiNaC::function>(e).get_name() : std::string();
-}
-
-/// The only point at which an expression is 0, where that is easily seen: x², sinh(x), A x² + B x + C with
-/// 4AC >= B².
-std::optional<GiNaC::exmap> only_zero(const ex& e, const Symbols& symbols) {
-  if (GiNaC::is_a<GiNaC::symbol>(e)) return GiNaC::exmap{{e, 0}};
-  if (GiNaC::is_a<GiNaC::power>(e) || name_of(e) == "sinh") return only_zero(e.op(0), symbols);
-  if (GiNaC::is_a<GiNaC::mul>(e) && e.nops() == 2 && GiNaC::is_a<GiNaC::numeric>(e.op(1)))
-    return only_zero(e.op(0), symbols);
-  const auto quadratic = as_quadratic(e);
-  if (!quadratic || weak_sign(e, symbols) == 0) return std::nullopt;
-  auto zero = only_zero(quadratic->discriminant(), symbols);
-  if (zero) (*zero)[quadratic->x] = (-quadratic->b / (2 * quadratic->a)).subs(*zero);
-  return zero;
-}
-
-/// Whether `other` is 0 wherever this part is: it has it as a factor, or the only zero of the part is one of
-/// its own.
-bool vanishes_with(const ex& part, const ex& other, const Symbols& symbols) {
-  if (const auto parts = quotient(other, 1, symbols, Way::real_denominator))
-    for (const auto& [factor, exponent] : *parts)
-      if (exponent.is_positive() && is_multiple(part, factor)) return true;
-  const auto zero = only_zero(part, symbols);
-  return zero && other.normal().numer().subs(*zero).expand().is_zero();
-}
-
 /// Whether the relation holds where its residual has this value; a root is known to many digits only.
 bool holds(Claim claim, const cln::cl_R& value) {
   if (is_nearly_zero(value)) return claim != Claim::positive;
@@ -162,22 +105,41 @@ std::optional<Proof> differ_at_a_point(const Residuals& r, const Points& points,
   return std::nullopt;
 }
 
+/// A part of the factor that may be 0 where not both residuals are: left = … * part^n * … * right.
+std::optional<ex> doubtful_part(const Quotient& factor, const ex& left, const ex& right,
+                                const Symbols& symbols) {
+  for (const auto& [part, exponent] : factor.zeros)
+    if (!vanishes_with(part, exponent.is_positive() ? right : left, symbols)) return part;
+  return std::nullopt;
+}
+
+/// A divisor of one statement that is a factor of the other: its zeros solve that one, and the first has no
+/// value there.
+std::optional<ex> losing_divisor(const Quotient& factor, const ex& left, const ex& right,
+                                 const Symbols& symbols) {
+  for (const ex& divisor : factor.divisors)
+    if (is_factor(divisor, left, symbols) || is_factor(divisor, right, symbols)) return divisor;
+  return std::nullopt;
+}
+
 /// The factor between the two, if there is one that has the right sign, and is 0 nowhere but where both of
 /// them are; else why not.
 Proof prove_by_factor(const ex& left, const ex& right, const Residuals& r, const Symbols& symbols) {
+  const bool strict = r.left == Claim::positive && r.right == Claim::positive;
   std::string why = "the quotient of the two residuals is no product of recognisable factors";
   for (const Way way : {Way::real_denominator, Way::complex_numbers, Way::no_roots_above}) {
     try {
       const auto parts = quotient(left, right, symbols, way);
       if (!parts) continue;
-      const Factor factor = assess(*parts, r.divisors, symbols);
-      const auto doubtful = std::find_if(factor.zeros.begin(), factor.zeros.end(), [&](const Part& zero) {
-        return !vanishes_with(zero.first, zero.second.is_positive() ? right : left, symbols);
-      });
-      if (doubtful != factor.zeros.end())
-        why = "the factor " + print(doubtful->first, Notation::plain, symbols) + " may vanish";
-      else if (r.left != Claim::zero && factor.sign <= 0)
+      const Quotient factor = assess(*parts, r.divisors, symbols);
+      if (factor.value.is_zero()) continue;
+      if (r.left != Claim::zero && factor.sign <= 0)
         why = "the sign of the factor between the two is not known";
+      else if (const auto part = doubtful_part(factor, left, right, symbols))
+        why = "the factor " + print(*part, Notation::plain, symbols) + " may vanish";
+      else if (const auto divisor = strict ? std::nullopt : losing_divisor(factor, left, right, symbols))
+        why = "where " + print(*divisor, Notation::plain, symbols) +
+              " = 0, one of the two holds and the other has no value";
       else if (vanishes(left - factor.value * right, symbols))
         return proved(print(factor.value, Notation::plain, symbols),
                       factor.zeros.empty()
@@ -196,7 +158,7 @@ std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symb
     if (vanishes(residual, symbols)) return claim != Claim::positive;
     const auto parts = quotient(residual, 1, symbols, Way::real_denominator);
     if (!parts) return std::nullopt;
-    const Factor factor = assess(*parts, {}, symbols);
+    const Quotient factor = assess(*parts, {}, symbols);
     const bool never_zero = factor.zeros.empty();
     if (factor.sign == 0) return std::nullopt;
     if (claim == Claim::zero) return never_zero ? std::optional(false) : std::nullopt;
@@ -212,8 +174,11 @@ std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symb
 /// never 0.
 Proof prove_strictness(const Proof& proof, const Residuals& r, const Points& points, const Symbols& symbols) {
   if (sign_of(r.pair.left_value, symbols) != 0) return proof;
-  const auto root =
-      find_root(r.pair.left, points, 10, [&](const Point& p) { return is_admitted(r.pair, p, symbols); });
+  const auto both_zero = [&](const Point& p) {
+    const auto right = value_of(r.pair.right, p);
+    return right && is_nearly_zero(*right) && is_admitted(r.pair, p, symbols);
+  };
+  const auto root = find_root(r.pair.left, points, 10, both_zero);
   if (root)
     return refuted(make_witness(r.pair, *root),
                    "at the witness both sides are equal, which only one of the two allows");
@@ -225,7 +190,9 @@ Proof prove_by_some_factor(const Residuals& r, const Symbols& symbols) {
   if ((r.left == Claim::zero) != (r.right == Claim::zero))
     return undecided("an equation is not compared with an inequality");
   Proof proof = prove_by_factor(r.pair.left_value, r.pair.right_value, r, symbols);
-  if (proof.verdict != Verdict::proved &&
+  const bool unwrapped =
+      !r.inner_left.is_equal(r.pair.left_value) || !r.inner_right.is_equal(r.pair.right_value);
+  if (proof.verdict != Verdict::proved && unwrapped &&
       prove_by_factor(r.inner_left, r.inner_right, r, symbols).verdict == Verdict::proved)
     return proved(
         "",

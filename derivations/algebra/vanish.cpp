@@ -71,14 +71,25 @@ bool is_analytic(const ex& e, const Symbols& symbols) {
   return false;
 }
 
-/// Where something with asin u, acos u, atanh u is defined, u lies in [-1, 1]: for a symbol u that narrows
-/// its range.
+/// Where asin u, acos u or atanh u is defined, u lies in [-1, 1], where acosh u is, in [1, inf): for a symbol
+/// u that narrows its range.
 Symbols narrowed(const ex& e, Symbols symbols) {
   for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
     const std::string name = name_of(*part);
-    if ((name != "asin" && name != "acos" && name != "atanh") || !is_a<GiNaC::symbol>(part->op(0))) continue;
-    const Symbol* symbol = symbols.find(part->op(0));
-    if (symbol != nullptr && symbol->range == "(-inf, inf)") symbols.narrow(symbol->name, "(-1, 1)");
+    const bool arc = name == "asin" || name == "acos" || name == "atanh";
+    if ((!arc && name != "acosh") || !is_a<GiNaC::symbol>(part->op(0))) continue;
+    const ex& u = part->op(0);
+    const Symbol* symbol = symbols.find(u);
+    if (symbol == nullptr) continue;
+    const Range old = read_range(symbol->range);
+    const bool below = !is_nonnegative(u - (arc ? -1 : 1), symbols),
+               above = arc && !is_nonnegative(1 - u, symbols);
+    const std::string low = below ? (arc ? "(-1" : "(1") : (old.lower_closed ? "[" : "(") + old.lower;
+    const std::string high = above ? "1)" : old.upper + (old.upper_closed ? "]" : ")");
+    const Interval now = parse_range(low + ", " + high);
+    const bool empty =
+        now.low.infinite == 0 && now.high.infinite == 0 && compare(now.low.value, now.high.value) >= 0;
+    if ((below || above) && !empty) symbols.narrow(symbol->name, low + ", " + high);
   }
   return symbols;
 }
@@ -162,10 +173,11 @@ bool vanishes_by_its_exponential(const ex& sum, const Symbols& given, int depth)
     if (name == "log" && !is_positive_where_defined(part->op(0), given)) return false;
     areas = areas || name == "log" || name == "asinh" || name == "acosh" || name == "atanh";
   }
-  if (areas && !arcs) return vanishes(GiNaC::exp(sum) - 1, given, depth + 1);
-  if (!arcs || areas) return false;
+  if (areas == arcs) return false;
+  if (areas && vanishes(GiNaC::exp(sum) - 1, given, depth + 1)) return true;
   const Symbols symbols = narrowed(sum, given);
   if (!is_analytic(sum, symbols)) return false;
+  if (areas) return vanishes(GiNaC::exp(sum) - 1, symbols, depth + 1);
   const Points points = points_for(sum, symbols);
   const auto value = value_at(sum, points.at(0), symbols);
   if (!value || std::abs(*value) > 0.1) return false;
