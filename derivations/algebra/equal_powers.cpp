@@ -10,10 +10,6 @@ using Kind = Generator::Kind;
 
 namespace {
 
-bool is_abs(const ex& e) {
-  return GiNaC::is_a<GiNaC::function>(e) && GiNaC::ex_to<GiNaC::function>(e).get_name() == "abs";
-}
-
 bool is_real(const ex& polynomial, const Phases& phases) {
   for (const Generator& g : phases.generators())
     if ((g.kind == Kind::imaginary || g.kind == Kind::circular) && polynomial.has(g.symbol)) return false;
@@ -22,7 +18,7 @@ bool is_real(const ex& polynomial, const Phases& phases) {
 
 /// A root, or an absolute value: a generator that is never negative.
 bool is_root(const Generator& g) {
-  return g.degree > 1 && (g.kind == Kind::root || (g.kind == Kind::opaque && is_abs(g.meaning)));
+  return g.degree > 1 && (g.kind == Kind::root || (g.kind == Kind::opaque && name_of(g.meaning) == "abs"));
 }
 
 /// Whether all roots in it have a value all over the declared ranges.

@@ -105,10 +105,6 @@ Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors,
 
 namespace {
 
-std::string name_of(const ex& e) {
-  return GiNaC::is_a<GiNaC::function>(e) ? GiNaC::ex_to<GiNaC::function>(e).get_name() : std::string();
-}
-
 /// The only point at which an expression is 0, where that is easily seen: x², sinh(x), A x² + B x + C with
 /// 4AC >= B².
 std::optional<GiNaC::exmap> only_zero(const ex& e, const Symbols& symbols) {
