@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 namespace rederive::inline numeric {
 namespace {
@@ -40,24 +42,23 @@ Real earliest_return(Real y, Real u, Real m) {
 
 }  // namespace
 
-struct Mover::Integrator : RockingIntegrator {
-  using RockingIntegrator::RockingIntegrator;
-};
-
 Mover::Mover(const Block& block, Model model, double tolerance)
     : block_(block), model_(model), level_(start_level(block, model)),
       resolution_(std::numeric_limits<Real>::epsilon()), still_(acceleration(block, model, -1, 0, 0)),
-      per_ground_(1) {
+      per_ground_(1),
+      advance_([](const Arc& arc, const Point&, Real time) { return linear_point(arc, time); }) {
   if (model == Model::linear) return;
   // Nothing turns the block faster than a ground acceleration at the height above the pivot, theta = -alpha.
   per_ground_ = acceleration(block, model, -1, -1, -1);
   weight_ = -acceleration(block, model, 1, 1 - std::numbers::pi_v<Real> / (2 * block.alpha), 0);
   resolution_ = std::numeric_limits<double>::epsilon();  // GSL's states are in double
-  integrator_ = std::make_unique<Integrator>(block, tolerance);
+  advance_ = [integrator = std::make_shared<RockingIntegrator>(block, tolerance)](
+                 const Arc& arc, const Point& from, Real time) {
+    return integrator->integrate(arc.piece, arc.side, from, time);
+  };
 }
 
-Mover::~Mover() = default;
-Mover::Mover(Mover&&) noexcept = default;
+Mover::Mover(Advance advance) : Mover(Block{}, Model::linear) { advance_ = std::move(advance); }
 
 /// No acceleration towards upright exceeds this on the arc between two times.
 Real Mover::bound(const Arc& arc, Real from, Real to) const {
@@ -103,19 +104,14 @@ Point Mover::impact_between(const Arc& arc, const Point& above, const Point& bel
     Real next = at.time - at.angle / at.velocity;
     if (!(low < next && next < high)) next = std::midpoint(low, high);
     step = std::abs(next - at.time);
-    at = advance(arc, above, next);
+    at = advance_(arc, above, next);
     (arc.side * at.angle > 0 ? low : high) = next;
   }
   at.angle = 0;
   return at;
 }
 
-Point Mover::advance(const Arc& arc, const Point& from, Real time) {
-  return model_ == Model::linear ? linear_point(arc, time)
-                                 : integrator_->integrate(arc.piece, arc.side, from, time);
-}
-
-Point Mover::along(const Arc& arc, Real time) { return advance(arc, arc.start, time); }
+Point Mover::along(const Arc& arc, Real time) { return advance_(arc, arc.start, time); }
 
 Arc Mover::move(const Piece& piece, int side, const Point& start, Real until) {
   Arc arc{piece, side, start, start, ArcEnd::time};
@@ -130,7 +126,7 @@ Arc Mover::move(const Piece& piece, int side, const Point& start, Real until) {
       at.angle = 0;
       break;
     }
-    const Point there = advance(arc, at, next);
+    const Point there = advance_(arc, at, next);
     if (side * there.angle <= 0 && side * there.velocity < 0) {
       arc.kind = ArcEnd::impact;
       at = impact_between(arc, at, there);

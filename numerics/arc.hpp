@@ -3,7 +3,8 @@
 
 #include <numerics/ground_motion.hpp>
 
-#include <memory>
+#include <functional>
+#include <vector>
 
 namespace rederive::inline numeric {
 
@@ -23,8 +24,12 @@ struct Arc {
 class Mover {
  public:
   Mover(const Block& block, Model model, double tolerance = default_tolerance);
-  ~Mover();
-  Mover(Mover&&) noexcept;
+
+  /// The state at a time on the arc that went through a point before.
+  using Advance = std::function<Point(const Arc& arc, const Point& from, Real time)>;
+  /// A linear motion that the caller knows better than in Real.
+  explicit Mover(Advance advance);
+  Mover(Mover&&) noexcept = default;
 
   static constexpr double default_tolerance = 1e-12;
 
@@ -40,8 +45,6 @@ class Mover {
   Point along(const Arc& arc, Real time);
 
  private:
-  struct Integrator;
-  Point advance(const Arc& arc, const Point& from, Real time);
   Real certain_time(const Arc& arc, const Point& at, Real until) const;
   bool falls(const Arc& arc, const Point& at, Real to) const;
   Point impact_between(const Arc& arc, const Point& above, const Point& below);
@@ -55,7 +58,7 @@ class Mover {
   Real weight_ = 0;           ///< nonlinear: no acceleration by the weight exceeds this, at any angle
   std::vector<Push> pushes_;  ///< of the piece that starts at pushes_from_
   Real pushes_from_ = -1;
-  std::unique_ptr<Integrator> integrator_;
+  Advance advance_;
 };
 
 }  // namespace rederive::numeric

@@ -2,139 +2,31 @@
 
 #include <numerics/closed_form_residuals.hpp>
 #include <numerics/motion_check.hpp>
+#include <numerics/roots.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstdlib>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
 namespace {
 
 constexpr Real pi = std::numbers::pi_v<Real>;
-using Function = std::function<Real(Real)>;
 
-/// The root between two arguments where f has different signs, bisected to the last bit.
-Real bisected(const Function& f, Real low, Real high) {
-  const bool sign = f(low) < 0;
-  for (Real m = std::midpoint(low, high); low < m && m < high; m = std::midpoint(low, high))
-    ((f(m) < 0) == sign ? low : high) = m;
-  return high;
-}
+/// A pulse longer than this magnifies rounding so much that an impact's roots are sought with all digits.
+constexpr Real long_pulse = 25;
 
-/// Where |f| is least between two arguments, by golden sections.
-Real least_between(const Function& f, Real low, Real high) {
-  for (int i = 0; i < 80; ++i) {
-    const Real left = std::lerp(low, high, 0.382L), right = std::lerp(low, high, 0.618L);
-    (std::abs(f(left)) < std::abs(f(right)) ? high : low) =
-        std::abs(f(left)) < std::abs(f(right)) ? right : left;
-  }
-  return std::midpoint(low, high);
-}
+Real real(Real value) { return value; }
+Real real(const Digits& value) { return value.to_real(); }
 
-/// Roots by sign changes between `count` points, and by dips of |f| that pass through zero in between.
-std::vector<Real> roots_between(const Function& f, Real low, Real high, int count) {
-  std::vector<Real> roots, at, value;
-  for (int i = 0; i <= count; ++i) {
-    at.push_back(std::lerp(low, high, static_cast<Real>(i) / count));
-    value.push_back(f(at.back()));
-  }
-  const auto differ = [](Real a, Real b) { return (a < 0) != (b < 0); };
-  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-    if (differ(value[i], value[i + 1])) {
-      roots.push_back(bisected(f, at[i], at[i + 1]));
-      continue;
-    }
-    const bool dips = i > 0 && !differ(value[i - 1], value[i]) &&
-                      std::abs(value[i]) <= std::abs(value[i - 1]) &&
-                      std::abs(value[i]) < std::abs(value[i + 1]);
-    if (!dips) continue;
-    const Real least = least_between(f, at[i - 1], at[i + 1]);
-    if (!differ(f(least), value[i])) continue;
-    roots.push_back(bisected(f, at[i - 1], least));
-    roots.push_back(bisected(f, least, at[i + 1]));
-  }
-  return roots;
-}
-
-Inputs<Real> inputs_of(const PulseCase& asked) {
-  return {asked.omega_ratio, asked.block.restitution, asked.initial.angle + asked.initial.velocity};
-}
-
-ClosedForm root_at(const PulseCase& asked, Form form, Real psi, std::optional<Real> impact_time) {
-  const bool cosine = form == Form::eq103;
-  const Root root{form, 1 / (cosine ? std::cos(psi) : std::sin(psi)), psi, impact_time,
-                  ((cosine ? 1.5L : 2) * pi - psi) / asked.omega_ratio};
-  const std::string reason = why_not(asked, root);
-  const auto rounded = [](Real value) { return static_cast<double>(value); };
-  return {form,
-          rounded(root.amplitude),
-          rounded(psi),
-          impact_time ? std::optional(rounded(*impact_time)) : std::nullopt,
-          rounded(root.pulse_end),
-          reason.empty(),
-          reason};
-}
-
-void add_without_impact(const PulseCase& asked, Form form, std::vector<ClosedForm>& all) {
-  const auto residual = [&](Real psi) { return residual_of_psi(form, inputs_of(asked), psi).value; };
-  const Real shift = form == Form::eq103 ? pi / 2 : 0, margin = 1e-9L;
-  for (Real psi : roots_between(residual, margin - shift, pi - margin - shift, 2000))
-    all.push_back(root_at(asked, form, psi, {}));
-}
-
-/// (86) is linear in cos(psi), sin(psi): the phase in (0, pi) for which theta = 0 at tau_i.
-Real phase_of_impact(const Inputs<Real>& in, Real tau) {
-  const Real zero = 0;
-  const Real of_cos = residuals_with_impact(Form::eq86_88, in, zero, tau).value[0];
-  const Real of_sin = residuals_with_impact(Form::eq86_88, in, pi / 2, tau).value[0];
-  const Real psi = std::atan2(-of_cos, of_sin);
-  return psi > 0 ? psi : psi + pi;
-}
-
-void add_impact_during_pulse(const PulseCase& asked, std::vector<ClosedForm>& all) {
-  const Inputs<Real> in = inputs_of(asked);
-  const auto residual = [&](Real tau) {
-    return residuals_with_impact(Form::eq86_88, in, phase_of_impact(in, tau), tau).value[1];
-  };
-  const Real longest = 2 * pi / in.omega_ratio;
-  for (Real tau : roots_between(residual, 1e-4L * longest, 3 * longest, 6000)) {
-    const Real psi = phase_of_impact(in, tau);
-    if (std::abs(psi - phase_of_impact(in, tau * (1 - 1e-9L))) < 0.1L)  // else psi jumps between 0 and pi
-      all.push_back(root_at(asked, Form::eq86_88, psi, tau));
-  }
-}
-
-/// The free motion after the pulse reaches upright where (theta + alpha) cosh + thetadot sinh = alpha: with
-/// z = e^(tau_i - T_ex) a quadratic, whose root with impact velocity `speed` is (1 + speed)/(theta + alpha +
-/// thetadot).
-struct EndOfPulse {
-  Real time, height, velocity;  ///< (theta + alpha)/alpha and thetadot/(alpha p)
-};
-
-EndOfPulse end_of_pulse(Real w, Real psi) {
-  const Real one = 1, zero = 0, time = (2 * pi - psi) / w;
-  const auto at = emitted::linear_response_negative_with_derivatives(one, one, w, 1 / std::sin(psi), psi,
-                                                                     zero, zero, time);
-  return {time, at.value + 1, at.d_t};
-}
-
-void add_impact_after_pulse(const PulseCase& asked, std::vector<ClosedForm>& all) {
-  const Inputs<Real> in = inputs_of(asked);
-  const Real speed = 1 / in.restitution;
-  const auto residual = [&](Real psi) {
-    const EndOfPulse end = end_of_pulse(in.omega_ratio, psi);
-    return 1 + (end.velocity - end.height) * (end.velocity + end.height) - speed * speed;
-  };
-  for (Real psi : roots_between(residual, 1e-6L, pi - 1e-6L, 4000)) {
-    const EndOfPulse end = end_of_pulse(in.omega_ratio, psi);
-    const Real z = (1 + speed) / (end.height + end.velocity);
-    if (z > 0) all.push_back(root_at(asked, Form::eq92a_96, psi, end.time + std::log(z)));
-  }
+/// A number of which no digit that counts is left.
+bool is_nothing(const Digits& change, const Digits& beside) {
+  static const Digits smallest = Digits::parse(fmt::format("1e-{}", Digits::working_digits - 30));
+  return !(abs(change) > smallest * abs(beside));
 }
 
 struct Correction {
@@ -142,7 +34,7 @@ struct Correction {
 };
 
 Correction newton_step(Form form, const Inputs<Digits>& in, const Digits& psi, const Digits& tau) {
-  if (form != Form::eq86_88 && form != Form::eq92a_96) {
+  if (std::abs(code_of(form)) == 1) {
     const auto at = residual_of_psi(form, in, psi);
     return {at.value / at.d_psi, 0};
   }
@@ -152,58 +44,190 @@ Correction newton_step(Form form, const Inputs<Digits>& in, const Digits& psi, c
           (at.d_psi[0] * at.value[1] - at.value[0] * at.d_psi[1]) / determinant};
 }
 
-/// Newton's iteration from the root in double, at the digits of the type.
-void polish(Form form, const Inputs<Digits>& in, Digits& psi, Digits& tau, int digits) {
-  const Digits enough = Digits::parse(fmt::format("1e-{}", digits + 10)) * abs(psi);
-  for (int i = 0; i < 40; ++i) {
-    const Correction step = newton_step(form, in, psi, tau);
-    psi -= step.psi;
-    tau -= step.tau;
-    if (abs(step.psi) < enough) return;
+class Search {
+ public:
+  Search(Pulse pulse, const ExactCase& exact)
+      : pulse_(pulse),
+        exact_(exact), all_digits_{exact.omega_ratio, exact.restitution, exact.angle + exact.velocity},
+        rounded_{real(all_digits_.omega_ratio), real(all_digits_.restitution), real(all_digits_.push)},
+        longest_(2 * pi / rounded_.omega_ratio) {}
+
+  void without_impact(Form form) {
+    const auto residual = [&](Real psi) { return residual_of_psi(form, rounded_, psi).value; };
+    const Real shift = form == Form::eq103 ? pi / 2 : 0, margin = 1e-9L;
+    for (const Bracket& root : roots_between(residual, margin - shift, pi - margin - shift, 2000))
+      add(form, Digits(root.high), 0);
   }
-  throw std::runtime_error(
-      fmt::format("{} digits cannot be reached at omega_p/p = {}", digits, in.omega_ratio.text(6)));
-}
+
+  void impact_during_pulse() { longest_ < long_pulse ? impact_during(rounded_) : impact_during(all_digits_); }
+  void impact_after_pulse() { longest_ < long_pulse ? impact_after(rounded_) : impact_after(all_digits_); }
+
+  std::vector<ClosedForm> roots() && { return std::move(all_); }
+
+ private:
+  /// (86) is linear in cos(psi), sin(psi): the phase in (0, pi) for which theta = 0 at tau_i.
+  template <class T>
+  static T phase_of_impact(const Inputs<T>& in, const T& tau) {
+    using std::atan2;
+    const T zero = 0, quarter = emitted::pi<T>() / T(2);
+    const T psi = atan2(-emitted::impact_during_pulse(in.omega_ratio, zero, tau),
+                        emitted::impact_during_pulse(in.omega_ratio, quarter, tau));
+    return psi > T(0) ? psi : psi + emitted::pi<T>();
+  }
+
+  template <class T>
+  void impact_during(const Inputs<T>& in) {
+    const auto residual = [&](Real at) {
+      const T tau(at);
+      return real(emitted::overturning_impact_during_pulse(in.omega_ratio, phase_of_impact(in, tau), tau,
+                                                           in.restitution));
+    };
+    const auto phase = [&](Real tau) { return real(phase_of_impact(in, T(tau))); };
+    const Real last = std::min(3 * longest_, longest_ + 10);
+    for (const Bracket& root : roots_between(residual, 1e-4L * longest_, last, 6000))
+      if (std::abs(phase(root.high) - phase(root.high * (1 - 1e-9L))) <
+          0.1L)  // else psi jumps between 0 and pi
+        add(Form::eq86_88, phase_of_impact(all_digits_, Digits(root.high)), Digits(root.high));
+  }
+
+  /// When the pulse ends, and (theta + alpha)/alpha and thetadot/(alpha p) then.
+  template <class T>
+  struct EndOfPulse {
+    T time, height, velocity;
+  };
+
+  template <class T>
+  static EndOfPulse<T> end_of_pulse(const Inputs<T>& in, const T& psi) {
+    using std::sin;
+    const T one = 1, zero = 0, amplitude = one / sin(psi),
+            time = (T(2) * emitted::pi<T>() - psi) / in.omega_ratio;
+    const auto at = emitted::linear_response_negative_with_derivatives(one, one, in.omega_ratio, amplitude,
+                                                                       psi, zero, zero, time);
+    return {time, at.value + one, at.d_t};
+  }
+
+  /// Vanishes where the free motion after the pulse comes to upright with the velocity 1/e: the square of
+  /// that velocity, by the invariant of (62), less 1/e^2.
+  template <class T>
+  static T beyond_threshold(const Inputs<T>& in, const T& psi) {
+    const EndOfPulse<T> end = end_of_pulse(in, psi);
+    const T speed = T(1) / in.restitution;
+    return T(1) + (end.velocity - end.height) * (end.velocity + end.height) - speed * speed;
+  }
+
+  /// In that motion (theta + alpha) cosh + thetadot sinh = alpha at upright: with z = e^(tau_i - T_ex) a
+  /// quadratic, whose root with impact velocity `speed` is (1 + speed)/(theta + alpha + thetadot).
+  template <class T>
+  void impact_after(const Inputs<T>& in) {
+    const auto residual = [&](Real psi) { return real(beyond_threshold(in, T(psi))); };
+    for (const Bracket& root : roots_between(residual, 1e-6L, pi - 1e-6L, 4000)) {
+      const Digits psi = between(root);
+      const EndOfPulse<Digits> end = end_of_pulse(all_digits_, psi);
+      const Real z = real((Digits(1) + Digits(1) / all_digits_.restitution) / (end.height + end.velocity));
+      if (z > 0) add(Form::eq92a_96, psi, end.time + Digits(std::log(z)));
+    }
+  }
+
+  /// The root of beyond_threshold, which is all but straight there, by the secant.
+  Digits between(const Bracket& root) const {
+    Digits last(root.low), next(root.high), last_value = beyond_threshold(all_digits_, last);
+    for (int i = 0; i < 50 && !is_nothing(next - last, next); ++i) {
+      const Digits value = beyond_threshold(all_digits_, next), change = value - last_value;
+      if (change == 0) break;
+      const Digits step = value * (next - last) / change;
+      last = next, last_value = value;
+      next -= step;
+    }
+    return next;
+  }
+
+  /// Newton's iteration to all digits, and the root's place in the list.
+  void add(Form form, Digits psi, Digits tau) {
+    for (int i = 0;; ++i) {
+      const Correction step = newton_step(form, all_digits_, psi, tau);
+      psi -= step.psi;
+      tau -= step.tau;
+      if (is_nothing(step.psi, psi)) break;
+      if (i == 200)
+        throw std::runtime_error(
+            fmt::format("a root near psi = {} at omega_p/p = {} cannot be found to all digits",
+                        psi.to_double(), all_digits_.omega_ratio.text(6)));
+    }
+    const bool cosine = pulse_ == Pulse::cosine, with_impact = std::abs(code_of(form)) == 2;
+    const Digits whole = cosine ? Digits(3) * Digits::pi() / Digits(2) : Digits(2) * Digits::pi();
+    ExactRoot root{Digits(1) / (cosine ? cos(psi) : sin(psi)), psi, tau,
+                   (whole - psi) / all_digits_.omega_ratio};
+    const Motion motion = motion_at(form, pulse_, exact_, root);
+    const auto impact_time = with_impact ? std::optional(tau.to_double()) : std::nullopt;
+    all_.push_back({form, root.amplitude.to_double(), psi.to_double(), impact_time,
+                    root.pulse_end.to_double(), root, motion.real, motion.why_not.empty(), motion.why_not});
+  }
+
+  Pulse pulse_;
+  ExactCase exact_;
+  Inputs<Digits> all_digits_;
+  Inputs<Real> rounded_;
+  Real longest_;  ///< bound of T_ex
+  std::vector<ClosedForm> all_;
+};
 
 }  // namespace
 
+int code_of(Form form) {
+  switch (form) {
+    case Form::eq71:
+    case Form::eq104:
+      return -1;
+    case Form::eq78:
+    case Form::eq103:
+      return 1;
+    case Form::eq86_88:
+    case Form::eq92a_96:
+      return 2;
+  }
+  return 0;
+}
+
 std::vector<std::string> ClosedForm::equations() const {
   switch (form) {
-    case Form::eq71: return {"71"};
-    case Form::eq78: return {"78"};
-    case Form::eq86_88: return {"86", "88"};
-    case Form::eq92a_96: return {"92a", "96"};
-    case Form::eq103: return {"103"};
-    case Form::eq104: return {"104"};
+    case Form::eq71:
+      return {"71"};
+    case Form::eq78:
+      return {"78"};
+    case Form::eq86_88:
+      return {"86", "88"};
+    case Form::eq92a_96:
+      return {"92a", "96"};
+    case Form::eq103:
+      return {"103"};
+    case Form::eq104:
+      return {"104"};
   }
   return {};
 }
 
-std::vector<ClosedForm> closed_forms(const PulseCase& asked) {
-  PulseCase linear = asked;
-  linear.model = Model::linear;
-  std::vector<ClosedForm> all;
-  const bool from_rest = asked.initial.angle == 0 && asked.initial.velocity == 0;
-  if (asked.pulse == Pulse::cosine) {
-    add_without_impact(linear, Form::eq103, all);
-  } else if (from_rest) {
-    add_without_impact(linear, Form::eq71, all);
-    add_without_impact(linear, Form::eq78, all);
-    add_impact_during_pulse(linear, all);
-    add_impact_after_pulse(linear, all);
-  } else {
-    add_without_impact(linear, Form::eq104, all);
-  }
-  return all;
+ExactCase exact_case_of(const PulseCase& asked) {
+  return {Digits(asked.omega_ratio), Digits(asked.block.restitution), Digits(asked.initial.angle),
+          Digits(asked.initial.velocity)};
 }
 
-ExactRoot exact_root(const ClosedForm& root, const ExactCase& exact, int digits) {
-  Digits psi(root.psi), tau(root.impact_time.value_or(0));
-  const Inputs<Digits> in{exact.omega_ratio, exact.restitution, exact.push};
-  polish(root.form, in, psi, tau, digits);
-  const bool cosine = root.form == Form::eq103;
-  const Digits whole = cosine ? Digits(3) * Digits::pi() / Digits(2) : Digits(2) * Digits::pi();
-  return {Digits(1) / (cosine ? cos(psi) : sin(psi)), psi, tau, (whole - psi) / exact.omega_ratio};
+std::vector<ClosedForm> closed_forms(Pulse pulse, const ExactCase& exact) {
+  Search search(pulse, exact);
+  if (pulse == Pulse::cosine) {
+    search.without_impact(Form::eq103);
+  } else if (exact.angle == 0 && exact.velocity == 0) {
+    search.without_impact(Form::eq71);
+    search.without_impact(Form::eq78);
+    search.impact_during_pulse();
+    search.impact_after_pulse();
+  } else {
+    search.without_impact(Form::eq104);
+  }
+  return std::move(search).roots();
+}
+
+std::vector<ClosedForm> closed_forms(const PulseCase& asked) {
+  return closed_forms(asked.pulse, exact_case_of(asked));
 }
 
 }  // namespace rederive::numeric

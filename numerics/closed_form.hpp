@@ -14,33 +14,40 @@ namespace rederive::inline numeric {
 /// (103): cosine pulse to theta>0; (104): sine pulse to theta<0, both with initial conditions.
 enum class Form { eq71, eq78, eq86_88, eq92a_96, eq103, eq104 };
 
-/// One root of a closed form of the linear model. amplitude = 1/sin(psi), for (103) 1/cos(psi); times are p
-/// t.
+/// The outcome that begins or ends at a root: side*(impacts+1).
+int code_of(Form form);
+
+/// What the closed forms of the linear model depend on, with all its digits: omega_p/p, e, theta_0/alpha and
+/// thetadot_0/(alpha p).
+struct ExactCase {
+  Digits omega_ratio, restitution, angle, velocity;
+};
+ExactCase exact_case_of(const PulseCase& asked);
+
+/// amplitude = 1/sin(psi), for (103) 1/cos(psi); times are p t; impact_time is 0 for a form without impact.
+struct ExactRoot {
+  Digits amplitude, psi, impact_time, pulse_end;
+};
+
+/// One root of a closed form of the linear model, to the nearest double and with all digits.
 struct ClosedForm {
   Form form;
   double amplitude, psi;
   std::optional<double> impact_time;
   double pulse_end;
-  bool admissible;
+  ExactRoot exact;      ///< right to 60 digits and more
+  bool real;            ///< the block moves so
+  bool admissible;      ///< and overturns just above the amplitude and not below
   std::string why_not;  ///< empty if admissible
 
   std::vector<std::string> equations() const;
 };
 
 /// Every root of the forms that apply to the pulse and the initial conditions, psi in (0, pi), for (103) in
-/// (-pi/2, pi/2). Whether a root is admissible is found by following the linear motion at that amplitude.
+/// (-pi/2, pi/2), impact times up to three times the pulse but at most 10 beyond it; 0.01 <= omega_p/p.
+/// Whether a root is admissible is found by following the motion that it stands for. Throws
+/// std::runtime_error if a root cannot be found to all digits.
+std::vector<ClosedForm> closed_forms(Pulse pulse, const ExactCase& exact);
 std::vector<ClosedForm> closed_forms(const PulseCase& asked);
-
-/// The numbers that a closed form depends on, with all their digits.
-struct ExactCase {
-  Digits omega_ratio, restitution, push;  ///< push = (theta_0 + thetadot_0/p)/alpha
-};
-
-/// The root by Newton's iteration on the emitted residual and its emitted derivatives, until nothing changes
-/// within `digits` and ten more. Throws std::runtime_error if the working digits do not allow that.
-struct ExactRoot {
-  Digits amplitude, psi, impact_time, pulse_end;
-};
-ExactRoot exact_root(const ClosedForm& root, const ExactCase& exact, int digits);
 
 }  // namespace rederive::numeric

@@ -5,6 +5,7 @@
 #include <cln/integer_io.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <regex>
 #include <stdexcept>
 
@@ -35,6 +36,14 @@ Digits Digits::parse(std::string_view text) {
   const int exponent = (part[5].matched ? std::stoi(part[5]) : 0) - static_cast<int>(part[3].length());
   const cln::cl_RA value = cln::cl_RA(part[1] == "-" ? -mantissa : mantissa) * power_of_ten(exponent);
   return Digits(cln::cl_float(value, format()));
+}
+
+long double Digits::to_real() const {
+  const auto [mantissa, exponent, sign] = cln::decode_float(value_);
+  const double high = cln::double_approx(mantissa);
+  const double low = cln::double_approx(mantissa - cln::cl_float(cln::cl_F(high), format()));
+  const int power = cln::cl_I_to_int(cln::min(cln::max(exponent, -100'000), 100'000));
+  return std::ldexp((high + static_cast<long double>(low)) * (cln::minusp(value_) ? -1 : 1), power);
 }
 
 std::string Digits::text(int count) const {

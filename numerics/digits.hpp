@@ -16,13 +16,13 @@ namespace rederive::inline numeric {
 /// `working_digits` decimal digits, which is a property of the type.
 class Digits {
  public:
-  static constexpr int working_digits = 160;
+  static constexpr int working_digits = 340;  ///< a pulse of omega_p/p = 0.01 magnifies by e^628
 
   Digits() : Digits(0) {}
   template <std::integral N>
   Digits(N whole) : value_(cln::cl_float(cln::cl_I(static_cast<long>(whole)), format())) {}
   template <std::floating_point F>
-  explicit Digits(F value) : value_(cln::cl_float(cln::cl_F(static_cast<double>(value)), format())) {}
+  explicit Digits(F value) : Digits(sum(static_cast<double>(value), value - static_cast<double>(value))) {}
   explicit Digits(const cln::cl_F& value) : value_(value) {}
 
   /// Reads a decimal number exactly as it is written. Throws std::invalid_argument.
@@ -32,6 +32,8 @@ class Digits {
   /// The value rounded to `count` significant digits, as text.
   std::string text(int count) const;
   double to_double() const { return cln::double_approx(value_); }
+  /// To the nearest long double but one; infinite or zero where it has no such power of two.
+  long double to_real() const;
   const cln::cl_F& value() const { return value_; }
 
   Digits& operator+=(const Digits& b) {
@@ -73,6 +75,11 @@ class Digits {
 
  private:
   static cln::float_format_t format() { return cln::float_format(working_digits); }
+  template <std::floating_point F>
+  static cln::cl_F sum(double high, F low) {  // CLN knows no long double
+    return cln::cl_float(cln::cl_F(high), format()) +
+           cln::cl_float(cln::cl_F(static_cast<double>(low)), format());
+  }
   cln::cl_F value_;
 };
 

@@ -1,25 +1,34 @@
 #include <numerics/motion_check.hpp>
 
+#include <numerics/arc.hpp>
+#include <numerics/closed_form_residuals.hpp>
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
+#include <utility>
 
 namespace rederive::inline numeric {
 namespace {
 
-constexpr Real same_time = 1e-6L;  ///< relative: the closed form's impact and the simulated one are the same
+/// The side on which the motion begins.
+int first_side(Form form) { return code_of(form) == 1 ? 1 : -1; }
 
-bool has_impact(Form form) { return form == Form::eq86_88 || form == Form::eq92a_96; }
+bool has_impact(Form form) { return std::abs(code_of(form)) == 2; }
 
-int side_of(Form form) {
-  const bool to_positive = form == Form::eq78 || form == Form::eq103 || has_impact(form);
-  return to_positive ? 1 : -1;
-}
+/// A root, rounded.
+struct Rounded {
+  Form form;
+  Pulse pulse;
+  Real amplitude, psi, impact_time, pulse_end;
+};
 
 /// What the phase alone forbids.
-std::string wrong_start(const PulseCase& linear, const Root& root) {
-  if (linear.pulse == Pulse::cosine)
+std::string wrong_start(const Rounded& root) {
+  if (root.pulse == Pulse::cosine)
     return root.psi >= 0 ? "" : "psi < 0: the ground acceleration has its crest after the start, not before";
   if (root.psi <= std::numbers::pi / 2) return "";
   return root.form == Form::eq78
@@ -29,76 +38,112 @@ std::string wrong_start(const PulseCase& linear, const Root& root) {
              : "psi > pi/2: the ground acceleration falls from the start, a block at rest does not move then";
 }
 
-std::string wrong_side_of_pulse_end(const Root& root) {
-  if (root.form == Form::eq86_88 && *root.impact_time >= root.pulse_end)
-    return fmt::format("t_i > T_ex: impact at {:.6g}, after the pulse ends at {:.6g}", *root.impact_time,
+std::string wrong_side_of_pulse_end(const Rounded& root) {
+  if (root.form == Form::eq86_88 && root.impact_time >= root.pulse_end)
+    return fmt::format("t_i > T_ex: impact at {:.6g}, after the pulse ends at {:.6g}", root.impact_time,
                        root.pulse_end);
-  if (root.form == Form::eq92a_96 && *root.impact_time <= root.pulse_end)
-    return fmt::format("t_i < T_ex: impact at {:.6g}, before the pulse ends at {:.6g}", *root.impact_time,
+  if (root.form == Form::eq92a_96 && root.impact_time <= root.pulse_end)
+    return fmt::format("t_i < T_ex: impact at {:.6g}, before the pulse ends at {:.6g}", root.impact_time,
                        root.pulse_end);
   return "";
 }
 
-/// The times of the impacts until the end of the pulse, and of the first one after it.
-std::vector<Real> impact_times(const Response& response, Real pulse_end) {
-  std::vector<Real> times;
-  for (const Event& event : response.events) {
-    if (event.kind != EventKind::impact) continue;
-    times.push_back(event.time);
-    if (event.time > pulse_end) break;
+/// Where the first motion takes the block: -1, +1, or 0 if it stays at rest.
+int side_taken(Pulse pulse, const ExactCase& exact) {
+  const Real angle = exact.angle.to_real(), leads = angle != 0 ? angle : exact.velocity.to_real();
+  if (leads == 0) return pulse == Pulse::sine ? -1 : 0;
+  return leads < 0 ? -1 : 1;
+}
+
+/// The motion under amplitude sin(w t + phase) from `angle` and `velocity` at `start`.
+struct ExactMotion {
+  Digits w, amplitude, phase, start, angle, velocity;
+
+  /// theta/alpha and thetadot/(alpha p)
+  std::pair<Digits, Digits> at(int side, const Digits& time) const {
+    const Digits one = 1;
+    const auto both = [](const auto& state) { return std::pair(state.value, state.d_t); };
+    return side < 0 ? both(emitted::linear_response_negative_with_derivatives(one, one, w, amplitude, phase,
+                                                                              angle, velocity, time - start))
+                    : both(emitted::linear_response_positive_with_derivatives(one, one, w, amplitude, phase,
+                                                                              angle, velocity, time - start));
   }
-  return times;
+};
+
+Arc followed(const ExactMotion& motion, const Piece& piece, int side, Real until) {
+  const Point start{motion.start.to_real(), motion.angle.to_real(), motion.velocity.to_real()};
+  Mover mover([&](const Arc& arc, const Point&, Real time) {
+    const auto [angle, velocity] = motion.at(arc.side, Digits(time));
+    return Point{time, angle.to_real(), velocity.to_real()};
+  });
+  return mover.move(piece, side, start, until);
 }
 
-std::string other_motion(const Root& root, const Response& response) {
-  if (response.arcs.empty()) return "the block rests: no motion is possible";
-  if (response.events.front().kind == EventKind::start && response.arcs.front().start.time > 0 &&
-      root.form == Form::eq103)
-    return fmt::format(
-        "from rest the block stays at rest until {:.6g}: the ground acceleration falls at once",
-        static_cast<double>(response.arcs.front().start.time));
-  const int first_side = has_impact(root.form) ? -1 : side_of(root.form);
-  if (response.arcs.front().side != first_side)
-    return fmt::format("theta has the other sign: the motion starts with theta {} 0",
-                       first_side > 0 ? "<" : ">");
-  const auto times = impact_times(response, root.pulse_end);
-  if (!has_impact(root.form))
-    return times.empty() || times.front() > root.pulse_end
-               ? ""
-               : fmt::format("theta changes sign: impact at {:.6g}, before the pulse ends", times.front());
-  if (times.empty()) return "the block does not come to an impact";
-  if (std::abs(times.front() - *root.impact_time) > same_time * *root.impact_time)
-    return fmt::format("the first impact is at {:.6g}, not at {:.6g}", times.front(), *root.impact_time);
-  if (times.size() > 1 && times[1] < root.pulse_end)
-    return fmt::format("a second impact follows at {:.6g}, before the pulse ends", times[1]);
-  return "";
+std::string other_motion(const Rounded& rounded, const ExactCase& exact, const ExactRoot& root) {
+  const int side = side_taken(rounded.pulse, exact);
+  if (side == 0) return "from rest the block stays at rest: the ground acceleration falls at once";
+  if (side != first_side(rounded.form))
+    return fmt::format("theta has the other sign: the motion starts with theta {} 0", side < 0 ? "<" : ">");
+  const Piece piece =
+      pulse_motion(rounded.pulse, exact.omega_ratio.to_real(), std::max<Real>(1, rounded.amplitude), 1)
+          .front();
+  const Digits quarter = Digits::pi() / Digits(2);
+  ExactMotion motion{
+      exact.omega_ratio, root.amplitude, rounded.pulse == Pulse::sine ? root.psi : root.psi + quarter, 0,
+      exact.angle,       exact.velocity};
+  const bool during = rounded.form == Form::eq86_88;
+  const Arc first = followed(motion, piece, side, during ? rounded.impact_time * (1 - 1e-9L) : piece.to);
+  if (first.kind == ArcEnd::impact && has_impact(rounded.form))
+    return fmt::format("the first impact is at {:.6g}, not at {:.6g}", first.end.time, rounded.impact_time);
+  if (first.kind == ArcEnd::impact)
+    return fmt::format("theta changes sign: impact at {:.6g}, before the pulse ends", first.end.time);
+  if (!during) return "";
+  const Digits after = exact.restitution * motion.at(side, root.impact_time).second;
+  motion = {exact.omega_ratio,
+            root.amplitude,
+            motion.phase + exact.omega_ratio * root.impact_time,
+            root.impact_time,
+            0,
+            after};
+  const Arc second = followed(motion, piece, -side, piece.to);
+  if (second.kind != ArcEnd::impact) return "";
+  return fmt::format("a second impact follows at {:.6g}, before the pulse ends", second.end.time);
 }
 
-/// Whether amplitudes just above, and not those just below, overturn in the form's own way.
-std::string not_least(const PulseCase& linear, const Root& root) {
-  const int code = side_of(root.form) * (has_impact(root.form) ? 2 : 1);
-  const Real step = 1e-9L * root.amplitude;
-  const int above = outcome_at(linear, root.amplitude + step).code;
-  const int below = root.amplitude - step >= 1 ? outcome_at(linear, root.amplitude - step).code : 0;
-  if (above == code && below != code) return "";
-  if (below == code) return "not a minimum: it overturns below this amplitude and not above";
-  return fmt::format("not a minimum: just above it the outcome is {}",
-                     above == 0 ? "safe" : fmt::format("{:+}", above));
+/// Whether the block overturns where the residual is positive, or where it is negative.
+bool overturns_where_positive(Form form) {
+  return form == Form::eq71 || form == Form::eq104 || form == Form::eq92a_96;
+}
+
+/// How the residual changes with psi, the impact moving along.
+Digits change_with_psi(Form form, const ExactCase& exact, const ExactRoot& root) {
+  const Inputs<Digits> in{exact.omega_ratio, exact.restitution, exact.angle + exact.velocity};
+  if (!has_impact(form)) return residual_of_psi(form, in, root.psi).d_psi;
+  const auto at = residuals_with_impact(form, in, root.psi, root.impact_time);
+  return at.d_psi[1] - at.d_tau[1] * at.d_psi[0] / at.d_tau[0];
+}
+
+/// Amplitudes just above a root overturn, those just below do not; or the other way round.
+bool overturns_above(const Rounded& rounded, const ExactCase& exact, const ExactRoot& root) {
+  const bool psi_grows = rounded.pulse == Pulse::cosine;  // with the amplitude
+  const bool residual_grows = (change_with_psi(rounded.form, exact, root) > 0) == psi_grows;
+  return residual_grows == overturns_where_positive(rounded.form);
 }
 
 }  // namespace
 
-std::string why_not(const PulseCase& linear, const Root& root) {
-  if (!std::isfinite(root.amplitude) || root.amplitude < 1) return "no amplitude: 1/sin(psi) is not above 1";
-  if (std::string reason = wrong_start(linear, root); !reason.empty()) return reason;
-  if (std::string reason = wrong_side_of_pulse_end(root); !reason.empty()) return reason;
-  ResponseOptions options;
-  options.history = true;
-  options.until = root.pulse_end + 30;
-  const auto motion = pulse_motion(linear.pulse, linear.omega_ratio, root.amplitude, 1);
-  const Response response = respond(linear.block, Model::linear, motion, linear.initial, options);
-  if (std::string reason = other_motion(root, response); !reason.empty()) return reason;
-  return not_least(linear, root);
+Motion motion_at(Form form, Pulse pulse, const ExactCase& exact, const ExactRoot& root) {
+  const Rounded rounded{form,
+                        pulse,
+                        root.amplitude.to_real(),
+                        root.psi.to_real(),
+                        root.impact_time.to_real(),
+                        root.pulse_end.to_real()};
+  if (std::string reason = wrong_start(rounded); !reason.empty()) return {false, reason};
+  if (std::string reason = wrong_side_of_pulse_end(rounded); !reason.empty()) return {false, reason};
+  if (std::string reason = other_motion(rounded, exact, root); !reason.empty()) return {false, reason};
+  if (overturns_above(rounded, exact, root)) return {true, ""};
+  return {true, "not a minimum: it overturns below this amplitude and not above"};
 }
 
 }  // namespace rederive::numeric

@@ -5,16 +5,13 @@
 
 namespace rederive::inline numeric {
 
-/// A root before it is rounded: slow pulses magnify the rounding of the amplitude by e^T_ex.
-struct Root {
-  Form form;
-  Real amplitude, psi;
-  std::optional<Real> impact_time;
-  Real pulse_end;
+struct Motion {
+  bool real;            ///< the block moves as the closed form describes
+  std::string why_not;  ///< empty if so, and if it overturns just above the root's amplitude and not below
 };
 
-/// Follows the linear motion at the root's amplitude. Empty if it is the motion that the closed form
-/// describes and its amplitude is the least of a window; otherwise says what happens instead.
-std::string why_not(const PulseCase& linear, const Root& root);
+/// Follows the linear motion at the root, with all digits, since a slow pulse magnifies what is left out of
+/// the amplitude by e^T_ex.
+Motion motion_at(Form form, Pulse pulse, const ExactCase& exact, const ExactRoot& root);
 
 }  // namespace rederive::numeric

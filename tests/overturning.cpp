@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 #include <emitted/rocking_block.hpp>
-#include <numerics/closed_form.hpp>
 #include <numerics/special.hpp>
 #include <numerics/story.hpp>
 #include <numerics/windows.hpp>
@@ -25,12 +24,6 @@ PulseCase asked(double omega_ratio, Model model = Model::linear, double alpha = 
   return result;
 }
 
-const ClosedForm* root_of(const std::vector<ClosedForm>& roots, Form form, bool admissible = true) {
-  for (const ClosedForm& root : roots)
-    if (root.form == form && root.admissible == admissible) return &root;
-  return nullptr;
-}
-
 /// Bisection on the simulation: where overturning without impact begins.
 double mode_1_by_bisection(const PulseCase& of) {
   double safe = 1.01, over = 200;
@@ -42,28 +35,6 @@ double mode_1_by_bisection(const PulseCase& of) {
 
 }  // namespace
 
-TEST_CASE("the closed form (71) and bisection on the linear simulation meet") {
-  for (double ratio : {0.5, 1.0, 2.0, 4.0, 5.5, 9.0}) {
-    const auto roots = closed_forms(asked(ratio));
-    const ClosedForm* root = root_of(roots, Form::eq71);
-    REQUIRE(root != nullptr);
-    CHECK(std::abs(mode_1_by_bisection(asked(ratio)) / root->amplitude - 1) < 1e-12);
-  }
-}
-
-TEST_CASE("(86)&(88) corrected and (92a)&(96) are the edges of overturning after one impact") {
-  for (double ratio : {1.5, 3.0, 4.5, 5.5, 6.5}) {
-    const PulseCase of = asked(ratio);
-    const auto roots = closed_forms(of);
-    const ClosedForm* root = root_of(roots, ratio < 4.8 ? Form::eq86_88 : Form::eq92a_96);
-    REQUIRE(root != nullptr);
-    const auto windows = overturning_windows(of);
-    REQUIRE(windows.front().code == 2);
-    CHECK(std::abs(windows.front().from / root->amplitude - 1) < 1e-12);
-    CHECK((*root->impact_time < root->pulse_end) == (ratio < 4.8));
-  }
-}
-
 TEST_CASE("the paper's printed amplitudes without impact are nonlinear and in units of g tan(alpha)") {
   const double unit = std::tan(0.25) / 0.25;
   const double at_2 = mode_1_by_bisection(asked(2, Model::nonlinear)) / unit;
@@ -72,39 +43,6 @@ TEST_CASE("the paper's printed amplitudes without impact are nonlinear and in un
   const double at_4 = mode_1_by_bisection(asked(4, Model::nonlinear)) / unit;
   CHECK(at_4 > 5.3230);
   CHECK(at_4 < 5.32303);
-}
-
-TEST_CASE("a root is admissible only if the block moves so") {
-  const auto roots = closed_forms(asked(5.5));
-  CHECK(root_of(roots, Form::eq78) == nullptr);
-  REQUIRE(root_of(roots, Form::eq86_88, false) != nullptr);
-  CHECK(root_of(roots, Form::eq86_88, false)->why_not.starts_with("t_i > T_ex"));
-  PulseCase cosine = asked(3);
-  cosine.pulse = Pulse::cosine;
-  CHECK(root_of(closed_forms(cosine), Form::eq103, false)->why_not.starts_with("from rest"));
-  cosine.initial = {0.04L, 0.19L};
-  const auto pushed = closed_forms(cosine);
-  const ClosedForm* root = root_of(pushed, Form::eq103);
-  REQUIRE(root != nullptr);
-  CHECK(std::abs(overturning_windows(cosine).front().from / root->amplitude - 1) < 1e-12);
-  PulseCase sine = asked(3);
-  sine.initial = {-0.04L, -0.19L};
-  const auto negative = closed_forms(sine);
-  CHECK(root_of(negative, Form::eq104) != nullptr);
-}
-
-TEST_CASE("closed forms to sixty digits satisfy their equations and begin as the double does") {
-  for (const ClosedForm& root : closed_forms(asked(5.5))) {
-    const ExactRoot exact =
-        exact_root(root, {Digits::parse("5.5"), Digits(asked(5.5).block.restitution), 0}, 60);
-    CHECK(exact.amplitude.to_double() == doctest::Approx(root.amplitude).epsilon(1e-13));
-    if (root.form != Form::eq71) continue;
-    // (71) by its own words: cos(psi) - w sin(psi) = exp(-(2 pi - psi)/w)
-    const Digits w = Digits::parse("5.5");
-    const Digits rest =
-        cos(exact.psi) - w * sin(exact.psi) - exp(-(Digits(2) * Digits::pi() - exact.psi) / w);
-    CHECK(abs(rest) < Digits::parse("1e-60"));
-  }
 }
 
 TEST_CASE("windows after three, five and seven impacts are found, in both models") {
@@ -226,18 +164,6 @@ TEST_CASE("the hand-over has its impact at the end of the pulse, and mode 2 ends
     there.omega_ratio = end->omega_ratio * (1 + 1e-6);
     for (int i = -50; i <= 50; ++i) CHECK(outcome_at(there, end->amplitude * (1 + i * 1e-3)).code == 0);
   }
-}
-
-TEST_CASE("the linear hand-over solves (86) and (88) with t_i = T_ex") {
-  const auto change = handover(asked(1, Model::linear, 0.25, 0.9));
-  REQUIRE(change);
-  PulseCase there = asked(change->omega_ratio, Model::linear, 0.25, 0.9);
-  there.omega_ratio *= 1 - 1e-10;
-  const auto roots = closed_forms(there);
-  const ClosedForm* root = root_of(roots, Form::eq86_88);
-  REQUIRE(root != nullptr);
-  CHECK(*root->impact_time == doctest::Approx(root->pulse_end).epsilon(1e-8));
-  CHECK(root->amplitude == doctest::Approx(change->amplitude).epsilon(1e-8));
 }
 
 TEST_CASE("a story tells when the block passes theta = alpha for the last time") {

@@ -40,14 +40,23 @@ TEST_CASE("rocking threshold --json keeps its contract") {
   }
 }
 
-TEST_CASE("rocking threshold --digits gives that many figures") {
-  const auto document =
-      json_of({"threshold", "--omega", "3.1", "--alpha", "0.3", "--digits", "50", "--json"});
-  for (const auto& root : document["closed_forms"]) {
-    std::string amplitude = root["amplitude"];
-    std::erase(amplitude, '.');
-    CHECK(amplitude.size() == 50);
-  }
+TEST_CASE("rocking threshold --digits gives that many figures, and no more than are right") {
+  const auto figures = [](std::string number) {
+    std::erase(number, '.');
+    return number.size();
+  };
+  const std::vector<std::string> common{"threshold", "--omega", "0.5", "--digits", "50", "--json"};
+  const auto document = json_of(common);
+  for (const auto& root : document["closed_forms"]) CHECK(figures(root["amplitude"]) == 50);
+  const auto& windows = document["windows"];
+  CHECK(document["minimum"]["amplitude"] == windows[0]["from"]);
+  CHECK(figures(windows[0]["from"]) == 12);  // after nine impacts: no closed form
+  CHECK(windows.back()["code"] == -1);
+  CHECK(windows.back()["from"] == document["closed_forms"][0]["amplitude"]);
+  CHECK(windows.back()["to"].is_null());
+  auto nonlinear = common;
+  nonlinear.insert(nonlinear.end(), {"--model", "nonlinear"});
+  for (const auto& window : json_of(nonlinear)["windows"]) CHECK(figures(window["from"]) == 10);
 }
 
 TEST_CASE("rocking threshold --special knows where one impact hands over and ends") {

@@ -91,8 +91,8 @@ ExactCase exact_case_of(const CommonOptions& options) {
                          : Digits::parse(options.frequency_parameter);
   const Digits e =
       options.restitution == "auto" ? emitted::restitution(alpha) : Digits::parse(options.restitution);
-  const Digits push = (Digits::parse(options.theta0) + Digits::parse(options.thetadot0) / p) / alpha;
-  return {Digits::parse(options.omega), e, push};
+  return {Digits::parse(options.omega), e, Digits::parse(options.theta0) / alpha,
+          Digits::parse(options.thetadot0) / (alpha * p)};
 }
 
 std::string name_of(Model model) { return model == Model::linear ? "linear" : "nonlinear"; }

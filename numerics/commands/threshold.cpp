@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace rederive::inline numeric {
 namespace {
 
@@ -16,20 +19,15 @@ struct ThresholdOptions {
   bool special = false;
 };
 
-Json window_json(const Window& window) {
-  return {{"from", window.from}, {"to", or_null(window.to)}, {"code", window.code}};
+/// A number to `digits` digits as text, or as it is if none are asked for.
+Json number_json(double value, const Digits& exact, int digits) {
+  return digits == 0 ? Json(value) : Json(exact.text(digits));
 }
 
-Json closed_form_json(const ClosedForm& root, const std::optional<ExactCase>& exact, int digits) {
-  Json amplitude = root.amplitude, psi = root.psi;
-  if (exact) {
-    const ExactRoot all = exact_root(root, *exact, digits);
-    amplitude = all.amplitude.text(digits);
-    psi = all.psi.text(digits);
-  }
+Json closed_form_json(const ClosedForm& root, int digits) {
   return {{"equations", root.equations()},
-          {"amplitude", amplitude},
-          {"psi", psi},
+          {"amplitude", number_json(root.amplitude, root.exact.amplitude, digits)},
+          {"psi", number_json(root.psi, root.exact.psi, digits)},
           {"impact_time", or_null(root.impact_time)},
           {"pulse_end", root.pulse_end},
           {"admissible", root.admissible},
@@ -40,11 +38,38 @@ struct Answer {
   PulseCase asked;
   std::vector<Window> windows;
   std::vector<ClosedForm> roots;
-  std::optional<ExactCase> exact;
-  int digits = 0;
+  int digits = 0;  ///< 0: as many as a double has
 };
 
-std::string short_text(double value) { return fmt::format("{:.15g}", value); }
+/// Where the edge of a window is a root of a closed form, as many digits as are asked for; else those that
+/// are sure to be right.
+std::string edge_text(const Answer& answer, double edge, int code, bool lower) {
+  const bool linear = answer.asked.model == Model::linear;
+  if (answer.digits == 0) return fmt::format("{:.{}g}", edge, linear ? 15 : 12);
+  for (const ClosedForm& root : answer.roots)
+    if (linear && code_of(root.form) == code && root.real && root.admissible == lower &&
+        std::abs(root.amplitude / edge - 1) < 1e-12)
+      return root.exact.amplitude.text(answer.digits);
+  return Digits(edge).text(std::min(answer.digits, linear ? 12 : 10));
+}
+
+std::string from_text(const Answer& answer, const Window& window) {
+  return edge_text(answer, window.from, window.code, true);
+}
+
+std::string to_text(const Answer& answer, const Window& window) {
+  return window.to ? edge_text(answer, *window.to, window.code, false) : "the largest asked";
+}
+
+Json from_json(const Answer& answer, const Window& window) {
+  return answer.digits == 0 ? Json(window.from) : Json(from_text(answer, window));
+}
+
+Json window_json(const Answer& answer, const Window& window) {
+  Json to = or_null(window.to);
+  if (window.to && answer.digits != 0) to = to_text(answer, window);
+  return {{"from", from_json(answer, window)}, {"to", to}, {"code", window.code}};
+}
 
 std::string equation_names(const ClosedForm& root) {
   std::string names;
@@ -59,16 +84,15 @@ void print_answer(const Answer& answer) {
       name_of(asked.model), name_of(asked.pulse), asked.omega_ratio, asked.block.alpha,
       asked.block.restitution);
   if (answer.windows.empty()) fmt::print("No amplitude in the range overturns the block.\n");
+  const auto width = static_cast<std::size_t>(std::max(18, answer.digits + 2));
   for (const Window& window : answer.windows)
-    fmt::print("  {} to {} {:+d}  {}\n", padded(short_text(window.from), 18),
-               padded(window.to ? short_text(*window.to) : "the largest asked", 18), window.code,
-               words_for(window.code));
+    fmt::print("  {} to {} {:+d}  {}\n", padded(from_text(answer, window), width),
+               padded(to_text(answer, window), width), window.code, words_for(window.code));
   fmt::print("\nClosed forms of the linear model:\n");
   for (const ClosedForm& root : answer.roots) {
-    const std::string amplitude =
-        answer.exact ? exact_root(root, *answer.exact, answer.digits).amplitude.text(answer.digits)
-                     : short_text(root.amplitude);
-    fmt::print("  {} {} {}\n", padded(equation_names(root), 10), padded(amplitude, 18),
+    const std::string amplitude = answer.digits == 0 ? fmt::format("{:.15g}", root.amplitude)
+                                                     : root.exact.amplitude.text(answer.digits);
+    fmt::print("  {} {} {}\n", padded(equation_names(root), 10), padded(amplitude, width),
                root.admissible ? "admissible" : "not admissible: " + root.why_not);
   }
 }
@@ -85,10 +109,10 @@ void print_answer_as_json(const Answer& answer) {
                 {"windows", Json::array()},
                 {"closed_forms", Json::array()}};
   if (const auto least = least_window(answer.windows))
-    document["minimum"] = {{"amplitude", least->from}, {"code", least->code}};
-  for (const Window& window : answer.windows) document["windows"].push_back(window_json(window));
+    document["minimum"] = {{"amplitude", from_json(answer, *least)}, {"code", least->code}};
+  for (const Window& window : answer.windows) document["windows"].push_back(window_json(answer, window));
   for (const ClosedForm& root : answer.roots)
-    document["closed_forms"].push_back(closed_form_json(root, answer.exact, answer.digits));
+    document["closed_forms"].push_back(closed_form_json(root, answer.digits));
   print_json(document);
 }
 
@@ -134,12 +158,11 @@ int threshold(const ThresholdOptions& options) {
   answer.asked = case_of(options.common);
   WindowSearch search;
   search.largest = number_between("--max-amplitude", options.max_amplitude, 1e-9, 1e6);
-  if (!options.digits.empty()) {
+  if (!options.digits.empty())
     answer.digits = static_cast<int>(number_between("--digits", options.digits, 1, 60));
-    answer.exact = exact_case_of(options.common);
-  }
   answer.windows = overturning_windows(answer.asked, search);
-  answer.roots = closed_forms(answer.asked);
+  answer.roots = answer.digits == 0 ? closed_forms(answer.asked)
+                                    : closed_forms(answer.asked.pulse, exact_case_of(options.common));
   options.common.json ? print_answer_as_json(answer) : print_answer(answer);
   return as_expected;
 }
@@ -153,7 +176,10 @@ void add_threshold(CLI::App& app, Run& run) {
   add_common_options(*command, options->common, Frequency::required);
   command->add_option("--max-amplitude", options->max_amplitude, "largest amplitude, in alpha g [12]")
       ->type_name("NUMBER");
-  command->add_option("--digits", options->digits, "closed forms to N right digits, at most 60")
+  command
+      ->add_option("--digits", options->digits,
+                   "amplitudes and psi as text of N right digits, at most 60; edges that no "
+                   "closed form gives as many as are right")
       ->type_name("N");
   command->add_flag("--special", options->special,
                     "where impact during the pulse hands over to impact after it, and "
