@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/quotient.hpp>
+#include <derivations/algebra/vanish.hpp>
 
 namespace rederive {
 
@@ -36,7 +37,9 @@ ex with_real_denominator(const ex& quotient, const Phases& phases) {
     below = phases.reduce(below * turned, &scale_below);
     above *= scale_below, below *= scale_above;
   }
-  above = above.expand();
+  ex scale = 1;
+  above = phases.reduce(above, &scale);
+  below *= scale;
   return (above.coeff(i, 0) / below).normal() + i * (above.coeff(i, 1) / below).normal();
 }
 
@@ -81,6 +84,9 @@ int weak_sign(const ex& e, const Symbols& symbols) {
   return is_nonnegative(e, symbols) ? 1 : is_nonnegative(-e, symbols) ? -1 : 0;
 }
 
+/// Long ones would be divided at length, and to no avail.
+bool is_short(const ex& e) { return e.nops() <= 3; }
+
 bool is_multiple(const ex& part, const ex& other) {
   return !part.is_zero() && !other.is_zero() && GiNaC::is_a<GiNaC::numeric>((part / other).normal());
 }
@@ -92,9 +98,11 @@ Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors,
   for (const auto& [part, exponent] : parts) {
     result.value *= GiNaC::pow(part, exponent);
     if (!exponent.is_even()) result.sign *= weak_sign(part, symbols);
-    const bool divides = std::any_of(divisors.begin(), divisors.end(),
-                                     [&, &p = part](const ex& d) { return is_multiple(p, d); });
     if (sign_of(part, symbols) != 0) continue;  // its range says that it cannot vanish
+    const bool divides = std::any_of(divisors.begin(), divisors.end(), [&, &p = part](const ex& d) {
+      if (is_multiple(p, d)) return true;
+      return is_short(p) && is_short(d) && (vanishes_with(p, d, symbols) || is_factor(p, d, symbols));
+    });
     if (divides)
       result.divisors.push_back(part);
     else
@@ -122,8 +130,16 @@ std::optional<GiNaC::exmap> only_zero(const ex& e, const Symbols& symbols) {
 
 }  // namespace
 
+std::optional<std::vector<Part>> checked_quotient(const ex& left, const ex& right, const Symbols& symbols) {
+  const auto parts = quotient(left, right, symbols, Way::real_denominator);
+  ex product = right;
+  if (parts)
+    for (const auto& [part, exponent] : *parts) product *= GiNaC::pow(part, exponent);
+  return parts && vanishes(left - product, symbols) ? parts : std::nullopt;
+}
+
 bool vanishes_with(const ex& part, const ex& other, const Symbols& symbols) {
-  const auto parts = quotient(other, 1, symbols, Way::real_denominator);
+  const auto parts = checked_quotient(other, 1, symbols);
   const auto is_it = [&](const Part& f) { return f.second.is_positive() && is_multiple(part, f.first); };
   if (parts && std::any_of(parts->begin(), parts->end(), is_it)) return true;
   const auto zero = only_zero(part, symbols);
@@ -131,7 +147,7 @@ bool vanishes_with(const ex& part, const ex& other, const Symbols& symbols) {
 }
 
 bool is_factor(const ex& part, const ex& other, const Symbols& symbols) {
-  const auto rest = quotient(other, part, symbols, Way::real_denominator);
+  const auto rest = checked_quotient(other, part, symbols);
   return rest && std::none_of(rest->begin(), rest->end(), [&](const Part& f) {
            return f.second.is_negative() && sign_of(f.first, symbols) == 0;
          });

@@ -24,6 +24,10 @@ struct Quotient {
 Quotient assess(const std::vector<Part>& parts, const std::vector<GiNaC::ex>& divisors,
                 const Symbols& symbols);
 
+/// The first way, and left = right * the product of the parts is proved.
+std::optional<std::vector<Part>> checked_quotient(const GiNaC::ex& left, const GiNaC::ex& right,
+                                                  const Symbols& symbols);
+
 /// Whether `other` is 0 wherever this part is: it has it among its parts, or the only zero of the part is one
 /// of its own.
 bool vanishes_with(const GiNaC::ex& part, const GiNaC::ex& other, const Symbols& symbols);

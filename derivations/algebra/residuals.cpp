@@ -156,7 +156,7 @@ Proof prove_by_factor(const ex& left, const ex& right, const Residuals& r, const
 std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symbols) {
   try {
     if (vanishes(residual, symbols)) return claim != Claim::positive;
-    const auto parts = quotient(residual, 1, symbols, Way::real_denominator);
+    const auto parts = checked_quotient(residual, 1, symbols);
     if (!parts) return std::nullopt;
     const Quotient factor = assess(*parts, {}, symbols);
     const bool never_zero = factor.zeros.empty();
