@@ -84,7 +84,8 @@ Tree difference(const Tree& a, const Tree& b) {
 Proof prove_identity(const Pair& pair, const Symbols& symbols) {
   const Points points = points_for(pair, symbols);
   const auto look = [&](int count) {
-    return sample(pair, points, symbols, [&](const Sample& s) { return s.differs || s.both >= count; });
+    const auto enough = [&](const Sample& s) { return s.differs || s.both >= count; };
+    return sample(pair, points, symbols, enough, Points::many);
   };
   const Sample seen = look(2);
   if (seen.differs) return refuted(make_witness(pair, *seen.differs), "the two sides differ at the witness");
@@ -97,7 +98,7 @@ Proof prove_identity(const Pair& pair, const Symbols& symbols) {
   } catch (const Undecidable& error) {
     why = error.what() + advice(pair.left_value - pair.right_value, symbols);
   }
-  if (const Sample more = look(Points::count); more.differs)
+  if (const Sample more = look(Points::many); more.differs)
     return refuted(make_witness(pair, *more.differs), "the two sides differ at the witness");
   return undecided(why);
 }

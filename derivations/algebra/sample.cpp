@@ -56,9 +56,9 @@ Witness make_witness(const Pair& pair, const Point& point) {
 }
 
 Sample sample(const Pair& pair, const Points& points, const Symbols& symbols,
-              const std::function<bool(const Sample&)>& enough) {
+              const std::function<bool(const Sample&)>& enough, int most) {
   Sample seen;
-  for (int k = 0; k < Points::count && !enough(seen); ++k) {
+  for (int k = 0; k < most && !enough(seen); ++k) {
     const Point point = points.at(k);
     const auto a = value_of(pair.left, point);
     const auto b = a ? value_of(pair.right, point) : std::nullopt;

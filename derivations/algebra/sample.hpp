@@ -28,13 +28,13 @@ bool is_nearly_zero(const cln::cl_R& value);
 /// Both sides at a point, to 30 digits.
 Witness make_witness(const Pair& pair, const Point& point);
 
-/// A walk over Points that stops as soon as `enough` says so, or after 60 points.
+/// A walk over Points that stops as soon as `enough` says so, or after `most` points.
 struct Sample {
   int both = 0;                  ///< points where both sides have a value
   std::optional<Point> differs;  ///< the first where they differ
   std::optional<Point> opposed;  ///< the first where their signs are opposite
 };
 Sample sample(const Pair& pair, const Points& points, const Symbols& symbols,
-              const std::function<bool(const Sample&)>& enough);
+              const std::function<bool(const Sample&)>& enough, int most = Points::count);
 
 }  // namespace rederive

@@ -102,7 +102,10 @@ double Points::ordinary(const Range& range, unsigned index, unsigned place) cons
   if (std::isfinite(range.low) && std::isfinite(range.high))
     return range.low + (range.high - range.low) * (0.1 + 0.8 * part);
   double size = small_numbers[(index * 3 + place * 7) % small_numbers.size()] * (1 + 0.3 * (part - 0.5));
-  if (index >= 8) size *= std::exp((index < 24 ? 6 : 16) * (mixed(place, index + 77) - 0.5));
+  if (index >= count)
+    size = 2 * part;
+  else if (index >= 8)
+    size *= std::exp((index < 24 ? 6 : 16) * (mixed(place, index + 77) - 0.5));
   if (std::isfinite(range.low)) return range.low + size;
   if (std::isfinite(range.high)) return range.high - size;
   return mixed(place + 5, index + 11) < 0.5 ? size : -size;
@@ -126,7 +129,8 @@ Point Points::at(int index) const {
   unsigned place = 0;
   for (const auto& [name, range] : ranges_) {
     const auto k = static_cast<unsigned>(index);
-    const double value = index < 28 ? ordinary(range, k, place) : special(range, k - 28, place);
+    const bool is_special = index >= 28 && index < count;
+    const double value = is_special ? special(range, k - 28, place) : ordinary(range, k, place);
     // coarse numbers are easier on the hand; finer ones where an end of the range, or 0, is near
     double room = std::min(value - range.low, range.high - value);
     if (!std::isfinite(room)) room = std::fabs(value);

@@ -20,6 +20,8 @@ void collect_numbers(const Tree& tree, std::set<double>& numbers);
 class Points {
  public:
   static constexpr int count = 60;
+  static constexpr int many =
+      400;  ///< for what is defined in a corner only: the rest are small, and no longer special
 
   Points(const std::set<std::string>& names, const Symbols& symbols, const std::set<double>& numbers = {});
   Point at(int index) const;
