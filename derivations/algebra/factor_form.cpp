@@ -197,9 +197,11 @@ struct Product {
           q.second = 0;
         } else if (is(p, "sin") && is(q, "cos") && p.first.op(0).is_equal(q.first.op(0)) &&
                    p.second == q.second) {
-          parts.push_back({2, -p.second});
-          parts.push_back({GiNaC::sin(2 * p.first.op(0)), p.second});
-          parts[a].second = parts[b].second = 0;
+          const ex doubled = GiNaC::sin(2 * p.first.op(0));
+          const numeric exponent = p.second;
+          p.second = q.second = 0;
+          parts.push_back({2, -exponent});  // from here on p and q may be gone
+          parts.push_back({doubled, exponent});
           return merge();
         }
       }
