@@ -94,16 +94,17 @@ bool Mover::falls(const Arc& arc, const Point& at, Real to) const {
   return (weight + per_ground_ * push) * (to - at.time) <= -arc.side * at.velocity / 2;
 }
 
-/// The impact on a step that falls across upright: as Newton's error goes with the square of its last step,
-/// that need not be shorter than the root of the resolution.
+/// The impact on a step that falls across upright. Newton's error goes with the square of its last step: one no longer
+/// than the root of the resolution is the last. A step that leaves the bracket halves it instead.
 Point Mover::impact_between(const Arc& arc, const Point& above, const Point& below) {
   const Real enough = std::sqrt(resolution_) * (below.time - above.time);
   Real low = above.time, high = below.time;
   Point at = below;
-  for (Real step = high - low; step > enough;) {
-    Real next = at.time - at.angle / at.velocity;
-    if (!(low < next && next < high)) next = std::midpoint(low, high);
-    step = std::abs(next - at.time);
+  for (bool last = false; !last;) {
+    const Real newton = std::clamp(at.time - at.angle / at.velocity, above.time, below.time);
+    last = !(std::abs(newton - at.time) > enough);
+    const Real next = last || (low < newton && newton < high) ? newton : std::midpoint(low, high);
+    if (!last && (next == low || next == high)) break;  // neighbours: nothing is between them
     at = advance_(arc, above, next);
     (arc.side * at.angle > 0 ? low : high) = next;
   }
