@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
 
@@ -211,7 +212,15 @@ ExactCase exact_case_of(const PulseCase& asked) {
           Digits(asked.initial.velocity)};
 }
 
-std::vector<ClosedForm> closed_forms(Pulse pulse, const ExactCase& exact) {
+namespace {
+
+/// CLN counts the references to its numbers, and keeps constants between calls, without regard to threads.
+std::mutex& one_at_a_time() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+std::vector<ClosedForm> all_roots(Pulse pulse, const ExactCase& exact) {
   Search search(pulse, exact);
   if (pulse == Pulse::cosine) {
     search.without_impact(Form::eq103);
@@ -226,8 +235,16 @@ std::vector<ClosedForm> closed_forms(Pulse pulse, const ExactCase& exact) {
   return std::move(search).roots();
 }
 
+}  // namespace
+
+std::vector<ClosedForm> closed_forms(Pulse pulse, const ExactCase& exact) {
+  const std::lock_guard lock(one_at_a_time());
+  return all_roots(pulse, exact);
+}
+
 std::vector<ClosedForm> closed_forms(const PulseCase& asked) {
-  return closed_forms(asked.pulse, exact_case_of(asked));
+  const std::lock_guard lock(one_at_a_time());
+  return all_roots(asked.pulse, exact_case_of(asked));
 }
 
 }  // namespace rederive::numeric

@@ -46,7 +46,8 @@ struct ClosedForm {
 /// Every root of the forms that apply to the pulse and the initial conditions, psi in (0, pi), for (103) in
 /// (-pi/2, pi/2), impact times up to three times the pulse but at most 10 beyond it; 0.01 <= omega_p/p.
 /// Whether a root is admissible is found by following the motion that it stands for. Throws
-/// std::runtime_error if a root cannot be found to all digits.
+/// std::runtime_error if a root cannot be found to all digits. May be called from several threads; it works for
+/// one at a time.
 std::vector<ClosedForm> closed_forms(Pulse pulse, const ExactCase& exact);
 std::vector<ClosedForm> closed_forms(const PulseCase& asked);
 

@@ -1,6 +1,7 @@
 #include <numerics/closed_form.hpp>
 
 #include <doctest/doctest.h>
+#include <numerics/parallel.hpp>
 #include <numerics/special.hpp>
 #include <numerics/windows.hpp>
 
@@ -139,4 +140,18 @@ TEST_CASE("slow pulses, whose motion no floating-point number follows, are judge
   }
   const auto windows = overturning_windows(asked(0.05));
   CHECK(windows.back().from == root_of(closed_forms(asked(0.05)), Form::eq71)->amplitude);
+}
+
+TEST_CASE("closed forms asked for by several threads are those that one finds") {
+  constexpr int count = 24;
+  const auto amplitudes = [&](int threads) {
+    std::vector<std::vector<std::string>> all(count);
+    for_each_index({.count = count, .threads = threads}, [&](int i) {
+      for (const ClosedForm& root : closed_forms(asked(0.5 + 0.25 * i)))
+        all[static_cast<std::size_t>(i)].push_back(root.equations()[0] + (root.admissible ? "+" : "-") +
+                                                   std::to_string(root.amplitude));
+    });
+    return all;
+  };
+  CHECK(amplitudes(4) == amplitudes(1));
 }
