@@ -1,12 +1,11 @@
-#include <numerics/commands/options.hpp>
-
-#include <emitted/rocking_block.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <emitted/rocking_block.hpp>
 #include <map>
+#include <numerics/commands/options.hpp>
 
 namespace rederive::inline numeric {
 
@@ -27,12 +26,14 @@ void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequen
   height->needs(width);
   text("--restitution", options.restitution, "0 < e <= 1, or auto = 1 - 3/2 sin^2(alpha) [auto]")
       ->type_name("E|auto");
-  app.add_option("--model", options.model, "linear or nonlinear [linear]")
-      ->transform(CLI::CheckedTransformer(models))
-      ->type_name("NAME");
-  app.add_option("--pulse", options.pulse, "sine or cosine [sine]")
-      ->transform(CLI::CheckedTransformer(pulses))
-      ->type_name("NAME");
+  const auto choice = [&](const char* name, auto& option, const auto& choices, const char* what) {
+    app.add_option_function<std::string>(
+           name, [&option, &choices](const std::string& chosen) { option = choices.at(chosen); }, what)
+        ->check(CLI::IsMember(choices))
+        ->type_name("NAME");
+  };
+  choice("--model", options.model, models, "the equations of motion [linear]");
+  choice("--pulse", options.pulse, pulses, "the pulse of the ground acceleration [sine]");
   text("--theta0", options.theta0, "theta at t = 0, rad [0]");
   text("--thetadot0", options.thetadot0, "thetadot at t = 0, rad/s [0]");
   app.add_flag("--json", options.json, "one JSON document on standard output");
@@ -138,4 +139,4 @@ double station(const Span& span, int index) {
   return std::lerp(span.from, span.to, static_cast<double>(index) / (span.count - 1));
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric
