@@ -244,8 +244,7 @@ struct Prepare : GiNaC::map_function {
     }
     if (name == "atan") return arctangent(x, whole);
     if (name == "asinh" && is_call(x, "sinh")) return x.op(0);
-    if (name == "acosh" && is_call(x, "cosh"))
-      return is_nonnegative(x.op(0), symbols) ? x.op(0) : GiNaC::abs(x.op(0));
+    if (name == "acosh" && is_call(x, "cosh")) return absolute(x.op(0));
     if (name == "atanh") {
       for (const ex& angle : angles_in(x, "sinh"))
         if ((x * GiNaC::cosh(angle) - GiNaC::sinh(angle)).normal().is_zero()) return angle;

@@ -3,6 +3,7 @@
 
 #include <derivations/algebra/symbols.hpp>
 #include <string>
+#include <vector>
 
 namespace rederive {
 
@@ -13,9 +14,16 @@ struct Sides {
   GiNaC::ex right;
 };
 
+/// What was taken off: function(left) and function(right) were the sides. An even one leaves the squares of
+/// what it is taken off, for it grows with them; acos turns an inequality round.
+struct Layer {
+  std::string function;  ///< "exp"; "^3" or "^1/2" for a power
+  GiNaC::ex left, right;
+};
+
 /// A relation that holds at the same points as the given one, as far as that one is defined: exp(x) < exp(y)
 /// becomes x < y, x^3 = y^3 becomes x = y, |x| < 1 becomes x² < 1, asin(u) = v becomes u = sin(v) if v is an
-/// angle that asin can give.
-Sides unwrapped(Sides sides, const Symbols& symbols);
+/// angle that asin can give. The layers that were taken off are appended, the outermost first.
+Sides unwrapped(Sides sides, const Symbols& symbols, std::vector<Layer>* layers = nullptr);
 
 }  // namespace rederive

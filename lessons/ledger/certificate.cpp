@@ -1,8 +1,7 @@
-#include <algorithm>
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/witness.hpp>
 #include <lessons/ledger/certificate.hpp>
-#include <lessons/ledger/certificate_steps.hpp>
+#include <lessons/ledger/certificate_links.hpp>
 
 namespace rederive {
 
@@ -12,30 +11,6 @@ using GiNaC::is_a;
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-/// What a text divides by, in the order in which it is met.
-void collect_divisors(const Tree& tree, const CertifiedStatement& q, std::vector<Tree>& divisors) {
-  for (const Tree& child : tree->children) collect_divisors(child, q, divisors);
-  if (tree->kind == Node::Kind::product)
-    for (std::size_t k = 0; k < tree->children.size(); ++k)
-      if (tree->inverse[k]) divisors.push_back(tree->children[k]);
-  if (tree->kind == Node::Kind::power && !q.is_root(tree) && q.rational(tree->children[1])->is_negative())
-    divisors.push_back(tree->children[0]);
-  if (tree->kind != Node::Kind::call) return;
-  for (const auto& [divisor, names] : {std::pair{"cos", std::array{"tan", "sec"}},
-                                       {"sin", {"cot", "csc"}},
-                                       {"sinh", {"coth", "csch"}},
-                                       {"cosh", {"tanh", "sech"}}})
-    if (tree->text == names[0] || tree->text == names[1])
-      divisors.push_back(call(divisor, tree->children[0]));
-}
-
-ex residual(const Relation& relation, std::size_t k, const Symbols& symbols) {
-  if (relation.operators.empty()) return lower(relation.sides[0], symbols);
-  const std::string& op = relation.operators[k];
-  const ex a = lower(relation.sides[op == "=" ? 0 : k], symbols), b = lower(relation.sides[k + 1], symbols);
-  return op[0] == '<' ? b - a : a - b;
-}
 
 /// The givens that the statement needs: those whose names it has, and what they have in turn.
 std::vector<Given> needed(const Relation& left, const Relation& right, const std::vector<Given>& given,
@@ -55,28 +30,6 @@ std::vector<Given> needed(const Relation& left, const Relation& right, const std
   return result;
 }
 
-struct Link {
-  ex left, right;  ///< residuals
-  Tree factor;
-};
-
-/// Every link's factor, or nothing where one is not proved.
-std::optional<std::vector<Link>> prove_links(const CertifiedStatement& q) {
-  std::vector<Link> links;
-  for (std::size_t k = 0; k < std::max<std::size_t>(1, q.left.operators.size()); ++k) {
-    const Relation& left = q.left;
-    const Relation link = left.operators.empty()
-                              ? left
-                              : Relation{{left.sides[left.operators[k] == "=" ? 0 : k], left.sides[k + 1]},
-                                         {left.operators[k]}};
-    const Proof proof = prove(link, q.right, q.symbols, q.given);
-    if (proof.verdict != Verdict::proved || proof.factor.empty()) return std::nullopt;
-    links.push_back(
-        {residual(left, k, q.symbols), residual(q.right, 0, q.symbols), parse(proof.factor, q.symbols)});
-  }
-  return links;
-}
-
 /// The same with exact rational numbers for decimals.
 Tree exact(const Tree& tree, const Symbols& symbols) {
   if (tree->kind == Node::Kind::number && tree->text.find_first_of(".e") != std::string::npos)
@@ -92,15 +45,6 @@ Json statement_json(const Relation& relation, const CertifiedStatement& q) {
   for (std::size_t k = 0; k < relation.operators.size(); ++k)
     list.push_back(relation.operators[k]), list.push_back(q.text(relation.sides[k + 1]));
   return list;
-}
-
-/// What z^n + 1 has besides the minimal polynomial of z = e^{iπ/n}.
-ex cofactor_of_turns(const Phases& phases) {
-  for (const Generator& g : phases.generators())
-    if (g.kind == Generator::Kind::circular && g.meaning.is_equal(GiNaC::Pi))
-      return GiNaC::quo(GiNaC::pow(g.symbol, g.divisor) + 1, GiNaC::pow(g.symbol, g.degree) - g.value,
-                        g.symbol);
-  return 1;
 }
 
 /// The ranges of all names that are free in a text.
@@ -138,10 +82,11 @@ struct Written {
 };
 
 /// Throws Undecidable.
-void write_links(const CertifiedStatement& q, const std::vector<Link>& links, Written& written);
+void write_links(const CertifiedStatement& q, const std::vector<CertifiedLink>& links, Written& written);
 
 /// With one function of a vanishing sum replaced by the others.
-void write_with_lemma(const ex& sum, CertifiedStatement q, const std::vector<Link>& links, Written& written) {
+void write_with_lemma(const ex& sum, CertifiedStatement q, const std::vector<CertifiedLink>& links,
+                      Written& written) {
   if (q.equal.size() > 3) throw Undecidable("too many sums of inverse functions");
   for (const auto& [function, value] : solutions(sum)) {
     try {
@@ -154,79 +99,129 @@ void write_with_lemma(const ex& sum, CertifiedStatement q, const std::vector<Lin
   throw Undecidable("a sum that vanishes, and no function in it that the others give");
 }
 
-void write_links(const CertifiedStatement& q, const std::vector<Link>& links, Written& written) {
+/// left - factor·right, which vanishes.
+ex difference(const CertifiedLink& link, const CertifiedStatement& q) {
+  ex factor = 1;
+  for (const auto& [part, n] : link.factor) factor *= GiNaC::pow(lower(part, q.symbols), n);
+  return link.left - put_in(factor, q.given) * link.right;
+}
+
+Json layers_json(const std::vector<Layer>& layers, const CertifiedStatement& q) {
+  Json list = Json::array();
+  for (const Layer& layer : layers)
+    list.push_back({{"function", layer.function},
+                    {"left", print(layer.left, Notation::plain, q.symbols)},
+                    {"right", print(layer.right, Notation::plain, q.symbols)}});
+  return list;
+}
+
+Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Phases& phases, Steps& steps) {
+  Json json = Json::object();
+  if (!link.left_layers.empty()) json["left layers"] = layers_json(link.left_layers, q);
+  if (!link.right_layers.empty()) json["right layers"] = layers_json(link.right_layers, q);
+  if (link.holds) {
+    json["holds"] = *link.holds, json["left"] = q.text(link.left_form),
+    json["right"] = q.text(link.right_form);
+    return json;
+  }
+  const ex l = steps.out(phases(q.value(link.left))), r = steps.out(phases(q.value(link.right)));
+  const ex d = steps.out(phases(q.value(difference(link, q))));
+  const auto c = cofactor(phases.reduce(d.numer()), phases, q.symbols);
+  if (!c) throw Undecidable("no polynomial identity was found that says it");
+  for (const ex& part : {l, r, *c}) steps.generators(part);
+  json["left"] = fraction_text(l), json["right"] = fraction_text(r);
+  json["factor"] = Json::object();
+  for (const auto& [part, n] : link.factor) {
+    Json& exponent = json["factor"][q.text(part)];
+    exponent = n + (exponent.is_null() ? 0 : exponent.get<int>());
+  }
+  for (const auto& [part, more] : link.more) json["more"][q.text(part)] = q.text(more);
+  json["cofactor"] = polynomial_text(steps.out_cofactor(*c));
+  return json;
+}
+
+void write_links(const CertifiedStatement& q, const std::vector<CertifiedLink>& links, Written& written) {
   std::vector<ex> expressions = expressions_in(q, written.trees);
-  for (const Link& link : links)
-    expressions.insert(expressions.end(), {q.value(link.left), q.value(link.right)});
+  for (const CertifiedLink& link : links)
+    for (const ex& e : {link.left, link.right, difference(link, q)}) expressions.push_back(q.value(e));
   const Phases phases(expressions, q.symbols);
   Steps steps(q, phases);
   for (const Tree& tree : written.trees) steps.tree(tree);
   Json list = Json::array();
-  for (const Link& link : links) {
-    const ex l = phases(q.value(link.left)).normal(), r = phases(q.value(link.right)).normal(),
-             f = phases(q.value(link.factor)).normal();
-    const ex remains = (l.numer() * r.denom() * f.denom() - r.numer() * f.numer() * l.denom()).expand();
-    const auto c = cofactor(phases.reduce(remains), phases, q.symbols);
-    if (!c) {
-      const auto sum =
-          vanishing_sum(q.value(link.left) - q.value(link.factor) * q.value(link.right), q.symbols);
-      if (!sum) throw Undecidable("no polynomial identity was found that says it");
+  for (const CertifiedLink& link : links) {
+    try {
+      list.push_back(link_json(link, q, phases, steps));
+    } catch (const Undecidable&) {
+      const auto sum = vanishing_sum(q.value(difference(link, q)), q.symbols);
+      if (!sum) throw;
       return write_with_lemma(*sum, q, links, written);
     }
-    for (const ex& part : {l, r, *c}) steps.generators(part);
-    list.push_back({{"left", fraction_text(l)},
-                    {"right", fraction_text(r)},
-                    {"factor", q.text(link.factor)},
-                    {"remains", polynomial_text(remains)},
-                    {"over", polynomial_text(l.denom() * r.denom() * f.denom())},
-                    {"cofactor", polynomial_text(*c * cofactor_of_turns(phases))}});
   }
   written.links = list, written.steps = steps.take();
 }
 
-/// One piece of the domain: its ranges, and all that is put down there.
-Json piece_json(const CertifiedStatement& q, const std::vector<Link>& links, const std::vector<Tree>& trees) {
+/// One piece of the domain: all that is put down there.
+Json piece_json(const CertifiedStatement& q, const std::vector<CertifiedLink>& links,
+                const std::vector<Tree>& trees) {
   Written written{trees, {}, {}};
   write_links(q, links, written);
-  return {{"ranges", ranges_json(trees, q)}, {"steps", written.steps}, {"links", written.links}};
+  return {{"steps", written.steps}, {"links", written.links}};
 }
 
 /// The whole domain in one piece, or cut where an absolute value turns.
-Json pieces_json(const CertifiedStatement& q, const std::vector<Link>& links,
-                 const std::vector<Tree>& trees) {
+void add_pieces(Json& json, const CertifiedStatement& q, const std::vector<CertifiedLink>& links,
+                const std::vector<Tree>& trees) {
+  json["cut"] = json["pieces"] = Json::array();
   try {
-    return Json::array({piece_json(q, links, trees)});
+    json["pieces"].push_back(piece_json(q, links, trees));
   } catch (const Undecidable&) {
-    Json pieces = Json::array();
-    const ex difference = lower(links[0].factor, q.symbols) * links[0].right;
-    for (const Symbols& piece : analytic_pieces(put_in(links[0].left - difference, q.given), q.symbols))
-      pieces.push_back(piece_json({q.left, q.right, piece, q.given, {}}, links, trees));
+    const auto pieces = analytic_pieces(difference(links[0], q), q.symbols);
     if (pieces.empty()) throw;
-    return pieces;
+    for (const auto& [name, range] : json["ranges"].items())
+      if (pieces.front().find(name)->range != pieces.back().find(name)->range) json["cut"].push_back(name);
+    for (const Symbols& piece : pieces)
+      json["pieces"].push_back(piece_json({q.left, q.right, piece, q.given, {}}, links, trees));
   }
 }
 
-Json write(const CertifiedStatement& q, const std::vector<Link>& links) {
-  std::vector<Tree> trees, divisors;
+/// The functions around the sides of a relation are functions, too.
+void add_trees(const Layer& layer, const CertifiedStatement& q, std::vector<Tree>& trees) {
+  for (const ex& inner : {layer.left, layer.right}) {
+    const std::string text = "(" + print(inner, Notation::plain, q.symbols) + ")";
+    const bool is_power = layer.function[0] == '^';
+    trees.push_back(
+        parse(is_power ? text + "^(" + layer.function.substr(1) + ")" : layer.function + text, q.symbols));
+  }
+}
+
+Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links) {
+  std::vector<Tree> trees;
   for (const Given& g : q.given) trees.push_back(to_tree(g.value, q.symbols));
   for (const Relation* relation : {&q.left, &q.right})
     trees.insert(trees.end(), relation->sides.begin(), relation->sides.end());
-  for (const Tree& tree : trees) collect_divisors(tree, q, divisors);
-  trees.insert(trees.end(), divisors.begin(), divisors.end());
-  for (const Link& link : links) trees.push_back(link.factor);
   Json given = Json::object(), texts = Json::array();
   for (const Given& g : q.given)
     given[ex_to<GiNaC::symbol>(g.name).get_name()] = print(g.value, Notation::plain, q.symbols);
-  for (const Tree& divisor : divisors)
-    if (const std::string text = q.text(divisor); std::find(texts.begin(), texts.end(), text) == texts.end())
-      texts.push_back(text);
-  return {{"format", "rederive certificate 2"},
-          {"left", statement_json(q.left, q)},
-          {"right", statement_json(q.right, q)},
-          {"given", given},
-          {"divisors", texts},
-          {"ranges", ranges_json(trees, q)},
-          {"pieces", pieces_json(q, links, trees)}};
+  for (const CertifiedDivisor& divisor : divisors_of(q)) {
+    trees.push_back(divisor.tree);
+    texts.push_back(q.text(divisor.tree));
+  }
+  for (const CertifiedLink& link : links) {
+    for (const auto& [part, n] : link.factor) trees.push_back(part);
+    for (const auto& [part, more] : link.more) trees.push_back(more);
+    for (const Tree& form : {link.left_form, link.right_form})
+      if (form) trees.push_back(form);
+    for (const auto& layers : {link.left_layers, link.right_layers})
+      for (const Layer& layer : layers) add_trees(layer, q, trees);
+  }
+  Json json{{"format", "rederive certificate 3"},
+            {"left", statement_json(q.left, q)},
+            {"right", statement_json(q.right, q)},
+            {"given", given},
+            {"divisors", texts},
+            {"ranges", ranges_json(trees, q)}};
+  add_pieces(json, q, links, trees);
+  return json;
 }
 
 }  // namespace
@@ -236,11 +231,10 @@ std::optional<Json> certificate(const Relation& left, const Relation& right, con
   Relation exact_left = left, exact_right = right;
   for (Relation* relation : {&exact_left, &exact_right})
     for (Tree& side : relation->sides) side = exact(side, symbols);
-  CertifiedStatement question{exact_left, exact_right, symbols, needed(left, right, given, symbols), {}};
-  const auto links = prove_links(question);
-  if (!links) return std::nullopt;
+  const CertifiedStatement question{
+      exact_left, exact_right, symbols, needed(left, right, given, symbols), {}};
   try {
-    return write(question, *links);
+    return write(question, links_of(question));
   } catch (const Undecidable&) {
     return std::nullopt;
   }

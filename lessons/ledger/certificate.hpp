@@ -8,23 +8,20 @@
 namespace rederive {
 
 /// The certificate of a statement that has been proved:
-///   left, right       the statement: sides and the operators between them
-///   given             what names in it stand for
-///   divisors          everything that it divides by: must not vanish
-///   ranges            where the other names live
-///   pieces            of that domain, one mostly: cut at x = 0 where |x| stands, without the edges; for each
-///   its
-///     ranges
-///     steps           what every function is in generators: powers of e, roots and function values with
-///     names of their
-///                     own, "$z3" (certificate_steps.hpp)
-///     links           for the statement, or for each link of a chain: left and right, the residuals as
-///     quotients of
-///                     polynomials in generators; factor; remains/over, that is left - factor·right; and a
-///                     cofactor, not 0 itself, with remains·cofactor = 0 modulo the relations of the
-///                     generators
-/// All polynomials are text in our own syntax. Nothing where the statement is not proved, or where no such
-/// identity is found.
+///   left, right   the statement: sides and the operators between them
+///   given         what names in it stand for
+///   divisors      everything that it divides by, but for numbers: must not vanish
+///   ranges        where the other names live
+///   cut           the names x whose range is cut at x = 0, mostly none: |x| stands there
+///   pieces        of the domain, in the order x < 0, x > 0 (the last name turns first), each with
+///     steps       what every function is in generators: powers of e, roots and function values with names of
+///                 their own, "$z3" (certificate_steps.hpp)
+///     links       for the statement, or for each link of a chain: see certificate_links.hpp
+/// In a link, left and right are the two expressions, or the residuals, as quotients of polynomials in
+/// generators; left·cofactor = factor·right·cofactor modulo the relations of the generators, and the cofactor
+/// is not 0 itself. Of two relations that both hold everywhere, or both nowhere, left and right are the
+/// residuals in a form that shows their signs. All is text in our own syntax. Nothing where the statement is
+/// not proved, or where nothing like this is found.
 std::optional<nlohmann::ordered_json> certificate(const Relation& left, const Relation& right,
                                                   const Symbols& symbols, const std::vector<Given>& given);
 

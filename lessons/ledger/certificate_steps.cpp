@@ -48,9 +48,20 @@ std::string polynomial_text(const ex& polynomial) {
 }
 
 std::string fraction_text(const ex& rational) {
-  const ex parts = rational.normal().numer_denom();
-  const std::string above = polynomial_text(parts.op(0)), below = polynomial_text(parts.op(1));
-  return below == "1" ? above : "(" + above + ")/(" + below + ")";
+  const ex parts = rational.normal().numer_denom(), product = GiNaC::factor(parts.op(1));
+  std::string text = polynomial_text(parts.op(0));
+  if (!parts.op(1).is_equal(1)) text = "(" + text + ")";
+  const ex factors = is_a<GiNaC::mul>(product) ? product : ex(GiNaC::lst{product});
+  std::vector<std::string> divisors;
+  for (const ex& f : factors) {
+    const bool is_power = is_a<GiNaC::power>(f);
+    if (f.is_equal(1)) continue;
+    divisors.push_back("/(" + polynomial_text(is_power ? f.op(0) : f) + ")");
+    if (is_power) divisors.back() += "^" + polynomial_text(f.op(1));
+  }
+  std::sort(divisors.begin(), divisors.end());
+  for (const std::string& divisor : divisors) text += divisor;
+  return text;
 }
 
 Tree call(const std::string& name, const Tree& argument) {
@@ -86,6 +97,17 @@ ex of_unit(const std::string& function, const ex& unit, const ex& i) {
 std::string exponent_text(const std::string& argument, bool circular) {
   return (circular ? "$i*(" : "(") + argument + ")";
 }
+
+/// The exponent of a power of e that is a generator.
+std::string exponent_text(const Generator& g, const Symbols& symbols) {
+  const std::string whole =
+      exponent_text(print(g.meaning, Notation::plain, symbols), g.kind == Kind::circular);
+  return g.divisor == 1 ? whole : whole + "/" + std::to_string(g.divisor);
+}
+
+bool is_exponential(const Generator& g) { return g.kind == Kind::circular || g.kind == Kind::real; }
+
+std::string turn_text(const numeric& q) { return "$i*pi*(" + polynomial_text(q) + ")"; }
 
 /// The logarithm that a power with a symbolic exponent stands for.
 Tree logarithm(const Tree& power) { return call("log", power->children[0]); }
@@ -155,23 +177,50 @@ std::vector<ex> expressions_in(const CertifiedStatement& statement, const std::v
   return Needs(statement, trees).expressions();
 }
 
+Steps::Steps(const CertifiedStatement& statement, const Phases& phases) : q_(statement), phases_(phases) {
+  for (const Generator& g : phases.generators())
+    if (g.kind == Kind::real && name_of(g.meaning) == "log")
+      logarithms_[g.symbol] = phases(GiNaC::pow(g.meaning.op(0), numeric(1, g.divisor)));
+}
+
+ex Steps::with_roots(const ex& rational) const {
+  return rational.subs(logarithms_, GiNaC::subs_options::no_pattern);
+}
+ex Steps::out(const ex& rational) const {
+  const ex parts = with_roots(rational).normal().numer_denom();
+  ex above = 1, below = 1;
+  const ex numerator = phases_.reduce(parts.op(0), &above), denominator = phases_.reduce(parts.op(1), &below);
+  return (numerator * below / (denominator * above)).normal();
+}
+
+/// With what z^n + 1 has besides the minimal polynomial of z = e^{iπ/n}.
+ex Steps::out_cofactor(const ex& cofactor) const {
+  ex turns = 1;
+  for (const Generator& g : phases_.generators())
+    if (g.kind == Kind::circular && g.meaning.is_equal(GiNaC::Pi))
+      turns =
+          GiNaC::quo(GiNaC::pow(g.symbol, g.divisor) + 1, GiNaC::pow(g.symbol, g.degree) - g.value, g.symbol);
+  return with_roots(cofactor) * turns;
+}
+
 void Steps::tree(const Tree& tree) {
   for (const Tree& child : tree->children) this->tree(child);
   if (tree->kind == Node::Kind::symbol) return given(tree->text);
   if (tree->kind != Node::Kind::call && !q_.is_root(tree)) return;
   if (!done_.insert(q_.text(tree)).second) return;
   if (is_circular(tree->text) || is_real(tree->text)) {
-    const bool is_even = tree->text == "cos" || tree->text == "cosh", circular = is_circular(tree->text);
     const ex argument = q_.value(tree->children[0]);
+    const bool is_even = tree->text == "cos" || tree->text == "cosh", circular = is_circular(tree->text);
     if (is_even && name_of(argument) == "abs")  // cos|u| = cos u
       unit(to_tree(argument.op(0), q_.symbols), argument.op(0), circular);
     else
       unit(tree->children[0], argument, circular);
-  } else if (tree->kind == Node::Kind::call || q_.rational(tree->children[1]))
+  } else if (tree->kind == Node::Kind::call || q_.rational(tree->children[1])) {
     value(tree);
-  else
-    this->tree(logarithm(tree)),
-        unit(to_tree(exponent_of(tree, q_), q_.symbols), exponent_of(tree, q_), false);
+  } else {
+    this->tree(logarithm(tree));
+    unit(to_tree(exponent_of(tree, q_), q_.symbols), exponent_of(tree, q_), false);
+  }
 }
 void Steps::generators(const ex& rational) {
   for (const Generator& g : phases_.generators())
@@ -188,66 +237,71 @@ void Steps::given(const std::string& name) {
 void Steps::generator(const Generator& g) {
   const std::string name = g.symbol.get_name();
   if (g.kind == Kind::imaginary || g.kind == Kind::pi || !done_.insert(name).second) return;
-  const ex of = g.kind == Kind::opaque ? g.meaning.op(0) : g.meaning;
+  if (is_exponential(g)) return exponential(g);
+  if (g.kind == Kind::opaque && name_of(g.meaning) != "abs") return inverse_function(g);
+  const ex of = g.kind == Kind::root ? g.meaning : g.meaning.op(0);
   tree(to_tree(of, q_.symbols));
-  Json step{{"generator", name}, {"function", "exp"}, {"of", {text(of)}}};
   if (g.kind == Kind::root)
-    step["function"] = "^", step["of"].push_back("1/" + std::to_string(g.divisor));
-  else if (g.kind == Kind::opaque)
-    step["function"] = name_of(g.meaning) == "abs" ? "fabs" : name_of(g.meaning);
-  else
-    step["of"][0] = exponent_text(text(of), g.kind == Kind::circular) + "/" + std::to_string(g.divisor);
-  if (g.degree > 0 && step["function"] == "exp") return relation(g, step);
+    steps_.push_back({{"function", "^1/" + std::to_string(g.divisor)}, {"of", text(of)}, {"name", name}});
+  else  // |u| is the root of u^2
+    steps_.push_back({{"function", "^1/2"}, {"of", "(" + text(of) + ")^2"}, {"name", name}});
+}
+void Steps::inverse_function(const Generator& g) {
+  const ex of = g.meaning.op(0);
+  tree(to_tree(of, q_.symbols));
+  Json step{{"function", name_of(g.meaning)}, {"of", text(of)}, {"name", g.symbol.get_name()}};
+  for (const Generator& power : phases_.generators())
+    if (is_exponential(power) && power.degree > 0 && power.meaning.is_equal(g.meaning)) {
+      const bool is_log = name_of(g.meaning) == "log";
+      if (!is_log) generators(power.value);
+      step["unit"] = is_log ? text(of) : fraction_text(with_roots(power.value));
+    }
   steps_.push_back(step);
 }
-/// The power of e that stands in the relation comes first: with it the new name may be replaced.
-void Steps::relation(const Generator& g, const Json& step) {
-  const std::string name = g.symbol.get_name();
-  const auto relate = [&](const std::string& to, int degree) {
-    steps_.push_back({{"relation", to}, {"degree", std::to_string(degree)}});
-  };
-  if (g.meaning.is_equal(GiNaC::Pi)) {  // z^n = -1, and i is one of its powers
-    power_of_e("$i*pi", -1, Json::object(), 1);
-    steps_.push_back(step);
-    relate(name, g.divisor);
-    power_of_e("$i*pi/2", GiNaC::pow(g.symbol, g.divisor / 2), {{name, g.divisor / 2}}, 0);
-    relate("$i", 1);
-    return;
+/// A free one, a root of unity, or one of an inverse function, which comes from the unit of that one.
+void Steps::exponential(const Generator& g) {
+  tree(to_tree(g.meaning, q_.symbols));
+  Json step{{"function", "exp"}, {"of", exponent_text(g, q_.symbols)}, {"name", g.symbol.get_name()}};
+  if (g.degree > 0) {
+    const bool is_turn = g.meaning.is_equal(GiNaC::Pi);
+    Generator whole = g;
+    whole.divisor = 1;
+    step["power"] = is_turn ? g.divisor / 2 : g.divisor;
+    step["from"] = {{is_turn ? "$i*pi/2" : exponent_text(whole, q_.symbols), 1}};
   }
-  const bool is_log = name_of(g.meaning) == "log";  // e^{log(u)/n} is u^{1/n}
-  const int over = is_log ? g.divisor : 1;
-  const ex value = is_log ? phases_(GiNaC::pow(g.meaning.op(0), numeric(1, over))) : g.value;
-  generators(value);
-  const std::string exponent = exponent_text(text(g.meaning), g.kind == Kind::circular);
-  steps_.push_back({{"function", "exp"},
-                    {"of", {exponent + "/" + std::to_string(over)}},
-                    {"is", fraction_text(value)},
-                    {"inverse", name_of(g.meaning)},
-                    {"at", text(g.meaning.op(0))},
-                    {"over", over}});
+  if (const auto root = logarithms_.find(g.symbol); root != logarithms_.end()) {
+    generators(root->second);
+    step.erase("name"), step["is"] = fraction_text(root->second);
+  }
   steps_.push_back(step);
-  relate(name, g.divisor / over);
 }
-void Steps::power_of_e(const std::string& exponent, const ex& is, const Json& generators,
-                       const numeric& turn) {
+/// e^{iqπ}, of which a power is a power of i.
+void Steps::turn(const numeric& q) {
+  if (q.is_zero() || !done_.insert(turn_text(q)).second) return;
+  generators(phases_.turn(q));
   steps_.push_back({{"function", "exp"},
-                    {"of", {exponent}},
-                    {"is", fraction_text(is)},
-                    {"generators", generators},
-                    {"turn", polynomial_text(turn)}});
+                    {"of", turn_text(q)},
+                    {"is", fraction_text(phases_.turn(q))},
+                    {"power", (2 * q).denom().to_int()},
+                    {"from", {{"$i*pi/2", (2 * q).numer().to_int()}}}});
 }
 /// e^argument, or e^{i argument}, as a product of generators and a root of unity.
 void Steps::unit(const Tree& written, const ex& argument, bool circular) {
   const std::string of = exponent_text(q_.text(written), circular);
   if (!done_.insert(of).second) return;
   const auto [exponents, q] = phases_.combination(argument, circular);
-  Json powers = Json::object();
+  Json from = Json::object();
   ex product = phases_.turn(q);
+  turn(q);
+  if (!q.is_zero()) from[turn_text(q)] = 1;
   for (const Generator& g : phases_.generators())
     for (const auto& [symbol, n] : exponents)
-      if (g.symbol.is_equal(symbol)) powers[symbol.get_name()] = n.to_int(), product *= GiNaC::pow(symbol, n);
-  generators(product);
-  power_of_e(of, product, powers, q);
+      if (g.symbol.is_equal(symbol)) {
+        generator(g);
+        from[exponent_text(g, q_.symbols)] = n.to_int(), product *= GiNaC::pow(symbol, n);
+      }
+  steps_.push_back(
+      {{"function", "exp"}, {"of", of}, {"is", fraction_text(with_roots(product))}, {"from", from}});
 }
 /// is^q - base^p for a root, an absolute value or another power; f(is) - u for the inverse function of f.
 ex Steps::difference(const Tree& tree, const ex& value, const ex& is) {
@@ -268,23 +322,23 @@ ex Steps::difference(const Tree& tree, const ex& value, const ex& is) {
 /// A root or an inverse function in the generators.
 void Steps::value(const Tree& tree) {
   const ex value = q_.value(tree), is = phases_(value).normal();
-  generators(is);
+  generators(out(is));
   for (const Generator& g : phases_.generators())
     if (g.kind == Kind::opaque && is.is_equal(g.symbol) && name_of(g.meaning) == tree->text) return;
-  ex difference = this->difference(tree, value, is);
-  for (const Generator& g : phases_.generators())  // that of a logarithm was given as a root
-    if (g.kind == Kind::real && name_of(g.meaning) == "log" && difference.has(g.symbol))
-      difference = difference.subs(g.symbol == phases_(GiNaC::pow(g.meaning.op(0), numeric(1, g.divisor))));
+  const ex difference = out(this->difference(tree, value, is));
   const auto c = cofactor(phases_.reduce(difference.normal().numer()), phases_, q_.symbols);
   if (!c) throw Undecidable("no polynomial identity gives the value of " + q_.text(tree));
-  generators(*c);
-  Json of = Json::array();
-  for (const Tree& child : tree->children) of.push_back(q_.text(child));
-  if (tree->text == "sqrt") of.push_back("1/2");
-  steps_.push_back({{"function", of.size() > 1 ? "^" : tree->text},
-                    {"of", of},
-                    {"is", fraction_text(is)},
-                    {"cofactor", polynomial_text(*c)}});
+  generators(out(*c));
+  std::string function = tree->text, of = q_.text(tree->children[0]);
+  if (function == "fabs") of = "(" + of + ")^2";
+  if (function == "fabs" || function == "sqrt") function = "^1/2";
+  if (tree->kind == Node::Kind::power) {
+    const numeric q = *q_.rational(tree->children[1]);
+    function = "^" + std::to_string(q.numer().to_int()) + "/" + std::to_string(q.denom().to_int());
+  }
+  Json step{{"function", function}, {"of", of}, {"is", fraction_text(out(is))}};
+  if (const ex whole = out_cofactor(*c); !whole.is_equal(1)) step["cofactor"] = polynomial_text(whole);
+  steps_.push_back(step);
 }
 
 }  // namespace rederive

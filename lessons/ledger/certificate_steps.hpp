@@ -47,33 +47,37 @@ std::string fraction_text(const GiNaC::ex& rational);
 std::vector<GiNaC::ex> expressions_in(const CertifiedStatement& statement, const std::vector<Tree>& trees);
 
 /// Writes the steps, each after those that it needs:
-///   given                             a name that stands for an expression may be used from here on
-///   generator, function, of           a new name for e^of, for a root (function "^") or for a function value
-///   function, of, is                  a function value in the generators: a root, an inverse function; a
-///   power of e by generators, turn                  its exponent Σ n·exponent + iπ·turn, or by inverse, at
-///   the inverse function that stands in its exponent relation, degree                  generator^degree is
-///   the power of e that a step before gave
+///   given                         a name that stands for an expression may be used from here on
+///   function, of, name            a new name, "$z3", for a power of e, a root ("^1/3") or an inverse
+///   function function, of, is              what a function value is, in the names before
+/// A power of e comes `from` others: n times its exponent is a sum of theirs, with n the `power`, 1 mostly; a
+/// name without that is free. The name of an inverse function may bring its power of e, the `unit`. A
+/// `cofactor`, not 0 itself, may stand on both sides of the identity that says so.
 class Steps {
  public:
-  Steps(const CertifiedStatement& statement, const Phases& phases) : q_(statement), phases_(phases) {}
+  Steps(const CertifiedStatement& statement, const Phases& phases);
 
-  void tree(const Tree& tree);                 ///< every function in it
-  void generators(const GiNaC::ex& rational);  ///< every generator in it
+  void tree(const Tree& tree);                     ///< every function in it
+  void generators(const GiNaC::ex& rational);      ///< every generator in it
+  GiNaC::ex out(const GiNaC::ex& rational) const;  ///< in those generators alone that steps name
+  GiNaC::ex out_cofactor(const GiNaC::ex& cofactor) const;
   nlohmann::ordered_json take() { return std::move(steps_); }
 
  private:
+  GiNaC::ex with_roots(const GiNaC::ex& rational) const;
   std::string text(const GiNaC::ex& e) const { return print(e, Notation::plain, q_.symbols); }
   void given(const std::string& name);
   void generator(const Generator& g);
-  void relation(const Generator& g, const nlohmann::ordered_json& step);
-  void power_of_e(const std::string& exponent, const GiNaC::ex& is, const nlohmann::ordered_json& generators,
-                  const GiNaC::numeric& turn);
+  void inverse_function(const Generator& g);
+  void exponential(const Generator& g);
+  void turn(const GiNaC::numeric& q);
   void unit(const Tree& written, const GiNaC::ex& argument, bool circular);
   GiNaC::ex difference(const Tree& tree, const GiNaC::ex& value, const GiNaC::ex& is);
   void value(const Tree& tree);
 
   const CertifiedStatement& q_;
   const Phases& phases_;
+  GiNaC::exmap logarithms_;  ///< e^{log(u)/n} → the n-th root of u
   nlohmann::ordered_json steps_ = nlohmann::ordered_json::array();
   std::set<std::string> done_;
 };

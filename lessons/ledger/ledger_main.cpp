@@ -134,7 +134,7 @@ int show_proof(const Options& options) {
   if (!certificate.is_null())
     write_whole(options.certificate, certificate.dump(1) + "\n");
   else if (!options.certificate.empty())
-    fmt::print(stderr, "no certificate: nothing is proved, or not by an identity of polynomials\n");
+    fmt::print(stderr, "no certificate: nothing is proved, or not in a way that can be put down\n");
   const std::string verdict = json["verdict"];
   if (options.json) {
     put(json);
@@ -174,7 +174,7 @@ int certify(const Options& options) {
   }
   fmt::print("{} certificates in {}\n", written, options.folder);
   if (!without.empty())
-    fmt::print("proved, but not by an identity of polynomials, and so without a certificate:{}\n", without);
+    fmt::print("proved, but not in a way that can be put down, and so without a certificate:{}\n", without);
   return as_expected;
 }
 
@@ -199,10 +199,13 @@ int main(int argc, char** argv) {
   auto* show = app.add_subcommand("show", "All about one equation");
   show->add_option("id", options.id, "Its number, such as 17b")->required();
   auto* sheet = app.add_subcommand("errata", "The errors alone, the most consequential first");
-  sheet->add_option("--format", options.format, "text, markdown, latex or json")->check(CLI::IsMember({"text", "markdown", "latex", "json"}));
-  auto* text = app.add_subcommand("claims", "The numbers and statements of the text, each with what was found");
+  sheet->add_option("--format", options.format, "text, markdown, latex or json")
+      ->check(CLI::IsMember({"text", "markdown", "latex", "json"}));
+  auto* text =
+      app.add_subcommand("claims", "The numbers and statements of the text, each with what was found");
   text->add_option("id", options.id, "One claim alone");
-  text->add_option("--claims", options.claims, "Another claims.toml than the one that ships")->check(CLI::ExistingFile);
+  text->add_option("--claims", options.claims, "Another claims.toml than the one that ships")
+      ->check(CLI::ExistingFile);
   auto* mutation = app.add_subcommand("mutate", "Spoils every row on purpose; nothing may pass");
   mutation->add_option("id", options.id, "One row alone");
   mutation->add_option("--seed", options.seed, "Which slips are tried");
