@@ -1,14 +1,12 @@
-#include <numerics/arc.hpp>
-
-#include <emitted/rocking_block.hpp>
-#include <numerics/integrator.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <emitted/rocking_block.hpp>
 #include <limits>
 #include <memory>
 #include <numbers>
 #include <numeric>
+#include <numerics/arc.hpp>
+#include <numerics/integrator.hpp>
 #include <utility>
 
 namespace rederive::inline numeric {
@@ -16,21 +14,26 @@ namespace {
 
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
-/// Equations (57), (59) or, on still ground, (62), (63); on a sloping line the free motion about the line.
+/// Equations (57), (59); on a straight piece of a record, or on still ground, (62), (63), the same of a line.
 Point linear_point(const Arc& arc, Real time) {
   const Piece& piece = arc.piece;
-  const Real one = 1, line = piece.value + piece.slope * (arc.start.time - piece.from);
-  const Real phase = piece.omega * (arc.start.time - piece.from) + piece.phase;
-  const Real since = time - arc.start.time;
-  const auto about_line = [&](const auto& at) {
-    return Point{time, at.value + line + piece.slope * since, at.d_t + piece.slope};
-  };
-  const Real angle = arc.start.angle - line, velocity = arc.start.velocity - piece.slope;
+  const Real one = 1, before = arc.start.time - piece.from, since = time - arc.start.time;
+  const auto point = [&](const auto& at) { return Point{time, at.value, at.d_t}; };
+  const Real angle = arc.start.angle, velocity = arc.start.velocity;
+  if (piece.amplitude == 0) {
+    const Real ground = piece.value + piece.slope * before;
+    if (arc.side < 0)
+      return point(emitted::linear_response_on_line_negative_with_derivatives(one, one, ground, piece.slope,
+                                                                              angle, velocity, since));
+    return point(emitted::linear_response_on_line_positive_with_derivatives(one, one, ground, piece.slope,
+                                                                            angle, velocity, since));
+  }
+  const Real phase = piece.omega * before + piece.phase;
   if (arc.side < 0)
-    return about_line(emitted::linear_response_negative_with_derivatives(
-        one, one, piece.omega, piece.amplitude, phase, angle, velocity, since));
-  return about_line(emitted::linear_response_positive_with_derivatives(one, one, piece.omega, piece.amplitude,
-                                                                       phase, angle, velocity, since));
+    return point(emitted::linear_response_negative_with_derivatives(one, one, piece.omega, piece.amplitude,
+                                                                    phase, angle, velocity, since));
+  return point(emitted::linear_response_positive_with_derivatives(one, one, piece.omega, piece.amplitude,
+                                                                  phase, angle, velocity, since));
 }
 
 /// First h >= 0 with -y + u h + m h^2 / 2 = 0 for y >= 0, m >= 0: the earliest return to upright.
@@ -43,8 +46,11 @@ Real earliest_return(Real y, Real u, Real m) {
 }  // namespace
 
 Mover::Mover(const Block& block, Model model, double tolerance)
-    : block_(block), model_(model), level_(start_level(block, model)),
-      resolution_(std::numeric_limits<Real>::epsilon()), still_(acceleration(block, model, -1, 0, 0)),
+    : block_(block),
+      model_(model),
+      level_(start_level(block, model)),
+      resolution_(std::numeric_limits<Real>::epsilon()),
+      still_(acceleration(block, model, -1, 0, 0)),
       per_ground_(1),
       advance_([](const Arc& arc, const Point&, Real time) { return linear_point(arc, time); }) {
   if (model == Model::linear) return;
@@ -94,8 +100,8 @@ bool Mover::falls(const Arc& arc, const Point& at, Real to) const {
   return (weight + per_ground_ * push) * (to - at.time) <= -arc.side * at.velocity / 2;
 }
 
-/// The impact on a step that falls across upright. Newton's error goes with the square of its last step: one no longer
-/// than the root of the resolution is the last. A step that leaves the bracket halves it instead.
+/// The impact on a step that falls across upright. Newton's error goes with the square of its last step: one
+/// no longer than the root of the resolution is the last. A step that leaves the bracket halves it instead.
 Point Mover::impact_between(const Arc& arc, const Point& above, const Point& below) {
   const Real enough = std::sqrt(resolution_) * (below.time - above.time);
   Real low = above.time, high = below.time;
@@ -144,4 +150,4 @@ Arc Mover::move(const Piece& piece, int side, const Point& start, Real until) {
   return arc;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,10 +1,9 @@
-#include <numerics/block.hpp>
-
-#include <emitted/rocking_block.hpp>
 #include <fmt/format.h>
 
 #include <cmath>
+#include <emitted/rocking_block.hpp>
 #include <numbers>
+#include <numerics/block.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -36,7 +35,7 @@ Block block_from_size(double half_width, double half_height, std::optional<doubl
 
 Real start_level(const Block& block, Model model) {
   const Real alpha = block.alpha;
-  return model == Model::linear ? 1 : std::tan(alpha) / alpha;
+  return model == Model::linear ? 1 : emitted::ground_that_starts(alpha) / alpha;
 }
 
 Real acceleration(const Block& block, Model model, int side, Real angle, Real ground) {
@@ -56,4 +55,4 @@ Real acceleration(const Block& block, Model model, int side, Real angle, Real gr
          alpha;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,9 +1,3 @@
-#include <numerics/closed_form.hpp>
-
-#include <numerics/closed_form_residuals.hpp>
-#include <numerics/motion_check.hpp>
-#include <numerics/roots.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +5,10 @@
 #include <cstdlib>
 #include <mutex>
 #include <numbers>
+#include <numerics/closed_form.hpp>
+#include <numerics/closed_form_residuals.hpp>
+#include <numerics/motion_check.hpp>
+#include <numerics/roots.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -49,7 +47,8 @@ class Search {
  public:
   Search(Pulse pulse, const ExactCase& exact)
       : pulse_(pulse),
-        exact_(exact), all_digits_{exact.omega_ratio, exact.restitution, exact.angle + exact.velocity},
+        exact_(exact),
+        all_digits_{exact.omega_ratio, exact.restitution, exact.angle + exact.velocity},
         rounded_{real(all_digits_.omega_ratio), real(all_digits_.restitution), real(all_digits_.push)},
         longest_(2 * pi / rounded_.omega_ratio) {}
 
@@ -91,41 +90,26 @@ class Search {
         add(Form::eq86_88, phase_of_impact(all_digits_, Digits(root.high)), Digits(root.high));
   }
 
-  /// When the pulse ends, and (theta + alpha)/alpha and thetadot/(alpha p) then.
-  template <class T>
-  struct EndOfPulse {
-    T time, height, velocity;
-  };
-
-  template <class T>
-  static EndOfPulse<T> end_of_pulse(const Inputs<T>& in, const T& psi) {
-    using std::sin;
-    const T one = 1, zero = 0, amplitude = one / sin(psi),
-            time = (T(2) * emitted::pi<T>() - psi) / in.omega_ratio;
-    const auto at = emitted::linear_response_negative_with_derivatives(one, one, in.omega_ratio, amplitude,
-                                                                       psi, zero, zero, time);
-    return {time, at.value + one, at.d_t};
-  }
-
-  /// Vanishes where the free motion after the pulse comes to upright with the velocity 1/e: the square of
-  /// that velocity, by the invariant of (62), less 1/e^2.
+  /// Vanishes where the free motion after the pulse comes to upright so fast that e times its velocity just
+  /// reaches theta = alpha on the other side.
   template <class T>
   static T beyond_threshold(const Inputs<T>& in, const T& psi) {
-    const EndOfPulse<T> end = end_of_pulse(in, psi);
-    const T speed = T(1) / in.restitution;
-    return T(1) + (end.velocity - end.height) * (end.velocity + end.height) - speed * speed;
+    const T one = 1, zero = 0, amplitude = emitted::amplitude_of_sine_pulse(one, psi);
+    const auto end = emitted::linear_response_negative_with_derivatives(
+        one, one, in.omega_ratio, amplitude, psi, zero, zero,
+        emitted::end_of_sine_pulse(in.omega_ratio, psi));
+    const T needed = emitted::linear_critical_velocity_positive(zero) / in.restitution;
+    return emitted::linear_impact_velocity_squared_negative(end.value, end.d_t) - needed * needed;
   }
 
-  /// In that motion (theta + alpha) cosh + thetadot sinh = alpha at upright: with z = e^(tau_i - T_ex) a
-  /// quadratic, whose root with impact velocity `speed` is (1 + speed)/(theta + alpha + thetadot).
   template <class T>
   void impact_after(const Inputs<T>& in) {
     const auto residual = [&](Real psi) { return real(beyond_threshold(in, T(psi))); };
     for (const Bracket& root : roots_between(residual, 1e-6L, pi - 1e-6L, 4000)) {
       const Digits psi = between(root);
-      const EndOfPulse<Digits> end = end_of_pulse(all_digits_, psi);
-      const Real z = real((Digits(1) + Digits(1) / all_digits_.restitution) / (end.height + end.velocity));
-      if (z > 0) add(Form::eq92a_96, psi, end.time + Digits(std::log(z)));
+      const Digits& w = all_digits_.omega_ratio;
+      const Real growth = real(emitted::growth_to_critical_impact(w, psi, all_digits_.restitution));
+      if (growth > 0) add(Form::eq92a_96, psi, emitted::end_of_sine_pulse(w, psi) + Digits(std::log(growth)));
     }
   }
 
@@ -155,9 +139,10 @@ class Search {
                         psi.to_double(), all_digits_.omega_ratio.text(6)));
     }
     const bool cosine = pulse_ == Pulse::cosine, with_impact = std::abs(code_of(form)) == 2;
-    const Digits whole = cosine ? Digits(3) * Digits::pi() / Digits(2) : Digits(2) * Digits::pi();
-    ExactRoot root{Digits(1) / (cosine ? cos(psi) : sin(psi)), psi, tau,
-                   (whole - psi) / all_digits_.omega_ratio};
+    const Digits one = 1, &w = all_digits_.omega_ratio;
+    ExactRoot root{
+        cosine ? emitted::amplitude_of_cosine_pulse(one, psi) : emitted::amplitude_of_sine_pulse(one, psi),
+        psi, tau, cosine ? emitted::end_of_cosine_pulse(w, psi) : emitted::end_of_sine_pulse(w, psi)};
     const Motion motion = motion_at(form, pulse_, exact_, root);
     const auto impact_time = with_impact ? std::optional(tau.to_double()) : std::nullopt;
     all_.push_back({form, root.amplitude.to_double(), psi.to_double(), impact_time,
@@ -247,4 +232,4 @@ std::vector<ClosedForm> closed_forms(const PulseCase& asked) {
   return all_roots(asked.pulse, exact_case_of(asked));
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,11 +1,10 @@
 // Figures 8, 9, 12 and 13: motions just below and just above a threshold.
-#include <numerics/figures.hpp>
-#include <numerics/story.hpp>
-#include <numerics/windows.hpp>
-
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numerics/figures.hpp>
+#include <numerics/story.hpp>
+#include <numerics/windows.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -67,10 +66,15 @@ std::vector<Shown> linear_pair(double omega_ratio, int code) {
            false}};
 }
 
+/// g tan(alpha) in units of alpha g.
+double start_in_alpha_g() {
+  return static_cast<double>(start_level(make_block(0.25, 2.14), Model::nonlinear));
+}
+
 /// The printed pair, read as nonlinear and in units of g tan(alpha).
 std::vector<Shown> printed_pair(double omega_ratio, double below, double above,
                                 std::optional<double> restitution) {
-  const double unit = std::tan(0.25) / 0.25;
+  const double unit = start_in_alpha_g();
   return {{fmt::format("nonlinear, a_p = {:.6g} g tan α: safe", below), Model::nonlinear, omega_ratio,
            below * unit, restitution, 1, true},
           {fmt::format("nonlinear, a_p = {:.6g} g tan α: overturns", above), Model::nonlinear, omega_ratio,
@@ -86,7 +90,7 @@ std::string without_impact_caption(double omega_ratio, const char* printed) {
       "of g tan α: {:.6f} α g = {:.6f} g tan α (grey).",
       omega_ratio, least_with_code(Model::linear, omega_ratio, {}, -1), printed,
       least_with_code(Model::nonlinear, omega_ratio, {}, -1),
-      least_with_code(Model::nonlinear, omega_ratio, {}, -1) * 0.25 / std::tan(0.25));
+      least_with_code(Model::nonlinear, omega_ratio, {}, -1) / start_in_alpha_g());
 }
 
 Figure figure_with(std::string caption, const std::vector<Shown>& all) {
@@ -101,7 +105,7 @@ std::vector<Shown> joined(std::vector<Shown> a, const std::vector<Shown>& b) {
 }
 
 Figure figure_12() {
-  const double edge = least_with_code(Model::nonlinear, 3, 0.9, 2) * 0.25 / std::tan(0.25);
+  const double edge = least_with_code(Model::nonlinear, 3, 0.9, 2) / start_in_alpha_g();
   const auto caption = fmt::format(
       "After one impact during the pulse, ω_p/p = 3, α = 0.25 rad, e = 1 - 3/2 sin²α (black: linear, "
       "threshold {:.6f} α g,\n"
@@ -152,10 +156,13 @@ Figure history_figure(int number) {
     case 9:
       return figure_with(without_impact_caption(4, "5.3230 and 5.32303"),
                          joined(linear_pair(4, -1), printed_pair(4, 5.3230, 5.32303, {})));
-    case 12: return figure_12();
-    case 13: return figure_13();
-    default: throw std::invalid_argument(fmt::format("figure {} shows no history", number));
+    case 12:
+      return figure_12();
+    case 13:
+      return figure_13();
+    default:
+      throw std::invalid_argument(fmt::format("figure {} shows no history", number));
   }
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

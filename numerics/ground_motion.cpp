@@ -1,10 +1,10 @@
-#include <numerics/ground_motion.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <emitted/rocking_block.hpp>
 #include <numbers>
+#include <numerics/ground_motion.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -24,11 +24,11 @@ Real time_of_phase(const Piece& piece, Real phase) {
 std::vector<Push> pushes_of_sine(const Piece& piece, Real level) {
   std::vector<Push> all;
   if (!(piece.amplitude > level)) return all;
-  const Real psi = std::asin(level / piece.amplitude);
+  const Real psi = emitted::phase_of_sine_pulse(level / piece.amplitude);
   const Real last = piece.phase + piece.omega * (piece.to - piece.from);
   for (int lobe = 0; lobe * pi < last; ++lobe) {
     const Real begin = lobe * pi + psi, end = (lobe + 1) * pi - psi;
-    if (end <= piece.phase) continue;
+    if (end <= piece.phase || begin >= last) continue;
     all.push_back({std::max(piece.from, time_of_phase(piece, begin)),
                    std::min(piece.to, time_of_phase(piece, end)), lobe % 2 == 0 ? -1 : 1});
   }
@@ -51,7 +51,13 @@ std::vector<Push> pushes_of_line(const Piece& piece, Real level) {
 }  // namespace
 
 Real pulse_phase(Pulse pulse, Real amplitude, Real level) {
-  return pulse == Pulse::sine ? std::asin(level / amplitude) : std::acos(level / amplitude);
+  return pulse == Pulse::sine ? emitted::phase_of_sine_pulse(level / amplitude)
+                              : emitted::phase_of_cosine_pulse(level / amplitude);
+}
+
+Real pulse_end(Pulse pulse, Real omega_ratio, Real psi) {
+  return pulse == Pulse::sine ? emitted::end_of_sine_pulse(omega_ratio, psi)
+                              : emitted::end_of_cosine_pulse(omega_ratio, psi);
 }
 
 GroundMotion pulse_motion(Pulse pulse, Real omega_ratio, Real amplitude, Real level) {
@@ -64,16 +70,17 @@ GroundMotion pulse_motion(Pulse pulse, Real omega_ratio, Real amplitude, Real le
   Piece piece;
   piece.amplitude = amplitude;
   piece.omega = omega_ratio;
-  const Real rising = std::asin(level / amplitude);
+  const Real rising = pulse_phase(Pulse::sine, amplitude, level);
   piece.phase = pulse == Pulse::sine ? rising : pi - rising;  // a cos(x + psi) = a sin(x + psi + pi/2)
-  piece.to = (2 * pi - piece.phase) / omega_ratio;
+  piece.to = pulse_end(pulse, omega_ratio, pulse_phase(pulse, amplitude, level));
   return {piece};
 }
 
 Real ground_at(const Piece& piece, Real time) {
   const Real since = time - piece.from;
   Real value = piece.value + piece.slope * since;
-  if (piece.amplitude != 0) value += piece.amplitude * std::sin(piece.omega * since + piece.phase);
+  if (piece.amplitude != 0)
+    value += emitted::ground_of_sine_pulse(piece.amplitude, piece.omega, piece.phase, since);
   return value;
 }
 
@@ -106,4 +113,4 @@ GroundMotion record_motion(const Record& record, const Block& block, double scal
   return motion;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

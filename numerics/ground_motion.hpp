@@ -2,7 +2,6 @@
 #pragma once
 
 #include <numerics/block.hpp>
-
 #include <string>
 #include <vector>
 
@@ -10,8 +9,8 @@ namespace rederive::inline numeric {
 
 enum class Pulse { sine, cosine };
 
-/// One smooth stretch of ground acceleration, from <= tau <= to:
-/// value + slope (tau - from) + amplitude sin(omega (tau - from) + phase).
+/// One smooth stretch of ground acceleration, from <= tau <= to: the line value + slope (tau - from), or the
+/// sine amplitude sin(omega (tau - from) + phase), then without a line.
 struct Piece {
   Real from = 0, to = 0;
   Real value = 0, slope = 0;
@@ -27,8 +26,9 @@ using GroundMotion = std::vector<Piece>;
 /// Throws std::invalid_argument for values out of range.
 GroundMotion pulse_motion(Pulse pulse, Real omega_ratio, Real amplitude, Real level);
 
-/// The phase psi of that pulse.
+/// The phase psi of that pulse, and when it ends.
 Real pulse_phase(Pulse pulse, Real amplitude, Real level);
+Real pulse_end(Pulse pulse, Real omega_ratio, Real psi);
 
 Real ground_at(const Piece& piece, Real time);
 
@@ -61,4 +61,4 @@ Record read_record(const std::string& file, RecordUnit unit, double step = 0);
 /// The record interpolated linearly, for a block with this alpha and p.
 GroundMotion record_motion(const Record& record, const Block& block, double scale = 1);
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,12 +1,11 @@
-#include <numerics/integrator.hpp>
-
-#include <emitted/rocking_block.hpp>
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 
 #include <algorithm>
 #include <cmath>
+#include <emitted/rocking_block.hpp>
 #include <numbers>
+#include <numerics/integrator.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -23,7 +22,8 @@ struct Motion {
 int right_hand_side(double t, const double state[], double rate[], void* parameters) {
   const Motion& motion = *static_cast<const Motion*>(parameters);
   double ground = motion.value + motion.slope * t;
-  if (motion.amplitude != 0) ground += motion.amplitude * std::sin(motion.omega * t + motion.phase);
+  if (motion.amplitude != 0)
+    ground += emitted::ground_of_sine_pulse(motion.amplitude, motion.omega, motion.phase, t);
   const double theta = motion.alpha * state[0];
   const double force = motion.alpha * ground;
   rate[0] = state[1];
@@ -47,8 +47,10 @@ Motion motion_from(const Block& block, const Piece& piece, int side, Real time) 
 }  // namespace
 
 RockingIntegrator::RockingIntegrator(const Block& block, double tolerance)
-    : block_(block), step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 2)),
-      control_(gsl_odeiv2_control_y_new(tolerance, tolerance)), evolve_(gsl_odeiv2_evolve_alloc(2)) {
+    : block_(block),
+      step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 2)),
+      control_(gsl_odeiv2_control_y_new(tolerance, tolerance)),
+      evolve_(gsl_odeiv2_evolve_alloc(2)) {
   gsl_set_error_handler_off();  // errors are told by status, not by abort
   if (!step_ || !control_ || !evolve_) throw std::bad_alloc();
 }
@@ -75,4 +77,4 @@ Point RockingIntegrator::integrate(const Piece& piece, int side, const Point& fr
   return {time, state[0], state[1]};
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,36 +1,39 @@
-#include <numerics/overturning.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <emitted/rocking_block.hpp>
+#include <numerics/overturning.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
 namespace {
 
-/// Equations (62), (63): (theta -+ alpha)^2 - thetadot^2 is constant, and theta = alpha is approached along
-/// thetadot + p (theta -+ alpha) = 0, (68), (75).
-Margins linear_margins(Real y, Real u, Real e) {
-  const Real outward = u + (y - 1);
-  const Real impact_squared = 1 + outward * (u - (y - 1));
-  return {outward, e * std::sqrt(std::max<Real>(0, impact_squared)) - 1};
-}
+/// What free motion on one side comes to: the velocity with which it just reaches theta = alpha from here,
+/// and the square of that with which it comes to upright. (68), (75) and the invariant of (62), or the
+/// energies (22).
+struct FreeMotion {
+  Real critical, impact_squared;
+};
 
-/// The energies (22) with p = 1, E/(m g R) = thetadot^2/2 + cos(alpha - |theta|) - cos(alpha), their
-/// differences of cosines written as products: so nothing cancels for slender blocks or near theta = alpha.
-Margins nonlinear_margins(Real alpha, Real y, Real u, Real e) {
-  const Real climb = 2 * std::sin(alpha * (1 - y) / 2) / alpha;  // to theta = alpha; < 0 beyond it
-  const Real height = 2 * (std::sin(alpha * (2 - y) / 2) / alpha) * (std::sin(alpha * y / 2) / alpha);
-  const Real impact = std::sqrt(std::max<Real>(0, u * u + 2 * height));
-  const Real launch = 2 * std::sin(alpha / 2) / alpha;
-  return {u - climb, e * impact - launch};
+FreeMotion free_motion(const Block& block, Model model, int side, const Point& at) {
+  const Real alpha = block.alpha;
+  if (model == Model::linear)
+    return side < 0 ? FreeMotion{emitted::linear_critical_velocity_negative(at.angle),
+                                 emitted::linear_impact_velocity_squared_negative(at.angle, at.velocity)}
+                    : FreeMotion{emitted::linear_critical_velocity_positive(at.angle),
+                                 emitted::linear_impact_velocity_squared_positive(at.angle, at.velocity)};
+  return side < 0 ? FreeMotion{emitted::critical_velocity_negative(alpha, at.angle),
+                               emitted::impact_velocity_squared_negative(alpha, at.angle, at.velocity)}
+                  : FreeMotion{emitted::critical_velocity_positive(alpha, at.angle),
+                               emitted::impact_velocity_squared_positive(alpha, at.angle, at.velocity)};
 }
 
 }  // namespace
 
 Margins free_motion_margins(const Block& block, Model model, int side, const Point& at) {
-  const Real y = side * at.angle, u = side * at.velocity;
-  return model == Model::linear ? linear_margins(y, u, block.restitution)
-                                : nonlinear_margins(block.alpha, y, u, block.restitution);
+  const FreeMotion here = free_motion(block, model, side, at);
+  const Real launch = side * free_motion(block, model, -side, {}).critical;  // negative: to the other side
+  const Real impact = std::sqrt(std::max<Real>(0, here.impact_squared));
+  return {side * (at.velocity - here.critical), block.restitution * impact + launch};
 }
 
 Outcome outcome_at_end(const Block& block, Model model, const Response& response) {
@@ -67,4 +70,4 @@ Outcome outcome_at(const PulseCase& asked, Real amplitude) {
   return outcome_of(asked.block, asked.model, motion, asked.initial, asked.tolerance);
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,18 +1,17 @@
-#include <numerics/response.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numerics/response.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
 namespace {
 
-/// Where a history is wanted, impacts slower than this, in units of alpha p, are at the end of a chain; where only
-/// the outcome is, any chain that is sure to be over in time may be cut short sooner.
+/// Where a history is wanted, impacts slower than this, in units of alpha p, are at the end of a chain; where
+/// only the outcome is, any chain that is sure to be over in time may be cut short sooner.
 constexpr Real rest_speed = 1e-9L;
 constexpr Real soon_at_rest = 1e-3L;
 constexpr int most_impacts = 500'000;
@@ -24,7 +23,10 @@ constexpr Real slow = 1e-4L;
 class Walk {
  public:
   Walk(const Block& block, Model model, const InitialState& initial, const ResponseOptions& options)
-      : block_(block), level_(start_level(block, model)), keep_(options.history),
+      : block_(block),
+        model_(model),
+        level_(start_level(block, model)),
+        keep_(options.history),
         mover_(block, model, options.tolerance) {
     response_.end = {0, initial.angle, initial.velocity};
     const Real leads = initial.angle != 0 ? initial.angle : initial.velocity;
@@ -97,10 +99,13 @@ class Walk {
     if (std::abs(after) < small || (total_ > many_impacts && std::abs(after) < slow)) settle(piece);
   }
 
-  /// An upper bound, with a factor of two to spare, of how long a chain lasts that slows down by `room` (level - |g|)
-  /// at least: each hop 2 v/room, each e times the one before. Infinite if hops are not short beside it.
+  /// An upper bound, with a factor of two to spare, of how long a chain lasts that slows down by `room`
+  /// (level - |g|) at least: each hop 2 v/room, each e times the one before. Infinite if hops are not short
+  /// beside it.
   Real chain_duration(Real room) const {
-    const Real speed = std::abs(response_.end.velocity), slowing = std::cos(static_cast<Real>(block_.alpha)) * room;
+    const Real speed = std::abs(response_.end.velocity);
+    const Real slowing =
+        acceleration(block_, model_, -1, 0, room - level_);  // of a block pushed by level - room
     if (!(slowing > 4 * speed)) return std::numeric_limits<Real>::infinity();
     return 4 * speed / (std::max<Real>(1 - block_.restitution, 1e-4L) * slowing);
   }
@@ -124,6 +129,7 @@ class Walk {
   }
 
   Block block_;
+  Model model_;
   Real level_;
   bool keep_, moved_ = false;
   int total_ = 0;
@@ -135,12 +141,18 @@ class Walk {
 
 std::string_view name_of(EventKind kind) {
   switch (kind) {
-    case EventKind::start: return "start";
-    case EventKind::impact: return "impact";
-    case EventKind::rest: return "rest";
-    case EventKind::restart: return "restart";
-    case EventKind::pulse_end: return "pulse_end";
-    case EventKind::overturn: return "overturn";
+    case EventKind::start:
+      return "start";
+    case EventKind::impact:
+      return "impact";
+    case EventKind::rest:
+      return "rest";
+    case EventKind::restart:
+      return "restart";
+    case EventKind::pulse_end:
+      return "pulse_end";
+    case EventKind::overturn:
+      return "overturn";
   }
   return "";
 }
@@ -192,4 +204,4 @@ std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion&
   return samples;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -72,6 +72,35 @@ TEST_CASE("free linear motion keeps p²(θ ± α)² − θ̇²") {
   }
 }
 
+TEST_CASE(
+    "free linear motion comes upright with the velocity, and is critical at the rate, that it is said to") {
+  const Letters& s = letters();
+  for (const Side side : sides) {
+    const LinearEquation equation = linear_equation(side, Pulse::none);
+    const ex motion = solution_from(equation, 0, s.theta_0, s.thetadot_0);
+    const auto along = [&](const ex& e) {
+      return e.subs(lst{s.theta == motion, s.thetadot == motion.diff(s.t)});
+    };
+    const ex square = linear_impact_rate_squared(side);
+    CHECK(identical(along(square).diff(s.t), 0));
+    CHECK(identical(square.subs(s.theta == 0), pow(s.thetadot, 2)));
+    CHECK(identical(
+        growing_part(motion.subs(s.thetadot_0 == linear_critical_rate(side).subs(s.theta == s.theta_0)), 0),
+        0));
+  }
+}
+
+TEST_CASE("under a line of ground acceleration the linear motion obeys its equation") {
+  const Letters& s = letters();
+  for (const Side side : sides) {
+    const LinearEquation equation = linear_equation_under(side, s.a_p * (s.lambda + s.mu * s.t));
+    const ex motion = solution_from(equation, 0, s.theta_0, s.thetadot_0);
+    CHECK(identical(motion.diff(s.t, 2) - pow(equation.k, 2) * motion, equation.forcing));
+    CHECK(identical(motion.subs(s.t == 0), s.theta_0));
+    CHECK(identical(motion.diff(s.t).subs(s.t == 0), s.thetadot_0));
+  }
+}
+
 TEST_CASE("without its growing part a free motion dies away to the corner") {
   const Letters& s = letters();
   const ex motion = free_motion(Side::positive);

@@ -125,6 +125,22 @@ TEST_CASE("the margins of free motion are those of the emitted energy") {
   }
 }
 
+TEST_CASE("nothing cancels in the nonlinear margins of a slender block, nor near the barrier") {
+  const Block needle = make_block(1e-9, 2.14, 0.9);
+  for (int side : {-1, 1})
+    for (Real y : {1e-6L, 0.3L, 0.999999L, 1.4L}) {
+      const Point at{0, side * y, side * -0.7L};
+      const Margins exact = free_motion_margins(needle, Model::nonlinear, side, at),
+                    linear = free_motion_margins(needle, Model::linear, side, at);
+      CHECK(std::abs(exact.outward - linear.outward) < 1e-17L);
+      CHECK(std::abs(exact.returning - linear.returning) < 1e-17L);
+    }
+  const Block block = make_block(0.4, 2.14, 0.9);
+  for (Real room : {0x1p-20L, 0x1p-40L, 0x1p-60L})  // at rest so far below the barrier
+    CHECK(std::abs(free_motion_margins(block, Model::nonlinear, 1, {0, 1 - room, 0}).outward / room + 1) <
+          room * room + 1e-17L);
+}
+
 TEST_CASE("at the edges of the range the answer is right or a clear error") {
   CHECK(outcome_at(asked(2), 1.0).code == 0);
   CHECK(outcome_at(asked(2), 0.5).code == 0);

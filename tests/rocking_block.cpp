@@ -61,6 +61,30 @@ TEST_CASE("the inertia about either pivot is the same, and exceeds that about th
                   s.m * pow(s.R, 2)));
 }
 
+TEST_CASE("free motion with the critical velocity has the energy of a block that stands on its corner") {
+  const Letters& s = letters();
+  for (const Side side : sides) {
+    const ex whole = put_in(energy(side).subs(s.u_gdot == 0), inertia_and_frequency());
+    const ex corner = side == Side::negative ? ex(-s.alpha) : ex(s.alpha);
+    const ex rate = critical_rate(side).right;
+    CHECK(identical(whole.subs(s.thetadot == rate), whole.subs(lst{s.theta == corner, s.thetadot == 0})));
+    const double sign = side == Side::negative ? -1 : 1;
+    for (const double angle : {-0.2, 0.1, 0.24}) {  // outwards before the corner, inwards beyond it
+      CHECK(sign * value(rate, {{"alpha", 0.25}, {"p", 2}, {"theta", sign * angle}}) > 0);
+      CHECK(sign * value(rate, {{"alpha", 0.25}, {"p", 2}, {"theta", sign * (0.5 - angle)}}) < 0);
+    }
+  }
+}
+
+TEST_CASE("the impact of free motion has all its energy") {
+  const Letters& s = letters();
+  for (const Side side : sides) {
+    const ex whole = put_in(energy(side).subs(s.u_gdot == 0), inertia_and_frequency());
+    const ex square = impact_rate_squared(side).right;
+    CHECK(identical(whole.subs(s.theta == 0).subs(pow(s.thetadot, 2) == square), whole));
+  }
+}
+
 TEST_CASE("the two sides are mirror images: motion, energy, reactions") {
   CHECK(identical(mirrored(angular_acceleration(Side::negative)), -angular_acceleration(Side::positive)));
   CHECK(identical(mirrored(energy(Side::negative)), energy(Side::positive)));

@@ -62,6 +62,10 @@ inline Rounded running_error(const rederive::Node& node, const std::map<std::str
   if (node.text == "sinh") return rounded(sinh, cosh * x.error + unit * cosh);
   if (node.text == "cosh") return rounded(cosh, std::fabs(sinh) * x.error + unit * cosh);
   if (node.text == "exp") return rounded(exp, exp * x.error + unit * exp);
+  if (node.text == "asin" || node.text == "acos") {
+    const double value = node.text == "asin" ? std::asin(x.value) : std::acos(x.value);
+    return rounded(value, x.error / std::sqrt(1 - x.value * x.value) + unit);
+  }
   if (node.text == "sqrt") return rounded(std::sqrt(x.value), x.error / (2 * std::sqrt(x.value)));
   throw std::invalid_argument("no error bound for " + node.text);
 }

@@ -54,15 +54,24 @@ ex particular_solution(const LinearEquation& equation) {
     unknowns.append(coefficient);
     ansatz += coefficient * function;
   }
+  const ex bare = equation.forcing.subs(functions, GiNaC::subs_options::no_pattern);
+  if (bare.has(equation.time)) {
+    const symbol coefficient("C" + std::to_string(unknowns.nops()));
+    unknowns.append(coefficient);
+    ansatz += coefficient * equation.time;
+  }
   // Equal for all t: the coefficient of every function must vanish, and what is free of them.
   const ex residual = (ansatz.diff(equation.time, 2) - pow(equation.k, 2) * ansatz - equation.forcing)
                           .expand()
                           .subs(functions, GiNaC::subs_options::no_pattern)
                           .expand();
-  if (residual.has(equation.time))
-    throw std::invalid_argument("particular_solution: no ansatz for this forcing");
+  const ex with_time = residual.coeff(equation.time, 1);
+  bool closed = residual.degree(equation.time) <= 1 && !with_time.has(equation.time);
+  for (const auto& [function, name] : functions) closed = closed && !with_time.has(name);
+  if (!closed) throw std::invalid_argument("particular_solution: no ansatz for this forcing");
   lst conditions;
-  ex rest = residual;
+  if (!with_time.is_zero()) conditions.append(with_time == 0);
+  ex rest = residual.coeff(equation.time, 0);
   for (const auto& [function, name] : functions) {
     conditions.append(residual.coeff(name, 1) == 0);
     rest = rest.subs(name == 0);

@@ -9,16 +9,17 @@ namespace rederive {
 /// The Taylor polynomial of f in the symbols `small`, all of one order of magnitude, to total degree `order`.
 GiNaC::ex taylor(const GiNaC::ex& f, const std::vector<SymbolExpression>& small, int order);
 
-/// θ̈ − k²θ = forcing, with a constant k; the forcing is a sum of constants and of sines and cosines of
-/// phases linear in time.
+/// θ̈ − k²θ = forcing, with a constant k; the forcing is a sum of constants, multiples of the time, and sines
+/// and cosines of phases linear in time.
 struct LinearEquation {
   GiNaC::ex k;
   GiNaC::ex forcing;
   SymbolExpression time;
 };
 
-/// One solution, from the ansatz Σ Cⱼ φⱼ(t) over the functions φⱼ that the forcing and its derivatives
-/// consist of. Throws std::invalid_argument if they do not close after a few derivatives.
+/// One solution, from the ansatz Σ Cⱼ φⱼ(t) over the constant, the time if the forcing has it, and the
+/// functions φⱼ that the forcing and its derivatives consist of. Throws std::invalid_argument if they do not
+/// close after a few derivatives.
 GiNaC::ex particular_solution(const LinearEquation& equation);
 
 /// C sinh k(t − start) + D cosh k(t − start) + particular_solution.

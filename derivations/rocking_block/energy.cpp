@@ -1,4 +1,5 @@
 #include <derivations/rocking_block/energy.hpp>
+#include <stdexcept>
 
 namespace rederive {
 
@@ -30,7 +31,75 @@ Derivation ground_at_alpha(Side side, const Cited& motion) {
       {from(motion, "Put θ = α and θ̈ = 0 into"), in_words("and solve for the ground acceleration")});
 }
 
+// Ω/(m g R) = cos(lean) + a constant.
+struct Weight {
+  ex lean, factor;
+};
+
+Weight weight_of(Side side) {
+  const Letters& s = letters();
+  const ex potential = (weight_potential(side) / (s.m * s.g * s.R)).expand(), any = GiNaC::wild();
+  GiNaC::exset cosines;
+  potential.find(cos(any), cosines);
+  for (const ex& cosine : cosines)
+    if (cosine.has(s.theta)) return {cosine.op(0), potential.coeff(cosine, 1)};
+  throw std::logic_error("the potential of the weight has no cosine of theta");
+}
+
+// cos a − cos b = 2 sin((a + b)/2) sin((b − a)/2)
+ex difference_of_cosines(const ex& a, const ex& b) {
+  return 2 * sin(((a + b) / 2).expand()) * sin(((b - a) / 2).expand());
+}
+
+// 2 Ω/J_o by p² alone: what a potential of cosine differences adds to θ̇².
+ex rate_squared(const Weight& weight, const ex& difference) {
+  const Letters& s = letters();
+  const ex inertia = 2 * energy(Side::negative).coeff(s.thetadot, 2);
+  ex scale = 2 * s.m * s.g * s.R / inertia;
+  for (const Given& given : inertia_and_frequency()) scale = scale.subs(given.name == given.value);
+  return scale.normal() * weight.factor * difference;
+}
+
+// The square root of a product of squares; positive where their bases are.
+ex root_of_square(const ex& square) {
+  ex root = 1;
+  for (std::size_t i = 0; i < square.nops(); ++i) {
+    const ex factor = square.op(i);
+    root *= GiNaC::is_a<GiNaC::power>(factor) ? pow(factor.op(0), factor.op(1) / 2) : sqrt(factor);
+  }
+  return root;
+}
+
+Step energies_of(Side side, const std::string& says) {
+  return side == Side::negative ? from(Cited{"22a", equation_22a}, says)
+                                : from(Cited{"22b", equation_22b}, says);
+}
+
+Step as_product(const ex& a, const ex& b) {
+  return {"A difference of cosines is a product", cos(a) - cos(b), difference_of_cosines(a, b)};
+}
+
 }  // namespace
+
+Derivation critical_rate(Side side) {
+  const Letters& s = letters();
+  const Weight weight = weight_of(side);
+  const ex corner = weight.lean.subs(s.theta == (side == Side::negative ? ex(-s.alpha) : ex(s.alpha)));
+  const ex speed = root_of_square(rate_squared(weight, difference_of_cosines(corner, weight.lean)));
+  return derived(s.thetadot, side == Side::negative ? ex(-speed) : speed,
+                 {energies_of(side, "The energy # is that of θ = ∓α without velocity"),
+                  as_product(corner, weight.lean), in_words("and it is a square: outwards is its root")});
+}
+
+Derivation impact_rate_squared(Side side) {
+  const Letters& s = letters();
+  const Weight weight = weight_of(side);
+  const ex upright = weight.lean.subs(s.theta == 0);
+  const ex gained = rate_squared(weight, difference_of_cosines(weight.lean, upright));
+  return derived(
+      pow(s.thetadot_before, 2), pow(s.thetadot, 2) + gained,
+      {energies_of(side, "The energy # is that of θ = 0 with θ̇_before"), as_product(weight.lean, upright)});
+}
 
 Derivation total_energy() {
   const Letters& s = letters();

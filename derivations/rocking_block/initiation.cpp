@@ -14,12 +14,6 @@ ex moment_at_rest() {
   return motion_by_lagrange(Side::negative).subs(lst{s.theta == 0, s.thetaddot == 0});
 }
 
-ex acceleration_that_suffices() {
-  const Letters& s = letters();
-  const ex moment = moment_at_rest();
-  return -moment.coeff(s.u_gddot, 0) / moment.coeff(s.u_gddot, 1);
-}
-
 // At t = 0+ the block stands upright and has not yet moved, but accelerates.
 ex at_start(const ex& e) {
   const Letters& s = letters();
@@ -56,6 +50,12 @@ const char* newton_right = "Newton, to the right: H is what accelerates C, at t 
 const char* newton_up = "Newton, upwards: V carries the weight and accelerates C, at t = 0+ and θ = 0";
 
 }  // namespace
+
+ex acceleration_that_suffices() {
+  const Letters& s = letters();
+  const ex moment = moment_at_rest();
+  return -moment.coeff(s.u_gddot, 0) / moment.coeff(s.u_gddot, 1);
+}
 
 ex first_angular_acceleration() {
   const Letters& s = letters();

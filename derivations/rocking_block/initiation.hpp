@@ -5,6 +5,8 @@
 
 namespace rederive {
 
+/// ü_g at which a block at rest begins to rock, (24): g tan α.
+GiNaC::ex acceleration_that_suffices();
 /// θ̈(0) of (28) from rest under ü_g(0) = λ α_p > g tan α, in R, g, α, λ, a_p: from (25) to (27).
 GiNaC::ex first_angular_acceleration();
 /// H(0)/V(0) of (31), with that angular acceleration.

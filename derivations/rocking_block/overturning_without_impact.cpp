@@ -50,6 +50,20 @@ ex critical_sum(Side side, const ex& angle, const ex& rate) {
   return rate / letters().p + angle - corner(side);
 }
 
+ex linear_critical_rate(Side side) {
+  const Letters& s = letters();
+  return -s.p * critical_sum(side, s.theta, 0);
+}
+
+ex linear_impact_rate_squared(Side side) {
+  const Letters& s = letters();
+  // 2 θ̇ times θ̈ − k²θ = f is the rate of θ̇² − k²(θ − θ_c)², where k²θ_c = −f: of a product of two factors.
+  const LinearEquation equation = linear_equation(side, Pulse::none);
+  const ex from_corner = equation.k * (s.theta + equation.forcing / pow(equation.k, 2)).normal();
+  const ex kept = (s.thetadot - from_corner) * (s.thetadot + from_corner);
+  return kept - kept.subs(lst{s.theta == 0, s.thetadot == 0});
+}
+
 ex angle_at_end(Side side, Pulse pulse) { return at_end(forced_motion(side, pulse), pulse); }
 
 ex rate_at_end(Side side, Pulse pulse) {

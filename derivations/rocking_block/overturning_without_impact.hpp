@@ -21,6 +21,11 @@ ThresholdEquation threshold_without_impact(Side side, Pulse pulse);
 
 /// θ̇(T_ex)/p + (θ(T_ex) ± α), which vanishes in the critical case; θ and θ̇ as given.
 GiNaC::ex critical_sum(Side side, const GiNaC::ex& angle, const GiNaC::ex& rate);
+/// θ̇ for which critical_sum vanishes: with it a free linear motion at θ just reaches the corner, (68), (75).
+GiNaC::ex linear_critical_rate(Side side);
+/// θ̇² at the impact to which free linear motion leads from θ, θ̇: θ̇² − p²(θ ± α)² keeps its value, (62),
+/// (63).
+GiNaC::ex linear_impact_rate_squared(Side side);
 /// θ(T_ex), θ̇(T_ex)/p with A_1, A_2 or A_3, A_4 in them.
 GiNaC::ex angle_at_end(Side side, Pulse pulse);
 GiNaC::ex rate_at_end(Side side, Pulse pulse);
