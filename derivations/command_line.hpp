@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rederive {
 
@@ -23,24 +26,42 @@ struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Parses the arguments and runs `body`. Usage errors and BadInput end with 2 and a message on standard error,
-/// anything else that is thrown with 3.
+/// The arguments as CLI11 takes them, the last one first. A formula may begin with a minus: "-x" is no
+/// option, and gets a space before it, so that it is not taken for one.
+inline std::vector<std::string> arguments_of(int argc, char** argv) {
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  for (std::string& argument : arguments) {
+    const bool formula = argument.size() > 1 && argument[0] == '-' && argument != "-h" &&
+                         argument[1] != '-' && argument[1] != '.' &&
+                         std::isdigit(static_cast<unsigned char>(argument[1])) == 0;
+    if (formula) argument.insert(0, " ");
+  }
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
+}
+
+/// Parses the arguments and runs `body`. Usage errors and BadInput end with 2 and a message on standard
+/// error, anything else that is thrown with 3.
 inline int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
   app.set_version_flag("--version", "Rederive " REDERIVE_VERSION);
   app.get_formatter()->column_width(34);
   const std::string name = std::filesystem::path(argv[0]).filename().string();
+  app.name(name);
   try {
-    app.parse(argc, argv);
+    app.parse(arguments_of(argc, argv));
     const int code = body();
     if (std::fflush(stdout) != 0) throw std::runtime_error("standard output could not be written");
     return code;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    std::string unread;  // CLI11 may complain of something missing before it comes to what it did not understand
+    std::string
+        unread;  // CLI11 may complain of something missing before it comes to what it did not understand
     for (const std::string& argument : app.remaining(true))
-      if (std::string_view(error.what()).find(argument) == std::string_view::npos) unread += " '" + argument + "'";
+      if (std::string_view(error.what()).find(argument) == std::string_view::npos)
+        unread += " '" + argument + "'";
     if (!unread.empty()) unread = " (not understood:" + unread + ")";
-    std::fprintf(stderr, "%s: %s%s\nTry '%s --help'.\n", name.c_str(), error.what(), unread.c_str(), name.c_str());
+    std::fprintf(stderr, "%s: %s%s\nTry '%s --help'.\n", name.c_str(), error.what(), unread.c_str(),
+                 name.c_str());
     return bad_input;
   } catch (const BadInput& error) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());

@@ -63,11 +63,10 @@ struct Question {
     return pair;
   }
 
-  std::vector<ex> divisors_as_written() const {
+  std::vector<ex> divisors_of(const Relation& relation) const {
     std::vector<ex> result;
-    for (const Relation* relation : {&left, &right})
-      for (const Tree& side : relation->sides)
-        for (const ex& divisor : divisors(side, symbols)) result.push_back(put_in(divisor, given));
+    for (const Tree& side : relation.sides)
+      for (const ex& divisor : divisors(side, symbols)) result.push_back(put_in(divisor, given));
     return result;
   }
 };
@@ -90,7 +89,9 @@ Proof prove_identity(const Pair& pair, const Symbols& symbols) {
   const Sample seen = look(2);
   if (seen.differs) return refuted(make_witness(pair, *seen.differs), "the two sides differ at the witness");
   if (seen.both == 0) return undecided("no point was found at which both sides have a value");
-  std::string why = "the sides agree wherever they were compared, but the difference does not reduce to zero";
+  std::string why = "the sides agree wherever they were compared" +
+                    (pair.name.empty() ? std::string() : " and one of them is in the range of " + pair.name) +
+                    ", but the difference does not reduce to zero";
   try {
     if (vanishes(pair.left_value - pair.right_value, symbols))
       return proved("1", "the numerator of the difference vanishes identically");
@@ -121,30 +122,69 @@ bool always_holds(const ex& residual, const Symbols& symbols) {
   }
 }
 
-Proof prove_link(std::size_t k, const Question& question) {
+/// The k-th link of the left statement: K = a = b means K = a and K = b, a < b < c that a < b and b < c.
+struct Link {
+  Tree left, right;
+  std::string op;
+};
+Link link_of(const Relation& chain, std::size_t k) {
+  const bool explicit_form = chain.operators[0] == "=" && chain.operators[k] == "=";
+  return {chain.sides[explicit_form ? 0 : k], chain.sides[k + 1], chain.operators[k]};
+}
+
+Residuals residuals_of(const Link& link, const Question& question) {
   const auto& [left, right, symbols, given] = question;
-  const bool explicit_form = left.operators[0] == "=" && left.operators[k] == "=";
-  const Tree &tree_a = left.sides[explicit_form ? 0 : k], &tree_b = left.sides[k + 1];
-  const ex a = lower(tree_a, symbols), b = lower(tree_b, symbols);
-  const ex c = lower(right.sides[0], symbols), d = lower(right.sides[1], symbols);
-  const std::string &op = left.operators[k], &other = right.operators[0];
-  const bool names_it = GiNaC::is_a<GiNaC::symbol>(a) && a.is_equal(c) && !b.has(a) && !d.has(a);
-  if (op == "=" && other == "=" && names_it)
-    return prove_identity(question.pair(b, d, tree_b, right.sides[1]), symbols);
-  if (op == "=" && other == "=" &&
-      always_holds(put_in(c - d, given), symbols)) {  // it always holds: does the other one?
-    Proof proof = prove_identity(question.pair(a, b, tree_a, tree_b), symbols);
-    if (proof.verdict == Verdict::proved) proof.reason = "both equations hold identically";
-    return proof;
-  }
-  const Sides l{a, op, b}, r{c, other, d};
+  const Sides l{lower(link.left, symbols), link.op, lower(link.right, symbols)},
+      r{lower(right.sides[0], symbols), right.operators[0], lower(right.sides[1], symbols)};
   const auto inner = [&](const Sides& s) {
     return residual_of(unwrapped({put_in(s.left, given), s.op, put_in(s.right, given)}, symbols));
   };
-  return prove_residuals({question.pair(residual_of(l), residual_of(r), residual_of(tree_a, op, tree_b),
-                                        residual_of(right.sides[0], other, right.sides[1])),
-                          claim_of(op), claim_of(other), inner(l), inner(r), question.divisors_as_written()},
-                         symbols);
+  return {question.pair(residual_of(l), residual_of(r), residual_of(link.left, l.op, link.right),
+                        residual_of(right.sides[0], r.op, right.sides[1])),
+          claim_of(l.op),
+          claim_of(r.op),
+          inner(l),
+          inner(r),
+          question.divisors_of(left),
+          question.divisors_of(right)};
+}
+
+Proof prove_link(const Link& link, const Question& question) {
+  const auto& [left, right, symbols, given] = question;
+  const ex a = lower(link.left, symbols), b = lower(link.right, symbols);
+  const ex c = lower(right.sides[0], symbols), d = lower(right.sides[1], symbols);
+  const bool equations = link.op == "=" && right.operators[0] == "=";
+  const bool names_it = GiNaC::is_a<GiNaC::symbol>(a) && a.is_equal(c) && !b.has(a) && !d.has(a);
+  if (equations && names_it) {
+    Pair pair = question.pair(b, d, link.right, right.sides[1]);
+    if (put_in(a, given).is_equal(a)) pair.name = link.left->text;
+    return prove_identity(pair, symbols);
+  }
+  if (equations && always_holds(put_in(c - d, given), symbols)) {  // it always holds: does the other one?
+    Proof proof = prove_identity(question.pair(a, b, link.left, link.right), symbols);
+    if (proof.verdict == Verdict::proved) proof.reason = "both equations hold identically";
+    return proof;
+  }
+  return prove_residuals(residuals_of(link, question), symbols);
+}
+
+/// All links of the left statement against the right one.
+Proof prove_links(const Question& question) {
+  const Relation& left = question.left;
+  const bool is_conjunction =
+      left.operators.size() > 1 && std::any_of(left.operators.begin(), left.operators.end(),
+                                               [](const std::string& op) { return op != "="; });
+  Proof proof;
+  for (std::size_t k = 0; k < left.operators.size(); ++k) {
+    proof = prove_link(link_of(left, k), question);
+    if (proof.verdict == Verdict::proved) continue;
+    if (!is_conjunction) return proof;
+    std::vector<Residuals> links;
+    for (std::size_t j = 0; j < left.operators.size(); ++j)
+      links.push_back(residuals_of(link_of(left, j), question));
+    return refute_all(links, question.symbols);
+  }
+  return proof;
 }
 
 void add_conditions(Proof& proof, const Relation& relation, const Symbols& symbols) {
@@ -164,12 +204,7 @@ Proof decide(const Question& question) {
     return prove_identity(question.pair(lower(left.sides[0], symbols), lower(right.sides[0], symbols),
                                         left.sides[0], right.sides[0]),
                           symbols);
-  Proof proof;
-  for (std::size_t k = 0; k < left.operators.size(); ++k) {
-    proof = prove_link(k, question);
-    if (proof.verdict != Verdict::proved) return proof;
-  }
-  return proof;
+  return prove_links(question);
 }
 
 }  // namespace
@@ -191,28 +226,6 @@ Proof prove(const Relation& left, const Relation& right, const Symbols& symbols,
     return undecided(std::string("the computer algebra gave up: ") + error.what());
   } catch (const std::runtime_error& error) {
     return undecided(std::string("the computer algebra gave up: ") + error.what());
-  }
-}
-
-Proof prove_approximation(const Relation& left, const Relation& right, const std::vector<std::string>& small,
-                          int order, const Symbols& symbols) {
-  const GiNaC::symbol size("size");
-  GiNaC::exmap scaled;
-  for (const std::string& name : small) scaled[symbols[name]] = size * symbols[name];
-  const auto polynomial = [&](const Tree& tree) {
-    const ex e = lower(tree, symbols).subs(scaled, GiNaC::subs_options::no_pattern);
-    return to_tree(GiNaC::series_to_poly(e.series(size == 0, order + 1)).subs(size == 1), symbols);
-  };
-  const auto expanded = [&](Relation relation) {
-    for (Tree& side : relation.sides) side = polynomial(side);
-    return relation;
-  };
-  try {
-    Proof proof = prove(expanded(left), expanded(right), symbols);
-    if (proof.verdict == Verdict::proved) proof.verdict = Verdict::approximation;
-    return proof;
-  } catch (const std::exception& error) {
-    return undecided(std::string("no Taylor polynomial: ") + error.what());
   }
 }
 

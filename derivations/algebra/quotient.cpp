@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/vanish.hpp>
 
@@ -43,12 +44,13 @@ ex with_real_denominator(const ex& quotient, const Phases& phases) {
   return (above.coeff(i, 0) / below).normal() + i * (above.coeff(i, 1) / below).normal();
 }
 
-/// N/D = NN'/(DN'), where N' has the roots of N turned round: then more may cancel.
-ex without_roots_above(const ex& quotient, const Phases& phases) {
+/// N/D = NN'/(DN'), where N' has the roots of N turned round, or the same with D': then more may cancel.
+ex without_roots(const ex& quotient, bool of_above, const Phases& phases) {
   ex above = quotient.numer(), below = quotient.denom();
   for (const Generator& g : phases.generators()) {
-    if (g.kind != Generator::Kind::root || g.degree != 2 || !above.has(g.symbol)) continue;
-    const ex turned = above.subs(g.symbol == -g.symbol);
+    const ex& rid = of_above ? above : below;
+    if (g.kind != Generator::Kind::root || g.degree != 2 || !rid.has(g.symbol)) continue;
+    const ex turned = rid.subs(g.symbol == -g.symbol);
     ex scale_above = 1, scale_below = 1;
     above = phases.reduce(above * turned, &scale_above);
     below = phases.reduce(below * turned, &scale_below);
@@ -61,6 +63,11 @@ ex without_roots_above(const ex& quotient, const Phases& phases) {
 
 std::optional<std::vector<Part>> quotient(const ex& left, const ex& right, const Symbols& symbols, Way way) {
   if (right.is_zero()) return std::nullopt;
+  if (way == Way::as_it_stands) {
+    const ex parts = (left / right).normal().numer_denom();
+    if (sign_of(parts.op(0), symbols) == 0 || sign_of(parts.op(1), symbols) == 0) return std::nullopt;
+    return std::vector<Part>{{parts.op(0), 1}, {parts.op(1), -1}};
+  }
   const Phases phases({left, right}, symbols);
   const auto whole = [&](const ex& e) {
     const ex parts = phases(e).normal().numer_denom();
@@ -74,7 +81,8 @@ std::optional<std::vector<Part>> quotient(const ex& left, const ex& right, const
   if (way == Way::real_denominator) return factor_form(with_real_denominator(ratio, phases), phases);
   const ex cancelled = cancelled_with_complex_numbers(ratio, phases);
   if (way == Way::complex_numbers) return factor_form(cancelled, phases);
-  return factor_form(cancelled_with_complex_numbers(without_roots_above(cancelled, phases), phases), phases);
+  const ex rationalised = without_roots(cancelled, way == Way::no_roots_above, phases);
+  return factor_form(cancelled_with_complex_numbers(rationalised, phases), phases);
 }
 
 namespace {
@@ -87,6 +95,18 @@ int weak_sign(const ex& e, const Symbols& symbols) {
 /// Long ones would be divided at length, and to no avail.
 bool is_short(const ex& e) { return e.nops() <= 3; }
 
+/// e or -e, whichever is printed with fewer minus signs, or else comes first in the alphabet: which of them a
+/// factorisation finds depends on GiNaC's order of terms, which is another one in each run.
+ex with_settled_sign(const ex& e, const Symbols& symbols) {
+  if (!GiNaC::is_a<GiNaC::add>(e)) return e;
+  const auto key = [&](const ex& sum) {
+    const std::string text = print(sum, Notation::plain, symbols);
+    return std::pair(std::count(text.begin(), text.end(), '-'), text);
+  };
+  const ex turned = (-e).expand();
+  return key(turned) < key(e) ? turned : e;
+}
+
 bool is_multiple(const ex& part, const ex& other) {
   return !part.is_zero() && !other.is_zero() && GiNaC::is_a<GiNaC::numeric>((part / other).normal());
 }
@@ -95,11 +115,14 @@ bool is_multiple(const ex& part, const ex& other) {
 
 Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors, const Symbols& symbols) {
   Quotient result;
-  for (const auto& [part, exponent] : parts) {
+  for (const auto& [found, exponent] : parts) {
+    const ex part = with_settled_sign(found, symbols);
+    if (!part.is_equal(found) && !exponent.is_even())
+      result.value = -result.value, result.sign = -result.sign;
     result.value *= GiNaC::pow(part, exponent);
     if (!exponent.is_even()) result.sign *= weak_sign(part, symbols);
     if (sign_of(part, symbols) != 0) continue;  // its range says that it cannot vanish
-    const bool divides = std::any_of(divisors.begin(), divisors.end(), [&, &p = part](const ex& d) {
+    const bool divides = std::any_of(divisors.begin(), divisors.end(), [&p = part, &symbols](const ex& d) {
       if (is_multiple(p, d)) return true;
       return is_short(p) && is_short(d) && (vanishes_with(p, d, symbols) || is_factor(p, d, symbols));
     });

@@ -1,12 +1,15 @@
 // The factor between two residuals, as a product whose parts can be looked at one by one.
 #pragma once
 
+#include <array>
 #include <derivations/algebra/factor_form.hpp>
 
 namespace rederive {
 
 /// How a quotient is brought into lowest terms: no way finds everything that cancels.
-enum class Way { real_denominator, complex_numbers, no_roots_above };
+enum class Way { real_denominator, complex_numbers, no_roots_above, no_roots_below, as_it_stands };
+inline constexpr std::array all_ways{Way::real_denominator, Way::complex_numbers, Way::no_roots_above,
+                              Way::no_roots_below, Way::as_it_stands};
 
 /// left/right as a product of named parts, if it is one. Throws Undecidable.
 std::optional<std::vector<Part>> quotient(const GiNaC::ex& left, const GiNaC::ex& right,

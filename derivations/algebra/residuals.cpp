@@ -71,8 +71,26 @@ bool is_steady(const Tree& tree, const Point& point, const cln::cl_R& value) {
   return true;
 }
 
+/// A root of an expression: where its tree crosses 0, or touches it, which its derivatives cross 0 at.
+std::optional<Point> any_root(const Tree& tree, const ex& value, const Points& points, int most,
+                              const Symbols& symbols, const std::function<bool(const Point&)>& wanted) {
+  if (auto root = find_root(tree, points, most, wanted)) return root;
+  for (const std::string& name : points.names()) {
+    try {
+      const ex slope = value.diff(symbols[name]);
+      if (slope.is_zero()) continue;
+      if (auto root = find_root(to_tree(slope, symbols), points, 3 * most, wanted)) return root;
+    } catch (const std::exception&) {  // no derivative to be had
+    }
+  }
+  return std::nullopt;
+}
+
+/// Which roots of a residual are looked for: where it crosses 0, or where it touches it, too.
+enum class Roots { crossings, all };
+
 /// A root of one residual at which the other is far from 0, and one relation holds and the other fails.
-std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, bool of_right, int most,
+std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, bool of_right, Roots roots,
                                       const Symbols& symbols) {
   const Tree &zero = of_right ? r.pair.right : r.pair.left, &beside = of_right ? r.pair.left : r.pair.right;
   const auto tells_apart = [&](const Point& p) {
@@ -83,12 +101,15 @@ std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, 
     return is_far && holds(r.left, *a) != holds(r.right, *b) &&
            (is_exactly_zero(zero, p) || is_steady(beside, p, other));
   };
-  const auto root = find_root(zero, points, most, tells_apart);
+  const ex& value = of_right ? r.pair.right_value : r.pair.left_value;
+  const auto root = roots == Roots::crossings ? find_root(zero, points, 1, tells_apart)
+                                              : any_root(zero, value, points, 10, symbols, tells_apart);
   if (!root) return std::nullopt;
   const bool left_holds = holds(r.left, *value_of(r.pair.left, *root));
   return refuted(make_witness(r.pair, *root),
-                 left_holds ? "at the witness the left one holds and the right one fails"
-                            : "at the witness the right one holds and the left one fails");
+                 std::string(left_holds ? "at the witness the left one holds and the right one fails"
+                                        : "at the witness the right one holds and the left one fails") +
+                     (is_exactly_zero(zero, *root) ? "" : " (a root, to 40 digits)"));
 }
 
 /// A point at which both residuals are clearly not 0, and one relation holds and the other fails.
@@ -114,11 +135,18 @@ std::optional<ex> doubtful_part(const Quotient& factor, const ex& left, const ex
 }
 
 /// A divisor of one statement that is a factor of the other: its zeros solve that one, and the first has no
-/// value there.
-std::optional<ex> losing_divisor(const Quotient& factor, const ex& left, const ex& right,
+/// value there. Where both are divided by it, neither has.
+std::optional<ex> losing_divisor(const Quotient& factor, const Residuals& r, const ex& left, const ex& right,
                                  const Symbols& symbols) {
+  const auto is_among = [](const ex& divisor, const std::vector<ex>& others) {
+    return std::any_of(others.begin(), others.end(), [&](const ex& other) {
+      return !other.is_zero() && GiNaC::is_a<GiNaC::numeric>((divisor / other).normal());
+    });
+  };
   for (const ex& divisor : factor.divisors)
-    if (is_factor(divisor, left, symbols) || is_factor(divisor, right, symbols)) return divisor;
+    if (!(is_among(divisor, r.left_divisors) && is_among(divisor, r.right_divisors)) &&
+        (is_factor(divisor, left, symbols) || is_factor(divisor, right, symbols)))
+      return divisor;
   return std::nullopt;
 }
 
@@ -127,17 +155,19 @@ std::optional<ex> losing_divisor(const Quotient& factor, const ex& left, const e
 Proof prove_by_factor(const ex& left, const ex& right, const Residuals& r, const Symbols& symbols) {
   const bool strict = r.left == Claim::positive && r.right == Claim::positive;
   std::string why = "the quotient of the two residuals is no product of recognisable factors";
-  for (const Way way : {Way::real_denominator, Way::complex_numbers, Way::no_roots_above}) {
+  std::vector<ex> divisors = r.left_divisors;
+  divisors.insert(divisors.end(), r.right_divisors.begin(), r.right_divisors.end());
+  for (const Way way : all_ways) {
     try {
       const auto parts = quotient(left, right, symbols, way);
       if (!parts) continue;
-      const Quotient factor = assess(*parts, r.divisors, symbols);
+      const Quotient factor = assess(*parts, divisors, symbols);
       if (factor.value.is_zero()) continue;
       if (r.left != Claim::zero && factor.sign <= 0)
         why = "the sign of the factor between the two is not known";
       else if (const auto part = doubtful_part(factor, left, right, symbols))
         why = "the factor " + print(*part, Notation::plain, symbols) + " may vanish";
-      else if (const auto divisor = strict ? std::nullopt : losing_divisor(factor, left, right, symbols))
+      else if (const auto divisor = strict ? std::nullopt : losing_divisor(factor, r, left, right, symbols))
         why = "where " + print(*divisor, Notation::plain, symbols) +
               " = 0, one of the two holds and the other has no value";
       else if (vanishes(left - factor.value * right, symbols))
@@ -178,10 +208,12 @@ Proof prove_strictness(const Proof& proof, const Residuals& r, const Points& poi
     const auto right = value_of(r.pair.right, p);
     return right && is_nearly_zero(*right) && is_admitted(r.pair, p, symbols);
   };
-  const auto root = find_root(r.pair.left, points, 10, both_zero);
+  const auto root = any_root(r.pair.left, r.pair.left_value, points, 10, symbols, both_zero);
   if (root)
     return refuted(make_witness(r.pair, *root),
-                   "at the witness both sides are equal, which only one of the two allows");
+                   std::string("at the witness both sides are equal") +
+                       (is_exactly_zero(r.pair.left, *root) ? "" : " (to 40 digits)") +
+                       ", which only one of the two allows");
   return undecided("one allows equality and the other does not");
 }
 
@@ -218,13 +250,40 @@ Proof prove_residuals(const Residuals& r, const Symbols& symbols) {
   const Sample seen = sample(r.pair, points, symbols, [](const Sample& s) { return s.both >= 1; });
   if (seen.both == 0) return undecided("no point was found at which both residuals have a value");
   if (auto proof = differ_at_a_point(r, points, symbols)) return *proof;
-  if (auto proof = differ_at_a_root(r, points, true, 1, symbols))
+  if (auto proof = differ_at_a_root(r, points, true, Roots::crossings, symbols))
     return *proof;  // cheaper than algebra: most slips end here
   const Proof proof = prove_by_algebra(r, points, symbols);
   if (proof.verdict != Verdict::undecided) return proof;
-  if (auto refutation = differ_at_a_root(r, points, false, 10, symbols)) return *refutation;
-  if (auto refutation = differ_at_a_root(r, points, true, 10, symbols)) return *refutation;
+  for (const bool of_right : {false, true})
+    if (auto refutation = differ_at_a_root(r, points, of_right, Roots::all, symbols)) return *refutation;
   return undecided(proof.reason + advice(r.pair.left_value - r.pair.right_value, symbols));
+}
+
+Proof refute_all(const std::vector<Residuals>& links, const Symbols& symbols) {
+  std::vector<Tree> trees{links[0].pair.right};
+  for (const Residuals& link : links) trees.push_back(link.pair.left);
+  const Points points = points_for(trees, symbols);
+  const auto clearly = [](const std::optional<cln::cl_R>& value) { return value && differ(*value, 0); };
+  const auto is_so = [](Claim claim, const cln::cl_R& value) {
+    return claim != Claim::zero && cln::plusp(value);
+  };
+  for (int k = 0; k < Points::count; ++k) {
+    const Point p = points.at(k);
+    const auto right = value_of(links[0].pair.right, p);
+    const Residuals* failing = nullptr;
+    bool all_clear = clearly(right);
+    for (const Residuals& link : links) {
+      const auto left = all_clear ? value_of(link.pair.left, p) : std::nullopt;
+      all_clear = clearly(left) && is_admitted(link.pair, p, symbols);
+      if (all_clear && !is_so(link.left, *left)) failing = &link;
+    }
+    if (!all_clear || (failing == nullptr) == is_so(links[0].right, *right)) continue;
+    return refuted(make_witness((failing != nullptr ? *failing : links[0]).pair, p),
+                   failing != nullptr ? "at the witness the right one holds and a link of the left one fails"
+                                      : "at the witness all of the left one holds and the right one fails");
+  }
+  return undecided(
+      "of a chain of inequalities all links must hold together; each alone is another statement");
 }
 
 }  // namespace rederive

@@ -13,13 +13,18 @@ struct Residuals {
   Pair pair;
   Claim left, right;
   GiNaC::ex inner_left,
-      inner_right;                  ///< the same without increasing functions around both sides (unwrap.hpp)
-  std::vector<GiNaC::ex> divisors;  ///< what the statements divide by: not zero where they mean anything
+      inner_right;  ///< the same without increasing functions around both sides (unwrap.hpp)
+  std::vector<GiNaC::ex> left_divisors, right_divisors;  ///< what the statements divide by: not zero where
+                                                         ///< they mean anything
 };
 
 /// The same statement, up to a factor that cannot vanish (for inequalities: that is positive)? Else a witness
 /// at which one holds and the other fails.
 Proof prove_residuals(const Residuals& residuals, const Symbols& symbols);
+
+/// All the left ones together against the right one, which is the same for all: a witness at which they
+/// differ, if there is one, or undecided.
+Proof refute_all(const std::vector<Residuals>& links, const Symbols& symbols);
 
 Proof proved(std::string factor, std::string reason);
 Proof refuted(Witness witness, std::string reason);

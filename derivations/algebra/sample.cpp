@@ -22,6 +22,10 @@ std::string shown(const Tree& tree, const Point& point, int digits) {
 Points points_for(const Pair& pair, const Symbols& symbols) {
   std::vector<Tree> trees{pair.left, pair.right};
   for (const auto& [name, value] : pair.bound) trees.push_back(value);
+  return points_for(trees, symbols);
+}
+
+Points points_for(const std::vector<Tree>& trees, const Symbols& symbols) {
   std::set<std::string> names;
   std::set<double> numbers;
   for (const Tree& tree : trees) collect_names(tree, names), collect_numbers(tree, numbers);
@@ -34,6 +38,12 @@ bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols) {
     if (!value || !is_inside(symbols.find(name)->range, *value)) return false;
   }
   return true;
+}
+
+bool is_claimed(const Pair& pair, const cln::cl_R& left, const cln::cl_R& right, const Symbols& symbols) {
+  if (pair.name.empty()) return true;
+  const std::string& range = symbols.find(pair.name)->range;
+  return is_inside(range, left) || is_inside(range, right);
 }
 
 bool differ(const cln::cl_R& a, const cln::cl_R& b) {
@@ -64,7 +74,7 @@ Sample sample(const Pair& pair, const Points& points, const Symbols& symbols,
     const auto b = a ? value_of(pair.right, point) : std::nullopt;
     if (!b || !is_admitted(pair, point, symbols)) continue;
     ++seen.both;
-    if (!seen.differs && differ(*a, *b)) seen.differs = point;
+    if (!seen.differs && differ(*a, *b) && is_claimed(pair, *a, *b, symbols)) seen.differs = point;
     const bool both_large = differ(*a, 0) && differ(*b, 0);
     if (both_large && cln::minusp(*a) != cln::minusp(*b) && !seen.opposed) seen.opposed = point;
   }

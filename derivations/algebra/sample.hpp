@@ -11,13 +11,19 @@ struct Pair {
   Tree left, right;
   GiNaC::ex left_value, right_value;
   std::vector<std::pair<std::string, Tree>> bound;  ///< a name that was replaced → what stands for it
+  std::string name = "";  ///< where the two are what one symbol is said to be: that symbol
 };
 
 /// The points at which the two are compared.
+Points points_for(const std::vector<Tree>& trees, const Symbols& symbols);
 Points points_for(const Pair& pair, const Symbols& symbols);
 
 /// Whether the point keeps every name that was replaced inside its declared range.
 bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols);
+
+/// Where both are said to be the value of one symbol: whether one of them lies in its range. Outside, neither
+/// can hold.
+bool is_claimed(const Pair& pair, const cln::cl_R& left, const cln::cl_R& right, const Symbols& symbols);
 
 /// Beyond all doubt: the difference is far above the accuracy of value_of.
 bool differ(const cln::cl_R& a, const cln::cl_R& b);

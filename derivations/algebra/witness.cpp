@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/witness.hpp>
 #include <sstream>
 
@@ -27,6 +29,18 @@ cln::cl_RA near(double value, long denominator) {
   return cln::rational(cln::cl_DF(std::floor(value * static_cast<double>(denominator) + 0.5))) / denominator;
 }
 
+constexpr int working_digits = 70;
+
+/// An exact constant, rounded up (+1) or down (-1) to 45 digits if it is not rational.
+cln::cl_RA rounded(const GiNaC::ex& value, int direction) {
+  if (GiNaC::is_a<GiNaC::numeric>(value) && GiNaC::ex_to<GiNaC::numeric>(value).is_rational())
+    return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N());
+  const auto exactly = evaluate(to_tree(value, Symbols()), {}, working_digits);
+  const cln::cl_I scale = cln::expt_pos(cln::cl_I(10), 45);
+  const cln::cl_R scaled = exactly.value() * scale;
+  return (direction > 0 ? cln::ceiling1(scaled) : cln::floor1(scaled)) / cln::cl_RA(scale);
+}
+
 /// A repeatable mixing of two small integers into [0, 1).
 double mixed(unsigned a, unsigned b) {
   unsigned long long x = (a + 1) * 0x9E3779B97F4A7C15ULL + (b + 1) * 0xBF58476D1CE4E5B9ULL;
@@ -34,8 +48,6 @@ double mixed(unsigned a, unsigned b) {
   x ^= x >> 29;
   return static_cast<double>(x >> 11) / 9007199254740992.0;
 }
-
-constexpr int working_digits = 70;
 
 Tree number(const std::string& text) {
   Node node{};
@@ -71,7 +83,9 @@ Points::Points(const std::set<std::string>& names, const Symbols& symbols, const
   for (const std::string& name : names) {
     const Symbol* symbol = symbols.find(name);
     const Interval i = symbol != nullptr ? parse_range(symbol->range) : Interval{};
-    ranges_[name] = {to_double(i.low), to_double(i.high)};
+    ranges_[name] = {to_double(i.low), to_double(i.high), {}};
+    if (i.low.closed) ranges_[name].closed_ends.push_back(rounded(i.low.value, +1));
+    if (i.high.closed) ranges_[name].closed_ends.push_back(rounded(i.high.value, -1));
   }
   for (const double n :
        numbers)  // x, x², 1/x and e^x may be compared with it; the ordinary points pass small ones
@@ -84,6 +98,10 @@ std::vector<std::string> Points::names() const {
   std::vector<std::string> result;
   for (const auto& [name, range] : ranges_) result.push_back(name);
   return result;
+}
+
+std::vector<cln::cl_RA> Points::closed_ends(const std::string& name) const {
+  return ranges_.at(name).closed_ends;
 }
 
 bool is_inside(const std::string& range, const cln::cl_R& value) {
@@ -144,7 +162,35 @@ Point Points::at(int index) const {
   return point;
 }
 
+Point Points::with_zeros(int index) const {
+  Point point = at(index);
+  for (auto& [name, value] : point) {
+    const std::vector<cln::cl_RA> ends = closed_ends(name);
+    if (is_between(name, 0) || std::find(ends.begin(), ends.end(), cln::cl_RA(0)) != ends.end()) value = 0;
+  }
+  return point;
+}
+
 namespace {
+
+/// The simplest fraction near a root of the tree, if it is one exactly; else the value itself.
+cln::cl_RA simplest(const Tree& tree, Point point, const std::string& name, const cln::cl_RA& value) {
+  cln::cl_RA rest = value;
+  cln::cl_I above = 1, above_before = 0, below = 0, below_before = 1;
+  for (int step = 0; step < 12; ++step) {  // the convergents of its continued fraction
+    const cln::cl_I whole = cln::floor1(rest);
+    const cln::cl_I next_above = whole * above + above_before, next_below = whole * below + below_before;
+    above_before = above, below_before = below, above = next_above, below = next_below;
+    if (below > 1'000'000) break;
+    const cln::cl_RA fraction = above / cln::cl_RA(below);
+    point[name] = fraction;
+    const bool is_near = cln::abs(fraction - value) * cln::expt_pos(cln::cl_I(10), 40) < 1;
+    if (is_near && is_exactly_zero(tree, point)) return fraction;
+    if (rest == whole) break;
+    rest = 1 / (rest - whole);
+  }
+  return value;
+}
 
 /// Illinois' variant of false position, on exact rationals rounded to 45 digits.
 std::optional<Point> polish(const Tree& tree, Point point, const std::string& name, cln::cl_RA a,
@@ -163,6 +209,7 @@ std::optional<Point> polish(const Tree& tree, Point point, const std::string& na
     if (cln::zerop(*fc) || cln::abs(b - a) * scale <= 4) {
       if (cln::abs(*fc) * cln::expt_pos(cln::cl_I(10), 20) > larger)
         return std::nullopt;  // a jump, not a root
+      point[name] = simplest(tree, point, name, c);
       return point;
     }
     if (cln::minusp(*fc) == cln::minusp(fb)) {
@@ -183,28 +230,35 @@ std::optional<Point> polish(const Tree& tree, Point point, const std::string& na
 std::optional<Point> find_root(const Tree& tree, const Points& points, int most,
                                const std::function<bool(const Point&)>& wanted) {
   int found = 0;
-  for (int start = 0; start < 4; ++start) {
-    const Point base = points.at(start);
+  if (points.names().empty()) return wanted({}) ? std::optional(Point{}) : std::nullopt;
+  for (int start = 0; start < 5; ++start) {
+    const Point base = start < 4 ? points.at(start) : points.with_zeros(0);
     for (const std::string& name : points.names()) {
       std::optional<cln::cl_R> before;
       cln::cl_RA at_before = 0;
+      int found_here = 0;
+      const auto is_rounded_end = [&, ends = points.closed_ends(name)](const cln::cl_RA& value) {
+        return cln::denominator(value) > 1'000'000'000 &&
+               std::find(ends.begin(), ends.end(), value) != ends.end();
+      };
       // walk over the values that this symbol takes in the other points, in order
       std::set<cln::cl_RA, bool (*)(const cln::cl_RA&, const cln::cl_RA&)> values(
           [](const cln::cl_RA& x, const cln::cl_RA& y) { return x < y; });
       for (int k = 0; k < Points::count; ++k) values.insert(points.at(k).at(name));
       for (int k = -3; k <= 3; ++k)
         if (points.is_between(name, k)) values.insert(k);
+      for (const cln::cl_RA& end : points.closed_ends(name)) values.insert(end);
       for (const cln::cl_RA& value : values) {
         Point here = base;
         here[name] = value;
         const auto now = value_of(tree, here);
-        if (now && cln::abs(*now) * cln::expt_pos(cln::cl_I(10), 40) < 1 && is_exactly_zero(tree, here) &&
-            wanted(here))
-          return here;
+        const bool tiny = now && cln::abs(*now) * cln::expt_pos(cln::cl_I(10), 40) < 1;
+        if (tiny && (is_exactly_zero(tree, here) || is_rounded_end(value)) && wanted(here)) return here;
         if (now && before && cln::minusp(*now) != cln::minusp(*before)) {
           const auto root = polish(tree, base, name, at_before, value, *before, *now);
           if (root && wanted(*root)) return root;
           if (++found == most) return std::nullopt;
+          if (++found_here > most / 4) break;
         }
         before = now && cln::zerop(*now) ? std::nullopt : now;  // a root that was not wanted is no crossing
         at_before = value;

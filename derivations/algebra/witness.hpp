@@ -25,12 +25,17 @@ class Points {
 
   Points(const std::set<std::string>& names, const Symbols& symbols, const std::set<double>& numbers = {});
   Point at(int index) const;
+  /// The point of that index, with 0 for every symbol that may be 0.
+  Point with_zeros(int index) const;
   bool is_between(const std::string& name, double value) const;  ///< strictly inside the declared range
   std::vector<std::string> names() const;
+  /// The ends that belong to the declared range; an irrational one is rounded, to 45 digits, into it.
+  std::vector<cln::cl_RA> closed_ends(const std::string& name) const;
 
  private:
   struct Range {
     double low, high;
+    std::vector<cln::cl_RA> closed_ends;
   };
   double ordinary(const Range& range, unsigned index, unsigned place) const;
   double special(const Range& range, unsigned index, unsigned place) const;
@@ -47,9 +52,9 @@ std::optional<cln::cl_R> value_of(const Tree& tree, const Point& point);
 /// As far as can be told: no number of digits finds a first one that is not 0.
 bool is_exactly_zero(const Tree& tree, const Point& point);
 
-/// A point, near some Points::at, where `tree` is 0, or changes its sign along one symbol (known to 40
-/// digits), and that `wanted` accepts. Only crossings without a jump count. Nothing if none is found among
-/// the first `most`.
+/// A point, near some Points::at, where `tree` is 0, or changes its sign along one symbol (a simple fraction,
+/// or known to 40 digits), and that `wanted` accepts. Only crossings without a jump count. Nothing if none is
+/// found among the first `most`.
 std::optional<Point> find_root(const Tree& tree, const Points& points, int most,
                                const std::function<bool(const Point&)>& wanted);
 

@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <derivations/command_line.hpp>
 #include <lessons/exercises/classroom.hpp>
-#include <string_view>
-#include <vector>
 
 using namespace rederive;
 using namespace rederive::classroom;
@@ -78,26 +76,7 @@ int run(const CLI::App& app, const Arguments& given) {
   if (!given.file.empty()) return check_file(room, given.id, given.file);
   if (check_command->get_option("ANSWER")->count() == 0)
     throw BadInput("check: an ANSWER or --file FILE is wanted");
-  return check(room, given.id, given.answer);
-}
-
-/// An answer may begin with a minus: "exercises check ID -R*sin(alpha)" is read as if -- stood before it.
-std::vector<char*> with_answer_marked(int argc, char** argv) {
-  static char mark[] = "--";
-  std::vector<char*> result(argv, argv + argc);
-  const auto is = [](const char* argument, std::string_view text) { return argument == text; };
-  const auto check =
-      std::find_if(result.begin(), result.end(), [&](const char* a) { return is(a, "check"); });
-  if (check == result.end()) return result;
-  for (auto at = check + 1; at != result.end(); ++at) {
-    if (is(*at, "--")) break;
-    const bool answer = (*at)[0] == '-' && (*at)[1] != '-' && (*at)[1] != '\0' && !is(*at, "-h");
-    if (!answer) continue;
-    std::rotate(at, at + 1, result.end());  // to the end, so that flags may still follow it
-    result.insert(result.end() - 1, mark);
-    break;
-  }
-  return result;
+  return check(room, given.id, CLI::detail::trim_copy(given.answer));
 }
 
 }  // namespace
@@ -107,7 +86,5 @@ int main(int argc, char** argv) {
       "Exercises on the rocking block: answer, be told what was read and what is wrong with it, go on."};
   Arguments given;
   declare(app, given);
-  std::vector<char*> arguments = with_answer_marked(argc, argv);
-  return run_command(app, static_cast<int>(arguments.size()), arguments.data(),
-                     [&] { return run(app, given); });
+  return run_command(app, argc, argv, [&] { return run(app, given); });
 }

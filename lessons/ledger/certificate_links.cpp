@@ -149,7 +149,7 @@ struct Finder {
     std::vector<ex> values;
     for (const CertifiedDivisor& d : divisors) values.push_back(d.value);
     const ex &left = link.left, &right = link.right;
-    for (const Way way : {Way::real_denominator, Way::complex_numbers, Way::no_roots_above}) {
+    for (const Way way : all_ways) {
       try {
         const auto parts = quotient(left, right, q.symbols, way);
         if (!parts) continue;

@@ -244,6 +244,7 @@ int main(int argc, char** argv) {
     if (*proving && (!*lhs || !*rhs))
       throw BadInput(
           "prove wants two statements; right is, for example, ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
+    for (std::string* text : {&options.request.left, &options.request.right}) CLI::detail::trim(*text);
     if (*proving) return show_proof(options);
     if (*dot) return put(graph(all(options))), as_expected;
     if (*sheet) return put(errata(all(options), options.json ? "json" : options.format)), as_expected;

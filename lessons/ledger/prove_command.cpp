@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <chrono>
 #include <derivations/bounded.hpp>
 #include <derivations/command_line.hpp>
@@ -33,7 +35,7 @@ Proof decide_in(const Context& context, const ProveRequest& request) {
   Proof proof = prove(left, right, context.symbols);
   if (proof.verdict == Verdict::proved) return proof;
   if (request.order > 0)
-    return prove_approximation(left, right, request.small, request.order, context.symbols);
+    return prove_approximation(left, right, request.small, request.order, context.symbols, context.given);
   if (context.given.empty()) return proof;
   proof = prove(left, right, context.symbols, context.given);
   if (proof.verdict == Verdict::proved) proof.verdict = Verdict::proved_under;
@@ -89,7 +91,8 @@ void add_ranges_used(Proof& proof, const Context& context, const ProveRequest& r
 
 Proof decide(const ProveRequest& request) {
   if (request.order < 0 || request.order > 12 || (request.order > 0) != !request.small.empty())
-    throw BadInput("--small and --order (1 to 12) belong together");
+    throw BadInput(
+        fmt::format("--small and --order belong together, and the order is 1 to 12, not {}", request.order));
   const Context context = make_context(request);
   for (const std::string& name : request.small)
     if (context.symbols.find(name) == nullptr)

@@ -1,0 +1,92 @@
+// Statements that hold to an order in symbols that are small.
+#include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/print.hpp>
+#include <derivations/algebra/prove.hpp>
+
+namespace rederive {
+
+using GiNaC::ex;
+
+namespace {
+
+/// Taylor polynomials in symbols that are all of one size.
+class Expansion {
+ public:
+  Expansion(const std::vector<std::string>& small, int order, const Symbols& symbols,
+            const std::vector<Given>& given)
+      : order_(order), symbols_(symbols), given_(given) {
+    for (const std::string& name : small) scaled_[symbols[name]] = size_ * symbols[name];
+  }
+
+  ex value(const Tree& tree) const { return put_in(lower(tree, symbols_), given_); }
+  ex polynomial(const ex& e) const {
+    return GiNaC::series_to_poly(in_size(e).series(size_ == 0, order_ + 1)).subs(size_ == 1);
+  }
+  Tree tree(const ex& e) const { return to_tree(e, symbols_); }
+  /// What is left of an expression where all that is small is 0.
+  ex lead(const ex& e) const { return in_size(e).subs(size_ == 0); }
+
+  Relation side_by_side(Relation relation) const {
+    for (Tree& side : relation.sides) side = tree(polynomial(value(side)));
+    return relation;
+  }
+
+ private:
+  ex in_size(const ex& e) const { return e.subs(scaled_, GiNaC::subs_options::no_pattern); }
+
+  const GiNaC::symbol size_{"size"};
+  GiNaC::exmap scaled_;
+  int order_;
+  const Symbols& symbols_;
+  const std::vector<Given>& given_;
+};
+
+/// A relation a*name + b = 0, or > 0 and so on, in which a does not become 0 with what is small, as one
+/// between the symbol and the Taylor polynomial of -b/a.
+std::optional<Relation> solved_for(const std::string& name, const Relation& relation,
+                                   const Expansion& expansion, const Symbols& symbols) {
+  const SymbolExpression& x = symbols[name];
+  const ex residual = expansion.value(relation.sides[0]) - expansion.value(relation.sides[1]);
+  if (!residual.has(x)) return std::nullopt;
+  const ex slope = residual.diff(x).normal();
+  if (slope.has(x)) return std::nullopt;
+  const ex rest = residual.subs(x == 0);
+  const int sign = sign_of(expansion.lead(slope), symbols);
+  if (sign == 0) return std::nullopt;
+  std::string op = relation.operators[0];
+  if (sign < 0 && op[0] != '=') op[0] = op[0] == '<' ? '>' : '<';
+  return Relation{{expansion.tree(x), expansion.tree(expansion.polynomial(-rest / slope))}, {op}};
+}
+
+Proof compared(const Relation& left, const Relation& right, const Expansion& expansion,
+               const Symbols& symbols) {
+  if (left.sides.size() != 2 || right.sides.size() != 2)
+    return prove(expansion.side_by_side(left), expansion.side_by_side(right), symbols);
+  for (const std::string& name : symbols.names()) {
+    const auto l = solved_for(name, left, expansion, symbols);
+    const auto r = l ? solved_for(name, right, expansion, symbols) : std::nullopt;
+    if (r) return prove(*l, *r, symbols);
+  }
+  Proof proof = prove(expansion.side_by_side(left), expansion.side_by_side(right), symbols);
+  if (proof.verdict != Verdict::refuted) return proof;
+  proof = {};  // the factor between the two may be 1 to that order
+  proof.reason = "there is no symbol for which both can be solved";
+  return proof;
+}
+
+}  // namespace
+
+Proof prove_approximation(const Relation& left, const Relation& right, const std::vector<std::string>& small,
+                          int order, const Symbols& symbols, const std::vector<Given>& given) {
+  try {
+    Proof proof = compared(left, right, Expansion(small, order, symbols, given), symbols);
+    if (proof.verdict == Verdict::proved) proof.verdict = Verdict::approximation;
+    return proof;
+  } catch (const std::exception& error) {
+    Proof proof;
+    proof.reason = std::string("no Taylor polynomial: ") + error.what();
+    return proof;
+  }
+}
+
+}  // namespace rederive
