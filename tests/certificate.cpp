@@ -7,7 +7,7 @@
 #include <lessons/ledger/certificate.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <random>
-#include <tests/certificate_checker.hpp>
+#include <tests/certificate_relations.hpp>
 #include <tests/run_program.hpp>
 
 using namespace rederive;
@@ -126,7 +126,7 @@ TEST_CASE("a wrong branch, a factor that vanishes and an inequality turned round
   CHECK(verdict(size) == "another branch of ^1/2");
   Json cofactor = *certificate_of({"sqrt(1+sin(2*alpha))", "sin(alpha)+cos(alpha)", {}, {}, 0});
   cofactor["ranges"]["alpha"] = "(-pi, pi)";
-  CHECK(verdict(cofactor) == "the cofactor vanishes");
+  CHECK(verdict(cofactor) == "a divisor vanishes");
   Json strict = *certificate_of({"x < y", "2*x < 2*y", {}, {}, 0});
   CHECK(verdict(strict) == "accepted");
   strict["right"][1] = "<=";
@@ -217,6 +217,49 @@ TEST_CASE("a certificate says that a false statement is proved: the checker disa
   Json& link = c["pieces"][0]["links"][0];
   link["right"] = link["left"];
   CHECK(verdict(c) == "the right side is another one");
+}
+
+TEST_CASE("nothing in a certificate keeps the checker from looking where the statement has a value") {
+  Json c = *certificate_of({"sqrt(x^2)", "x", {"x > 0"}, {}, 0});
+  CHECK(verdict(c) == "accepted");
+  c["ranges"]["x"] = "(-inf, inf)";
+  Json& steps = c["pieces"][0]["steps"];
+  const Json honest = steps;
+  const auto with = [&](const Json& step) {
+    steps = honest;
+    steps.insert(steps.begin(), step);
+    return verdict(c);
+  };
+  // log(x) has no value for x < 0, 1/(x+|x|) neither
+  CHECK(with({{"function", "log"}, {"of", "x"}, {"name", "$f"}}) != "accepted");
+  CHECK(with({{"function", "^1/2"}, {"of", "x"}, {"name", "$r"}}) != "accepted");
+  // x is no name of a generator
+  c["ranges"].erase("x");
+  CHECK(with({{"function", "log"}, {"of", "2"}, {"name", "x"}}) == "a statement may have that name: x");
+  c["ranges"]["x"] = "(-inf, 0)";
+  steps = honest;
+  for (const char* noise :
+       {"x + 10^40*(x - x)", "x + (2^60 - 2^30*2^30)*x", "x*(x + sqrt(x^2))/(x + sqrt(x^2))"})
+    for (Json& step : steps)
+      if (step.contains("is")) {
+        INFO(noise);
+        step["is"] = noise;
+        CHECK(verdict(c) != "accepted");
+      }
+}
+
+TEST_CASE("a statement is read whole") {
+  Json c = *certificate_of({"x = y", "2*x = 2*y", {}, {}, 0});
+  CHECK(verdict(c) == "accepted");
+  Json chain = c, op = c, power = c, generator = c;
+  chain["right"].push_back("="), chain["right"].push_back("5");
+  CHECK(verdict(chain) == "a chain on the right");
+  op["left"][1] = op["right"][1] = "!=";
+  CHECK(verdict(op) == "no relation: !=");
+  power["left"] = {"x^4294967297", "=", "y"};
+  CHECK(verdict(power) != "accepted");
+  generator["left"] = {"$i*x", "=", "$i*y"};
+  CHECK(verdict(generator) == "a statement has no generators");
 }
 
 TEST_CASE("the ledger is certified row by row") {

@@ -1,18 +1,103 @@
-// Points to look at a certificate: numbers drawn from ranges, and the functions there. Polynomials do not see
-// which of its finitely many branches a root or an inverse function takes; nineteen digits do.
+// Looks at a certificate in points of its domain. Polynomials do not see which of its finitely many branches
+// a root or an inverse function takes, nor what vanishes there; nineteen digits do.
 #pragma once
 
+#include <algorithm>
 #include <complex>
 #include <map>
 #include <random>
+#include <stdexcept>
 #include <string>
+#include <tests/certificate_functions.hpp>
 #include <valarray>
+#include <vector>
 
 namespace certificate_checker {
 
+inline void require(bool condition, const std::string& what) {
+  if (!condition) throw std::runtime_error(what);
+}
+
 using Number = std::complex<long double>;
 using Numbers = std::valarray<Number>;  // one for each point
-constexpr std::size_t points = 200;
+constexpr std::size_t points = 100;
+
+inline Numbers sizes(const Numbers& numbers) {
+  return numbers.apply([](const Number& z) -> Number { return std::abs(z); });
+}
+
+/// What is seen of a value: the numbers, and by how many units of the last place of 1 they may be wrong, for
+/// a sum that cancels is much larger than its value; and its signs, as its form shows them.
+struct Seen {
+  Numbers at, error;
+  Signs signs;
+};
+inline Seen seen(const Numbers& at, Signs signs) { return {at, sizes(at), signs}; }
+inline Seen operator+(const Seen& a, const Seen& b) {
+  return {a.at + b.at, a.error + b.error, a.signs + b.signs};
+}
+inline Seen operator*(const Seen& a, const Seen& b) {
+  return {a.at * b.at, a.error * sizes(b.at) + sizes(a.at) * b.error, a.signs * b.signs};
+}
+inline Seen operator/(const Seen& a, const Seen& b) {
+  const Numbers at = a.at / b.at;
+  return {at, (a.error + sizes(at) * b.error) / sizes(b.at), a.signs * b.signs};
+}
+
+/// A power of e; of a root "^p/q" or an inverse function the principal value, not a number where it is not
+/// real.
+inline Numbers principal_values(const std::string& function, const Numbers& x) {
+  using F = Number (*)(const Number&);
+  static const std::map<std::string, F> functions{
+      {"log", std::log},     {"asin", std::asin},   {"acos", std::acos},   {"atan", std::atan},
+      {"asinh", std::asinh}, {"acosh", std::acosh}, {"atanh", std::atanh}, {"exp", std::exp}};
+  if (function == "exp") return x.apply(functions.at(function));
+  Numbers values = x;
+  const auto bar = function.find('/');
+  for (Number& z : values)
+    z = function[0] != '^'
+            ? functions.at(function)(z)
+            : std::pow(z, std::stold(function.substr(1)) / std::stold(function.substr(bar + 1)));
+  return values.apply([](const Number& z) -> Number {
+    return std::abs(z.imag()) <= 1e-12L * std::abs(z) ? z.real() : std::nanl("");
+  });
+}
+/// With the error that the function makes of that of its argument.
+inline Seen seen(const std::string& function, const Seen& x) {
+  constexpr long double part = 1e-12L;
+  const Numbers at = principal_values(function, x.at),
+                beside = principal_values(function, x.at + x.error * Number(part));
+  return {at, sizes(at) + sizes(beside - at) / Number(part), {}};
+}
+
+/// What was found wrong at each point, and whether the statement has a value there.
+class Looks {
+ public:
+  void admit(const Seen& v) {
+    for (std::size_t k = 0; k < points; ++k) admitted_[k] = admitted_[k] && std::isfinite(std::abs(v.at[k]));
+  }
+  void is_not_zero(const Seen& v, const std::string& message) {
+    for (std::size_t k = 0; k < points; ++k)
+      if (!(std::abs(v.at[k]) > 1e-15L * std::abs(v.error[k]))) wrong_[k] = message;
+  }
+  /// To six digits, of which the errors leave three; 0 is far from all other branches.
+  void is_same(const Seen& a, const Seen& b, bool is_zero, const std::string& message) {
+    for (std::size_t k = 0; k < points; ++k) {
+      const long double size = is_zero ? 1 : std::abs(b.at[k]), error = std::abs(a.error[k] + b.error[k]);
+      if (!(std::abs(a.at[k] - b.at[k]) <= 1e-6L * size) || !(is_zero || error * 1e-19L <= 1e-6L * size))
+        wrong_[k] = message;
+    }
+  }
+  /// Throws where anything is wrong at a point that is admitted, or where no point is.
+  void report() const {
+    for (std::size_t k = 0; k < points; ++k) require(!admitted_[k] || wrong_[k].empty(), wrong_[k]);
+    require(std::find(admitted_.begin(), admitted_.end(), true) != admitted_.end(), "it has a value nowhere");
+  }
+
+ private:
+  std::vector<std::string> wrong_ = std::vector<std::string>(points);
+  std::vector<bool> admitted_ = std::vector<bool>(points, true);
+};
 
 /// Numbers between two ends, which may be infinite.
 inline Numbers drawn(long double low, long double high, std::mt19937& random) {
@@ -24,30 +109,6 @@ inline Numbers drawn(long double low, long double high, std::mt19937& random) {
     result[k] = from + (to - from) * share;
   }
   return result;
-}
-
-inline Numbers sizes(const Numbers& numbers) {
-  return numbers.apply([](const Number& z) -> Number { return std::abs(z); });
-}
-/// A power of e, of a root "^p/q" or of an inverse function the principal value; not a number where that is
-/// not real.
-inline Numbers principal_values(const std::string& function, const Numbers& x) {
-  using F = Number (*)(const Number&);
-  static const std::map<std::string, F> functions{
-      {"log", std::log},     {"asin", std::asin},   {"acos", std::acos},   {"atan", std::atan},
-      {"asinh", std::asinh}, {"acosh", std::acosh}, {"atanh", std::atanh}, {"exp", std::exp}};
-  if (function == "exp") return x.apply(functions.at(function));
-  Numbers values = x;
-  if (function[0] == '^') {
-    const auto bar = function.find('/');
-    const Number exponent = std::stold(function.substr(1)) / std::stold(function.substr(bar + 1));
-    for (Number& z : values) z = std::pow(z, exponent);
-  } else {
-    values = x.apply(functions.at(function));
-  }
-  return values.apply([](const Number& z) -> Number {
-    return std::abs(z.imag()) <= 1e-9L * (1 + std::abs(z)) ? z : Number(std::nanl(""));
-  });
 }
 
 }  // namespace certificate_checker
