@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <complex>
 #include <map>
 #include <random>
@@ -74,7 +75,8 @@ inline Seen seen(const std::string& function, const Seen& x) {
 class Looks {
  public:
   void admit(const Seen& v) {
-    for (std::size_t k = 0; k < points; ++k) admitted_[k] = admitted_[k] && std::isfinite(std::abs(v.at[k]));
+    for (std::size_t k = 0; k < points; ++k)
+      if (!(std::abs(v.error[k]) <= 1e9L * (1 + std::abs(v.at[k])))) admitted_[k] = false;
   }
   void is_not_zero(const Seen& v, const std::string& message) {
     for (std::size_t k = 0; k < points; ++k)
@@ -103,7 +105,7 @@ class Looks {
 inline Numbers drawn(long double low, long double high, std::mt19937& random) {
   Numbers result(points);
   for (std::size_t k = 0; k < points; ++k) {
-    const long double width = k % 2 == 0 ? 3 : 1, share = (random() + 0.5L) / 4294967296.0L;
+    const long double width = std::array{1, 3, 10}[k % 3], share = (random() + 0.5L) / 4294967296.0L;
     const long double from = std::isfinite(low) ? low : std::isfinite(high) ? high - width : -width;
     const long double to = std::isfinite(high) ? high : std::isfinite(low) ? low + width : width;
     result[k] = from + (to - from) * share;

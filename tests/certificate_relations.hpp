@@ -3,8 +3,10 @@
 // by a factor that is never 0 (or positive, for inequalities), without increasing functions around their
 // sides; or both always hold, or never.
 //
-// What is left to believe: at the points that are looked at everything that is said holds exactly; that it
-// does so all over the connected domain on which both sides are analytic.
+// What is left to believe: at the points that are looked at, everything holds exactly, for polynomials leave
+// only finitely many values of a root or an inverse function, far from each other. That it holds all over the
+// domain rests on both sides being analytic there, piece by piece: the engine sees to that, the checker does
+// not.
 #pragma once
 
 #include <set>

@@ -2,6 +2,7 @@
 #include <derivations/algebra/witness.hpp>
 #include <lessons/ledger/certificate.hpp>
 #include <lessons/ledger/certificate_links.hpp>
+#include <lessons/ledger/certificate_steps.hpp>
 
 namespace rederive {
 

@@ -16,12 +16,19 @@ namespace rederive {
 ///   pieces        of the domain, in the order x < 0, x > 0 (the last name turns first), each with
 ///     steps       what every function is in generators: powers of e, roots and function values with names of
 ///                 their own, "$z3" (certificate_steps.hpp)
-///     links       for the statement, or for each link of a chain: see certificate_links.hpp
-/// In a link, left and right are the two expressions, or the residuals, as quotients of polynomials in
-/// generators; left·cofactor = factor·right·cofactor modulo the relations of the generators, and the cofactor
-/// is not 0 itself. Of two relations that both hold everywhere, or both nowhere, left and right are the
-/// residuals in a form that shows their signs. All is text in our own syntax. Nothing where the statement is
-/// not proved, or where nothing like this is found.
+///     links       for the statement, or for each link of a chain
+/// A link has (certificate_links.hpp)
+///   left layers, right layers   increasing functions taken off the sides of a relation, the outermost first:
+///                               function(left) and function(right) are the sides
+///   left, right                 the two expressions, or the residuals of the relations, as quotients of
+///                               polynomials in generators
+///   factor                      of parts that are never 0, with their exponents; `more` of a part that is 0
+///                               only where one of the residuals is
+///   cofactor                    not 0 itself: left·cofactor = factor·right·cofactor modulo the relations of
+///                               the generators
+/// or, where both relations always hold, or never: `holds`, and left and right in a form that shows it.
+/// All is text in our own syntax. Nothing where the statement is not proved, or where nothing like this is
+/// found.
 std::optional<nlohmann::ordered_json> certificate(const Relation& left, const Relation& right,
                                                   const Symbols& symbols, const std::vector<Given>& given);
 

@@ -79,15 +79,15 @@ struct Finder {
   }
   /// Whether a relation always holds, or never.
   std::optional<bool> settled(const ex& residual, const std::string& op) const {
-    const bool zero = vanishes(residual, q.symbols), weak = op.ends_with('=');
-    if (zero) return weak;
+    const bool weak = op.ends_with('=');
+    if (vanishes(residual, q.symbols)) return weak;
     const auto parts = checked_quotient(residual, 1, q.symbols);
     if (!parts) return std::nullopt;
     const Quotient product = assess(*parts, {}, q.symbols);
-    const bool never_zero = product.zeros.empty();
-    if (op == "=" || product.sign == 0) return op == "=" && never_zero ? std::optional(false) : std::nullopt;
-    if (product.sign > 0) return weak || never_zero ? std::optional(true) : std::nullopt;
-    return !weak || never_zero ? std::optional(false) : std::nullopt;
+    const bool never_zero = product.zeros.empty(), holds = op != "=" && product.sign > 0;
+    if (op != "=" && product.sign == 0) return std::nullopt;
+    const bool zero_fits = op != "=" && holds == weak;  // 0 does not matter then
+    return zero_fits || never_zero ? std::optional(holds) : std::nullopt;
   }
   bool settle(CertifiedLink& link, const std::string& op, const std::string& other) const {
     const auto left = settled(link.left, op), right = settled(link.right, other);
@@ -176,7 +176,8 @@ struct Finder {
   CertifiedLink find(const Relation& left, const Relation& right) const {
     const Sides l = sides(left), r = sides(right);
     const std::string op = kind(l.op), other = kind(r.op);
-    CertifiedLink plain{residual(l), residual(r), {}, {}, {}, {}, {}, {}, {}}, inner = plain;
+    CertifiedLink plain, inner;
+    plain.left = residual(l), plain.right = residual(r);
     inner.left = residual(unwrapped(l, q.symbols, &inner.left_layers));
     inner.right = residual(unwrapped(r, q.symbols, &inner.right_layers));
     for (CertifiedLink link : {inner, plain}) {
@@ -209,16 +210,12 @@ std::vector<CertifiedDivisor> divisors_of(const CertifiedStatement& q) {
 
 std::vector<CertifiedLink> links_of(const CertifiedStatement& q) {
   if (prove(q.left, q.right, q.symbols, q.given).verdict != Verdict::proved) throw Undecidable("not proved");
-  if (q.left.operators.empty())
-    return {{put_in(lower(q.left.sides[0], q.symbols), q.given),
-             put_in(lower(q.right.sides[0], q.symbols), q.given),
-             {},
-             {},
-             {},
-             {},
-             {},
-             {},
-             {}}};
+  if (q.left.operators.empty()) {
+    CertifiedLink link;
+    link.left = put_in(lower(q.left.sides[0], q.symbols), q.given);
+    link.right = put_in(lower(q.right.sides[0], q.symbols), q.given);
+    return {link};
+  }
   const std::vector<CertifiedDivisor> divisors = divisors_of(q);
   std::vector<CertifiedLink> links;
   for (std::size_t k = 0; k < q.left.operators.size(); ++k)

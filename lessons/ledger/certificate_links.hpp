@@ -3,7 +3,7 @@
 #pragma once
 
 #include <derivations/algebra/unwrap.hpp>
-#include <lessons/ledger/certificate_steps.hpp>
+#include <lessons/ledger/certificate_statement.hpp>
 
 namespace rederive {
 
