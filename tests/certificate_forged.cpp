@@ -1,0 +1,106 @@
+// False statements, and certificates made up by hand for them: each leans on one thing that the checker must
+// not take on trust. Two true ones beside them show that the form is right.
+#include <doctest/doctest.h>
+
+#include <tests/certificate_relations.hpp>
+
+using Json = nlohmann::json;
+
+namespace {
+
+/// A certificate without givens, with one piece and one link.
+std::string verdict(const Json& left, const Json& right, const Json& ranges, const Json& steps,
+                    const Json& link, const Json& cut = Json::array()) {
+  const Json piece{{"steps", steps}, {"links", {link}}};
+  try {
+    certificate_checker::check({{"format", "rederive certificate 3"},
+                                {"left", left},
+                                {"right", right},
+                                {"given", Json::object()},
+                                {"divisors", Json::array()},
+                                {"ranges", ranges},
+                                {"cut", cut},
+                                {"pieces", Json(1 << cut.size(), piece)}});
+    return "accepted";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+Json linked(const std::string& left, const std::string& right, const std::string& cofactor = "1",
+            const Json& factor = Json::object()) {
+  return {{"left", left}, {"right", right}, {"factor", factor}, {"cofactor", cofactor}};
+}
+
+const char* const real = "(-inf, inf)";
+
+}  // namespace
+
+TEST_CASE("cofactors and divisors that are 0") {
+  const Json ranges{{"x", real}, {"y", real}}, positive{{"x", "(0, inf)"}};
+  const Json left{"x"}, right{"y"}, none = Json::array();
+  for (const char* zero : {"0", "x-x", "(x-x)/(y-y)", "(x+10^15)-10^15-x"})
+    CHECK(verdict(left, right, ranges, none, linked("x", "y", zero)) == "a divisor vanishes");
+  const Json size = Json::array({{{"function", "^1/2"}, {"of", "x^2"}, {"name", "$f"}}});
+  CHECK(verdict({"fabs(x)"}, {"-x"}, positive, size, linked("$f", "-x", "$f-x")) == "a divisor vanishes");
+  CHECK(verdict({"fabs(x)"}, {"x"}, positive, size, linked("$f", "x", "$f+x")) == "accepted");
+}
+
+TEST_CASE("other branches") {
+  const Json ranges{{"x", real}};
+  const Json root = Json::array({{{"function", "^1/2"}, {"of", "x^2"}, {"is", "x"}}});
+  CHECK(verdict({"sqrt(x^2)"}, {"x"}, ranges, root, linked("x", "x"), {"x"}) == "another branch of ^1/2");
+  const auto third = [](const std::string& sign) {
+    const Json steps{{{"function", "^1/2"}, {"of", "3"}, {"name", "$r"}},
+                     {{"function", "exp"},
+                      {"of", "$i*pi/3"},
+                      {"is", "1/2" + sign + "$i*$r/2"},
+                      {"power", 6},
+                      {"from", {{"$i*pi/2", 4}}}}};
+    const std::string value = (sign == "-" ? "-" : "") + std::string("sqrt(3)/2");
+    return verdict({"sin(pi/3)"}, {value}, Json::object(), steps, linked(sign + "$r/2", sign + "$r/2"));
+  };
+  CHECK(third("-") == "another branch of exp");
+  const Json unit{{{"function", "^1/2"}, {"of", "1-x^2"}, {"name", "$r"}},
+                  {{"function", "asin"}, {"of", "x"}, {"is", "x"}, {"unit", "$r+$i*x"}}};
+  CHECK(verdict({"asin(x)"}, {"x"}, {{"x", "(0, 1)"}}, unit, linked("x", "x")) == "nothing is said of exp");
+}
+
+TEST_CASE("numbers that have lost all digits") {
+  for (const char* large : {"10^6", "10^12", "10^15", "10^18"}) {  // $a and $b are the same: e^x
+    const std::string noisy = std::string("(x+") + large + ")-" + large;
+    const Json steps{{{"function", "exp"}, {"of", noisy}, {"name", "$b"}},
+                     {{"function", "exp"}, {"of", "2*x"}, {"from", {{"x", 2}}}, {"is", "$b^2"}},
+                     {{"function", "exp"}, {"of", "x"}, {"name", "$a"}, {"power", 2}, {"from", {{"2*x", 1}}}},
+                     {{"function", "^1/2"}, {"of", "exp(2*x)"}, {"is", "$a"}}};
+    CHECK(verdict({"sqrt(exp(2*x))+exp(x)"}, {"0"}, {{"x", real}}, steps, linked("$a+$b", "0", "$a-$b")) !=
+          "accepted");
+  }
+}
+
+TEST_CASE("factors that are 0 somewhere") {
+  const Json ranges{{"x", real}, {"y", real}}, none = Json::array(), right{"x", "=", "0"};
+  CHECK(verdict({"x*y", "=", "0"}, right, ranges, none, linked("x*y", "x", "1", {{"y", 1}})) ==
+        "a factor may vanish: y");
+  CHECK(verdict({"x*y^2", "=", "0"}, right, ranges, none, linked("x*y^2", "x", "1", {{"y^2", 1}})) ==
+        "a factor may vanish: y^2");
+  CHECK(verdict({"x*y", "=", "0"}, right, ranges, none, linked("x*y", "x", "1", {{"1/y", -1}})) ==
+        "a factor may vanish: 1/y");
+  Json more = linked("x*(x^2+y^2-1)", "x", "1", {{"x^2+y^2-1", 1}});
+  more["more"] = {{"x^2+y^2-1", "y^2-1"}};
+  CHECK(verdict({"x*(x^2+y^2-1)", "=", "0"}, right, ranges, none, more) == "a factor may vanish: x^2+y^2-1");
+  const Json wave = Json::array({{{"function", "exp"}, {"of", "$i*x"}, {"name", "$z"}}});
+  CHECK(verdict({"cos(x)*y", ">", "0"}, {"y", ">", "0"}, {{"x", "(-2, 2)"}, {"y", real}}, wave,
+                linked("($z+1/$z)/2*y", "y", "1", {{"cos(x)", 1}})) == "a factor may vanish: cos(x)");
+}
+
+TEST_CASE("a layer that has a value on half of the domain only") {
+  const Json ranges{{"x", real}, {"y", real}};
+  const Json steps{{{"function", "^1/2"}, {"of", "x^2"}, {"is", "x"}},
+                   {{"function", "^1/2"}, {"of", "y^2"}, {"is", "y"}}};
+  Json layered = linked("x^2-y^2", "x^2-y^2");
+  layered["left layers"] = Json::array({{{"function", "^1/2"}, {"left", "x^2"}, {"right", "y^2"}}});
+  CHECK(verdict({"x", "=", "y"}, {"x^2", "=", "y^2"}, ranges, steps, layered) == "another branch of ^1/2");
+  CHECK(verdict({"x", "=", "y"}, {"x^2", "=", "y^2"}, {{"x", "(0, inf)"}, {"y", "(0, inf)"}}, steps,
+                layered) == "accepted");
+}
