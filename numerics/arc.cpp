@@ -1,12 +1,14 @@
+#include <numerics/arc.hpp>
+
+#include <emitted/rocking_block.hpp>
+#include <numerics/integrator.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <emitted/rocking_block.hpp>
 #include <limits>
 #include <memory>
 #include <numbers>
 #include <numeric>
-#include <numerics/arc.hpp>
-#include <numerics/integrator.hpp>
 #include <utility>
 
 namespace rederive::inline numeric {
@@ -150,4 +152,4 @@ Arc Mover::move(const Piece& piece, int side, const Point& start, Real until) {
   return arc;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numeric

@@ -1,3 +1,9 @@
+#include <numerics/closed_form.hpp>
+
+#include <numerics/closed_form_residuals.hpp>
+#include <numerics/motion_check.hpp>
+#include <numerics/roots.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,10 +11,6 @@
 #include <cstdlib>
 #include <mutex>
 #include <numbers>
-#include <numerics/closed_form.hpp>
-#include <numerics/closed_form_residuals.hpp>
-#include <numerics/motion_check.hpp>
-#include <numerics/roots.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -232,4 +234,4 @@ std::vector<ClosedForm> closed_forms(const PulseCase& asked) {
   return all_roots(asked.pulse, exact_case_of(asked));
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numeric

@@ -1,10 +1,11 @@
 // Figures 8, 9, 12 and 13: motions just below and just above a threshold.
-#include <fmt/format.h>
-
-#include <cmath>
 #include <numerics/figures.hpp>
 #include <numerics/story.hpp>
 #include <numerics/windows.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -165,4 +166,4 @@ Figure history_figure(int number) {
   }
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numeric

@@ -133,4 +133,4 @@ Figure code_comparison_figure(const FigureOptions& options) {
   return figure;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numeric

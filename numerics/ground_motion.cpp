@@ -1,10 +1,11 @@
+#include <numerics/ground_motion.hpp>
+
+#include <emitted/rocking_block.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <emitted/rocking_block.hpp>
 #include <numbers>
-#include <numerics/ground_motion.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -113,4 +114,4 @@ GroundMotion record_motion(const Record& record, const Block& block, double scal
   return motion;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numeric

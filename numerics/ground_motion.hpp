@@ -2,6 +2,7 @@
 #pragma once
 
 #include <numerics/block.hpp>
+
 #include <string>
 #include <vector>
 
@@ -61,4 +62,4 @@ Record read_record(const std::string& file, RecordUnit unit, double step = 0);
 /// The record interpolated linearly, for a block with this alpha and p.
 GroundMotion record_motion(const Record& record, const Block& block, double scale = 1);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numeric

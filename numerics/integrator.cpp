@@ -1,11 +1,12 @@
+#include <numerics/integrator.hpp>
+
+#include <emitted/rocking_block.hpp>
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 
 #include <algorithm>
 #include <cmath>
-#include <emitted/rocking_block.hpp>
 #include <numbers>
-#include <numerics/integrator.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -77,4 +78,4 @@ Point RockingIntegrator::integrate(const Piece& piece, int side, const Point& fr
   return {time, state[0], state[1]};
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numeric

@@ -1,10 +1,11 @@
+#include <numerics/response.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numerics/response.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -204,4 +205,4 @@ std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion&
   return samples;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numeric

@@ -1,4 +1,5 @@
 #include <derivations/rocking_block/energy.hpp>
+
 #include <stdexcept>
 
 namespace rederive {
