@@ -56,6 +56,28 @@ RockingIntegrator::RockingIntegrator(const Block& block, double tolerance)
   if (!step_ || !control_ || !evolve_) throw std::bad_alloc();
 }
 
+/// By secants, one end held back where the other does not move (the Illinois rule).
+Point RockingIntegrator::turning_point(const gsl_odeiv2_system& system, const Point& from, Real to,
+                                       Real velocity) {
+  double low = 0, high = static_cast<double>(to - from.time), at_low = static_cast<double>(from.velocity),
+         at_high = static_cast<double>(velocity);
+  const double start = static_cast<double>(from.time), enough = 1e-9 * high;
+  double state[2] = {0, 0}, error[2], time = high;
+  while (high - low > enough) {
+    const double middle = low + (high - low) * at_low / (at_low - at_high);
+    if (!(std::abs(middle - time) > enough * 1e-3)) break;
+    time = middle;
+    state[0] = static_cast<double>(from.angle), state[1] = static_cast<double>(from.velocity);
+    gsl_odeiv2_step_reset(step_.get());
+    gsl_odeiv2_step_apply(step_.get(), start, time, state, error, nullptr, nullptr, &system);
+    if ((state[1] > 0) == (at_low > 0))
+      low = time, at_low = state[1], at_high /= 2;
+    else
+      high = time, at_high = state[1], at_low /= 2;
+  }
+  return {from.time + time, state[0], state[1]};
+}
+
 Point RockingIntegrator::integrate(const Piece& piece, int side, const Point& from, Real time) {
   Motion motion = motion_from(block_, piece, side, from.time);
   gsl_odeiv2_system system{right_hand_side, nullptr, 2, &motion};
@@ -66,13 +88,20 @@ Point RockingIntegrator::integrate(const Piece& piece, int side, const Point& fr
   double t = 0, step = std::min(guess_, end);
   double state[2] = {static_cast<double>(from.angle), static_cast<double>(from.velocity)};
   for (int count = 0; t < end; ++count) {
-    const double before = t;
+    const double before = t, start[2] = {state[0], state[1]};
     const int status =
         gsl_odeiv2_evolve_apply(evolve_.get(), control_.get(), step_.get(), &system, &t, end, &step, state);
     if (status != GSL_SUCCESS || count > 1'000'000 || !std::isfinite(state[0]))
       throw std::runtime_error(
           fmt::format("the integration stopped at tau = {}", static_cast<double>(from.time) + t));
     if (t - before > guess_ / 4) guess_ = std::max(step, t - before);
+    const bool turns = side * start[1] > 0 && side * state[1] < 0;
+    const double farthest =
+        std::max(side * start[0], side * state[0]) + (std::abs(start[1]) + std::abs(state[1])) * (t - before);
+    if (turns && farthest >= lying) {
+      const Point turn = turning_point(system, {before, start[0], start[1]}, t, state[1]);
+      if (side * turn.angle >= lying) return {from.time + turn.time, turn.angle, 0};
+    }
     if (side * state[0] >= lying) return {from.time + t, state[0], state[1]};
   }
   return {time, state[0], state[1]};

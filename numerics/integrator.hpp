@@ -16,7 +16,8 @@ class RockingIntegrator {
  public:
   RockingIntegrator(const Block& block, double tolerance);
 
-  /// The state at `time`, or where |theta| first is pi/2 or more at the end of a step.
+  /// The state at `time`, or, if |theta| reaches pi/2 before, where that is found: at the end of a step or,
+  /// if the block turns back inside it, at the turning point.
   Point integrate(const Piece& piece, int side, const Point& from, Real time);
 
  private:
@@ -24,6 +25,9 @@ class RockingIntegrator {
   struct Release {
     void operator()(auto* object) const { release(object); }
   };
+  /// Where the velocity vanishes between `from` and the time `to`, at which it is `velocity`.
+  Point turning_point(const gsl_odeiv2_system& system, const Point& from, Real to, Real velocity);
+
   Block block_;
   std::unique_ptr<gsl_odeiv2_step, Release<gsl_odeiv2_step_free>> step_;
   std::unique_ptr<gsl_odeiv2_control, Release<gsl_odeiv2_control_free>> control_;

@@ -83,7 +83,10 @@ class Walk {
     if (keep_) response_.arcs.push_back(arc);
     response_.end = arc.end;
     response_.lies = arc.kind == ArcEnd::lies;
+    instants_ = arc.end.time > arc.start.time ? 0 : instants_ + 1;
     if (arc.kind == ArcEnd::impact) impact(piece);
+    if (instants_ >= 2)
+      rest_at(response_.end.time);  // pressed down on either side, by less than time can tell
   }
 
   void impact(const Piece& piece) {
@@ -105,8 +108,7 @@ class Walk {
   /// beside it.
   Real chain_duration(Real room) const {
     const Real speed = std::abs(response_.end.velocity);
-    const Real slowing =
-        acceleration(block_, model_, -1, 0, room - level_);  // of a block pushed by level - room
+    const Real slowing = acceleration(block_, model_, -1, 0, level_ - room);
     if (!(slowing > 4 * speed)) return std::numeric_limits<Real>::infinity();
     return 4 * speed / (std::max<Real>(1 - block_.restitution, 1e-4L) * slowing);
   }
@@ -123,7 +125,13 @@ class Walk {
     const bool lossless = total_ > many_impacts;
     if (!lossless && !(at.time + chain_duration(room_until(over)) <= over)) return;
     if (lossless && !(room_until(at.time) > 0)) return;
-    at = {lossless ? at.time : std::min(over, at.time + first / 2), 0, 0};
+    rest_at(lossless ? at.time : std::min(over, at.time + first / 2));
+  }
+
+  void rest_at(Real time) {
+    instants_ = 0;
+    if (response_.side == 0) return;
+    response_.end = {time, 0, 0};
     response_.side = 0;
     ++response_.rests;
     note(EventKind::rest, 0);
@@ -134,6 +142,7 @@ class Walk {
   Real level_;
   bool keep_, moved_ = false;
   int total_ = 0;
+  int instants_ = 0;  ///< hops one after the other that took no time at all
   Mover mover_;
   Response response_;
 };

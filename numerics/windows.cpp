@@ -102,6 +102,23 @@ void find_changes(const PulseCase& asked, double low, int code, double high, int
   if (code != code_high) changes.push_back({low, high, code_high});
 }
 
+/// Drops what is narrower than an edge is exact, and joins what only that had parted.
+std::vector<Window> wide_enough(const std::vector<Window>& all, Model model) {
+  const double narrowest = exactness_of_edges(model);
+  const auto beside = [&](double low, double high) { return !(high - low > narrowest * high); };
+  std::vector<Window> kept;
+  for (const Window& window : all) {
+    if (window.to && beside(window.from, *window.to)) continue;
+    const bool same =
+        !kept.empty() && kept.back().code == window.code && beside(*kept.back().to, window.from);
+    if (same)
+      kept.back().to = window.to;
+    else
+      kept.push_back(window);
+  }
+  return kept;
+}
+
 }  // namespace
 
 Edge edge_of_code(const PulseCase& asked, int code, double inside, double outside) {
@@ -131,7 +148,7 @@ std::vector<Window> overturning_windows(const PulseCase& asked, const WindowSear
     from = change.first_after, code = change.code;
   }
   if (code != 0) windows.push_back({from, std::nullopt, code});
-  return windows;
+  return wide_enough(windows, asked.model);
 }
 
 std::optional<Window> least_window(const std::vector<Window>& windows) {

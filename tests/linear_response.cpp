@@ -40,6 +40,18 @@ TEST_CASE("every linear motion satisfies its equation and leaves with its initia
     }
 }
 
+TEST_CASE("by half phases it is the same motion, and begins without a difference of large terms") {
+  const Letters& s = letters();
+  for (const Side side : sides) {
+    const ex motion = linear_response(side, Pulse::sine), halved = by_half_phases(motion);
+    CHECK(identical(motion, halved));
+    CHECK(halved.coeff(s.theta_0, 0)
+              .subs(lst{sinh(s.p * s.t / 2) == 0, sin(s.omega_p * s.t / 2) == 0})
+              .expand()
+              .is_zero());
+  }
+}
+
 TEST_CASE("the linear equation is the tangent of the exact one") {
   const Letters& s = letters();
   const SymbolExpression size = s.rho;  // any symbol that the equation does not have

@@ -74,6 +74,29 @@ TEST_CASE("no window is missed that a dense sampling sees") {
   }
 }
 
+TEST_CASE("a slow pulse has no windows that are empty in double, nor parted by nothing") {
+  for (double ratio : {0.05, 0.1, 0.3})
+    for (Model model : {Model::linear, Model::nonlinear}) {
+      const auto windows = overturning_windows(asked(ratio, model, 0.3596, 0.617));
+      REQUIRE(!windows.empty());
+      for (std::size_t i = 0; i < windows.size(); ++i) {
+        const double narrowest = exactness_of_edges(model) * windows[i].from;
+        if (windows[i].to) CHECK(*windows[i].to - windows[i].from > narrowest);
+        if (i > 0 && windows[i].code == windows[i - 1].code)
+          CHECK(windows[i].from - *windows[i - 1].to > narrowest);
+      }
+    }
+}
+
+TEST_CASE("a block that turns back just before it lies flat has not fallen, one that reaches it has") {
+  // The edge by a quadruple-precision Taylor series.
+  PulseCase of = asked(0.2494, Model::nonlinear, 0.6319, 0.775);
+  of.pulse = Pulse::cosine;
+  of.initial = initial_state(of.block, Model::nonlinear, -0.2463, -0.4624);
+  const double edge = 3.8218338124;
+  CHECK(outcome_at(of, edge * (1 - 1e-9)).code != outcome_at(of, edge * (1 + 1e-9)).code);
+}
+
 TEST_CASE("similarity: linear results depend on omega_p/p and e only") {
   const auto slender = overturning_windows(asked(2.5, Model::linear, 0.05, 0.85));
   const auto stocky = overturning_windows(asked(2.5, Model::linear, 0.6, 0.85));

@@ -235,7 +235,8 @@ void add_response_on_line(std::vector<EmittedFunction>& list, Side side) {
 
 void add_linear_response(std::vector<EmittedFunction>& list, Side side) {
   const Names& s = names();
-  const ex angle = without(s.g, linear_response(side, Pulse::sine).subs(s.a_p == s.amplitude * s.g));
+  const ex response = linear_response(side, Pulse::sine).subs(s.a_p == s.amplitude * s.g);
+  const ex angle = without(s.g, by_half_phases(response));
   const std::vector<SymbolExpression> arguments = {s.alpha, s.p,       s.omega_p,    s.amplitude,
                                                    s.psi,   s.theta_0, s.thetadot_0, s.t};
   const std::string pulse = " of the linear model under amplitude*g*sin(omega_p*t + psi), " + sign(side);

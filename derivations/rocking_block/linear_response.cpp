@@ -72,6 +72,29 @@ ex linear_response(Side side, Pulse pulse) {
   return solution_from(linear_equation(side, pulse), 0, s.theta_0, s.thetadot_0);
 }
 
+ex by_half_phases(const ex& response) {
+  const Letters& s = letters();
+  const ex circular = s.omega_p * s.t, real = s.p * s.t;
+  const GiNaC::symbol sine("sine"), cosine("cosine"), hyperbolic_sine("sh"), hyperbolic_cosine("ch");
+  const lst double_phases{sin(circular) == 2 * sine * cosine, cos(circular) == 1 - 2 * pow(sine, 2),
+                          sinh(real) == 2 * hyperbolic_sine * hyperbolic_cosine,
+                          cosh(real) == 1 + 2 * pow(hyperbolic_sine, 2)};
+  const ex sum = sin(s.psi) * cos(circular) + cos(s.psi) * sin(circular);
+  const lst functions{sine, cosine, hyperbolic_sine, hyperbolic_cosine};
+  const ex collected =
+      response.subs(sin(circular + s.psi) == sum).subs(double_phases).expand().collect(functions, true);
+  GiNaC::exmap coefficients;  // of each product of functions, so that what cancels in them does
+  for (const ex& term : collected) {
+    ex function = 1;
+    for (const ex& f : functions) function *= pow(f, term.degree(f));
+    coefficients[function] += term / function;
+  }
+  ex halved = 0;
+  for (const auto& [function, coefficient] : coefficients) halved += coefficient.normal() * function;
+  return halved.subs(lst{sine == sin(circular / 2), cosine == cos(circular / 2),
+                         hyperbolic_sine == sinh(real / 2), hyperbolic_cosine == cosh(real / 2)});
+}
+
 ex free_motion(Side side) {
   const Constants c = free_names(side);
   return general_solution(linear_equation(side, Pulse::none), letters().t_o, c.C, c.D);

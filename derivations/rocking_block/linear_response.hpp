@@ -25,6 +25,9 @@ Constants forced_constants(Side side, Pulse pulse);
 /// θ(t) under the pulse for any amplitude a_p, from theta_0 and thetadot_0 at t = 0: no names of constants
 /// left.
 GiNaC::ex linear_response(Side side, Pulse pulse);
+/// The same by the sines and cosines of half the phases, in which a short stretch of motion is not the small
+/// difference of large terms: cosh p t − 1 = 2 sinh²(p t/2), cos ω_p t − 1 = −2 sin²(ω_p t/2) …
+GiNaC::ex by_half_phases(const GiNaC::ex& response);
 /// θ(t) of free motion from t_o: Abar_1 sinh p(t − t_o) + Abar_2 cosh p(t − t_o) − α, or Abar_3, Abar_4 and +
 /// α.
 GiNaC::ex free_motion(Side side);
