@@ -48,15 +48,14 @@ Real earliest_return(Real y, Real u, Real m) {
 }  // namespace
 
 Mover::Mover(const Block& block, Model model, double tolerance)
-    : block_(block),
-      model_(model),
-      level_(start_level(block, model)),
-      resolution_(std::numeric_limits<Real>::epsilon()),
-      still_(acceleration(block, model, -1, 0, 0)),
-      per_ground_(1),
+    : block_(block), model_(model), level_(start_level(block, model)),
+      resolution_(std::numeric_limits<Real>::epsilon()), still_(acceleration(block, model, -1, 0, 0)),
+      per_ground_(1), per_push_(1),
       advance_([](const Arc& arc, const Point&, Real time) { return linear_point(arc, time); }) {
   if (model == Model::linear) return;
-  // Nothing turns the block faster than a ground acceleration at the height above the pivot, theta = -alpha.
+  // Nothing turns the block faster than a ground acceleration at the height above the pivot, theta = -alpha;
+  // nothing that pushes it outwards does so less than at upright.
+  per_push_ = still_ - acceleration(block, model, -1, 0, 1);
   per_ground_ = acceleration(block, model, -1, -1, -1);
   weight_ = -acceleration(block, model, 1, 1 - std::numbers::pi_v<Real> / (2 * block.alpha), 0);
   resolution_ = std::numeric_limits<double>::epsilon();  // GSL's states are in double
@@ -75,7 +74,7 @@ Real Mover::bound(const Arc& arc, Real from, Real to) const {
   const Real rounding =
       1e-17L * (level_ + arc.piece.amplitude);  // at the ends of a push it is the level but for that
   if (push >= level_ - 16 * rounding) return 0;
-  return model_ == Model::linear ? still_ - push : still_ + per_ground_ * std::max<Real>(0, -push);
+  return std::max<Real>(0, still_ - (push > 0 ? per_push_ : per_ground_) * push);
 }
 
 /// A time, at most `until`, before which the block cannot come back to upright.
@@ -88,18 +87,25 @@ Real Mover::certain_time(const Arc& arc, const Point& at, Real until) const {
   for (const Push& push : pushes_)  // while the ground pushes away from upright
     if (push.side == arc.side && push.from <= at.time && at.time < push.to)
       time = std::max(time, safe(std::min(until, push.to)));
-  const Real twice = at.time + 2 * (time - at.time);
-  return twice < until ? std::max(time, safe(twice)) : time;
+  for (bool longer = true; longer && time < until;) {  // the bound is the lower, the nearer its end
+    const Real twice = std::min(until, at.time + 2 * (time - at.time)), here = safe(twice);
+    longer = here >= twice && twice > time;
+    time = std::max(time, here);
+  }
+  return time;
 }
 
 /// Whether the block moves towards upright, and on beyond it, until `to` at half its speed at least: no
-/// acceleration away from upright exceeds that of the weight and of the ground at the lever R.
+/// acceleration away from upright exceeds that at the start, which falls with |theta| as far as theta =
+/// alpha; beyond it is that of the weight and of the ground at the lever R.
 bool Mover::falls(const Arc& arc, const Point& at, Real to) const {
   const Range range = ground_range(arc.piece, at.time, to);
   const Real push = std::max<Real>(0, arc.side < 0 ? range.high : -range.low);
-  const Real weight =
-      model_ == Model::linear ? arc.side * acceleration(block_, model_, arc.side, at.angle, 0) : weight_;
-  return (weight + per_ground_ * push) * (to - at.time) <= -arc.side * at.velocity / 2;
+  const bool falls_off = model_ == Model::linear || arc.side * at.angle <= 1;
+  const Real outward = falls_off
+                           ? arc.side * acceleration(block_, model_, arc.side, at.angle, -arc.side * push)
+                           : weight_ + per_ground_ * push;
+  return outward * (to - at.time) <= -arc.side * at.velocity / 2;
 }
 
 /// The impact on a step that falls across upright. Newton's error goes with the square of its last step: one

@@ -54,7 +54,9 @@ class Mover {
   Model model_;
   Real level_;                ///< start_level
   Real resolution_;           ///< of the time of an impact, in units of the step that crosses
-  Real still_, per_ground_;   ///< bound of the acceleration towards upright: still + per_ground * (-ground)
+  Real still_;                ///< acceleration towards upright of a block just off it, on ground that rests
+  Real per_ground_;           ///< at most what a ground acceleration towards upright adds to it
+  Real per_push_;             ///< at least what one away from upright takes from it
   Real weight_ = 0;           ///< nonlinear: no acceleration by the weight exceeds this, at any angle
   std::vector<Push> pushes_;  ///< of the piece that starts at pushes_from_
   Real pushes_from_ = -1;
