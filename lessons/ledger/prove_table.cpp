@@ -18,11 +18,15 @@ std::vector<std::string> list(const toml::table& row, const char* key) {
   return items;
 }
 
-/// A formula in a cell of a Markdown table.
-std::string cell(std::string formula) {
-  for (std::size_t k = 0; (k = formula.find('|', k)) != std::string::npos; k += 2) formula.insert(k, "\\");
-  return "`" + formula + "`";
+/// A text in which some characters mean nothing to Markdown.
+std::string escaped(std::string text, const char* characters) {
+  for (std::size_t k = 0; (k = text.find_first_of(characters, k)) != std::string::npos; k += 2)
+    text.insert(k, "\\");
+  return text;
 }
+
+/// A formula in a cell of a Markdown table.
+std::string cell(const std::string& formula) { return "`" + escaped(formula, "|") + "`"; }
 
 std::string assumptions(const ProveRequest& request) {
   std::string result;
@@ -84,7 +88,7 @@ std::string table_page(const std::vector<TableRow>& rows, int& unexpected) {
     unexpected += as_expected ? 0 : 1;
     body += fmt::format("| {} | {} | {} | {}{} | {} |\n", cell(row.request.left), cell(row.request.right),
                         assumptions(row.request), verdict,
-                        as_expected ? "" : " (**expected " + row.expected + "**)", row.why);
+                        as_expected ? "" : " (**expected " + row.expected + "**)", escaped(row.why, "|*_`"));
   }
   std::string head = fmt::format(
       "# What `ledger prove` can decide, and what it cannot\n\n{} statements, decided as this page was "
