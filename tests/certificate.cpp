@@ -192,6 +192,27 @@ TEST_CASE("only increasing functions are taken off both sides of a relation") {
   CHECK(spoiled(fourth, power) == "another layer");
 }
 
+TEST_CASE("ranges show that a factor is never 0") {
+  const std::vector<ProveRequest> requests{{"(1-x)*y > 0", "y > 0", {"0<x<1"}, {}, 0},
+                                           {"(1-x^2)*a > 0", "a > 0", {"-1<x<1"}, {}, 0},
+                                           {"(x-2)*a = 0", "a = 0", {"x>3"}, {}, 0},
+                                           {"sin(2*alpha)*x > 0", "x > 0", {}, {}, 0},
+                                           {"(1-sin(alpha))*x > 0", "x > 0", {}, {}, 0},
+                                           {"cos(alpha-theta)*x = 0", "x = 0", {"0<theta<pi/2"}, {}, 0},
+                                           {"cosh(x) >= 1", "1 > 0", {}, {}, 0}};
+  for (const ProveRequest& request : requests) {
+    INFO(request.left);
+    Json c = *certificate_of(request);
+    CHECK(verdict(c) == "accepted");
+    for (const auto& [name, range] : c["ranges"].items())  // and any range does not
+      if (request.left[0] != 'c' || name == "theta") {
+        Json wide = c;
+        for (Json& other : wide["ranges"]) other = "(-inf, inf)";
+        CHECK(verdict(wide) != "accepted");
+      }
+  }
+}
+
 TEST_CASE("what always holds, or never, has a form that says so") {
   Json c = *certificate_of({"x^2+y^2 >= 2*x*y", "1 > 0", {}, {}, 0});
   CHECK(verdict(c) == "accepted");

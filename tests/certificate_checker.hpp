@@ -53,14 +53,14 @@ inline Value operator+(const Value& a, const Value& b) { return {a.exact + b.exa
 inline Value operator*(const Value& a, const Value& b) { return {a.exact * b.exact, a.seen * b.seen}; }
 inline Value operator/(const Value& a, const Value& b) { return {a.exact / b.exact, a.seen / b.seen}; }
 inline Value number(const cln::cl_I& n) {
-  const int sign = cln::cl_I_to_int(cln::signum(n));
-  return {{plus({}, {{{}, n}}), {{{}, 1}}}, seen(Numbers(cln::double_approx(n), points), {sign, sign})};
+  const long double value = cln::double_approx(n);
+  return {{plus({}, {{{}, n}}), {{{}, 1}}}, seen(Numbers(value, points), around(value))};
 }
 inline Value operator-(const Value& a, const Value& b) { return a + number(-1) * b; }
 inline Value power(const Value& a, long n) {
   Value result = number(1);
   for (long k = 0; k < std::abs(n); ++k) result = n > 0 ? result * a : result / a;
-  if (n % 2 == 0) result.seen.signs.low = std::max(result.seen.signs.low, 0);
+  if (n % 2 == 0) result.seen.range = not_negative(result.seen.range);
   return result;
 }
 
@@ -114,7 +114,7 @@ class Replay {
     if (q == 1) return power(p < 0 ? divisor(base) : base, p);
     Value root = q > 1 ? known("^" + std::to_string(p) + "/" + std::to_string(q), base)
                        : known("exp", exponent * call("log", base));
-    root.seen.signs = {std::max(base.seen.signs.low, 0), 1};
+    root.seen.range = {0, INFINITY, !base.seen.range.is_positive(), false};
     return root;
   }
   Value call(const std::string& f, const Value& x) {
@@ -124,7 +124,7 @@ class Replay {
       names_["$u"] = known("exp", f.ends_with('h') ? x : i_ * x, f.starts_with("cos")),
       names_["$v"] = number(1) / names_["$u"];
     Value result = meaning.empty() ? known(f, x) : value(meaning);
-    result.seen.signs = signs_of(f, x.seen.signs, result.seen.signs);
+    result.seen.range = range_of(f, x.seen.range, result.seen.range);
     return result;
   }
   /// Told of all that must not be 0.

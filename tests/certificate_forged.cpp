@@ -94,6 +94,15 @@ TEST_CASE("factors that are 0 somewhere") {
                 linked("($z+1/$z)/2*y", "y", "1", {{"cos(x)", 1}})) == "a factor may vanish: cos(x)");
 }
 
+TEST_CASE("a range that has lost its digits") {
+  const Json ranges{{"x", "(-1, 1)"}, {"y", real}}, none = Json::array();
+  for (const char* large : {"10^15", "10^18", "10^30"}) {
+    const std::string part = std::string("x+") + large + "-" + large;
+    CHECK(verdict({"x*y", ">", "0"}, {"y", ">", "0"}, ranges, none, linked("x*y", "y", "1", {{part, 1}})) ==
+          "a factor may vanish: " + part);
+  }
+}
+
 TEST_CASE("a layer that has a value on half of the domain only") {
   const Json ranges{{"x", real}, {"y", real}};
   const Json steps{{{"function", "^1/2"}, {"of", "x^2"}, {"is", "x"}},

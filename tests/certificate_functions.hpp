@@ -1,5 +1,5 @@
-// What functions are made of, and the sign of an expression as far as its form shows it: x^2 + 1 is positive,
-// and so is exp(x).
+// What functions are made of, and the range of an expression as far as its form shows it: x^2 + 1 is
+// positive, and so are exp(x), and 1 - x for x in (0, 1).
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace certificate_checker {
 
@@ -22,38 +23,91 @@ inline std::string meaning_of(const std::string& f) {
   return found == meanings.end() ? "" : found->second;
 }
 
-/// The signs that a real number may have: all from `low` to `high` of -1, 0, 1.
-struct Signs {
-  int low = -1, high = 1;
-  long double bound = INFINITY;  ///< of a name: its size is below
-  bool never_zero() const { return low == high && low != 0; }
+/// The real numbers between two ends.
+struct Range {
+  long double low = -INFINITY, high = INFINITY;
+  bool has_low = false, has_high = false;  ///< the ends themselves
+  bool is_positive() const { return low > 0 || (low == 0 && !has_low); }
+  bool is_negative() const { return high < 0 || (high == 0 && !has_high); }
 };
-inline Signs operator+(Signs a, Signs b) {
-  return {std::min(a.low, b.low) < 0 ? -1 : std::max(a.low, b.low),
-          std::max(a.high, b.high) > 0 ? 1 : std::min(a.high, b.high)};
+/// A rounded end is moved outward, by more than it may be wrong.
+inline long double end(long double value, long double size, bool is_exact, int outward) {
+  return is_exact ? value : value + outward * 1e-15L * size;
 }
-inline Signs operator*(Signs a, Signs b) {
-  const auto [low, high] = std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-  return {low, high};
+inline Range around(long double value) {
+  const bool is_exact = std::abs(value) < 9e15L;
+  return {end(value, std::abs(value), is_exact, -1), end(value, std::abs(value), is_exact, 1), true, true};
+}
+inline Range operator+(Range a, Range b) {
+  const auto sum = [](long double x, long double y, int outward) {
+    const long double s = x + y;
+    return end(s, std::abs(x) + std::abs(y), s - x == y && s - y == x, outward);
+  };
+  return {sum(a.low, b.low, -1), sum(a.high, b.high, 1), a.has_low && b.has_low, a.has_high && b.has_high};
+}
+inline Range operator*(Range a, Range b) {
+  Range result{INFINITY, -INFINITY};
+  for (const auto& [x, has_x] : {std::pair{a.low, a.has_low}, {a.high, a.has_high}})
+    for (const auto& [y, has_y] : {std::pair{b.low, b.has_low}, {b.high, b.has_high}}) {
+      const bool is_zero = x == 0 || y == 0;
+      const long double product = is_zero ? 0 : x * y;
+      if (std::isnan(product) || (product == 0 && !is_zero)) return {};
+      const bool is_exact = is_zero || std::isinf(product) || std::fma(x, y, -product) == 0;
+      const long double low = end(product, std::abs(product), is_exact, -1),
+                        high = end(product, std::abs(product), is_exact, 1);
+      const bool has_end = (has_x && (has_y || x == 0)) || (has_y && y == 0);
+      if (low < result.low) result.low = low, result.has_low = false;
+      if (high > result.high) result.high = high, result.has_high = false;
+      if (low == result.low) result.has_low = result.has_low || has_end;
+      if (high == result.high) result.has_high = result.has_high || has_end;
+    }
+  return result;
+}
+/// The reciprocals of what has one sign lie between those of its ends.
+inline Range operator/(Range a, Range b) {
+  if (b.is_negative()) return a * Range{-1, -1, true, true} / (b * Range{-1, -1, true, true});
+  if (!b.is_positive()) return {};
+  const auto over = [](long double x, int outward) {
+    const long double q = 1 / std::abs(x);
+    return end(q, q, std::isinf(x) || x == 0 || std::fma(q, x, -1.0L) == 0, outward);
+  };
+  return a * Range{over(b.high, -1), over(b.low, 1), b.has_high, b.has_low};
+}
+/// Of an even power, for which a range was found that does not know of it.
+inline Range not_negative(Range range) {
+  return range.low >= 0 ? range : Range{0, range.high, true, range.has_high};
 }
 
-/// Those of f(x), or others where nothing more is known.
-inline Signs signs_of(const std::string& f, Signs x, Signs others) {
+/// That of f(x), or another one where nothing more is known.
+inline Range range_of(const std::string& f, const Range& x, const Range& other) {
+  using F = long double (*)(long double);
+  static const std::map<std::string, F> increasing{{"exp", std::exp},
+                                                   {"sinh", std::sinh},
+                                                   {"asinh", std::asinh},
+                                                   {"tanh", std::tanh},
+                                                   {"atan", std::atan}};
   constexpr long double pi = std::numbers::pi_v<long double>;
-  if (f == "exp" || f == "cosh" || (f == "cos" && x.bound <= pi / 2)) return {1, 1};
-  if (f == "sinh" || (f == "sin" && x.bound <= pi)) return {x.low, x.high};
-  return f == "acos" || f == "acosh" ? Signs{0, 1} : others;
-}
-
-/// Those of a name in a range such as "(0, pi/2]", with its ends.
-inline Signs signs_between(long double low, bool has_low, long double high, bool has_high) {
-  return {low > 0 || (low == 0 && !has_low) ? 1
-          : low == 0                        ? 0
-                                            : -1,
-          high < 0 || (high == 0 && !has_high) ? -1
-          : high == 0                          ? 0
-                                               : 1,
-          std::max(-low, high) + (has_low || has_high ? 1e-9L : 0)};
+  if (f == "exp" && !(std::exp(x.low) > 0)) return {0, INFINITY, false, false};
+  if (const auto found = increasing.find(f); found != increasing.end()) {
+    const auto at = [&](long double from, int outward) {
+      const long double value = found->second(from);
+      return end(value, std::abs(value), from == 0, outward);
+    };
+    return {at(x.low, -1), at(x.high, 1), x.has_low, x.has_high};
+  }
+  const auto has = [&](long double from) {
+    return (x.has_low && x.low == from) || (x.has_high && x.high == from);
+  };
+  const auto contains = [&](long double inside) {
+    return (x.low < inside && inside < x.high) || has(inside);
+  };
+  if (f == "sin" && x.low >= 0 && x.high <= pi) return {0, 1, has(0) || has(pi), contains(pi / 2)};
+  if (f == "sin" && x.low >= -pi && x.high <= 0) return {-1, 0, contains(-pi / 2), has(0) || has(-pi)};
+  if (f == "cos" && x.low >= -pi / 2 && x.high <= pi / 2)
+    return {0, 1, has(-pi / 2) || has(pi / 2), contains(0)};
+  if (f == "sin" || f == "cos") return {-1, 1, true, true};
+  if (f == "cosh") return {1, INFINITY, contains(0), false};
+  return f == "acos" || f == "acosh" ? Range{0, INFINITY, true, false} : other;
 }
 
 }  // namespace certificate_checker

@@ -28,21 +28,21 @@ inline Numbers sizes(const Numbers& numbers) {
 }
 
 /// What is seen of a value: the numbers, and by how many units of the last place of 1 they may be wrong, for
-/// a sum that cancels is much larger than its value; and its signs, as its form shows them.
+/// a sum that cancels is much larger than its value; and its range, as its form shows it.
 struct Seen {
   Numbers at, error;
-  Signs signs;
+  Range range;
 };
-inline Seen seen(const Numbers& at, Signs signs) { return {at, sizes(at), signs}; }
+inline Seen seen(const Numbers& at, Range range) { return {at, sizes(at), range}; }
 inline Seen operator+(const Seen& a, const Seen& b) {
-  return {a.at + b.at, a.error + b.error, a.signs + b.signs};
+  return {a.at + b.at, a.error + b.error, a.range + b.range};
 }
 inline Seen operator*(const Seen& a, const Seen& b) {
-  return {a.at * b.at, a.error * sizes(b.at) + sizes(a.at) * b.error, a.signs * b.signs};
+  return {a.at * b.at, a.error * sizes(b.at) + sizes(a.at) * b.error, a.range * b.range};
 }
 inline Seen operator/(const Seen& a, const Seen& b) {
   const Numbers at = a.at / b.at;
-  return {at, (a.error + sizes(at) * b.error) / sizes(b.at), a.signs * b.signs};
+  return {at, (a.error + sizes(at) * b.error) / sizes(b.at), a.range / b.range};
 }
 
 /// A power of e; of a root "^p/q" or an inverse function the principal value, not a number where it is not

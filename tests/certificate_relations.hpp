@@ -19,7 +19,7 @@ class Checker : Replay {
   /// Checks one piece. Throws std::exception saying what is wrong.
   Checker(const Json& certificate, std::size_t piece) : c_(certificate) {
     require(c_.at("format") == "rederive certificate 3", "another format");
-    name("pi", seen(Numbers(std::numbers::pi_v<long double>, points), {1, 1}));
+    name("pi", seen(Numbers(std::numbers::pi_v<long double>, points), {3, 4}));
     state("exp", value("$i*pi/2"), value("$i"));
     for (const auto& [name, range] : c_.at("ranges").items()) draw(name, range, piece);
     for (const Json& step : c_.at("pieces").at(piece).at("steps"))
@@ -35,8 +35,8 @@ class Checker : Replay {
   }
 
  private:
-  /// Of a name that is cut at 0 a bit of the piece says on which side. Its signs are those of the whole
-  /// range.
+  /// Of a name that is cut at 0 a bit of the piece says on which side. Its range is
+  /// the whole one.
   void draw(const std::string& text, const std::string& range, std::size_t piece) {
     const std::size_t comma = range.find(',');
     const auto end = [&](const std::string& s) -> long double {
@@ -44,11 +44,11 @@ class Checker : Replay {
     };
     long double low = end(range.substr(1, comma - 1)),
                 high = end(range.substr(comma + 2, range.size() - comma - 3));
-    const Signs signs = signs_between(low, range.front() == '[', high, range.back() == ']');
+    const Range whole{low, high, range.front() == '[', range.back() == ']'};
     const Json& cut = c_.at("cut");
     const auto place = static_cast<std::size_t>(std::find(cut.begin(), cut.end(), text) - cut.begin());
     if (place < cut.size()) ((piece >> (cut.size() - 1 - place) & 1) == 0 ? high : low) = 0;
-    name(text, seen(drawn(low, high, random_), signs));
+    name(text, seen(drawn(low, high, random_), whole));
   }
   /// Of real names and functions only.
   Value stated(const std::string& text) {
@@ -114,7 +114,7 @@ class Checker : Replay {
             op == "=" || other == "=" ? "an equation and an inequality" : "only one allows equality");
     const Value f = factor(link, left, right), cofactor = divisor(value(link.at("cofactor")));
     require(!op.empty() || link.at("factor").empty(), "the factor of two expressions is 1");
-    require(op.empty() || op == "=" || f.seen.signs.low >= 0, "a factor turns the inequality round");
+    require(op.empty() || op == "=" || f.seen.range.low >= 0, "a factor turns the inequality round");
     require(same(cofactor * left, cofactor * value(link.at("left"))), "the left side is another one");
     require(same(cofactor * right, cofactor * value(link.at("right"))), "the right side is another one");
     require(same(cofactor * left, cofactor * f * right), "something remains");
@@ -126,12 +126,12 @@ class Checker : Replay {
     Value product = number(1);
     for (const auto& [text, n] : link.at("factor").items()) {
       const Value part = stated(text), square = power(part, 2);
-      bool is_clear = part.seen.signs.never_zero();
+      bool is_clear = part.seen.range.is_positive() || part.seen.range.is_negative();
       for (const Value& d : divisors_) is_clear = is_clear || same(power(d, 2), square);
       if (link.contains("more") && link.at("more").contains(text)) {
         const Value more = stated(link.at("more").at(text));
-        is_clear = more.seen.signs.low >= 0 && same(part, power(n > 0 ? right : left, 2) + more);
-        product.seen.signs = {};
+        is_clear = more.seen.range.low >= 0 && same(part, power(n > 0 ? right : left, 2) + more);
+        product.seen.range = {};
       }
       require(is_clear, "a factor may vanish: " + text);
       product = product * power(part, n);
@@ -142,10 +142,12 @@ class Checker : Replay {
   void settle(const std::string& op, const Value& residual, const std::string& text, bool holds) {
     const Value form = stated(text);
     require(!op.empty() && same(residual, form), "the form is another one");
-    const int least = op == ">" ? 1 : 0, most = op == "=" ? 0 : 1;
-    require(holds ? form.seen.signs.low >= least && form.seen.signs.high <= most
-                  : form.seen.signs.high < least || form.seen.signs.low > most,
-            "the form leaves it open");
+    const Range& r = form.seen.range;
+    const bool always = op == "=" ? r.low == 0 && r.high == 0 : op == ">" ? r.is_positive() : r.low >= 0;
+    const bool never = op == "="   ? r.is_positive() || r.is_negative()
+                       : op == ">" ? r.high <= 0
+                                   : r.is_negative();
+    require(holds ? always : never, "the form leaves it open");
   }
 
   const Json& c_;

@@ -41,29 +41,22 @@ struct Finder {
 
   // ---- forms that show a sign
 
-  /// c·sin(u) as |c|·(sin(u/2) ± cos(u/2))² - |c|, and c·cos(u) likewise: then 2 - sin(x) is a sum of
-  /// squares.
-  static ex with_squares(const ex& term) {
-    const ex number = is_a<GiNaC::mul>(term) ? term.op(term.nops() - 1) : ex(1), f = term / number;
-    const std::string name = name_of(f);
-    if (!is_a<numeric>(number) || (name != "sin" && name != "cos")) return term;
-    const ex half = f.op(0) / 2, size = GiNaC::abs(ex_to<numeric>(number));
-    const bool plus = ex_to<numeric>(number).is_positive();
-    if (name == "cos") return 2 * size * GiNaC::pow(plus ? GiNaC::cos(half) : GiNaC::sin(half), 2) - size;
-    return size * GiNaC::pow(GiNaC::sin(half) + (plus ? 1 : -1) * GiNaC::cos(half), 2) - size;
+  /// Whether the range of the terms as they stand shows one sign.
+  bool shows_sign(const ex& e) const {
+    const Interval i = interval_of(e, q.symbols);
+    try {
+      return (i.low.infinite == 0 && compare(i.low.value, 0) >= 0) ||
+             (i.high.infinite == 0 && compare(i.high.value, 0) <= 0);
+    } catch (const std::domain_error&) {  // too close to tell
+      return false;
+    }
   }
-  /// An expression of one sign so written that its terms have it.
+  /// An expression of one sign so written that it shows: with a square completed, if need be.
   ex form(const ex& e) const {
-    if (!is_a<GiNaC::add>(e)) return e;
     const auto quadratic = as_quadratic(e);
-    if (quadratic && !quadratic->b.is_zero())
-      return quadratic->a * GiNaC::pow(quadratic->x + quadratic->b / (2 * quadratic->a), 2) +
-             form((quadratic->discriminant() / (4 * quadratic->a)).normal());
-    const bool positive = is_nonnegative(e, q.symbols);
-    ex sum = 0;
-    for (const ex& term : e)
-      sum += is_nonnegative(positive ? term : -term, q.symbols) ? term : with_squares(term);
-    return sum;
+    if (shows_sign(e) || !quadratic || quadratic->b.is_zero()) return e;
+    return quadratic->a * GiNaC::pow(quadratic->x + quadratic->b / (2 * quadratic->a), 2) +
+           form((quadratic->discriminant() / (4 * quadratic->a)).normal());
   }
   std::optional<ex> form_of_one_sign(const ex& e) const {
     if (e.is_zero() || is_nonnegative(e, q.symbols) || is_nonnegative(-e, q.symbols)) return form(e);
