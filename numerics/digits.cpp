@@ -38,10 +38,22 @@ Digits Digits::parse(std::string_view text) {
   return Digits(cln::cl_float(value, format()));
 }
 
+namespace {
+
+/// What is too small for a double is 0; CLN would throw.
+double nearest_double(const cln::cl_F& value) {
+  static const bool quiet = cln::cl_inhibit_floating_point_underflow = true;
+  return quiet ? cln::double_approx(value) : 0;
+}
+
+}  // namespace
+
+double Digits::to_double() const { return nearest_double(value_); }
+
 long double Digits::to_real() const {
   const auto [mantissa, exponent, sign] = cln::decode_float(value_);
-  const double high = cln::double_approx(mantissa);
-  const double low = cln::double_approx(mantissa - cln::cl_float(cln::cl_F(high), format()));
+  const double high = nearest_double(mantissa);
+  const double low = nearest_double(mantissa - cln::cl_float(cln::cl_F(high), format()));
   const int power = cln::cl_I_to_int(cln::min(cln::max(exponent, -100'000), 100'000));
   return std::ldexp((high + static_cast<long double>(low)) * (cln::minusp(value_) ? -1 : 1), power);
 }

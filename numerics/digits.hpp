@@ -31,7 +31,7 @@ class Digits {
 
   /// The value rounded to `count` significant digits, as text.
   std::string text(int count) const;
-  double to_double() const { return cln::double_approx(value_); }
+  double to_double() const;
   /// To the nearest long double but one; infinite or zero where it has no such power of two.
   long double to_real() const;
   const cln::cl_F& value() const { return value_; }

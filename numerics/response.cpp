@@ -15,7 +15,8 @@ namespace {
 /// only the outcome is, any chain that is sure to be over in time may be cut short sooner.
 constexpr Real rest_speed = 1e-9L;
 constexpr Real soon_at_rest = 1e-3L;
-constexpr int most_impacts = 500'000;
+/// Impacts that are followed, in all and for each piece of a record.
+constexpr long most_impacts = 500'000, most_a_piece = 1'000;
 
 /// Without loss (e = 1) a chain never ends: after so many impacts, hops slower than this count as rest, too.
 constexpr int many_impacts = 5'000;
@@ -24,10 +25,7 @@ constexpr Real slow = 1e-4L;
 class Walk {
  public:
   Walk(const Block& block, Model model, const InitialState& initial, const ResponseOptions& options)
-      : block_(block),
-        model_(model),
-        level_(start_level(block, model)),
-        keep_(options.history),
+      : block_(block), model_(model), level_(start_level(block, model)), keep_(options.history),
         mover_(block, model, options.tolerance) {
     response_.end = {0, initial.angle, initial.velocity};
     const Real leads = initial.angle != 0 ? initial.angle : initial.velocity;
@@ -36,6 +34,7 @@ class Walk {
   }
 
   void through(const Piece& piece) {
+    allowed_ += most_a_piece;
     while (!response_.lies && response_.end.time < piece.to)
       if (response_.side == 0)
         wait(piece);
@@ -90,9 +89,9 @@ class Walk {
   }
 
   void impact(const Piece& piece) {
-    if (++total_ > most_impacts)
-      throw std::runtime_error(fmt::format("more than {} impacts by tau = {}", most_impacts,
-                                           static_cast<double>(response_.end.time)));
+    if (++total_ > allowed_)
+      throw std::runtime_error(
+          fmt::format("more than {} impacts by tau = {}", allowed_, static_cast<double>(response_.end.time)));
     const Real after = block_.restitution * response_.end.velocity;
     note(EventKind::impact, after);
     ++response_.impacts;
@@ -141,7 +140,7 @@ class Walk {
   Model model_;
   Real level_;
   bool keep_, moved_ = false;
-  int total_ = 0;
+  long total_ = 0, allowed_ = most_impacts;
   int instants_ = 0;  ///< hops one after the other that took no time at all
   Mover mover_;
   Response response_;
@@ -174,8 +173,14 @@ InitialState initial_state(const Block& block, Model model, double theta_0, doub
   if (model == Model::nonlinear && !(std::abs(theta_0) < std::numbers::pi / 2))
     throw std::invalid_argument(
         fmt::format("theta0 = {} rad: the block already lies; |theta0| < pi/2", theta_0));
-  const Real alpha = block.alpha;
-  return {theta_0 / alpha, thetadot_0 / (alpha * block.p)};
+  constexpr Real nothing = 1e-15L, most = 1e9L;
+  const Real alpha = block.alpha, angle = theta_0 / alpha, velocity = thetadot_0 / (alpha * block.p);
+  if (std::abs(angle) > most || std::abs(velocity) > most)
+    throw std::invalid_argument(fmt::format(
+        "initial conditions {} rad, {} rad/s: theta0/alpha and thetadot0/(alpha p) must lie between "
+        "-1e9 and 1e9",
+        theta_0, thetadot_0));
+  return {std::abs(angle) < nothing ? 0 : angle, std::abs(velocity) < nothing ? 0 : velocity};
 }
 
 Response respond(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,

@@ -14,8 +14,9 @@ struct InitialState {
   Real velocity = 0;
 };
 
-/// From theta_0 in rad and thetadot_0 in rad/s. Throws std::invalid_argument unless finite and, for the
-/// nonlinear model, |theta_0| < pi/2.
+/// From theta_0 in rad and thetadot_0 in rad/s; less than 1e-15 alpha or alpha p is none. Throws
+/// std::invalid_argument unless both are below 1e9 alpha or alpha p and, for the nonlinear model,
+/// |theta_0| < pi/2.
 InitialState initial_state(const Block& block, Model model, double theta_0, double thetadot_0);
 
 enum class EventKind { start, impact, rest, restart, pulse_end, overturn };
@@ -49,7 +50,7 @@ struct ResponseOptions {
 /// before, (34), on the other side. Ever smaller impacts end in rest, once what is left of them is too small
 /// to matter and over before the ground can start the block again; a resting block starts when |ground| rises
 /// above start_level. After 5000 impacts, hops slower than 1e-4 alpha p count as rest even if e = 1. Throws
-/// std::runtime_error after 500000 impacts.
+/// std::runtime_error after 500000 impacts, and a thousand more for each piece of the ground motion.
 Response respond(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
                  const ResponseOptions& options = {});
 

@@ -104,6 +104,33 @@ TEST_CASE("similarity: linear results depend on omega_p/p and e only") {
   for (std::size_t i = 0; i < slender.size(); ++i) CHECK(slender[i].from == stocky[i].from);
 }
 
+TEST_CASE("similarity: of p and of the velocity at the start only thetadot_0/p counts, in both models") {
+  for (Model model : {Model::linear, Model::nonlinear})
+    for (double ratio : {2.5, 4.0}) {
+      PulseCase small = asked(ratio, model, 0.25, 0.85), large = small;
+      large.block.p = small.block.p / 8;
+      small.initial = initial_state(small.block, model, 0.03, -0.16);
+      large.initial = initial_state(large.block, model, 0.03, -0.16 / 8);
+      const auto of_small = overturning_windows(small), of_large = overturning_windows(large);
+      REQUIRE(!of_small.empty());
+      REQUIRE(of_small.size() == of_large.size());
+      for (std::size_t i = 0; i < of_small.size(); ++i) {
+        CHECK(of_small[i].code == of_large[i].code);
+        CHECK(of_small[i].from == doctest::Approx(of_large[i].from).epsilon(1e-12));
+      }
+      large.initial = initial_state(large.block, model, 0.03, -0.16);  // eight times as fast for it
+      CHECK(overturning_windows(large).back().from != of_small.back().from);
+    }
+}
+
+TEST_CASE("similarity: linear motion from a tilt depends on theta_0/alpha alone") {
+  PulseCase slender = asked(2.5, Model::linear, 0.05, 0.85), stocky = asked(2.5, Model::linear, 0.6, 0.85);
+  slender.initial = initial_state(slender.block, Model::linear, 0.02, 0.03);
+  stocky.initial = initial_state(stocky.block, Model::linear, 0.24, 0.36);
+  CHECK(overturning_windows(slender).front().from ==
+        doctest::Approx(overturning_windows(stocky).front().from).epsilon(1e-12));
+}
+
 TEST_CASE("nonlinear thresholds go over into linear ones as alpha^2") {
   const double linear = mode_1_by_bisection(asked(3, Model::linear, 0.25, 0.9));
   double before = 0;

@@ -116,6 +116,27 @@ TEST_CASE("between events time can be reversed") {
   }
 }
 
+TEST_CASE("under a moving ground, too: with velocity and acceleration of the ground run backwards") {
+  const Block block = make_block(0.3, 2.14, 0.9);
+  const Real end = 0.7L;
+  Piece forth, back;
+  forth.to = back.to = end;
+  forth.amplitude = back.amplitude = 1.7L;
+  forth.omega = back.omega = 3;
+  forth.phase = 0.8L;
+  back.phase = std::numbers::pi_v<Real> - forth.omega * end - forth.phase;  // sin(x) = sin(pi - x)
+  for (Model model : {Model::linear, Model::nonlinear})
+    for (int side : {-1, 1}) {
+      Mover mover(block, model);
+      const Point start{0, side * 0.5L, side * 0.1L};
+      const Arc there = mover.move(forth, side, start, end);
+      REQUIRE(there.kind == ArcEnd::time);
+      const Arc again = mover.move(back, side, {0, there.end.angle, -there.end.velocity}, end);
+      CHECK(std::abs(again.end.angle - start.angle) < 1e-12L);
+      CHECK(std::abs(again.end.velocity + start.velocity) < 1e-12L);
+    }
+}
+
 TEST_CASE("mirror symmetry: (u_gddot, theta) -> (-u_gddot, -theta)") {
   const Block block = make_block(0.2, 2.14, 0.85);
   for (Model model : {Model::linear, Model::nonlinear}) {

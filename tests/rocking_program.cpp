@@ -138,6 +138,8 @@ TEST_CASE("bad input ends with exit code 2 and names what was wrong") {
   check_refused({"threshold", "--omega", "2", "--max-amplitude", "inf"}, "--max-amplitude");
   check_refused({"threshold", "--omega", "2", "--theta0", "x"}, "--theta0");
   check_refused({"threshold", "--omega", "2", "--model", "nonlinear", "--theta0", "1.6"}, "theta0");
+  check_refused({"threshold", "--omega", "2", "--theta0", "1e308"}, "initial conditions");
+  check_refused({"threshold", "--omega", "2", "--thetadot0", "-1e300", "--model", "nonlinear"}, "initial");
   check_refused({"response", "--omega", "2"}, "--amplitude");
   check_refused({"response", "--omega", "2", "--amplitude", "-1"}, "--amplitude");
   check_refused({"response", "--omega", "2", "--amplitude", "0.5", "--theta0", "0.01"}, "amplitude");
@@ -146,6 +148,15 @@ TEST_CASE("bad input ends with exit code 2 and names what was wrong") {
   check_refused({"map", "--omega", "1:2", "--amplitude", "1:2:3"}, "--omega");
   check_refused({"figure", "7"}, "figure");
   check_refused({"nothing"}, "nothing");
+}
+
+TEST_CASE("an initial condition too small to matter is none") {
+  for (const std::string model : {"linear", "nonlinear"}) {
+    std::vector<std::string> arguments{"threshold", "--omega", "2", "--model", model, "--json"};
+    const auto rest = json_of(arguments);
+    arguments.insert(arguments.end(), {"--theta0", "1e-300", "--thetadot0", "-1e-300"});
+    CHECK(json_of(arguments) == rest);
+  }
 }
 
 TEST_CASE("a negative number may follow an option") {

@@ -227,7 +227,7 @@ void add_response_on_line(std::vector<EmittedFunction>& list, Side side) {
   const ex angle = solution_from(equation, 0, s.theta_0, s.thetadot_0);
   list.push_back({on(side, "linear_response_on_line"),
                   {s.alpha, s.p, s.ground, s.slope, s.theta_0, s.thetadot_0, s.t},
-                  without(s.g, angle.subs(s.a_p == s.g)),
+                  without(s.g, by_half_phases(angle.subs(s.a_p == s.g))),
                   {s.t},
                   row(side, "56a", "56b"),
                   "Angle of the linear model under (ground + slope*t)*g, " + sign(side)});

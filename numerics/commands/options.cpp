@@ -92,8 +92,9 @@ ExactCase exact_case_of(const CommonOptions& options) {
                          : Digits::parse(options.frequency_parameter);
   const Digits e =
       options.restitution == "auto" ? emitted::restitution(alpha) : Digits::parse(options.restitution);
-  return {Digits::parse(options.omega), e, Digits::parse(options.theta0) / alpha,
-          Digits::parse(options.thetadot0) / (alpha * p)};
+  const InitialState rounded = case_of(options).initial;  // which tells what is none
+  return {Digits::parse(options.omega), e, rounded.angle == 0 ? 0 : Digits::parse(options.theta0) / alpha,
+          rounded.velocity == 0 ? 0 : Digits::parse(options.thetadot0) / (alpha * p)};
 }
 
 std::string name_of(Model model) { return model == Model::linear ? "linear" : "nonlinear"; }
