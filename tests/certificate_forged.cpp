@@ -86,6 +86,12 @@ TEST_CASE("factors that are 0 somewhere") {
         "a factor may vanish: y^2");
   CHECK(verdict({"x*y", "=", "0"}, right, ranges, none, linked("x*y", "x", "1", {{"1/y", -1}})) ==
         "a factor may vanish: 1/y");
+  CHECK(verdict({"x^2", "=", "0"}, right, ranges, none, linked("x^2", "x", "1", {{"x", 1}})) == "accepted");
+  for (const char* op : {">", ">="})  // the same factor x, which is negative for x < 0
+    CHECK(verdict({"x^2", op, "0"}, {"x", op, "0"}, ranges, none, linked("x^2", "x", "1", {{"x", 1}})) ==
+          "a factor turns the inequality round");
+  CHECK(verdict({"x*y*z", "=", "0"}, {"x*y", "=", "0"}, {{"x", real}, {"y", real}, {"z", real}}, none,
+                linked("x*y*z", "x*y", "1", {{"z", 1}})) == "a factor may vanish: z");
   Json more = linked("x*(x^2+y^2-1)", "x", "1", {{"x^2+y^2-1", 1}});
   more["more"] = {{"x^2+y^2-1", "y^2-1"}};
   CHECK(verdict({"x*(x^2+y^2-1)", "=", "0"}, right, ranges, none, more) == "a factor may vanish: x^2+y^2-1");

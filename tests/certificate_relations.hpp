@@ -120,17 +120,17 @@ class Checker : Replay {
     require(same(cofactor * left, cofactor * f * right), "something remains");
   }
   /// A product of powers of what cannot be 0: of one sign by its form, or what the statement divides by. For
-  /// an equation left = part·right it may be 0 where right is, too: it is right^2 and more that is not
-  /// negative.
+  /// an equation left = part·right it may be 0 where right is, too: it is ±right, or right^2 and more that is
+  /// not negative.
   Value factor(const Json& link, const Value& left, const Value& right) {
     Value product = number(1);
     for (const auto& [text, n] : link.at("factor").items()) {
-      const Value part = stated(text), square = power(part, 2);
+      const Value part = stated(text), square = power(part, 2), other = power(n > 0 ? right : left, 2);
       bool is_clear = part.seen.range.is_positive() || part.seen.range.is_negative();
       for (const Value& d : divisors_) is_clear = is_clear || same(power(d, 2), square);
-      if (link.contains("more") && link.at("more").contains(text)) {
-        const Value more = stated(link.at("more").at(text));
-        is_clear = more.seen.range.low >= 0 && same(part, power(n > 0 ? right : left, 2) + more);
+      if (!is_clear) {
+        const Value more = link.contains("more") ? stated(link.at("more").value(text, "-1")) : number(-1);
+        is_clear = same(square, other) || (more.seen.range.low >= 0 && same(part, other + more));
         product.seen.range = {};
       }
       require(is_clear, "a factor may vanish: " + text);

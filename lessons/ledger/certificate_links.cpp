@@ -105,16 +105,19 @@ struct Finder {
         link.factor.emplace_back(tree(form(part)), n.to_int());
       else if (!put_down_divisor(part, n.to_int(), number, link) && !put_down_sum(part, n.to_int(), link))
         rest *= GiNaC::pow(part, n);
-    if (!rest.is_equal(1) && !put_down_divisor(rest, 1, number, link)) return false;
+    if (!rest.is_equal(1) && !put_down_divisor(rest, 1, number, link) && !put_down_sum(rest, 1, link))
+      return false;
     if (number != 1) link.factor.emplace_back(tree(number), 1);
     return true;
   }
-  /// part^n, if the part is 0 only where right (or left, for n < 0) is, for it is its square and more.
+  /// part^n, if the part is 0 only where right (or left, for n < 0) is, for its square is that one's, or it
+  /// is that square and more.
   bool put_down_sum(const ex& part, int n, CertifiedLink& link) const {
-    const ex more = (part - GiNaC::pow(n > 0 ? link.right : link.left, 2)).expand();
-    if (!is_nonnegative(more, q.symbols)) return false;
+    const ex square = GiNaC::pow(n > 0 ? link.right : link.left, 2), more = (part - square).expand();
+    const bool is_same = (GiNaC::pow(part, 2) - square).expand().is_zero();
+    if (!is_same && !is_nonnegative(more, q.symbols)) return false;
     link.factor.emplace_back(tree(part), n);
-    link.more.emplace_back(tree(part), tree(form(more)));
+    if (!is_same) link.more.emplace_back(tree(part), tree(form(more)));
     return true;
   }
   /// part^n, if that is a divisor or has the same square as one, but for parts of one sign.

@@ -18,8 +18,9 @@ struct CertifiedDivisor {
 struct CertifiedLink {
   GiNaC::ex left, right;
   std::vector<Layer> left_layers, right_layers;
-  /// left = factor·right, of parts that are never 0 with their exponents (or, in an equation, only where
-  /// right is 0, too, for they are right² and `more` that is not negative; left² for a negative exponent); …
+  /// left = factor·right, of parts that are never 0 with their exponents, or, in an equation, only where
+  /// right is 0, too (left for a negative exponent): the part is that one, or its square and `more` that is
+  /// not negative; …
   std::vector<std::pair<Tree, int>> factor;
   std::vector<std::pair<Tree, Tree>> more;
   /// … or both relations always hold, or never, as their residuals show when written like this.

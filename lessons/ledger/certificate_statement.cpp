@@ -114,7 +114,11 @@ class Needs {
  private:
   /// Twice the argument, too: GiNaC knows cos(asin(x)), but not cos(2*asin(x)).
   void argument(const ex& x, bool circular) {
-    for (const ex& e : {x, (2 * x).expand()}) add(circular ? GiNaC::cos(e) : GiNaC::cosh(e));
+    for (const ex& e : {x, (2 * x).expand()})
+      if (circular)
+        add(GiNaC::cos(e)), add(GiNaC::sin(e));
+      else
+        add(GiNaC::cosh(e));
   }
   void add(const ex& e) {
     if (seen_.insert(e).second) expressions_.push_back(e);
