@@ -71,8 +71,10 @@ Mover::Mover(Advance advance) : Mover(Block{}, Model::linear) { advance_ = std::
 Real Mover::bound(const Arc& arc, Real from, Real to) const {
   const Range range = ground_range(arc.piece, from, to);
   const Real push = arc.side < 0 ? range.low : -range.high;  // > 0: away from upright
-  const Real rounding =
-      1e-17L * (level_ + arc.piece.amplitude);  // at the ends of a push it is the level but for that
+  // At the ends of a push it is the level, but for the rounding of ground and time.
+  const Piece& piece = arc.piece;
+  const Real rounding = 1e-17L * (level_ + piece.amplitude + std::abs(piece.value)) +
+                        std::numeric_limits<Real>::epsilon() * std::abs(piece.slope) * to;
   if (push >= level_ - 16 * rounding) return 0;
   return std::max<Real>(0, still_ - (push > 0 ? per_push_ : per_ground_) * push);
 }

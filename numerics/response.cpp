@@ -54,10 +54,12 @@ class Walk {
     if (keep_) response_.events.push_back({kind, at.time, at.angle, at.velocity, velocity_after});
   }
 
-  /// Whether a block at rest would gain no more speed than that at which a chain of impacts counts as rest.
+  /// Whether a block at rest would gain no more speed, in what is left of the push, than that at which a
+  /// chain of impacts counts as rest.
   bool is_too_weak(const Piece& piece, const Push& push) const {
-    const Range range = ground_range(piece, push.from, push.to);
-    return (std::max(range.high, -range.low) - level_) * (push.to - push.from) < rest_speed;
+    const Real from = std::max(push.from, response_.end.time);
+    const Range range = ground_range(piece, from, push.to);
+    return (std::max(range.high, -range.low) - level_) * (push.to - from) < rest_speed;
   }
 
   /// At rest until the ground pushes hard enough.
