@@ -3,10 +3,11 @@
 // by a factor that is never 0 (or positive, for inequalities), without increasing functions around their
 // sides; or both always hold, or never.
 //
-// What is left to believe: at the points that are looked at, everything holds exactly, for polynomials leave
-// only finitely many values of a root or an inverse function, far from each other. That it holds all over the
-// domain rests on both sides being analytic there, piece by piece: the engine sees to that, the checker does
-// not.
+// What is left to believe: at the points that are looked at (up to 10 from 0, or from an end; not where the
+// statement's own value is lost in rounding) everything holds exactly, for polynomials leave only finitely
+// many values of a root or an inverse function, far from each other. That it holds all over the domain rests
+// on both sides being analytic there, piece by piece: the engine sees to that, the checker does not. Factors,
+// forms and layers are not looked at: their ranges are computed.
 #pragma once
 
 #include <set>
