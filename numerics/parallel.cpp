@@ -29,10 +29,10 @@ int for_each_index(const Work& work, const std::function<void(int)>& body) {
       if (work.progress) work.progress(done);
     }
   };
-  std::vector<std::jthread> helpers;
-  for (int i = 1; i < std::min(work.threads, work.count); ++i) helpers.emplace_back(labour);
+  std::vector<std::jthread> threads;
+  for (int i = 1; i < std::min(work.threads, work.count); ++i) threads.emplace_back(labour);
   labour();
-  helpers.clear();  // joins
+  threads.clear();  // joins
   if (error) std::rethrow_exception(error);
   return done;
 }

@@ -143,11 +143,11 @@ TEST_CASE("slow pulses, whose motion no floating-point number follows, are judge
 }
 
 TEST_CASE("closed forms asked for by several threads are those that one finds") {
-  constexpr int count = 24;
+  constexpr int count = 60;
   const auto amplitudes = [&](int threads) {
     std::vector<std::vector<std::string>> all(count);
     for_each_index({.count = count, .threads = threads}, [&](int i) {
-      for (const ClosedForm& root : closed_forms(asked(0.5 + 0.25 * i)))
+      for (const ClosedForm& root : closed_forms(asked(0.5 + 0.1 * i)))
         all[static_cast<std::size_t>(i)].push_back(root.equations()[0] + (root.admissible ? "+" : "-") +
                                                    std::to_string(root.amplitude));
     });
