@@ -70,7 +70,8 @@ class Scan {
       const Station between = at(middle);
       const bool smooth = itinerary(low) == itinerary(high) && itinerary(low) == itinerary(between);
       const bool one_code = low.outcome.code == high.outcome.code && low.outcome.code == between.outcome.code;
-      if (!one_code || might_vanish(low.outward, between.outward, high.outward, smooth) ||
+      const bool turns = !smooth && width > search_.narrowest_turn;
+      if (!one_code || turns || might_vanish(low.outward, between.outward, high.outward, smooth) ||
           might_vanish(low.returning, between.returning, high.returning, smooth)) {
         refine(all, low, between, depth + 1);
         refine(all, between, high, depth + 1);

@@ -20,6 +20,8 @@ struct WindowSearch {
   double largest = 12;      ///< the largest amplitude asked
   int stations = 768;       ///< first amplitudes tried, crowded towards the smallest
   double narrowest = 2e-6;  ///< below this width nothing more is looked for
+  double narrowest_turn =
+      1e-5;  ///< to this width a change of the itinerary is followed, whatever the margins
 };
 
 /// Relative: linear edges come from closed forms in 64 binary digits, nonlinear ones from an integration.

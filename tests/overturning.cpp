@@ -74,6 +74,14 @@ TEST_CASE("no window is missed that a dense sampling sees") {
   }
 }
 
+TEST_CASE("a window is not missed where the block comes back one impact later on either side of it") {
+  const PulseCase of = asked(0.2752, Model::linear, 0.2116, 0.899);
+  const auto windows = overturning_windows(of);
+  CHECK(outcome_at(of, 1.02755).code == 22);
+  CHECK(std::any_of(windows.begin(), windows.end(),
+                    [](const Window& w) { return w.code == 22 && w.from < 1.02755 && *w.to > 1.02755; }));
+}
+
 TEST_CASE("a slow pulse has no windows that are empty in double, nor parted by nothing") {
   for (double ratio : {0.05, 0.1, 0.3})
     for (Model model : {Model::linear, Model::nonlinear}) {
