@@ -100,7 +100,7 @@ Chosen impact_too_late() {
 Curve simulated(const PulseCase& asked, const std::vector<double>& ratios, const Work& work,
                 std::string title) {
   WindowSearch search;
-  search.largest = highest, search.stations = enough_stations;
+  search.largest = highest, search.stations = enough_stations, search.narrowest_turn = 1;
   std::vector<std::pair<double, double>> points;
   for (const SpectrumPoint& at : spectrum(asked, ratios, search, work))
     if (at.minimum) points.emplace_back(at.omega_ratio, *at.minimum);
@@ -166,7 +166,7 @@ Figure model_comparison_figure(const FigureOptions& options) {
   const auto ratios = stations(0.25, 10, 118);
   PulseCase asked = paper_case(Pulse::sine, 0, 0);
   WindowSearch search;
-  search.largest = highest * 2, search.stations = enough_stations;
+  search.largest = highest * 2, search.stations = enough_stations, search.narrowest_turn = 1;
   const auto linear = spectrum(asked, ratios, search, options.work);
   asked.model = Model::nonlinear;
   const auto nonlinear = spectrum(asked, ratios, search, options.work);
