@@ -8,12 +8,12 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// A certificate without givens, with one piece and one link.
-std::string verdict(const Json& left, const Json& right, const Json& ranges, const Json& steps,
-                    const Json& link, const Json& cut = Json::array()) {
-  const Json piece{{"steps", steps}, {"links", {link}}};
+/// A certificate without givens, with one piece.
+std::string verdict_of_links(const Json& left, const Json& right, const Json& ranges, const Json& steps,
+                             const Json& links, const Json& cut = Json::array()) {
+  const Json piece{{"steps", steps}, {"links", links}};
   try {
-    certificate_checker::check({{"format", "rederive certificate 3"},
+    certificate_checker::check({{"format", "rederive certificate 4"},
                                 {"left", left},
                                 {"right", right},
                                 {"given", Json::object()},
@@ -27,9 +27,17 @@ std::string verdict(const Json& left, const Json& right, const Json& ranges, con
   }
 }
 
+std::string verdict(const Json& left, const Json& right, const Json& ranges, const Json& steps,
+                    const Json& link, const Json& cut = Json::array()) {
+  return verdict_of_links(left, right, ranges, steps, Json::array({link}), cut);
+}
+
 Json linked(const std::string& left, const std::string& right, const std::string& cofactor = "1",
             const Json& factor = Json::object()) {
-  return {{"left", left}, {"right", right}, {"factor", factor}, {"cofactor", cofactor}};
+  const auto side = [](const std::string& residual) -> Json {
+    return {{"links", {{{"link", 0}}}}, {"residual", residual}};
+  };
+  return {{"left", side(left)}, {"right", side(right)}, {"factor", factor}, {"cofactor", cofactor}};
 }
 
 const char* const real = "(-inf, inf)";
@@ -114,8 +122,89 @@ TEST_CASE("a layer that has a value on half of the domain only") {
   const Json steps{{{"function", "^1/2"}, {"of", "x^2"}, {"is", "x"}},
                    {{"function", "^1/2"}, {"of", "y^2"}, {"is", "y"}}};
   Json layered = linked("x^2-y^2", "x^2-y^2");
-  layered["left layers"] = Json::array({{{"function", "^1/2"}, {"left", "x^2"}, {"right", "y^2"}}});
+  layered["left"]["links"][0]["layers"] =
+      Json::array({{{"function", "^1/2"}, {"left", "x^2"}, {"right", "y^2"}}});
   CHECK(verdict({"x", "=", "y"}, {"x^2", "=", "y^2"}, ranges, steps, layered) == "another branch of ^1/2");
   CHECK(verdict({"x", "=", "y"}, {"x^2", "=", "y^2"}, {{"x", "(0, inf)"}, {"y", "(0, inf)"}}, steps,
                 layered) == "accepted");
+}
+
+namespace {
+
+Json side(const std::vector<int>& links, const std::string& residual) {
+  Json result{{"links", Json::array()}, {"residual", residual}};
+  for (const int k : links) result["links"].push_back({{"link", k}});
+  return result;
+}
+Json same(const Json& left, const Json& right) {
+  return {{"left", left}, {"right", right}, {"factor", Json::object()}, {"cofactor", "1"}};
+}
+Json settled(const char* where, int link, const std::string& form, bool holds) {
+  return {{where, {{"link", link}, {"form", form}}}, {"holds", holds}};
+}
+
+}  // namespace
+
+TEST_CASE("chains of which a part is passed over") {
+  const Json ranges{{"x", real}, {"b", "(0, inf)"}}, none = Json::array();
+  const Json chain{"0", "<", "x", "<", "1"};
+  const auto of = [&](const Json& left, const Json& right, const Json& links) {
+    return verdict_of_links(left, right, ranges, none, links);
+  };
+  const Json first = same(side({0}, "x"), side({0}, "x")), second = same(side({1}, "1-x"), side({0}, "1-x"));
+  CHECK(of(chain, {"x", ">", "0"}, Json::array({first})) == "a link is left out");
+  CHECK(of({"x", ">", "0"}, chain, Json::array({first})) == "a link is left out");
+  CHECK(of(chain, {"x", ">", "0"}, {first, settled("left", 1, "1-x", true)}) == "the form leaves it open");
+  CHECK(of(chain, {"x", "<", "1"}, {second, settled("left", 0, "x", false)}) == "the form leaves it open");
+  const Json never = settled("left", 0, "-1", false);  // one side alone
+  CHECK(of({"1", "<", "0", "<", "x"}, {"x", ">", "0"}, {never, same(side({1}, "x"), side({0}, "x"))}) ==
+        "a link is left out");
+  CHECK(of({"0", "<", "b", "<", "1"}, {"b", "<", "1"},
+           {same(side({1}, "1-b"), side({0}, "1-b")), settled("left", 0, "b", true)}) == "accepted");
+}
+
+TEST_CASE("two links as one, though both may fail") {
+  const Json ranges{{"x", real}, {"y", real}}, none = Json::array();
+  const auto of = [&](const Json& left, const Json& right, const std::string& product,
+                      const std::string& sum) {
+    Json two = side({0, 1}, product);
+    two["sum"] = sum;
+    return verdict_of_links(left, right, ranges, none, Json::array({same(two, side({0}, product))}));
+  };
+  const std::string between = "-x^2+x";
+  CHECK(of({"0", "<", "x", "<", "1"}, {"x^2", "<", "x"}, between, "1") == "accepted");
+  CHECK(of({"0", "<", "x", "<", "1"}, {"x^2", "<", "x"}, between, "2") == "both links may fail");
+  CHECK(of({"1", "<", "x", "<", "0"}, {"(x-1)*(-x)", ">", "0"}, between, "-1") == "both links may fail");
+  CHECK(of({"0", "<", "x", "<", "y"}, {"x*y", ">", "x^2"}, "x*y-x^2", "y") == "both links may fail");
+  CHECK(of({"0", "<", "x", "<=", "1"}, {"x^2", "<", "x"}, between, "1") == "such links do not make one");
+  CHECK(of({"0", "=", "x", "=", "1"}, {"x^2", "=", "x"}, between, "1") == "such links do not make one");
+}
+
+TEST_CASE("functions that do not increase all over the domain, factors that may vanish") {
+  const auto of = [](const std::string& f, const std::string& range, bool falls) {
+    const Json steps = Json::array({{{"function", "exp"}, {"of", "$i*x"}, {"name", "$z"}},
+                                    {{"function", "exp"}, {"of", "$i*y"}, {"name", "$w"}}});
+    Json link = linked("y-x", "y-x");
+    if (falls) link = linked("x-y", "x-y");
+    link["left"]["links"][0]["layers"] = Json::array({{{"function", f}, {"left", "x"}, {"right", "y"}}});
+    return verdict({f + "(x)", "<", f + "(y)"}, {"x", falls ? ">" : "<", "y"}, {{"x", range}, {"y", range}},
+                   steps, link);
+  };
+  CHECK(of("sin", "(-pi/2, pi/2)", false) == "accepted");
+  CHECK(of("sin", "(0, pi)", false) == "sin does not increase");
+  CHECK(of("sin", "(-2, pi/2)", false) == "sin does not increase");
+  CHECK(of("cos", "(0, pi)", true) == "accepted");
+  CHECK(of("cos", "(-1, 1)", true) == "cos does not increase");
+  CHECK(of("cos", "(0, pi)", false) == "the left side is another one");
+  const auto by = [](const std::string& factor, const Json& right, const std::string& residual) {
+    Json link = linked(residual, residual);
+    link["left"]["links"][0]["layers"] =
+        Json::array({{{"function", "*"}, {"left", "x"}, {"right", "1"}, {"factor", factor}}});
+    return verdict({"x*y", "<", "y"}, right, {{"x", real}, {"y", "(-inf, 0)"}, {"z", real}}, Json::array(),
+                   link);
+  };
+  CHECK(by("y", {"x", ">", "1"}, "x-1") == "accepted");
+  CHECK(by("y", {"x", "<", "1"}, "1-x") == "the left side is another one");
+  CHECK(by("y+1", {"x", ">", "1"}, "x-1") == "a factor may vanish: \"y+1\"");
+  CHECK(by("2*y", {"x", ">", "1"}, "x-1") == "another layer");
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -108,6 +109,18 @@ inline Range range_of(const std::string& f, const Range& x, const Range& other) 
   if (f == "sin" || f == "cos") return {-1, 1, true, true};
   if (f == "cosh") return {1, INFINITY, contains(0), false};
   return f == "acos" || f == "acosh" ? Range{0, INFINITY, true, false} : other;
+}
+
+/// Whether f grows, or falls, all over two ranges and between them.
+inline bool is_monotonic(const std::string& f, const Range& x, const Range& y) {
+  constexpr long double half = std::numbers::pi_v<long double> / 2;
+  const auto lie = [&](long double low, long double high) {
+    return x.low >= low && y.low >= low && x.high <= high && y.high <= high;
+  };
+  static const std::set<std::string> everywhere{"exp",   "log",  "sinh", "asinh", "tanh",
+                                                "atanh", "asin", "atan", "acosh", "acos"};
+  return everywhere.contains(f) || ((f == "sin" || f == "tan") && lie(-half, half)) ||
+         (f == "cos" && lie(0, 2 * half));
 }
 
 }  // namespace certificate_checker

@@ -19,8 +19,9 @@ class Checker : Replay {
  public:
   /// Checks one piece. Throws std::exception saying what is wrong.
   Checker(const Json& certificate, std::size_t piece) : c_(certificate) {
-    require(c_.at("format") == "rederive certificate 3", "another format");
-    name("pi", seen(Numbers(std::numbers::pi_v<long double>, points), {3, 4}));
+    require(c_.at("format") == "rederive certificate 4", "another format");
+    constexpr long double pi = std::numbers::pi_v<long double>;
+    name("pi", seen(Numbers(pi, points), {end(pi, pi, false, -1), end(pi, pi, false, 1)}));
     state("exp", value("$i*pi/2"), value("$i"));
     for (const auto& [name, range] : c_.at("ranges").items()) draw(name, range, piece);
     for (const Json& step : c_.at("pieces").at(piece).at("steps"))
@@ -30,8 +31,10 @@ class Checker : Replay {
       else
         take(step);
     read_statement();
-    for (std::size_t k = 0; k == 0 || 2 * k + 1 < c_.at("left").size(); ++k)
-      check_link(c_.at("pieces").at(piece).at("links").at(k), k);
+    for (const Json& link : c_.at("pieces").at(piece).at("links")) check_link(link);
+    for (const char* side : {"left", "right"})
+      for (std::size_t k = 0; k == 0 || 2 * k + 1 < c_.at(side).size(); ++k)
+        require(never_.size() == 2 || settled_.contains({side, k}), "a link is left out");
     looks_.report();
   }
 
@@ -73,51 +76,76 @@ class Checker : Replay {
               "a divisor is not listed");
   }
 
-  /// What must be 0 ("="), positive (">") or not negative (">=") for a relation to hold; an expression as it
-  /// is.
-  std::pair<std::string, Value> residual(const Json& statement, std::size_t k, const Json& layers) {
+  /// What must be 0 ("="), positive (">") or not negative (">=") for a link to hold; an expression as it is.
+  std::pair<std::string, Value> residual(const std::string& side, const Json& link) {
+    const Json& statement = c_.at(side);
+    const std::size_t k = link.at("link");
     if (statement.size() == 1) return {"", stated(statement[0])};
+    bool is_first = true;  // K = a = b: K = b
+    for (std::size_t j = 0; j <= k; ++j) is_first = is_first && statement.at(2 * j + 1) == "=";
     std::string op = statement.at(2 * k + 1);
-    const bool is_first = op == "=" && statement.at(1) == "=";  // K = a = b: K = b
     Value a = stated(statement.at(is_first ? 0 : 2 * k)), b = stated(statement.at(2 * k + 2));
-    for (const Json& layer : layers) op = unwrapped(op, a, b, layer);
+    for (const Json& layer : link.value("layers", Json::array())) op = unwrapped(op, a, b, layer);
     if (op[0] == '<') std::swap(a, b), op[0] = '>';
     require(op == "=" || op == ">" || op == ">=", "no relation: " + op);
     return {op, a - b};
   }
+  /// Of one link, or of two inequalities of which one holds everywhere, as their sum shows: their product.
+  std::pair<std::string, Value> residual_of_all(const std::string& side, const Json& link) {
+    const Json& parts = link.at(side).at("links");
+    auto [op, product] = residual(side, parts.at(0));
+    for (const Json& part : parts) settled_.insert({side, part.value("link", 0U)});
+    if (parts.size() == 1) return {op, product};
+    const auto [other, second] = residual(side, parts.at(1));
+    const Value sum = stated(link.at(side).at("sum"));
+    require(parts.size() == 2 && op == other && op != "=", "such links do not make one");
+    require(same(sum, product + second) && sum.seen.range.is_positive(), "both links may fail");
+    return {op, product * second};
+  }
   /// f(x) < f(y) is x < y where f increases, and x > y where it decreases; even ones grow with x^2, and f(x)
-  /// = f(0) is x = 0.
+  /// = f(0) is x = 0. A factor may be taken off, too.
   std::string unwrapped(std::string op, Value& a, Value& b, const Json& layer) {
-    static const std::set<std::string> increasing{"exp",   "log",  "sinh", "asinh", "tanh",
-                                                  "atanh", "asin", "atan", "acosh"};
-    const std::string f = layer.at("function"), exponent = f[0] == '^' ? f.substr(1) : "0";
+    const std::string f = layer.at("function");
+    const Value x = stated(layer.at("left")), y = stated(layer.at("right"));
+    bool falls = f == "acos" || f == "cos";
+    if (f == "*") {
+      const Value by = stated(layer.at("factor"));
+      falls = by.seen.range.is_negative();
+      require(falls || by.seen.range.is_positive(), "a factor may vanish: " + layer.at("factor").dump());
+      require(same(a - b, by * (x - y)), "another layer");
+      a = x, b = y;
+    } else {
+      take_off(f, op, {&x, &a}, {&y, &b});
+    }
+    if (falls && op != "=") op[0] = op[0] == '<' ? '>' : '<';
+    return op;
+  }
+  void take_off(const std::string& f, const std::string& op, std::pair<const Value*, Value*> left,
+                std::pair<const Value*, Value*> right) {
+    const std::string exponent = f[0] == '^' ? f.substr(1) : "0";
     const auto [p, q] = ratio(value(exponent));
     const bool is_even = f == "cosh" || f == "fabs" || (p > 0 && q == 1 && p % 2 == 0);
-    require(is_even || p > 0 || f == "acos" || increasing.contains(f), f + " does not increase");
-    const Value x = stated(layer.at("left")), y = stated(layer.at("right"));
-    const bool is_zero = op == "=" && (same(x, number(0)) || same(y, number(0)));
-    for (auto [inner, outer] : {std::pair{&x, &a}, {&y, &b}}) {
+    require(is_even || p > 0 || is_monotonic(f, left.first->seen.range, right.first->seen.range),
+            f + " does not increase");
+    const bool is_zero = op == "=" && (same(*left.first, number(0)) || same(*right.first, number(0)));
+    for (auto [inner, outer] : {left, right}) {
       require(same(f[0] == '^' ? raised(*inner, value(exponent)) : call(f, *inner), *outer), "another layer");
       *outer = is_even && !is_zero ? power(*inner, 2) : *inner;
     }
-    if (f == "acos" && op != "=") op[0] = op[0] == '<' ? '>' : '<';
-    return op;
   }
-  void check_link(const Json& link, std::size_t k) {
-    const auto [op, left] = residual(c_.at("left"), k, link.value("left layers", Json::array()));
-    const auto [other, right] = residual(c_.at("right"), 0, link.value("right layers", Json::array()));
-    require(c_.at("right").size() <= 3, "a chain on the right");
-    if (link.contains("holds")) {
-      settle(op, left, link.at("left"), link.at("holds"));
-      return settle(other, right, link.at("right"), link.at("holds"));
-    }
+  void check_link(const Json& link) {
+    if (link.contains("holds")) return settle(link);
+    const auto [op, left] = residual_of_all("left", link);
+    const auto [other, right] = residual_of_all("right", link);
     require(op == other,
             op == "=" || other == "=" ? "an equation and an inequality" : "only one allows equality");
     const Value f = factor(link, left, right), cofactor = divisor(value(link.at("cofactor")));
     require(!op.empty() || link.at("factor").empty(), "the factor of two expressions is 1");
     require(op.empty() || op == "=" || f.seen.range.low >= 0, "a factor turns the inequality round");
-    require(same(cofactor * left, cofactor * value(link.at("left"))), "the left side is another one");
-    require(same(cofactor * right, cofactor * value(link.at("right"))), "the right side is another one");
+    require(same(cofactor * left, cofactor * value(link.at("left").at("residual"))),
+            "the left side is another one");
+    require(same(cofactor * right, cofactor * value(link.at("right").at("residual"))),
+            "the right side is another one");
     require(same(cofactor * left, cofactor * f * right), "something remains");
   }
   /// A product of powers of what cannot be 0: of one sign by its form, or what the statement divides by. For
@@ -140,21 +168,30 @@ class Checker : Replay {
     return product;
   }
   /// A relation that always holds, or never, by the form of its residual.
-  void settle(const std::string& op, const Value& residual, const std::string& text, bool holds) {
-    const Value form = stated(text);
-    require(!op.empty() && same(residual, form), "the form is another one");
+  void settle(const Json& link) {
+    const std::string side = link.contains("left") ? "left" : "right";
+    const auto [op, left] = residual(side, link.at(side));
+    const Value form = stated(link.at(side).at("form"));
     const Range& r = form.seen.range;
     const bool always = op == "=" ? r.low == 0 && r.high == 0 : op == ">" ? r.is_positive() : r.low >= 0;
     const bool never = op == "="   ? r.is_positive() || r.is_negative()
                        : op == ">" ? r.high <= 0
                                    : r.is_negative();
+    require(!op.empty() && same(left, form), "the form is another one");
+    const bool holds = link.at("holds");
     require(holds ? always : never, "the form leaves it open");
+    if (holds)
+      settled_.insert({side, link.at(side).at("link")});
+    else
+      never_.insert(side);
   }
 
   const Json& c_;
   std::mt19937 random_;
   std::vector<Value> divisors_;  // of the statement, but for numbers
   bool collects_ = false;
+  std::set<std::pair<std::string, std::size_t>> settled_;  // links: side and number
+  std::set<std::string> never_;                            // sides of which a link never holds
 };
 
 /// Throws std::exception saying what is wrong with a certificate. It is checked on all pieces of the domain:

@@ -182,7 +182,8 @@ Proof prove_by_factor(const ex& left, const ex& right, const Residuals& r, const
   return undecided(why);
 }
 
-/// Whether a relation holds at all points of the declared ranges, or at none; nothing where neither is known.
+}  // namespace
+
 std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symbols) {
   try {
     if (vanishes(residual, symbols)) return claim != Claim::positive;
@@ -200,6 +201,23 @@ std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symb
   }
 }
 
+Proof prove_by_some_factor(const Residuals& r, const Symbols& symbols) {
+  if ((r.left == Claim::zero) != (r.right == Claim::zero))
+    return undecided("an equation is not compared with an inequality");
+  Proof proof = prove_by_factor(r.pair.left_value, r.pair.right_value, r, symbols);
+  const bool unwrapped =
+      !r.inner_left.is_equal(r.pair.left_value) || !r.inner_right.is_equal(r.pair.right_value);
+  if (proof.verdict != Verdict::proved && unwrapped &&
+      prove_by_factor(r.inner_left, r.inner_right, r, symbols).verdict == Verdict::proved)
+    return proved(
+        "",
+        "without the increasing functions around their sides, the residuals differ by a factor that "
+        "vanishes at most where both of them do");
+  return proof;
+}
+
+namespace {
+
 /// One is strict and the other is not, and their factor is right: that is the same only if the residual is
 /// never 0.
 Proof prove_strictness(const Proof& proof, const Residuals& r, const Points& points, const Symbols& symbols) {
@@ -215,22 +233,6 @@ Proof prove_strictness(const Proof& proof, const Residuals& r, const Points& poi
                        (is_exactly_zero(r.pair.left, *root) ? "" : " (to 40 digits)") +
                        ", which only one of the two allows");
   return undecided("one allows equality and the other does not");
-}
-
-/// By a factor: as the residuals stand, or without functions around both sides.
-Proof prove_by_some_factor(const Residuals& r, const Symbols& symbols) {
-  if ((r.left == Claim::zero) != (r.right == Claim::zero))
-    return undecided("an equation is not compared with an inequality");
-  Proof proof = prove_by_factor(r.pair.left_value, r.pair.right_value, r, symbols);
-  const bool unwrapped =
-      !r.inner_left.is_equal(r.pair.left_value) || !r.inner_right.is_equal(r.pair.right_value);
-  if (proof.verdict != Verdict::proved && unwrapped &&
-      prove_by_factor(r.inner_left, r.inner_right, r, symbols).verdict == Verdict::proved)
-    return proved(
-        "",
-        "without the increasing functions around their sides, the residuals differ by a factor that "
-        "vanishes at most where both of them do");
-  return proof;
 }
 
 Proof prove_by_algebra(const Residuals& r, const Points& points, const Symbols& symbols) {
@@ -257,33 +259,6 @@ Proof prove_residuals(const Residuals& r, const Symbols& symbols) {
   for (const bool of_right : {false, true})
     if (auto refutation = differ_at_a_root(r, points, of_right, Roots::all, symbols)) return *refutation;
   return undecided(proof.reason + advice(r.pair.left_value - r.pair.right_value, symbols));
-}
-
-Proof refute_all(const std::vector<Residuals>& links, const Symbols& symbols) {
-  std::vector<Tree> trees{links[0].pair.right};
-  for (const Residuals& link : links) trees.push_back(link.pair.left);
-  const Points points = points_for(trees, symbols);
-  const auto clearly = [](const std::optional<cln::cl_R>& value) { return value && differ(*value, 0); };
-  const auto is_so = [](Claim claim, const cln::cl_R& value) {
-    return claim != Claim::zero && cln::plusp(value);
-  };
-  for (int k = 0; k < Points::count; ++k) {
-    const Point p = points.at(k);
-    const auto right = value_of(links[0].pair.right, p);
-    const Residuals* failing = nullptr;
-    bool all_clear = clearly(right);
-    for (const Residuals& link : links) {
-      const auto left = all_clear ? value_of(link.pair.left, p) : std::nullopt;
-      all_clear = clearly(left) && is_admitted(link.pair, p, symbols);
-      if (all_clear && !is_so(link.left, *left)) failing = &link;
-    }
-    if (!all_clear || (failing == nullptr) == is_so(links[0].right, *right)) continue;
-    return refuted(make_witness((failing != nullptr ? *failing : links[0]).pair, p),
-                   failing != nullptr ? "at the witness the right one holds and a link of the left one fails"
-                                      : "at the witness all of the left one holds and the right one fails");
-  }
-  return undecided(
-      "of a chain of inequalities all links must hold together; each alone is another statement");
 }
 
 }  // namespace rederive

@@ -22,9 +22,12 @@ struct Residuals {
 /// at which one holds and the other fails.
 Proof prove_residuals(const Residuals& residuals, const Symbols& symbols);
 
-/// All the left ones together against the right one, which is the same for all: a witness at which they
-/// differ, if there is one, or undecided.
-Proof refute_all(const std::vector<Residuals>& links, const Symbols& symbols);
+/// The same by a factor alone: as the residuals stand, or without functions around both sides.
+Proof prove_by_some_factor(const Residuals& residuals, const Symbols& symbols);
+
+/// Whether what a residual asks for holds at all points of the declared ranges, or at none; nothing where
+/// neither is known.
+std::optional<bool> settled(const GiNaC::ex& residual, Claim claim, const Symbols& symbols);
 
 Proof proved(std::string factor, std::string reason);
 Proof refuted(Witness witness, std::string reason);

@@ -104,7 +104,7 @@ void write_with_lemma(const ex& sum, CertifiedStatement q, const std::vector<Cer
 ex difference(const CertifiedLink& link, const CertifiedStatement& q) {
   ex factor = 1;
   for (const auto& [part, n] : link.factor) factor *= GiNaC::pow(lower(part, q.symbols), n);
-  return link.left - put_in(factor, q.given) * link.right;
+  return link.left.residual - put_in(factor, q.given) * link.right.residual;
 }
 
 Json layers_json(const std::vector<Layer>& layers, const CertifiedStatement& q) {
@@ -116,21 +116,36 @@ Json layers_json(const std::vector<Layer>& layers, const CertifiedStatement& q) 
   return list;
 }
 
+/// One link by its number, and what is taken off its sides.
+Json part_json(const CertifiedSide& side, std::size_t k, const CertifiedStatement& q) {
+  Json json{{"link", side.links[k]}};
+  if (!side.layers[k].empty()) json["layers"] = layers_json(side.layers[k], q);
+  return json;
+}
+Json side_json(const CertifiedSide& side, const ex& residual, const CertifiedStatement& q) {
+  Json json{{"links", Json::array()}};
+  for (std::size_t k = 0; k < side.links.size(); ++k) json["links"].push_back(part_json(side, k, q));
+  if (side.sum) json["sum"] = q.text(side.sum);
+  json["residual"] = fraction_text(residual);
+  return json;
+}
+
 Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Phases& phases, Steps& steps) {
   Json json = Json::object();
-  if (!link.left_layers.empty()) json["left layers"] = layers_json(link.left_layers, q);
-  if (!link.right_layers.empty()) json["right layers"] = layers_json(link.right_layers, q);
   if (link.holds) {
-    json["holds"] = *link.holds, json["left"] = q.text(link.left_form),
-    json["right"] = q.text(link.right_form);
+    const bool is_left = !link.left.links.empty();
+    const CertifiedSide& side = is_left ? link.left : link.right;
+    Json& part = json[is_left ? "left" : "right"] = part_json(side, 0, q);
+    part["form"] = q.text(side.form), json["holds"] = *link.holds;
     return json;
   }
-  const ex l = steps.out(phases(q.value(link.left))), r = steps.out(phases(q.value(link.right)));
+  const ex l = steps.out(phases(q.value(link.left.residual))),
+           r = steps.out(phases(q.value(link.right.residual)));
   const ex d = steps.out(phases(q.value(difference(link, q))));
   const auto c = cofactor(phases.reduce(d.numer()), phases, q.symbols);
   if (!c) throw Undecidable("no polynomial identity was found that says it");
   for (const ex& part : {l, r, *c}) steps.generators(part);
-  json["left"] = fraction_text(l), json["right"] = fraction_text(r);
+  json["left"] = side_json(link.left, l, q), json["right"] = side_json(link.right, r, q);
   json["factor"] = Json::object();
   for (const auto& [part, n] : link.factor) {
     Json& exponent = json["factor"][q.text(part)];
@@ -144,7 +159,8 @@ Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Pha
 void write_links(const CertifiedStatement& q, const std::vector<CertifiedLink>& links, Written& written) {
   std::vector<ex> expressions = expressions_in(q, written.trees);
   for (const CertifiedLink& link : links)
-    for (const ex& e : {link.left, link.right, difference(link, q)}) expressions.push_back(q.value(e));
+    for (const ex& e : {link.left.residual, link.right.residual, difference(link, q)})
+      expressions.push_back(q.value(e));
   const Phases phases(expressions, q.symbols);
   Steps steps(q, phases);
   for (const Tree& tree : written.trees) steps.tree(tree);
@@ -210,12 +226,14 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
   for (const CertifiedLink& link : links) {
     for (const auto& [part, n] : link.factor) trees.push_back(part);
     for (const auto& [part, more] : link.more) trees.push_back(more);
-    for (const Tree& form : {link.left_form, link.right_form})
-      if (form) trees.push_back(form);
-    for (const auto& layers : {link.left_layers, link.right_layers})
-      for (const Layer& layer : layers) add_trees(layer, q, trees);
+    for (const CertifiedSide& side : {link.left, link.right}) {
+      for (const Tree& tree : {side.sum, side.form})
+        if (tree) trees.push_back(tree);
+      for (const auto& layers : side.layers)
+        for (const Layer& layer : layers) add_trees(layer, q, trees);
+    }
   }
-  Json json{{"format", "rederive certificate 3"},
+  Json json{{"format", "rederive certificate 4"},
             {"left", statement_json(q.left, q)},
             {"right", statement_json(q.right, q)},
             {"given", given},

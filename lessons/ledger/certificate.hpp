@@ -16,19 +16,21 @@ namespace rederive {
 ///   pieces        of the domain, in the order x < 0, x > 0 (the last name turns first), each with
 ///     steps       what every function is in generators: powers of e, roots and function values with names of
 ///                 their own, "$z3" (certificate_steps.hpp)
-///     links       for the statement, or for each link of a chain
+///     links       why the two say the same: for two expressions one; for relations as many as it takes to
+///                 have every link of both statements in one
 /// A link has (certificate_links.hpp)
-///   left layers, right layers   increasing functions taken off the sides of a relation, the outermost first:
-///                               function(left) and function(right) are the sides
-///   left, right                 the two expressions, or the residuals of the relations, as quotients of
-///                               polynomials in generators
-///   factor                      of parts that are never 0, with their exponents; `more` of a part that is 0
-///                               only where one of the residuals is
-///   cofactor                    not 0 itself: left·cofactor = factor·right·cofactor modulo the relations of
-///                               the generators
-/// or, where both relations always hold, or never: `holds`, and left and right in a form that shows it.
-/// All is text in our own syntax. Nothing where the statement is not proved, or where nothing like this is
-/// found.
+///   left, right   the `links` of that statement that are taken together, one mostly, by their numbers, and
+///   the
+///                 `layers`, increasing functions taken off their sides, the outermost first: function(left)
+///                 and function(right) are the sides; of two inequalities a positive `sum`: one of them
+///                 holds; the expression, or the `residual` of what is left, as a quotient of polynomials in
+///                 generators
+///   factor        of parts that are never 0, with their exponents; `more` of a part that is 0 only where one
+///                 of the residuals is
+///   cofactor      not 0 itself: left·cofactor = factor·right·cofactor modulo the relations of the generators
+/// or, of a link that always holds, or never: left or right alone, with its residual in a `form` that shows
+/// it, and `holds`. One of each side that never holds is enough. All is text in our own syntax. Nothing where
+/// the statement is not proved, or where nothing like this is found.
 std::optional<nlohmann::ordered_json> certificate(const Relation& left, const Relation& right,
                                                   const Symbols& symbols, const std::vector<Given>& given);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <derivations/algebra/conjunction.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/vanish.hpp>
@@ -36,6 +37,7 @@ void collect_divisors(const Tree& tree, const CertifiedStatement& q, std::vector
 struct Finder {
   const CertifiedStatement& q;
   const std::vector<CertifiedDivisor>& divisors;
+  const Question question{q.left, q.right, q.symbols, q.given};
 
   Tree tree(const ex& e) const { return to_tree(e, q.symbols); }
 
@@ -70,25 +72,15 @@ struct Finder {
     }
     return product;
   }
-  /// Whether a relation always holds, or never.
-  std::optional<bool> settled(const ex& residual, const std::string& op) const {
-    const bool weak = op.ends_with('=');
-    if (vanishes(residual, q.symbols)) return weak;
-    const auto parts = checked_quotient(residual, 1, q.symbols);
-    if (!parts) return std::nullopt;
-    const Quotient product = assess(*parts, {}, q.symbols);
-    const bool never_zero = product.zeros.empty(), holds = op != "=" && product.sign > 0;
-    if (op != "=" && product.sign == 0) return std::nullopt;
-    const bool zero_fits = op != "=" && holds == weak;  // 0 does not matter then
-    return zero_fits || never_zero ? std::optional(holds) : std::nullopt;
-  }
-  bool settle(CertifiedLink& link, const std::string& op, const std::string& other) const {
-    const auto left = settled(link.left, op), right = settled(link.right, other);
-    if (!left || left != right) return false;
-    const auto left_form = form_of_one_sign(link.left), right_form = form_of_one_sign(link.right);
-    if (!left_form || !right_form) return false;
-    link.holds = left, link.left_form = tree(*left_form), link.right_form = tree(*right_form);
-    return true;
+  /// Of one side alone; `op` as residuals have it.
+  std::optional<CertifiedLink> settle(CertifiedSide side, const std::string& op, bool is_left) const {
+    const auto holds = settled(side.residual, claim_of(op), q.symbols);
+    const auto form = holds ? form_of_one_sign(side.residual) : std::nullopt;
+    if (!form) return std::nullopt;
+    side.form = tree(*form);
+    CertifiedLink link;
+    (is_left ? link.left : link.right) = side, link.holds = holds;
+    return link;
   }
 
   // ---- factors
@@ -113,7 +105,8 @@ struct Finder {
   /// part^n, if the part is 0 only where right (or left, for n < 0) is, for its square is that one's, or it
   /// is that square and more.
   bool put_down_sum(const ex& part, int n, CertifiedLink& link) const {
-    const ex square = GiNaC::pow(n > 0 ? link.right : link.left, 2), more = (part - square).expand();
+    const ex square = GiNaC::pow(n > 0 ? link.right.residual : link.left.residual, 2),
+             more = (part - square).expand();
     const bool is_same = (GiNaC::pow(part, 2) - square).expand().is_zero();
     if (!is_same && !is_nonnegative(more, q.symbols)) return false;
     link.factor.emplace_back(tree(part), n);
@@ -144,7 +137,7 @@ struct Finder {
   bool find_factor(CertifiedLink& link, const std::string& op) const {
     std::vector<ex> values;
     for (const CertifiedDivisor& d : divisors) values.push_back(d.value);
-    const ex &left = link.left, &right = link.right;
+    const ex &left = link.left.residual, &right = link.right.residual;
     for (const Way way : all_ways) {
       try {
         const auto parts = quotient(left, right, q.symbols, way);
@@ -162,32 +155,50 @@ struct Finder {
 
   // ---- relations
 
-  static ex residual(const Sides& s) { return s.op[0] == '<' ? s.right - s.left : s.left - s.right; }
-  Sides sides(const Relation& relation) const {
-    return {put_in(lower(relation.sides[0], q.symbols), q.given), relation.operators[0],
-            put_in(lower(relation.sides[1], q.symbols), q.given)};
-  }
-  static std::string kind(const std::string& op) { return op[0] == '<' ? ">" + op.substr(1) : op; }
-
-  CertifiedLink find(const Relation& left, const Relation& right) const {
-    const Sides l = sides(left), r = sides(right);
-    const std::string op = kind(l.op), other = kind(r.op);
-    CertifiedLink plain, inner;
-    plain.left = residual(l), plain.right = residual(r);
-    inner.left = residual(unwrapped(l, q.symbols, &inner.left_layers));
-    inner.right = residual(unwrapped(r, q.symbols, &inner.right_layers));
-    for (CertifiedLink link : {inner, plain}) {
-      if (op == other && find_factor(link, op)) return link;
-      if (settle(link, op, other)) return link;
+  /// Links of one statement, with or without the functions around their sides; and "=", ">" or ">=".
+  std::optional<std::pair<CertifiedSide, std::string>> side(const Relation& relation,
+                                                            const std::vector<std::size_t>& numbers,
+                                                            bool unwrap) const {
+    CertifiedSide result{numbers, {}, 1};
+    std::string op;
+    ex sum = 0;
+    for (const std::size_t k : numbers) {
+      Sides s = sides_of(rederive::links_of(relation)[k], question);
+      std::vector<Layer> layers;
+      if (unwrap) s = unwrapped(s, q.symbols, &layers);
+      op = s.op[0] == '<' ? ">" + s.op.substr(1) : s.op;
+      result.layers.push_back(layers);
+      result.residual *= residual_of(s), sum += residual_of(s);
     }
-    throw Undecidable("no factor without zeros was found");
+    if (numbers.size() > 1) {
+      const auto form = form_of_one_sign(sum.expand());
+      if (!form) return std::nullopt;
+      result.sum = tree(*form);
+    }
+    return std::pair{result, op};
+  }
+
+  std::optional<CertifiedLink> find_same(const Match& match) const {
+    for (const bool unwrap : {true, false}) {
+      const auto left = side(q.left, match.left, unwrap), right = side(q.right, match.right, unwrap);
+      if (!left || !right || left->second != right->second) continue;
+      CertifiedLink link{left->first, right->first, {}, {}, {}};
+      if (find_factor(link, left->second)) return link;
+    }
+    return std::nullopt;
+  }
+  /// A link that always holds, or never.
+  CertifiedLink find_settled(const std::vector<std::size_t>& number, bool is_left) const {
+    for (const bool unwrap : {true, false})
+      if (const auto found = side(is_left ? q.left : q.right, number, unwrap))
+        if (const auto link = settle(found->first, found->second, is_left)) return *link;
+    throw Undecidable("no form shows that a link always holds, or never");
   }
 };
 
-/// The k-th link of a chain: K = a = b says K = b, too.
-Relation link_of(const Relation& chain, std::size_t k) {
-  const bool is_first = chain.operators[0] == "=" && chain.operators[k] == "=";
-  return {{chain.sides[is_first ? 0 : k], chain.sides[k + 1]}, {chain.operators[k]}};
+/// One relation against one.
+bool is_pair(const CertifiedStatement& q) {
+  return q.left.operators.size() == 1 && q.right.operators.size() == 1;
 }
 
 }  // namespace
@@ -207,15 +218,25 @@ std::vector<CertifiedDivisor> divisors_of(const CertifiedStatement& q) {
 std::vector<CertifiedLink> links_of(const CertifiedStatement& q) {
   if (prove(q.left, q.right, q.symbols, q.given).verdict != Verdict::proved) throw Undecidable("not proved");
   if (q.left.operators.empty()) {
-    CertifiedLink link;
-    link.left = put_in(lower(q.left.sides[0], q.symbols), q.given);
-    link.right = put_in(lower(q.right.sides[0], q.symbols), q.given);
-    return {link};
+    const auto side = [&](const Relation& expression) {
+      return CertifiedSide{{0}, {{}}, put_in(lower(expression.sides[0], q.symbols), q.given)};
+    };
+    return {{side(q.left), side(q.right), {}, {}, {}}};
   }
   const std::vector<CertifiedDivisor> divisors = divisors_of(q);
+  const Finder finder{q, divisors};
+  if (const auto link = is_pair(q) ? finder.find_same({{0}, {0}}) : std::nullopt) return {*link};
   std::vector<CertifiedLink> links;
-  for (std::size_t k = 0; k < q.left.operators.size(); ++k)
-    links.push_back(Finder{q, divisors}.find(link_of(q.left, k), q.right));
+  for (const Match& match : matches(finder.question).value_or(std::vector<Match>{}))
+    if (match.never || match.left.empty() || match.right.empty()) {
+      if (!match.left.empty()) links.push_back(finder.find_settled(match.left, true));
+      if (!match.right.empty()) links.push_back(finder.find_settled(match.right, false));
+    } else {
+      const auto link = finder.find_same(match);
+      if (!link) throw Undecidable("no factor without zeros was found");
+      links.push_back(*link);
+    }
+  if (links.empty()) throw Undecidable("nothing was found that says it link by link");
   return links;
 }
 

@@ -13,19 +13,25 @@ struct CertifiedDivisor {
   Tree tree;
 };
 
-/// Two expressions, or a relation (a link of a chain) and the one on the right. The residual of a relation is
-/// what must be 0, positive or not negative, without the layers of increasing functions around its sides.
+/// Links of one statement that are taken together: one, or two inequalities whose product is one, for one of
+/// them holds everywhere, as their sum shows. Nothing where the other statement is not needed.
+struct CertifiedSide {
+  std::vector<std::size_t> links;          ///< their numbers
+  std::vector<std::vector<Layer>> layers;  ///< taken off each of them
+  GiNaC::ex residual;                      ///< of what is left: must be 0, positive or not negative
+  Tree sum = nullptr, form = nullptr;      ///< written so that the sign shows
+};
+
+/// Two expressions (no layers, their values for residuals), or what links of two statements say.
 struct CertifiedLink {
-  GiNaC::ex left, right;
-  std::vector<Layer> left_layers, right_layers;
+  CertifiedSide left, right;
   /// left = factor·right, of parts that are never 0 with their exponents, or, in an equation, only where
   /// right is 0, too (left for a negative exponent): the part is that one, or its square and `more` that is
   /// not negative; …
   std::vector<std::pair<Tree, int>> factor;
   std::vector<std::pair<Tree, Tree>> more;
-  /// … or both relations always hold, or never, as their residuals show when written like this.
+  /// … or what there is of the two always holds, or never, as the form of its residual shows.
   std::optional<bool> holds;
-  Tree left_form, right_form;
 };
 
 /// What a text divides by, in the order in which it is met.

@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <derivations/algebra/conjunction.hpp>
+#include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/phases.hpp>
+#include <functional>
+#include <numeric>
+
+namespace rederive {
+
+using GiNaC::ex;
+
+namespace {
+
+/// One link alone: what it asks for, as it stands and as it is compared.
+struct Part {
+  Tree written;
+  ex residual, inner;
+  Claim claim;
+};
+using Parts = std::vector<Part>;
+using Numbers = std::vector<std::size_t>;
+
+/// Both statements in parts, and a comparison of their first links, for what all of them have in common.
+struct Parted {
+  Parts left, right;
+  Residuals first;
+};
+
+Parted parts_of(const Question& question) {
+  const std::vector<Link> left = links_of(question.left), right = links_of(question.right);
+  Parted result{{}, {}, residuals_of(left[0], right[0], question)};
+  for (const Link& link : left) {
+    const Residuals r = residuals_of(link, right[0], question);
+    result.left.push_back({r.pair.left, r.pair.left_value, r.inner_left, r.left});
+  }
+  for (const Link& link : right) {
+    const Residuals r = residuals_of(left[0], link, question);
+    result.right.push_back({r.pair.right, r.pair.right_value, r.inner_right, r.right});
+  }
+  return result;
+}
+
+/// A > 0 and B > 0 is A·B > 0, if A + B > 0 everywhere.
+std::optional<Part> as_one(const Parts& parts, const Numbers& chosen, const Symbols& symbols) {
+  const Part& a = parts[chosen.front()];
+  const Part& b = parts[chosen.back()];
+  if (chosen.size() == 1) return a;
+  if (chosen.size() > 2 || a.claim != b.claim || a.claim == Claim::zero) return std::nullopt;
+  if (sign_of((a.inner + b.inner).expand(), symbols) <= 0) return std::nullopt;
+  const ex product = a.inner * b.inner;
+  return Part{nullptr, product, product, a.claim};
+}
+
+/// Finds the matches of all parts.
+class Matching {
+ public:
+  Matching(const Question& question, const Parted& parts) : parts_(parts), symbols_(question.symbols) {}
+
+  std::optional<std::vector<Match>> find() {
+    Numbers left = open(parts_.left, true), right = open(parts_.right, false);
+    if (never_.left.size() == 1 && never_.right.size() == 1) return std::vector{never_};
+    Numbers other_left = left, other_right = right;  // what no other link alone says
+    const std::size_t before = matches_.size();
+    for (const std::size_t i : left)
+      for (const std::size_t j : right)
+        if ((among(i, other_left) || among(j, other_right)) && same(parts_.left[i], parts_.right[j])) {
+          std::erase(other_left, i), std::erase(other_right, j);
+          matches_.push_back({{i}, {j}});
+        }
+    if (other_left.empty() && other_right.empty()) return matches_;
+    if (left.empty() || right.empty()) return std::nullopt;
+    matches_.resize(before);
+    const auto a = as_one(parts_.left, left, symbols_), b = as_one(parts_.right, right, symbols_);
+    if (!a || !b || !same(*a, *b)) return std::nullopt;
+    matches_.push_back({left, right});
+    return matches_;
+  }
+
+ private:
+  static bool among(std::size_t k, const Numbers& numbers) {
+    return std::find(numbers.begin(), numbers.end(), k) != numbers.end();
+  }
+  /// Those that do not always hold.
+  Numbers open(const Parts& parts, bool is_left) {
+    Numbers result;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const auto holds = settled(parts[k].inner, parts[k].claim, symbols_);
+      if (holds == true)
+        matches_.push_back(is_left ? Match{{k}, {}} : Match{{}, {k}});
+      else
+        result.push_back(k);
+      if (holds == false) (is_left ? never_.left : never_.right) = {k};
+    }
+    return result;
+  }
+  bool same(const Part& a, const Part& b) const {
+    if (a.claim != b.claim) return false;
+    Residuals r = parts_.first;
+    r.pair.left_value = a.residual, r.pair.right_value = b.residual;
+    r.inner_left = a.inner, r.inner_right = b.inner, r.left = r.right = a.claim;
+    return prove_by_some_factor(r, symbols_).verdict == Verdict::proved;
+  }
+
+  const Parted& parts_;
+  const Symbols& symbols_;
+  std::vector<Match> matches_;
+  Match never_{{}, {}, true};
+};
+
+/// Whether all parts hold at a point, and the first that does not; nothing where one has no value, or is so
+/// near 0 that it cannot be told.
+struct Truth {
+  bool holds = true;
+  std::size_t part = 0;
+};
+std::optional<Truth> truth(const Parts& parts, const Point& point) {
+  Truth result;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const auto value = value_of(parts[k].written, point);
+    if (!value) return std::nullopt;
+    const bool is_zero = !differ(*value, 0);
+    if (is_zero && !is_exactly_zero(parts[k].written, point)) return std::nullopt;
+    const bool holds =
+        is_zero ? parts[k].claim != Claim::positive : parts[k].claim != Claim::zero && cln::plusp(*value);
+    if (!holds && result.holds) result = {false, k};
+  }
+  return result;
+}
+
+/// A point at which one statement holds and the other does not: among many, and where a link turns.
+std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbols) {
+  std::optional<Proof> found;
+  const auto look = [&](const Point& p) {
+    const auto left = truth(parts.left, p), right = left ? truth(parts.right, p) : std::nullopt;
+    if (!right || left->holds == right->holds || !is_admitted(parts.first.pair, p, symbols)) return false;
+    Pair shown = parts.first.pair;
+    shown.left = parts.left[left->part].written, shown.right = parts.right[right->part].written;
+    found = refuted(make_witness(shown, p),
+                    left->holds ? "at the witness all of the left one holds and the right one fails"
+                                : "at the witness the right one holds and a link of the left one fails");
+    return true;
+  };
+  std::vector<Tree> trees;
+  for (const Parts* side : {&parts.left, &parts.right})
+    for (const Part& part : *side) trees.push_back(part.written);
+  const Points points = points_for(trees, symbols);
+  for (int k = 0; k < Points::many; ++k)
+    if (look(points.at(k))) return found;
+  for (const Tree& tree : trees)
+    if (find_root(tree, points, 10, look)) return found;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::vector<Match>> matches(const Question& question) {
+  return Matching(question, parts_of(question)).find();
+}
+
+Proof prove_conjunctions(const Question& question) {
+  const Parted parts = parts_of(question);
+  if (const auto proof = differ_somewhere(parts, question.symbols)) return *proof;
+  const auto found = Matching(question, parts).find();
+  if (!found)
+    return undecided("the links of the one were not found to say together what those of the other one say");
+  return proved("", found->front().never
+                        ? "neither holds for any value in the declared ranges"
+                        : "link by link the two say the same, as far as a link does not always hold");
+}
+
+}  // namespace rederive

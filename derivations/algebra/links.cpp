@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <derivations/algebra/conditions.hpp>
+#include <derivations/algebra/links.hpp>
+#include <derivations/algebra/print.hpp>
+
+namespace rederive {
+
+using GiNaC::ex;
+
+namespace {
+
+Tree difference(const Tree& a, const Tree& b) {
+  Node node{};
+  node.kind = Node::Kind::sum;
+  node.children = {a, b};
+  node.inverse = {false, true};
+  return std::make_shared<const Node>(std::move(node));
+}
+
+Tree written_residual(const Link& link) {
+  return link.op[0] == '<' ? difference(link.right, link.left) : difference(link.left, link.right);
+}
+
+std::vector<ex> divisors_of(const Relation& relation, const Question& question) {
+  std::vector<ex> result;
+  for (const Tree& side : relation.sides)
+    for (const ex& divisor : divisors(side, question.symbols))
+      result.push_back(put_in(divisor, question.given));
+  return result;
+}
+
+/// Before the givens are put in.
+ex lowered_residual(const Link& link, const Symbols& symbols) {
+  return residual_of({lower(link.left, symbols), link.op, lower(link.right, symbols)});
+}
+
+}  // namespace
+
+Pair Question::pair(const ex& left_value, const ex& right_value, const Tree& written_left,
+                    const Tree& written_right) const {
+  const ex l = put_in(left_value, given), r = put_in(right_value, given);
+  const bool as_written = given.empty() && written_left && written_right;
+  Pair pair{as_written ? written_left : to_tree(l, symbols),
+            as_written ? written_right : to_tree(r, symbols),
+            l,
+            r,
+            {}};
+  for (const Given& g : given)
+    if (const Symbol* symbol = symbols.find(g.name); symbol != nullptr && symbol->range != "(-inf, inf)")
+      pair.bound.push_back({symbol->name, to_tree(put_in(g.value, given), symbols)});
+  return pair;
+}
+
+std::vector<Link> links_of(const Relation& relation) {
+  std::vector<Link> links;
+  bool explicit_form = true;
+  for (std::size_t k = 0; k < relation.operators.size(); ++k) {
+    explicit_form = explicit_form && relation.operators[k] == "=";
+    links.push_back({relation.sides[explicit_form ? 0 : k], relation.operators[k], relation.sides[k + 1]});
+  }
+  return links;
+}
+
+Sides sides_of(const Link& link, const Question& question) {
+  const auto value = [&](const Tree& tree) { return put_in(lower(tree, question.symbols), question.given); };
+  return {value(link.left), link.op, value(link.right)};
+}
+
+Claim claim_of(const std::string& op) {
+  return op == "=" ? Claim::zero : op.size() == 1 ? Claim::positive : Claim::not_negative;
+}
+
+ex residual_of(const Sides& s) { return s.op[0] == '<' ? s.right - s.left : s.left - s.right; }
+
+Residuals residuals_of(const Link& left, const Link& right, const Question& question) {
+  const Symbols& symbols = question.symbols;
+  return {question.pair(lowered_residual(left, symbols), lowered_residual(right, symbols),
+                        written_residual(left), written_residual(right)),
+          claim_of(left.op),
+          claim_of(right.op),
+          residual_of(unwrapped(sides_of(left, question), symbols)),
+          residual_of(unwrapped(sides_of(right, question), symbols)),
+          divisors_of(question.left, question),
+          divisors_of(question.right, question)};
+}
+
+}  // namespace rederive

@@ -1,0 +1,44 @@
+// A statement link by link, and the links as residuals.
+#pragma once
+
+#include <derivations/algebra/residuals.hpp>
+#include <derivations/algebra/unwrap.hpp>
+
+namespace rederive {
+
+/// Two statements, and what their names mean.
+struct Question {
+  const Relation& left;
+  const Relation& right;
+  const Symbols& symbols;
+  const std::vector<Given>& given;
+
+  /// Without givens the witness is computed from the texts themselves (where there are any), before GiNaC has
+  /// touched them.
+  Pair pair(const GiNaC::ex& left, const GiNaC::ex& right, const Tree& written_left = nullptr,
+            const Tree& written_right = nullptr) const;
+};
+
+/// One relation of a statement.
+struct Link {
+  Tree left;
+  std::string op;
+  Tree right;
+};
+
+/// K = a = b means K = a and K = b, a < b < c that a < b and b < c.
+std::vector<Link> links_of(const Relation& relation);
+
+/// Both sides, with the givens put in. Throws Undecidable.
+Sides sides_of(const Link& link, const Question& question);
+
+/// What an operator asks of the residual.
+Claim claim_of(const std::string& op);
+
+/// What a relation asks to be 0 or positive: a < b is b - a > 0.
+GiNaC::ex residual_of(const Sides& sides);
+
+/// Two links as residuals. Throws Undecidable.
+Residuals residuals_of(const Link& left, const Link& right, const Question& question);
+
+}  // namespace rederive
