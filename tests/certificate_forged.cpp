@@ -18,6 +18,7 @@ std::string verdict_of_links(const Json& left, const Json& right, const Json& ra
                                 {"right", right},
                                 {"given", Json::object()},
                                 {"divisors", Json::array()},
+                                {"never zero", Json::array()},
                                 {"ranges", ranges},
                                 {"cut", cut},
                                 {"pieces", Json(1 << cut.size(), piece)}});
@@ -161,6 +162,30 @@ TEST_CASE("chains of which a part is passed over") {
         "a link is left out");
   CHECK(of({"0", "<", "b", "<", "1"}, {"b", "<", "1"},
            {same(side({1}, "1-b"), side({0}, "1-b")), settled("left", 0, "b", true)}) == "accepted");
+}
+
+TEST_CASE("what is never 0 is what the certificate says, and no more") {
+  Json c{{"format", "rederive certificate 4"},
+         {"left", {"x*a", "=", "0"}},
+         {"right", {"a", "=", "0"}},
+         {"given", Json::object()},
+         {"divisors", Json::array()},
+         {"never zero", {"2*x"}},
+         {"ranges", {{"x", real}, {"a", real}}},
+         {"cut", Json::array()},
+         {"pieces",
+          {{{"steps", Json::array()}, {"links", {linked("x*a", "a", "1", {{"2*x", 1}, {"1/2", 1}})}}}}}};
+  const auto verdict_now = [&]() -> std::string {
+    try {
+      certificate_checker::check(c);
+      return "accepted";
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+  };
+  CHECK(verdict_now() == "accepted");
+  c["never zero"] = {"x+1"};
+  CHECK(verdict_now() == "a factor may vanish: 2*x");
 }
 
 TEST_CASE("two links as one, though both may fail") {

@@ -74,6 +74,7 @@ class Checker : Replay {
     for (const Value& d : divisors_)
       require(std::any_of(listed.begin(), listed.end(), [&](const Value& e) { return same(d, e); }),
               "a divisor is not listed");
+    for (const Json& text : c_.at("never zero")) divisors_.push_back(stated(text));
   }
 
   /// What must be 0 ("="), positive (">") or not negative (">=") for a link to hold; an expression as it is.

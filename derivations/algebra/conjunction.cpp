@@ -140,7 +140,7 @@ std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbol
                                 : "at the witness the right one holds and a link of the left one fails");
     return true;
   };
-  std::vector<Tree> trees;
+  std::vector<Tree> trees = trees_of(parts.first.pair);
   for (const Parts* side : {&parts.left, &parts.right})
     for (const Part& part : *side) trees.push_back(part.written);
   const Points points = points_for(trees, symbols);

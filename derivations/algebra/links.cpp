@@ -21,11 +21,13 @@ Tree written_residual(const Link& link) {
   return link.op[0] == '<' ? difference(link.right, link.left) : difference(link.left, link.right);
 }
 
+/// What is not 0 where a statement means anything: what it divides by, and what was declared so.
 std::vector<ex> divisors_of(const Relation& relation, const Question& question) {
   std::vector<ex> result;
   for (const Tree& side : relation.sides)
     for (const ex& divisor : divisors(side, question.symbols))
       result.push_back(put_in(divisor, question.given));
+  for (const ex& e : question.symbols.never_zero()) result.push_back(put_in(e, question.given));
   return result;
 }
 
@@ -48,6 +50,7 @@ Pair Question::pair(const ex& left_value, const ex& right_value, const Tree& wri
   for (const Given& g : given)
     if (const Symbol* symbol = symbols.find(g.name); symbol != nullptr && symbol->range != "(-inf, inf)")
       pair.bound.push_back({symbol->name, to_tree(put_in(g.value, given), symbols)});
+  for (const ex& e : symbols.never_zero()) pair.never_zero.push_back(to_tree(put_in(e, given), symbols));
   return pair;
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <derivations/algebra/sample.hpp>
 
 namespace rederive {
@@ -19,11 +20,14 @@ std::string shown(const Tree& tree, const Point& point, int digits) {
 
 }  // namespace
 
-Points points_for(const Pair& pair, const Symbols& symbols) {
+std::vector<Tree> trees_of(const Pair& pair) {
   std::vector<Tree> trees{pair.left, pair.right};
   for (const auto& [name, value] : pair.bound) trees.push_back(value);
-  return points_for(trees, symbols);
+  trees.insert(trees.end(), pair.never_zero.begin(), pair.never_zero.end());
+  return trees;
 }
+
+Points points_for(const Pair& pair, const Symbols& symbols) { return points_for(trees_of(pair), symbols); }
 
 Points points_for(const std::vector<Tree>& trees, const Symbols& symbols) {
   std::set<std::string> names;
@@ -37,7 +41,10 @@ bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols) {
     const auto value = value_of(tree, point);
     if (!value || !is_inside(symbols.find(name)->range, *value)) return false;
   }
-  return true;
+  return std::all_of(pair.never_zero.begin(), pair.never_zero.end(), [&](const Tree& tree) {
+    const auto value = value_of(tree, point);
+    return value && differ(*value, 0);
+  });
 }
 
 bool is_claimed(const Pair& pair, const cln::cl_R& left, const cln::cl_R& right, const Symbols& symbols) {

@@ -11,14 +11,18 @@ struct Pair {
   Tree left, right;
   GiNaC::ex left_value, right_value;
   std::vector<std::pair<std::string, Tree>> bound;  ///< a name that was replaced → what stands for it
+  std::vector<Tree> never_zero = {};                ///< what was declared so
   std::string name = "";  ///< where the two are what one symbol is said to be: that symbol
 };
 
 /// The points at which the two are compared.
 Points points_for(const std::vector<Tree>& trees, const Symbols& symbols);
 Points points_for(const Pair& pair, const Symbols& symbols);
+/// All that is looked at for a pair: both sides, and what a point must keep to.
+std::vector<Tree> trees_of(const Pair& pair);
 
-/// Whether the point keeps every name that was replaced inside its declared range.
+/// Whether the point keeps every name that was replaced inside its declared range, and nothing is 0 that was
+/// declared not to be.
 bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols);
 
 /// Where both are said to be the value of one symbol: whether one of them lies in its range. Outside, neither

@@ -52,6 +52,9 @@ class Symbols {
   /// Replaces the range alone: the GiNaC symbol, and so every expression that has it, stays the same.
   /// Throws std::out_of_range or std::invalid_argument.
   void narrow(std::string_view name, std::string range);
+  /// Declares that an expression in the symbols is never 0, as in "x != y".
+  void exclude_zero(const GiNaC::ex& expression) { never_zero_.push_back(expression); }
+  const std::vector<GiNaC::ex>& never_zero() const { return never_zero_; }
   const Symbol* find(std::string_view name) const;    ///< nullptr if there is none
   const Symbol* find(const GiNaC::ex& symbol) const;  ///< by its GiNaC symbol
   /// The GiNaC symbol of that name; throws std::out_of_range naming it if there is none.
@@ -62,6 +65,7 @@ class Symbols {
  private:
   std::vector<std::string> order_;
   std::map<std::string, Symbol, std::less<>> table_;
+  std::vector<GiNaC::ex> never_zero_;
 };
 
 /// The symbols of the paper, with their meanings: the one table that everything else reads.

@@ -90,22 +90,38 @@ std::optional<GiNaC::ex> number(const Tree& tree, const std::string& text, const
 }
 
 [[noreturn]] void refuse(const std::string& text) {
-  throw BadInput("the assumption '" + text +
-                 "' neither compares one symbol with numbers nor says what one symbol is; "
-                 "right is, for example, \"x > 0\", \"0 < x < pi/2\" or \"h = R*cos(alpha)\"");
+  throw BadInput(
+      "the assumption '" + text +
+      "' neither compares one symbol with numbers or other symbols, nor says what one symbol is; "
+      "right is, for example, \"x > 0\", \"0 < x < pi/2\", \"b < h\", \"x != y\" or \"h = R*cos(alpha)\"");
 }
 
-void assume_range(const Tree& a, const std::string& op, const Tree& b, const std::string& text,
+/// Whether it compares one symbol with a number.
+bool assume_range(const Tree& a, const std::string& op, const Tree& b, const std::string& text,
                   Symbols& symbols) {
   const bool on_left = is_name(a);
-  if (!on_left && !is_name(b)) refuse(text);
+  if (!on_left && !is_name(b)) return false;
   const auto bound = number(on_left ? b : a, text, symbols);
-  if (!bound) refuse(text);
+  if (!bound) return false;
   try {
     narrow(symbols, (on_left ? a : b)->text, op, *bound, on_left);
   } catch (const std::logic_error&) {  // the range cannot hold such a bound
     throw BadInput("the assumption '" + text + "' has a bound that is no rational number or multiple of pi");
   }
+  return true;
+}
+
+/// "x != y": the right side is read where it stands, so that an error is shown there.
+void assume_difference(const std::string& text, std::size_t at, Symbols& symbols) {
+  const auto value = [&](const std::string& side) {
+    return reading(text, [&] { return lower(parse(side, symbols), symbols); });
+  };
+  const GiNaC::ex left = value(text.substr(0, at)),
+                  right = value(std::string(at + 2, ' ') + text.substr(at + 2)),
+                  difference = (left - right).expand();
+  if (GiNaC::is_a<GiNaC::numeric>(difference.evalf()))
+    throw BadInput("the assumption '" + text + "' says nothing of a symbol");
+  symbols.exclude_zero(difference);
 }
 
 /// The symbol that an equation says the value of: alone on a side and not on the other.
@@ -141,7 +157,7 @@ void check_givens(const std::vector<Given>& given, const Symbols& symbols) {
 }  // namespace
 
 Context make_context(const ProveRequest& request, const std::vector<std::string>& freed) {
-  Context context{paper_symbols(), {}};
+  Context context{paper_symbols(), {}, {}};
   Symbols& symbols = context.symbols;
   for (const std::string& name : freed) {
     const Symbol old = *symbols.find(name);
@@ -156,21 +172,43 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
   declare_names_in(request.right, symbols);
   for (const std::string& text : request.assumptions) declare_names_in(text, symbols);
 
-  std::vector<std::pair<Relation, std::string>> equations;
+  std::vector<std::pair<Relation, std::string>> equations, comparisons;
   for (const std::string& text : request.assumptions) {
+    if (const auto at = text.find("!="); at != std::string::npos) {
+      assume_difference(text, at, symbols);
+      continue;
+    }
     const Relation relation = reading(text, [&] { return parse_relation(text, symbols); });
     if (relation.operators[0] == "=") {
       if (relation.sides.size() != 2) refuse(text);
       equations.push_back({relation, text});
       continue;
     }
-    for (std::size_t k = 0; k < relation.operators.size(); ++k)
-      assume_range(relation.sides[k], relation.operators[k], relation.sides[k + 1], text, symbols);
+    for (std::size_t k = 0; k < relation.operators.size(); ++k) {
+      const Relation link{{relation.sides[k], relation.sides[k + 1]}, {relation.operators[k]}};
+      if (!assume_range(link.sides[0], link.operators[0], link.sides[1], text, symbols))
+        comparisons.push_back({link, text});
+    }
+  }
+  for (const auto& [link, text] : comparisons) {
+    const int settled = reading(text, [&] { return settled_by(context.comparisons, link, symbols); });
+    if (settled < 0) throw BadInput("the assumption '" + text + "' contradicts what is known without it");
+    if (settled > 0) continue;
+    const auto found = reading(text, [&] { return compared(link, context.comparisons, symbols); });
+    if (!found) refuse(text);
+    context.comparisons.push_back(*found);
   }
   for (const auto& [equation, text] : equations)
     context.given.push_back(read_given(equation.sides[0], equation.sides[1], text, symbols));
-  check_givens(context.given, symbols);
+  check_givens(context.put_in_at_once(true), symbols);
   return context;
+}
+
+std::vector<Given> Context::put_in_at_once(bool equations_too) const {
+  std::vector<Given> result;
+  for (const Comparison& comparison : comparisons) result.push_back(comparison.given);
+  if (equations_too) result.insert(result.end(), given.begin(), given.end());
+  return result;
 }
 
 }  // namespace rederive

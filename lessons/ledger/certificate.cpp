@@ -219,6 +219,8 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
   Json given = Json::object(), texts = Json::array();
   for (const Given& g : q.given)
     given[ex_to<GiNaC::symbol>(g.name).get_name()] = print(g.value, Notation::plain, q.symbols);
+  Json never_zero = Json::array();
+  for (const ex& e : q.symbols.never_zero()) never_zero.push_back(print(e, Notation::plain, q.symbols));
   for (const CertifiedDivisor& divisor : divisors_of(q)) {
     trees.push_back(divisor.tree);
     texts.push_back(q.text(divisor.tree));
@@ -238,6 +240,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
             {"right", statement_json(q.right, q)},
             {"given", given},
             {"divisors", texts},
+            {"never zero", never_zero},
             {"ranges", ranges_json(trees, q)}};
   add_pieces(json, q, links, trees);
   return json;

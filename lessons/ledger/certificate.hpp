@@ -11,6 +11,7 @@ namespace rederive {
 ///   left, right   the statement: sides and the operators between them
 ///   given         what names in it stand for
 ///   divisors      everything that it divides by, but for numbers: must not vanish
+///   never zero    what was declared so, "x - y" for x != y
 ///   ranges        where the other names live
 ///   cut           the names x whose range is cut at x = 0, mostly none: |x| stands there
 ///   pieces        of the domain, in the order x < 0, x > 0 (the last name turns first), each with

@@ -208,6 +208,7 @@ std::vector<CertifiedDivisor> divisors_of(const CertifiedStatement& q) {
   for (const Relation* relation : {&q.left, &q.right})
     for (const Tree& side : relation->sides) collect_divisors(side, q, found);
   for (const Given& g : q.given) collect_divisors(to_tree(g.value, q.symbols), q, found);
+  for (const ex& e : q.symbols.never_zero()) found.push_back({put_in(e, q.given), to_tree(e, q.symbols)});
   for (const CertifiedDivisor& d : found)
     if (std::none_of(different.begin(), different.end(),
                      [&](const CertifiedDivisor& e) { return e.value.is_equal(d.value); }))

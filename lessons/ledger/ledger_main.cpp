@@ -215,7 +215,8 @@ int main(int argc, char** argv) {
   auto* lhs = proving->add_option("lhs", options.request.left, "\"sin(2*x)\"");
   auto* rhs = proving->add_option("rhs", options.request.right, "\"2*sin(x)*cos(x)\"");
   proving
-      ->add_option("--assume", options.request.assumptions, "\"x > 0\", \"0 < x < 1\", \"h = R*cos(alpha)\"")
+      ->add_option("--assume", options.request.assumptions,
+                   "\"x > 0\", \"0 < x < 1\", \"b < h\", \"x != y\", \"h = R*cos(alpha)\"")
       ->take_all()
       ->allow_extra_args(false);
   proving->add_option("--small", options.request.small, "Compare Taylor polynomials in these symbols")

@@ -32,14 +32,15 @@ Relation read(const std::string& text, const Symbols& symbols) {
 
 Proof decide_in(const Context& context, const ProveRequest& request) {
   const Relation left = read(request.left, context.symbols), right = read(request.right, context.symbols);
-  Proof proof = prove(left, right, context.symbols);
-  if (proof.verdict == Verdict::proved) return proof;
-  if (request.order > 0)
-    return prove_approximation(left, right, request.small, request.order, context.symbols, context.given);
-  if (context.given.empty()) return proof;
-  proof = prove(left, right, context.symbols, context.given);
-  if (proof.verdict == Verdict::proved) proof.verdict = Verdict::proved_under;
-  return proof;
+  const std::vector<Given> compared = context.put_in_at_once(false), all = context.put_in_at_once(true);
+  Proof proof = prove(left, right, context.symbols, compared);
+  if (proof.verdict != Verdict::proved && request.order > 0) {
+    proof = prove_approximation(left, right, request.small, request.order, context.symbols, all);
+  } else if (proof.verdict != Verdict::proved && !context.given.empty()) {
+    proof = prove(left, right, context.symbols, all);
+    if (proof.verdict == Verdict::proved) proof.verdict = Verdict::proved_under;
+  }
+  return without_excess(proof, context.comparisons, context.symbols);
 }
 
 void collect_names(const Tree& tree, std::set<std::string>& names) {
@@ -111,7 +112,7 @@ nlohmann::ordered_json decide_bounded(const ProveRequest& request, nlohmann::ord
       nlohmann::ordered_json both{{"proof", to_json(proof)}, {"certificate", nullptr}};
       if (wanted != nullptr && (proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under)) {
         const Context context = make_context(request);
-        const auto given = proof.verdict == Verdict::proved_under ? context.given : std::vector<Given>{};
+        const auto given = context.put_in_at_once(proof.verdict == Verdict::proved_under);
         if (auto found = certificate(read(request.left, context.symbols),
                                      read(request.right, context.symbols), context.symbols, given))
           both["certificate"] = *found;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <derivations/algebra/prove.hpp>
+#include <lessons/ledger/comparisons.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -11,7 +12,7 @@ namespace rederive {
 /// What was asked.
 struct ProveRequest {
   std::string left, right;
-  std::vector<std::string> assumptions;  ///< "x > 0", "0 < x < 1", "theta = 0"
+  std::vector<std::string> assumptions;  ///< "x > 0", "0 < x < 1", "b < h", "x != 0", "theta = 0"
   std::vector<std::string> small;        ///< expansion symbols, with order
   int order = 0;                         ///< > 0: compare Taylor polynomials
 };
@@ -23,6 +24,10 @@ struct ProveRequest {
 struct Context {
   Symbols symbols;
   std::vector<Given> given;
+  std::vector<Comparison> comparisons;  ///< of symbols with each other: a part of the ranges, as it were
+
+  /// The comparisons, or the equations as well.
+  std::vector<Given> put_in_at_once(bool equations_too) const;
 };
 /// Throws BadInput for an assumption that cannot be read, or that contradicts another.
 Context make_context(const ProveRequest& request, const std::vector<std::string>& freed = {});

@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/print.hpp>
+#include <derivations/algebra/witness.hpp>
+#include <lessons/ledger/comparisons.hpp>
+#include <sstream>
+
+namespace rederive {
+
+using GiNaC::ex;
+using GiNaC::is_a;
+
+namespace {
+
+bool is_polynomial(const ex& e) {
+  return std::all_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) {
+    const bool is_power = is_a<GiNaC::power>(part) && part.op(1).info(GiNaC::info_flags::posint);
+    return is_power || is_a<GiNaC::add>(part) || is_a<GiNaC::mul>(part) || is_a<GiNaC::symbol>(part) ||
+           part.info(GiNaC::info_flags::rational);
+  });
+}
+
+std::vector<Given> givens(const std::vector<Comparison>& comparisons) {
+  std::vector<Given> result;
+  for (const Comparison& c : comparisons) result.push_back(c.given);
+  return result;
+}
+
+/// Whether the symbol may be replaced by other + excess, or other - excess where it is the lesser.
+bool is_replaceable(const ex& symbol, const ex& other, const std::vector<Comparison>& before) {
+  if (!is_a<GiNaC::symbol>(symbol) || !is_polynomial(other)) return false;
+  const bool is_replaced = std::any_of(before.begin(), before.end(),
+                                       [&](const Comparison& c) { return c.given.name.is_equal(symbol); });
+  return !is_replaced && !put_in(other, givens(before)).has(symbol);
+}
+
+/// Whether the range of the greater one follows from that of the lesser one.
+bool has_room(const ex& greater, const ex& lesser, const Symbols& symbols) {
+  const Interval range = parse_range(symbols.find(greater)->range);
+  if (range.high.infinite == 0) return false;
+  return range.low.infinite != 0 || is_nonnegative(lesser - range.low.value, symbols);
+}
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+/// The difference that an inequality says to be positive.
+ex difference(const Relation& inequality, const Symbols& symbols) {
+  const ex left = lower(inequality.sides[0], symbols), right = lower(inequality.sides[1], symbols);
+  return inequality.operators[0][0] == '<' ? right - left : left - right;
+}
+
+/// What the replaced symbols are at the witness, and any value for others that were not needed.
+void complete(Witness& witness, const std::vector<Comparison>& comparisons, const Symbols& symbols) {
+  GiNaC::exmap at;
+  for (const auto& [name, value] : witness.at) at[symbols[name]] = GiNaC::numeric(value.c_str());
+  for (const Comparison& c : comparisons) {
+    const ex value = put_in(c.given.value, givens(comparisons));
+    std::set<std::string> names;
+    collect_names(to_tree(value, symbols), names);
+    for (const auto& [name, other] : Points(names, symbols).at(0))
+      if (at.try_emplace(symbols[name], GiNaC::numeric(other)).second)
+        witness.at[name] = rational_text(other);
+    std::ostringstream text;
+    text << value.subs(at, GiNaC::subs_options::no_pattern);
+    witness.at[symbols.find(c.given.name)->name] = text.str();
+  }
+  for (const Comparison& c : comparisons) witness.at.erase(c.excess);
+}
+
+}  // namespace
+
+int settled_by(const std::vector<Comparison>& before, const Relation& inequality, const Symbols& symbols) {
+  const ex excess = put_in(difference(inequality, symbols), givens(before)).expand();
+  const bool weak = inequality.operators[0].size() == 2;
+  if (weak ? is_nonnegative(excess, symbols) : sign_of(excess, symbols) > 0) return 1;
+  return (weak ? sign_of(excess, symbols) < 0 : is_nonnegative(-excess, symbols)) ? -1 : 0;
+}
+
+std::optional<Comparison> compared(const Relation& inequality, const std::vector<Comparison>& before,
+                                   Symbols& symbols) {
+  const bool rises = inequality.operators[0][0] == '<', weak = inequality.operators[0].size() == 2;
+  const ex greater = lower(inequality.sides[rises ? 1 : 0], symbols),
+           lesser = lower(inequality.sides[rises ? 0 : 1], symbols);
+  const bool up = is_replaceable(greater, lesser, before), down = is_replaceable(lesser, greater, before);
+  if (!up && !down) return std::nullopt;
+  const std::string name = "excess_" + std::to_string(before.size() + 1);
+  const std::string meaning = print(greater - lesser, Notation::plain, symbols);
+  const bool is_up =
+      up && (!down || has_room(greater, lesser, symbols) || symbols.find(lesser)->range != "(-inf, inf)");
+  const std::string unit = symbols.find(is_up ? greater : lesser)->unit;
+  const ex excess =
+      symbols.declare(name, name, name, unit, weak ? "[0, inf)" : "(0, inf)", meaning, "").ginac;
+  return Comparison{is_up ? Given{greater, lesser + excess} : Given{lesser, greater - excess}, name, meaning};
+}
+
+Proof without_excess(Proof proof, const std::vector<Comparison>& comparisons, const Symbols& symbols) {
+  for (const Comparison& c : comparisons) {
+    for (std::string* text : {&proof.factor, &proof.reason})
+      replace_all(*text, c.excess, "(" + c.meaning + ")");
+    for (std::string& text : proof.side_conditions) replace_all(text, c.excess, "(" + c.meaning + ")");
+  }
+  if (!proof.factor.empty() && !comparisons.empty())
+    proof.factor = print(lower(parse(proof.factor, symbols), symbols), Notation::plain, symbols);
+  if (proof.witness && !comparisons.empty()) complete(*proof.witness, comparisons, symbols);
+  return proof;
+}
+
+}  // namespace rederive
