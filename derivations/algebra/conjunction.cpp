@@ -2,6 +2,7 @@
 #include <derivations/algebra/conjunction.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
+#include <derivations/algebra/roots.hpp>
 #include <functional>
 #include <numeric>
 
@@ -113,15 +114,17 @@ struct Truth {
   bool holds = true;
   std::size_t part = 0;
 };
-std::optional<Truth> truth(const Parts& parts, const Point& point) {
+std::optional<Truth> truth(const Parts& parts, const Point& point, const Symbols& symbols) {
   Truth result;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const auto value = value_of(parts[k].written, point);
+    const auto& [tree, residual, inner, claim] = parts[k];
+    const auto value = value_of(tree, point);
     if (!value) return std::nullopt;
     const bool is_zero = !differ(*value, 0);
-    if (is_zero && !is_exactly_zero(parts[k].written, point)) return std::nullopt;
-    const bool holds =
-        is_zero ? parts[k].claim != Claim::positive : parts[k].claim != Claim::zero && cln::plusp(*value);
+    if (is_zero)
+      if (const auto root = zero_near({tree, residual}, point, symbols); !root || !root->exact)
+        return std::nullopt;
+    const bool holds = is_zero ? claim != Claim::positive : claim != Claim::zero && cln::plusp(*value);
     if (!holds && result.holds) result = {false, k};
   }
   return result;
@@ -131,7 +134,8 @@ std::optional<Truth> truth(const Parts& parts, const Point& point) {
 std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbols) {
   std::optional<Proof> found;
   const auto look = [&](const Point& p) {
-    const auto left = truth(parts.left, p), right = left ? truth(parts.right, p) : std::nullopt;
+    const auto left = truth(parts.left, p, symbols),
+               right = left ? truth(parts.right, p, symbols) : std::nullopt;
     if (!right || left->holds == right->holds || !is_admitted(parts.first.pair, p, symbols)) return false;
     Pair shown = parts.first.pair;
     shown.left = parts.left[left->part].written, shown.right = parts.right[right->part].written;
@@ -141,13 +145,17 @@ std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbol
     return true;
   };
   std::vector<Tree> trees = trees_of(parts.first.pair);
+  std::vector<Written> links;
   for (const Parts* side : {&parts.left, &parts.right})
-    for (const Part& part : *side) trees.push_back(part.written);
+    for (const Part& part : *side)
+      trees.push_back(part.written), links.push_back({part.written, part.residual});
   const Points points = points_for(trees, symbols);
   for (int k = 0; k < Points::many; ++k)
     if (look(points.at(k))) return found;
-  for (const Tree& tree : trees)
-    if (find_root(tree, points, 10, look)) return found;
+  for (const Written& link : links)
+    if (find_root(link, points, 10, Roots::crossings, symbols,
+                  [&](const Root& root) { return look(root.at); }))
+      return found;
   return std::nullopt;
 }
 

@@ -9,14 +9,6 @@ using GiNaC::ex;
 
 namespace {
 
-Tree difference(const Tree& a, const Tree& b) {
-  Node node{};
-  node.kind = Node::Kind::sum;
-  node.children = {a, b};
-  node.inverse = {false, true};
-  return std::make_shared<const Node>(std::move(node));
-}
-
 Tree written_residual(const Link& link) {
   return link.op[0] == '<' ? difference(link.right, link.left) : difference(link.left, link.right);
 }

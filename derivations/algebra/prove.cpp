@@ -41,6 +41,19 @@ ex put_in(ex e, const std::vector<Given>& given) {
 
 namespace {
 
+/// Of y = A and y = B, with y as one of them says, if that is a rational number in the range of y.
+Witness witness_at(const Pair& pair, const Point& point, const Symbols& symbols) {
+  Witness witness = make_witness(pair, point);
+  if (pair.name.empty()) return witness;
+  for (const Tree& side : {pair.right, pair.left}) {
+    const auto value = evaluate(side, point, 30);
+    if (value && cln:: instanceof
+        (*value, cln::cl_RA_ring) && is_inside(symbols.find(pair.name)->range, *value))
+      witness.at[pair.name] = rational_text(cln::the<cln::cl_RA>(*value));
+  }
+  return witness;
+}
+
 /// Two expressions: identical, or different at a witness.
 Proof prove_identity(const Pair& pair, const Symbols& symbols) {
   const Points points = points_for(pair, symbols);
@@ -49,7 +62,8 @@ Proof prove_identity(const Pair& pair, const Symbols& symbols) {
     return sample(pair, points, symbols, enough, Points::many);
   };
   const Sample seen = look(2);
-  if (seen.differs) return refuted(make_witness(pair, *seen.differs), "the two sides differ at the witness");
+  if (seen.differs)
+    return refuted(witness_at(pair, *seen.differs, symbols), "the two sides differ at the witness");
   if (seen.both == 0) return undecided("no point was found at which both sides have a value");
   std::string why = "the sides agree wherever they were compared" +
                     (pair.name.empty() ? std::string() : " and one of them is in the range of " + pair.name) +
@@ -62,7 +76,11 @@ Proof prove_identity(const Pair& pair, const Symbols& symbols) {
     why = error.what() + advice(pair.left_value - pair.right_value, symbols);
   }
   if (const Sample more = look(Points::many); more.differs)
-    return refuted(make_witness(pair, *more.differs), "the two sides differ at the witness");
+    return refuted(witness_at(pair, *more.differs, symbols), "the two sides differ at the witness");
+  for (int k = 0; k < 3; ++k)  // by less than the samples show
+    if (const Point p = points.at(k);
+        pair.name.empty() && certainly_differ(pair, p) && is_admitted(pair, p, symbols))
+      return refuted(witness_at(pair, p, symbols), "the two sides differ at the witness");
   return undecided(why);
 }
 
@@ -86,7 +104,7 @@ Proof prove_link(const Link& left, const Link& right, const Question& question) 
     return prove_identity(pair, symbols);
   }
   if (equations && always_holds(put_in(c - d, question.given), symbols)) {  // does the other one, too?
-    Proof proof = prove_identity(question.pair(a, b, left.left, left.right), symbols);
+    Proof proof = prove_identity(residuals_of(left, right, question).pair, symbols);
     if (proof.verdict == Verdict::proved) proof.reason = "both equations hold identically";
     return proof;
   }

@@ -3,6 +3,7 @@
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/residuals.hpp>
+#include <derivations/algebra/roots.hpp>
 #include <derivations/algebra/vanish.hpp>
 
 namespace rederive {
@@ -50,14 +51,12 @@ std::string advice(const ex& e, const Symbols& symbols) {
 
 namespace {
 
-/// Whether the relation holds where its residual has this value; a root is known to many digits only.
-bool holds(Claim claim, const cln::cl_R& value) {
-  if (is_nearly_zero(value)) return claim != Claim::positive;
-  return claim != Claim::zero && cln::plusp(value);
-}
+/// Whether the relation holds where its residual is 0, or has this value, which is not 0.
+bool holds_at_zero(Claim claim) { return claim != Claim::positive; }
+bool holds(Claim claim, const cln::cl_R& value) { return claim != Claim::zero && cln::plusp(value); }
 
 /// Whether a tree has nearly the same value all around the point: where a root is only known to many digits,
-/// the value at the root itself could be missing, as 1/x and log(x) have none at x = 0.
+/// the value at the root itself could be missing, as 1/x and log(x) have none at x = 0, or be another one.
 bool is_steady(const Tree& tree, const Point& point, const cln::cl_R& value) {
   const cln::cl_RA step = cln::cl_RA(1) / cln::expt_pos(cln::cl_I(10), 30);
   for (const auto& [name, at] : point)
@@ -65,62 +64,54 @@ bool is_steady(const Tree& tree, const Point& point, const cln::cl_R& value) {
       Point moved = point;
       moved[name] = beside;
       const auto there = value_of(tree, moved);
-      if (!there || cln::abs(*there - value) * 1'000'000 > cln::max(cln::cl_R(1), cln::abs(value)))
-        return false;
+      if (!there || cln::abs(*there - value) * 1'000'000 > cln::abs(value)) return false;
     }
-  return true;
+  return cln::zerop(value) || cln::abs(value) * cln::expt_pos(cln::cl_I(10), 15) > 1;
 }
 
-/// A root of an expression: where its tree crosses 0, or touches it, which its derivatives cross 0 at.
-std::optional<Point> any_root(const Tree& tree, const ex& value, const Points& points, int most,
-                              const Symbols& symbols, const std::function<bool(const Point&)>& wanted) {
-  if (auto root = find_root(tree, points, most, wanted)) return root;
-  for (const std::string& name : points.names()) {
-    try {
-      const ex slope = value.diff(symbols[name]);
-      if (slope.is_zero()) continue;
-      if (auto root = find_root(to_tree(slope, symbols), points, 3 * most, wanted)) return root;
-    } catch (const std::exception&) {  // no derivative to be had
-    }
-  }
-  return std::nullopt;
-}
-
-/// Which roots of a residual are looked for: where it crosses 0, or where it touches it, too.
-enum class Roots { crossings, all };
-
-/// A root of one residual at which the other is far from 0, and one relation holds and the other fails.
-std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, bool of_right, Roots roots,
+/// A root of one residual at which the other is certainly not 0, and one relation holds and the other fails.
+std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, bool of_right, Roots which,
                                       const Symbols& symbols) {
-  const Tree &zero = of_right ? r.pair.right : r.pair.left, &beside = of_right ? r.pair.left : r.pair.right;
-  const auto tells_apart = [&](const Point& p) {
-    const auto a = value_of(r.pair.left, p), b = value_of(r.pair.right, p);
-    if (!a || !b || !is_nearly_zero(of_right ? *b : *a) || !is_admitted(r.pair, p, symbols)) return false;
-    const cln::cl_R other = of_right ? *a : *b;
-    const bool is_far = cln::abs(other) * cln::expt_pos(cln::cl_I(10), 15) > 1;
-    return is_far && holds(r.left, *a) != holds(r.right, *b) &&
-           (is_exactly_zero(zero, p) || is_steady(beside, p, other));
+  const Tree& other = of_right ? r.pair.left : r.pair.right;
+  const auto [here, there] = of_right ? std::pair(r.right, r.left) : std::pair(r.left, r.right);
+  const auto tells_apart = [&, here = here, there = there](const Root& root) {
+    const auto value = evaluate(other, root.at, 20);
+    if (!value) return false;
+    const bool other_holds = cln::zerop(*value) ? holds_at_zero(there) : holds(there, *value);
+    return holds_at_zero(here) != other_holds && is_admitted(r.pair, root.at, symbols) &&
+           (root.exact || is_steady(other, root.at, *value));
   };
-  const ex& value = of_right ? r.pair.right_value : r.pair.left_value;
-  const auto root = roots == Roots::crossings ? find_root(zero, points, 1, tells_apart)
-                                              : any_root(zero, value, points, 10, symbols, tells_apart);
+  const Written zero =
+      of_right ? Written{r.pair.right, r.pair.right_value} : Written{r.pair.left, r.pair.left_value};
+  const auto root = find_root(zero, points, which == Roots::crossings ? 1 : 10, which, symbols, tells_apart);
   if (!root) return std::nullopt;
-  const bool left_holds = holds(r.left, *value_of(r.pair.left, *root));
-  return refuted(make_witness(r.pair, *root),
-                 std::string(left_holds ? "at the witness the left one holds and the right one fails"
-                                        : "at the witness the right one holds and the left one fails") +
-                     (is_exactly_zero(zero, *root) ? "" : " (a root, to 40 digits)"));
+  return refuted(make_witness(r.pair, root->at),
+                 std::string(of_right != holds_at_zero(here)
+                                 ? "at the witness the left one holds and the right one fails"
+                                 : "at the witness the right one holds and the left one fails") +
+                     (root->exact ? "" : " (a root, to 40 digits)"));
+}
+
+/// Points of the sequence, and some around the zeros of what is linear, which may be anywhere.
+std::vector<Point> points_to_look_at(const Residuals& r, const Points& points, const Symbols& symbols) {
+  std::vector<Point> result;
+  for (int k = 0; k < Points::count; ++k) result.push_back(points.at(k));
+  for (const ex& residual : {r.pair.left_value, r.pair.right_value})
+    for (const auto& [name, zero] : linear_zeros(residual, points, symbols))
+      for (const cln::cl_RA& value : {zero.at(name) / 2, zero.at(name) * 2}) {
+        Point beside = zero;
+        beside[name] = value;
+        if (is_inside(symbols.find(name)->range, value)) result.push_back(beside);
+      }
+  return result;
 }
 
 /// A point at which both residuals are clearly not 0, and one relation holds and the other fails.
 std::optional<Proof> differ_at_a_point(const Residuals& r, const Points& points, const Symbols& symbols) {
-  for (int k = 0; k < Points::count; ++k) {
-    const Point p = points.at(k);
+  for (const Point& p : points_to_look_at(r, points, symbols)) {
     const auto a = value_of(r.pair.left, p), b = a ? value_of(r.pair.right, p) : std::nullopt;
     if (!b || !differ(*a, 0) || !differ(*b, 0) || !is_admitted(r.pair, p, symbols)) continue;
-    const bool left_holds = r.left != Claim::zero && cln::plusp(*a),
-               right_holds = r.right != Claim::zero && cln::plusp(*b);
-    if (left_holds != right_holds)
+    if (holds(r.left, *a) != holds(r.right, *b))
       return refuted(make_witness(r.pair, p), "one holds and the other fails at the witness");
   }
   return std::nullopt;
@@ -222,16 +213,15 @@ namespace {
 /// never 0.
 Proof prove_strictness(const Proof& proof, const Residuals& r, const Points& points, const Symbols& symbols) {
   if (sign_of(r.pair.left_value, symbols) != 0) return proof;
-  const auto both_zero = [&](const Point& p) {
-    const auto right = value_of(r.pair.right, p);
-    return right && is_nearly_zero(*right) && is_admitted(r.pair, p, symbols);
+  const auto both_zero = [&](const Root& root) {
+    const auto right = value_of(r.pair.right, root.at);
+    return right && is_nearly_zero(*right) && is_admitted(r.pair, root.at, symbols);
   };
-  const auto root = any_root(r.pair.left, r.pair.left_value, points, 10, symbols, both_zero);
+  const auto root = find_root({r.pair.left, r.pair.left_value}, points, 10, Roots::all, symbols, both_zero);
   if (root)
-    return refuted(make_witness(r.pair, *root),
-                   std::string("at the witness both sides are equal") +
-                       (is_exactly_zero(r.pair.left, *root) ? "" : " (to 40 digits)") +
-                       ", which only one of the two allows");
+    return refuted(make_witness(r.pair, root->at), std::string("at the witness both sides are equal") +
+                                                       (root->exact ? "" : " (to 40 digits)") +
+                                                       ", which only one of the two allows");
   return undecided("one allows equality and the other does not");
 }
 

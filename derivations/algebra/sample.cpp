@@ -18,7 +18,23 @@ std::string shown(const Tree& tree, const Point& point, int digits) {
   return value_of(tree, point) ? "0" : "undefined";
 }
 
+/// 0.4000 is 0.4.
+std::string without_zeros(std::string text) {
+  if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
 }  // namespace
+
+Tree difference(const Tree& a, const Tree& b) {
+  Node node{};
+  node.kind = Node::Kind::sum;
+  node.children = {a, b};
+  node.inverse = {false, true};
+  return std::make_shared<const Node>(std::move(node));
+}
 
 std::vector<Tree> trees_of(const Pair& pair) {
   std::vector<Tree> trees{pair.left, pair.right};
@@ -58,16 +74,21 @@ bool differ(const cln::cl_R& a, const cln::cl_R& b) {
   return cln::abs(a - b) > size * power_of_ten(20 - working_digits);
 }
 
+bool certainly_differ(const Pair& pair, const Point& point) {
+  const auto value = evaluate(difference(pair.left, pair.right), point, 3);
+  return value && !cln::zerop(*value);
+}
+
 bool is_nearly_zero(const cln::cl_R& value) { return cln::abs(value) < power_of_ten(-35); }
 
 Witness make_witness(const Pair& pair, const Point& point) {
   Witness witness;
   for (const auto& [name, value] : point) witness.at[name] = rational_text(value);
-  for (int digits = shown_digits; digits <= working_digits;
+  for (int digits = shown_digits; digits <= 3 * working_digits;
        digits += 20) {  // more, where they differ further on
     witness.printed = shown(pair.left, point, digits);
     witness.derived = shown(pair.right, point, digits);
-    if (witness.printed != witness.derived) break;
+    if (without_zeros(witness.printed) != without_zeros(witness.derived)) break;
   }
   return witness;
 }

@@ -32,6 +32,12 @@ bool is_claimed(const Pair& pair, const cln::cl_R& left, const cln::cl_R& right,
 /// Beyond all doubt: the difference is far above the accuracy of value_of.
 bool differ(const cln::cl_R& a, const cln::cl_R& b);
 
+/// The difference of both sides has a first digit that is not 0, however small it may be.
+bool certainly_differ(const Pair& pair, const Point& point);
+
+/// a - b as a tree.
+Tree difference(const Tree& a, const Tree& b);
+
 /// What is left at a root that is known to 45 digits.
 bool is_nearly_zero(const cln::cl_R& value);
 

@@ -13,7 +13,10 @@ void collect_names(const Tree& tree, std::set<std::string>& names) {
 }
 
 void collect_numbers(const Tree& tree, std::set<double>& numbers) {
-  if (tree->kind == Node::Kind::number) numbers.insert(cln::double_approx(exact(tree->text)));
+  std::set<std::string> names;
+  collect_names(tree, names);
+  if (const auto value = names.empty() ? evaluate(tree, {}, 15) : std::nullopt)
+    if (cln::abs(*value) < cln::expt_pos(cln::cl_I(10), 60)) numbers.insert(cln::double_approx(*value));
   for (const Tree& child : tree->children) collect_numbers(child, numbers);
 }
 
@@ -72,13 +75,6 @@ std::optional<cln::cl_R> value_of(const Tree& tree, const Point& point) {
   return *value - exact(offset->text);
 }
 
-bool is_exactly_zero(const Tree& tree, const Point& point) {
-  const auto value = value_of(tree, point);
-  if (!value || cln::abs(*value) * cln::expt_pos(cln::cl_I(10), 40) >= 1) return false;
-  const auto digits = evaluate(tree, point, 3);
-  return !digits || cln::zerop(*digits);
-}
-
 Points::Points(const std::set<std::string>& names, const Symbols& symbols, const std::set<double>& numbers) {
   for (const std::string& name : names) {
     const Symbol* symbol = symbols.find(name);
@@ -91,7 +87,7 @@ Points::Points(const std::set<std::string>& names, const Symbols& symbols, const
        numbers)  // x, x², 1/x and e^x may be compared with it; the ordinary points pass small ones
     if (n > 5 || (n > 0 && n < 0.2))
       for (const double landmark : {n, std::sqrt(n), 1 / n, std::fabs(std::log(n))})
-        if (landmark < 1e12 && landmark > 1e-12) landmarks_.push_back(landmark);
+        if (landmark < 1e40 && landmark > 1e-40) landmarks_.push_back(landmark);
 }
 
 std::vector<std::string> Points::names() const {
@@ -169,103 +165,6 @@ Point Points::with_zeros(int index) const {
     if (is_between(name, 0) || std::find(ends.begin(), ends.end(), cln::cl_RA(0)) != ends.end()) value = 0;
   }
   return point;
-}
-
-namespace {
-
-/// The simplest fraction near a root of the tree, if it is one exactly; else the value itself.
-cln::cl_RA simplest(const Tree& tree, Point point, const std::string& name, const cln::cl_RA& value) {
-  cln::cl_RA rest = value;
-  cln::cl_I above = 1, above_before = 0, below = 0, below_before = 1;
-  for (int step = 0; step < 12; ++step) {  // the convergents of its continued fraction
-    const cln::cl_I whole = cln::floor1(rest);
-    const cln::cl_I next_above = whole * above + above_before, next_below = whole * below + below_before;
-    above_before = above, below_before = below, above = next_above, below = next_below;
-    if (below > 1'000'000) break;
-    const cln::cl_RA fraction = above / cln::cl_RA(below);
-    point[name] = fraction;
-    const bool is_near = cln::abs(fraction - value) * cln::expt_pos(cln::cl_I(10), 40) < 1;
-    if (is_near && is_exactly_zero(tree, point)) return fraction;
-    if (rest == whole) break;
-    rest = 1 / (rest - whole);
-  }
-  return value;
-}
-
-/// Illinois' variant of false position, on exact rationals rounded to 45 digits.
-std::optional<Point> polish(const Tree& tree, Point point, const std::string& name, cln::cl_RA a,
-                            cln::cl_RA b, cln::cl_R fa, cln::cl_R fb) {
-  const cln::cl_I scale = cln::expt_pos(cln::cl_I(10), 45);
-  const cln::cl_R larger = cln::max(cln::abs(fa), cln::abs(fb));
-  int side = 0;
-  for (int step = 0; step < 200; ++step) {
-    const cln::cl_RA weight = cln::rational(fa / (fa - fb));
-    cln::cl_RA c = cln::round1((a + (b - a) * weight) * scale) / cln::cl_RA(scale);
-    if (step % 3 == 2 || c <= cln::min(a, b) || c >= cln::max(a, b))
-      c = cln::round1((a + b) / 2 * scale) / cln::cl_RA(scale);
-    point[name] = c;
-    const auto fc = value_of(tree, point);
-    if (!fc) return std::nullopt;
-    if (cln::zerop(*fc) || cln::abs(b - a) * scale <= 4) {
-      if (cln::abs(*fc) * cln::expt_pos(cln::cl_I(10), 20) > larger)
-        return std::nullopt;  // a jump, not a root
-      point[name] = simplest(tree, point, name, c);
-      return point;
-    }
-    if (cln::minusp(*fc) == cln::minusp(fb)) {
-      b = c, fb = *fc;
-      if (side == 1) fa = fa / 2;
-      side = 1;
-    } else {
-      a = c, fa = *fc;
-      if (side == -1) fb = fb / 2;
-      side = -1;
-    }
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-std::optional<Point> find_root(const Tree& tree, const Points& points, int most,
-                               const std::function<bool(const Point&)>& wanted) {
-  int found = 0;
-  if (points.names().empty()) return wanted({}) ? std::optional(Point{}) : std::nullopt;
-  for (int start = 0; start < 5; ++start) {
-    const Point base = start < 4 ? points.at(start) : points.with_zeros(0);
-    for (const std::string& name : points.names()) {
-      std::optional<cln::cl_R> before;
-      cln::cl_RA at_before = 0;
-      int found_here = 0;
-      const auto is_rounded_end = [&, ends = points.closed_ends(name)](const cln::cl_RA& value) {
-        return cln::denominator(value) > 1'000'000'000 &&
-               std::find(ends.begin(), ends.end(), value) != ends.end();
-      };
-      // walk over the values that this symbol takes in the other points, in order
-      std::set<cln::cl_RA, bool (*)(const cln::cl_RA&, const cln::cl_RA&)> values(
-          [](const cln::cl_RA& x, const cln::cl_RA& y) { return x < y; });
-      for (int k = 0; k < Points::count; ++k) values.insert(points.at(k).at(name));
-      for (int k = -3; k <= 3; ++k)
-        if (points.is_between(name, k)) values.insert(k);
-      for (const cln::cl_RA& end : points.closed_ends(name)) values.insert(end);
-      for (const cln::cl_RA& value : values) {
-        Point here = base;
-        here[name] = value;
-        const auto now = value_of(tree, here);
-        const bool tiny = now && cln::abs(*now) * cln::expt_pos(cln::cl_I(10), 40) < 1;
-        if (tiny && (is_exactly_zero(tree, here) || is_rounded_end(value)) && wanted(here)) return here;
-        if (now && before && cln::minusp(*now) != cln::minusp(*before)) {
-          const auto root = polish(tree, base, name, at_before, value, *before, *now);
-          if (root && wanted(*root)) return root;
-          if (++found == most) return std::nullopt;
-          if (++found_here > most / 4) break;
-        }
-        before = now && cln::zerop(*now) ? std::nullopt : now;  // a root that was not wanted is no crossing
-        at_before = value;
-      }
-    }
-  }
-  return std::nullopt;
 }
 
 std::string rational_text(const cln::cl_RA& value) {

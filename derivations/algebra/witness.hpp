@@ -11,7 +11,7 @@ namespace rederive {
 
 /// The names that occur in a tree; pi is none.
 void collect_names(const Tree& tree, std::set<std::string>& names);
-/// The numbers that occur in a tree.
+/// The numbers that occur in a tree, and its constant parts.
 void collect_numbers(const Tree& tree, std::set<double>& numbers);
 
 /// A fixed sequence of rational points inside the declared ranges: small numbers first, then larger ones, at
@@ -49,15 +49,6 @@ bool is_inside(const std::string& range, const cln::cl_R& value);
 
 /// The value of a tree to about 70 decimal places, 0 included; nothing where it has none.
 std::optional<cln::cl_R> value_of(const Tree& tree, const Point& point);
-/// As far as can be told: no number of digits finds a first one that is not 0.
-bool is_exactly_zero(const Tree& tree, const Point& point);
-
-/// A point, near some Points::at, where `tree` is 0, or changes its sign along one symbol (a simple fraction,
-/// or known to 40 digits), and that `wanted` accepts. Only crossings without a jump count. Nothing if none is
-/// found among the first `most`.
-std::optional<Point> find_root(const Tree& tree, const Points& points, int most,
-                               const std::function<bool(const Point&)>& wanted);
-
 /// "7/5"
 std::string rational_text(const cln::cl_RA& value);
 

@@ -1,0 +1,275 @@
+#include <algorithm>
+#include <derivations/algebra/phases.hpp>
+#include <derivations/algebra/print.hpp>
+#include <derivations/algebra/quotient.hpp>
+#include <derivations/algebra/roots.hpp>
+#include <derivations/algebra/vanish.hpp>
+
+namespace rederive {
+
+using GiNaC::ex;
+
+namespace {
+
+cln::cl_I power_of_ten(int exponent) { return cln::expt_pos(cln::cl_I(10), exponent); }
+
+/// What is left at a root that is known to 45 digits.
+bool is_tiny(const cln::cl_R& value) { return cln::abs(value) * power_of_ten(35) < 1; }
+
+GiNaC::exmap values_at(const Point& point, const Symbols& symbols) {
+  GiNaC::exmap values;
+  for (const auto& [name, value] : point) values[symbols[name]] = GiNaC::numeric(value);
+  return values;
+}
+
+/// Powers of e with many digits in their exponents would be polynomials of that degree.
+bool is_simple(const ex& value) {
+  const ex number = value / (value.has(GiNaC::Pi) ? ex(GiNaC::Pi) : ex(1));
+  const GiNaC::numeric& n = GiNaC::ex_to<GiNaC::numeric>(number);
+  return n.denom() <= 100 && GiNaC::abs(n.numer()) <= 1000;
+}
+
+bool is_zero_at(const ex& e, const GiNaC::exmap& values, const Symbols& symbols) {
+  try {
+    const ex value = e.subs(values, GiNaC::subs_options::no_pattern);
+    if (GiNaC::is_a<GiNaC::numeric>(value)) return value.is_zero();
+    return std::all_of(values.begin(), values.end(), [](const auto& v) { return is_simple(v.second); }) &&
+           vanishes(value, symbols);
+  } catch (const std::exception&) {  // a pole, or out of class
+    return false;
+  }
+}
+
+/// The multiple of π/12 that is meant by a number of 40 digits.
+std::optional<ex> as_angle(const cln::cl_RA& value) {
+  const cln::cl_R turns = 12 * value / cln::pi(cln::float_format(60));
+  const cln::cl_I whole = cln::round1(turns);
+  if (cln::zerop(whole) || cln::abs(turns - whole) * power_of_ten(39) > 1) return std::nullopt;
+  return GiNaC::numeric(whole) * GiNaC::Pi / 12;
+}
+
+/// Where symbols are multiples of π, but for the digits: whether there is 0 for those.
+bool is_zero_at_angles(const ex& e, const Point& point, const Symbols& symbols) {
+  GiNaC::exmap values = values_at(point, symbols);
+  bool any = false;
+  for (const auto& [name, value] : point)
+    if (const auto angle = as_angle(value)) values[symbols[name]] = *angle, any = true;
+  return any && is_zero_at(e, values, symbols);
+}
+
+/// The value at a point beside, of which at least the sign is certain.
+std::optional<cln::cl_R> beside(const Tree& tree, Point point, const std::string& name, int digits,
+                                int direction) {
+  point[name] = point[name] + direction / cln::cl_RA(power_of_ten(digits));
+  return evaluate(tree, point, 3);
+}
+
+/// Whether the sign changes within 1e-40 on either side, and the values are much larger at 1e-30.
+bool crosses_zero(const Tree& tree, const Point& point, const std::string& name) {
+  const auto below = beside(tree, point, name, 40, -1), above = beside(tree, point, name, 40, +1);
+  if (!below || !above || cln::minusp(*below) == cln::minusp(*above) || cln::zerop(*below) ||
+      cln::zerop(*above))
+    return false;
+  const cln::cl_R large = cln::max(cln::abs(*below), cln::abs(*above)) * power_of_ten(5);
+  for (const int direction : {-1, +1}) {
+    const auto further = beside(tree, point, name, 30, direction);
+    if (!further || cln::abs(*further) < large) return false;
+  }
+  return true;
+}
+
+/// The simplest fraction near a root of the tree, if it seems to be one; else the value itself.
+cln::cl_RA simplest(const Tree& tree, Point point, const std::string& name, const cln::cl_RA& value) {
+  cln::cl_RA rest = value;
+  cln::cl_I above = 1, above_before = 0, below = 0, below_before = 1;
+  for (int step = 0; step < 12; ++step) {  // the convergents of its continued fraction
+    const cln::cl_I whole = cln::floor1(rest);
+    const cln::cl_I next_above = whole * above + above_before, next_below = whole * below + below_before;
+    above_before = above, below_before = below, above = next_above, below = next_below;
+    if (below > 1'000'000) break;
+    const cln::cl_RA fraction = above / cln::cl_RA(below);
+    point[name] = fraction;
+    const bool is_near = cln::abs(fraction - value) * power_of_ten(40) < 1;
+    const auto there = is_near ? value_of(tree, point) : std::nullopt;
+    if (there && is_tiny(*there)) return fraction;
+    if (rest == whole) break;
+    rest = 1 / (rest - whole);
+  }
+  return value;
+}
+
+/// Illinois' variant of false position, on exact rationals rounded to 45 digits.
+std::optional<Point> polish(const Tree& tree, Point point, const std::string& name, cln::cl_RA a,
+                            cln::cl_RA b, cln::cl_R fa, cln::cl_R fb) {
+  const cln::cl_I scale = power_of_ten(45);
+  const cln::cl_R larger = cln::max(cln::abs(fa), cln::abs(fb));
+  int side = 0;
+  for (int step = 0; step < 200; ++step) {
+    const cln::cl_RA weight = cln::rational(fa / (fa - fb));
+    cln::cl_RA c = cln::round1((a + (b - a) * weight) * scale) / cln::cl_RA(scale);
+    if (step % 3 == 2 || c <= cln::min(a, b) || c >= cln::max(a, b))
+      c = cln::round1((a + b) / 2 * scale) / cln::cl_RA(scale);
+    point[name] = c;
+    const auto fc = value_of(tree, point);
+    if (!fc) return std::nullopt;
+    if (cln::zerop(*fc) || cln::abs(b - a) * scale <= 4) {
+      if (cln::abs(*fc) * power_of_ten(20) > larger) return std::nullopt;  // a jump, not a root
+      point[name] = simplest(tree, point, name, c);
+      return point;
+    }
+    if (cln::minusp(*fc) == cln::minusp(fb)) {
+      b = c, fb = *fc;
+      if (side == 1) fa = fa / 2;
+      side = 1;
+    } else {
+      a = c, fa = *fc;
+      if (side == -1) fb = fb / 2;
+      side = -1;
+    }
+  }
+  return std::nullopt;
+}
+
+using Wanted = std::function<bool(const Point&)>;
+
+/// The values that a symbol takes in the points, in order, with small whole numbers and the ends of its
+/// range.
+std::vector<cln::cl_RA> values_of(const std::string& name, const Points& points) {
+  std::vector<cln::cl_RA> values = points.closed_ends(name);
+  for (int k = 0; k < Points::count; ++k) values.push_back(points.at(k).at(name));
+  for (int k = -3; k <= 3; ++k)
+    if (points.is_between(name, k)) values.emplace_back(k);
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+/// A walk along one symbol from each of a few points. Nothing once `most` changes of sign have been seen.
+std::optional<Point> walk(const Tree& tree, const Points& points, int most, const Wanted& wanted) {
+  int found = 0;
+  for (int start = 0; start < 5; ++start) {
+    const Point base = start < 4 ? points.at(start) : points.with_zeros(0);
+    for (const std::string& name : points.names()) {
+      std::optional<cln::cl_R> before;
+      cln::cl_RA at_before = 0;
+      int found_here = 0;
+      for (const cln::cl_RA& value : values_of(name, points)) {
+        Point here = base;
+        here[name] = value;
+        const auto now = value_of(tree, here);
+        if (now && is_tiny(*now) && wanted(here)) return here;
+        if (now && before && cln::minusp(*now) != cln::minusp(*before)) {
+          const auto root = polish(tree, base, name, at_before, value, *before, *now);
+          if (root && wanted(*root)) return root;
+          if (++found == most) return std::nullopt;
+          if (++found_here > most / 4) break;
+        }
+        before = now && cln::zerop(*now) ? std::nullopt : now;  // a root that was not wanted is no crossing
+        at_before = value;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> names_in(const ex& e) {
+  std::set<std::string> names;
+  for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+    if (GiNaC::is_a<GiNaC::symbol>(*part)) names.insert(GiNaC::ex_to<GiNaC::symbol>(*part).get_name());
+  return {names.begin(), names.end()};
+}
+
+/// What a zero of a part of even power is one of, though the sign does not change there.
+std::vector<ex> even_parts(const ex& e, const Symbols& symbols) {
+  std::vector<ex> result;
+  try {
+    const auto parts = checked_quotient(e, 1, symbols);
+    for (const auto& [part, exponent] : parts.value_or(std::vector<Part>{}))
+      if (exponent.is_even() && exponent.is_positive()) result.push_back(part);
+  } catch (const std::exception&) {  // then none are known
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, Point>> linear_zeros(const ex& e, const Points& points,
+                                                        const Symbols& symbols) {
+  std::vector<std::pair<std::string, Point>> zeros;
+  for (const std::string& name : points.names()) {
+    const ex& symbol = symbols[name];
+    if (!e.is_polynomial(symbol) || e.degree(symbol) != 1) continue;
+    for (int k = 0; k < 3; ++k) {
+      Point point = points.at(k);
+      point.erase(name);
+      const ex zero = (-e.coeff(symbol, 0) / e.coeff(symbol, 1))
+                          .subs(values_at(point, symbols), GiNaC::subs_options::no_pattern);
+      if (!zero.info(GiNaC::info_flags::rational)) continue;
+      point[name] = cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(zero).to_cl_N());
+      if (is_inside(symbols.find(name)->range, point[name])) zeros.emplace_back(name, point);
+    }
+  }
+  return zeros;
+}
+
+std::optional<Root> zero_near(const Written& e, const Point& point, const Symbols& symbols) {
+  const auto value = value_of(e.tree, point);
+  if (!value || !is_tiny(*value)) return std::nullopt;
+  if (is_zero_at(e.value, values_at(point, symbols), symbols)) return Root{point, true};
+  if (is_zero_at_angles(e.value, point, symbols)) return Root{point, false};
+  for (const auto& [name, at] : point)
+    if (crosses_zero(e.tree, point, name)) return Root{point, false};
+  return std::nullopt;
+}
+
+std::optional<Root> find_root(const Written& e, const Points& points, int most, Roots which,
+                              const Symbols& symbols, const std::function<bool(const Root&)>& wanted) {
+  std::optional<Root> found;
+  const auto is_root_of = [&](const Written& part) -> Wanted {
+    return [&, part](const Point& point) {
+      const auto value = value_of(e.tree, point);
+      found = value && is_tiny(*value) ? zero_near(part, point, symbols) : std::nullopt;
+      if (!found || !wanted(*found)) found.reset();
+      return found.has_value();
+    };
+  };
+  const auto search = [&](const Written& part, int turns) {
+    (void)walk(part.tree, points, turns, is_root_of(part));
+    return found.has_value();
+  };
+  /// A root of what has one symbol only is one whatever the others are.
+  const auto search_beside = [&](const ex& part) {
+    const std::vector<std::string> names = names_in(part);
+    const Points line({names.begin(), names.end()}, symbols);
+    std::optional<cln::cl_RA> value;
+    if (names.size() == 1)
+      (void)walk(to_tree(part, symbols), line, most, [&](const Point& point) {
+        if (zero_near({to_tree(part, symbols), part}, point, symbols)) value = point.at(names[0]);
+        return value.has_value();
+      });
+    for (int k = 0; value && k < Points::count && !found; ++k) {
+      Point point = points.at(k);
+      point[names[0]] = *value;
+      (void)is_root_of({to_tree(part, symbols), part})(point);
+    }
+    return found.has_value();
+  };
+  if (points.names().empty()) return is_root_of(e)({}) ? found : std::nullopt;
+  for (const auto& [name, zero] : linear_zeros(e.value, points, symbols))
+    if (is_root_of(e)(zero)) return found;
+  if (search(e, most) || which == Roots::crossings) return found;
+  for (const ex& part : even_parts(e.value, symbols))
+    if (search({to_tree(part, symbols), part}, most) || search_beside(part)) return found;
+  for (const std::string& name : points.names()) {  // where it touches 0 its derivatives cross it
+    try {
+      const ex slope = e.value.diff(symbols[name]);
+      if (slope.is_zero()) continue;
+      (void)walk(to_tree(slope, symbols), points, 3 * most, is_root_of(e));
+      if (found) return found;
+    } catch (const std::exception&) {  // no derivative to be had
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace rederive
