@@ -26,8 +26,9 @@ std::string to_string(Verdict verdict);
 /// left one; else of left minus right (the right statement's residual is 0 there, to 40 digits, or differs in
 /// sign).
 struct Witness {
-  std::map<std::string, std::string> at;  ///< symbol → rational number as text
-  std::string printed, derived;           ///< 30 digits
+  std::map<std::string, std::string> at;            ///< symbol → rational number as text
+  std::string printed, derived;                     ///< 30 digits
+  std::map<std::string, std::string> exactly = {};  ///< what numbers of 40 digits in `at` stand for: "pi/2"
 };
 
 struct Proof {

@@ -69,6 +69,20 @@ bool is_steady(const Tree& tree, const Point& point, const cln::cl_R& value) {
   return cln::zerop(value) || cln::abs(value) * cln::expt_pos(cln::cl_I(10), 15) > 1;
 }
 
+/// At a root of one of the two. What is 0 there is shown as such, though the digits of the point may not do.
+Witness witness_at(const Root& root, const Pair& pair, bool of_right) {
+  Witness witness = make_witness(pair, root.at);
+  if (root.meant.empty()) return witness;
+  witness.exactly = root.meant;
+  (of_right ? witness.derived : witness.printed) = "0";
+  return witness;
+}
+std::string precision_of(const Root& root) {
+  std::string text;
+  for (const auto& [name, value] : root.meant) text += (text.empty() ? "" : ", ") + name + " = " + value;
+  return root.exact ? "" : text.empty() ? " (a root, to 40 digits)" : " (" + text + ")";
+}
+
 /// A root of one residual at which the other is certainly not 0, and one relation holds and the other fails.
 std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, bool of_right, Roots which,
                                       const Symbols& symbols) {
@@ -85,11 +99,11 @@ std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, 
       of_right ? Written{r.pair.right, r.pair.right_value} : Written{r.pair.left, r.pair.left_value};
   const auto root = find_root(zero, points, which == Roots::crossings ? 1 : 10, which, symbols, tells_apart);
   if (!root) return std::nullopt;
-  return refuted(make_witness(r.pair, root->at),
+  return refuted(witness_at(*root, r.pair, of_right),
                  std::string(of_right != holds_at_zero(here)
                                  ? "at the witness the left one holds and the right one fails"
                                  : "at the witness the right one holds and the left one fails") +
-                     (root->exact ? "" : " (a root, to 40 digits)"));
+                     precision_of(*root));
 }
 
 /// Points of the sequence, and some around the zeros of what is linear, which may be anywhere.
@@ -218,10 +232,12 @@ Proof prove_strictness(const Proof& proof, const Residuals& r, const Points& poi
     return right && is_nearly_zero(*right) && is_admitted(r.pair, root.at, symbols);
   };
   const auto root = find_root({r.pair.left, r.pair.left_value}, points, 10, Roots::all, symbols, both_zero);
-  if (root)
-    return refuted(make_witness(r.pair, root->at), std::string("at the witness both sides are equal") +
-                                                       (root->exact ? "" : " (to 40 digits)") +
-                                                       ", which only one of the two allows");
+  if (root) {
+    Witness witness = witness_at(*root, r.pair, false);
+    if (!root->meant.empty()) witness.derived = "0";
+    return refuted(witness, "at the witness both sides are equal, which only one of the two allows" +
+                                precision_of(*root));
+  }
   return undecided("one allows equality and the other does not");
 }
 

@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/roots.hpp>
-#include <derivations/algebra/vanish.hpp>
 
 namespace rederive {
 
@@ -11,91 +9,13 @@ using GiNaC::ex;
 
 namespace {
 
-cln::cl_I power_of_ten(int exponent) { return cln::expt_pos(cln::cl_I(10), exponent); }
-
-/// What is left at a root that is known to 45 digits.
-bool is_tiny(const cln::cl_R& value) { return cln::abs(value) * power_of_ten(35) < 1; }
-
-GiNaC::exmap values_at(const Point& point, const Symbols& symbols) {
-  GiNaC::exmap values;
-  for (const auto& [name, value] : point) values[symbols[name]] = GiNaC::numeric(value);
-  return values;
-}
-
-/// Powers of e with many digits in their exponents would be polynomials of that degree.
-bool is_simple(const ex& value) {
-  const ex number = value / (value.has(GiNaC::Pi) ? ex(GiNaC::Pi) : ex(1));
-  const GiNaC::numeric& n = GiNaC::ex_to<GiNaC::numeric>(number);
-  return n.denom() <= 100 && GiNaC::abs(n.numer()) <= 1000;
-}
-
-bool is_zero_at(const ex& e, const GiNaC::exmap& values, const Symbols& symbols) {
-  try {
-    const ex value = e.subs(values, GiNaC::subs_options::no_pattern);
-    if (GiNaC::is_a<GiNaC::numeric>(value)) return value.is_zero();
-    return std::all_of(values.begin(), values.end(), [](const auto& v) { return is_simple(v.second); }) &&
-           vanishes(value, symbols);
-  } catch (const std::exception&) {  // a pole, or out of class
-    return false;
-  }
-}
-
-/// The multiple of π/12 that is meant by a number of 40 digits.
-std::optional<ex> as_angle(const cln::cl_RA& value) {
-  const cln::cl_R turns = 12 * value / cln::pi(cln::float_format(60));
-  const cln::cl_I whole = cln::round1(turns);
-  if (cln::zerop(whole) || cln::abs(turns - whole) * power_of_ten(39) > 1) return std::nullopt;
-  return GiNaC::numeric(whole) * GiNaC::Pi / 12;
-}
-
-/// Where symbols are multiples of π, but for the digits: whether there is 0 for those.
-bool is_zero_at_angles(const ex& e, const Point& point, const Symbols& symbols) {
-  GiNaC::exmap values = values_at(point, symbols);
-  bool any = false;
-  for (const auto& [name, value] : point)
-    if (const auto angle = as_angle(value)) values[symbols[name]] = *angle, any = true;
-  return any && is_zero_at(e, values, symbols);
-}
-
-/// The value at a point beside, of which at least the sign is certain.
-std::optional<cln::cl_R> beside(const Tree& tree, Point point, const std::string& name, int digits,
-                                int direction) {
-  point[name] = point[name] + direction / cln::cl_RA(power_of_ten(digits));
-  return evaluate(tree, point, 3);
-}
-
-/// Whether the sign changes within 1e-40 on either side, and the values are much larger at 1e-30.
-bool crosses_zero(const Tree& tree, const Point& point, const std::string& name) {
-  const auto below = beside(tree, point, name, 40, -1), above = beside(tree, point, name, 40, +1);
-  if (!below || !above || cln::minusp(*below) == cln::minusp(*above) || cln::zerop(*below) ||
-      cln::zerop(*above))
-    return false;
-  const cln::cl_R large = cln::max(cln::abs(*below), cln::abs(*above)) * power_of_ten(5);
-  for (const int direction : {-1, +1}) {
-    const auto further = beside(tree, point, name, 30, direction);
-    if (!further || cln::abs(*further) < large) return false;
-  }
-  return true;
-}
-
 /// The simplest fraction near a root of the tree, if it seems to be one; else the value itself.
 cln::cl_RA simplest(const Tree& tree, Point point, const std::string& name, const cln::cl_RA& value) {
-  cln::cl_RA rest = value;
-  cln::cl_I above = 1, above_before = 0, below = 0, below_before = 1;
-  for (int step = 0; step < 12; ++step) {  // the convergents of its continued fraction
-    const cln::cl_I whole = cln::floor1(rest);
-    const cln::cl_I next_above = whole * above + above_before, next_below = whole * below + below_before;
-    above_before = above, below_before = below, above = next_above, below = next_below;
-    if (below > 1'000'000) break;
-    const cln::cl_RA fraction = above / cln::cl_RA(below);
-    point[name] = fraction;
-    const bool is_near = cln::abs(fraction - value) * power_of_ten(40) < 1;
-    const auto there = is_near ? value_of(tree, point) : std::nullopt;
-    if (there && is_tiny(*there)) return fraction;
-    if (rest == whole) break;
-    rest = 1 / (rest - whole);
-  }
-  return value;
+  const auto fraction = simple_fraction(value, 40);
+  if (!fraction) return value;
+  point[name] = *fraction;
+  const auto there = value_of(tree, point);
+  return there && is_tiny(*there) ? *fraction : value;
 }
 
 /// Illinois' variant of false position, on exact rationals rounded to 45 digits.
@@ -210,16 +130,6 @@ std::vector<std::pair<std::string, Point>> linear_zeros(const ex& e, const Point
     }
   }
   return zeros;
-}
-
-std::optional<Root> zero_near(const Written& e, const Point& point, const Symbols& symbols) {
-  const auto value = value_of(e.tree, point);
-  if (!value || !is_tiny(*value)) return std::nullopt;
-  if (is_zero_at(e.value, values_at(point, symbols), symbols)) return Root{point, true};
-  if (is_zero_at_angles(e.value, point, symbols)) return Root{point, false};
-  for (const auto& [name, at] : point)
-    if (crosses_zero(e.tree, point, name)) return Root{point, false};
-  return std::nullopt;
 }
 
 std::optional<Root> find_root(const Written& e, const Points& points, int most, Roots which,

@@ -124,9 +124,11 @@ void assume_difference(const std::string& text, std::size_t at, Symbols& symbols
   symbols.exclude_zero(difference);
 }
 
-/// The symbol that an equation says the value of: alone on a side and not on the other.
+/// The symbol that an equation says the value of: alone on a side and not on the other. Of two symbols the
+/// one that may be anything, so that the range of the other one stays.
 Given read_given(const Tree& a, const Tree& b, const std::string& text, const Symbols& symbols) {
-  for (const auto& [name, value] : {std::pair{a, b}, std::pair{b, a}}) {
+  const bool turn = is_name(a) && is_name(b) && symbols.find(b->text)->range == any;
+  for (const auto& [name, value] : {turn ? std::pair{b, a} : std::pair{a, b}, std::pair{b, a}}) {
     if (!is_name(name)) continue;
     const Given given = reading(text, [&] { return Given{lower(name, symbols), lower(value, symbols)}; });
     if (given.value.has(given.name))
@@ -163,7 +165,7 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
     const Symbol old = *symbols.find(name);
     symbols.declare(name, old.latex, old.unicode, old.unit, any, old.meaning, old.introduced);
   }
-  for (const char* name : {"t", "r"})
+  for (const char* name : {"t", "r", "d"})
     symbols.declare(name, name, name, symbols.find(name)->unit, any, "a real number", "");
   for (char c = 'a'; c <= 'z'; ++c) declare_free(symbols, std::string(1, c));
   for (char c = 'A'; c <= 'Z'; ++c) declare_free(symbols, std::string(1, c));

@@ -19,7 +19,7 @@ struct ProveRequest {
 
 /// The symbols of the paper, every letter and Greek letter (with an index or dots) that the texts use, and
 /// what the assumptions say of them; assumptions that are equations become givens. The names in `freed` are
-/// any real numbers but for what the assumptions say, and so are t and r, which everybody uses for something
+/// any real numbers but for what the assumptions say, and so are t, r and d, which everybody uses for something
 /// else than the paper does.
 struct Context {
   Symbols symbols;

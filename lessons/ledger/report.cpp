@@ -49,6 +49,7 @@ Json to_json(const Proof& proof) {
   if (proof.witness)
     witness = {
         {"at", proof.witness->at}, {"printed", proof.witness->printed}, {"derived", proof.witness->derived}};
+  if (proof.witness && !proof.witness->exactly.empty()) witness["exactly"] = proof.witness->exactly;
   return {{"verdict", to_string(proof.verdict)},
           {"factor", or_null(proof.factor)},
           {"side_conditions", proof.side_conditions},
