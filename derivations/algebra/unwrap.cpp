@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 #include <derivations/algebra/interval.hpp>
-#include <derivations/algebra/phases.hpp>
+#include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/unwrap.hpp>
+#include <derivations/algebra/vanish.hpp>
 #include <optional>
 
 namespace rederive {
@@ -11,46 +13,156 @@ using GiNaC::ex_to;
 using GiNaC::is_a;
 using GiNaC::numeric;
 
-namespace {
-
-bool has_symbol(const ex& e) {
-  return std::any_of(e.preorder_begin(), e.preorder_end(),
-                     [](const ex& part) { return is_a<GiNaC::symbol>(part); });
-}
-
 std::string turned(const std::string& op) {
   return op[0] == '<' ? ">" + op.substr(1) : op[0] == '>' ? "<" + op.substr(1) : op;
 }
 
-/// "exp" of exp(x); "abs" of |x|; "root" of x^(1/2), "odd" of x^3, "even" of x^4.
+namespace {
+
+/// The angle of sin(x)/cos(x), where `above` is "sin", or cos(x)/sin(x).
+std::optional<ex> angle_of_quotient(const ex& e, const std::string& above) {
+  if (!is_a<GiNaC::mul>(e) || e.nops() != 2) return std::nullopt;
+  for (const auto& [upper, lower] : {std::pair{e.op(0), e.op(1)}, std::pair{e.op(1), e.op(0)}}) {
+    if (name_of(upper) != above || !is_a<GiNaC::power>(lower) || !lower.op(1).is_equal(-1)) continue;
+    if (name_of(lower.op(0)) == (above == "sin" ? "cos" : "sin") && upper.op(0).is_equal(lower.op(0).op(0)))
+      return upper.op(0);
+  }
+  return std::nullopt;
+}
+
+/// "exp" of exp(x); "abs" of |x|; "root" of x^(1/2), "odd" of x^3, "even" of x^4; "cot" of cos(x)/sin(x).
 std::string kind_of(const ex& e) {
-  if (is_a<GiNaC::function>(e) && e.nops() == 1) return ex_to<GiNaC::function>(e).get_name();
+  if (is_a<GiNaC::function>(e) && e.nops() == 1) return name_of(e);
+  if (angle_of_quotient(e, "sin")) return "tan";
+  if (angle_of_quotient(e, "cos")) return "cot";
   if (!is_a<GiNaC::power>(e) || !is_a<numeric>(e.op(1)) || !e.op(1).info(GiNaC::info_flags::positive))
     return "";
   const numeric n = ex_to<numeric>(e.op(1));
   return !n.is_integer() ? "root" : n.is_odd() ? "odd" : "even";
 }
 
+ex argument_of(const ex& e) {
+  if (const auto angle = angle_of_quotient(e, "sin")) return *angle;
+  if (const auto angle = angle_of_quotient(e, "cos")) return *angle;
+  return e.op(0);
+}
+
 /// "exp"; "^3", "^1/2".
 std::string layer_name(const ex& e) {
-  if (!is_a<GiNaC::power>(e)) return name_of(e) == "abs" ? "fabs" : name_of(e);
+  if (!is_a<GiNaC::power>(e)) return kind_of(e) == "abs" ? "fabs" : kind_of(e);
   const numeric n = ex_to<numeric>(e.op(1));
   const auto text = [](const numeric& whole) { return std::to_string(whole.to_int()); };
   return "^" + text(n.numer()) + (n.is_integer() ? "" : "/" + text(n.denom()));
 }
 
 bool is_even(const std::string& kind) { return kind == "cosh" || kind == "abs" || kind == "even"; }
+bool falls(const std::string& kind) { return kind == "acos" || kind == "cos" || kind == "cot"; }
+
+// ---- exponentials
+
+/// The logarithm of a product of exponentials, of powers of positive constants, and of such constants.
+std::optional<ex> logarithm_of(const ex& e, const Symbols& symbols) {
+  if (!has_symbol(e)) return sign_of(e, symbols) > 0 ? std::optional<ex>(GiNaC::log(e)) : std::nullopt;
+  if (kind_of(e) == "exp") return e.op(0);
+  if (is_a<GiNaC::power>(e)) {
+    const auto base = logarithm_of(e.op(0), symbols);
+    return base ? std::optional<ex>(*base * e.op(1)) : std::nullopt;
+  }
+  if (!is_a<GiNaC::mul>(e)) return std::nullopt;
+  ex sum = 0;
+  for (const ex& factor : e) {
+    const auto part = logarithm_of(factor, symbols);
+    if (!part) return std::nullopt;
+    sum += *part;
+  }
+  return sum;
+}
+
+std::optional<Layer> of_exponentials(const Sides& s, const Symbols& symbols) {
+  const auto left = logarithm_of(s.left, symbols), right = logarithm_of(s.right, symbols);
+  if (!left || !right || (!has_symbol(s.left) && !has_symbol(s.right))) return std::nullopt;
+  return Layer{"exp", *left, *right};
+}
+
+// ---- angles
+
+/// The angle whose sine is that of x …, on the range where it grows or falls; cos x is cos |x|.
+std::optional<ex> angle_on_one_branch(const std::string& kind, const ex& x, const Symbols& symbols) {
+  const ex &pi = GiNaC::Pi, half = pi / 2;
+  const auto weakly = [&](const ex& low, const ex& high) {
+    return is_nonnegative(x - low, symbols) && is_nonnegative(high - x, symbols);
+  };
+  const auto strictly = [&](const ex& low, const ex& high) {
+    return sign_of(x - low, symbols) > 0 && sign_of(high - x, symbols) > 0;
+  };
+  if ((kind == "sin" && weakly(-half, half)) || (kind == "tan" && strictly(-half, half)) ||
+      (kind == "cot" && strictly(0, pi)))
+    return x;
+  if (kind != "cos" || !weakly(-pi, pi)) return std::nullopt;
+  return is_nonnegative(x, symbols) ? x : is_nonnegative(-x, symbols) ? -x : ex(GiNaC::abs(x));
+}
+
+bool is_angular(const std::string& kind) {
+  return kind == "sin" || kind == "cos" || kind == "tan" || kind == "cot";
+}
+
+ex value_at(const std::string& kind, const ex& angle) {
+  const ex sine = GiNaC::sin(angle), cosine = GiNaC::cos(angle);
+  return kind == "sin" ? sine : kind == "cos" ? cosine : kind == "tan" ? sine / cosine : cosine / sine;
+}
+
+/// The angle on that range whose sine … is a constant: a multiple of π/12 as such.
+std::optional<ex> arc_of(const std::string& kind, const ex& value, const Symbols& symbols) {
+  const bool bounded = kind == "sin" || kind == "cos";
+  if (bounded && !(is_nonnegative(1 - value, symbols) && is_nonnegative(value + 1, symbols)))
+    return std::nullopt;
+  const ex arc = kind == "sin"   ? GiNaC::asin(value)
+                 : kind == "cos" ? GiNaC::acos(value)
+                 : kind == "tan" ? GiNaC::atan(value)
+                                 : GiNaC::Pi / 2 - GiNaC::atan(value);
+  const ex twelfths = (12 * arc / GiNaC::Pi).evalf();
+  if (!is_a<numeric>(twelfths) || !ex_to<numeric>(twelfths).is_real()) return std::nullopt;
+  const double turns = ex_to<numeric>(twelfths).to_double();
+  const ex near = static_cast<int>(std::lround(turns)) * GiNaC::Pi / 12;
+  try {
+    if (std::fabs(turns - std::round(turns)) < 1e-9 && vanishes(value_at(kind, near) - value, symbols))
+      return near;
+  } catch (const Undecidable&) {  // then it stays as it is
+  }
+  return arc;
+}
+
+// ---- one function off
 
 /// f(a) op f(b), where f is one and the same.
-std::optional<Layer> the_same(const Sides& s) {
+std::optional<Layer> the_same(const Sides& s, const Symbols& symbols) {
   const std::string kind = kind_of(s.left);
   if (kind.empty() || kind != kind_of(s.right)) return std::nullopt;
   const bool is_power = is_a<GiNaC::power>(s.left);
   if (is_power && !s.left.op(1).is_equal(s.right.op(1))) return std::nullopt;
   if (is_power && s.left.op(1).is_equal(2)) return std::nullopt;  // squares stay
-  for (const char* known : {"exp", "log", "sinh", "asinh", "tanh", "atanh", "asin", "atan", "acosh", "acos",
-                            "root", "odd", "cosh", "abs", "even"})
+  if (is_angular(kind)) {
+    const auto a = angle_on_one_branch(kind, argument_of(s.left), symbols),
+               b = angle_on_one_branch(kind, argument_of(s.right), symbols);
+    return a && b ? std::optional(Layer{kind, *a, *b}) : std::nullopt;
+  }
+  for (const char* known : {"log", "sinh", "asinh", "tanh", "atanh", "asin", "atan", "acosh", "acos", "root",
+                            "odd", "cosh", "abs", "even"})
     if (kind == known) return Layer{layer_name(s.left), s.left.op(0), s.right.op(0)};
+  return std::nullopt;
+}
+
+/// f(a) op b is f(a) op f(c), where c = g(b), g is an inverse function and b a constant among the values of f.
+std::optional<ex> inverse_at_constant(const std::string& kind, const ex& f, const ex& b,
+                                      const std::string& op, const Symbols& symbols) {
+  if (is_angular(kind)) return arc_of(kind, b, symbols);
+  if (kind == "sinh") return GiNaC::asinh(b);
+  if (kind == "tanh" && sign_of(1 - b, symbols) > 0 && sign_of(1 + b, symbols) > 0) return GiNaC::atanh(b);
+  if (kind == "cosh" && is_nonnegative(b - 1, symbols)) return GiNaC::acosh(b);
+  const bool is_square = kind == "even" && f.op(1).is_equal(2);
+  if (is_square) return b.is_zero() && op == "=" ? std::optional<ex>(0) : std::nullopt;
+  if ((kind == "even" || kind == "odd") && is_nonnegative(b, symbols)) return GiNaC::pow(b, 1 / f.op(1));
+  if (kind == "odd" && is_nonnegative(-b, symbols)) return -GiNaC::pow(-b, 1 / f.op(1));
   return std::nullopt;
 }
 
@@ -62,7 +174,7 @@ std::optional<Layer> of_the_left(const Sides& s, const Symbols& symbols) {
   const auto between = [&](const ex& low, const ex& high) {
     return is_nonnegative(b - low, symbols) && is_nonnegative(high - b, symbols);
   };
-  const auto with = [&](const ex& right) { return Layer{layer_name(s.left), s.left.op(0), right}; };
+  const auto with = [&](const ex& right) { return Layer{layer_name(s.left), argument_of(s.left), right}; };
   if (kind == "log") return with(GiNaC::exp(b));
   if (kind == "asinh") return with(GiNaC::sinh(b));
   if (kind == "atanh") return with(GiNaC::tanh(b));
@@ -73,35 +185,57 @@ std::optional<Layer> of_the_left(const Sides& s, const Symbols& symbols) {
   if (is_nonnegative(b, symbols)) {
     if (kind == "acosh") return with(GiNaC::cosh(b));
     if (kind == "abs") return with(b);
-    if (kind == "root" && s.left.op(1).is_equal(numeric(1, 2))) return with(GiNaC::pow(b, 2));
+    if (kind == "root" && (1 / s.left.op(1)).info(GiNaC::info_flags::posint))
+      return with(GiNaC::pow(b, 1 / s.left.op(1)));
   }
   if (has_symbol(b))
-    return std::nullopt;  // exp(x) = y is not made x = log(y), for log(y) = x becomes the former
-  const bool higher = kind == "even" && (s.op == "=" || !s.left.op(1).is_equal(2));
-  if (b.is_zero() && (kind == "sinh" || kind == "tanh" || kind == "odd" || higher)) return with(0);
-  if (kind == "exp" && sign_of(b, symbols) > 0) return with(GiNaC::log(b));
-  return std::nullopt;
+    return std::nullopt;  // sin(x) = y is not made x = asin(y), for asin(y) = x becomes the former
+  const auto a = is_angular(kind) ? angle_on_one_branch(kind, argument_of(s.left), symbols)
+                                  : std::optional<ex>(s.left.op(0));
+  const auto c = a ? inverse_at_constant(kind, s.left, b, s.op, symbols) : std::nullopt;
+  return c ? std::optional(Layer{layer_name(s.left), *a, *c}) : std::nullopt;
 }
 
 /// The relation inside of a layer; x^2 = 0 is x = 0.
 Sides inside(const Layer& layer, const std::string& kind, const std::string& op) {
   const bool is_zero = op == "=" && (layer.left.is_zero() || layer.right.is_zero());
   const int power = is_even(kind) && !is_zero ? 2 : 1;
-  return {GiNaC::pow(layer.left, power), kind == "acos" ? turned(op) : op, GiNaC::pow(layer.right, power)};
+  return {GiNaC::pow(layer.left, power), falls(kind) ? turned(op) : op, GiNaC::pow(layer.right, power)};
+}
+
+/// Takes one function off the sides as they stand.
+std::optional<Layer> peel(Sides& sides, const Symbols& symbols) {
+  std::string kind = kind_of(sides.left);
+  auto layer = of_exponentials(sides, symbols);
+  if (layer) kind = "exp";
+  if (!layer) layer = the_same(sides, symbols);
+  if (!layer) layer = of_the_left(sides, symbols);
+  if (!layer && (layer = of_the_left({sides.right, turned(sides.op), sides.left}, symbols)))
+    std::swap(layer->left, layer->right), kind = kind_of(sides.right);
+  if (layer) sides = inside(*layer, kind, sides.op);
+  return layer;
+}
+
+/// One function off, after the terms have been moved where that is needed. The layers, or none.
+std::vector<Layer> step(Sides& sides, const Symbols& symbols) {
+  if (const auto layer = peel(sides, symbols)) return {*layer};
+  for (const Layer& moved : rearrangements(sides, symbols)) {
+    Sides next = rearranged(moved, sides.op, symbols);
+    if (const auto layer = peel(next, symbols)) {
+      sides = next;
+      return {moved, *layer};
+    }
+  }
+  return {};
 }
 
 }  // namespace
 
 Sides unwrapped(Sides sides, const Symbols& symbols, std::vector<Layer>* layers) {
   for (int depth = 0; depth < 10; ++depth) {
-    std::string kind = kind_of(sides.left);
-    auto layer = the_same(sides);
-    if (!layer) layer = of_the_left(sides, symbols);
-    if (!layer && (layer = of_the_left({sides.right, turned(sides.op), sides.left}, symbols)))
-      std::swap(layer->left, layer->right), kind = kind_of(sides.right);
-    if (!layer) break;
-    sides = inside(*layer, kind, sides.op);
-    if (layers != nullptr) layers->push_back(*layer);
+    const std::vector<Layer> taken = step(sides, symbols);
+    if (taken.empty()) break;
+    if (layers != nullptr) layers->insert(layers->end(), taken.begin(), taken.end());
   }
   return sides;
 }

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/phases.hpp>
+#include <derivations/algebra/print.hpp>
+#include <derivations/algebra/rearrange.hpp>
+#include <optional>
+#include <set>
+
+namespace rederive {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+using GiNaC::numeric;
+
+bool has_symbol(const ex& e) {
+  return std::any_of(e.preorder_begin(), e.preorder_end(),
+                     [](const ex& part) { return is_a<GiNaC::symbol>(part); });
+}
+
+Sides rearranged(const Layer& layer, const std::string& op, const Symbols& symbols) {
+  const bool turns = op != "=" && sign_of(layer.factor, symbols) < 0;
+  return {layer.left, turns ? turned(op) : op, layer.right};
+}
+
+namespace {
+
+constexpr std::size_t most_functions = 8;
+constexpr std::ptrdiff_t most_parts = 2000;
+
+/// 0: what is always taken off; 1: where the other side is not negative; 2: where the other side is a
+/// constant or the same function; nothing for what is never taken off.
+std::optional<int> rank_of(const ex& e) {
+  static const std::set<std::string> inverse{"log", "asin", "acos", "atan", "asinh", "acosh", "atanh"},
+      direct{"exp", "sin", "cos", "tan", "sinh", "cosh", "tanh"};
+  if (is_a<GiNaC::power>(e) && is_a<numeric>(e.op(1)) && e.op(1).info(GiNaC::info_flags::positive))
+    return e.op(1).info(GiNaC::info_flags::integer) ? 2 : 1;
+  const std::string name = name_of(e);
+  if (inverse.contains(name)) return 0;
+  if (name == "abs") return 1;
+  return direct.contains(name) ? std::optional(2) : std::nullopt;
+}
+
+struct Found {
+  int rank;
+  std::string text;
+  ex function;
+};
+
+/// The functions of symbols in an expression, each once; none if there are too many.
+std::vector<Found> functions_in(const ex& e, const Symbols& symbols) {
+  std::vector<Found> found;
+  if (std::distance(e.preorder_begin(), e.preorder_end()) > most_parts) return {};
+  for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
+    const auto rank = rank_of(*part);
+    const auto is_it = [&](const Found& f) { return f.function.is_equal(*part); };
+    if (!rank || !has_symbol(*part) || std::any_of(found.begin(), found.end(), is_it)) continue;
+    if (found.size() == most_functions) return {};
+    found.push_back({*rank, print(*part, Notation::plain, symbols), *part});
+  }
+  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+    return a.rank != b.rank ? a.rank < b.rank : a.text < b.text;
+  });
+  return found;
+}
+
+/// e = Σ factor·function + rest, with neither the factors nor the rest depending on any of the functions.
+struct Linear {
+  std::vector<ex> factors;
+  ex rest;
+};
+std::optional<Linear> linear_in(const ex& e, const std::vector<ex>& functions) {
+  GiNaC::exmap in, out;
+  std::vector<GiNaC::realsymbol> names(functions.size());
+  for (std::size_t k = 0; k < names.size(); ++k) in[functions[k]] = names[k], out[names[k]] = 0;
+  const ex replaced = e.subs(in, GiNaC::subs_options::no_pattern);
+  Linear result;
+  for (const GiNaC::realsymbol& name : names) {
+    const ex factor = replaced.diff(name);
+    for (const GiNaC::realsymbol& other : names)
+      if (factor.has(other)) return std::nullopt;
+    if (factor.is_zero()) return std::nullopt;
+    result.factors.push_back(factor);
+  }
+  result.rest = replaced.subs(out, GiNaC::subs_options::no_pattern);
+  return result;
+}
+
+/// Never 0 where it is defined: each of its factors has a sign, or is divided by.
+bool never_zero(const ex& e, const Symbols& symbols) {
+  if (is_a<GiNaC::mul>(e))
+    return std::all_of(e.begin(), e.end(), [&](const ex& part) { return never_zero(part, symbols); });
+  const bool divided_by = is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::negint);
+  return divided_by || sign_of(e, symbols) != 0;
+}
+
+/// -rest/factor, term by term.
+ex other_side(const ex& rest, const ex& factor) {
+  if (!is_a<GiNaC::add>(rest)) return -rest / factor;
+  ex sum = 0;
+  for (const ex& term : rest) sum -= term / factor;
+  return sum;
+}
+
+bool may_divide(const ex& factor, const std::string& op, const Symbols& symbols) {
+  return sign_of(factor, symbols) != 0 || (op == "=" && never_zero(factor, symbols));
+}
+
+/// Σ c n_k log u_k + rest is c·(log ∏ u_k^n_k + rest/c), for whole n_k and positive u_k.
+std::optional<Layer> logarithms_together(const ex& difference, const std::string& op,
+                                         const std::vector<Found>& found, const Symbols& symbols) {
+  std::vector<ex> logarithms;
+  for (const Found& f : found)
+    if (name_of(f.function) == "log") logarithms.push_back(f.function);
+  const auto linear = logarithms.size() > 1 ? linear_in(difference, logarithms) : std::nullopt;
+  if (!linear) return std::nullopt;
+  numeric denominators = 1, numerators = 0;
+  std::vector<numeric> ratios;
+  for (const ex& factor : linear->factors) {
+    const ex ratio = factor / linear->factors[0];
+    if (!is_a<numeric>(ratio) || !ex_to<numeric>(ratio).is_rational()) return std::nullopt;
+    ratios.push_back(ex_to<numeric>(ratio));
+    denominators = GiNaC::lcm(denominators, ratios.back().denom());
+  }
+  for (const numeric& ratio : ratios) numerators = GiNaC::gcd(numerators, ratio * denominators);
+  ex product = 1;
+  for (std::size_t k = 0; k < ratios.size(); ++k) {
+    const numeric n = ratios[k] * denominators / numerators;
+    if (GiNaC::abs(n) > 12 || sign_of(logarithms[k].op(0), symbols) <= 0) return std::nullopt;
+    product *= GiNaC::pow(logarithms[k].op(0), n);
+  }
+  const ex factor = linear->factors[0] * (numerators / denominators);
+  if (!may_divide(factor, op, symbols)) return std::nullopt;
+  return Layer{"*", GiNaC::log(product), other_side(linear->rest, factor), factor};
+}
+
+}  // namespace
+
+std::vector<Layer> rearrangements(const Sides& s, const Symbols& symbols) {
+  const ex difference = s.left - s.right;
+  const std::vector<Found> found = functions_in(difference, symbols);
+  std::vector<Layer> result;
+  if (const auto together = logarithms_together(difference, s.op, found, symbols)) result.push_back(*together);
+  for (const Found& f : found) {
+    const auto linear = linear_in(difference, {f.function});
+    if (linear && may_divide(linear->factors[0], s.op, symbols))
+      result.push_back(
+          {"*", f.function, other_side(linear->rest, linear->factors[0]), linear->factors[0]});
+  }
+  return result;
+}
+
+}  // namespace rederive
