@@ -26,10 +26,20 @@ Sides rearranged(const Layer& layer, const std::string& op, const Symbols& symbo
 namespace {
 
 constexpr std::size_t most_functions = 8;
-constexpr std::ptrdiff_t most_parts = 2000;
+constexpr std::ptrdiff_t most_parts = 2000, most_simplified = 200;
 
-/// 0: what is always taken off; 1: where the other side is not negative; 2: where the other side is a
-/// constant or the same function; nothing for what is never taken off.
+std::ptrdiff_t parts_of(const ex& e) { return std::distance(e.preorder_begin(), e.preorder_end()); }
+
+}  // namespace
+
+ex simplified(const ex& e) {
+  try {
+    return parts_of(e) < most_simplified ? e.normal() : e;
+  } catch (const std::exception&) {  // GiNaC's gcd does not take all roots
+    return e;
+  }
+}
+
 std::optional<int> rank_of(const ex& e) {
   static const std::set<std::string> inverse{"log", "asin", "acos", "atan", "asinh", "acosh", "atanh"},
       direct{"exp", "sin", "cos", "tan", "sinh", "cosh", "tanh"};
@@ -41,24 +51,44 @@ std::optional<int> rank_of(const ex& e) {
   return direct.contains(name) ? std::optional(2) : std::nullopt;
 }
 
+namespace {
+
+/// A function f, and how an expression is written in it: `replaced` is f·times.
 struct Found {
   int rank;
   std::string text;
-  ex function;
+  ex function, replaced, times = 1;
 };
+
+/// Where there are sin x and cos x, there are tan x and cot x: a sin x + b cos x is cos x·(a tan x + b).
+void add_quotients(std::vector<Found>& found, const Symbols& symbols) {
+  std::vector<Found> quotients;
+  for (const Found& sine : found)
+    for (const Found& cosine : found) {
+      const bool is_pair = name_of(sine.function) == "sin" && name_of(cosine.function) == "cos" &&
+                           sine.function.op(0).is_equal(cosine.function.op(0));
+      if (!is_pair) continue;
+      const ex tangent = sine.function / cosine.function;
+      const std::string text = print(tangent, Notation::plain, symbols);
+      quotients.push_back({2, text, tangent, sine.function, cosine.function});
+      quotients.push_back({3, text, 1 / tangent, cosine.function, sine.function});
+    }
+  found.insert(found.end(), quotients.begin(), quotients.end());
+}
 
 /// The functions of symbols in an expression, each once; none if there are too many.
 std::vector<Found> functions_in(const ex& e, const Symbols& symbols) {
   std::vector<Found> found;
-  if (std::distance(e.preorder_begin(), e.preorder_end()) > most_parts) return {};
+  if (parts_of(e) > most_parts) return {};
   for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
     const auto rank = rank_of(*part);
     const auto is_it = [&](const Found& f) { return f.function.is_equal(*part); };
     if (!rank || !has_symbol(*part) || std::any_of(found.begin(), found.end(), is_it)) continue;
     if (found.size() == most_functions) return {};
-    found.push_back({*rank, print(*part, Notation::plain, symbols), *part});
+    found.push_back({*rank, print(*part, Notation::plain, symbols), *part, *part});
   }
-  std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+  add_quotients(found, symbols);
+  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
     return a.rank != b.rank ? a.rank < b.rank : a.text < b.text;
   });
   return found;
@@ -69,10 +99,11 @@ struct Linear {
   std::vector<ex> factors;
   ex rest;
 };
-std::optional<Linear> linear_in(const ex& e, const std::vector<ex>& functions) {
+std::optional<Linear> linear_in(const ex& e, const std::vector<Found>& functions) {
   GiNaC::exmap in, out;
   std::vector<GiNaC::realsymbol> names(functions.size());
-  for (std::size_t k = 0; k < names.size(); ++k) in[functions[k]] = names[k], out[names[k]] = 0;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    in[functions[k].replaced] = names[k] * functions[k].times, out[names[k]] = 0;
   const ex replaced = e.subs(in, GiNaC::subs_options::no_pattern);
   Linear result;
   for (const GiNaC::realsymbol& name : names) {
@@ -94,9 +125,11 @@ bool never_zero(const ex& e, const Symbols& symbols) {
   return divided_by || sign_of(e, symbols) != 0;
 }
 
-/// -rest/factor, term by term.
+/// -rest/factor: the constant that it is, or term by term.
 ex other_side(const ex& rest, const ex& factor) {
   if (!is_a<GiNaC::add>(rest)) return -rest / factor;
+  const ex whole = simplified(-rest / factor);
+  if (!has_symbol(whole)) return whole;
   ex sum = 0;
   for (const ex& term : rest) sum -= term / factor;
   return sum;
@@ -109,9 +142,9 @@ bool may_divide(const ex& factor, const std::string& op, const Symbols& symbols)
 /// Σ c n_k log u_k + rest is c·(log ∏ u_k^n_k + rest/c), for whole n_k and positive u_k.
 std::optional<Layer> logarithms_together(const ex& difference, const std::string& op,
                                          const std::vector<Found>& found, const Symbols& symbols) {
-  std::vector<ex> logarithms;
+  std::vector<Found> logarithms;
   for (const Found& f : found)
-    if (name_of(f.function) == "log") logarithms.push_back(f.function);
+    if (name_of(f.function) == "log") logarithms.push_back(f);
   const auto linear = logarithms.size() > 1 ? linear_in(difference, logarithms) : std::nullopt;
   if (!linear) return std::nullopt;
   numeric denominators = 1, numerators = 0;
@@ -126,8 +159,9 @@ std::optional<Layer> logarithms_together(const ex& difference, const std::string
   ex product = 1;
   for (std::size_t k = 0; k < ratios.size(); ++k) {
     const numeric n = ratios[k] * denominators / numerators;
-    if (GiNaC::abs(n) > 12 || sign_of(logarithms[k].op(0), symbols) <= 0) return std::nullopt;
-    product *= GiNaC::pow(logarithms[k].op(0), n);
+    const ex argument = logarithms[k].function.op(0);
+    if (GiNaC::abs(n) > 12 || sign_of(argument, symbols) <= 0) return std::nullopt;
+    product *= GiNaC::pow(argument, n);
   }
   const ex factor = linear->factors[0] * (numerators / denominators);
   if (!may_divide(factor, op, symbols)) return std::nullopt;
@@ -140,12 +174,12 @@ std::vector<Layer> rearrangements(const Sides& s, const Symbols& symbols) {
   const ex difference = s.left - s.right;
   const std::vector<Found> found = functions_in(difference, symbols);
   std::vector<Layer> result;
-  if (const auto together = logarithms_together(difference, s.op, found, symbols)) result.push_back(*together);
+  if (const auto together = logarithms_together(difference, s.op, found, symbols))
+    result.push_back(*together);
   for (const Found& f : found) {
-    const auto linear = linear_in(difference, {f.function});
+    const auto linear = linear_in(difference, {f});
     if (linear && may_divide(linear->factors[0], s.op, symbols))
-      result.push_back(
-          {"*", f.function, other_side(linear->rest, linear->factors[0]), linear->factors[0]});
+      result.push_back({"*", f.function, other_side(linear->rest, linear->factors[0]), linear->factors[0]});
   }
   return result;
 }

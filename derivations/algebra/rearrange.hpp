@@ -2,19 +2,27 @@
 #pragma once
 
 #include <derivations/algebra/unwrap.hpp>
+#include <optional>
 
 namespace rederive {
 
 /// Whether a symbol is in it: constants are not solved for.
 bool has_symbol(const GiNaC::ex& expression);
 
+/// One fraction in lowest terms, as far as GiNaC can say; long ones stay as they are.
+GiNaC::ex simplified(const GiNaC::ex& expression);
+
+/// Which functions go first. 0: inverse functions, which are always taken off; 1: roots and absolute values,
+/// where the other side is not negative; 2: where the other side is a constant or the same function.
+std::optional<int> rank_of(const GiNaC::ex& expression);
+
 /// The relation inside of a layer "*": its two sides, and the operator turned where the factor is negative.
 Sides rearranged(const Layer& layer, const std::string& op, const Symbols& symbols);
 
-/// The ways to write left - right as factor·(function - rest) with a factor that is never 0, and of known sign
-/// where the relation is an inequality: for logarithms of positive arguments with commensurable factors as
-/// one, and for each function in which left - right is linear. Inverse functions first, then roots and
-/// absolute values, then all others; their texts decide among equals, so that the order is always the same.
+/// The ways to write left - right as factor·(function - rest) with a factor that is never 0, and of known
+/// sign where the relation is an inequality: for logarithms of positive arguments with commensurable factors
+/// as one, and for each function in which left - right is linear. In the order of their ranks; texts decide
+/// among equals, so that it is always the same.
 std::vector<Layer> rearrangements(const Sides& sides, const Symbols& symbols);
 
 }  // namespace rederive

@@ -116,10 +116,11 @@ std::optional<ex> arc_of(const std::string& kind, const ex& value, const Symbols
   const bool bounded = kind == "sin" || kind == "cos";
   if (bounded && !(is_nonnegative(1 - value, symbols) && is_nonnegative(value + 1, symbols)))
     return std::nullopt;
-  const ex arc = kind == "sin"   ? GiNaC::asin(value)
-                 : kind == "cos" ? GiNaC::acos(value)
-                 : kind == "tan" ? GiNaC::atan(value)
-                                 : GiNaC::Pi / 2 - GiNaC::atan(value);
+  const ex arc = kind == "sin"                 ? GiNaC::asin(value)
+                 : kind == "cos"               ? GiNaC::acos(value)
+                 : kind == "tan"               ? GiNaC::atan(value)
+                 : sign_of(value, symbols) > 0 ? GiNaC::atan(1 / value)
+                                               : GiNaC::Pi / 2 - GiNaC::atan(value);
   const ex twelfths = (12 * arc / GiNaC::Pi).evalf();
   if (!is_a<numeric>(twelfths) || !ex_to<numeric>(twelfths).is_real()) return std::nullopt;
   const double turns = ex_to<numeric>(twelfths).to_double();
@@ -127,7 +128,7 @@ std::optional<ex> arc_of(const std::string& kind, const ex& value, const Symbols
   try {
     if (std::fabs(turns - std::round(turns)) < 1e-9 && vanishes(value_at(kind, near) - value, symbols))
       return near;
-  } catch (const Undecidable&) {  // then it stays as it is
+  } catch (const std::exception&) {  // outside of the class, or near a pole: it stays as it is
   }
   return arc;
 }
@@ -152,7 +153,8 @@ std::optional<Layer> the_same(const Sides& s, const Symbols& symbols) {
   return std::nullopt;
 }
 
-/// f(a) op b is f(a) op f(c), where c = g(b), g is an inverse function and b a constant among the values of f.
+/// f(a) op b is f(a) op f(c), where c = g(b), g is an inverse function and b a constant among the values of
+/// f.
 std::optional<ex> inverse_at_constant(const std::string& kind, const ex& f, const ex& b,
                                       const std::string& op, const Symbols& symbols) {
   if (is_angular(kind)) return arc_of(kind, b, symbols);
@@ -209,9 +211,13 @@ std::optional<Layer> peel(Sides& sides, const Symbols& symbols) {
   auto layer = of_exponentials(sides, symbols);
   if (layer) kind = "exp";
   if (!layer) layer = the_same(sides, symbols);
-  if (!layer) layer = of_the_left(sides, symbols);
-  if (!layer && (layer = of_the_left({sides.right, turned(sides.op), sides.left}, symbols)))
-    std::swap(layer->left, layer->right), kind = kind_of(sides.right);
+  const bool right_first = rank_of(sides.right).value_or(3) < rank_of(sides.left).value_or(3);
+  for (const bool right : {right_first, !right_first}) {
+    if (layer) break;
+    layer = right ? of_the_left({sides.right, turned(sides.op), sides.left}, symbols)
+                  : of_the_left(sides, symbols);
+    if (layer && right) std::swap(layer->left, layer->right), kind = kind_of(sides.right);
+  }
   if (layer) sides = inside(*layer, kind, sides.op);
   return layer;
 }
@@ -229,13 +235,45 @@ std::vector<Layer> step(Sides& sides, const Symbols& symbols) {
   return {};
 }
 
+/// sin a < u is tan a < u/√(1-u²), as functions of the angle all grow; cos a < u is tan a > √(1-u²)/u.
+std::vector<Layer> to_tangent(Sides& sides, const Symbols& symbols) {
+  const Sides swapped{sides.right, turned(sides.op), sides.left};
+  std::vector<std::pair<Sides, std::vector<Layer>>> ways{{sides, {}},
+                                                         {swapped, {{"*", sides.right, sides.left, -1}}}};
+  for (const Layer& moved : rearrangements(sides, symbols))
+    ways.push_back({rearranged(moved, sides.op, symbols), {moved}});
+  for (auto& [way, layers] : ways) {
+    const std::string kind = kind_of(way.left);
+    const ex &u = way.right, half = GiNaC::Pi / 2;
+    if ((kind != "sin" && kind != "cos") || !has_symbol(way.left) || !has_symbol(u)) continue;
+    const ex a = argument_of(way.left), rest = simplified(1 - u * u);
+    const bool acute = sign_of(half - a, symbols) > 0 && sign_of(rest, symbols) > 0;
+    if (kind == "sin" && acute && sign_of(half + a, symbols) > 0) {
+      layers.push_back({"sin", a, GiNaC::asin(u)});
+      layers.push_back({"atan", value_at("tan", a), u / GiNaC::sqrt(rest)});
+    } else if (kind == "cos" && acute && is_nonnegative(a, symbols) && sign_of(u, symbols) > 0) {
+      layers.push_back({"cos", a, GiNaC::acos(u)});
+      layers.push_back({"atan", value_at("tan", a), GiNaC::sqrt(rest) / u});
+    } else {
+      continue;
+    }
+    sides = {layers.back().left, kind == "cos" ? turned(way.op) : way.op, layers.back().right};
+    return layers;
+  }
+  return {};
+}
+
 }  // namespace
 
 Sides unwrapped(Sides sides, const Symbols& symbols, std::vector<Layer>* layers) {
-  for (int depth = 0; depth < 10; ++depth) {
-    const std::vector<Layer> taken = step(sides, symbols);
-    if (taken.empty()) break;
-    if (layers != nullptr) layers->insert(layers->end(), taken.begin(), taken.end());
+  const auto taken = [&](const std::vector<Layer>& off) {
+    if (layers != nullptr) layers->insert(layers->end(), off.begin(), off.end());
+    return !off.empty();
+  };
+  try {
+    for (int depth = 0; depth < 10 && taken(step(sides, symbols));) ++depth;
+    taken(to_tangent(sides, symbols));
+  } catch (const std::exception&) {  // a pole of GiNaC: the rest stays on
   }
   return sides;
 }

@@ -15,8 +15,9 @@ struct Sides {
 };
 
 /// What was taken off: function(left) and function(right) were the sides. An even one leaves the squares of
-/// what it is taken off, for it grows with them; acos, cos and cot turn an inequality round. sin, cos, tan and
-/// cot are taken off angles on [-pi/2, pi/2], [0, pi], (-pi/2, pi/2), (0, pi) only: left and right lie there.
+/// what it is taken off, for it grows with them; acos, cos and cot turn an inequality round. sin, cos, tan
+/// and cot are taken off angles on [-pi/2, pi/2], [0, pi], (-pi/2, pi/2), (0, pi) only: left and right lie
+/// there.
 /// "*" rearranges: left - right was factor*(left - right); it turns an inequality round if factor < 0.
 struct Layer {
   std::string function;  ///< "exp"; "^3" or "^1/2" for a power; "*"
@@ -29,8 +30,8 @@ std::string turned(const std::string& op);
 
 /// A relation that holds at the same points as the given one, as far as that one is defined: exp(x) < exp(y)
 /// becomes x < y, x^3 = y^3 becomes x = y, |x| < 1 becomes x² < 1, asin(u) = v becomes u = sin(v) if v is an
-/// angle that asin can give, cos(alpha) < 1/2 becomes alpha > pi/3, 2*log(x) + 1 = y becomes x = exp((y-1)/2).
-/// The layers that were taken off are appended, the outermost first.
+/// angle that asin can give, cos(alpha) < 1/2 becomes alpha > pi/3, 2*log(x) + 1 = y becomes x =
+/// exp((y-1)/2). The layers that were taken off are appended, the outermost first.
 Sides unwrapped(Sides sides, const Symbols& symbols, std::vector<Layer>* layers = nullptr);
 
 }  // namespace rederive
