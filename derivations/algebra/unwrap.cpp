@@ -5,6 +5,7 @@
 #include <derivations/algebra/unwrap.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <optional>
+#include <set>
 
 namespace rederive {
 
@@ -135,22 +136,25 @@ std::optional<ex> arc_of(const std::string& kind, const ex& value, const Symbols
 
 // ---- one function off
 
-/// f(a) op f(b), where f is one and the same.
+/// f(a) op f(b), where f is one and the same; -f(b) is f(-b) where f is odd.
 std::optional<Layer> the_same(const Sides& s, const Symbols& symbols) {
+  static const std::set<std::string> odd{"sin",   "tan",  "sinh", "asinh", "tanh",
+                                         "atanh", "asin", "atan", "odd"},
+      others{"log", "acosh", "acos", "root", "cosh", "abs", "even"};
   const std::string kind = kind_of(s.left);
-  if (kind.empty() || kind != kind_of(s.right)) return std::nullopt;
+  const bool negative = odd.contains(kind) && kind_of(-s.right) == kind;
+  const ex right = negative ? -s.right : s.right;
+  if (kind.empty() || kind != kind_of(right)) return std::nullopt;
   const bool is_power = is_a<GiNaC::power>(s.left);
-  if (is_power && !s.left.op(1).is_equal(s.right.op(1))) return std::nullopt;
+  if (is_power && !s.left.op(1).is_equal(right.op(1))) return std::nullopt;
   if (is_power && s.left.op(1).is_equal(2)) return std::nullopt;  // squares stay
+  const ex a = argument_of(s.left), b = negative ? -argument_of(right) : argument_of(right);
   if (is_angular(kind)) {
-    const auto a = angle_on_one_branch(kind, argument_of(s.left), symbols),
-               b = angle_on_one_branch(kind, argument_of(s.right), symbols);
-    return a && b ? std::optional(Layer{kind, *a, *b}) : std::nullopt;
+    const auto first = angle_on_one_branch(kind, a, symbols), second = angle_on_one_branch(kind, b, symbols);
+    return first && second ? std::optional(Layer{kind, *first, *second}) : std::nullopt;
   }
-  for (const char* known : {"log", "sinh", "asinh", "tanh", "atanh", "asin", "atan", "acosh", "acos", "root",
-                            "odd", "cosh", "abs", "even"})
-    if (kind == known) return Layer{layer_name(s.left), s.left.op(0), s.right.op(0)};
-  return std::nullopt;
+  return odd.contains(kind) || others.contains(kind) ? std::optional(Layer{layer_name(s.left), a, b})
+                                                     : std::nullopt;
 }
 
 /// f(a) op b is f(a) op f(c), where c = g(b), g is an inverse function and b a constant among the values of
