@@ -54,7 +54,7 @@ inline Value operator*(const Value& a, const Value& b) { return {a.exact * b.exa
 inline Value operator/(const Value& a, const Value& b) { return {a.exact / b.exact, a.seen / b.seen}; }
 inline Value number(const cln::cl_I& n) {
   const long double value = cln::double_approx(n);
-  return {{plus({}, {{{}, n}}), {{{}, 1}}}, seen(Numbers(value, points), around(value))};
+  return {{plus({}, {{{}, n}}), {{{}, 1}}}, seen(Numbers(value, points), point(n))};
 }
 inline Value operator-(const Value& a, const Value& b) { return a + number(-1) * b; }
 inline Value power(const Value& a, long n) {

@@ -2,48 +2,9 @@
 // not take on trust. Two true ones beside them show that the form is right.
 #include <doctest/doctest.h>
 
-#include <tests/certificate_relations.hpp>
+#include <tests/certificate_by_hand.hpp>
 
-using Json = nlohmann::json;
-
-namespace {
-
-/// A certificate without givens, with one piece.
-std::string verdict_of_links(const Json& left, const Json& right, const Json& ranges, const Json& steps,
-                             const Json& links, const Json& cut = Json::array()) {
-  const Json piece{{"steps", steps}, {"links", links}};
-  try {
-    certificate_checker::check({{"format", "rederive certificate 4"},
-                                {"left", left},
-                                {"right", right},
-                                {"given", Json::object()},
-                                {"divisors", Json::array()},
-                                {"never zero", Json::array()},
-                                {"ranges", ranges},
-                                {"cut", cut},
-                                {"pieces", Json(1 << cut.size(), piece)}});
-    return "accepted";
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
-
-std::string verdict(const Json& left, const Json& right, const Json& ranges, const Json& steps,
-                    const Json& link, const Json& cut = Json::array()) {
-  return verdict_of_links(left, right, ranges, steps, Json::array({link}), cut);
-}
-
-Json linked(const std::string& left, const std::string& right, const std::string& cofactor = "1",
-            const Json& factor = Json::object()) {
-  const auto side = [](const std::string& residual) -> Json {
-    return {{"links", {{{"link", 0}}}}, {"residual", residual}};
-  };
-  return {{"left", side(left)}, {"right", side(right)}, {"factor", factor}, {"cofactor", cofactor}};
-}
-
-const char* const real = "(-inf, inf)";
-
-}  // namespace
+using namespace by_hand;
 
 TEST_CASE("cofactors and divisors that are 0") {
   const Json ranges{{"x", real}, {"y", real}}, positive{{"x", "(0, inf)"}};
@@ -203,33 +164,4 @@ TEST_CASE("two links as one, though both may fail") {
   CHECK(of({"0", "<", "x", "<", "y"}, {"x*y", ">", "x^2"}, "x*y-x^2", "y") == "both links may fail");
   CHECK(of({"0", "<", "x", "<=", "1"}, {"x^2", "<", "x"}, between, "1") == "such links do not make one");
   CHECK(of({"0", "=", "x", "=", "1"}, {"x^2", "=", "x"}, between, "1") == "such links do not make one");
-}
-
-TEST_CASE("functions that do not increase all over the domain, factors that may vanish") {
-  const auto of = [](const std::string& f, const std::string& range, bool falls) {
-    const Json steps = Json::array({{{"function", "exp"}, {"of", "$i*x"}, {"name", "$z"}},
-                                    {{"function", "exp"}, {"of", "$i*y"}, {"name", "$w"}}});
-    Json link = linked("y-x", "y-x");
-    if (falls) link = linked("x-y", "x-y");
-    link["left"]["links"][0]["layers"] = Json::array({{{"function", f}, {"left", "x"}, {"right", "y"}}});
-    return verdict({f + "(x)", "<", f + "(y)"}, {"x", falls ? ">" : "<", "y"}, {{"x", range}, {"y", range}},
-                   steps, link);
-  };
-  CHECK(of("sin", "(-pi/2, pi/2)", false) == "accepted");
-  CHECK(of("sin", "(0, pi)", false) == "sin does not increase");
-  CHECK(of("sin", "(-2, pi/2)", false) == "sin does not increase");
-  CHECK(of("cos", "(0, pi)", true) == "accepted");
-  CHECK(of("cos", "(-1, 1)", true) == "cos does not increase");
-  CHECK(of("cos", "(0, pi)", false) == "the left side is another one");
-  const auto by = [](const std::string& factor, const Json& right, const std::string& residual) {
-    Json link = linked(residual, residual);
-    link["left"]["links"][0]["layers"] =
-        Json::array({{{"function", "*"}, {"left", "x"}, {"right", "1"}, {"factor", factor}}});
-    return verdict({"x*y", "<", "y"}, right, {{"x", real}, {"y", "(-inf, 0)"}, {"z", real}}, Json::array(),
-                   link);
-  };
-  CHECK(by("y", {"x", ">", "1"}, "x-1") == "accepted");
-  CHECK(by("y", {"x", "<", "1"}, "1-x") == "the left side is another one");
-  CHECK(by("y+1", {"x", ">", "1"}, "x-1") == "a factor may vanish: \"y+1\"");
-  CHECK(by("2*y", {"x", ">", "1"}, "x-1") == "another layer");
 }

@@ -2,6 +2,8 @@
 // positive, and so are exp(x), and 1 - x for x in (0, 1).
 #pragma once
 
+#include <cln/cln.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,19 +17,37 @@ namespace certificate_checker {
 /// f(x) in terms of $x, or of $u = e^x and $v = 1/$u; for sin and cos $u = e^(ix). Empty for others.
 inline std::string meaning_of(const std::string& f) {
   static const std::map<std::string, std::string> meanings{
-      {"sin", "($u-$v)*$i/(-2)"},    {"cos", "($u+$v)/2"},       {"sinh", "($u-$v)/2"},
-      {"cosh", "($u+$v)/2"},         {"tan", "sin($x)/cos($x)"}, {"cot", "cos($x)/sin($x)"},
-      {"sec", "1/cos($x)"},          {"csc", "1/sin($x)"},       {"tanh", "sinh($x)/cosh($x)"},
-      {"coth", "cosh($x)/sinh($x)"}, {"sech", "1/cosh($x)"},     {"csch", "1/sinh($x)"},
-      {"sqrt", "$x^(1/2)"},          {"fabs", "sqrt($x^2)"}};
+      {"sin", "($u-$v)*$i/(-2)"},     {"cos", "($u+$v)/2"},       {"sinh", "($u-$v)/2"},
+      {"cosh", "($u+$v)/2"},          {"tan", "sin($x)/cos($x)"}, {"cot", "cos($x)/sin($x)"},
+      {"sec", "1/cos($x)"},           {"csc", "1/sin($x)"},       {"tanh", "sinh($x)/cosh($x)"},
+      {"coth", "cosh($x)/sinh($x)"},  {"sech", "1/cosh($x)"},     {"csch", "1/sinh($x)"},
+      {"sqrt", "$x^(1/2)"},           {"fabs", "sqrt($x^2)"},     {"sin(atan)", "$x/sqrt(1+$x^2)"},
+      {"cos(atan)", "1/sqrt(1+$x^2)"}};
   const auto found = meanings.find(f);
   return found == meanings.end() ? "" : found->second;
+}
+
+/// number + turns*pi, where that is known.
+struct Exact {
+  cln::cl_RA number = 0, turns = 0;
+  bool is_known = false;
+  bool is_rational() const { return is_known && cln::zerop(turns); }
+};
+inline Exact operator+(const Exact& a, const Exact& b) {
+  return {a.number + b.number, a.turns + b.turns, a.is_known && b.is_known};
+}
+inline Exact operator*(const cln::cl_RA& c, const Exact& a) {
+  return {c * a.number, c * a.turns, a.is_known};
 }
 
 /// The real numbers between two ends.
 struct Range {
   long double low = -INFINITY, high = INFINITY;
   bool has_low = false, has_high = false;  ///< the ends themselves
+  Exact exact_low = {}, exact_high = {};   ///< beside the rounded ones
+  bool is_constant() const {
+    return exact_low.is_rational() && exact_high.is_rational() && exact_low.number == exact_high.number;
+  }
   bool is_positive() const { return low > 0 || (low == 0 && !has_low); }
   bool is_negative() const { return high < 0 || (high == 0 && !has_high); }
 };
@@ -39,14 +59,40 @@ inline Range around(long double value) {
   const bool is_exact = std::abs(value) < 9e15L;
   return {end(value, std::abs(value), is_exact, -1), end(value, std::abs(value), is_exact, 1), true, true};
 }
-inline Range operator+(Range a, Range b) {
+/// A rational number times pi, from the one to the other.
+inline Range turned(const cln::cl_RA& low, const cln::cl_RA& high, bool has_ends) {
+  const long double pi = std::numbers::pi_v<long double>, from = pi * cln::double_approx(low),
+                    to = pi * cln::double_approx(high);
+  return {end(from, std::abs(from), false, -1),
+          end(to, std::abs(to), false, 1),
+          has_ends,
+          has_ends,
+          {0, low, true},
+          {0, high, true}};
+}
+inline Range point(const cln::cl_I& n) {
+  Range result = around(cln::double_approx(n));
+  result.exact_low = result.exact_high = {n, 0, true};
+  return result;
+}
+/// An end that is 0 is not a rounded one.
+inline Range with_exact(Range range, const Exact& low, const Exact& high) {
+  range.exact_low = low, range.exact_high = high;
+  if (low.is_rational() && cln::zerop(low.number)) range.low = 0;
+  if (high.is_rational() && cln::zerop(high.number)) range.high = 0;
+  return range;
+}
+inline Range operator+(const Range& a, const Range& b) {
   const auto sum = [](long double x, long double y, int outward) {
     const long double s = x + y;
     return end(s, std::abs(x) + std::abs(y), s - x == y && s - y == x, outward);
   };
-  return {sum(a.low, b.low, -1), sum(a.high, b.high, 1), a.has_low && b.has_low, a.has_high && b.has_high};
+  return with_exact(
+      {sum(a.low, b.low, -1), sum(a.high, b.high, 1), a.has_low && b.has_low, a.has_high && b.has_high},
+      a.exact_low + b.exact_low, a.exact_high + b.exact_high);
 }
-inline Range operator*(Range a, Range b) {
+inline Range operator*(const Range& a, const Range& b) {
+  if (!a.is_constant() && b.is_constant()) return b * a;
   Range result{INFINITY, -INFINITY};
   for (const auto& [x, has_x] : {std::pair{a.low, a.has_low}, {a.high, a.has_high}})
     for (const auto& [y, has_y] : {std::pair{b.low, b.has_low}, {b.high, b.has_high}}) {
@@ -62,32 +108,51 @@ inline Range operator*(Range a, Range b) {
       if (low == result.low) result.has_low = result.has_low || has_end;
       if (high == result.high) result.has_high = result.has_high || has_end;
     }
-  return result;
+  if (!a.is_constant()) return result;
+  const cln::cl_RA by = a.exact_low.number;
+  const bool falls = cln::minusp(by);
+  return with_exact(result, by * (falls ? b.exact_high : b.exact_low),
+                    by * (falls ? b.exact_low : b.exact_high));
 }
 /// The reciprocals of what has one sign lie between those of its ends.
-inline Range operator/(Range a, Range b) {
-  if (b.is_negative()) return a * Range{-1, -1, true, true} / (b * Range{-1, -1, true, true});
+inline Range operator/(const Range& a, const Range& b) {
+  if (b.is_negative()) return point(-1) * a / (point(-1) * b);
   if (!b.is_positive()) return {};
   const auto over = [](long double x, int outward) {
     const long double q = 1 / std::abs(x);
     return end(q, q, std::isinf(x) || x == 0 || std::fma(q, x, -1.0L) == 0, outward);
   };
-  return a * Range{over(b.high, -1), over(b.low, 1), b.has_high, b.has_low};
+  Range reciprocal{over(b.high, -1), over(b.low, 1), b.has_high, b.has_low};
+  if (b.is_constant()) reciprocal.exact_low = reciprocal.exact_high = {1 / b.exact_low.number, 0, true};
+  return a * reciprocal;
 }
 /// Of an even power, for which a range was found that does not know of it.
-inline Range not_negative(Range range) {
+inline Range not_negative(const Range& range) {
   return range.low >= 0 ? range : Range{0, range.high, true, range.has_high};
+}
+
+/// Whether an end lies below q*pi (-1), there (0) or above (1); `doubt` where rounding does not tell.
+inline int place(long double value, const Exact& exact, const cln::cl_RA& q, int doubt) {
+  if (exact.is_known && cln::zerop(exact.number)) return cln::compare(exact.turns, q);
+  const long double at = std::numbers::pi_v<long double> * cln::double_approx(q),
+                    margin = 1e-15L * std::abs(at);
+  return value > at + margin ? 1 : value < at - margin ? -1 : margin > 0 ? doubt : 0;
+}
+/// Whether it lies between two multiples of pi, for sure; whether one may lie in it.
+inline bool lies(const Range& x, const cln::cl_RA& low, const cln::cl_RA& high) {
+  return place(x.low, x.exact_low, low, -1) >= 0 && place(x.high, x.exact_high, high, 1) <= 0;
+}
+inline bool may_have(const Range& x, const cln::cl_RA& q) {
+  const int low = place(x.low, x.exact_low, q, -1), high = place(x.high, x.exact_high, q, 1);
+  return (low < 0 || (low == 0 && x.has_low)) && (high > 0 || (high == 0 && x.has_high));
 }
 
 /// That of f(x), or another one where nothing more is known.
 inline Range range_of(const std::string& f, const Range& x, const Range& other) {
   using F = long double (*)(long double);
-  static const std::map<std::string, F> increasing{{"exp", std::exp},
-                                                   {"sinh", std::sinh},
-                                                   {"asinh", std::asinh},
-                                                   {"tanh", std::tanh},
-                                                   {"atan", std::atan}};
-  constexpr long double pi = std::numbers::pi_v<long double>;
+  static const std::map<std::string, F> increasing{
+      {"exp", std::exp}, {"sinh", std::sinh}, {"asinh", std::asinh}, {"tanh", std::tanh}};
+  const cln::cl_RA half = cln::cl_RA(1) / 2;
   if (f == "exp" && !(std::exp(x.low) > 0)) return {0, INFINITY, false, false};
   if (const auto found = increasing.find(f); found != increasing.end()) {
     const auto at = [&](long double from, int outward) {
@@ -96,31 +161,56 @@ inline Range range_of(const std::string& f, const Range& x, const Range& other) 
     };
     return {at(x.low, -1), at(x.high, 1), x.has_low, x.has_high};
   }
-  const auto has = [&](long double from) {
-    return (x.has_low && x.low == from) || (x.has_high && x.high == from);
-  };
-  const auto contains = [&](long double inside) {
-    return (x.low < inside && inside < x.high) || has(inside);
-  };
-  if (f == "sin" && x.low >= 0 && x.high <= pi) return {0, 1, has(0) || has(pi), contains(pi / 2)};
-  if (f == "sin" && x.low >= -pi && x.high <= 0) return {-1, 0, contains(-pi / 2), has(0) || has(-pi)};
-  if (f == "cos" && x.low >= -pi / 2 && x.high <= pi / 2)
-    return {0, 1, has(-pi / 2) || has(pi / 2), contains(0)};
+  if (f == "sin" && lies(x, 0, 1)) return {0, 1, may_have(x, 0) || may_have(x, 1), may_have(x, half)};
+  if (f == "sin" && lies(x, -1, 0)) return {-1, 0, may_have(x, -half), may_have(x, 0) || may_have(x, -1)};
+  if (f == "cos" && lies(x, -half, half))
+    return {0, 1, may_have(x, -half) || may_have(x, half), may_have(x, 0)};
   if (f == "sin" || f == "cos") return {-1, 1, true, true};
-  if (f == "cosh") return {1, INFINITY, contains(0), false};
-  return f == "acos" || f == "acosh" ? Range{0, INFINITY, true, false} : other;
+  if (f == "log" && x.low > 0 && x.high < INFINITY) {
+    const long double low = std::log(x.low), high = std::log(x.high);
+    return {end(low, 1 + std::abs(low), false, -1), end(high, 1 + std::abs(high), false, 1), x.has_low,
+            x.has_high};
+  }
+  if (f == "cosh") return {1, INFINITY, may_have(x, 0), false};
+  if (f == "asin") return turned(-half, half, true);
+  if (f == "acos") return turned(0, 1, true);
+  if (f == "atan") {
+    Range result = turned(-half, half, false);
+    const auto at = [](long double from, int outward) { return end(std::atan(from), 2, from == 0, outward); };
+    if (x.low > -1e9L) result.low = at(x.low, -1), result.has_low = x.has_low, result.exact_low = {};
+    if (x.high < 1e9L) result.high = at(x.high, 1), result.has_high = x.has_high, result.exact_high = {};
+    return result;
+  }
+  if (f == "fabs") {
+    const Range y = point(-1) * x;
+    const bool same = y.exact_high.is_known && x.exact_high.is_known &&
+                      y.exact_high.number == x.exact_high.number && y.exact_high.turns == x.exact_high.turns;
+    const bool left = y.high > x.high + 1e-14L * std::abs(x.high),
+               right = x.high > y.high + 1e-14L * std::abs(y.high);
+    return {0,
+            std::max(x.high, y.high),
+            true,
+            left    ? y.has_high
+            : right ? x.has_high
+                    : x.has_high || y.has_high,
+            {0, 0, true},
+            left            ? y.exact_high
+            : right || same ? x.exact_high
+                            : Exact{}};
+  }
+  return f == "acosh" ? Range{0, INFINITY, true, false} : other;
 }
 
 /// Whether f grows, or falls, all over two ranges and between them.
 inline bool is_monotonic(const std::string& f, const Range& x, const Range& y) {
-  constexpr long double half = std::numbers::pi_v<long double> / 2;
-  const auto lie = [&](long double low, long double high) {
-    return x.low >= low && y.low >= low && x.high <= high && y.high <= high;
+  const cln::cl_RA half = cln::cl_RA(1) / 2;
+  const auto lie = [&](const cln::cl_RA& low, const cln::cl_RA& high) {
+    return lies(x, low, high) && lies(y, low, high);
   };
-  static const std::set<std::string> everywhere{"exp",   "log",  "sinh", "asinh", "tanh",
-                                                "atanh", "asin", "atan", "acosh", "acos"};
+  static const std::set<std::string> everywhere{"exp",  "log",  "sinh",  "asinh", "tanh",     "atanh",
+                                                "asin", "atan", "acosh", "acos",  "sin(atan)"};
   return everywhere.contains(f) || ((f == "sin" || f == "tan") && lie(-half, half)) ||
-         (f == "cos" && lie(0, 2 * half));
+         ((f == "cos" || f == "cot") && lie(0, 1)) || (f == "cos(atan)" && x.low >= 0 && y.low >= 0);
 }
 
 }  // namespace certificate_checker

@@ -21,7 +21,7 @@ class Checker : Replay {
   Checker(const Json& certificate, std::size_t piece) : c_(certificate) {
     require(c_.at("format") == "rederive certificate 4", "another format");
     constexpr long double pi = std::numbers::pi_v<long double>;
-    name("pi", seen(Numbers(pi, points), {end(pi, pi, false, -1), end(pi, pi, false, 1)}));
+    name("pi", seen(Numbers(pi, points), turned(1, 1, true)));
     state("exp", value("$i*pi/2"), value("$i"));
     for (const auto& [name, range] : c_.at("ranges").items()) draw(name, range, piece);
     for (const Json& step : c_.at("pieces").at(piece).at("steps"))
@@ -43,12 +43,15 @@ class Checker : Replay {
   /// the whole one.
   void draw(const std::string& text, const std::string& range, std::size_t piece) {
     const std::size_t comma = range.find(',');
-    const auto end = [&](const std::string& s) -> long double {
-      return s == "inf" ? INFINITY : s == "-inf" ? -INFINITY : value(s).seen.at[0].real();
+    const auto end = [&](const std::string& s) -> Seen {
+      const long double infinite = s == "inf" ? INFINITY : -INFINITY;
+      return s.ends_with("inf") ? seen(Numbers(infinite, points), {infinite, infinite}) : value(s).seen;
     };
-    long double low = end(range.substr(1, comma - 1)),
-                high = end(range.substr(comma + 2, range.size() - comma - 3));
-    const Range whole{low, high, range.front() == '[', range.back() == ']'};
+    const Seen from = end(range.substr(1, comma - 1)),
+               to = end(range.substr(comma + 2, range.size() - comma - 3));
+    const Range whole{from.range.low,      to.range.high,        range.front() == '[',
+                      range.back() == ']', from.range.exact_low, to.range.exact_high};
+    long double low = from.at[0].real(), high = to.at[0].real();
     const Json& cut = c_.at("cut");
     const auto place = static_cast<std::size_t>(std::find(cut.begin(), cut.end(), text) - cut.begin());
     if (place < cut.size()) ((piece >> (cut.size() - 1 - place) & 1) == 0 ? high : low) = 0;
@@ -104,15 +107,15 @@ class Checker : Replay {
     return {op, product * second};
   }
   /// f(x) < f(y) is x < y where f increases, and x > y where it decreases; even ones grow with x^2, and f(x)
-  /// = f(0) is x = 0. A factor may be taken off, too.
+  /// = f(0) is x = 0. A factor that is never 0 may be taken off, too.
   std::string unwrapped(std::string op, Value& a, Value& b, const Json& layer) {
     const std::string f = layer.at("function");
     const Value x = stated(layer.at("left")), y = stated(layer.at("right"));
-    bool falls = f == "acos" || f == "cos";
+    bool falls = f == "acos" || f == "cos" || f == "cot" || f == "cos(atan)";
     if (f == "*") {
-      const Value by = stated(layer.at("factor"));
+      const Value by = product(layer.at("factor"), [](auto&&...) { return false; });
       falls = by.seen.range.is_negative();
-      require(falls || by.seen.range.is_positive(), "a factor may vanish: " + layer.at("factor").dump());
+      require(op == "=" || falls || by.seen.range.is_positive(), "a layer of unknown sign");
       require(same(a - b, by * (x - y)), "another layer");
       a = x, b = y;
     } else {
@@ -149,24 +152,29 @@ class Checker : Replay {
             "the right side is another one");
     require(same(cofactor * left, cofactor * f * right), "something remains");
   }
-  /// A product of powers of what cannot be 0: of one sign by its form, or what the statement divides by. For
-  /// an equation left = part·right it may be 0 where right is, too: it is ±right, or right^2 and more that is
-  /// not negative.
-  Value factor(const Json& link, const Value& left, const Value& right) {
+  /// A product of powers of what cannot be 0: of one sign by its form, or what the statement divides by, or
+  /// what is said to be allowed besides.
+  template <class Allowed>
+  Value product(const Json& factors, const Allowed& is_allowed) {
     Value product = number(1);
-    for (const auto& [text, n] : link.at("factor").items()) {
-      const Value part = stated(text), square = power(part, 2), other = power(n > 0 ? right : left, 2);
+    for (const auto& [text, n] : factors.items()) {
+      const Value part = stated(text), square = power(part, 2);
       bool is_clear = part.seen.range.is_positive() || part.seen.range.is_negative();
       for (const Value& d : divisors_) is_clear = is_clear || same(power(d, 2), square);
-      if (!is_clear) {
-        const Value more = link.contains("more") ? stated(link.at("more").value(text, "-1")) : number(-1);
-        is_clear = same(square, other) || (more.seen.range.low >= 0 && same(part, other + more));
-        product.seen.range = {};
-      }
-      require(is_clear, "a factor may vanish: " + text);
+      require(is_clear || is_allowed(text, part, n), "a factor may vanish: " + text);
       product = product * power(part, n);
     }
     return product;
+  }
+  /// In left = part·right a part may be 0 where right is, too: it is ±right, or right^2 or a quarter of it
+  /// and more that is not negative.
+  Value factor(const Json& link, const Value& left, const Value& right) {
+    return product(link.at("factor"), [&](const std::string& text, const Value& part, int n) {
+      const Value other = power(n > 0 ? right : left, 2);
+      const Value more = link.contains("more") ? stated(link.at("more").value(text, "-1")) : number(-1);
+      return same(power(part, 2), other) ||
+             (more.seen.range.low >= 0 && (same(part, other + more) || same(part, other / number(4) + more)));
+    });
   }
   /// A relation that always holds, or never, by the form of its residual.
   void settle(const Json& link) {

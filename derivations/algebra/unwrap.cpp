@@ -253,11 +253,9 @@ std::vector<Layer> to_tangent(Sides& sides, const Symbols& symbols) {
     const ex a = argument_of(way.left), rest = simplified(1 - u * u);
     const bool acute = sign_of(half - a, symbols) > 0 && sign_of(rest, symbols) > 0;
     if (kind == "sin" && acute && sign_of(half + a, symbols) > 0) {
-      layers.push_back({"sin", a, GiNaC::asin(u)});
-      layers.push_back({"atan", value_at("tan", a), u / GiNaC::sqrt(rest)});
+      layers.push_back({"sin(atan)", value_at("tan", a), u / GiNaC::sqrt(rest)});
     } else if (kind == "cos" && acute && is_nonnegative(a, symbols) && sign_of(u, symbols) > 0) {
-      layers.push_back({"cos", a, GiNaC::acos(u)});
-      layers.push_back({"atan", value_at("tan", a), GiNaC::sqrt(rest) / u});
+      layers.push_back({"cos(atan)", value_at("tan", a), GiNaC::sqrt(rest) / u});
     } else {
       continue;
     }

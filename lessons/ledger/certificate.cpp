@@ -107,12 +107,23 @@ ex difference(const CertifiedLink& link, const CertifiedStatement& q) {
   return link.left.residual - put_in(factor, q.given) * link.right.residual;
 }
 
-Json layers_json(const std::vector<Layer>& layers, const CertifiedStatement& q) {
+Json factor_json(const CertifiedFactor& factor, const CertifiedStatement& q) {
+  Json json = Json::object();
+  for (const auto& [part, n] : factor) {
+    Json& exponent = json[q.text(part)];
+    exponent = n + (exponent.is_null() ? 0 : exponent.get<int>());
+  }
+  return json;
+}
+
+Json layers_json(const std::vector<CertifiedLayer>& layers, const CertifiedStatement& q) {
   Json list = Json::array();
-  for (const Layer& layer : layers)
+  for (const auto& [layer, factor] : layers) {
     list.push_back({{"function", layer.function},
                     {"left", print(layer.left, Notation::plain, q.symbols)},
                     {"right", print(layer.right, Notation::plain, q.symbols)}});
+    if (layer.function == "*") list.back()["factor"] = factor_json(factor, q);
+  }
   return list;
 }
 
@@ -146,11 +157,7 @@ Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Pha
   if (!c) throw Undecidable("no polynomial identity was found that says it");
   for (const ex& part : {l, r, *c}) steps.generators(part);
   json["left"] = side_json(link.left, l, q), json["right"] = side_json(link.right, r, q);
-  json["factor"] = Json::object();
-  for (const auto& [part, n] : link.factor) {
-    Json& exponent = json["factor"][q.text(part)];
-    exponent = n + (exponent.is_null() ? 0 : exponent.get<int>());
-  }
+  json["factor"] = factor_json(link.factor, q);
   for (const auto& [part, more] : link.more) json["more"][q.text(part)] = q.text(more);
   json["cofactor"] = polynomial_text(steps.out_cofactor(*c));
   return json;
@@ -202,12 +209,16 @@ void add_pieces(Json& json, const CertifiedStatement& q, const std::vector<Certi
 }
 
 /// The functions around the sides of a relation are functions, too.
-void add_trees(const Layer& layer, const CertifiedStatement& q, std::vector<Tree>& trees) {
+void add_trees(const CertifiedLayer& written, const CertifiedStatement& q, std::vector<Tree>& trees) {
+  const auto& [layer, factor] = written;
+  for (const auto& [part, n] : factor) trees.push_back(part);
   for (const ex& inner : {layer.left, layer.right}) {
-    const std::string text = "(" + print(inner, Notation::plain, q.symbols) + ")";
-    const bool is_power = layer.function[0] == '^';
-    trees.push_back(
-        parse(is_power ? text + "^(" + layer.function.substr(1) + ")" : layer.function + text, q.symbols));
+    const std::string text = "(" + print(inner, Notation::plain, q.symbols) + ")", f = layer.function;
+    const std::string whole = f == "*"                ? text
+                              : f[0] == '^'           ? text + "^(" + f.substr(1) + ")"
+                              : f.ends_with("(atan)") ? "1/sqrt(1+" + text + "^2)"
+                                                      : f + text;
+    trees.push_back(parse(whole, q.symbols));
   }
 }
 
@@ -232,7 +243,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
       for (const Tree& tree : {side.sum, side.form})
         if (tree) trees.push_back(tree);
       for (const auto& layers : side.layers)
-        for (const Layer& layer : layers) add_trees(layer, q, trees);
+        for (const CertifiedLayer& layer : layers) add_trees(layer, q, trees);
     }
   }
   Json json{{"format", "rederive certificate 4"},

@@ -21,11 +21,11 @@ namespace rederive {
 ///                 have every link of both statements in one
 /// A link has (certificate_links.hpp)
 ///   left, right   the `links` of that statement that are taken together, one mostly, by their numbers, and
-///   the
-///                 `layers`, increasing functions taken off their sides, the outermost first: function(left)
-///                 and function(right) are the sides; of two inequalities a positive `sum`: one of them
-///                 holds; the expression, or the `residual` of what is left, as a quotient of polynomials in
-///                 generators
+///                 the `layers` taken off their sides, the outermost first: functions that increase, or fall,
+///                 where function(left) and function(right) are the sides; "*", where the sides differ by
+///                 factor·(left - right) of a `factor` like the one below; of two inequalities a positive
+///                 `sum`: one of them holds; the expression, or the `residual` of what is left, as a quotient
+///                 of polynomials in generators
 ///   factor        of parts that are never 0, with their exponents; `more` of a part that is 0 only where one
 ///                 of the residuals is
 ///   cofactor      not 0 itself: left·cofactor = factor·right·cofactor modulo the relations of the generators

@@ -86,50 +86,55 @@ struct Finder {
   // ---- factors
 
   /// Every part is a number, has one sign, or is what the statement divides by; what is none of these may be
-  /// that all together.
-  bool put_down(const std::vector<Part>& parts, CertifiedLink& link) const {
+  /// that all together, or 0 with one of the residuals of the link, if there is one.
+  bool put_down(const std::vector<Part>& parts, CertifiedFactor& factor, CertifiedLink* link) const {
     numeric number = 1;
     ex rest = 1;
+    const auto is_put_down = [&](const ex& part, int n) {
+      return put_down_divisor(part, n, number, factor) || (link != nullptr && put_down_sum(part, n, *link));
+    };
     for (const auto& [part, n] : parts)
       if (is_a<numeric>(part))
         number *= ex_to<numeric>(part).power(n);
       else if (sign_of(part, q.symbols) != 0)
-        link.factor.emplace_back(tree(form(part)), n.to_int());
-      else if (!put_down_divisor(part, n.to_int(), number, link) && !put_down_sum(part, n.to_int(), link))
+        factor.emplace_back(tree(form(part)), n.to_int());
+      else if (!is_put_down(part, n.to_int()))
         rest *= GiNaC::pow(part, n);
-    if (!rest.is_equal(1) && !put_down_divisor(rest, 1, number, link) && !put_down_sum(rest, 1, link))
-      return false;
-    if (number != 1) link.factor.emplace_back(tree(number), 1);
+    if (!rest.is_equal(1) && !is_put_down(rest, 1)) return false;
+    if (number != 1) factor.emplace_back(tree(number), 1);
     return true;
   }
   /// part^n, if the part is 0 only where right (or left, for n < 0) is, for its square is that one's, or it
-  /// is that square and more.
+  /// is that square, or a quarter of it, and more.
   bool put_down_sum(const ex& part, int n, CertifiedLink& link) const {
-    const ex square = GiNaC::pow(n > 0 ? link.right.residual : link.left.residual, 2),
-             more = (part - square).expand();
-    const bool is_same = (GiNaC::pow(part, 2) - square).expand().is_zero();
-    if (!is_same && !is_nonnegative(more, q.symbols)) return false;
-    link.factor.emplace_back(tree(part), n);
-    if (!is_same) link.more.emplace_back(tree(part), tree(form(more)));
-    return true;
+    const ex square = GiNaC::pow(n > 0 ? link.right.residual : link.left.residual, 2);
+    const Tree written = tree(is_nonnegative(part, q.symbols) ? form(part) : part);
+    if ((GiNaC::pow(part, 2) - square).expand().is_zero()) return link.factor.emplace_back(written, n), true;
+    for (const int share : {1, 4}) {
+      const ex more = (part - square / share).expand();
+      if (!is_nonnegative(more, q.symbols)) continue;
+      link.factor.emplace_back(written, n), link.more.emplace_back(written, tree(form(more)));
+      return true;
+    }
+    return false;
   }
   /// part^n, if that is a divisor or has the same square as one, but for parts of one sign.
-  bool put_down_divisor(const ex& part, int n, numeric& number, CertifiedLink& link) const {
+  bool put_down_divisor(const ex& part, int n, numeric& number, CertifiedFactor& factor) const {
     for (const CertifiedDivisor& d : divisors)
       for (const int exponent : {1, -1}) {
         if (vanishes(GiNaC::pow(part, 2) - GiNaC::pow(d.value, 2), q.symbols))
-          return link.factor.emplace_back(tree(part), n), true;
+          return factor.emplace_back(tree(part), n), true;
         const auto parts = quotient(part, GiNaC::pow(d.value, exponent), q.symbols, Way::real_denominator);
         const auto is_clear = [&](const Part& p) {
           return is_a<numeric>(p.first) || sign_of(p.first, q.symbols) != 0;
         };
         if (!parts || !std::all_of(parts->begin(), parts->end(), is_clear)) continue;
-        link.factor.emplace_back(d.tree, n * exponent);
+        factor.emplace_back(d.tree, n * exponent);
         for (const auto& [other, k] : *parts)
           if (is_a<numeric>(other))
             number *= ex_to<numeric>(other).power(k * n);
           else
-            link.factor.emplace_back(tree(form(other)), k.to_int() * n);
+            factor.emplace_back(tree(form(other)), k.to_int() * n);
         return true;
       }
     return false;
@@ -144,9 +149,9 @@ struct Finder {
         if (!parts) continue;
         const Quotient factor = assess(*parts, values, q.symbols);
         link.factor.clear(), link.more.clear();
-        const bool fits =
-            !factor.value.is_zero() && (factor.zeros.empty() || op == "=") && (op == "=" || factor.sign > 0);
-        if (fits && vanishes(left - factor.value * right, q.symbols) && put_down(*parts, link)) return true;
+        const bool fits = !factor.value.is_zero() && (op == "=" || factor.sign > 0);
+        if (fits && vanishes(left - factor.value * right, q.symbols) && put_down(*parts, link.factor, &link))
+          return true;
       } catch (const Undecidable&) {  // then another way
       }
     }
@@ -154,6 +159,21 @@ struct Finder {
   }
 
   // ---- relations
+
+  /// What was taken off, the factors so written that they are seen never to be 0.
+  std::optional<std::vector<CertifiedLayer>> put_down(const std::vector<Layer>& layers) const {
+    std::vector<CertifiedLayer> result;
+    for (const Layer& layer : layers) {
+      result.push_back({layer, {}});
+      if (layer.function != "*") continue;
+      const auto parts = checked_quotient(layer.factor, 1, q.symbols);
+      CertifiedFactor& factor = result.back().factor;
+      if (parts && put_down(*parts, factor, nullptr)) continue;
+      if (sign_of(layer.factor, q.symbols) == 0) return std::nullopt;
+      factor = {{tree(form(layer.factor)), 1}};
+    }
+    return result;
+  }
 
   /// Links of one statement, with or without the functions around their sides; and "=", ">" or ">=".
   std::optional<std::pair<CertifiedSide, std::string>> side(const Relation& relation,
@@ -167,7 +187,9 @@ struct Finder {
       std::vector<Layer> layers;
       if (unwrap) s = unwrapped(s, q.symbols, &layers);
       op = s.op[0] == '<' ? ">" + s.op.substr(1) : s.op;
-      result.layers.push_back(layers);
+      const auto written = put_down(layers);
+      if (!written) return std::nullopt;
+      result.layers.push_back(*written);
       result.residual *= residual_of(s), sum += residual_of(s);
     }
     if (numbers.size() > 1) {
@@ -179,7 +201,7 @@ struct Finder {
   }
 
   std::optional<CertifiedLink> find_same(const Match& match) const {
-    for (const bool unwrap : {true, false}) {
+    for (const bool unwrap : {false, true}) {
       const auto left = side(q.left, match.left, unwrap), right = side(q.right, match.right, unwrap);
       if (!left || !right || left->second != right->second) continue;
       CertifiedLink link{left->first, right->first, {}, {}, {}};
@@ -189,7 +211,7 @@ struct Finder {
   }
   /// A link that always holds, or never.
   CertifiedLink find_settled(const std::vector<std::size_t>& number, bool is_left) const {
-    for (const bool unwrap : {true, false})
+    for (const bool unwrap : {false, true})
       if (const auto found = side(is_left ? q.left : q.right, number, unwrap))
         if (const auto link = settle(found->first, found->second, is_left)) return *link;
     throw Undecidable("no form shows that a link always holds, or never");

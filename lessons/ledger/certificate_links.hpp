@@ -13,22 +13,31 @@ struct CertifiedDivisor {
   Tree tree;
 };
 
+/// A product of parts, each with its exponent.
+using CertifiedFactor = std::vector<std::pair<Tree, int>>;
+
+/// A layer; the factor of "*", of parts that are never 0.
+struct CertifiedLayer {
+  Layer layer;
+  CertifiedFactor factor;
+};
+
 /// Links of one statement that are taken together: one, or two inequalities whose product is one, for one of
 /// them holds everywhere, as their sum shows. Nothing where the other statement is not needed.
 struct CertifiedSide {
-  std::vector<std::size_t> links;          ///< their numbers
-  std::vector<std::vector<Layer>> layers;  ///< taken off each of them
-  GiNaC::ex residual;                      ///< of what is left: must be 0, positive or not negative
-  Tree sum = nullptr, form = nullptr;      ///< written so that the sign shows
+  std::vector<std::size_t> links;                   ///< their numbers
+  std::vector<std::vector<CertifiedLayer>> layers;  ///< taken off each of them
+  GiNaC::ex residual;                               ///< of what is left: must be 0, positive or not negative
+  Tree sum = nullptr, form = nullptr;               ///< written so that the sign shows
 };
 
 /// Two expressions (no layers, their values for residuals), or what links of two statements say.
 struct CertifiedLink {
   CertifiedSide left, right;
-  /// left = factor·right, of parts that are never 0 with their exponents, or, in an equation, only where
-  /// right is 0, too (left for a negative exponent): the part is that one, or its square and `more` that is
-  /// not negative; …
-  std::vector<std::pair<Tree, int>> factor;
+  /// left = factor·right, of parts that are never 0 with their exponents, or only where right is 0, too (left
+  /// for a negative exponent): the part is that one, or its square, or a quarter of it, and `more` that is not
+  /// negative; …
+  CertifiedFactor factor;
   std::vector<std::pair<Tree, Tree>> more;
   /// … or what there is of the two always holds, or never, as the form of its residual shows.
   std::optional<bool> holds;
