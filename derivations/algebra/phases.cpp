@@ -12,35 +12,9 @@ using Kind = Generator::Kind;
 
 namespace {
 
-const GiNaC::symbol& pi_symbol() {
-  static const GiNaC::symbol pi("pi");
-  return pi;
-}
-
 bool is_circular(const std::string& name) { return name == "sin" || name == "cos"; }
 bool is_real_exponential(const std::string& name) {
   return name == "sinh" || name == "cosh" || name == "exp";
-}
-
-/// Number and monomial of a term of an expanded polynomial.
-std::pair<numeric, ex> split(const ex& term) {
-  if (is_a<numeric>(term)) return {ex_to<numeric>(term), 1};
-  if (!is_a<GiNaC::mul>(term)) return {1, term};
-  numeric number = 1;
-  ex monomial = 1;
-  for (const ex& factor : term) {
-    if (is_a<numeric>(factor))
-      number *= ex_to<numeric>(factor);
-    else
-      monomial *= factor;
-  }
-  return {number, monomial};
-}
-
-std::vector<ex> terms(const ex& polynomial) {
-  const ex expanded = polynomial.expand();
-  if (!is_a<GiNaC::add>(expanded)) return {expanded};
-  return {expanded.begin(), expanded.end()};
 }
 
 bool is_fractional_power(const ex& e) {
@@ -84,32 +58,6 @@ void Phases::collect(const ex& e) {
   for (const ex& part : e) collect(part);
 }
 
-/// argument = Σ coefficient·phase + q·π, over the denominator that all arguments share.
-Phases::Argument Phases::take_apart(const ex& argument, bool circular) const {
-  const ex rational = argument.subs(GiNaC::Pi == pi_symbol()).to_rational(atoms_).normal();
-  const ex numerator = (rational * denominator_).normal().expand();
-  Argument result;
-  ex rest = numerator;
-  const ex of_pi = numerator.coeff(pi_symbol(), 1);
-  if (circular && !of_pi.is_zero() &&
-      numerator.degree(pi_symbol()) == 1) {  // how many whole denominators stand beside π?
-    const auto [lead, monomial] = split(terms(denominator_).front());
-    for (const ex& term : terms(of_pi)) {
-      const auto [number, other] = split(term);
-      if (other.is_equal(monomial)) result.pi = number / lead;
-    }
-    rest = (numerator - result.pi * denominator_ * pi_symbol()).expand();
-  }
-  for (const ex& term : terms(rest)) {
-    const auto [number, monomial] = split(term);
-    if (number.is_zero()) continue;
-    if (!number.is_rational()) throw Undecidable("a coefficient that is no rational number");
-    const ex phase = (monomial / denominator_).subs(atoms_, GiNaC::subs_options::no_pattern);
-    result.parts[phase.subs(pi_symbol() == GiNaC::Pi)] += number;
-  }
-  return result;
-}
-
 void Phases::make_generators() {
   const auto add = [&](Kind kind, const std::string& name, const ex& meaning) -> Generator& {
     generators_.push_back({kind, GiNaC::symbol(name), meaning, 1, 0, 0, false, true});
@@ -120,11 +68,7 @@ void Phases::make_generators() {
   imaginary.value = -1;
   generators_.push_back({Kind::pi, pi_symbol(), GiNaC::Pi, 1, 0, 0, false, true});
 
-  for (const auto& [argument, circular] : arguments_) {
-    const ex rational = argument.subs(GiNaC::Pi == pi_symbol()).to_rational(atoms_);
-    const ex denominator = rational.normal().denom();  // numbers stay with the coefficients
-    denominator_ = GiNaC::lcm(denominator_, (denominator / denominator.integer_content()).expand()).expand();
-  }
+  find_denominator();
   std::map<ex, long, GiNaC::ex_is_less> divisors[2];
   std::vector<numeric> turns;
   for (const auto& [argument, circular] : arguments_) {

@@ -9,6 +9,8 @@
 // Everything done here is a true identity, so that a numerator which vanishes proves the statement.
 #pragma once
 
+#include <array>
+#include <derivations/algebra/phase_basis.hpp>
 #include <derivations/algebra/symbols.hpp>
 #include <stdexcept>
 
@@ -24,6 +26,9 @@ inline std::string name_of(const GiNaC::ex& e) {
   const bool is_call = GiNaC::is_a<GiNaC::function>(e) && e.nops() == 1;
   return is_call ? GiNaC::ex_to<GiNaC::function>(e).get_name() : std::string();
 }
+
+/// Stands for π in polynomials.
+const GiNaC::symbol& pi_symbol();
 
 /// One generator of the ring, and what it stands for.
 struct Generator {
@@ -82,6 +87,11 @@ class Phases {
   };
   void collect(const GiNaC::ex& prepared);
   Argument take_apart(const GiNaC::ex& argument, bool circular) const;
+  Argument in_basis(const GiNaC::ex& numerator, bool circular) const;
+  Monomials monomials_of(const GiNaC::ex& numerator) const;
+  GiNaC::ex rational(const GiNaC::ex& argument) const;
+  void find_denominator();
+  void make_bases();
   void make_generators();
   void make_turns(const std::vector<GiNaC::numeric>& turns);
   void relate_inverse(Generator& generator);
@@ -94,7 +104,8 @@ class Phases {
   GiNaC::exmap prepared_;  ///< expression → what it was rewritten to, once
   std::vector<Generator> generators_;
   GiNaC::ex denominator_ = 1;
-  mutable GiNaC::exmap atoms_;  ///< stand-in symbol → function value inside an argument
+  std::array<PhaseBasis, 2> bases_;  ///< of real and of circular phases, where that denominator is a sum
+  mutable GiNaC::exmap atoms_;       ///< stand-in symbol → function value inside an argument
   std::vector<std::pair<GiNaC::ex, bool>> arguments_;   ///< (argument, circular?)
   std::map<GiNaC::ex, long, GiNaC::ex_is_less> roots_;  ///< base → least common denominator of its exponents
   std::vector<GiNaC::ex> opaques_;
