@@ -61,7 +61,10 @@ ex without_roots(const ex& quotient, bool of_above, const Phases& phases) {
 
 }  // namespace
 
-std::optional<std::vector<Part>> quotient(const ex& left, const ex& right, const Symbols& symbols, Way way) {
+namespace {
+
+std::optional<std::vector<Part>> quotient_unless_pole(const ex& left, const ex& right, const Symbols& symbols,
+                                                      Way way) {
   if (right.is_zero()) return std::nullopt;
   if (way == Way::as_it_stands) {
     const ex parts = (left / right).normal().numer_denom();
@@ -85,6 +88,17 @@ std::optional<std::vector<Part>> quotient(const ex& left, const ex& right, const
   return factor_form(cancelled_with_complex_numbers(rationalised, phases), phases);
 }
 
+}  // namespace
+
+std::optional<std::vector<Part>> quotient(const ex& left, const ex& right, const Symbols& symbols, Way way) {
+  try {
+    return quotient_unless_pole(left, right, symbols, way);
+  } catch (const std::logic_error&) {  // GiNaC divides by what it finds to be 0, in some orders of the terms
+  } catch (const std::overflow_error&) {
+  }
+  return std::nullopt;
+}
+
 namespace {
 
 /// +1 or -1 where the expression has that sign or is 0, else 0.
@@ -105,6 +119,12 @@ ex with_settled_sign(const ex& e, const Symbols& symbols) {
   };
   const ex turned = (-e).expand();
   return key(turned) < key(e) ? turned : e;
+}
+
+/// Whether no symbol of the part is missing in the other one.
+bool has_all_symbols_of(const ex& part, const ex& other) {
+  return std::all_of(part.preorder_begin(), part.preorder_end(),
+                     [&](const ex& e) { return !GiNaC::is_a<GiNaC::symbol>(e) || other.has(e); });
 }
 
 bool is_multiple(const ex& part, const ex& other) {
@@ -162,14 +182,21 @@ std::optional<std::vector<Part>> checked_quotient(const ex& left, const ex& righ
 }
 
 bool vanishes_with(const ex& part, const ex& other, const Symbols& symbols) {
-  const auto parts = checked_quotient(other, 1, symbols);
-  const auto is_it = [&](const Part& f) { return f.second.is_positive() && is_multiple(part, f.first); };
-  if (parts && std::any_of(parts->begin(), parts->end(), is_it)) return true;
+  if (has_all_symbols_of(part, other)) {
+    const auto parts = checked_quotient(other, 1, symbols);
+    const auto is_it = [&](const Part& f) { return f.second.is_positive() && is_multiple(part, f.first); };
+    if (parts && std::any_of(parts->begin(), parts->end(), is_it)) return true;
+  }
   const auto zero = only_zero(part, symbols);
-  return zero && other.normal().numer().subs(*zero).expand().is_zero();
+  try {
+    return zero && other.normal().numer().subs(*zero).expand().is_zero();
+  } catch (const std::exception&) {  // it has no value there: log(0)
+    return false;
+  }
 }
 
 bool is_factor(const ex& part, const ex& other, const Symbols& symbols) {
+  if (!has_all_symbols_of(part, other)) return false;  // it would stay below
   const auto rest = checked_quotient(other, part, symbols);
   return rest && std::none_of(rest->begin(), rest->end(), [&](const Part& f) {
            return f.second.is_negative() && sign_of(f.first, symbols) == 0;

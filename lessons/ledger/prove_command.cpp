@@ -5,6 +5,7 @@
 #include <derivations/command_line.hpp>
 #include <lessons/ledger/certificate.hpp>
 #include <lessons/ledger/prove_command.hpp>
+#include <lessons/ledger/relevance.hpp>
 #include <lessons/ledger/report.hpp>
 #include <set>
 
@@ -30,17 +31,36 @@ Relation read(const std::string& text, const Symbols& symbols) {
   });
 }
 
+/// With the equations that are given: proved_under, unless it holds without them, too. Most that need them
+/// are not worth a search for a witness without them.
+Proof decide_with_equations(const Relation& left, const Relation& right, const Symbols& symbols,
+                            const std::vector<Given>& compared, const std::vector<Given>& all) {
+  const bool goes_without = goes_through(left, right, symbols, compared);
+  if (goes_without)
+    if (const Proof proof = prove(left, right, symbols, compared); proof.verdict == Verdict::proved)
+      return proof;
+  Proof proof = prove(left, right, symbols, all);
+  if (proof.verdict == Verdict::refuted) return proof;
+  const bool is_proved = proof.verdict == Verdict::proved;
+  if (is_proved) proof.verdict = Verdict::proved_under;
+  if (goes_without || (is_proved && goes_through(left, right, symbols, all))) return proof;
+  const Proof without = prove(left, right, symbols, compared);  // by more than algebra
+  return without.verdict == Verdict::proved ? without : proof;
+}
+
 Proof decide_in(const Context& context, const ProveRequest& request) {
-  const Relation left = read(request.left, context.symbols), right = read(request.right, context.symbols);
-  const std::vector<Given> compared = context.put_in_at_once(false), all = context.put_in_at_once(true);
-  Proof proof = prove(left, right, context.symbols, compared);
-  if (proof.verdict != Verdict::proved && request.order > 0) {
-    proof = prove_approximation(left, right, request.small, request.order, context.symbols, all);
-  } else if (proof.verdict != Verdict::proved && !context.given.empty()) {
-    proof = prove(left, right, context.symbols, all);
-    if (proof.verdict == Verdict::proved) proof.verdict = Verdict::proved_under;
-  }
-  return without_excess(proof, context.comparisons, context.symbols);
+  const Symbols& symbols = context.symbols;
+  const Relation left = read(request.left, symbols), right = read(request.right, symbols);
+  const std::vector<Given> compared = context.put_in_at_once(false),
+                           all = relevant(context.put_in_at_once(true), left, right, symbols);
+  const bool has_equations =
+      request.order == 0 && all.size() > relevant(compared, left, right, symbols).size();
+  Proof proof = has_equations ? decide_with_equations(left, right, symbols, compared, all)
+                              : prove(left, right, symbols, compared);
+  if (proof.verdict != Verdict::proved && request.order > 0)
+    proof =
+        prove_approximation(left, right, request.small, request.order, symbols, context.put_in_at_once(true));
+  return without_excess(proof, context.comparisons, symbols);
 }
 
 void collect_names(const Tree& tree, std::set<std::string>& names) {
@@ -70,15 +90,26 @@ void add_range(Proof& proof, const Symbol& symbol) {
     proof.side_conditions.push_back(symbol.name + (range.upper_closed ? " <= " : " < ") + range.upper);
 }
 
+/// Whether algebra alone proves it once more, with the givens that the proof had.
+bool goes_through_in(const Context& context, const ProveRequest& request, const Proof& proof) {
+  const Relation left = read(request.left, context.symbols), right = read(request.right, context.symbols);
+  const auto given = context.put_in_at_once(proof.verdict == Verdict::proved_under);
+  return goes_through(left, right, context.symbols, relevant(given, left, right, context.symbols));
+}
+
 /// Which declared ranges the proof rests on: those without which it does not go through.
 void add_ranges_used(Proof& proof, const Context& context, const ProveRequest& request) {
   const auto start = std::chrono::steady_clock::now();
   const std::vector<std::string> names = ranged_names(context, request);
+  if (names.empty()) return;
+  const bool by_algebra = goes_through_in(context, request, proof);
   const auto holds = [&](const std::vector<std::string>& freed) {
     if (std::chrono::steady_clock::now() - start > std::chrono::milliseconds(500)) return false;
-    return decide_in(make_context(request, freed), request).verdict == proof.verdict;
+    const Context other = make_context(request, freed);
+    return by_algebra ? goes_through_in(other, request, proof)
+                      : decide_in(other, request).verdict == proof.verdict;
   };
-  if (names.empty() || holds(names)) return;
+  if (holds(names)) return;
   std::vector<std::string> freed;
   for (const std::string& name : names) {
     freed.push_back(name);
