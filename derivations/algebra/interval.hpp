@@ -31,8 +31,8 @@ int sign_of(const GiNaC::ex& expression, const Symbols& symbols);
 /// Whether the expression provably never becomes negative.
 bool is_nonnegative(const GiNaC::ex& expression, const Symbols& symbols);
 
-/// a x² + b x + c in one of its symbols. Where its discriminant, 4ac - b² here, is not negative, it keeps the
-/// sign of a.
+/// a x² + b x + c, where x is one of its symbols or the square of one. Where its discriminant, 4ac - b² here,
+/// is not negative, it keeps the sign of a.
 struct Quadratic {
   GiNaC::ex x, a, b, c;
   GiNaC::ex discriminant() const { return (4 * a * c - b * b).expand(); }

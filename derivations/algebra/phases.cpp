@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
@@ -15,6 +16,11 @@ namespace {
 bool is_circular(const std::string& name) { return name == "sin" || name == "cos"; }
 bool is_real_exponential(const std::string& name) {
   return name == "sinh" || name == "cosh" || name == "exp";
+}
+
+/// log(u) for a u whose roots are generators of their own.
+bool is_logarithm_of_root(const ex& e) {
+  return name_of(e) == "log" && (is_a<GiNaC::symbol>(e.op(0)) || is_a<numeric>(e.op(0)));
 }
 
 bool is_fractional_power(const ex& e) {
@@ -83,6 +89,12 @@ void Phases::make_generators() {
     if (circular && !taken.pi.is_integer()) turns.push_back(taken.pi);
   }
   make_turns(turns);
+  for (const auto& [phase, n] : divisors[false])
+    if (is_logarithm_of_root(phase) && n > 1) {  // e^{log(u)/n} is the n-th root of u
+      long& denominator = roots_.try_emplace(phase.op(0), 1).first->second;
+      denominator = GiNaC::lcm(numeric(denominator), numeric(n)).to_long();
+      if (denominator > 64) throw Undecidable("roots of a degree above 64");
+    }
   for (const auto& [base, degree] : roots_) {
     // the root of a symbol or a prime generates; that of anything else is tied to what stands under it
     const bool free = is_a<GiNaC::symbol>(base);
@@ -193,7 +205,14 @@ ex Phases::turn(const numeric& q) const {
 ex Phases::exponential(const ex& argument, bool circular) const {
   const auto [exponents, pi] = combination(argument, circular);
   ex result = turn(pi);
-  for (const auto& [symbol, exponent] : exponents) result *= GiNaC::pow(symbol, exponent);
+  for (const auto& [symbol, exponent] : exponents) {
+    const auto g = std::find_if(generators_.begin(), generators_.end(),
+                                [&s = symbol](const Generator& other) { return other.symbol.is_equal(s); });
+    if (!circular && is_logarithm_of_root(g->meaning))
+      result *= rewrite(GiNaC::pow(g->meaning.op(0), exponent / g->divisor));
+    else
+      result *= GiNaC::pow(symbol, exponent);
+  }
   return result;
 }
 

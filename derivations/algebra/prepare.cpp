@@ -1,8 +1,11 @@
 // Identities that need no phases, applied from the inside out. Each is true wherever both its sides are
 // defined.
+#include <cmath>
 #include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
+#include <derivations/algebra/vanish.hpp>
+#include <numbers>
 
 namespace rederive {
 
@@ -82,6 +85,8 @@ struct Prepare : GiNaC::map_function {
   ex root(const ex& base, const numeric& q) {
     if (is_a<numeric>(base) && !ex_to<numeric>(base).is_rational())
       throw Undecidable("a number that is not exact");
+    if (is_a<GiNaC::power>(base) && base.op(1).info(GiNaC::info_flags::even))  // (x²ⁿ)^q = |x|^{2nq}
+      if (const ex size = without_bars(base.op(0)); !size.is_zero()) return power(size, base.op(1) * q);
     ex outside = 1, inside = 1;
     std::vector<Part> unknown;  // odd powers of what may have either sign
     for (auto [factor, n] : factors(base)) {
@@ -97,7 +102,8 @@ struct Prepare : GiNaC::map_function {
         outside *= positive_root(-factor, n * q);
         if (!n.is_even()) inside = -inside;
       } else if (even) {
-        outside *= GiNaC::pow(GiNaC::abs(turned_up(factor)), n * q);
+        const ex size = without_bars(factor);
+        outside *= GiNaC::pow(size.is_zero() ? GiNaC::abs(turned_up(factor)) : size, n * q);
       } else {
         unknown.push_back({factor, n});
       }
@@ -117,6 +123,11 @@ struct Prepare : GiNaC::map_function {
     if (inside.is_equal(1)) return outside;
     const auto [upper, exponent] = upright(inside);
     return outside * GiNaC::pow(upper, exponent * q);
+  }
+
+  /// |x| as x or -x; 0 where its sign is not known.
+  ex without_bars(const ex& x) const {
+    return is_nonnegative(x, symbols) ? x : is_nonnegative(-x, symbols) ? -x : ex(0);
   }
 
   /// The same for u and 1/u: one of them, and the exponent that makes it u.
@@ -222,6 +233,7 @@ struct Prepare : GiNaC::map_function {
   /// f(g(x)) = x where g inverts f on the range that x is declared to keep to.
   ex function(const std::string& name, const ex& x, const ex& whole) {
     const ex half = GiNaC::Pi / 2;
+    if (const auto turn = turn_of(name, x)) return *turn * GiNaC::Pi;
     const auto of = [&](const ex& other) {
       return ex(GiNaC::function(ex_to<GiNaC::function>(whole).get_serial(), other));
     };
@@ -254,8 +266,7 @@ struct Prepare : GiNaC::map_function {
 
   /// |∏ f_k^{n_k}| = ∏ |f_k|^{n_k}, without the bars where the sign is known.
   ex absolute(const ex& x) {
-    if (is_nonnegative(x, symbols)) return x;
-    if (is_nonnegative(-x, symbols)) return -x;
+    if (const ex size = without_bars(x); x.is_zero() || !size.is_zero()) return size;
     ex result = 1;
     for (const auto& [factor, n] : factors(x)) {
       const bool plain = n.is_even() || is_nonnegative(factor, symbols);
@@ -276,6 +287,31 @@ struct Prepare : GiNaC::map_function {
       for (const ex& term : e)
         if ((term / number(term)).compare(first / number(first)) < 0) first = term;
     return number(first).is_negative() ? (-e).expand() : e;
+  }
+
+  /// asin, acos or atan of a constant as a multiple of π, if its sine, cosine or tangent is exactly that.
+  std::optional<numeric> turn_of(const std::string& name, const ex& x) {
+    if (name != "asin" && name != "acos" && name != "atan") return std::nullopt;
+    const ex value = name == "asin"   ? GiNaC::asin(x).evalf()
+                     : name == "acos" ? GiNaC::acos(x).evalf()
+                                      : GiNaC::atan(x).evalf();
+    if (!is_a<numeric>(value) || !ex_to<numeric>(value).is_real() || is_a<numeric>(x)) return std::nullopt;
+    const double turns = ex_to<numeric>(value).to_double() / std::numbers::pi;
+    for (const int d : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 15, 16, 24, 60}) {
+      const double n = std::round(turns * d);
+      if (std::fabs(turns * d - n) > 1e-10) continue;
+      const numeric q(static_cast<long>(n), d);
+      const ex angle = q * GiNaC::Pi;
+      const ex difference = name == "asin"   ? GiNaC::sin(angle) - x
+                            : name == "acos" ? GiNaC::cos(angle) - x
+                                             : GiNaC::sin(angle) - x * GiNaC::cos(angle);
+      try {
+        return vanishes(difference, symbols) ? std::optional(q) : std::nullopt;
+      } catch (const Undecidable&) {
+        return std::nullopt;
+      }
+    }
+    return std::nullopt;
   }
 
   ex arctangent(const ex& x, const ex& whole) {
