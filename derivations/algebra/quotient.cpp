@@ -3,6 +3,7 @@
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/vanish.hpp>
+#include <derivations/algebra/witness.hpp>
 
 namespace rederive {
 
@@ -127,6 +128,24 @@ bool has_all_symbols_of(const ex& part, const ex& other) {
                      [&](const ex& e) { return !GiNaC::is_a<GiNaC::symbol>(e) || other.has(e); });
 }
 
+/// Whether the other one is certainly not 0 where this symbol is: at one point, in numbers.
+bool is_alive_without(const ex& symbol, const ex& other, const Symbols& symbols) {
+  if (!GiNaC::is_a<GiNaC::symbol>(symbol)) return false;
+  try {
+    const ex rest = other.subs(symbol == 0);
+    std::set<std::string> names;
+    for (auto e = rest.preorder_begin(); e != rest.preorder_end(); ++e)
+      if (GiNaC::is_a<GiNaC::symbol>(*e)) names.insert(GiNaC::ex_to<GiNaC::symbol>(*e).get_name());
+    GiNaC::exmap at;
+    for (const auto& [name, value] : Points(names, symbols).at(0)) at[symbols[name]] = GiNaC::numeric(value);
+    const ex number = rest.subs(at, GiNaC::subs_options::no_pattern).evalf();
+    return GiNaC::is_a<GiNaC::numeric>(number) &&
+           GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(number)) > GiNaC::numeric(1, 1000);
+  } catch (const std::exception&) {  // it has no value there
+    return false;
+  }
+}
+
 bool is_multiple(const ex& part, const ex& other) {
   return !part.is_zero() && !other.is_zero() && GiNaC::is_a<GiNaC::numeric>((part / other).normal());
 }
@@ -165,7 +184,8 @@ std::optional<GiNaC::exmap> only_zero(const ex& e, const Symbols& symbols) {
   if (GiNaC::is_a<GiNaC::mul>(e) && e.nops() == 2 && GiNaC::is_a<GiNaC::numeric>(e.op(1)))
     return only_zero(e.op(0), symbols);
   const auto quadratic = as_quadratic(e);
-  if (!quadratic || weak_sign(e, symbols) == 0) return std::nullopt;
+  if (!quadratic || !GiNaC::is_a<GiNaC::symbol>(quadratic->x) || weak_sign(e, symbols) == 0)
+    return std::nullopt;
   auto zero = only_zero(quadratic->discriminant(), symbols);
   if (zero) (*zero)[quadratic->x] = (-quadratic->b / (2 * quadratic->a)).subs(*zero);
   return zero;
@@ -182,6 +202,7 @@ std::optional<std::vector<Part>> checked_quotient(const ex& left, const ex& righ
 }
 
 bool vanishes_with(const ex& part, const ex& other, const Symbols& symbols) {
+  if (is_alive_without(part, other, symbols)) return false;
   if (has_all_symbols_of(part, other)) {
     const auto parts = checked_quotient(other, 1, symbols);
     const auto is_it = [&](const Part& f) { return f.second.is_positive() && is_multiple(part, f.first); };
@@ -196,7 +217,8 @@ bool vanishes_with(const ex& part, const ex& other, const Symbols& symbols) {
 }
 
 bool is_factor(const ex& part, const ex& other, const Symbols& symbols) {
-  if (!has_all_symbols_of(part, other)) return false;  // it would stay below
+  if (!has_all_symbols_of(part, other) || is_alive_without(part, other, symbols))
+    return false;  // it would stay below
   const auto rest = checked_quotient(other, part, symbols);
   return rest && std::none_of(rest->begin(), rest->end(), [&](const Part& f) {
            return f.second.is_negative() && sign_of(f.first, symbols) == 0;

@@ -41,20 +41,22 @@ bool is_always_in_range(const Given& given, const std::vector<Given>& all, const
   return has_value_everywhere(value, symbols) && keeps(range.low, 1) && keeps(range.high, -1);
 }
 
-/// Whether a root of the right one, at which the left one is not 0, shows at once that they differ.
-bool differ_at_first_sight(const Question& question) {
-  const Symbols& symbols = question.symbols;
-  if (question.left.operators != std::vector<std::string>{"="} ||
-      question.left.operators != question.right.operators)
-    return false;
-  const Residuals r = residuals_of(links_of(question.left)[0], links_of(question.right)[0], question);
+/// Whether a root of the right one, at which the left one is not 0, shows at once that two equations differ.
+bool differ_at_first_sight(const Residuals& r, const Symbols& symbols) {
   const auto is_far = [&](const Root& root) {
     const auto left = value_of(r.pair.left, root.at);
     return left && !is_nearly_zero(*left) && is_admitted(r.pair, root.at, symbols);
   };
-  const auto root = find_root({r.pair.right, r.pair.right_value}, points_for(r.pair, symbols), 1,
-                              Roots::crossings, symbols, is_far);
-  return root.has_value();
+  return find_root({r.pair.right, r.pair.right_value}, points_for(r.pair, symbols), 1, Roots::crossings,
+                   symbols, is_far)
+      .has_value();
+}
+
+/// Of one equation and another.
+bool are_equations_by_factor(const Question& question) {
+  const Residuals r = residuals_of(links_of(question.left)[0], links_of(question.right)[0], question);
+  return !differ_at_first_sight(r, question.symbols) &&
+         prove_by_some_factor(r, question.symbols).verdict == Verdict::proved;
 }
 
 }  // namespace
@@ -88,7 +90,9 @@ bool goes_through(const Relation& left, const Relation& right, const Symbols& sy
     if (left.operators.empty() != right.operators.empty()) return false;
     if (left.operators.empty())
       return vanishes(put_in(lower(left.sides[0], symbols) - lower(right.sides[0], symbols), given), symbols);
-    return !differ_at_first_sight(question) && matches(question).has_value();
+    const bool are_equations =
+        left.operators == right.operators && left.operators == std::vector<std::string>{"="};
+    return are_equations ? are_equations_by_factor(question) : matches(question).has_value();
   } catch (const std::exception&) {  // outside the class, or a pole of GiNaC
     return false;
   }
