@@ -129,13 +129,15 @@ int show_mutation(const Options& options) {
 }
 
 int show_proof(const Options& options) {
+  const auto json = decide_bounded(options.request);
+  const std::string verdict = json["verdict"];
   nlohmann::ordered_json certificate;
-  const auto json = decide_bounded(options.request, options.certificate.empty() ? nullptr : &certificate);
+  if (!options.certificate.empty() && verdict.starts_with("proved"))
+    certificate = certificate_bounded(options.request, verdict == "proved_under");
   if (!certificate.is_null())
     write_whole(options.certificate, certificate.dump(1) + "\n");
   else if (!options.certificate.empty())
     fmt::print(stderr, "no certificate: nothing is proved, or not in a way that can be put down\n");
-  const std::string verdict = json["verdict"];
   if (options.json) {
     put(json);
   } else {

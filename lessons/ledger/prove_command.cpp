@@ -3,6 +3,7 @@
 #include <chrono>
 #include <derivations/bounded.hpp>
 #include <derivations/command_line.hpp>
+#include <functional>
 #include <lessons/ledger/certificate.hpp>
 #include <lessons/ledger/prove_command.hpp>
 #include <lessons/ledger/relevance.hpp>
@@ -135,34 +136,42 @@ Proof decide(const ProveRequest& request) {
   return proof;
 }
 
-nlohmann::ordered_json decide_bounded(const ProveRequest& request, nlohmann::ordered_json* wanted) {
-  // the child does everything that may be expensive; what it could not read is said here
-  const auto work = [&]() -> std::string {
+namespace {
+
+/// What the work gives, as text; or why it gave nothing. The child does everything that may be expensive;
+/// what it could not read is said here.
+Bounded bounded(const std::function<std::string()>& work, double seconds) {
+  const auto or_error = [&]() -> std::string {
     try {
-      const Proof proof = decide(request);
-      nlohmann::ordered_json both{{"proof", to_json(proof)}, {"certificate", nullptr}};
-      if (wanted != nullptr && (proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under)) {
-        const Context context = make_context(request);
-        const auto given = context.put_in_at_once(proof.verdict == Verdict::proved_under);
-        if (auto found = certificate(read(request.left, context.symbols),
-                                     read(request.right, context.symbols), context.symbols, given))
-          both["certificate"] = *found;
-      }
-      return "J" + both.dump();
+      return "J" + work();
     } catch (const BadInput& error) {
       return std::string("B") + error.what();
     }
   };
-  const Bounded outcome = run_bounded(work, 1.8, 480);
+  Bounded outcome = run_bounded(or_error, seconds, 480);
   if (outcome.result && outcome.result->front() == 'B') throw BadInput(outcome.result->substr(1));
-  if (outcome.result) {
-    const auto both = nlohmann::ordered_json::parse(outcome.result->substr(1));
-    if (wanted != nullptr) *wanted = both["certificate"];
-    return both["proof"];
-  }
+  if (outcome.result) outcome.result->erase(0, 1);
+  return outcome;
+}
+
+}  // namespace
+
+nlohmann::ordered_json decide_bounded(const ProveRequest& request) {
+  const Bounded outcome = bounded([&] { return to_json(decide(request)).dump(); }, 1.8);
+  if (outcome.result) return nlohmann::ordered_json::parse(*outcome.result);
   Proof proof;
   proof.reason = "given up: " + outcome.why;
   return to_json(proof);
+}
+
+nlohmann::ordered_json certificate_bounded(const ProveRequest& request, bool with_equations) {
+  const auto work = [&]() -> std::string {
+    const Context context = make_context(request);
+    const auto found = certificate(read(request.left, context.symbols), read(request.right, context.symbols),
+                                   context.symbols, context.put_in_at_once(with_equations));
+    return found ? found->dump() : "null";
+  };
+  return nlohmann::ordered_json::parse(bounded(work, 20).result.value_or("null"));
 }
 
 }  // namespace rederive

@@ -19,8 +19,8 @@ struct ProveRequest {
 
 /// The symbols of the paper, every letter and Greek letter (with an index or dots) that the texts use, and
 /// what the assumptions say of them; assumptions that are equations become givens. The names in `freed` are
-/// any real numbers but for what the assumptions say, and so are t, r and d, which everybody uses for something
-/// else than the paper does.
+/// any real numbers but for what the assumptions say, and so are t, r and d, which everybody uses for
+/// something else than the paper does.
 struct Context {
   Symbols symbols;
   std::vector<Given> given;
@@ -37,8 +37,10 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
 Proof decide(const ProveRequest& request);
 
 /// Decides within two seconds and 500 MB. Throws BadInput (with a caret) for what cannot be read.
-/// `certificate` asks for one and receives it, or null where there is none.
-nlohmann::ordered_json decide_bounded(const ProveRequest& request,
-                                      nlohmann::ordered_json* certificate = nullptr);
+nlohmann::ordered_json decide_bounded(const ProveRequest& request);
+
+/// The certificate of what was proved, with the equations among the assumptions where it took those; null
+/// where there is none, or none within 20 seconds and 500 MB.
+nlohmann::ordered_json certificate_bounded(const ProveRequest& request, bool with_equations);
 
 }  // namespace rederive
