@@ -264,20 +264,6 @@ Interval interval_of(const ex& expression, const Symbols& symbols) {
   }
 }
 
-std::optional<Quadratic> as_quadratic(const ex& e) {
-  if (!is_a<GiNaC::add>(e) || e.nops() > 8) return std::nullopt;
-  const ex expanded = e.expand();
-  for (const int degree : {2, 4})  // in x, or in x²
-    for (auto part = expanded.preorder_begin(); part != expanded.preorder_end(); ++part) {
-      const ex& x = *part;
-      if (!is_a<GiNaC::symbol>(x) || !expanded.is_polynomial(x) || expanded.degree(x) != degree) continue;
-      if (degree == 4 && !(expanded.coeff(x, 1).is_zero() && expanded.coeff(x, 3).is_zero())) continue;
-      return Quadratic{GiNaC::pow(x, degree / 2), expanded.coeff(x, degree), expanded.coeff(x, degree / 2),
-                       expanded.coeff(x, 0)};
-    }
-  return std::nullopt;
-}
-
 int sign_of(const ex& expression, const Symbols& symbols) {
   const Interval i = interval_of(expression, symbols);
   try {

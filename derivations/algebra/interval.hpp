@@ -1,6 +1,7 @@
 // Which values can an expression take while its symbols stay in their declared ranges? Exact end points.
 #pragma once
 
+#include <derivations/algebra/quadratic.hpp>
 #include <derivations/algebra/symbols.hpp>
 #include <optional>
 
@@ -30,14 +31,6 @@ int sign_of(const GiNaC::ex& expression, const Symbols& symbols);
 
 /// Whether the expression provably never becomes negative.
 bool is_nonnegative(const GiNaC::ex& expression, const Symbols& symbols);
-
-/// a x² + b x + c, where x is one of its symbols or the square of one. Where its discriminant, 4ac - b² here,
-/// is not negative, it keeps the sign of a.
-struct Quadratic {
-  GiNaC::ex x, a, b, c;
-  GiNaC::ex discriminant() const { return (4 * a * c - b * b).expand(); }
-};
-std::optional<Quadratic> as_quadratic(const GiNaC::ex& expression);
 
 /// An exact comparison of two constants: -1, 0, +1. Throws std::domain_error if they are too close to tell.
 int compare(const GiNaC::ex& a, const GiNaC::ex& b);

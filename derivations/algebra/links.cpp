@@ -39,9 +39,13 @@ Pair Question::pair(const ex& left_value, const ex& right_value, const Tree& wri
             l,
             r,
             {}};
-  for (const Given& g : given)
-    if (const Symbol* symbol = symbols.find(g.name); symbol != nullptr && symbol->range != "(-inf, inf)")
-      pair.bound.push_back({symbol->name, to_tree(put_in(g.value, given), symbols)});
+  for (const Given& g : given) {
+    const Symbol* symbol = symbols.find(g.name);
+    const ex value = put_in(g.value, given);
+    const bool may_fail =
+        symbol != nullptr && (symbol->range != "(-inf, inf)" || !value.info(GiNaC::info_flags::polynomial));
+    if (may_fail) pair.bound.push_back({symbol->name, to_tree(value, symbols)});
+  }
   for (const ex& e : symbols.never_zero()) pair.never_zero.push_back(to_tree(put_in(e, given), symbols));
   return pair;
 }

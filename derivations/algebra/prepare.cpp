@@ -1,11 +1,9 @@
 // Identities that need no phases, applied from the inside out. Each is true wherever both its sides are
 // defined.
-#include <cmath>
+#include <derivations/algebra/constants.hpp>
 #include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/vanish.hpp>
-#include <numbers>
 
 namespace rederive {
 
@@ -144,32 +142,6 @@ struct Prepare : GiNaC::map_function {
     return GiNaC::pow(factor, q);
   }
 
-  /// A positive rational number as a product of powers, prime by prime; large cofactors stay whole.
-  static std::vector<std::pair<numeric, long>> prime_powers(const numeric& value) {
-    std::vector<std::pair<numeric, long>> result;
-    for (const auto& [part, side] : {std::pair{value.numer(), 1}, std::pair{value.denom(), -1}}) {
-      numeric rest = part;
-      for (numeric prime = 2; prime * prime <= rest && prime < 10'000; prime += 1) {
-        long count = 0;
-        while (GiNaC::irem(rest, prime).is_zero()) rest = GiNaC::iquo(rest, prime), ++count;
-        if (count > 0) result.emplace_back(prime, count * side);
-      }
-      if (rest != 1) result.emplace_back(rest, side);
-    }
-    return result;
-  }
-  ex number_root(const numeric& value, const numeric& q) {
-    if (q.is_integer()) return GiNaC::pow(value, q);
-    ex result = 1;
-    for (const auto& [prime, n] : prime_powers(value)) result *= GiNaC::pow(ex(prime), ex(q * n));
-    return result;
-  }
-  ex number_logarithm(const numeric& value) {
-    ex sum = 0;
-    for (const auto& [prime, n] : prime_powers(value)) sum += n * GiNaC::log(ex(prime));
-    return sum;
-  }
-
   /// exp(q·log a + rest) = a^q·exp(rest) for rational q, wherever log a is defined.
   ex exponential(const ex& argument) {
     ex powers = 1, rest = 0;
@@ -233,7 +205,7 @@ struct Prepare : GiNaC::map_function {
   /// f(g(x)) = x where g inverts f on the range that x is declared to keep to.
   ex function(const std::string& name, const ex& x, const ex& whole) {
     const ex half = GiNaC::Pi / 2;
-    if (const auto turn = turn_of(name, x)) return *turn * GiNaC::Pi;
+    if (const auto turn = turn_of(name, x, symbols)) return *turn * GiNaC::Pi;
     const auto of = [&](const ex& other) {
       return ex(GiNaC::function(ex_to<GiNaC::function>(whole).get_serial(), other));
     };
@@ -287,31 +259,6 @@ struct Prepare : GiNaC::map_function {
       for (const ex& term : e)
         if ((term / number(term)).compare(first / number(first)) < 0) first = term;
     return number(first).is_negative() ? (-e).expand() : e;
-  }
-
-  /// asin, acos or atan of a constant as a multiple of π, if its sine, cosine or tangent is exactly that.
-  std::optional<numeric> turn_of(const std::string& name, const ex& x) {
-    if (name != "asin" && name != "acos" && name != "atan") return std::nullopt;
-    const ex value = name == "asin"   ? GiNaC::asin(x).evalf()
-                     : name == "acos" ? GiNaC::acos(x).evalf()
-                                      : GiNaC::atan(x).evalf();
-    if (!is_a<numeric>(value) || !ex_to<numeric>(value).is_real() || is_a<numeric>(x)) return std::nullopt;
-    const double turns = ex_to<numeric>(value).to_double() / std::numbers::pi;
-    for (const int d : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 15, 16, 24, 60}) {
-      const double n = std::round(turns * d);
-      if (std::fabs(turns * d - n) > 1e-10) continue;
-      const numeric q(static_cast<long>(n), d);
-      const ex angle = q * GiNaC::Pi;
-      const ex difference = name == "asin"   ? GiNaC::sin(angle) - x
-                            : name == "acos" ? GiNaC::cos(angle) - x
-                                             : GiNaC::sin(angle) - x * GiNaC::cos(angle);
-      try {
-        return vanishes(difference, symbols) ? std::optional(q) : std::nullopt;
-      } catch (const Undecidable&) {
-        return std::nullopt;
-      }
-    }
-    return std::nullopt;
   }
 
   ex arctangent(const ex& x, const ex& whole) {

@@ -35,8 +35,8 @@ struct CertifiedSide {
 struct CertifiedLink {
   CertifiedSide left, right;
   /// left = factor·right, of parts that are never 0 with their exponents, or only where right is 0, too (left
-  /// for a negative exponent): the part is that one, or its square, or a quarter of it, and `more` that is not
-  /// negative; …
+  /// for a negative exponent): the part is that one, or its square, or a quarter of it, and `more` that is
+  /// not negative; …
   CertifiedFactor factor;
   std::vector<std::pair<Tree, Tree>> more;
   /// … or what there is of the two always holds, or never, as the form of its residual shows.

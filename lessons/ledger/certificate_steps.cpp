@@ -189,7 +189,8 @@ void Steps::value(const Tree& tree) {
   const ex difference = out(this->difference(tree, value, is));
   const auto c = cofactor(phases_.reduce(difference.normal().numer()), phases_, q_.symbols);
   if (!c) throw Undecidable("no polynomial identity gives the value of " + q_.text(tree));
-  generators(out(*c));
+  const ex whole = out_cofactor(*c);
+  generators(whole);
   std::string function = tree->text, of = q_.text(tree->children[0]);
   if (function == "fabs") of = "(" + of + ")^2";
   if (function == "fabs" || function == "sqrt") function = "^1/2";
@@ -198,7 +199,7 @@ void Steps::value(const Tree& tree) {
     function = "^" + std::to_string(q.numer().to_int()) + "/" + std::to_string(q.denom().to_int());
   }
   Json step{{"function", function}, {"of", of}, {"is", fraction_text(out(is))}};
-  if (const ex whole = out_cofactor(*c); !whole.is_equal(1)) step["cofactor"] = polynomial_text(whole);
+  if (!whole.is_equal(1)) step["cofactor"] = polynomial_text(whole);
   steps_.push_back(step);
 }
 

@@ -30,8 +30,8 @@ bool has_value_everywhere(const ex& e, const Symbols& symbols) {
 /// Whether the value lies in the range of its name, whatever the symbols are.
 bool is_always_in_range(const Given& given, const std::vector<Given>& all, const Symbols& symbols) {
   const Symbol* name = symbols.find(given.name);
-  if (name == nullptr || name->range == "(-inf, inf)") return true;
   const ex value = put_in(given.value, all);
+  if (name == nullptr) return has_value_everywhere(value, symbols);
   const auto keeps = [&](const End& end, int side) {
     if (end.infinite != 0) return true;
     const ex inside = side * (value - end.value);
