@@ -2,6 +2,7 @@
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
+#include <map>
 
 namespace rederive {
 
@@ -19,7 +20,9 @@ struct Collector {
   }
   void nonzero(const GiNaC::ex& value) {
     if (GiNaC::is_a<GiNaC::mul>(value)) {
-      for (const GiNaC::ex& factor : value) nonzero(factor);
+      std::map<std::string, GiNaC::ex> in_order;  // of the alphabet, which is the same in each run
+      for (const GiNaC::ex& factor : value) in_order.emplace(print(factor, Notation::plain, symbols), factor);
+      for (const auto& [text, factor] : in_order) nonzero(factor);
     } else if (GiNaC::is_a<GiNaC::power>(value) && sign_of(value.op(1), symbols) > 0) {
       nonzero(value.op(0));
     } else {

@@ -154,10 +154,17 @@ bool is_multiple(const ex& part, const ex& other) {
 
 Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors, const Symbols& symbols) {
   Quotient result;
+  std::vector<std::pair<std::string, Part>> in_order;  // of the alphabet, which is the same in each run
   for (const auto& [found, exponent] : parts) {
     const ex part = with_settled_sign(found, symbols);
     if (!part.is_equal(found) && !exponent.is_even())
       result.value = -result.value, result.sign = -result.sign;
+    in_order.push_back({print(part, Notation::plain, symbols), {part, exponent}});
+  }
+  std::stable_sort(in_order.begin(), in_order.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (const auto& [text, factor] : in_order) {
+    const auto& [part, exponent] = factor;
     result.value *= GiNaC::pow(part, exponent);
     if (!exponent.is_even()) result.sign *= weak_sign(part, symbols);
     if (sign_of(part, symbols) != 0) continue;  // its range says that it cannot vanish
