@@ -109,19 +109,21 @@ class Matching {
 };
 
 /// Whether all parts hold at a point, and the first that does not; nothing where one has no value, or is so
-/// near 0 that it cannot be told.
+/// near 0 that it cannot be told. The point may stand for a root of one of them, and has 40 digits then.
 struct Truth {
   bool holds = true;
   std::size_t part = 0;
 };
-std::optional<Truth> truth(const Parts& parts, const Point& point, const Symbols& symbols) {
+std::optional<Truth> truth(const Parts& parts, const Point& point, const Symbols& symbols,
+                           const Tree& root_of) {
   Truth result;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const auto& [tree, residual, inner, claim] = parts[k];
     const auto value = value_of(tree, point);
     if (!value) return std::nullopt;
-    const bool is_zero = !differ(*value, 0);
-    if (is_zero)
+    const bool is_root = root_of && tree == root_of, is_zero = is_root || !differ(*value, 0);
+    if (root_of && !is_root && cln::abs(*value) * power_of_ten(15) < 1) return std::nullopt;
+    if (is_zero && !is_root)
       if (const auto root = zero_near({tree, residual}, point, symbols); !root || !root->exact)
         return std::nullopt;
     const bool holds = is_zero ? claim != Claim::positive : claim != Claim::zero && cln::plusp(*value);
@@ -133,9 +135,9 @@ std::optional<Truth> truth(const Parts& parts, const Point& point, const Symbols
 /// A point at which one statement holds and the other does not: among many, and where a link turns.
 std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbols) {
   std::optional<Proof> found;
-  const auto look = [&](const Point& p) {
-    const auto left = truth(parts.left, p, symbols),
-               right = left ? truth(parts.right, p, symbols) : std::nullopt;
+  const auto look = [&](const Point& p, const Tree& root_of) {
+    const auto left = truth(parts.left, p, symbols, root_of),
+               right = left ? truth(parts.right, p, symbols, root_of) : std::nullopt;
     if (!right || left->holds == right->holds || !is_admitted(parts.first.pair, p, symbols)) return false;
     Pair shown = parts.first.pair;
     shown.left = parts.left[left->part].written, shown.right = parts.right[right->part].written;
@@ -151,10 +153,10 @@ std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbol
       trees.push_back(part.written), links.push_back({part.written, part.residual});
   const Points points = points_for(trees, symbols);
   for (int k = 0; k < Points::many; ++k)
-    if (look(points.at(k))) return found;
+    if (look(points.at(k), nullptr)) return found;
   for (const Written& link : links)
     if (find_root(link, points, 10, Roots::crossings, symbols,
-                  [&](const Root& root) { return look(root.at); }))
+                  [&](const Root& root) { return look(root.at, root.exact ? nullptr : link.tree); }))
       return found;
   return std::nullopt;
 }

@@ -45,7 +45,8 @@ namespace {
 Witness witness_at(const Pair& pair, const Point& point, const Symbols& symbols) {
   Witness witness = make_witness(pair, point);
   if (pair.name.empty()) return witness;
-  for (const Tree& side : {pair.right, pair.left}) {
+  for (const Tree& side : {pair.right, pair.left}) {  // what the left one says comes last, and stays
+    if (pair.right_counts && side == pair.left) continue;
     const auto value = evaluate(side, point, 30);
     if (value && cln:: instanceof
         (*value, cln::cl_RA_ring) && is_inside(symbols.find(pair.name)->range, *value))
@@ -92,18 +93,33 @@ bool always_holds(const ex& residual, const Symbols& symbols) {
   }
 }
 
-Proof prove_link(const Link& left, const Link& right, const Question& question) {
+/// Whether an assumption says something of a symbol, besides its range.
+bool is_assumed_of(const ex& symbol, const Question& question) {
+  const auto says = [&](const ex& e) { return e.has(symbol); };
+  return std::any_of(question.given.begin(), question.given.end(),
+                     [&](const Given& g) { return says(g.name) || says(g.value); }) ||
+         std::any_of(question.symbols.never_zero().begin(), question.symbols.never_zero().end(), says);
+}
+
+/// y = A and y = B, for a symbol y that is free otherwise.
+bool name_the_same(const Link& left, const Link& right, const Question& question) {
+  const auto value = [&](const Tree& tree) { return lower(tree, question.symbols); };
+  const ex y = value(left.left);
+  return left.op == "=" && right.op == "=" && GiNaC::is_a<GiNaC::symbol>(y) &&
+         y.is_equal(value(right.left)) && !value(left.right).has(y) && !value(right.right).has(y) &&
+         !is_assumed_of(y, question);
+}
+
+Proof prove_link(const Link& left, const Link& right, const Question& question, bool of_chain) {
   const Symbols& symbols = question.symbols;
   const auto value = [&](const Tree& tree) { return lower(tree, symbols); };
-  const ex a = value(left.left), b = value(left.right), c = value(right.left), d = value(right.right);
-  const bool equations = left.op == "=" && right.op == "=";
-  const bool names_it = GiNaC::is_a<GiNaC::symbol>(a) && a.is_equal(c) && !b.has(a) && !d.has(a);
-  if (equations && names_it) {
-    Pair pair = question.pair(b, d, left.right, right.right);
-    if (put_in(a, question.given).is_equal(a)) pair.name = left.left->text;
+  if (name_the_same(left, right, question)) {
+    Pair pair = question.pair(value(left.right), value(right.right), left.right, right.right);
+    pair.name = left.left->text, pair.right_counts = of_chain;
     return prove_identity(pair, symbols);
   }
-  if (equations && always_holds(put_in(c - d, question.given), symbols)) {  // does the other one, too?
+  const ex difference = put_in(value(right.left) - value(right.right), question.given);
+  if (left.op == "=" && right.op == "=" && always_holds(difference, symbols)) {  // does the other one, too?
     Proof proof = prove_identity(residuals_of(left, right, question).pair, symbols);
     if (proof.verdict == Verdict::proved) proof.reason = "both equations hold identically";
     return proof;
@@ -111,12 +127,18 @@ Proof prove_link(const Link& left, const Link& right, const Question& question) 
   return prove_residuals(residuals_of(left, right, question), symbols);
 }
 
-/// K = a = b against one equation.
+/// K = a = b against one equation. That one link differs from it shows nothing where the others may fail
+/// there, too; of what a symbol is said to be each may be looked at alone, where the right one holds.
 Proof prove_links(const Question& question) {
   const Link right = links_of(question.right)[0];
+  const std::vector<Link> links = links_of(question.left);
   Proof proof;
-  for (const Link& link : links_of(question.left))
-    if ((proof = prove_link(link, right, question)).verdict != Verdict::proved) break;
+  for (const Link& link : links) {
+    proof = prove_link(link, right, question, links.size() > 1);
+    if (proof.verdict == Verdict::proved) continue;
+    const bool is_enough = links.size() == 1 || name_the_same(link, right, question);
+    return is_enough ? proof : prove_conjunctions(question);
+  }
   return proof;
 }
 

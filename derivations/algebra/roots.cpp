@@ -119,11 +119,12 @@ std::vector<std::pair<std::string, Point>> linear_zeros(const ex& e, const Point
   for (const std::string& name : points.names()) {
     const ex& symbol = symbols[name];
     if (!e.is_polynomial(symbol) || e.degree(symbol) != 1) continue;
+    const ex slope = e.diff(symbols[name]).expand(), rest = e.subs(symbol == 0);
+    if (slope.is_zero() || slope.has(symbol)) continue;
     for (int k = 0; k < 3; ++k) {
       Point point = points.at(k);
       point.erase(name);
-      const ex zero = (-e.coeff(symbol, 0) / e.coeff(symbol, 1))
-                          .subs(values_at(point, symbols), GiNaC::subs_options::no_pattern);
+      const ex zero = (-rest / slope).subs(values_at(point, symbols), GiNaC::subs_options::no_pattern);
       if (!zero.info(GiNaC::info_flags::rational)) continue;
       point[name] = cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(zero).to_cl_N());
       if (is_inside(symbols.find(name)->range, point[name])) zeros.emplace_back(name, point);

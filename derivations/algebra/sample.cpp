@@ -26,6 +26,17 @@ std::string without_zeros(std::string text) {
   return text;
 }
 
+/// Neither at an end nor near a pole, as far as a point of 40 digits can tell.
+bool is_well_inside(const std::string& range, const cln::cl_R& value) {
+  const bool is_simple = cln:: instanceof
+      (value, cln::cl_RA_ring) &&
+          cln::denominator(cln::the<cln::cl_RA>(value)) < cln::expt_pos(cln::cl_I(10), 20);
+  if (is_simple) return is_inside(range, value);
+  const cln::cl_R margin = power_of_ten(-30) * cln::max(cln::cl_R(1), cln::abs(value));
+  return cln::abs(value) < power_of_ten(30) && is_strictly_inside(range, value - margin) &&
+         is_strictly_inside(range, value + margin);
+}
+
 }  // namespace
 
 Tree difference(const Tree& a, const Tree& b) {
@@ -55,18 +66,18 @@ Points points_for(const std::vector<Tree>& trees, const Symbols& symbols) {
 bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols) {
   for (const auto& [name, tree] : pair.bound) {
     const auto value = value_of(tree, point);
-    if (!value || !is_inside(symbols.find(name)->range, *value)) return false;
+    if (!value || !is_well_inside(symbols.find(name)->range, *value)) return false;
   }
   return std::all_of(pair.never_zero.begin(), pair.never_zero.end(), [&](const Tree& tree) {
     const auto value = value_of(tree, point);
-    return value && differ(*value, 0);
+    return value && !is_nearly_zero(*value);  // a point of 40 digits may stand for one where it is 0
   });
 }
 
 bool is_claimed(const Pair& pair, const cln::cl_R& left, const cln::cl_R& right, const Symbols& symbols) {
   if (pair.name.empty()) return true;
   const std::string& range = symbols.find(pair.name)->range;
-  return is_inside(range, left) || is_inside(range, right);
+  return (!pair.right_counts && is_inside(range, left)) || is_inside(range, right);
 }
 
 bool differ(const cln::cl_R& a, const cln::cl_R& b) {

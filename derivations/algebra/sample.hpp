@@ -12,7 +12,8 @@ struct Pair {
   GiNaC::ex left_value, right_value;
   std::vector<std::pair<std::string, Tree>> bound;  ///< a name that was replaced → what stands for it
   std::vector<Tree> never_zero = {};                ///< what was declared so
-  std::string name = "";  ///< where the two are what one symbol is said to be: that symbol
+  std::string name = "";      ///< where the two are what one symbol is said to be: that symbol
+  bool right_counts = false;  ///< it must be what the right one says
 };
 
 /// The points at which the two are compared.

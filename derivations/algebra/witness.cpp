@@ -106,6 +106,16 @@ bool is_inside(const std::string& range, const cln::cl_R& value) {
   return (i.low.closed ? v >= low : v > low) && (i.high.closed ? v <= high : v < high);
 }
 
+bool is_strictly_inside(const std::string& range, const cln::cl_R& value) {
+  const Interval i = parse_range(range);
+  const auto is_beyond = [&](const End& end, int side) {
+    if (end.infinite != 0) return true;
+    const auto at = evaluate(to_tree(end.value, Symbols()), {}, working_digits);
+    return at && cln::plusp((value - *at) * side);
+  };
+  return is_beyond(i.low, 1) && is_beyond(i.high, -1);
+}
+
 bool Points::is_between(const std::string& name, double value) const {
   const Range& range = ranges_.at(name);
   return value > range.low && value < range.high;

@@ -44,8 +44,10 @@ class Points {
   std::vector<double> landmarks_;
 };
 
-/// Whether a value lies inside a declared range such as "(0, pi/2)".
+/// Whether a value lies inside a declared range such as "(0, pi/2)", to the accuracy of a double.
 bool is_inside(const std::string& range, const cln::cl_R& value);
+/// Whether it lies between the ends, to all its digits.
+bool is_strictly_inside(const std::string& range, const cln::cl_R& value);
 
 /// The value of a tree to about 70 decimal places, 0 included; nothing where it has none.
 std::optional<cln::cl_R> value_of(const Tree& tree, const Point& point);
