@@ -114,8 +114,6 @@ Sample sample(const Pair& pair, const Points& points, const Symbols& symbols,
     if (!b || !is_admitted(pair, point, symbols)) continue;
     ++seen.both;
     if (!seen.differs && differ(*a, *b) && is_claimed(pair, *a, *b, symbols)) seen.differs = point;
-    const bool both_large = differ(*a, 0) && differ(*b, 0);
-    if (both_large && cln::minusp(*a) != cln::minusp(*b) && !seen.opposed) seen.opposed = point;
   }
   return seen;
 }

@@ -49,7 +49,6 @@ Witness make_witness(const Pair& pair, const Point& point);
 struct Sample {
   int both = 0;                  ///< points where both sides have a value
   std::optional<Point> differs;  ///< the first where they differ
-  std::optional<Point> opposed;  ///< the first where their signs are opposite
 };
 Sample sample(const Pair& pair, const Points& points, const Symbols& symbols,
               const std::function<bool(const Sample&)>& enough, int most = Points::count);
