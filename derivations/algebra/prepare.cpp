@@ -4,6 +4,7 @@
 #include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
+#include <derivations/algebra/rearrange.hpp>
 
 namespace rederive {
 
@@ -229,11 +230,18 @@ struct Prepare : GiNaC::map_function {
     if (name == "atan") return arctangent(x, whole);
     if (name == "asinh" && is_call(x, "sinh")) return x.op(0);
     if (name == "acosh" && is_call(x, "cosh")) return absolute(x.op(0));
+    if (!has_symbol(x) && (name == "asinh" || name == "acosh" || name == "atanh")) return area(name, x);
     if (name == "atanh") {
       for (const ex& angle : angles_in(x, "sinh"))
         if ((x * GiNaC::cosh(angle) - GiNaC::sinh(angle)).normal().is_zero()) return angle;
     }
     return whole;
+  }
+
+  /// asinh, acosh or atanh of a constant as a logarithm.
+  ex area(const std::string& name, const ex& x) {
+    if (name == "atanh") return (*this)(GiNaC::log((1 + x) / GiNaC::sqrt(1 - x * x)));
+    return (*this)(GiNaC::log(x + GiNaC::sqrt(x * x + (name == "asinh" ? 1 : -1))));
   }
 
   /// |∏ f_k^{n_k}| = ∏ |f_k|^{n_k}, without the bars where the sign is known.

@@ -60,18 +60,21 @@ struct Found {
   ex function, replaced, times = 1;
 };
 
-/// Where there are sin x and cos x, there are tan x and cot x: a sin x + b cos x is cos x·(a tan x + b).
+/// Where there are sin x and cos x, there are tan x and cot x: a sin x + b cos x is cos x·(a tan x + b); and
+/// tanh x likewise.
 void add_quotients(std::vector<Found>& found, const Symbols& symbols) {
   std::vector<Found> quotients;
   for (const Found& sine : found)
     for (const Found& cosine : found) {
-      const bool is_pair = name_of(sine.function) == "sin" && name_of(cosine.function) == "cos" &&
+      const std::string name = name_of(sine.function);
+      const bool is_pair = (name == "sin" || name == "sinh") &&
+                           name_of(cosine.function) == (name == "sin" ? "cos" : "cosh") &&
                            sine.function.op(0).is_equal(cosine.function.op(0));
       if (!is_pair) continue;
       const ex tangent = sine.function / cosine.function;
       const std::string text = print(tangent, Notation::plain, symbols);
       quotients.push_back({2, text, tangent, sine.function, cosine.function});
-      quotients.push_back({3, text, 1 / tangent, cosine.function, sine.function});
+      if (name == "sin") quotients.push_back({3, text, 1 / tangent, cosine.function, sine.function});
     }
   found.insert(found.end(), quotients.begin(), quotients.end());
 }
@@ -176,11 +179,15 @@ std::vector<Layer> rearrangements(const Sides& s, const Symbols& symbols) {
   std::vector<Layer> result;
   if (const auto together = logarithms_together(difference, s.op, found, symbols))
     result.push_back(*together);
-  for (const Found& f : found) {
-    const auto linear = linear_in(difference, {f});
-    if (linear && may_divide(linear->factors[0], s.op, symbols))
-      result.push_back({"*", f.function, other_side(linear->rest, linear->factors[0]), linear->factors[0]});
-  }
+  const ex fraction = simplified(difference).numer_denom();
+  for (const Found& f : found)
+    for (const auto& [above, below] : {std::pair{difference, ex(1)}, {fraction.op(0), fraction.op(1)}}) {
+      const auto linear = linear_in(above, {f});
+      if (!linear || !may_divide(linear->factors[0] / below, s.op, symbols)) continue;
+      const ex& factor = linear->factors[0];
+      result.push_back({"*", f.function, other_side(linear->rest, factor), factor / below});
+      break;
+    }
   return result;
 }
 

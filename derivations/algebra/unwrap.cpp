@@ -1,9 +1,10 @@
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <derivations/algebra/branches.hpp>
 #include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/unwrap.hpp>
-#include <derivations/algebra/vanish.hpp>
 #include <optional>
 #include <set>
 
@@ -20,13 +21,19 @@ std::string turned(const std::string& op) {
 
 namespace {
 
-/// The angle of sin(x)/cos(x), where `above` is "sin", or cos(x)/sin(x).
-std::optional<ex> angle_of_quotient(const ex& e, const std::string& above) {
+/// tan, cot and tanh are quotients of other functions.
+struct Ratio {
+  std::string name, above, below;
+};
+const std::array ratios{Ratio{"tan", "sin", "cos"}, Ratio{"cot", "cos", "sin"},
+                        Ratio{"tanh", "sinh", "cosh"}};
+
+/// The argument of sin(x)/cos(x), say.
+std::optional<ex> argument_of_ratio(const ex& e, const Ratio& ratio) {
   if (!is_a<GiNaC::mul>(e) || e.nops() != 2) return std::nullopt;
   for (const auto& [upper, lower] : {std::pair{e.op(0), e.op(1)}, std::pair{e.op(1), e.op(0)}}) {
-    if (name_of(upper) != above || !is_a<GiNaC::power>(lower) || !lower.op(1).is_equal(-1)) continue;
-    if (name_of(lower.op(0)) == (above == "sin" ? "cos" : "sin") && upper.op(0).is_equal(lower.op(0).op(0)))
-      return upper.op(0);
+    if (name_of(upper) != ratio.above || !is_a<GiNaC::power>(lower) || !lower.op(1).is_equal(-1)) continue;
+    if (name_of(lower.op(0)) == ratio.below && upper.op(0).is_equal(lower.op(0).op(0))) return upper.op(0);
   }
   return std::nullopt;
 }
@@ -34,8 +41,8 @@ std::optional<ex> angle_of_quotient(const ex& e, const std::string& above) {
 /// "exp" of exp(x); "abs" of |x|; "root" of x^(1/2), "odd" of x^3, "even" of x^4; "cot" of cos(x)/sin(x).
 std::string kind_of(const ex& e) {
   if (is_a<GiNaC::function>(e) && e.nops() == 1) return name_of(e);
-  if (angle_of_quotient(e, "sin")) return "tan";
-  if (angle_of_quotient(e, "cos")) return "cot";
+  for (const Ratio& ratio : ratios)
+    if (argument_of_ratio(e, ratio)) return ratio.name;
   if (!is_a<GiNaC::power>(e) || !is_a<numeric>(e.op(1)) || !e.op(1).info(GiNaC::info_flags::positive))
     return "";
   const numeric n = ex_to<numeric>(e.op(1));
@@ -43,8 +50,8 @@ std::string kind_of(const ex& e) {
 }
 
 ex argument_of(const ex& e) {
-  if (const auto angle = angle_of_quotient(e, "sin")) return *angle;
-  if (const auto angle = angle_of_quotient(e, "cos")) return *angle;
+  for (const Ratio& ratio : ratios)
+    if (const auto argument = argument_of_ratio(e, ratio)) return *argument;
   return e.op(0);
 }
 
@@ -56,8 +63,14 @@ std::string layer_name(const ex& e) {
   return "^" + text(n.numer()) + (n.is_integer() ? "" : "/" + text(n.denom()));
 }
 
-bool is_even(const std::string& kind) { return kind == "cosh" || kind == "abs" || kind == "even"; }
-bool falls(const std::string& kind) { return kind == "acos" || kind == "cos" || kind == "cot"; }
+/// Of layers: "^4".
+bool is_even(const std::string& function) {
+  const bool is_power = function[0] == '^' && function.find('/') == std::string::npos;
+  return function == "cosh" || function == "fabs" || (is_power && (function.back() - '0') % 2 == 0);
+}
+bool falls(const std::string& function) {
+  return function == "acos" || function == "cos" || function == "cot";
+}
 
 // ---- exponentials
 
@@ -85,55 +98,6 @@ std::optional<Layer> of_exponentials(const Sides& s, const Symbols& symbols) {
   return Layer{"exp", *left, *right};
 }
 
-// ---- angles
-
-/// The angle whose sine is that of x …, on the range where it grows or falls; cos x is cos |x|.
-std::optional<ex> angle_on_one_branch(const std::string& kind, const ex& x, const Symbols& symbols) {
-  const ex &pi = GiNaC::Pi, half = pi / 2;
-  const auto weakly = [&](const ex& low, const ex& high) {
-    return is_nonnegative(x - low, symbols) && is_nonnegative(high - x, symbols);
-  };
-  const auto strictly = [&](const ex& low, const ex& high) {
-    return sign_of(x - low, symbols) > 0 && sign_of(high - x, symbols) > 0;
-  };
-  if ((kind == "sin" && weakly(-half, half)) || (kind == "tan" && strictly(-half, half)) ||
-      (kind == "cot" && strictly(0, pi)))
-    return x;
-  if (kind != "cos" || !weakly(-pi, pi)) return std::nullopt;
-  return is_nonnegative(x, symbols) ? x : is_nonnegative(-x, symbols) ? -x : ex(GiNaC::abs(x));
-}
-
-bool is_angular(const std::string& kind) {
-  return kind == "sin" || kind == "cos" || kind == "tan" || kind == "cot";
-}
-
-ex value_at(const std::string& kind, const ex& angle) {
-  const ex sine = GiNaC::sin(angle), cosine = GiNaC::cos(angle);
-  return kind == "sin" ? sine : kind == "cos" ? cosine : kind == "tan" ? sine / cosine : cosine / sine;
-}
-
-/// The angle on that range whose sine … is a constant: a multiple of π/12 as such.
-std::optional<ex> arc_of(const std::string& kind, const ex& value, const Symbols& symbols) {
-  const bool bounded = kind == "sin" || kind == "cos";
-  if (bounded && !(is_nonnegative(1 - value, symbols) && is_nonnegative(value + 1, symbols)))
-    return std::nullopt;
-  const ex arc = kind == "sin"                 ? GiNaC::asin(value)
-                 : kind == "cos"               ? GiNaC::acos(value)
-                 : kind == "tan"               ? GiNaC::atan(value)
-                 : sign_of(value, symbols) > 0 ? GiNaC::atan(1 / value)
-                                               : GiNaC::Pi / 2 - GiNaC::atan(value);
-  const ex twelfths = (12 * arc / GiNaC::Pi).evalf();
-  if (!is_a<numeric>(twelfths) || !ex_to<numeric>(twelfths).is_real()) return std::nullopt;
-  const double turns = ex_to<numeric>(twelfths).to_double();
-  const ex near = static_cast<int>(std::lround(turns)) * GiNaC::Pi / 12;
-  try {
-    if (std::fabs(turns - std::round(turns)) < 1e-9 && vanishes(value_at(kind, near) - value, symbols))
-      return near;
-  } catch (const std::exception&) {  // outside of the class, or near a pole: it stays as it is
-  }
-  return arc;
-}
-
 // ---- one function off
 
 /// f(a) op f(b), where f is one and the same; -f(b) is f(-b) where f is odd.
@@ -150,18 +114,18 @@ std::optional<Layer> the_same(const Sides& s, const Symbols& symbols) {
   if (is_power && s.left.op(1).is_equal(2)) return std::nullopt;  // squares stay
   const ex a = argument_of(s.left), b = negative ? -argument_of(right) : argument_of(right);
   if (is_angular(kind)) {
-    const auto first = angle_on_one_branch(kind, a, symbols), second = angle_on_one_branch(kind, b, symbols);
-    return first && second ? std::optional(Layer{kind, *first, *second}) : std::nullopt;
+    const auto first = on_one_branch(kind, a, symbols), second = on_one_branch(kind, b, symbols);
+    const bool fit = first && second && first->kind == second->kind;
+    return fit ? std::optional(Layer{first->kind, first->angle, second->angle}) : std::nullopt;
   }
   return odd.contains(kind) || others.contains(kind) ? std::optional(Layer{layer_name(s.left), a, b})
                                                      : std::nullopt;
 }
 
 /// f(a) op b is f(a) op f(c), where c = g(b), g is an inverse function and b a constant among the values of
-/// f.
+/// f, which is no function of angles.
 std::optional<ex> inverse_at_constant(const std::string& kind, const ex& f, const ex& b,
                                       const std::string& op, const Symbols& symbols) {
-  if (is_angular(kind)) return arc_of(kind, b, symbols);
   if (kind == "sinh") return GiNaC::asinh(b);
   if (kind == "tanh" && sign_of(1 - b, symbols) > 0 && sign_of(1 + b, symbols) > 0) return GiNaC::atanh(b);
   if (kind == "cosh" && is_nonnegative(b - 1, symbols)) return GiNaC::acosh(b);
@@ -196,33 +160,35 @@ std::optional<Layer> of_the_left(const Sides& s, const Symbols& symbols) {
   }
   if (has_symbol(b))
     return std::nullopt;  // sin(x) = y is not made x = asin(y), for asin(y) = x becomes the former
-  const auto a = is_angular(kind) ? angle_on_one_branch(kind, argument_of(s.left), symbols)
-                                  : std::optional<ex>(s.left.op(0));
-  const auto c = a ? inverse_at_constant(kind, s.left, b, s.op, symbols) : std::nullopt;
-  return c ? std::optional(Layer{layer_name(s.left), *a, *c}) : std::nullopt;
+  if (is_angular(kind)) {
+    const auto branch = on_one_branch(kind, argument_of(s.left), symbols);
+    const auto arc = branch ? arc_of(branch->kind, b, symbols) : std::nullopt;
+    return arc ? std::optional(Layer{branch->kind, branch->angle, *arc}) : std::nullopt;
+  }
+  const auto c = inverse_at_constant(kind, s.left, b, s.op, symbols);
+  return c ? std::optional(with(*c)) : std::nullopt;
 }
 
 /// The relation inside of a layer; x^2 = 0 is x = 0.
-Sides inside(const Layer& layer, const std::string& kind, const std::string& op) {
+Sides inside(const Layer& layer, const std::string& op) {
   const bool is_zero = op == "=" && (layer.left.is_zero() || layer.right.is_zero());
-  const int power = is_even(kind) && !is_zero ? 2 : 1;
-  return {GiNaC::pow(layer.left, power), falls(kind) ? turned(op) : op, GiNaC::pow(layer.right, power)};
+  const int power = is_even(layer.function) && !is_zero ? 2 : 1;
+  return {GiNaC::pow(layer.left, power), falls(layer.function) ? turned(op) : op,
+          GiNaC::pow(layer.right, power)};
 }
 
 /// Takes one function off the sides as they stand.
 std::optional<Layer> peel(Sides& sides, const Symbols& symbols) {
-  std::string kind = kind_of(sides.left);
   auto layer = of_exponentials(sides, symbols);
-  if (layer) kind = "exp";
   if (!layer) layer = the_same(sides, symbols);
   const bool right_first = rank_of(sides.right).value_or(3) < rank_of(sides.left).value_or(3);
   for (const bool right : {right_first, !right_first}) {
     if (layer) break;
     layer = right ? of_the_left({sides.right, turned(sides.op), sides.left}, symbols)
                   : of_the_left(sides, symbols);
-    if (layer && right) std::swap(layer->left, layer->right), kind = kind_of(sides.right);
+    if (layer && right) std::swap(layer->left, layer->right);
   }
-  if (layer) sides = inside(*layer, kind, sides.op);
+  if (layer) sides = inside(*layer, sides.op);
   return layer;
 }
 

@@ -70,9 +70,12 @@ void Steps::tree(const Tree& tree) {
   if (tree->kind != Node::Kind::call && !q_.is_root(tree)) return;
   if (!done_.insert(q_.text(tree)).second) return;
   if (is_circular(tree->text) || is_real(tree->text)) {
-    const ex argument = q_.value(tree->children[0]);
     const bool is_even = tree->text == "cos" || tree->text == "cosh", circular = is_circular(tree->text);
-    if (is_even && name_of(argument) == "abs")  // cos|u| = cos u
+    const Tree& of = tree->children[0];
+    const ex argument = q_.value(of);
+    if (is_even && of->kind == Node::Kind::call && of->text == "fabs")  // cos|u| = cos u
+      unit(of->children[0], q_.value(of->children[0]), circular);
+    else if (is_even && name_of(argument) == "abs")
       unit(to_tree(argument.op(0), q_.symbols), argument.op(0), circular);
     else
       unit(tree->children[0], argument, circular);
