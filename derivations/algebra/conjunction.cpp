@@ -17,6 +17,7 @@ struct Part {
   Tree written;
   ex residual, inner;
   Claim claim;
+  std::optional<ex> squared = std::nullopt;
 };
 using Parts = std::vector<Part>;
 using Numbers = std::vector<std::size_t>;
@@ -32,11 +33,11 @@ Parted parts_of(const Question& question) {
   Parted result{{}, {}, residuals_of(left[0], right[0], question)};
   for (const Link& link : left) {
     const Residuals r = residuals_of(link, right[0], question);
-    result.left.push_back({r.pair.left, r.pair.left_value, r.inner_left, r.left});
+    result.left.push_back({r.pair.left, r.pair.left_value, r.inner_left, r.left, r.squared_left});
   }
   for (const Link& link : right) {
     const Residuals r = residuals_of(left[0], link, question);
-    result.right.push_back({r.pair.right, r.pair.right_value, r.inner_right, r.right});
+    result.right.push_back({r.pair.right, r.pair.right_value, r.inner_right, r.right, r.squared_right});
   }
   return result;
 }
@@ -99,6 +100,7 @@ class Matching {
     Residuals r = parts_.first;
     r.pair.left_value = a.residual, r.pair.right_value = b.residual;
     r.inner_left = a.inner, r.inner_right = b.inner, r.left = r.right = a.claim;
+    r.squared_left = a.squared, r.squared_right = b.squared;
     return prove_by_some_factor(r, symbols_).verdict == Verdict::proved;
   }
 
@@ -108,42 +110,67 @@ class Matching {
   Match never_{{}, {}, true};
 };
 
-/// Whether all parts hold at a point, and the first that does not; nothing where one has no value, or is so
-/// near 0 that it cannot be told. The point may stand for a root of one of them, and has 40 digits then.
+/// A point that is looked at. It may stand for a root of a residual, and has 40 digits then.
+struct Place {
+  Root at;
+  ex root_of = 0;
+};
+
+/// Whether the part is 0 where the point is, or what it stands for; nothing where that cannot be told.
+std::optional<bool> is_zero(const Part& part, const cln::cl_R& value, const Place& place,
+                            const Symbols& symbols) {
+  const auto& [at, exact, meant] = place.at;
+  const bool is_clear = exact ? differ(value, 0) : cln::abs(value) * power_of_ten(15) >= 1;
+  if (is_clear) return false;
+  if (!place.root_of.is_zero() && GiNaC::is_a<GiNaC::numeric>((part.residual / place.root_of).normal()))
+    return true;
+  const auto root = zero_near({part.written, part.residual}, at, symbols);
+  const bool is_certain = root && (root->exact || (!meant.empty() && root->meant == meant));
+  return is_certain ? std::optional(true) : std::nullopt;
+}
+
+/// Whether all parts hold at a point, and the first that does not, or that is 0; nothing where one has no
+/// value, or is so near 0 that it cannot be told.
 struct Truth {
-  bool holds = true;
+  bool holds = true, is_zero = false;
   std::size_t part = 0;
 };
-std::optional<Truth> truth(const Parts& parts, const Point& point, const Symbols& symbols,
-                           const Tree& root_of) {
+std::optional<Truth> truth(const Parts& parts, const Place& place, const Symbols& symbols) {
   Truth result;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const auto& [tree, residual, inner, claim] = parts[k];
-    const auto value = value_of(tree, point);
-    if (!value) return std::nullopt;
-    const bool is_root = root_of && tree == root_of, is_zero = is_root || !differ(*value, 0);
-    if (root_of && !is_root && cln::abs(*value) * power_of_ten(15) < 1) return std::nullopt;
-    if (is_zero && !is_root)
-      if (const auto root = zero_near({tree, residual}, point, symbols); !root || !root->exact)
-        return std::nullopt;
-    const bool holds = is_zero ? claim != Claim::positive : claim != Claim::zero && cln::plusp(*value);
-    if (!holds && result.holds) result = {false, k};
+    const auto value = value_of(parts[k].written, place.at.at);
+    const auto zero = value ? is_zero(parts[k], *value, place, symbols) : std::nullopt;
+    if (!zero) return std::nullopt;
+    const Claim claim = parts[k].claim;
+    const bool holds = *zero ? claim != Claim::positive : claim != Claim::zero && cln::plusp(*value);
+    if (result.holds && (!holds || (*zero && !result.is_zero))) result = {holds, *zero, k};
   }
   return result;
+}
+
+/// One value of each side, of parts that tell them apart.
+Witness witness_at(const Place& place, const Parted& parts, const Truth& left, const Truth& right) {
+  Pair shown = parts.first.pair;
+  shown.left = parts.left[left.part].written, shown.right = parts.right[right.part].written;
+  Witness witness = make_witness(shown, place.at.at);
+  witness.exactly = place.at.meant;
+  if (left.is_zero) witness.printed = "0";
+  if (right.is_zero) witness.derived = "0";
+  return witness;
 }
 
 /// A point at which one statement holds and the other does not: among many, and where a link turns.
 std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbols) {
   std::optional<Proof> found;
-  const auto look = [&](const Point& p, const Tree& root_of) {
-    const auto left = truth(parts.left, p, symbols, root_of),
-               right = left ? truth(parts.right, p, symbols, root_of) : std::nullopt;
-    if (!right || left->holds == right->holds || !is_admitted(parts.first.pair, p, symbols)) return false;
-    Pair shown = parts.first.pair;
-    shown.left = parts.left[left->part].written, shown.right = parts.right[right->part].written;
-    found = refuted(make_witness(shown, p),
-                    left->holds ? "at the witness all of the left one holds and the right one fails"
-                                : "at the witness the right one holds and a link of the left one fails");
+  const auto look = [&](const Place& place) {
+    const auto left = truth(parts.left, place, symbols),
+               right = left ? truth(parts.right, place, symbols) : std::nullopt;
+    if (!right || left->holds == right->holds || !is_admitted(parts.first.pair, place.at.at, symbols))
+      return false;
+    const std::string why = left->holds
+                                ? "at the witness all of the left one holds and the right one fails"
+                                : "at the witness the right one holds and a link of the left one fails";
+    found = refuted(witness_at(place, parts, *left, *right), why + precision_of(place.at));
     return true;
   };
   std::vector<Tree> trees = trees_of(parts.first.pair);
@@ -153,10 +180,11 @@ std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbol
       trees.push_back(part.written), links.push_back({part.written, part.residual});
   const Points points = points_for(trees, symbols);
   for (int k = 0; k < Points::many; ++k)
-    if (look(points.at(k), nullptr)) return found;
+    if (look({{points.at(k), true}})) return found;
   for (const Written& link : links)
-    if (find_root(link, points, 10, Roots::crossings, symbols,
-                  [&](const Root& root) { return look(root.at, root.exact ? nullptr : link.tree); }))
+    if (find_root(link, points, 10, Roots::crossings, symbols, [&](const Root& root) {
+          return look({root, link.value});
+        }))
       return found;
   return std::nullopt;
 }

@@ -2,6 +2,7 @@
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/links.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/rearrange.hpp>
 
 namespace rederive {
 
@@ -26,6 +27,11 @@ std::vector<ex> divisors_of(const Relation& relation, const Question& question) 
 /// Before the givens are put in.
 ex lowered_residual(const Link& link, const Symbols& symbols) {
   return residual_of({lower(link.left, symbols), link.op, lower(link.right, symbols)});
+}
+
+std::optional<ex> squared_residual(const Sides& sides, const Symbols& symbols) {
+  const auto squares = squared(sides, symbols);
+  return squares ? std::optional(residual_of(*squares)) : std::nullopt;
 }
 
 }  // namespace
@@ -73,12 +79,16 @@ ex residual_of(const Sides& s) { return s.op[0] == '<' ? s.right - s.left : s.le
 
 Residuals residuals_of(const Link& left, const Link& right, const Question& question) {
   const Symbols& symbols = question.symbols;
+  const Sides inner_left = unwrapped(sides_of(left, question), symbols),
+              inner_right = unwrapped(sides_of(right, question), symbols);
   return {question.pair(lowered_residual(left, symbols), lowered_residual(right, symbols),
                         written_residual(left), written_residual(right)),
           claim_of(left.op),
           claim_of(right.op),
-          residual_of(unwrapped(sides_of(left, question), symbols)),
-          residual_of(unwrapped(sides_of(right, question), symbols)),
+          residual_of(inner_left),
+          residual_of(inner_right),
+          squared_residual(inner_left, symbols),
+          squared_residual(inner_right, symbols),
           divisors_of(question.left, question),
           divisors_of(question.right, question)};
 }

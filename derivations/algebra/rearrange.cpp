@@ -18,15 +18,31 @@ bool has_symbol(const ex& e) {
                      [](const ex& part) { return is_a<GiNaC::symbol>(part); });
 }
 
-Sides rearranged(const Layer& layer, const std::string& op, const Symbols& symbols) {
-  const bool turns = op != "=" && sign_of(layer.factor, symbols) < 0;
-  return {layer.left, turns ? turned(op) : op, layer.right};
+Sides rearranged(const Layer& layer, const std::string& op) {
+  return {layer.left, layer.turns ? turned(op) : op, layer.right};
+}
+
+Symbols narrowed_by_functions(const Sides& sides, Symbols symbols) {
+  const ex difference = sides.left - sides.right;
+  for (auto part = difference.preorder_begin(); part != difference.preorder_end(); ++part) {
+    const bool is_log = name_of(*part) == "log", is_root = is_a<GiNaC::power>(*part) &&
+                                                           is_a<numeric>(part->op(1)) &&
+                                                           ex_to<numeric>(part->op(1)).denom() == 2;
+    if ((!is_log && !is_root) || !is_a<GiNaC::symbol>(part->op(0))) continue;
+    const ex& x = part->op(0);
+    const Symbol* symbol = symbols.find(x);
+    const bool is_known = is_log ? sign_of(x, symbols) > 0 : is_nonnegative(x, symbols);
+    if (symbol == nullptr || is_known || is_nonnegative(-x, symbols)) continue;
+    const Range range = read_range(symbol->range);
+    symbols.narrow(symbol->name, (is_log ? "(0, " : "[0, ") + range.upper + (range.upper_closed ? "]" : ")"));
+  }
+  return symbols;
 }
 
 namespace {
 
 constexpr std::size_t most_functions = 8;
-constexpr std::ptrdiff_t most_parts = 2000, most_simplified = 200;
+constexpr std::ptrdiff_t most_parts = 2000, most_simplified = 200, most_squared = 30;
 
 std::ptrdiff_t parts_of(const ex& e) { return std::distance(e.preorder_begin(), e.preorder_end()); }
 
@@ -168,14 +184,70 @@ std::optional<Layer> logarithms_together(const ex& difference, const std::string
   }
   const ex factor = linear->factors[0] * (numerators / denominators);
   if (!may_divide(factor, op, symbols)) return std::nullopt;
-  return Layer{"*", GiNaC::log(product), other_side(linear->rest, factor), factor};
+  return Layer{"*", GiNaC::log(product), other_side(linear->rest, factor), factor,
+               sign_of(factor, symbols) < 0};
+}
+
+ex factors_of(const ex& e) { return is_a<GiNaC::mul>(e) ? e : ex(GiNaC::lst{e}); }
+
+/// The largest n for which all but the number in a product are n-th powers; 0 of a number.
+numeric exponent_of(const ex& e) {
+  numeric n = 0;
+  for (const ex& factor : factors_of(e))
+    if (is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::rational))
+      n = GiNaC::gcd(n, ex_to<numeric>(factor.op(1)).numer());
+    else if (!is_a<numeric>(factor))
+      return 1;
+  return n;
+}
+
+/// The n-th root of such a product, with a rational number.
+std::optional<ex> root_of(const ex& e, const numeric& n) {
+  ex product = 1;
+  for (const ex& factor : factors_of(e)) {
+    const bool is_number = is_a<numeric>(factor),
+               turns = n.is_odd() && factor.info(GiNaC::info_flags::negative);
+    const ex root = !is_number ? GiNaC::pow(factor.op(0), factor.op(1) / n)
+                    : turns    ? -GiNaC::pow(-factor, 1 / n)
+                               : GiNaC::pow(factor, 1 / n);
+    if (is_number && !root.info(GiNaC::info_flags::rational)) return std::nullopt;
+    product *= root;
+  }
+  return product;
+}
+
+/// Whether both sides have this sign or are 0, though it is not known that one of them is not.
+bool have_sign(int sign, const Sides& s, const Symbols& symbols) {
+  return is_nonnegative(sign * s.left, symbols) && is_nonnegative(sign * s.right, symbols) &&
+         sign_of(s.left + s.right, symbols) == 0;
 }
 
 }  // namespace
 
+std::optional<Layer> common_power(const Sides& s) {
+  const numeric n = GiNaC::gcd(exponent_of(s.left), exponent_of(s.right));
+  if (n <= 2) return std::nullopt;
+  const auto left = root_of(s.left, n), right = root_of(s.right, n);
+  return left && right ? std::optional(Layer{"^" + std::to_string(n.to_int()), *left, *right}) : std::nullopt;
+}
+
+std::optional<Sides> squared(const Sides& s, const Symbols& symbols, std::vector<Layer>* layers) {
+  if (parts_of(s.left) + parts_of(s.right) > most_squared || !has_symbol(s.left - s.right))
+    return std::nullopt;
+  const bool negative = !have_sign(1, s, symbols) && have_sign(-1, s, symbols);
+  if (!negative && !have_sign(1, s, symbols)) return std::nullopt;
+  const Layer turning{"*", -s.left, -s.right, -1, true};
+  const Sides positive = negative ? rearranged(turning, s.op) : s;
+  const Layer root{"^1/2", GiNaC::pow(positive.left, 2), GiNaC::pow(positive.right, 2)};
+  if (layers != nullptr && negative) layers->push_back(turning);
+  if (layers != nullptr) layers->push_back(root);
+  return Sides{root.left, positive.op, root.right};
+}
+
 std::vector<Layer> rearrangements(const Sides& s, const Symbols& symbols) {
   const ex difference = s.left - s.right;
   const std::vector<Found> found = functions_in(difference, symbols);
+  const Symbols domain = narrowed_by_functions(s, symbols);
   std::vector<Layer> result;
   if (const auto together = logarithms_together(difference, s.op, found, symbols))
     result.push_back(*together);
@@ -183,9 +255,10 @@ std::vector<Layer> rearrangements(const Sides& s, const Symbols& symbols) {
   for (const Found& f : found)
     for (const auto& [above, below] : {std::pair{difference, ex(1)}, {fraction.op(0), fraction.op(1)}}) {
       const auto linear = linear_in(above, {f});
-      if (!linear || !may_divide(linear->factors[0] / below, s.op, symbols)) continue;
-      const ex& factor = linear->factors[0];
-      result.push_back({"*", f.function, other_side(linear->rest, factor), factor / below});
+      if (!linear || !may_divide(linear->factors[0] / below, s.op, domain)) continue;
+      const ex &slope = linear->factors[0], factor = slope / below;
+      result.push_back(
+          {"*", f.function, other_side(linear->rest, slope), factor, sign_of(factor, domain) < 0});
       break;
     }
   return result;

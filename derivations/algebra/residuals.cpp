@@ -49,6 +49,12 @@ std::string advice(const ex& e, const Symbols& symbols) {
   return text.empty() ? text : text + " may decide it";
 }
 
+std::string precision_of(const Root& root) {
+  std::string text;
+  for (const auto& [name, value] : root.meant) text += (text.empty() ? "" : ", ") + name + " = " + value;
+  return root.exact ? "" : text.empty() ? " (a root, to 40 digits)" : " (" + text + ")";
+}
+
 namespace {
 
 /// Whether the relation holds where its residual is 0, or has this value, which is not 0.
@@ -77,12 +83,6 @@ Witness witness_at(const Root& root, const Pair& pair, bool of_right) {
   (of_right ? witness.derived : witness.printed) = "0";
   return witness;
 }
-std::string precision_of(const Root& root) {
-  std::string text;
-  for (const auto& [name, value] : root.meant) text += (text.empty() ? "" : ", ") + name + " = " + value;
-  return root.exact ? "" : text.empty() ? " (a root, to 40 digits)" : " (" + text + ")";
-}
-
 /// A root of one residual at which the other is certainly not 0, and one relation holds and the other fails.
 std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, bool of_right, Roots which,
                                       const Symbols& symbols) {
@@ -187,7 +187,31 @@ Proof prove_by_factor(const ex& left, const ex& right, const Residuals& r, const
   return undecided(why);
 }
 
+/// Without the functions around the sides, or as squares of sides that are not negative.
+std::optional<Proof> prove_inside(const Residuals& r, const Symbols& symbols) {
+  const auto differ_by_factor = [&](const ex& left, const ex& right) {
+    return prove_by_factor(left, right, r, symbols).verdict == Verdict::proved;
+  };
+  const bool unwrapped =
+      !r.inner_left.is_equal(r.pair.left_value) || !r.inner_right.is_equal(r.pair.right_value);
+  if (unwrapped && differ_by_factor(r.inner_left, r.inner_right))
+    return proved("",
+                  "without the increasing functions around their sides, the residuals differ by a factor "
+                  "that vanishes at most where both of them do");
+  if ((r.squared_left && differ_by_factor(*r.squared_left, r.inner_right)) ||
+      (r.squared_right && differ_by_factor(r.inner_left, *r.squared_right)))
+    return proved("", "of sides that are not negative the squares say the same");
+  return std::nullopt;
+}
+
 }  // namespace
+
+bool has_high_power(const ex& e) {
+  return std::any_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) {
+    return GiNaC::is_a<GiNaC::power>(part) && part.op(1).info(GiNaC::info_flags::integer) &&
+           GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(part.op(1))) > 8;
+  });
+}
 
 std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symbols) {
   try {
@@ -209,16 +233,15 @@ std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symb
 Proof prove_by_some_factor(const Residuals& r, const Symbols& symbols) {
   if ((r.left == Claim::zero) != (r.right == Claim::zero))
     return undecided("an equation is not compared with an inequality");
-  Proof proof = prove_by_factor(r.pair.left_value, r.pair.right_value, r, symbols);
-  const bool unwrapped =
-      !r.inner_left.is_equal(r.pair.left_value) || !r.inner_right.is_equal(r.pair.right_value);
-  if (proof.verdict != Verdict::proved && unwrapped &&
-      prove_by_factor(r.inner_left, r.inner_right, r, symbols).verdict == Verdict::proved)
-    return proved(
-        "",
-        "without the increasing functions around their sides, the residuals differ by a factor that "
-        "vanishes at most where both of them do");
-  return proof;
+  const bool inside_first = has_high_power(r.pair.left_value) || has_high_power(r.pair.right_value);
+  auto inside = inside_first ? prove_inside(r, symbols) : std::nullopt;
+  if (inside) return *inside;
+  if (inside_first && !has_high_power(r.inner_left) && !has_high_power(r.inner_right))
+    return undecided(
+        "without the high powers, the two residuals do not differ by a factor that cannot vanish");
+  const Proof proof = prove_by_factor(r.pair.left_value, r.pair.right_value, r, symbols);
+  if (proof.verdict != Verdict::proved && !inside_first) inside = prove_inside(r, symbols);
+  return inside.value_or(proof);
 }
 
 namespace {

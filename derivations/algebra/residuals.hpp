@@ -2,6 +2,7 @@
 #pragma once
 
 #include <derivations/algebra/sample.hpp>
+#include <derivations/algebra/zeros.hpp>
 
 namespace rederive {
 
@@ -14,6 +15,7 @@ struct Residuals {
   Claim left, right;
   GiNaC::ex inner_left,
       inner_right;  ///< the same without increasing functions around both sides (unwrap.hpp)
+  std::optional<GiNaC::ex> squared_left, squared_right;  ///< of these, where no side is negative
   std::vector<GiNaC::ex> left_divisors, right_divisors;  ///< what the statements divide by: not zero where
                                                          ///< they mean anything
 };
@@ -25,6 +27,10 @@ Proof prove_residuals(const Residuals& residuals, const Symbols& symbols);
 /// The same by a factor alone: as the residuals stand, or without functions around both sides.
 Proof prove_by_some_factor(const Residuals& residuals, const Symbols& symbols);
 
+/// x^64 - y^64 has a factor that takes long to find, and is not needed where x^2 - y^2 does: with such powers
+/// functions are taken off first.
+bool has_high_power(const GiNaC::ex& residual);
+
 /// Whether what a residual asks for holds at all points of the declared ranges, or at none; nothing where
 /// neither is known.
 std::optional<bool> settled(const GiNaC::ex& residual, Claim claim, const Symbols& symbols);
@@ -32,6 +38,8 @@ std::optional<bool> settled(const GiNaC::ex& residual, Claim claim, const Symbol
 Proof proved(std::string factor, std::string reason);
 Proof refuted(Witness witness, std::string reason);
 Proof undecided(std::string reason);
+/// " (x = sqrt(2))" or " (a root, to 40 digits)", if the point of the root is not all that is to be said.
+std::string precision_of(const Root& root);
 /// "; an assumption on the sign of x may decide it": symbols under roots, in logarithms and between bars that
 /// may be of either sign; empty if there are none.
 std::string advice(const GiNaC::ex& expression, const Symbols& symbols);

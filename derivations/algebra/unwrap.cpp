@@ -180,6 +180,7 @@ Sides inside(const Layer& layer, const std::string& op) {
 /// Takes one function off the sides as they stand.
 std::optional<Layer> peel(Sides& sides, const Symbols& symbols) {
   auto layer = of_exponentials(sides, symbols);
+  if (!layer) layer = common_power(sides);
   if (!layer) layer = the_same(sides, symbols);
   const bool right_first = rank_of(sides.right).value_or(3) < rank_of(sides.left).value_or(3);
   for (const bool right : {right_first, !right_first}) {
@@ -196,7 +197,7 @@ std::optional<Layer> peel(Sides& sides, const Symbols& symbols) {
 std::vector<Layer> step(Sides& sides, const Symbols& symbols) {
   if (const auto layer = peel(sides, symbols)) return {*layer};
   for (const Layer& moved : rearrangements(sides, symbols)) {
-    Sides next = rearranged(moved, sides.op, symbols);
+    Sides next = rearranged(moved, sides.op);
     if (const auto layer = peel(next, symbols)) {
       sides = next;
       return {moved, *layer};
@@ -208,10 +209,10 @@ std::vector<Layer> step(Sides& sides, const Symbols& symbols) {
 /// sin a < u is tan a < u/√(1-u²), as functions of the angle all grow; cos a < u is tan a > √(1-u²)/u.
 std::vector<Layer> to_tangent(Sides& sides, const Symbols& symbols) {
   const Sides swapped{sides.right, turned(sides.op), sides.left};
-  std::vector<std::pair<Sides, std::vector<Layer>>> ways{{sides, {}},
-                                                         {swapped, {{"*", sides.right, sides.left, -1}}}};
+  std::vector<std::pair<Sides, std::vector<Layer>>> ways{
+      {sides, {}}, {swapped, {{"*", sides.right, sides.left, -1, true}}}};
   for (const Layer& moved : rearrangements(sides, symbols))
-    ways.push_back({rearranged(moved, sides.op, symbols), {moved}});
+    ways.push_back({rearranged(moved, sides.op), {moved}});
   for (auto& [way, layers] : ways) {
     const std::string kind = kind_of(way.left);
     const ex &u = way.right, half = GiNaC::Pi / 2;

@@ -17,12 +17,14 @@ struct Sides {
 /// What was taken off: function(left) and function(right) were the sides. An even one leaves the squares of
 /// what it is taken off, for it grows with them; acos, cos and cot turn an inequality round. sin, cos, tan
 /// and cot are taken off angles on [-pi/2, pi/2], [0, pi], (-pi/2, pi/2), (0, pi) only: left and right lie
-/// there, turned if need be, pi - x for x; a sine may have become a cosine then. "sin(atan)" is x/sqrt(1+x^2), which increases; "cos(atan)" is 1/sqrt(1+x^2), for x >= 0, and falls.
+/// there, turned if need be, pi - x for x; a sine may have become a cosine then. "sin(atan)" is
+/// x/sqrt(1+x^2), which increases; "cos(atan)" is 1/sqrt(1+x^2), for x >= 0, and falls.
 /// "*" rearranges: left - right was factor*(left - right); it turns an inequality round if factor < 0.
 struct Layer {
   std::string function;  ///< "exp"; "^3" or "^1/2" for a power; "sin(atan)"; "*"
   GiNaC::ex left, right;
-  GiNaC::ex factor = 1;  ///< of "*": never 0, and of one sign where the relation is an inequality
+  GiNaC::ex factor = 1;  ///< of "*": never 0, and of one sign where the relation is an inequality: there
+  bool turns = false;    ///< a negative one turns it round
 };
 
 /// < for >, <= for >=; = stays.

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <array>
 #include <derivations/algebra/conjunction.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/quotient.hpp>
+#include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <lessons/ledger/certificate_links.hpp>
 
@@ -15,22 +15,17 @@ using GiNaC::numeric;
 
 namespace {
 
-void collect_divisors(const Tree& tree, const CertifiedStatement& q, std::vector<CertifiedDivisor>& found) {
-  const auto add = [&](const Tree& divisor) {
-    found.push_back({put_in(lower(divisor, q.symbols), q.given), divisor});
-  };
-  for (const Tree& child : tree->children) collect_divisors(child, q, found);
-  if (tree->kind == Node::Kind::product)
-    for (std::size_t k = 0; k < tree->children.size(); ++k)
-      if (tree->inverse[k] && !q.rational(tree->children[k])) add(tree->children[k]);
-  if (tree->kind == Node::Kind::power && !q.is_root(tree) && q.rational(tree->children[1])->is_negative())
-    add(tree->children[0]);
-  if (tree->kind != Node::Kind::call) return;
-  for (const auto& [divisor, names] : {std::pair{"cos", std::array{"tan", "sec"}},
-                                       {"sin", {"cot", "csc"}},
-                                       {"sinh", {"coth", "csch"}},
-                                       {"cosh", {"tanh", "sech"}}})
-    if (tree->text == names[0] || tree->text == names[1]) add(call(divisor, tree->children[0]));
+/// With exp(log(x)), or sqrt(x)^2, for every x whose range the domain narrows so.
+Tree with_functions(const Tree& tree, const Symbols& symbols, const Symbols& domain) {
+  if (tree->kind == Node::Kind::symbol) {
+    const Symbol *whole = symbols.find(tree->text), *narrow = domain.find(tree->text);
+    if (whole == nullptr || whole->range == narrow->range) return tree;
+    const bool is_log = narrow->range[0] == '(';
+    return parse((is_log ? "exp(log(" : "(sqrt(") + tree->text + (is_log ? "))" : ")^2)"), symbols);
+  }
+  auto copy = std::make_shared<Node>(*tree);
+  for (Tree& child : copy->children) child = with_functions(child, symbols, domain);
+  return copy;
 }
 
 /// Finds what makes one link hold.
@@ -107,6 +102,7 @@ struct Finder {
   /// part^n, if the part is 0 only where right (or left, for n < 0) is, for its square is that one's, or it
   /// is that square, or a quarter of it, and more.
   bool put_down_sum(const ex& part, int n, CertifiedLink& link) const {
+    if (has_symbol(part.denom())) return false;
     const ex square = GiNaC::pow(n > 0 ? link.right.residual : link.left.residual, 2);
     const Tree written = tree(is_nonnegative(part, q.symbols) ? form(part) : part);
     if ((GiNaC::pow(part, 2) - square).expand().is_zero()) return link.factor.emplace_back(written, n), true;
@@ -139,6 +135,13 @@ struct Finder {
       }
     return false;
   }
+  /// Of all that is not squared; 1/x has none that the range [0, inf) shows.
+  bool shows_sign(const CertifiedFactor& factor) const {
+    return std::all_of(factor.begin(), factor.end(), [&](const auto& part) {
+      const ex value = put_in(lower(part.first, q.symbols), q.given);
+      return part.second % 2 == 0 || sign_of(value, q.symbols) != 0 || (part.second > 0 && shows_sign(value));
+    });
+  }
   bool find_factor(CertifiedLink& link, const std::string& op) const {
     std::vector<ex> values;
     for (const CertifiedDivisor& d : divisors) values.push_back(d.value);
@@ -150,7 +153,8 @@ struct Finder {
         const Quotient factor = assess(*parts, values, q.symbols);
         link.factor.clear(), link.more.clear();
         const bool fits = !factor.value.is_zero() && (op == "=" || factor.sign > 0);
-        if (fits && vanishes(left - factor.value * right, q.symbols) && put_down(*parts, link.factor, &link))
+        if (fits && vanishes(left - factor.value * right, q.symbols) &&
+            put_down(*parts, link.factor, &link) && (op == "=" || shows_sign(link.factor)))
           return true;
       } catch (const Undecidable&) {  // then another way
       }
@@ -160,34 +164,49 @@ struct Finder {
 
   // ---- relations
 
-  /// What was taken off, the factors so written that they are seen never to be 0.
-  std::optional<std::vector<CertifiedLayer>> put_down(const std::vector<Layer>& layers) const {
+  /// The factor of "*", so written that it is seen never to be 0.
+  std::optional<CertifiedFactor> put_down(const ex& value) const {
+    CertifiedFactor factor;
+    const auto parts = checked_quotient(value, 1, q.symbols);
+    if (parts && put_down(*parts, factor, nullptr)) return factor;
+    if (sign_of(value, q.symbols) == 0) return std::nullopt;
+    return CertifiedFactor{{tree(form(value)), 1}};
+  }
+  /// What was taken off such sides. That x is positive beside log(x) is seen of exp(log(x)).
+  std::optional<std::vector<CertifiedLayer>> put_down(const std::vector<Layer>& layers, Sides sides) const {
     std::vector<CertifiedLayer> result;
     for (const Layer& layer : layers) {
-      result.push_back({layer, {}});
-      if (layer.function != "*") continue;
-      const auto parts = checked_quotient(layer.factor, 1, q.symbols);
-      CertifiedFactor& factor = result.back().factor;
-      if (parts && put_down(*parts, factor, nullptr)) continue;
-      if (sign_of(layer.factor, q.symbols) == 0) return std::nullopt;
-      factor = {{tree(form(layer.factor)), 1}};
+      const Symbols domain = narrowed_by_functions(sides, q.symbols);
+      const CertifiedStatement there{q.left, q.right, domain, q.given, q.equal};
+      auto factor = layer.function == "*" ? Finder{there, divisors}.put_down(layer.factor)
+                                          : std::optional(CertifiedFactor{});
+      if (!factor) return std::nullopt;
+      for (auto& [part, n] : *factor) part = with_functions(part, q.symbols, domain);
+      result.push_back({layer, *factor});
+      sides = {layer.left, "", layer.right};
     }
     return result;
   }
 
-  /// Links of one statement, with or without the functions around their sides; and "=", ">" or ">=".
+  /// How the sides of a link are taken.
+  enum class Taken { as_they_stand, unwrapped, squared };
+
+  /// Links of one statement; and "=", ">" or ">=".
   std::optional<std::pair<CertifiedSide, std::string>> side(const Relation& relation,
                                                             const std::vector<std::size_t>& numbers,
-                                                            bool unwrap) const {
+                                                            Taken taken) const {
     CertifiedSide result{numbers, {}, 1};
     std::string op;
     ex sum = 0;
     for (const std::size_t k : numbers) {
       Sides s = sides_of(rederive::links_of(relation)[k], question);
       std::vector<Layer> layers;
-      if (unwrap) s = unwrapped(s, q.symbols, &layers);
+      if (taken != Taken::as_they_stand) s = unwrapped(s, q.symbols, &layers);
+      const auto squares = taken == Taken::squared ? squared(s, q.symbols, &layers) : s;
+      if (!squares) return std::nullopt;
+      s = *squares;
       op = s.op[0] == '<' ? ">" + s.op.substr(1) : s.op;
-      const auto written = put_down(layers);
+      const auto written = put_down(layers, sides_of(rederive::links_of(relation)[k], question));
       if (!written) return std::nullopt;
       result.layers.push_back(*written);
       result.residual *= residual_of(s), sum += residual_of(s);
@@ -200,9 +219,20 @@ struct Finder {
     return std::pair{result, op};
   }
 
+  bool is_high(const Relation& relation, const std::vector<std::size_t>& numbers) const {
+    return std::any_of(numbers.begin(), numbers.end(), [&](std::size_t k) {
+      return has_high_power(residual_of(sides_of(rederive::links_of(relation)[k], question)));
+    });
+  }
   std::optional<CertifiedLink> find_same(const Match& match) const {
-    for (const bool unwrap : {false, true}) {
-      const auto left = side(q.left, match.left, unwrap), right = side(q.right, match.right, unwrap);
+    std::vector<std::pair<Taken, Taken>> ways{{Taken::as_they_stand, Taken::as_they_stand},
+                                              {Taken::unwrapped, Taken::unwrapped},
+                                              {Taken::squared, Taken::unwrapped},
+                                              {Taken::unwrapped, Taken::squared}};
+    if (is_high(q.left, match.left) || is_high(q.right, match.right))
+      std::rotate(ways.begin(), ways.begin() + 1, ways.end());
+    for (const auto& [of_left, of_right] : ways) {
+      const auto left = side(q.left, match.left, of_left), right = side(q.right, match.right, of_right);
       if (!left || !right || left->second != right->second) continue;
       CertifiedLink link{left->first, right->first, {}, {}, {}};
       if (find_factor(link, left->second)) return link;
@@ -211,8 +241,8 @@ struct Finder {
   }
   /// A link that always holds, or never.
   CertifiedLink find_settled(const std::vector<std::size_t>& number, bool is_left) const {
-    for (const bool unwrap : {false, true})
-      if (const auto found = side(is_left ? q.left : q.right, number, unwrap))
+    for (const Taken taken : {Taken::as_they_stand, Taken::unwrapped})
+      if (const auto found = side(is_left ? q.left : q.right, number, taken))
         if (const auto link = settle(found->first, found->second, is_left)) return *link;
     throw Undecidable("no form shows that a link always holds, or never");
   }
@@ -224,19 +254,6 @@ bool is_pair(const CertifiedStatement& q) {
 }
 
 }  // namespace
-
-std::vector<CertifiedDivisor> divisors_of(const CertifiedStatement& q) {
-  std::vector<CertifiedDivisor> found, different;
-  for (const Relation* relation : {&q.left, &q.right})
-    for (const Tree& side : relation->sides) collect_divisors(side, q, found);
-  for (const Given& g : q.given) collect_divisors(to_tree(g.value, q.symbols), q, found);
-  for (const ex& e : q.symbols.never_zero()) found.push_back({put_in(e, q.given), to_tree(e, q.symbols)});
-  for (const CertifiedDivisor& d : found)
-    if (std::none_of(different.begin(), different.end(),
-                     [&](const CertifiedDivisor& e) { return e.value.is_equal(d.value); }))
-      different.push_back(d);
-  return different;
-}
 
 std::vector<CertifiedLink> links_of(const CertifiedStatement& q) {
   if (prove(q.left, q.right, q.symbols, q.given).verdict != Verdict::proved) throw Undecidable("not proved");
