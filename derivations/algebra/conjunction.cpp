@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <derivations/algebra/conjunction.hpp>
+#include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/roots.hpp>
@@ -159,6 +160,18 @@ Witness witness_at(const Place& place, const Parted& parts, const Truth& left, c
   return witness;
 }
 
+/// Some points at which all equations of a statement hold.
+std::vector<Point> solutions_of(const Parts& parts, const Points& points, const Symbols& symbols) {
+  std::vector<ex> residuals;
+  for (const Part& part : parts)
+    if (part.claim == Claim::zero) residuals.push_back(part.residual.expand());
+  std::vector<Point> result;
+  const auto solution = residuals.size() > 1 ? solved(residuals, symbols) : std::nullopt;
+  for (int k = 0; solution && k < Points::count; ++k)
+    if (const auto point = completed(*solution, points.at(k), symbols)) result.push_back(*point);
+  return result;
+}
+
 /// A point at which one statement holds and the other does not: among many, and where a link turns.
 std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbols) {
   std::optional<Proof> found;
@@ -181,6 +194,9 @@ std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbol
   const Points points = points_for(trees, symbols);
   for (int k = 0; k < Points::many; ++k)
     if (look({{points.at(k), true}})) return found;
+  for (const Parts* side : {&parts.left, &parts.right})
+    for (const Point& point : solutions_of(*side, points, symbols))
+      if (look({{point, true}})) return found;
   for (const Written& link : links)
     if (find_root(link, points, 10, Roots::crossings, symbols, [&](const Root& root) {
           return look({root, link.value});
