@@ -26,14 +26,19 @@ std::string approximately(const std::string& fraction) {
   return fmt::format("{:.6f}", std::stod(fraction.substr(0, bar)) / under);
 }
 
+/// What is short enough to work with by hand: "$x = 2/5$", "$x = pi/6$"; else "$x$ ≈ 0.5236". The ledger has
+/// the long ones.
+std::string value_sentence(const Witness& witness, const std::string& symbol, const std::string& value) {
+  const auto exactly = witness.exactly.find(symbol);
+  const std::string& text = exactly == witness.exactly.end() ? value : exactly->second;
+  if (text.size() <= 20 && !witness.between.contains(symbol)) return fmt::format("${} = {}$", symbol, text);
+  return fmt::format("${}$ ≈ {}", symbol, approximately(value));
+}
+
 std::string witness_sentence(const Witness& witness) {
   std::string at;
-  for (const auto& [symbol, value] : witness.at) {
-    const bool short_enough =
-        value.size() <= 12;  // a fraction to work with by hand; the ledger has the long ones
-    at += fmt::format("{}${} = {}$", at.empty() ? "" : ", ", symbol,
-                      short_enough ? value : approximately(value));
-  }
+  for (const auto& [symbol, value] : witness.at)
+    at += (at.empty() ? "" : ", ") + value_sentence(witness, symbol, value);
   return fmt::format("at {} the printed form comes to {}, the derived one to {}", at,
                      shortened(witness.printed), shortened(witness.derived));
 }

@@ -25,7 +25,8 @@ bool is_negative(const Ball& x) { return -x.middle > x.radius; }
 
 BallArithmetic::BallArithmetic(int digits)
     : format_(cln::float_format(static_cast<std::uintptr_t>(digits) + 10)),
-      unit_(rough(cl_RA(1) / cln::expt_pos(cl_I(10), digits))) {}
+      unit_(rough(cl_RA(1) / cln::expt_pos(cl_I(10), digits))),
+      slack_(rough(1 + cl_RA(1) / cln::expt_pos(cl_I(10), rough_digits - 5))) {}
 
 cl_R BallArithmetic::rough(const cl_R& x) const { return cln::cl_float(x, cln::float_format(rough_digits)); }
 cl_F BallArithmetic::fine(const cl_R& x) const { return cln::cl_float(x, format_); }
@@ -40,7 +41,7 @@ Ball BallArithmetic::rounded(const cl_R& middle, const cl_R& radius) const {
     if (bits < bearable_bits) return exactly(middle);
   }
   const cl_F value = fine(middle);
-  return {value, rough(radius) + rough(cln::abs(value)) * unit_};
+  return {value, slack_ * rough(radius) + rough(cln::abs(value)) * unit_};
 }
 
 Ball BallArithmetic::pi() const {

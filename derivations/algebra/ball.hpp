@@ -56,7 +56,8 @@ class BallArithmetic {
   Ball whole_power(const Ball& x, const cln::cl_I& n) const;
 
   cln::float_format_t format_;
-  cln::cl_R unit_;  ///< more than the relative error of one operation
+  cln::cl_R unit_;   ///< more than the relative error of one operation
+  cln::cl_R slack_;  ///< more than 1 by more than the relative error of what is rough
 };
 
 /// Whether it is certain that x > 0, x < 0.

@@ -3,6 +3,7 @@
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
+#include <derivations/algebra/root_witness.hpp>
 #include <derivations/algebra/roots.hpp>
 #include <functional>
 #include <numeric>
@@ -111,23 +112,25 @@ class Matching {
   Match never_{{}, {}, true};
 };
 
-/// A point that is looked at. It may stand for a root of a residual, and has 40 digits then.
+/// A root that is looked at, or a point that is exact, and a residual that is 0 there.
 struct Place {
   Root at;
   ex root_of = 0;
 };
 
-/// Whether the part is 0 where the point is, or what it stands for; nothing where that cannot be told.
-std::optional<bool> is_zero(const Part& part, const cln::cl_R& value, const Place& place,
-                            const Symbols& symbols) {
-  const auto& [at, exact, meant] = place.at;
-  const bool is_clear = exact ? differ(value, 0) : cln::abs(value) * power_of_ten(15) >= 1;
-  if (is_clear) return false;
+/// The sign of a part where the point is, or what it stands for; nothing where that cannot be told.
+std::optional<int> sign_of_part(const Part& part, const Place& place, const Symbols& symbols) {
+  const Root& at = place.at;
+  const auto value = value_of(part.written, at.at);
+  if (!value) return std::nullopt;
+  if (at.exact && differ(*value, 0)) return cln::plusp(*value) ? 1 : -1;
   if (!place.root_of.is_zero() && GiNaC::is_a<GiNaC::numeric>((part.residual / place.root_of).normal()))
-    return true;
-  const auto root = zero_near({part.written, part.residual}, at, symbols);
-  const bool is_certain = root && (root->exact || (!meant.empty() && root->meant == meant));
-  return is_certain ? std::optional(true) : std::nullopt;
+    return 0;
+  const auto sign = at.exact ? std::nullopt : sign_at(part.written, at);
+  if (sign) return sign;
+  const auto root = zero_near({part.written, part.residual}, at.at, symbols);
+  const bool is_certain = root && (root->exact || (!at.meant.empty() && root->meant == at.meant));
+  return is_certain ? std::optional(0) : std::nullopt;
 }
 
 /// Whether all parts hold at a point, and the first that does not, or that is 0; nothing where one has no
@@ -139,25 +142,26 @@ struct Truth {
 std::optional<Truth> truth(const Parts& parts, const Place& place, const Symbols& symbols) {
   Truth result;
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const auto value = value_of(parts[k].written, place.at.at);
-    const auto zero = value ? is_zero(parts[k], *value, place, symbols) : std::nullopt;
-    if (!zero) return std::nullopt;
+    const auto sign = sign_of_part(parts[k], place, symbols);
+    if (!sign) return std::nullopt;
     const Claim claim = parts[k].claim;
-    const bool holds = *zero ? claim != Claim::positive : claim != Claim::zero && cln::plusp(*value);
-    if (result.holds && (!holds || (*zero && !result.is_zero))) result = {holds, *zero, k};
+    const bool zero = *sign == 0, holds = zero ? claim != Claim::positive : claim != Claim::zero && *sign > 0;
+    if (result.holds && (!holds || (zero && !result.is_zero))) result = {holds, zero, k};
   }
   return result;
 }
 
-/// One value of each side, of parts that tell them apart.
-Witness witness_at(const Place& place, const Parted& parts, const Truth& left, const Truth& right) {
+/// One value of each side, of parts that tell them apart; nothing where their digits are not certain.
+std::optional<Witness> witness_at(const Place& place, const Parted& parts, const Truth& left,
+                                  const Truth& right) {
   Pair shown = parts.first.pair;
   shown.left = parts.left[left.part].written, shown.right = parts.right[right.part].written;
-  Witness witness = make_witness(shown, place.at.at);
-  witness.exactly = place.at.meant;
-  if (left.is_zero) witness.printed = "0";
-  if (right.is_zero) witness.derived = "0";
-  return witness;
+  std::vector<Tree> zeros;
+  if (left.is_zero) zeros.push_back(shown.left);
+  if (right.is_zero) zeros.push_back(shown.right);
+  const bool is_certain = (left.is_zero || has_digits_at(shown.left, place.at)) &&
+                          (right.is_zero || has_digits_at(shown.right, place.at));
+  return is_certain ? std::optional(make_witness(shown, place.at, zeros)) : std::nullopt;
 }
 
 /// Some points at which all equations of a statement hold.
@@ -172,20 +176,19 @@ std::vector<Point> solutions_of(const Parts& parts, const Points& points, const 
   return result;
 }
 
+std::optional<Proof> differ_at(const Place& place, const Parted& parts, const Symbols& symbols) {
+  const auto left = truth(parts.left, place, symbols),
+             right = left ? truth(parts.right, place, symbols) : std::nullopt;
+  if (!right || left->holds == right->holds || !is_admitted(parts.first.pair, place.at, symbols))
+    return std::nullopt;
+  const auto witness = witness_at(place, parts, *left, *right);
+  const std::string why = left->holds ? "at the witness all of the left one holds and the right one fails"
+                                      : "at the witness the right one holds and a link of the left one fails";
+  return witness ? std::optional(refuted(*witness, why + precision_of(place.at))) : std::nullopt;
+}
+
 /// A point at which one statement holds and the other does not: among many, and where a link turns.
 std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbols) {
-  std::optional<Proof> found;
-  const auto look = [&](const Place& place) {
-    const auto left = truth(parts.left, place, symbols),
-               right = left ? truth(parts.right, place, symbols) : std::nullopt;
-    if (!right || left->holds == right->holds || !is_admitted(parts.first.pair, place.at.at, symbols))
-      return false;
-    const std::string why = left->holds
-                                ? "at the witness all of the left one holds and the right one fails"
-                                : "at the witness the right one holds and a link of the left one fails";
-    found = refuted(witness_at(place, parts, *left, *right), why + precision_of(place.at));
-    return true;
-  };
   std::vector<Tree> trees = trees_of(parts.first.pair);
   std::vector<Written> links;
   for (const Parts* side : {&parts.left, &parts.right})
@@ -193,13 +196,16 @@ std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbol
       trees.push_back(part.written), links.push_back({part.written, part.residual});
   const Points points = points_for(trees, symbols);
   for (int k = 0; k < Points::many; ++k)
-    if (look({{points.at(k), true}})) return found;
+    if (auto proof = differ_at({{points.at(k), true}}, parts, symbols)) return proof;
   for (const Parts* side : {&parts.left, &parts.right})
     for (const Point& point : solutions_of(*side, points, symbols))
-      if (look({{point, true}})) return found;
+      if (auto proof = differ_at({{point, true}}, parts, symbols)) return proof;
+  std::optional<Proof> found;
   for (const Written& link : links)
     if (find_root(link, points, 10, Roots::crossings, symbols, [&](const Root& root) {
-          return look({root, link.value});
+          auto proof = differ_at({root, link.value}, parts, symbols);
+          if (proof) found = std::move(proof);
+          return proof.has_value();
         }))
       return found;
   return std::nullopt;

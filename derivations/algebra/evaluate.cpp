@@ -14,7 +14,8 @@ using cln::cl_RA;
 
 class Evaluation {
  public:
-  Evaluation(const Point& point, int digits) : point_(point), arithmetic_(digits) {}
+  Evaluation(const Point& point, const Box& box, int digits)
+      : point_(point), box_(box), arithmetic_(digits) {}
 
   Ball value(const Node& node) const {
     switch (node.kind) {
@@ -39,6 +40,10 @@ class Evaluation {
  private:
   Ball symbol(const std::string& name) const {
     if (name == "pi") return arithmetic_.pi();
+    if (const auto bounds = box_.find(name); bounds != box_.end()) {
+      const auto& [low, high] = bounds->second;
+      return {(low + high) / 2, (high - low) / 2};
+    }
     const auto found = point_.find(name);
     if (found == point_.end()) throw std::out_of_range("the point gives no value for '" + name + "'");
     return {found->second};
@@ -65,21 +70,30 @@ class Evaluation {
   Ball call(const Node& node) const { return arithmetic_.call(node.text, value(*node.children[0])); }
 
   const Point& point_;
+  const Box& box_;
   BallArithmetic arithmetic_;
 };
 
-/// Half a unit in the last of `digits` significant digits is more than the error.
+}  // namespace
+
 bool is_certain(const Ball& ball, int digits) {
   return ball.exact() || 2 * ball.radius * cln::expt_pos(cl_I(10), digits) < cln::abs(ball.middle);
 }
 
-}  // namespace
+std::optional<Ball> enclosure(const Tree& tree, const Point& point, const Box& box) {
+  try {
+    return Evaluation(point, box, 110).value(*tree);
+  } catch (const NoValue&) {
+  } catch (const cln::runtime_exception&) {
+  }
+  return std::nullopt;
+}
 
 std::optional<cln::cl_R> evaluate(const Tree& tree, const Point& point, int digits) {
   const int most = 4 * digits + 200;
   for (int precision = digits + 10;; precision = std::min(2 * precision, most)) {
     try {
-      const Ball ball = Evaluation(point, precision).value(*tree);
+      const Ball ball = Evaluation(point, {}, precision).value(*tree);
       if (is_certain(ball, digits)) return ball.middle;
     } catch (const NoValue&) {                 // too wide, or undefined: more digits will tell
     } catch (const cln::runtime_exception&) {  // overflow and the like

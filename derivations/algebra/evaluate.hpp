@@ -4,6 +4,7 @@
 
 #include <cln/cln.h>
 
+#include <derivations/algebra/ball.hpp>
 #include <derivations/algebra/syntax.hpp>
 #include <map>
 #include <optional>
@@ -17,6 +18,20 @@ using Point = std::map<std::string, cln::cl_RA>;  ///< symbol name → exact val
 /// it is undefined or not real there (a zero divisor, the square root of a negative number, tan at π/2), or
 /// where the exponents grow beyond reason. Throws std::out_of_range for a symbol that `point` does not give.
 std::optional<cln::cl_R> evaluate(const Tree& tree, const Point& point, int digits);
+
+/// All numbers from one to another.
+struct Between {
+  cln::cl_RA low, high;
+};
+using Box = std::map<std::string, Between>;  ///< symbol name → what it is not known better than
+
+/// Holds the values that `tree` has while the symbols of the box take any values within their bounds, and the
+/// others are what `point` says. There it has a value everywhere and is continuous; nothing where that is not
+/// certain, at about 110 digits.
+std::optional<Ball> enclosure(const Tree& tree, const Point& point, const Box& box);
+
+/// Half a unit in the last of so many significant digits is more than the radius.
+bool is_certain(const Ball& ball, int digits);
 
 /// "0.785398163397448309615660845820", with `digits` significant digits, rounded.
 std::string decimal(const cln::cl_R& value, int digits);

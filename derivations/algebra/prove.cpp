@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/algebra/completion.hpp>
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/conjunction.hpp>
 #include <derivations/algebra/phases.hpp>
@@ -41,17 +42,13 @@ ex put_in(ex e, const std::vector<Given>& given) {
 
 namespace {
 
-/// Of y = A and y = B, with y as one of them says, if that is a rational number in the range of y.
+/// Of y = A and y = B, with y as one of them says, if that is in the range of y.
 Witness witness_at(const Pair& pair, const Point& point, const Symbols& symbols) {
   Witness witness = make_witness(pair, point);
   if (pair.name.empty()) return witness;
-  for (const Tree& side : {pair.right, pair.left}) {  // what the left one says comes last, and stays
-    if (pair.right_counts && side == pair.left) continue;
-    const auto value = evaluate(side, point, 30);
-    if (value && cln:: instanceof
-        (*value, cln::cl_RA_ring) && is_inside(symbols.find(pair.name)->range, *value))
-      witness.at[pair.name] = rational_text(cln::the<cln::cl_RA>(*value));
-  }
+  const auto left = value_of(pair.left, point);
+  const bool as_left = !pair.right_counts && left && is_well_inside(symbols.find(pair.name)->range, *left);
+  put(witness, pair.name, as_left ? pair.left_value : pair.right_value, symbols);
   return witness;
 }
 
@@ -177,6 +174,7 @@ Proof prove(const Relation& left, const Relation& right, const Symbols& symbols,
       add_conditions(proof, left, symbols);
       add_conditions(proof, right, symbols);
     }
+    if (proof.witness) complete(*proof.witness, given, symbols);
     return proof;
   } catch (const Undecidable& error) {
     return undecided(error.what());

@@ -24,12 +24,18 @@ std::string to_string(Verdict verdict);
 /// A point at which the two sides differ, to check by hand. `printed` is the left statement's value,
 /// `derived` the right one's: of the expressions; of the right-hand sides where both equations have the same
 /// left one; else of left minus right (the right statement's residual is 0 there, to 40 digits, or differs in
-/// sign).
+/// sign). A symbol is exactly what `at` says, unless it is in `exactly` or in `between`: then that is digits.
 struct Witness {
   std::map<std::string, std::string> at;            ///< symbol → rational number as text
   std::string printed, derived;                     ///< 30 digits
-  std::map<std::string, std::string> exactly = {};  ///< what numbers of 40 digits in `at` stand for: "pi/2"
+  std::map<std::string, std::string> exactly = {};  ///< "pi/2"; with `between`, that symbol may be in it
+  /// A symbol, if any, that is a zero of `solves` between two rational numbers. Any zero there is a witness.
+  Box between = {};
+  std::string solves = {};  ///< "y-cos(y) = 0"
 };
+
+/// "x = 2/5", "alpha = pi/6", "y between 0.739 and 0.740 where y-cos(y) = 0": a text for every symbol.
+std::vector<std::string> in_words(const Witness& witness);
 
 struct Proof {
   Verdict verdict = Verdict::undecided;

@@ -3,6 +3,7 @@
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/residuals.hpp>
+#include <derivations/algebra/root_witness.hpp>
 #include <derivations/algebra/roots.hpp>
 #include <derivations/algebra/vanish.hpp>
 
@@ -49,57 +50,29 @@ std::string advice(const ex& e, const Symbols& symbols) {
   return text.empty() ? text : text + " may decide it";
 }
 
-std::string precision_of(const Root& root) {
-  std::string text;
-  for (const auto& [name, value] : root.meant) text += (text.empty() ? "" : ", ") + name + " = " + value;
-  return root.exact ? "" : text.empty() ? " (a root, to 40 digits)" : " (" + text + ")";
-}
-
 namespace {
 
 /// Whether the relation holds where its residual is 0, or has this value, which is not 0.
 bool holds_at_zero(Claim claim) { return claim != Claim::positive; }
 bool holds(Claim claim, const cln::cl_R& value) { return claim != Claim::zero && cln::plusp(value); }
 
-/// Whether a tree has nearly the same value all around the point: where a root is only known to many digits,
-/// the value at the root itself could be missing, as 1/x and log(x) have none at x = 0, or be another one.
-bool is_steady(const Tree& tree, const Point& point, const cln::cl_R& value) {
-  const cln::cl_RA step = cln::cl_RA(1) / cln::expt_pos(cln::cl_I(10), 30);
-  for (const auto& [name, at] : point)
-    for (const cln::cl_RA& beside : {at - step, at + step}) {
-      Point moved = point;
-      moved[name] = beside;
-      const auto there = value_of(tree, moved);
-      if (!there || cln::abs(*there - value) * 1'000'000 > cln::abs(value)) return false;
-    }
-  return cln::zerop(value) || cln::abs(value) * cln::expt_pos(cln::cl_I(10), 15) > 1;
-}
-
-/// At a root of one of the two. What is 0 there is shown as such, though the digits of the point may not do.
-Witness witness_at(const Root& root, const Pair& pair, bool of_right) {
-  Witness witness = make_witness(pair, root.at);
-  if (root.meant.empty()) return witness;
-  witness.exactly = root.meant;
-  (of_right ? witness.derived : witness.printed) = "0";
-  return witness;
-}
 /// A root of one residual at which the other is certainly not 0, and one relation holds and the other fails.
 std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, bool of_right, Roots which,
                                       const Symbols& symbols) {
   const Tree& other = of_right ? r.pair.left : r.pair.right;
   const auto [here, there] = of_right ? std::pair(r.right, r.left) : std::pair(r.left, r.right);
   const auto tells_apart = [&, here = here, there = there](const Root& root) {
-    const auto value = evaluate(other, root.at, 20);
-    if (!value) return false;
-    const bool other_holds = cln::zerop(*value) ? holds_at_zero(there) : holds(there, *value);
-    return holds_at_zero(here) != other_holds && is_admitted(r.pair, root.at, symbols) &&
-           (root.exact || is_steady(other, root.at, *value));
+    const auto sign = sign_at(other, root);
+    if (!sign) return false;
+    const bool other_holds = *sign == 0 ? holds_at_zero(there) : holds(there, *sign);
+    return holds_at_zero(here) != other_holds && is_admitted(r.pair, root, symbols) &&
+           has_digits_at(other, root);
   };
   const Written zero =
       of_right ? Written{r.pair.right, r.pair.right_value} : Written{r.pair.left, r.pair.left_value};
   const auto root = find_root(zero, points, which == Roots::crossings ? 1 : 10, which, symbols, tells_apart);
   if (!root) return std::nullopt;
-  return refuted(witness_at(*root, r.pair, of_right),
+  return refuted(make_witness(r.pair, *root, {zero.tree}),
                  std::string(of_right != holds_at_zero(here)
                                  ? "at the witness the left one holds and the right one fails"
                                  : "at the witness the right one holds and the left one fails") +
@@ -252,15 +225,14 @@ Proof prove_strictness(const Proof& proof, const Residuals& r, const Points& poi
   if (sign_of(r.pair.left_value, symbols) != 0) return proof;
   const auto both_zero = [&](const Root& root) {
     const auto right = value_of(r.pair.right, root.at);
-    return right && is_nearly_zero(*right) && is_admitted(r.pair, root.at, symbols);
+    const bool has_value = root.exact || enclosure(r.pair.right, root.at, root.box);
+    return right && is_nearly_zero(*right) && has_value && is_admitted(r.pair, root, symbols);
   };
   const auto root = find_root({r.pair.left, r.pair.left_value}, points, 10, Roots::all, symbols, both_zero);
-  if (root) {
-    Witness witness = witness_at(*root, r.pair, false);
-    if (!root->meant.empty()) witness.derived = "0";
-    return refuted(witness, "at the witness both sides are equal, which only one of the two allows" +
-                                precision_of(*root));
-  }
+  if (root)
+    return refuted(make_witness(r.pair, *root, {r.pair.left, r.pair.right}),
+                   "at the witness both sides are equal, which only one of the two allows" +
+                       precision_of(*root));
   return undecided("one allows equality and the other does not");
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <derivations/algebra/sample.hpp>
-#include <derivations/algebra/zeros.hpp>
 
 namespace rederive {
 
@@ -38,8 +37,6 @@ std::optional<bool> settled(const GiNaC::ex& residual, Claim claim, const Symbol
 Proof proved(std::string factor, std::string reason);
 Proof refuted(Witness witness, std::string reason);
 Proof undecided(std::string reason);
-/// " (x = sqrt(2))" or " (a root, to 40 digits)", if the point of the root is not all that is to be said.
-std::string precision_of(const Root& root);
 /// "; an assumption on the sign of x may decide it": symbols under roots, in logarithms and between bars that
 /// may be of either sign; empty if there are none.
 std::string advice(const GiNaC::ex& expression, const Symbols& symbols);

@@ -111,23 +111,41 @@ std::vector<ex> even_parts(const ex& e, const Symbols& symbols) {
   return result;
 }
 
+std::optional<cln::cl_RA> rational(const ex& e) {
+  if (!e.info(GiNaC::info_flags::rational)) return std::nullopt;
+  return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(e).to_cl_N());
+}
+
+/// The value of an expression at a point, if it is rational; 45 decimal places of it, if it is not.
+std::optional<cln::cl_RA> value_at(const Point& point, const ex& e, Zeros which, const Symbols& symbols) {
+  try {
+    const ex value = e.subs(values_at(point, symbols), GiNaC::subs_options::no_pattern);
+    if (which == Zeros::rational || value.info(GiNaC::info_flags::rational)) return rational(value);
+    const auto digits = evaluate(to_tree(value, symbols), {}, 60);
+    if (!digits) return std::nullopt;
+    return cln::round1(*digits * power_of_ten(45)) / cln::cl_RA(power_of_ten(45));
+  } catch (const std::exception&) {  // a pole, or what our syntax cannot write
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, Point>> linear_zeros(const ex& e, const Points& points,
-                                                        const Symbols& symbols) {
+                                                        const Symbols& symbols, Zeros which) {
   std::vector<std::pair<std::string, Point>> zeros;
   for (const std::string& name : points.names()) {
     const ex& symbol = symbols[name];
     if (!e.is_polynomial(symbol) || e.degree(symbol) != 1) continue;
     const ex slope = e.diff(symbols[name]).expand(), rest = e.subs(symbol == 0);
     if (slope.is_zero() || slope.has(symbol)) continue;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < (which == Zeros::rational ? 3 : 12); ++k) {
       Point point = points.at(k);
       point.erase(name);
-      const ex zero = (-rest / slope).subs(values_at(point, symbols), GiNaC::subs_options::no_pattern);
-      if (!zero.info(GiNaC::info_flags::rational)) continue;
-      point[name] = cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(zero).to_cl_N());
-      if (is_inside(symbols.find(name)->range, point[name])) zeros.emplace_back(name, point);
+      const auto value = value_at(point, -rest / slope, which, symbols);
+      if (!value || !is_inside(symbols.find(name)->range, *value)) continue;
+      point[name] = *value;
+      zeros.emplace_back(name, point);
     }
   }
   return zeros;
@@ -140,7 +158,9 @@ std::optional<Root> find_root(const Written& e, const Points& points, int most, 
     return [&, part](const Point& point) {
       const auto value = value_of(e.tree, point);
       found = value && is_tiny(*value) ? zero_near(part, point, symbols) : std::nullopt;
-      if (!found || !wanted(*found)) found.reset();
+      const bool has_value = found && (found->exact || enclosure(e.tree, point, found->box));
+      if (!has_value || !wanted(*found)) found.reset();
+      if (found) found = with_short_bounds(*found, part, symbols, wanted);
       return found.has_value();
     };
   };
@@ -168,7 +188,13 @@ std::optional<Root> find_root(const Written& e, const Points& points, int most, 
   if (points.names().empty()) return is_root_of(e)({}) ? found : std::nullopt;
   for (const auto& [name, zero] : linear_zeros(e.value, points, symbols))
     if (is_root_of(e)(zero)) return found;
-  if (search(e, most) || which == Roots::crossings) return found;
+  if (search(e, most) && !found->solves.empty()) {  // a quotient says more than bounds
+    const Root first = *found;
+    for (const auto& [name, zero] : linear_zeros(e.value, points, symbols, Zeros::irrational))
+      if (is_root_of(e)(zero) && found->solves.empty()) return found;
+    found = first;
+  }
+  if (found || which == Roots::crossings) return found;
   for (const ex& part : even_parts(e.value, symbols))
     if (search({to_tree(part, symbols), part}, most) || search_beside(part)) return found;
   for (const std::string& name : points.names()) {  // where it touches 0 its derivatives cross it

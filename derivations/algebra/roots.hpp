@@ -9,10 +9,12 @@ namespace rederive {
 /// Which roots are looked for: where the sign changes, or where it does not, too.
 enum class Roots { crossings, all };
 
-/// The exact zeros, near some Points::at, of what is linear in one symbol, however far away; with that
-/// symbol.
+/// The zeros, near some Points::at, of what is linear in one symbol, however far away; with that symbol:
+/// those that are rational, or 45 decimal places of the others.
+enum class Zeros { rational, irrational };
 std::vector<std::pair<std::string, Point>> linear_zeros(const GiNaC::ex& expression, const Points& points,
-                                                        const Symbols& symbols);
+                                                        const Symbols& symbols,
+                                                        Zeros which = Zeros::rational);
 
 /// A zero that `wanted` accepts, near some Points::at, or where the expression is linear in one symbol. Gives
 /// up after `most` changes of sign.

@@ -26,7 +26,8 @@ std::string without_zeros(std::string text) {
   return text;
 }
 
-/// Neither at an end nor near a pole, as far as a point of 40 digits can tell.
+}  // namespace
+
 bool is_well_inside(const std::string& range, const cln::cl_R& value) {
   const bool is_simple = cln:: instanceof
       (value, cln::cl_RA_ring) &&
@@ -36,8 +37,6 @@ bool is_well_inside(const std::string& range, const cln::cl_R& value) {
   return cln::abs(value) < power_of_ten(30) && is_strictly_inside(range, value - margin) &&
          is_strictly_inside(range, value + margin);
 }
-
-}  // namespace
 
 Tree difference(const Tree& a, const Tree& b) {
   Node node{};
@@ -77,7 +76,7 @@ bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols) {
 bool is_claimed(const Pair& pair, const cln::cl_R& left, const cln::cl_R& right, const Symbols& symbols) {
   if (pair.name.empty()) return true;
   const std::string& range = symbols.find(pair.name)->range;
-  return (!pair.right_counts && is_inside(range, left)) || is_inside(range, right);
+  return (!pair.right_counts && is_well_inside(range, left)) || is_well_inside(range, right);
 }
 
 bool differ(const cln::cl_R& a, const cln::cl_R& b) {

@@ -22,6 +22,9 @@ Points points_for(const Pair& pair, const Symbols& symbols);
 /// All that is looked at for a pair: both sides, and what a point must keep to.
 std::vector<Tree> trees_of(const Pair& pair);
 
+/// Neither at an end of the range nor near a pole, as far as a value of many digits can tell.
+bool is_well_inside(const std::string& range, const cln::cl_R& value);
+
 /// Whether the point keeps every name that was replaced inside its declared range, and nothing is 0 that was
 /// declared not to be.
 bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols);

@@ -183,4 +183,15 @@ std::string rational_text(const cln::cl_RA& value) {
   return text.str();
 }
 
+std::string decimal_text(const cln::cl_RA& value) {
+  int places = 0;
+  cln::cl_RA whole = cln::abs(value);
+  for (; cln::denominator(whole) != 1 && places < 60; ++places) whole = whole * 10;
+  if (places == 0 || cln::denominator(whole) != 1) return rational_text(value);
+  std::string digits = rational_text(whole);
+  const auto after = static_cast<std::size_t>(places);
+  if (digits.size() <= after) digits.insert(0, after + 1 - digits.size(), '0');
+  return (cln::minusp(value) ? "-" : "") + digits.insert(digits.size() - after, ".");
+}
+
 }  // namespace rederive

@@ -53,5 +53,7 @@ bool is_strictly_inside(const std::string& range, const cln::cl_R& value);
 std::optional<cln::cl_R> value_of(const Tree& tree, const Point& point);
 /// "7/5"
 std::string rational_text(const cln::cl_RA& value);
+/// "1.4", or "7/5" where that has no end.
+std::string decimal_text(const cln::cl_RA& value);
 
 }  // namespace rederive

@@ -39,11 +39,11 @@ namespace {
 
 /// Powers of e with many digits in their exponents would be polynomials of that degree.
 bool is_simple(const ex& value) {
-  const ex number = value.info(GiNaC::info_flags::rational) ? value
-                    : value.has(GiNaC::Pi)                  ? ex(value / GiNaC::Pi)
-                                                            : ex(GiNaC::pow(value, 2));
-  const GiNaC::numeric n = GiNaC::ex_to<GiNaC::numeric>(number);
-  return n.denom() <= 100 && GiNaC::abs(n.numer()) <= 1000;
+  return std::all_of(value.preorder_begin(), value.preorder_end(), [](const ex& part) {
+    if (!GiNaC::is_a<GiNaC::numeric>(part)) return true;
+    const GiNaC::numeric n = GiNaC::ex_to<GiNaC::numeric>(part);
+    return n.denom() <= 100 && GiNaC::abs(n.numer()) <= 1000;
+  });
 }
 
 bool is_zero_at(const ex& e, const GiNaC::exmap& values, const Symbols& symbols) {
@@ -57,49 +57,96 @@ bool is_zero_at(const ex& e, const GiNaC::exmap& values, const Symbols& symbols)
   }
 }
 
-/// The multiple of π/12, or the square root, that a number of 40 digits stands for.
+/// The multiple of π/12, or the square or cube root, that a number of 40 digits stands for.
 std::optional<ex> meant_by(const cln::cl_RA& value) {
   if (cln::denominator(value) < power_of_ten(9)) return std::nullopt;
   const cln::cl_R turns = 12 * value / cln::pi(cln::float_format(60));
   const cln::cl_I whole = cln::round1(turns);
   if (!cln::zerop(whole) && cln::abs(turns - whole) * power_of_ten(39) < 1)
     return GiNaC::numeric(whole) * GiNaC::Pi / 12;
-  const auto square = simple_fraction(value * value, 38);
-  if (!square) return std::nullopt;
-  return (cln::minusp(value) ? -1 : 1) * GiNaC::sqrt(ex(GiNaC::numeric(*square)));
+  const cln::cl_RA size = cln::abs(value);
+  for (const int n : {2, 3})
+    if (const auto power = simple_fraction(cln::expt(size, n), 38))
+      return (cln::minusp(value) ? -1 : 1) *
+             GiNaC::pow(ex(GiNaC::numeric(*power)), GiNaC::numeric(1) / n);
+  return std::nullopt;
 }
 
-/// Where symbols stand for multiples of π or square roots: the zero that is there.
+/// What a constant is, to 45 decimal places.
+std::optional<Between> bounds_of(const ex& constant, const Symbols& symbols) {
+  const auto value = evaluate(to_tree(constant, symbols), {}, 70);
+  if (!value || cln::abs(*value) > power_of_ten(20)) return std::nullopt;
+  const cln::cl_I scale = power_of_ten(45), below = cln::floor1(*value * scale);
+  return Between{(below - 1) / cln::cl_RA(scale), (below + 2) / cln::cl_RA(scale)};
+}
+
+/// Where symbols stand for multiples of π or roots of rationals: the zero that is there.
 std::optional<Root> zero_meant(const ex& e, const Point& point, const Symbols& symbols) {
   GiNaC::exmap values = values_at(point, symbols);
   Root root{point, false};
   for (const auto& [name, value] : point)
     if (const auto meant = meant_by(value)) {
+      const auto bounds = bounds_of(*meant, symbols);
+      if (!bounds) continue;
       values[symbols[name]] = *meant;
       root.meant[name] = print(*meant, Notation::plain, symbols);
+      root.box[name] = *bounds;
     }
   return !root.meant.empty() && is_zero_at(e, values, symbols) ? std::optional(root) : std::nullopt;
 }
 
-/// The value at a point beside, of which at least the sign is certain.
-std::optional<cln::cl_R> beside(const Tree& tree, Point point, const std::string& name, int digits,
-                                int direction) {
-  point[name] = point[name] + direction / cln::cl_RA(power_of_ten(digits));
-  return evaluate(tree, point, 3);
+/// Bounds of so many decimal places around the point, at which the signs certainly differ, and between which
+/// the expression certainly has values.
+std::optional<Between> change_of_sign(const Tree& tree, const Point& point, const std::string& name,
+                                      int places) {
+  const cln::cl_R scaled = point.at(name) * power_of_ten(places);
+  const cln::cl_RA scale = power_of_ten(places), margin = cln::cl_RA(1) / 10;
+  const Between bounds{cln::floor1(scaled - margin) / scale, cln::ceiling1(scaled + margin) / scale};
+  const auto value = [&](const cln::cl_RA& at) {
+    Point end = point;
+    end[name] = at;
+    return evaluate(tree, end, 3);
+  };
+  const auto low = value(bounds.low), high = value(bounds.high);
+  if (!low || !high || cln::zerop(*low) || cln::zerop(*high) || cln::minusp(*low) == cln::minusp(*high))
+    return std::nullopt;
+  return enclosure(tree, point, {{name, bounds}}) ? std::optional(bounds) : std::nullopt;
 }
 
-/// Whether the sign changes within 1e-40 on either side, and the values are much larger at 1e-30.
-bool crosses_zero(const Tree& tree, const Point& point, const std::string& name) {
-  const auto below = beside(tree, point, name, 40, -1), above = beside(tree, point, name, 40, +1);
-  if (!below || !above || cln::minusp(*below) == cln::minusp(*above) || cln::zerop(*below) ||
-      cln::zerop(*above))
-    return false;
-  const cln::cl_R large = cln::max(cln::abs(*below), cln::abs(*above)) * power_of_ten(5);
-  for (const int direction : {-1, +1}) {
-    const auto further = beside(tree, point, name, 30, direction);
-    if (!further || cln::abs(*further) < large) return false;
+bool is_in_range(const Between& bounds, const std::string& name, const Symbols& symbols) {
+  const std::string& range = symbols.find(name)->range;
+  return is_strictly_inside(range, bounds.low) && is_strictly_inside(range, bounds.high);
+}
+
+/// What is linear in the symbol has one zero: as text, where it lies within the bounds.
+std::optional<std::string> quotient_in(const Between& bounds, const ex& e, Point others,
+                                       const std::string& name, const Symbols& symbols) {
+  const ex& symbol = symbols[name];
+  if (!e.is_polynomial(symbol) || e.degree(symbol) != 1) return std::nullopt;
+  try {
+    others.erase(name);
+    const ex zero = (-e.subs(symbol == 0) / e.diff(symbols[name]).expand())
+                        .subs(values_at(others, symbols), GiNaC::subs_options::no_pattern);
+    const auto value = evaluate(to_tree(zero, symbols), {}, 60);
+    const std::string text = print(zero, Notation::plain, symbols);
+    const bool fits = value && *value > bounds.low && *value < bounds.high && text.size() <= 80;
+    return fits ? std::optional(text) : std::nullopt;
+  } catch (const std::exception&) {  // a pole, or symbols that are left
+    return std::nullopt;
   }
-  return true;
+}
+
+/// A change of sign within 1e-40; said as a quotient where it is one.
+std::optional<Root> zero_between(const Written& e, const Point& point, const std::string& name,
+                                 const Symbols& symbols) {
+  const auto bounds = change_of_sign(e.tree, point, name, 40);
+  if (!bounds || !is_in_range(*bounds, name, symbols)) return std::nullopt;
+  Root root{point, false, {}, {{name, *bounds}}};
+  if (const auto quotient = quotient_in(*bounds, e.value, point, name, symbols))
+    root.meant[name] = *quotient;
+  else
+    root.solves = print(e.tree, Notation::plain, symbols) + " = 0", root.around = root.box;
+  return root;
 }
 
 }  // namespace
@@ -109,9 +156,25 @@ std::optional<Root> zero_near(const Written& e, const Point& point, const Symbol
   if (!value || !is_tiny(*value)) return std::nullopt;
   if (is_zero_at(e.value, values_at(point, symbols), symbols)) return Root{point, true};
   if (auto root = zero_meant(e.value, point, symbols)) return root;
-  for (const auto& [name, at] : point)
-    if (crosses_zero(e.tree, point, name)) return Root{point, false};
+  for (const bool is_short : {false, true})  // what has many digits is what stands for something
+    for (const auto& [name, at] : point)
+      if (is_short == (cln::denominator(at) < power_of_ten(20)))
+        if (auto root = zero_between(e, point, name, symbols)) return root;
   return std::nullopt;
+}
+
+Root with_short_bounds(Root root, const Written& e, const Symbols& symbols,
+                       const std::function<bool(const Root&)>& wanted) {
+  if (root.solves.empty()) return root;
+  const std::string name = root.box.begin()->first;
+  for (const int places : {3, 6, 10, 20}) {
+    const auto bounds = change_of_sign(e.tree, root.at, name, places);
+    if (!bounds || !is_in_range(*bounds, name, symbols)) continue;
+    Root shorter = root;
+    shorter.around = {{name, *bounds}};
+    if (wanted(shorter)) return shorter;
+  }
+  return root;
 }
 
 }  // namespace rederive

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <derivations/algebra/evaluate.hpp>
+#include <functional>
 
 namespace rederive {
 
@@ -11,19 +12,26 @@ struct Written {
   GiNaC::ex value;
 };
 
-/// A zero: the point itself; or one within 1e-40 of it, with what symbols really are there, as far as that
-/// can be said: "pi/2", "sqrt(2)".
+/// A zero: the point itself; or one in a box around it, of which is known what symbols are there, "pi/2" or
+/// "sqrt(2)", or which equation they solve.
 struct Root {
   Point at;
   bool exact;
   std::map<std::string, std::string> meant = {};
+  Box box = {};             ///< so narrow that 30 digits can be told; empty where the point is exact
+  Box around = {};          ///< with `solves`: the same, or a wider one with shorter bounds
+  std::string solves = {};  ///< "y-cos(y) = 0": what changes its sign in either box, if that is what is known
 };
 
 /// Whether there is a zero at the point or beside it: the computer algebra finds 0 when the point is put in,
-/// or multiples of π or square roots that it stands for; or the sign changes along one symbol, within 1e-40,
-/// and the values grow on either side as they do where there is no jump. That a value is small proves
-/// nothing.
+/// or multiples of π, roots of rationals or a quotient that it stands for; or the sign certainly changes
+/// along one symbol, within 1e-40, and the expression certainly has values all the way. That a value is small
+/// proves nothing.
 std::optional<Root> zero_near(const Written& expression, const Point& point, const Symbols& symbols);
+
+/// The root that is known by a change of sign, with the shortest bounds that `wanted` accepts around it.
+Root with_short_bounds(Root root, const Written& expression, const Symbols& symbols,
+                       const std::function<bool(const Root&)>& wanted);
 
 /// Small enough for a root that is known to 40 digits.
 bool is_tiny(const cln::cl_R& value);

@@ -2,12 +2,13 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/witness.hpp>
+#include <derivations/algebra/zeros.hpp>
 #include <lessons/ledger/comparisons.hpp>
-#include <sstream>
 
 namespace rederive {
 
 using GiNaC::ex;
+using GiNaC::ex_to;
 using GiNaC::is_a;
 
 namespace {
@@ -52,22 +53,32 @@ ex difference(const Relation& inequality, const Symbols& symbols) {
   return inequality.operators[0][0] == '<' ? right - left : left - right;
 }
 
-/// What the replaced symbols are at the witness, and any value for others that were not needed.
-void complete(Witness& witness, const std::vector<Comparison>& comparisons, const Symbols& symbols) {
-  GiNaC::exmap at;
-  for (const auto& [name, value] : witness.at) at[symbols[name]] = GiNaC::numeric(value.c_str());
+/// Of other + excess, where only bounds of the excess are known: so of the sum, or the difference.
+void move_bounds(Witness& witness, const Comparison& c, const std::vector<Comparison>& all,
+                 const Symbols& symbols) {
+  const auto bounds = witness.between.find(c.excess);
+  if (bounds == witness.between.end()) return;
+  const auto value = [&](const cln::cl_RA& excess) {
+    Point point{{c.excess, excess}};
+    for (const auto& [name, number] : witness.at)
+      if (name != c.excess) point[name] = cln::cl_RA(number.c_str());
+    return put_in(c.given.value, givens(all)).subs(values_at(point, symbols));
+  };
+  const auto rational = [](const ex& e) { return cln::the<cln::cl_RA>(ex_to<GiNaC::numeric>(e).to_cl_N()); };
+  const ex a = value(bounds->second.low), b = value(bounds->second.high);
+  const std::string name = symbols.find(c.given.name)->name;
+  witness.between[name] = {cln::min(rational(a), rational(b)), cln::max(rational(a), rational(b))};
+  witness.exactly.erase(name);
+}
+
+/// Says the witness in the symbols that the user knows.
+void forget_excess(Witness& witness, const std::vector<Comparison>& comparisons, const Symbols& symbols) {
+  for (const Comparison& c : comparisons) move_bounds(witness, c, comparisons, symbols);
   for (const Comparison& c : comparisons) {
-    const ex value = put_in(c.given.value, givens(comparisons));
-    std::set<std::string> names;
-    collect_names(to_tree(value, symbols), names);
-    for (const auto& [name, other] : Points(names, symbols).at(0))
-      if (at.try_emplace(symbols[name], GiNaC::numeric(other)).second)
-        witness.at[name] = rational_text(other);
-    std::ostringstream text;
-    text << value.subs(at, GiNaC::subs_options::no_pattern);
-    witness.at[symbols.find(c.given.name)->name] = text.str();
+    witness.at.erase(c.excess), witness.exactly.erase(c.excess), witness.between.erase(c.excess);
+    replace_all(witness.solves, c.excess, "(" + c.meaning + ")");
+    for (auto& [name, text] : witness.exactly) replace_all(text, c.excess, "(" + c.meaning + ")");
   }
-  for (const Comparison& c : comparisons) witness.at.erase(c.excess);
 }
 
 }  // namespace
@@ -104,7 +115,7 @@ Proof without_excess(Proof proof, const std::vector<Comparison>& comparisons, co
   }
   if (!proof.factor.empty() && !comparisons.empty())
     proof.factor = print(lower(parse(proof.factor, symbols), symbols), Notation::plain, symbols);
-  if (proof.witness && !comparisons.empty()) complete(*proof.witness, comparisons, symbols);
+  if (proof.witness) forget_excess(*proof.witness, comparisons, symbols);
   return proof;
 }
 

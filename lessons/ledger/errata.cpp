@@ -73,9 +73,7 @@ std::vector<std::string> last_steps(const Entry& entry, Notation notation, const
 }
 
 std::string at(const Witness& witness) {
-  std::vector<std::string> parts;
-  for (const auto& [name, value] : witness.at) parts.push_back(name + " = " + value);
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return fmt::format("{}", fmt::join(in_words(witness), ", "));
 }
 
 std::string text_sheet(const std::vector<Entry>& wrong) {

@@ -147,11 +147,8 @@ int show_proof(const Options& options) {
     for (const auto& condition : json["side_conditions"])
       put(fmt::format("  {:<16} {}\n", "if", condition.get<std::string>()));
     if (!json["witness"].is_null()) {
-      const nlohmann::ordered_json exactly =
-          json["witness"].value("exactly", nlohmann::ordered_json::object());
-      for (const auto& [name, value] : json["witness"]["at"].items())
-        put(fmt::format("  {:<16} {} = {}\n", "witness", name,
-                        exactly.value(name, value.get<std::string>())));
+      for (const auto& words : json["witness"]["in_words"])
+        put(fmt::format("  {:<16} {}\n", "witness", words.get<std::string>()));
       put(fmt::format("  {:<16} {}\n  {:<16} {}\n", "left", json["witness"]["printed"].get<std::string>(),
                       "right", json["witness"]["derived"].get<std::string>()));
     }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <derivations/algebra/completion.hpp>
 #include <derivations/bounded.hpp>
 #include <derivations/command_line.hpp>
 #include <functional>
@@ -61,6 +62,7 @@ Proof decide_in(const Context& context, const ProveRequest& request) {
   if (proof.verdict != Verdict::proved && request.order > 0)
     proof =
         prove_approximation(left, right, request.small, request.order, symbols, context.put_in_at_once(true));
+  if (proof.witness) complete(*proof.witness, context.put_in_at_once(true), symbols);
   return without_excess(proof, context.comparisons, symbols);
 }
 

@@ -1,4 +1,5 @@
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/witness.hpp>
 #include <lessons/ledger/report.hpp>
 
 #include <fmt/format.h>
@@ -40,10 +41,18 @@ std::map<std::string, int> counts(const std::vector<Entry>& entries) {
   return result;
 }
 
+Json to_json(const Witness& witness) {
+  Json json{{"at", witness.at}, {"printed", witness.printed}, {"derived", witness.derived}};
+  if (!witness.exactly.empty()) json["exactly"] = witness.exactly;
+  for (const auto& [name, bounds] : witness.between)
+    json["between"][name] = {decimal_text(bounds.low), decimal_text(bounds.high)};
+  if (!witness.between.empty()) json["solves"] = witness.solves;
+  json["in_words"] = in_words(witness);
+  return json;
+}
+
 Json to_json(const Proof& proof) {
-  Json witness;
-  if (proof.witness) witness = {{"at", proof.witness->at}, {"printed", proof.witness->printed}, {"derived", proof.witness->derived}};
-  if (proof.witness && !proof.witness->exactly.empty()) witness["exactly"] = proof.witness->exactly;
+  const Json witness = proof.witness ? to_json(*proof.witness) : Json();
   return {{"verdict", to_string(proof.verdict)}, {"factor", or_null(proof.factor)},
           {"side_conditions", proof.side_conditions}, {"witness", witness}, {"reason", or_null(proof.reason)}};
 }
@@ -111,9 +120,7 @@ std::string ledger_page(const Entry& entry, bool colour) {
     line("correction", unicode_or(entry.correction));
   }
   if (entry.proof.witness) {
-    std::vector<std::string> at;
-    for (const auto& [name, value] : entry.proof.witness->at) at.push_back(name + " = " + value);
-    line("witness at", joined(at));
+    line("witness at", joined(in_words(*entry.proof.witness)));
     line("  printed", entry.proof.witness->printed);
     line("  derived", entry.proof.witness->derived);
   }
