@@ -85,56 +85,70 @@ std::vector<std::string> ranged_names(const Context& context, const ProveRequest
   return result;
 }
 
-void add_range(Proof& proof, const Symbol& symbol) {
-  const Range range = read_range(symbol.range);
-  if (range.lower != "-inf")
-    proof.side_conditions.push_back(symbol.name + (range.lower_closed ? " >= " : " > ") + range.lower);
-  if (range.upper != "inf")
-    proof.side_conditions.push_back(symbol.name + (range.upper_closed ? " <= " : " < ") + range.upper);
+/// "alpha > 0", "alpha < pi/2"
+std::vector<std::string> ranges_as_conditions(const std::vector<std::string>& names, const Symbols& symbols) {
+  std::vector<std::string> conditions;
+  for (const std::string& name : names) {
+    const Range range = read_range(symbols.find(name)->range);
+    if (range.lower != "-inf") conditions.push_back(name + (range.lower_closed ? " >= " : " > ") + range.lower);
+    if (range.upper != "inf") conditions.push_back(name + (range.upper_closed ? " <= " : " < ") + range.upper);
+  }
+  return conditions;
 }
 
 /// Whether algebra alone proves it once more, with the givens that the proof had.
-bool goes_through_in(const Context& context, const ProveRequest& request, const Proof& proof) {
+bool goes_through_in(const Context& context, const ProveRequest& request, Verdict verdict) {
   const Relation left = read(request.left, context.symbols), right = read(request.right, context.symbols);
-  const auto given = context.put_in_at_once(proof.verdict == Verdict::proved_under);
+  const auto given = context.put_in_at_once(verdict == Verdict::proved_under);
   return goes_through(left, right, context.symbols, relevant(given, left, right, context.symbols));
 }
 
-/// Which declared ranges the proof rests on: those without which it does not go through.
-void add_ranges_used(Proof& proof, const Context& context, const ProveRequest& request) {
-  const auto start = std::chrono::steady_clock::now();
+/// Which declared ranges the proof rests on: those without which it does not go through, and those of more
+/// symbols than are tried.
+std::vector<std::string> ranges_used(Verdict verdict, const Context& context, const ProveRequest& request) {
+  constexpr std::size_t most = 12;
   const std::vector<std::string> names = ranged_names(context, request);
-  if (names.empty()) return;
-  const bool by_algebra = goes_through_in(context, request, proof);
+  if (names.empty()) return {};
+  const bool by_algebra = goes_through_in(context, request, verdict);
   const auto holds = [&](const std::vector<std::string>& freed) {
-    if (std::chrono::steady_clock::now() - start > std::chrono::milliseconds(500)) return false;
     const Context other = make_context(request, freed);
-    return by_algebra ? goes_through_in(other, request, proof)
-                      : decide_in(other, request).verdict == proof.verdict;
+    return by_algebra ? goes_through_in(other, request, verdict)
+                      : decide_in(other, request).verdict == verdict;
   };
-  if (holds(names)) return;
-  std::vector<std::string> freed;
-  for (const std::string& name : names) {
-    freed.push_back(name);
-    if (holds(freed)) continue;
+  if (holds(names)) return {};
+  std::vector<std::string> freed, used;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    freed.push_back(names[k]);
+    if (k < most && holds(freed)) continue;
     freed.pop_back();
-    add_range(proof, *context.symbols.find(name));
+    used.push_back(names[k]);
   }
+  return ranges_as_conditions(used, context.symbols);
+}
+
+bool is_proved(const Proof& proof) {
+  return proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
+}
+
+/// Without the ranges that a proof rests on.
+Proof decide_but_for_ranges(const Context& context, const ProveRequest& request) {
+  if (request.order < 0 || request.order > 12 || (request.order > 0) != !request.small.empty())
+    throw BadInput(
+        fmt::format("--small and --order belong together, and the order is 1 to 12, not {}", request.order));
+  for (const std::string& name : request.small)
+    if (context.symbols.find(name) == nullptr)
+      throw BadInput("--small names '" + name + "', which is no symbol here");
+  return decide_in(context, request);
 }
 
 }  // namespace
 
 Proof decide(const ProveRequest& request) {
-  if (request.order < 0 || request.order > 12 || (request.order > 0) != !request.small.empty())
-    throw BadInput(
-        fmt::format("--small and --order belong together, and the order is 1 to 12, not {}", request.order));
   const Context context = make_context(request);
-  for (const std::string& name : request.small)
-    if (context.symbols.find(name) == nullptr)
-      throw BadInput("--small names '" + name + "', which is no symbol here");
-  Proof proof = decide_in(context, request);
-  if (proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under)
-    add_ranges_used(proof, context, request);
+  Proof proof = decide_but_for_ranges(context, request);
+  if (!is_proved(proof)) return proof;
+  const auto ranges = ranges_used(proof.verdict, context, request);
+  proof.side_conditions.insert(proof.side_conditions.end(), ranges.begin(), ranges.end());
   return proof;
 }
 
@@ -159,11 +173,35 @@ Bounded bounded(const std::function<std::string()>& work, double seconds) {
 }  // namespace
 
 nlohmann::ordered_json decide_bounded(const ProveRequest& request) {
-  const Bounded outcome = bounded([&] { return to_json(decide(request)).dump(); }, 1.8);
-  if (outcome.result) return nlohmann::ordered_json::parse(*outcome.result);
-  Proof proof;
-  proof.reason = "given up: " + outcome.why;
-  return to_json(proof);
+  using Json = nlohmann::ordered_json;
+  const auto start = std::chrono::steady_clock::now();
+  Verdict verdict{};
+  const auto decision = [&] {
+    const Context context = make_context(request);
+    const Proof proof = decide_but_for_ranges(context, request);
+    Json ranges = Json::array();
+    if (is_proved(proof))
+      ranges = ranges_as_conditions(ranged_names(context, request), context.symbols);
+    return Json{to_json(proof), ranges}.dump();
+  };
+  const auto ranges_needed = [&] {
+    return Json(ranges_used(verdict, make_context(request), request)).dump();
+  };
+  const Bounded outcome = bounded(decision, 1.8);
+  if (!outcome.result) {
+    Proof proof;
+    proof.reason = "given up: " + outcome.why;
+    return to_json(proof);
+  }
+  Json parts = Json::parse(*outcome.result), &proof = parts[0], &ranges = parts[1];
+  if (!ranges.empty()) {  // all of them, if there is no time to see which
+    verdict = proof["verdict"] == "proved" ? Verdict::proved : Verdict::proved_under;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (const Bounded used = bounded(ranges_needed, 1.9 - elapsed.count()); used.result)
+      ranges = Json::parse(*used.result);
+  }
+  for (const Json& condition : ranges) proof["side_conditions"].push_back(condition);
+  return proof;
 }
 
 nlohmann::ordered_json certificate_bounded(const ProveRequest& request, bool with_equations) {
