@@ -71,14 +71,24 @@ void move_bounds(Witness& witness, const Comparison& c, const std::vector<Compar
   witness.exactly.erase(name);
 }
 
+/// An expression, or an equation "… = 0", in the symbols that the user knows.
+std::string without_excess(std::string text, const std::vector<Comparison>& comparisons,
+                           const Symbols& symbols) {
+  const std::string before = text;
+  for (const Comparison& c : comparisons) replace_all(text, c.excess, "(" + c.meaning + ")");
+  if (text == before) return text;
+  const Relation relation = parse_statement(text, symbols);
+  return print(lower(relation.sides[0], symbols), Notation::plain, symbols) +
+         (relation.operators.empty() ? "" : " = 0");
+}
+
 /// Says the witness in the symbols that the user knows.
 void forget_excess(Witness& witness, const std::vector<Comparison>& comparisons, const Symbols& symbols) {
   for (const Comparison& c : comparisons) move_bounds(witness, c, comparisons, symbols);
-  for (const Comparison& c : comparisons) {
+  for (const Comparison& c : comparisons)
     witness.at.erase(c.excess), witness.exactly.erase(c.excess), witness.between.erase(c.excess);
-    replace_all(witness.solves, c.excess, "(" + c.meaning + ")");
-    for (auto& [name, text] : witness.exactly) replace_all(text, c.excess, "(" + c.meaning + ")");
-  }
+  witness.solves = without_excess(witness.solves, comparisons, symbols);
+  for (auto& [name, text] : witness.exactly) text = without_excess(text, comparisons, symbols);
 }
 
 }  // namespace
