@@ -59,15 +59,15 @@ std::optional<Relation> solved_for(const std::string& name, const Relation& rela
 }
 
 Proof compared(const Relation& left, const Relation& right, const Expansion& expansion,
-               const Symbols& symbols) {
+               const Symbols& symbols, const std::vector<Given>& given) {
   if (left.sides.size() != 2 || right.sides.size() != 2)
-    return prove(expansion.side_by_side(left), expansion.side_by_side(right), symbols);
+    return prove(expansion.side_by_side(left), expansion.side_by_side(right), symbols, given);
   for (const std::string& name : symbols.names()) {
     const auto l = solved_for(name, left, expansion, symbols);
     const auto r = l ? solved_for(name, right, expansion, symbols) : std::nullopt;
-    if (r) return prove(*l, *r, symbols);
+    if (r) return prove(*l, *r, symbols, given);
   }
-  Proof proof = prove(expansion.side_by_side(left), expansion.side_by_side(right), symbols);
+  Proof proof = prove(expansion.side_by_side(left), expansion.side_by_side(right), symbols, given);
   if (proof.verdict != Verdict::refuted) return proof;
   proof = {};  // the factor between the two may be 1 to that order
   proof.reason = "there is no symbol for which both can be solved";
@@ -79,7 +79,7 @@ Proof compared(const Relation& left, const Relation& right, const Expansion& exp
 Proof prove_approximation(const Relation& left, const Relation& right, const std::vector<std::string>& small,
                           int order, const Symbols& symbols, const std::vector<Given>& given) {
   try {
-    Proof proof = compared(left, right, Expansion(small, order, symbols, given), symbols);
+    Proof proof = compared(left, right, Expansion(small, order, symbols, given), symbols, given);
     if (proof.verdict == Verdict::proved) proof.verdict = Verdict::approximation;
     return proof;
   } catch (const std::exception& error) {

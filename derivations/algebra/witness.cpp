@@ -100,20 +100,36 @@ std::vector<cln::cl_RA> Points::closed_ends(const std::string& name) const {
   return ranges_.at(name).closed_ends;
 }
 
+namespace {
+
+/// How far a value is from an end towards the inside; nothing where there is no end.
+std::optional<cln::cl_R> distance(const End& end, int side, const cln::cl_R& value) {
+  if (end.infinite != 0) return std::nullopt;
+  const auto at = evaluate(to_tree(end.value, Symbols()), {}, working_digits);
+  return (value - at.value()) * side;
+}
+
+}  // namespace
+
 bool is_inside(const std::string& range, const cln::cl_R& value) {
+  const auto keeps = [&](const End& end, int side) {
+    const auto inside = distance(end, side, value);
+    const bool is_rounded = !end.value.info(GiNaC::info_flags::rational);
+    const bool is_there =
+        inside && (is_rounded ? cln::abs(*inside) * cln::expt_pos(cln::cl_I(10), 60) < 1 : cln::zerop(*inside));
+    return !inside || (end.closed && is_there) || cln::plusp(*inside);
+  };
   const Interval i = parse_range(range);
-  const double v = cln::double_approx(value), low = to_double(i.low), high = to_double(i.high);
-  return (i.low.closed ? v >= low : v > low) && (i.high.closed ? v <= high : v < high);
+  return keeps(i.low, 1) && keeps(i.high, -1);
 }
 
 bool is_strictly_inside(const std::string& range, const cln::cl_R& value) {
-  const Interval i = parse_range(range);
-  const auto is_beyond = [&](const End& end, int side) {
-    if (end.infinite != 0) return true;
-    const auto at = evaluate(to_tree(end.value, Symbols()), {}, working_digits);
-    return at && cln::plusp((value - *at) * side);
+  const auto keeps = [&](const End& end, int side) {
+    const auto inside = distance(end, side, value);
+    return !inside || cln::plusp(*inside);
   };
-  return is_beyond(i.low, 1) && is_beyond(i.high, -1);
+  const Interval i = parse_range(range);
+  return keeps(i.low, 1) && keeps(i.high, -1);
 }
 
 bool Points::is_between(const std::string& name, double value) const {

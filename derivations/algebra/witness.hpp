@@ -44,7 +44,7 @@ class Points {
   std::vector<double> landmarks_;
 };
 
-/// Whether a value lies inside a declared range such as "(0, pi/2)", to the accuracy of a double.
+/// Whether a value lies inside a declared range such as "(0, pi/2)", to 60 places.
 bool is_inside(const std::string& range, const cln::cl_R& value);
 /// Whether it lies between the ends, to all its digits.
 bool is_strictly_inside(const std::string& range, const cln::cl_R& value);

@@ -172,35 +172,43 @@ Bounded bounded(const std::function<std::string()>& work, double seconds) {
 
 }  // namespace
 
-nlohmann::ordered_json decide_bounded(const ProveRequest& request) {
-  using Json = nlohmann::ordered_json;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The proof, and as conditions all ranges that it may rest on.
+std::string decision(const ProveRequest& request) {
+  const Context context = make_context(request);
+  const Proof proof = decide_but_for_ranges(context, request);
+  Json ranges = Json::array();
+  if (is_proved(proof)) ranges = ranges_as_conditions(ranged_names(context, request), context.symbols);
+  return Json{to_json(proof), ranges}.dump();
+}
+
+/// Those among them that it does rest on; all of them, if there is no time to find out.
+Json ranges_within(double seconds, const Json& all, const Json& verdict, const ProveRequest& request) {
+  const auto work = [&] {
+    const Verdict proved = verdict == "proved" ? Verdict::proved : Verdict::proved_under;
+    return Json(ranges_used(proved, make_context(request), request)).dump();
+  };
+  const Bounded outcome = all.empty() ? Bounded{} : bounded(work, seconds);
+  return outcome.result ? Json::parse(*outcome.result) : all;
+}
+
+}  // namespace
+
+Json decide_bounded(const ProveRequest& request) {
   const auto start = std::chrono::steady_clock::now();
-  Verdict verdict{};
-  const auto decision = [&] {
-    const Context context = make_context(request);
-    const Proof proof = decide_but_for_ranges(context, request);
-    Json ranges = Json::array();
-    if (is_proved(proof))
-      ranges = ranges_as_conditions(ranged_names(context, request), context.symbols);
-    return Json{to_json(proof), ranges}.dump();
-  };
-  const auto ranges_needed = [&] {
-    return Json(ranges_used(verdict, make_context(request), request)).dump();
-  };
-  const Bounded outcome = bounded(decision, 1.8);
+  const Bounded outcome = bounded([&] { return decision(request); }, 1.8);
   if (!outcome.result) {
     Proof proof;
     proof.reason = "given up: " + outcome.why;
     return to_json(proof);
   }
-  Json parts = Json::parse(*outcome.result), &proof = parts[0], &ranges = parts[1];
-  if (!ranges.empty()) {  // all of them, if there is no time to see which
-    verdict = proof["verdict"] == "proved" ? Verdict::proved : Verdict::proved_under;
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    if (const Bounded used = bounded(ranges_needed, 1.9 - elapsed.count()); used.result)
-      ranges = Json::parse(*used.result);
-  }
-  for (const Json& condition : ranges) proof["side_conditions"].push_back(condition);
+  Json parts = Json::parse(*outcome.result), &proof = parts[0];
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  for (const Json& range : ranges_within(1.9 - elapsed.count(), parts[1], proof["verdict"], request))
+    proof["side_conditions"].push_back(range);
   return proof;
 }
 
