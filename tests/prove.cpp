@@ -64,12 +64,12 @@ TEST_CASE("a proof says what it rests on") {
 }
 
 TEST_CASE("of many ranges those are named that a proof rests on, however long it takes to find out") {
-  const Proof proof = decide(
-      {"J_o*thetaddot + m*R*a_p*sin(omega_p*t+psi)*cos(alpha-theta) + m*g*R*sin(alpha-theta) = 0",
-       "thetaddot = -p^2*(sin(alpha-theta) + a_p*sin(omega_p*t+psi)/g*cos(alpha-theta))",
-       {"J_o = 4/3*m*R^2", "p = sqrt(3*g/(4*R))"},
-       {},
-       0});
+  const Proof proof =
+      decide({"J_o*thetaddot + m*R*a_p*sin(omega_p*t+psi)*cos(alpha-theta) + m*g*R*sin(alpha-theta) = 0",
+              "thetaddot = -p^2*(sin(alpha-theta) + a_p*sin(omega_p*t+psi)/g*cos(alpha-theta))",
+              {"J_o = 4/3*m*R^2", "p = sqrt(3*g/(4*R))"},
+              {},
+              0});
   CHECK(proof.verdict == Verdict::proved_under);
   CHECK(proof.side_conditions == std::vector<std::string>{"R > 0", "m > 0"});
 }

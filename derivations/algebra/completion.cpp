@@ -37,8 +37,7 @@ void put(Witness& witness, const std::string& name, const ex& value, const Symbo
     for (int round = 0; round < 2; ++round)
       exactly = exactly.subs(exact_values(witness, symbols), GiNaC::subs_options::no_pattern);
     if (exactly.info(GiNaC::info_flags::rational)) {
-      witness.at[name] =
-          rational_text(cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(exactly).to_cl_N()));
+      witness.at[name] = rational_text(cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(exactly).to_cl_N()));
       return;
     }
     const auto digits = digits_of(exactly, witness, symbols);
@@ -68,8 +67,8 @@ std::vector<std::string> in_words(const Witness& witness) {
     const auto exactly = witness.exactly.find(name);
     const auto bounds = witness.between.find(name);
     words.push_back(bounds != witness.between.end()
-                        ? name + " between " + decimal_text(bounds->second.low) + " and " + decimal_text(bounds->second.high) +
-                              " where " + witness.solves
+                        ? name + " between " + decimal_text(bounds->second.low) + " and " +
+                              decimal_text(bounds->second.high) + " where " + witness.solves
                         : name + " = " + (exactly != witness.exactly.end() ? exactly->second : number));
   }
   return words;

@@ -230,9 +230,9 @@ Proof prove_strictness(const Proof& proof, const Residuals& r, const Points& poi
   };
   const auto root = find_root({r.pair.left, r.pair.left_value}, points, 10, Roots::all, symbols, both_zero);
   if (root)
-    return refuted(make_witness(r.pair, *root, {r.pair.left, r.pair.right}),
-                   "at the witness both sides are equal, which only one of the two allows" +
-                       precision_of(*root));
+    return refuted(
+        make_witness(r.pair, *root, {r.pair.left, r.pair.right}),
+        "at the witness both sides are equal, which only one of the two allows" + precision_of(*root));
   return undecided("one allows equality and the other does not");
 }
 

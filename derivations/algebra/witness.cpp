@@ -115,8 +115,8 @@ bool is_inside(const std::string& range, const cln::cl_R& value) {
   const auto keeps = [&](const End& end, int side) {
     const auto inside = distance(end, side, value);
     const bool is_rounded = !end.value.info(GiNaC::info_flags::rational);
-    const bool is_there =
-        inside && (is_rounded ? cln::abs(*inside) * cln::expt_pos(cln::cl_I(10), 60) < 1 : cln::zerop(*inside));
+    const bool is_there = inside && (is_rounded ? cln::abs(*inside) * cln::expt_pos(cln::cl_I(10), 60) < 1
+                                                : cln::zerop(*inside));
     return !inside || (end.closed && is_there) || cln::plusp(*inside);
   };
   const Interval i = parse_range(range);

@@ -67,8 +67,7 @@ std::optional<ex> meant_by(const cln::cl_RA& value) {
   const cln::cl_RA size = cln::abs(value);
   for (const int n : {2, 3})
     if (const auto power = simple_fraction(cln::expt(size, n), 38))
-      return (cln::minusp(value) ? -1 : 1) *
-             GiNaC::pow(ex(GiNaC::numeric(*power)), GiNaC::numeric(1) / n);
+      return (cln::minusp(value) ? -1 : 1) * GiNaC::pow(ex(GiNaC::numeric(*power)), GiNaC::numeric(1) / n);
   return std::nullopt;
 }
 

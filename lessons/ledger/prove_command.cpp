@@ -90,8 +90,10 @@ std::vector<std::string> ranges_as_conditions(const std::vector<std::string>& na
   std::vector<std::string> conditions;
   for (const std::string& name : names) {
     const Range range = read_range(symbols.find(name)->range);
-    if (range.lower != "-inf") conditions.push_back(name + (range.lower_closed ? " >= " : " > ") + range.lower);
-    if (range.upper != "inf") conditions.push_back(name + (range.upper_closed ? " <= " : " < ") + range.upper);
+    if (range.lower != "-inf")
+      conditions.push_back(name + (range.lower_closed ? " >= " : " > ") + range.lower);
+    if (range.upper != "inf")
+      conditions.push_back(name + (range.upper_closed ? " <= " : " < ") + range.upper);
   }
   return conditions;
 }
@@ -207,7 +209,7 @@ Json decide_bounded(const ProveRequest& request) {
   }
   Json parts = Json::parse(*outcome.result), &proof = parts[0];
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  for (const Json& range : ranges_within(1.9 - elapsed.count(), parts[1], proof["verdict"], request))
+  for (const Json& range : ranges_within(1.85 - elapsed.count(), parts[1], proof["verdict"], request))
     proof["side_conditions"].push_back(range);
   return proof;
 }
