@@ -38,12 +38,16 @@ struct Finder {
 
   // ---- forms that show a sign
 
-  /// Whether the range of the terms as they stand shows one sign.
+  /// Whether the range of the terms as they stand shows one sign; where 0 is known to be outside, that, too.
   bool shows_sign(const ex& e) const {
     const Interval i = interval_of(e, q.symbols);
+    const bool may_be_zero = sign_of(e, q.symbols) == 0;
+    const auto is_beyond = [&](const End& end, int side) {
+      const int place = end.infinite != 0 ? -1 : side * compare(end.value, 0);
+      return place > 0 || (place == 0 && (may_be_zero || !end.closed));
+    };
     try {
-      return (i.low.infinite == 0 && compare(i.low.value, 0) >= 0) ||
-             (i.high.infinite == 0 && compare(i.high.value, 0) <= 0);
+      return is_beyond(i.low, 1) || is_beyond(i.high, -1);
     } catch (const std::domain_error&) {  // too close to tell
       return false;
     }
