@@ -183,8 +183,8 @@ TEST_CASE("only increasing functions are taken off both sides of a relation") {
   Json passed_off = cosines;  // knows cos(x) and cos(y)
   passed_off["left"] = {"cos(x)", "<", "cos(y)"}, passed_off["right"] = {"x", "<", "y"};
   passed_off["pieces"][0]["links"][0]["left"]["links"][0]["layers"] = {
-      {{"function", "cos"}, {"left", "x"}, {"right", "y"}}};
-  CHECK(verdict(passed_off) == "cos does not increase");
+      {{"function", "cos"}, {"falls", true}, {"left", "x"}, {"right", "y"}}};
+  CHECK(verdict(passed_off) == "cos does not fall");
   auto [size, bars] = layers({"fabs(x) < 1", "x^2 < 1", {}, {}, 0});
   size["right"] = {"x", "<", "1"};  // of both signs: |x| < 1 is not x < 1
   CHECK(verdict(size) == "the right side is another one");

@@ -13,7 +13,7 @@ inline std::string verdict_of_links(const Json& left, const Json& right, const J
                                     const Json& divisors = Json::array()) {
   const Json piece{{"steps", steps}, {"links", links}};
   try {
-    certificate_checker::check({{"format", "rederive certificate 4"},
+    certificate_checker::check({{"format", "rederive certificate 5"},
                                 {"left", left},
                                 {"right", right},
                                 {"given", Json::object()},

@@ -1,15 +1,13 @@
-// Replays a certificate of `ledger prove` without trusting the program that wrote it: reads its texts, takes
-// its steps and compares, in polynomials of its own, modulo relations that it has checked. What that says of
-// a statement: certificate_relations.hpp; what polynomials do not see: certificate_points.hpp.
+// Replays a certificate of `ledger prove` without trusting the program that wrote it: reads texts as they are
+// printed, takes the steps, and compares in polynomials of its own, over exact integers. What it cannot see:
+// certificate_conditions.hpp. What it says of relations: certificate_relations.hpp.
 #pragma once
 
 #include <cln/cln.h>
 
-#include <cctype>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
-#include <tests/certificate_functions.hpp>
-#include <tests/certificate_points.hpp>
 
 namespace certificate_checker {
 
@@ -20,6 +18,9 @@ struct Fraction {
   Polynomial above, below;
 };
 
+inline void require(bool condition, const std::string& what) {
+  if (!condition) throw std::runtime_error(what);
+}
 inline Polynomial plus(Polynomial a, const Polynomial& b) {
   for (const auto& [m, c] : b)
     if (cln::cl_I& sum = a.try_emplace(m, 0).first->second; cln::zerop(sum = sum + c)) a.erase(m);
@@ -44,100 +45,44 @@ inline Fraction operator+(const Fraction& a, const Fraction& b) {
   return {plus(times(a.above, b.below), times(b.above, a.below)), times(a.below, b.below)};
 }
 
-/// What a text is worth: exactly, and as it is seen: by its form and at the points.
-struct Value {
-  Fraction exact;
-  Seen seen;
-};
-inline Value operator+(const Value& a, const Value& b) { return {a.exact + b.exact, a.seen + b.seen}; }
-inline Value operator*(const Value& a, const Value& b) { return {a.exact * b.exact, a.seen * b.seen}; }
-inline Value operator/(const Value& a, const Value& b) { return {a.exact / b.exact, a.seen / b.seen}; }
-inline Value number(const cln::cl_I& n) {
-  const long double value = cln::double_approx(n);
-  return {{plus({}, {{{}, n}}), {{{}, 1}}}, seen(Numbers(value, points), point(n))};
-}
-inline Value operator-(const Value& a, const Value& b) { return a + number(-1) * b; }
-inline Value power(const Value& a, long n) {
-  Value result = number(1);
-  for (long k = 0; k < std::abs(n); ++k) result = n > 0 ? result * a : result / a;
-  if (n % 2 == 0) result.seen.range = not_negative(result.seen.range);
-  return result;
-}
-
-/// Reads texts and takes steps. Everything throws std::exception saying what is wrong.
-class Replay {
- protected:
+/// Reads a text into fractions, or, in certificate_conditions.hpp, into numbers.
+template <class Value>
+class Reader {
+ public:
   Value value(std::string text) {
     std::erase(text, ' ');
     std::string_view rest = text += ';';
     const Value result = read(rest, 0);
     return require(rest == ";", "cannot read " + text), result;
   }
-  /// function(of) is a new name, or what is said: powers of both agree, or the function that it inverts leads
-  /// back. A name for an inverse function may come with its power of e, the unit.
-  void take(const Json& step) {
-    const bool is_named = step.contains("name"), has_unit = is_named && step.contains("unit");
-    const std::string f = step.at("function"), text = step.at(is_named ? "name" : "is");
-    const std::string inverted = f == "log" ? "exp" : f.substr(1);
-    const Value of = value(step.at("of")), cofactor = divisor(value(step.value("cofactor", "1")));
-    const auto [n, nth_power] = power_of(f, of, step);
-    require(!is_named || text[0] == '$', "a statement may have that name: " + text);
-    if (is_named) name(text, seen(f, of.seen));
-    if (is_named && n > 0) relations_.insert(relations_.begin(), {text, n, nth_power.exact});
-    const Value is = value(text);
-    if (has_unit) state("exp", f == "log" || f.ends_with('h') ? is : i_ * is, value(step.at("unit")));
-    if (n > 0)
-      require(same(cofactor * power(is, n), cofactor * nth_power), "not so: " + step.dump());
-    else if (!is_named || has_unit)
-      require(f != "exp" && same(cofactor * call(inverted, is), cofactor * of), "not so: " + step.dump());
-    state(f, of, is);
-  }
-  void name(const std::string& name, const Seen& seen) {
-    require(names_.insert({name, {{{{{{name, 1}}, 1}}, {{{}, 1}}}, seen}}).second, "no new name: " + name);
-  }
-  /// function(of) = is, on the branch that is looked at.
-  void state(const std::string& function, const Value& of, const Value& is) {
-    looks_.is_same(is.seen, seen(function, of.seen), is.exact.above.empty(), "another branch of " + function);
-    facts_.push_back({function, of, is});
-  }
-  /// p and q of p/q; 0, 0 of what is no such number.
-  std::pair<long, int> ratio(const Value& v) const {
-    for (int q = 1; q <= 64; ++q)
-      if (const long p = std::lround(q * v.seen.at[0].real());
-          std::abs(p) < 1000 && same(number(q) * v, number(p)))
-        return {p, q};
-    return {0, 0};
-  }
-  bool same(const Value& a, const Value& b) const { return reduced((a - b).exact.above).empty(); }
-  Value raised(const Value& base, const Value& exponent) {
-    const auto [p, q] = ratio(exponent);
-    if (q == 1) return power(p < 0 ? divisor(base) : base, p);
-    Value root = q > 1 ? known("^" + std::to_string(p) + "/" + std::to_string(q), base)
-                       : known("exp", exponent * call("log", base));
-    root.seen.range = {0, INFINITY, !base.seen.range.is_positive(), false};
-    return root;
-  }
-  Value call(const std::string& f, const Value& x) {
-    const std::string meaning = meaning_of(f);
-    if (!meaning.empty()) names_["$x"] = x;
-    if (meaning.starts_with("($u"))
-      names_["$u"] = known("exp", f.ends_with('h') ? x : i_ * x, f.starts_with("cos")),
-      names_["$v"] = number(1) / names_["$u"];
-    Value result = meaning.empty() ? known(f, x) : value(meaning);
-    result.seen.range = range_of(f, x.seen.range, result.seen.range);
+
+ protected:
+  virtual Value number(const cln::cl_I& n) = 0;
+  virtual Value call(const std::string& function, const Value& x) = 0;
+  virtual Value raised(const Value& base, const Value& exponent) = 0;
+  virtual Value divisor(const Value& d) = 0;  ///< told of all that must not be 0
+  Value power(const Value& a, long n) {
+    require(std::abs(n) < 1000, "too large an exponent");
+    Value result = number(1);
+    for (long k = 0; k < std::abs(n); ++k) result = n > 0 ? result * a : result / a;
     return result;
   }
-  /// Told of all that must not be 0.
-  virtual Value divisor(const Value& d) { return looks_.is_not_zero(d.seen, "a divisor vanishes"), d; }
+  /// What functions of #x are made of; #u is e^x and #v is e^-x, for sin and cos e^(ix) and e^(-ix).
+  inline static const std::map<std::string, std::string> meanings{
+      {"sin", "(#u-#v)*$i/(-2)"},     {"cos", "(#u+#v)/2"},       {"sinh", "(#u-#v)/2"},
+      {"cosh", "(#u+#v)/2"},          {"tan", "sin(#x)/cos(#x)"}, {"cot", "cos(#x)/sin(#x)"},
+      {"sec", "1/cos(#x)"},           {"csc", "1/sin(#x)"},       {"tanh", "sinh(#x)/cosh(#x)"},
+      {"coth", "cosh(#x)/sinh(#x)"},  {"sech", "1/cosh(#x)"},     {"csch", "1/sinh(#x)"},
+      {"sqrt", "#x^(1/2)"},           {"fabs", "sqrt(#x^2)"},     {"sin(atan)", "#x/sqrt(1+#x^2)"},
+      {"cos(atan)", "1/sqrt(1+#x^2)"}};
+  std::map<std::string, Value> names_;
 
-  const Value i_{{{{{{"$i", 1}}, 1}}, {{{}, 1}}}, seen(Numbers(Number(0, 1), points), {})};
-  std::map<std::string, Value> names_{{"$i", i_}};
-  Looks looks_;
+ private:
   /// A sum (level 0), a product (1), a power (2) or an atom (3).
   Value read(std::string_view& s, int level) {
     const char first = s.front();
     if (first == '(' || first == '-') s.remove_prefix(1);
-    Value total = first == '(' ? read(s, 0) : first == '-' ? number(-1) * read(s, 2) : read_atom(s);
+    Value total = first == '(' ? read(s, 0) : first == '-' ? number(-1) * read(s, 2) : atom(s);
     if (first == '(') require(s.front() == ')', "a parenthesis is missing"), s.remove_prefix(1);
     for (char c = s.front();; c = s.front()) {
       const int binds = c == '^' ? 3 : c == '*' || c == '/' ? 2 : c == '+' || c == '-' ? 1 : 0;
@@ -150,28 +95,84 @@ class Replay {
                          : total + (c == '-' ? number(-1) : number(1)) * next;
     }
   }
-  Value read_atom(std::string_view& s) {
-    const auto end =
-        std::find_if(s.begin(), s.end(), [](char c) { return std::isalnum(c) == 0 && c != '_' && c != '$'; });
-    const std::string word(s.begin(), end);
+  Value atom(std::string_view& s) {
+    const std::string word(s.substr(0, s.find_first_of("+-*/^();")));
     s.remove_prefix(word.size());
     if (!word.empty() && std::isdigit(word[0]) != 0) return number(word.c_str());
     if (s.starts_with('(')) return call(word, read(s, 3));
     return require(names_.contains(word), "what is '" + word + "'?"), names_.at(word);
   }
+};
+
+/// Takes steps and compares what texts are then. Everything throws std::exception saying what is wrong.
+class Replay : public Reader<Fraction> {
+ public:
+  Replay() {
+    variable("$i"), variable("pi"), relations_.emplace_back("$i", 2, number(-1));
+    facts_.emplace_back("exp", value("$i*pi/2"), value("$i"));
+  }
+  void variable(const std::string& text) {
+    require(names_.insert({text, {{{{{text, 1}}, 1}}, {{{}, 1}}}}).second, "no new name: " + text);
+  }
+  /// function(of) is a new name, or what is said: powers of both agree, or the function that it inverts leads
+  /// back. A name for an inverse function may come with its power of e, the unit.
+  void take(const Json& step) {
+    const bool is_named = step.contains("name"), has_unit = is_named && step.contains("unit");
+    const std::string f = step.at("function"), text = step.at(is_named ? "name" : "is");
+    const Fraction of = value(step.at("of")), c = divisor(value(step.value("cofactor", "1")));
+    const auto [n, nth_power] = power_of(f, of, step);
+    require(!is_named || text[0] == '$', "a statement may have that name: " + text);
+    if (is_named) variable(text);
+    if (is_named && n > 0) relations_.insert(relations_.begin(), {text, n, nth_power});
+    const Fraction is = value(text), exponent = f == "log" || f.ends_with('h') ? is : value("$i") * is;
+    if (has_unit) facts_.emplace_back("exp", exponent, value(step.at("unit")));
+    if (n > 0 || !is_named || has_unit)
+      require(n > 0 ? same(c * power(is, n), c * nth_power)
+                    : f != "exp" && same(c * call(f == "log" ? "exp" : f.substr(1), is), c * of),
+              "not so: " + step.dump());
+    facts_.emplace_back(f, of, is);
+  }
+  bool same(const Fraction& a, const Fraction& b) const {
+    return reduced((a + Fraction{{{{}, -1}}, {{{}, 1}}} * b).above).empty();
+  }
+  Fraction call(const std::string& f, const Fraction& x) override {
+    if (!meanings.contains(f)) return known(f, x);
+    if (meanings.at(f).starts_with("(#u"))
+      names_["#u"] = known("exp", f.ends_with('h') ? x : value("$i") * x, f.starts_with("cos")),
+      names_["#v"] = number(1) / names_["#u"];
+    return names_["#x"] = x, value(meanings.at(f));
+  }
+  Fraction raised(const Fraction& base, const Fraction& exponent) override {
+    const auto [p, q] = ratio(exponent);
+    if (q == 1) return power(p < 0 ? divisor(base) : base, p);
+    return q > 1 ? known("^" + std::to_string(p) + "/" + std::to_string(q), base)
+                 : known("exp", exponent * call("log", base));
+  }
+  Fraction divisor(const Fraction& d) override {
+    return require(!reduced(d.above).empty(), "a divisor vanishes"), d;
+  }
+
+ private:
+  Fraction number(const cln::cl_I& n) override { return {plus({}, {{{}, n}}), {{{}, 1}}}; }
+  /// p and q of p/q; 0, 0 of what is no such number.
+  std::pair<long, long> ratio(const Fraction& v) const {
+    const auto is_number = [](const Polynomial& p) { return p.size() == 1 && p.contains({}); };
+    if (!is_number(v.above) || !is_number(v.below)) return {0, v.above.empty() ? 1 : 0};
+    const cln::cl_RA r = cln::cl_RA(v.above.at({})) / v.below.at({});
+    return {cln::cl_I_to_long(cln::numerator(r)), cln::cl_I_to_long(cln::denominator(r))};
+  }
   /// A function value that a step before gave; the two e^x that make the same cosine are as good.
-  Value known(const std::string& function, const Value& x, bool up_to_sign = false) const {
+  Fraction known(const std::string& function, const Fraction& x, bool up_to_sign = false) const {
     for (const auto& [f, of, is] : facts_)
-      if (f == function && (same(of, x) || (up_to_sign && same(power(of, 2), power(x, 2)))))
-        return {is.exact, seen(function, x.seen)};
+      if (f == function && (same(of, x) || (up_to_sign && same(of * of, x * x)))) return is;
     throw std::runtime_error("nothing is said of " + function);
   }
   /// n, and what function(of)^n is: for a root a power of its base, for a power of e others; or 0 for n.
-  std::pair<int, Value> power_of(const std::string& f, const Value& of, const Json& step) {
+  std::pair<long, Fraction> power_of(const std::string& f, const Fraction& of, const Json& step) {
     const auto [p, q] = ratio(value(f[0] == '^' ? f.substr(1) : "0"));
     if (f[0] == '^') return {q, power(of, p)};
-    const int n = f == "exp" && step.contains("from") ? step.value("power", 1) : 0;
-    Value sum = number(0), product = number(1);
+    const long n = f == "exp" && step.contains("from") ? step.value("power", 1) : 0;
+    Fraction sum = number(0), product = number(1);
     for (const Json from = step.value("from", Json::object()); const auto& [text, k] : from.items())
       sum = sum + number(k.get<int>()) * value(text), product = product * power(known("exp", value(text)), k);
     return require(n == 0 || same(number(n) * of, sum), "other exponents"), std::pair{n, product};
@@ -191,9 +192,8 @@ class Replay {
       }
     return p;
   }
-  std::vector<std::tuple<std::string, int, Fraction>> relations_{
-      {"$i", 2, number(-1).exact}};  // latest first
-  std::vector<std::tuple<std::string, Value, Value>> facts_;
+  std::vector<std::tuple<std::string, long, Fraction>> relations_;  // latest first
+  std::vector<std::tuple<std::string, Fraction, Fraction>> facts_;
 };
 
 }  // namespace certificate_checker

@@ -48,6 +48,13 @@ TEST_CASE("numbers that have lost all digits") {
   }
 }
 
+TEST_CASE("names that only the checker gives") {
+  const Json steps{{{"function", "exp"}, {"of", "$i*x"}, {"name", "$z"}},
+                   {{"function", "^1/2"}, {"of", "cos(x)^2"}, {"is", "#x"}}};
+  CHECK(verdict({"sqrt(cos(x)^2)"}, {"x"}, {{"x", "(0, 1)"}}, steps, linked("x", "x")) ==
+        "names with # are the checker's own");
+}
+
 TEST_CASE("factors that are 0 somewhere") {
   const Json ranges{{"x", real}, {"y", real}}, none = Json::array(), right{"x", "=", "0"};
   CHECK(verdict({"x*y", "=", "0"}, right, ranges, none, linked("x*y", "x", "1", {{"y", 1}})) ==
@@ -85,7 +92,7 @@ TEST_CASE("a layer that has a value on half of the domain only") {
                    {{"function", "^1/2"}, {"of", "y^2"}, {"is", "y"}}};
   Json layered = linked("x^2-y^2", "x^2-y^2");
   layered["left"]["links"][0]["layers"] =
-      Json::array({{{"function", "^1/2"}, {"left", "x^2"}, {"right", "y^2"}}});
+      Json::array({{{"function", "^1/2"}, {"falls", false}, {"left", "x^2"}, {"right", "y^2"}}});
   CHECK(verdict({"x", "=", "y"}, {"x^2", "=", "y^2"}, ranges, steps, layered) == "another branch of ^1/2");
   CHECK(verdict({"x", "=", "y"}, {"x^2", "=", "y^2"}, {{"x", "(0, inf)"}, {"y", "(0, inf)"}}, steps,
                 layered) == "accepted");
@@ -126,7 +133,7 @@ TEST_CASE("chains of which a part is passed over") {
 }
 
 TEST_CASE("what is never 0 is what the certificate says, and no more") {
-  Json c{{"format", "rederive certificate 4"},
+  Json c{{"format", "rederive certificate 5"},
          {"left", {"x*a", "=", "0"}},
          {"right", {"a", "=", "0"}},
          {"given", Json::object()},

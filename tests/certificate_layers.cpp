@@ -12,7 +12,8 @@ TEST_CASE("functions that do not increase all over the domain, factors that may 
                                     {{"function", "exp"}, {"of", "$i*y"}, {"name", "$w"}}});
     Json link = linked("y-x", "y-x"), divisors = Json::array();
     if (falls) link = linked("x-y", "x-y");
-    link["left"]["links"][0]["layers"] = Json::array({{{"function", f}, {"left", "x"}, {"right", "y"}}});
+    link["left"]["links"][0]["layers"] =
+        Json::array({{{"function", f}, {"falls", falls}, {"left", "x"}, {"right", "y"}}});
     if (f == "tan") divisors = {"cos(x)", "cos(y)"};
     if (f == "cot") divisors = {"sin(x)", "sin(y)"};
     return verdict({f + "(x)", "<", f + "(y)"}, {"x", falls ? ">" : "<", "y"}, {{"x", range}, {"y", range}},
@@ -22,22 +23,22 @@ TEST_CASE("functions that do not increase all over the domain, factors that may 
   CHECK(of("sin", "(0, pi)", false) == "sin does not increase");
   CHECK(of("sin", "(-2, pi/2)", false) == "sin does not increase");
   CHECK(of("cos", "(0, pi)", true) == "accepted");
-  CHECK(of("cos", "(-1, 1)", true) == "cos does not increase");
+  CHECK(of("cos", "(-1, 1)", true) == "cos does not fall");
   CHECK(of("cos", "(0, (3373259426*2^32+560513589)/2^62)", true) ==
-        "cos does not increase");  // pi as it is rounded, which is a little more
-  CHECK(of("cos", "(0, pi)", false) == "the left side is another one");
+        "cos does not fall");  // pi as it is rounded, which is a little more
+  CHECK(of("cos", "(0, pi)", false) == "cos does not increase");
   CHECK(of("tan", "(-pi/2, pi/2)", false) == "accepted");
   CHECK(of("tan", "(0, pi)", false) == "tan does not increase");
   CHECK(of("cot", "(0, pi)", true) == "accepted");
-  CHECK(of("cot", "(-1, 1)", true) == "cot does not increase");
-  CHECK(of("cot", "(0, pi)", false) == "the left side is another one");
+  CHECK(of("cot", "(-1, 1)", true) == "cot does not fall");
+  CHECK(of("cot", "(0, pi)", false) == "cot does not increase");
 }
 
 TEST_CASE("factors of a layer that may vanish, or are of any sign") {
   const auto by = [](const std::string& factor, const Json& right, const std::string& residual) {
     Json link = linked(residual, residual);
-    link["left"]["links"][0]["layers"] =
-        Json::array({{{"function", "*"}, {"left", "x"}, {"right", "1"}, {"factor", {{factor, 1}}}}});
+    link["left"]["links"][0]["layers"] = Json::array(
+        {{{"function", "*"}, {"falls", true}, {"left", "x"}, {"right", "1"}, {"factor", {{factor, 1}}}}});
     return verdict({"x*y", "<", "y"}, right, {{"x", real}, {"y", "(-inf, 0)"}, {"z", real}}, Json::array(),
                    link);
   };
@@ -51,8 +52,8 @@ TEST_CASE("a factor of a layer that is not 0 because the statement divides by it
   const Json ranges{{"x", real}, {"y", real}}, none = Json::array();
   Json link = linked("y-1", "y-1");
   const auto by = [&](const char* factor, int n) {
-    link["left"]["links"][0]["layers"] =
-        Json::array({{{"function", "*"}, {"left", "y"}, {"right", "1"}, {"factor", {{factor, n}}}}});
+    link["left"]["links"][0]["layers"] = Json::array(
+        {{{"function", "*"}, {"falls", false}, {"left", "y"}, {"right", "1"}, {"factor", {{factor, n}}}}});
   };
   by("x", -1);
   CHECK(verdict({"y/x", "=", "1/x"}, {"y", "=", "1"}, ranges, none, link, none, {"x"}) == "accepted");
@@ -75,7 +76,7 @@ TEST_CASE("angles that end where a function turns, and a little beyond") {
                                    {"from", {{"$i*y", 1}, {"$i*pi/2", -1}}}}});
   Json link = linked("y-x", "y-x");
   link["left"]["links"][0]["layers"] =
-      Json::array({{{"function", "sin"}, {"left", "x-pi/2"}, {"right", "y-pi/2"}}});
+      Json::array({{{"function", "sin"}, {"falls", false}, {"left", "x-pi/2"}, {"right", "y-pi/2"}}});
   const auto of = [&](const std::string& end) {
     return verdict({"sin(x-pi/2)", "<", "sin(y-pi/2)"}, {"x", "<", "y"},
                    {{"x", "(0, " + end + ")"}, {"y", "(0, " + end + "]"}}, steps, link);
@@ -93,14 +94,14 @@ TEST_CASE("the cosine of |x|, where x goes beyond pi") {
                    {{"function", "exp"}, {"of", "$i*fabs(y)"}, {"name", "$w"}}};
   Json link = linked("$a-$b", "$a-$b");
   link["left"]["links"][0]["layers"] =
-      Json::array({{{"function", "cos"}, {"left", "fabs(x)"}, {"right", "fabs(y)"}}});
+      Json::array({{{"function", "cos"}, {"falls", true}, {"left", "fabs(x)"}, {"right", "fabs(y)"}}});
   const auto of = [&](const char* range) {
     return verdict({"cos(fabs(x))", "<", "cos(fabs(y))"}, {"fabs(x)", ">", "fabs(y)"},
                    {{"x", range}, {"y", range}}, steps, link);
   };
   CHECK(of("(-pi, pi)") == "accepted");
   for (const char* beyond : {"(-pi, 4)", "(-4, pi)", "(-pi-1/10^30, pi)", "(-pi, pi+1/10^30)", "(-inf, pi)"})
-    CHECK(of(beyond) == "cos does not increase");
+    CHECK(of(beyond) == "cos does not fall");
 }
 
 TEST_CASE("x/sqrt(1+x^2) increases, 1/sqrt(1+x^2) turns at 0") {
@@ -109,7 +110,7 @@ TEST_CASE("x/sqrt(1+x^2) increases, 1/sqrt(1+x^2) turns at 0") {
   const auto of = [&](const std::string& f, const std::string& above, bool falls, const char* range) {
     Json link = falls ? linked("x-y", "x-y") : linked("y-x", "y-x");
     link["left"]["links"][0]["layers"] =
-        Json::array({{{"function", f + "(atan)"}, {"left", "x"}, {"right", "y"}}});
+        Json::array({{{"function", f + "(atan)"}, {"falls", falls}, {"left", "x"}, {"right", "y"}}});
     return verdict({(above == "1" ? "1" : "x") + std::string("/sqrt(1+x^2)"), "<",
                     (above == "1" ? "1" : "y") + std::string("/sqrt(1+y^2)")},
                    {"x", falls ? ">" : "<", "y"}, {{"x", range}, {"y", range}}, steps, link, Json::array(),
@@ -118,8 +119,8 @@ TEST_CASE("x/sqrt(1+x^2) increases, 1/sqrt(1+x^2) turns at 0") {
   CHECK(of("sin", "x", false, real) == "accepted");
   CHECK(of("sin", "1", false, real) == "another layer");
   CHECK(of("cos", "1", true, "[0, inf)") == "accepted");
-  CHECK(of("cos", "1", false, "[0, inf)") == "the left side is another one");
-  CHECK(of("cos", "1", true, real) == "cos(atan) does not increase");
+  CHECK(of("cos", "1", false, "[0, inf)") == "cos(atan) does not increase");
+  CHECK(of("cos", "1", true, real) == "cos(atan) does not fall");
 }
 
 TEST_CASE("inequalities whose factor is 0 only where both are equations, and where it is 0 elsewhere") {

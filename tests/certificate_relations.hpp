@@ -11,131 +11,143 @@
 #pragma once
 
 #include <set>
-#include <tests/certificate_checker.hpp>
+#include <tests/certificate_conditions.hpp>
 
 namespace certificate_checker {
 
-class Checker : Replay {
+/// What a link of a statement says: a op b, or just a, where op is empty.
+struct Said {
+  std::string a, op, b;
+  /// What must be 0 ("="), positive (">") or not negative (">=") for it to hold; an expression as it is.
+  std::string residual() const { return op.empty() ? a : "((" + a + ")-(" + b + "))"; }
+};
+
+/// A replay that knows what statements divide by.
+class Statement : public Replay {
+ public:
+  void name(const std::string& name, const std::string& text) {
+    require(names_.insert({name, value(text)}).second, "no new name: " + name);
+  }
+  std::vector<Fraction> divisors;  ///< of the texts that were read, but for numbers
+
+ private:
+  Fraction divisor(const Fraction& d) override {
+    if (d.above.size() > 1 || !d.above.contains({})) divisors.push_back(d);
+    return Replay::divisor(d);
+  }
+};
+
+class Checker {
  public:
   /// Checks one piece. Throws std::exception saying what is wrong.
   Checker(const Json& certificate, std::size_t piece) : c_(certificate) {
-    require(c_.at("format") == "rederive certificate 4", "another format");
-    constexpr long double pi = std::numbers::pi_v<long double>;
-    name("pi", seen(Numbers(pi, points), turned(1, 1, true)));
-    state("exp", value("$i*pi/2"), value("$i"));
-    for (const auto& [name, range] : c_.at("ranges").items()) draw(name, range, piece);
-    for (const Json& step : c_.at("pieces").at(piece).at("steps"))
-      if (step.contains("given"))
-        require(names_.insert({step.at("given"), stated(c_.at("given").at(step.at("given")))}).second,
-                "no new name");
-      else
-        take(step);
+    require(c_.at("format") == "rederive certificate 5", "another format");
+    require(c_.dump().find('#') == std::string::npos, "names with # are the checker's own");
+    for (const auto& [name, range] : c_.at("ranges").items())
+      replay_.variable(name), look_.draw(name, range, side_of_zero(name, piece));
+    for (const Json& step : c_.at("pieces").at(piece).at("steps")) take(step);
     read_statement();
     for (const Json& link : c_.at("pieces").at(piece).at("links")) check_link(link);
     for (const char* side : {"left", "right"})
       for (std::size_t k = 0; k == 0 || 2 * k + 1 < c_.at(side).size(); ++k)
         require(never_.size() == 2 || settled_.contains({side, k}), "a link is left out");
-    looks_.report();
+    look_.report();
   }
 
  private:
-  /// Of a name that is cut at 0 a bit of the piece says on which side. Its range is
-  /// the whole one.
-  void draw(const std::string& text, const std::string& range, std::size_t piece) {
-    const std::size_t comma = range.find(',');
-    const auto end = [&](const std::string& s) -> Seen {
-      const long double infinite = s == "inf" ? INFINITY : -INFINITY;
-      return s.ends_with("inf") ? seen(Numbers(infinite, points), {infinite, infinite}) : value(s).seen;
-    };
-    const Seen from = end(range.substr(1, comma - 1)),
-               to = end(range.substr(comma + 2, range.size() - comma - 3));
-    const Range whole{from.range.low,      to.range.high,        range.front() == '[',
-                      range.back() == ']', from.range.exact_low, to.range.exact_high};
-    long double low = from.at[0].real(), high = to.at[0].real();
+  /// Of a name that is cut at 0 a bit of the piece says on which side.
+  char side_of_zero(const std::string& name, std::size_t piece) const {
     const Json& cut = c_.at("cut");
-    const auto place = static_cast<std::size_t>(std::find(cut.begin(), cut.end(), text) - cut.begin());
-    if (place < cut.size()) ((piece >> (cut.size() - 1 - place) & 1) == 0 ? high : low) = 0;
-    name(text, seen(drawn(low, high, random_), whole));
+    const auto place = static_cast<std::size_t>(std::find(cut.begin(), cut.end(), name) - cut.begin());
+    return place == cut.size() ? ' ' : (piece >> (cut.size() - 1 - place) & 1) == 0 ? '<' : '>';
+  }
+  void take(const Json& step) {
+    if (!step.contains("given")) return replay_.take(step), look_.take(step);
+    const std::string name = step.at("given"), text = stated(c_.at("given").at(name));
+    replay_.name(name, text), look_.name(name, text);
   }
   /// Of real names and functions only.
-  Value stated(const std::string& text) {
-    return require(text.find('$') == std::string::npos, "a statement has no generators"), value(text);
+  static std::string stated(const std::string& text) {
+    return require(text.find('$') == std::string::npos, "a statement has no generators"), text;
   }
-  Value divisor(const Value& d) override {
-    const bool is_number = d.exact.above.size() == 1 && d.exact.above.contains({});
-    if (collects_ && !is_number) divisors_.push_back(d);
-    return Replay::divisor(d);
+  Range range(const std::string& text) { return look_.value(stated(text)).range; }
+  /// Where the cofactor is not 0.
+  bool same(const std::string& a, const std::string& b, const std::string& cofactor = "1") {
+    for (const std::string& text : {a, b, "1/(" + cofactor + ")"}) look_.value(text);
+    replay_.value("1/(" + cofactor + ")");
+    const Fraction c = replay_.value(cofactor);
+    return replay_.same(c * replay_.value(a), c * replay_.value(b));
   }
   void read_statement() {
-    collects_ = true;
+    std::vector<std::string> texts(c_.at("given").begin(), c_.at("given").end()), listed = c_.at("divisors");
     for (const char* part : {"left", "right"})
-      for (std::size_t k = 0; k < c_.at(part).size(); k += 2) looks_.admit(stated(c_.at(part).at(k)).seen);
-    for (const Json& text : c_.at("given")) looks_.admit(stated(text).seen);
-    collects_ = false;
-    std::vector<Value> listed;
-    for (const Json& text : c_.at("divisors")) listed.push_back(stated(text));
-    for (const Value& d : divisors_)
-      require(std::any_of(listed.begin(), listed.end(), [&](const Value& e) { return same(d, e); }),
+      for (std::size_t k = 0; k < c_.at(part).size(); k += 2) texts.push_back(c_.at(part).at(k));
+    replay_.divisors.clear();
+    for (const std::string& text : texts) look_.admit(stated(text)), replay_.value(text);
+    divisors_ = std::exchange(replay_.divisors, {});
+    for (const Fraction& d : divisors_)
+      require(std::any_of(listed.begin(), listed.end(),
+                          [&](const std::string& e) { return replay_.same(d, replay_.value(stated(e))); }),
               "a divisor is not listed");
-    for (const Json& text : c_.at("never zero")) divisors_.push_back(stated(text));
+    for (const Json& text : c_.at("never zero")) divisors_.push_back(replay_.value(stated(text)));
   }
 
-  /// What must be 0 ("="), positive (">") or not negative (">=") for a link to hold; an expression as it is.
-  std::pair<std::string, Value> residual(const std::string& side, const Json& link) {
+  /// K = a = b says K = b, too.
+  Said said(const std::string& side, const Json& link) {
     const Json& statement = c_.at(side);
+    if (statement.size() == 1) return {stated(statement[0]), "", ""};
     const std::size_t k = link.at("link");
-    if (statement.size() == 1) return {"", stated(statement[0])};
-    bool is_first = true;  // K = a = b: K = b
+    bool is_first = true;
     for (std::size_t j = 0; j <= k; ++j) is_first = is_first && statement.at(2 * j + 1) == "=";
-    std::string op = statement.at(2 * k + 1);
-    Value a = stated(statement.at(is_first ? 0 : 2 * k)), b = stated(statement.at(2 * k + 2));
-    for (const Json& layer : link.value("layers", Json::array())) op = unwrapped(op, a, b, layer);
-    if (op[0] == '<') std::swap(a, b), op[0] = '>';
-    require(op == "=" || op == ">" || op == ">=", "no relation: " + op);
-    return {op, a - b};
+    Said s{stated(statement.at(is_first ? 0 : 2 * k)), statement.at(2 * k + 1),
+           stated(statement.at(2 * k + 2))};
+    for (const Json& layer : link.value("layers", Json::array())) take_off(layer, s);
+    if (s.op[0] == '<') std::swap(s.a, s.b), s.op[0] = '>';
+    return require(s.op == "=" || s.op == ">" || s.op == ">=", "no relation: " + s.op), s;
   }
-  /// Of one link, or of two inequalities of which one holds everywhere, as their sum shows: their product.
-  std::pair<std::string, Value> residual_of_all(const std::string& side, const Json& link) {
-    const Json& parts = link.at(side).at("links");
-    auto [op, product] = residual(side, parts.at(0));
-    for (const Json& part : parts) settled_.insert({side, part.value("link", 0U)});
-    if (parts.size() == 1) return {op, product};
-    const auto [other, second] = residual(side, parts.at(1));
-    const Value sum = stated(link.at(side).at("sum"));
-    require(parts.size() == 2 && op == other && op != "=", "such links do not make one");
-    require(same(sum, product + second) && sum.seen.range.is_positive(), "both links may fail");
-    return {op, product * second};
-  }
-  /// f(x) < f(y) is x < y where f increases, and x > y where it decreases; even ones grow with x^2, and f(x)
-  /// = f(0) is x = 0. A factor that is never 0 may be taken off, too.
-  std::string unwrapped(std::string op, Value& a, Value& b, const Json& layer) {
-    const std::string f = layer.at("function");
-    const Value x = stated(layer.at("left")), y = stated(layer.at("right"));
-    bool falls = f == "acos" || f == "cos" || f == "cot" || f == "cos(atan)";
+  /// f(x) < f(y) is x < y where f grows, and x > y where it falls. A factor that is never 0 may be taken off,
+  /// too.
+  void take_off(const Json& layer, Said& s) {
+    const std::string f = layer.at("function"), x = stated(layer.at("left")), y = stated(layer.at("right"));
+    const bool falls = layer.at("falls");
     if (f == "*") {
-      const Value by = product(layer.at("factor"), [](auto&&...) { return false; });
-      falls = by.seen.range.is_negative();
-      require(op == "=" || falls || by.seen.range.is_positive(), "a layer of unknown sign");
-      require(same(a - b, by * (x - y)), "another layer");
-      a = x, b = y;
+      const std::string by = product(layer.at("factor"), [](auto&&...) { return false; });
+      require(same(s.residual(), "(" + by + ")*((" + x + ")-(" + y + "))"), "another layer");
+      require(s.op == "=" || (falls ? range(by).is_negative() : range(by).is_positive()),
+              "a layer of unknown sign");
+      s.a = x, s.b = y;
     } else {
-      take_off(f, op, {&x, &a}, {&y, &b});
+      take_off(f, falls, {&x, &s.a}, {&y, &s.b}, s.op);
     }
-    if (falls && op != "=") op[0] = op[0] == '<' ? '>' : '<';
-    return op;
+    if (falls && s.op != "=") s.op[0] = s.op[0] == '<' ? '>' : '<';
   }
-  void take_off(const std::string& f, const std::string& op, std::pair<const Value*, Value*> left,
-                std::pair<const Value*, Value*> right) {
-    const std::string exponent = f[0] == '^' ? f.substr(1) : "0";
-    const auto [p, q] = ratio(value(exponent));
-    const bool is_even = f == "cosh" || f == "fabs" || (p > 0 && q == 1 && p % 2 == 0);
-    require(is_even || p > 0 || is_monotonic(f, left.first->seen.range, right.first->seen.range),
-            f + " does not increase");
-    const bool is_zero = op == "=" && (same(*left.first, number(0)) || same(*right.first, number(0)));
+  /// Even functions grow with x^2, and f(x) = f(0) is x = 0.
+  void take_off(const std::string& f, bool falls, std::pair<const std::string*, std::string*> left,
+                std::pair<const std::string*, std::string*> right, const std::string& op) {
+    const long p = f[0] == '^' ? std::stol(f.substr(1)) : 1;
+    const bool is_even = f == "cosh" || f == "fabs" || (p > 0 && p % 2 == 0 && f.find('/') == f.npos);
+    require(is_even ? !falls : is_monotonic(f, falls, range(*left.first), range(*right.first)),
+            f + " does not " + (falls ? "fall" : "increase"));
+    const bool is_zero = op == "=" && (same(*left.first, "0") || same(*right.first, "0"));
     for (auto [inner, outer] : {left, right}) {
-      require(same(f[0] == '^' ? raised(*inner, value(exponent)) : call(f, *inner), *outer), "another layer");
-      *outer = is_even && !is_zero ? power(*inner, 2) : *inner;
+      const Fraction x = replay_.value(*inner), exponent = replay_.value(f[0] == '^' ? f.substr(1) : "1");
+      const Fraction whole = f[0] == '^' ? replay_.raised(x, exponent) : replay_.call(f, x);
+      require(replay_.same(whole, replay_.value(*outer)), "another layer");
+      *outer = is_even && !is_zero ? "(" + *inner + ")^2" : *inner;
     }
+  }
+  /// The residual of one link, or of two inequalities of which one holds everywhere, as their sum shows:
+  /// their product.
+  std::pair<std::string, std::string> residual_of_all(const std::string& side, const Json& link) {
+    const Json& parts = link.at(side).at("links");
+    const Said first = said(side, parts.at(0));
+    for (const Json& part : parts) settled_.insert({side, part.value("link", 0U)});
+    if (parts.size() == 1) return {first.op, first.residual()};
+    const Said second = said(side, parts.at(1));
+    const std::string a = first.residual(), b = second.residual(), sum = link.at(side).at("sum");
+    require(parts.size() == 2 && first.op == second.op && first.op != "=", "such links do not make one");
+    require(same(sum, a + "+" + b) && range(sum).is_positive(), "both links may fail");
+    return {first.op, a + "*" + b};
   }
   void check_link(const Json& link) {
     if (link.contains("holds")) return settle(link);
@@ -143,50 +155,48 @@ class Checker : Replay {
     const auto [other, right] = residual_of_all("right", link);
     require(op == other,
             op == "=" || other == "=" ? "an equation and an inequality" : "only one allows equality");
-    const Value f = factor(link, left, right), cofactor = divisor(value(link.at("cofactor")));
+    const std::string f = factor(link, left, right), c = link.at("cofactor");
     require(!op.empty() || link.at("factor").empty(), "the factor of two expressions is 1");
-    require(op.empty() || op == "=" || f.seen.range.low >= 0, "a factor turns the inequality round");
-    require(same(cofactor * left, cofactor * value(link.at("left").at("residual"))),
-            "the left side is another one");
-    require(same(cofactor * right, cofactor * value(link.at("right").at("residual"))),
-            "the right side is another one");
-    require(same(cofactor * left, cofactor * f * right), "something remains");
+    require(op.empty() || op == "=" || range(f).low >= 0, "a factor turns the inequality round");
+    require(same(left, link.at("left").at("residual"), c), "the left side is another one");
+    require(same(right, link.at("right").at("residual"), c), "the right side is another one");
+    require(same(left, "(" + f + ")*" + (op.empty() ? "(" + right + ")" : right), c), "something remains");
   }
   /// A product of powers of what cannot be 0: of one sign by its form, or what the statement divides by, or
   /// what is said to be allowed besides.
   template <class Allowed>
-  Value product(const Json& factors, const Allowed& is_allowed) {
-    Value product = number(1);
+  std::string product(const Json& factors, const Allowed& is_allowed) {
+    std::string product = "1";
     for (const auto& [text, n] : factors.items()) {
-      const Value part = stated(text), square = power(part, 2);
-      bool is_clear = part.seen.range.is_positive() || part.seen.range.is_negative();
-      for (const Value& d : divisors_) is_clear = is_clear || same(power(d, 2), square);
-      require(is_clear || is_allowed(text, part, n), "a factor may vanish: " + text);
-      product = product * power(part, n);
+      const Fraction part = replay_.value(stated(text)), square = part * part;
+      bool is_clear = range(text).is_positive() || range(text).is_negative();
+      for (const Fraction& d : divisors_) is_clear = is_clear || replay_.same(d * d, square);
+      require(is_clear || is_allowed(text, n), "a factor may vanish: " + text);
+      product += "*(" + text + ")^(" + std::to_string(n.template get<int>()) + ")";
     }
     return product;
   }
   /// In left = part·right a part may be 0 where right is, too: it is ±right, or right^2 or a quarter of it
   /// and more that is not negative.
-  Value factor(const Json& link, const Value& left, const Value& right) {
-    return product(link.at("factor"), [&](const std::string& text, const Value& part, int n) {
-      const Value other = power(n > 0 ? right : left, 2);
-      const Value more = link.contains("more") ? stated(link.at("more").value(text, "-1")) : number(-1);
-      return same(power(part, 2), other) ||
-             (more.seen.range.low >= 0 && (same(part, other + more) || same(part, other / number(4) + more)));
+  std::string factor(const Json& link, const std::string& left, const std::string& right) {
+    return product(link.at("factor"), [&](const std::string& part, int n) {
+      const std::string other = "(" + (n > 0 ? right : left) + ")^2";
+      const std::string more = link.contains("more") ? link.at("more").value(part, "-1") : "-1";
+      return same("(" + part + ")^2", other) ||
+             (range(more).low >= 0 && (same(part, other + "+" + more) || same(part, other + "/4+" + more)));
     });
   }
   /// A relation that always holds, or never, by the form of its residual.
   void settle(const Json& link) {
     const std::string side = link.contains("left") ? "left" : "right";
-    const auto [op, left] = residual(side, link.at(side));
-    const Value form = stated(link.at(side).at("form"));
-    const Range& r = form.seen.range;
-    const bool always = op == "=" ? r.low == 0 && r.high == 0 : op == ">" ? r.is_positive() : r.low >= 0;
-    const bool never = op == "="   ? r.is_positive() || r.is_negative()
-                       : op == ">" ? r.high <= 0
-                                   : r.is_negative();
-    require(!op.empty() && same(left, form), "the form is another one");
+    const Said s = said(side, link.at(side));
+    const std::string form = stated(link.at(side).at("form"));
+    const Range r = range(form);
+    const bool always = s.op == "=" ? r.low == 0 && r.high == 0 : s.op == ">" ? r.is_positive() : r.low >= 0;
+    const bool never = s.op == "="   ? r.is_positive() || r.is_negative()
+                       : s.op == ">" ? r.high <= 0
+                                     : r.is_negative();
+    require(!s.op.empty() && same(s.residual(), form), "the form is another one");
     const bool holds = link.at("holds");
     require(holds ? always : never, "the form leaves it open");
     if (holds)
@@ -196,9 +206,9 @@ class Checker : Replay {
   }
 
   const Json& c_;
-  std::mt19937 random_;
-  std::vector<Value> divisors_;  // of the statement, but for numbers
-  bool collects_ = false;
+  Statement replay_;
+  Look look_;
+  std::vector<Fraction> divisors_;                         // of the statement, but for numbers
   std::set<std::pair<std::string, std::size_t>> settled_;  // links: side and number
   std::set<std::string> never_;                            // sides of which a link never holds
 };

@@ -116,10 +116,16 @@ Json factor_json(const CertifiedFactor& factor, const CertifiedStatement& q) {
   return json;
 }
 
+bool falls(const Layer& layer, const Symbols& symbols) {
+  static const std::set<std::string> falling{"acos", "cos", "cot", "cos(atan)"};
+  return layer.function == "*" ? sign_of(layer.factor, symbols) < 0 : falling.contains(layer.function);
+}
+
 Json layers_json(const std::vector<CertifiedLayer>& layers, const CertifiedStatement& q) {
   Json list = Json::array();
   for (const auto& [layer, factor] : layers) {
     list.push_back({{"function", layer.function},
+                    {"falls", falls(layer, q.symbols)},
                     {"left", print(layer.left, Notation::plain, q.symbols)},
                     {"right", print(layer.right, Notation::plain, q.symbols)}});
     if (layer.function == "*") list.back()["factor"] = factor_json(factor, q);
@@ -246,7 +252,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
         for (const CertifiedLayer& layer : layers) add_trees(layer, q, trees);
     }
   }
-  Json json{{"format", "rederive certificate 4"},
+  Json json{{"format", "rederive certificate 5"},
             {"left", statement_json(q.left, q)},
             {"right", statement_json(q.right, q)},
             {"given", given},

@@ -21,7 +21,7 @@ namespace rederive {
 ///                 have every link of both statements in one
 /// A link has (certificate_links.hpp)
 ///   left, right   the `links` of that statement that are taken together, one mostly, by their numbers, and
-///                 the `layers` taken off their sides, the outermost first: functions that increase, or fall,
+///                 the `layers` taken off their sides, the outermost first: functions that grow, or `falls`,
 ///                 where function(left) and function(right) are the sides; "*", where the sides differ by
 ///                 factor·(left - right) of a `factor` like the one below; of two inequalities a positive
 ///                 `sum`: one of them holds; the expression, or the `residual` of what is left, as a quotient

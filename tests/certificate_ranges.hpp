@@ -1,5 +1,5 @@
-// What functions are made of, and the range of an expression as far as its form shows it: x^2 + 1 is
-// positive, and so are exp(x), and 1 - x for x in (0, 1).
+// The range of an expression as far as its form shows it: x^2 + 1 is positive, and so are exp(x), and 1 - x
+// for x in (0, 1).
 #pragma once
 
 #include <cln/cln.h>
@@ -13,19 +13,6 @@
 #include <utility>
 
 namespace certificate_checker {
-
-/// f(x) in terms of $x, or of $u = e^x and $v = 1/$u; for sin and cos $u = e^(ix). Empty for others.
-inline std::string meaning_of(const std::string& f) {
-  static const std::map<std::string, std::string> meanings{
-      {"sin", "($u-$v)*$i/(-2)"},     {"cos", "($u+$v)/2"},       {"sinh", "($u-$v)/2"},
-      {"cosh", "($u+$v)/2"},          {"tan", "sin($x)/cos($x)"}, {"cot", "cos($x)/sin($x)"},
-      {"sec", "1/cos($x)"},           {"csc", "1/sin($x)"},       {"tanh", "sinh($x)/cosh($x)"},
-      {"coth", "cosh($x)/sinh($x)"},  {"sech", "1/cosh($x)"},     {"csch", "1/sinh($x)"},
-      {"sqrt", "$x^(1/2)"},           {"fabs", "sqrt($x^2)"},     {"sin(atan)", "$x/sqrt(1+$x^2)"},
-      {"cos(atan)", "1/sqrt(1+$x^2)"}};
-  const auto found = meanings.find(f);
-  return found == meanings.end() ? "" : found->second;
-}
 
 /// number + turns*pi, where that is known.
 struct Exact {
@@ -202,15 +189,18 @@ inline Range range_of(const std::string& f, const Range& x, const Range& other) 
 }
 
 /// Whether f grows, or falls, all over two ranges and between them.
-inline bool is_monotonic(const std::string& f, const Range& x, const Range& y) {
-  const cln::cl_RA half = cln::cl_RA(1) / 2;
-  const auto lie = [&](const cln::cl_RA& low, const cln::cl_RA& high) {
-    return lies(x, low, high) && lies(y, low, high);
-  };
-  static const std::set<std::string> everywhere{"exp",  "log",  "sinh",  "asinh", "tanh",     "atanh",
-                                                "asin", "atan", "acosh", "acos",  "sin(atan)"};
-  return everywhere.contains(f) || ((f == "sin" || f == "tan") && lie(-half, half)) ||
-         ((f == "cos" || f == "cot") && lie(0, 1)) || (f == "cos(atan)" && x.low >= 0 && y.low >= 0);
+inline bool is_monotonic(const std::string& f, bool falls, const Range& x, const Range& y) {
+  static const std::set<std::string> grow{"exp",   "log",  "sinh", "asinh", "tanh",
+                                          "atanh", "asin", "atan", "acosh", "sin(atan)"};
+  if (f[0] == '^' || grow.contains(f)) return !falls && f.substr(0, 2) != "^-";
+  if (f == "acos" || f == "cos(atan)") return falls && (f == "acos" || (x.low >= 0 && y.low >= 0));
+  const cln::cl_RA start = f == "sin" || f == "tan" ? -cln::cl_RA(1) / 2 : cln::cl_RA(0);
+  for (int k = -4; k <= 4; ++k)  // half a period of sin and cos
+    if (const bool is_odd = k % 2 != 0;
+        lies(x, start + k, start + k + 1) && lies(y, start + k, start + k + 1))
+      return (f == "tan" && !falls) || (f == "cot" && falls) || (f == "sin" && falls == is_odd) ||
+             (f == "cos" && falls != is_odd);
+  return false;
 }
 
 }  // namespace certificate_checker

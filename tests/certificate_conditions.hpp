@@ -1,23 +1,16 @@
-// Looks at a certificate in points of its domain. Polynomials do not see which of its finitely many branches
-// a root or an inverse function takes, nor what vanishes there; nineteen digits do.
+// Looks at a certificate in points of its domain, and at ranges. Polynomials do not see which of its finitely
+// many branches a root or an inverse function takes, nor what vanishes there; nineteen digits do.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <complex>
-#include <map>
 #include <random>
-#include <stdexcept>
-#include <string>
-#include <tests/certificate_functions.hpp>
+#include <tests/certificate_checker.hpp>
+#include <tests/certificate_ranges.hpp>
 #include <valarray>
-#include <vector>
 
 namespace certificate_checker {
-
-inline void require(bool condition, const std::string& what) {
-  if (!condition) throw std::runtime_error(what);
-}
 
 using Number = std::complex<long double>;
 using Numbers = std::valarray<Number>;  // one for each point
@@ -83,8 +76,9 @@ class Looks {
       if (!(std::abs(v.at[k]) > 1e-15L * std::abs(v.error[k]))) wrong_[k] = message;
   }
   /// To six digits, of which the errors leave three; 0 is far from all other branches.
-  void is_same(const Seen& a, const Seen& b, bool is_zero, const std::string& message) {
+  void is_same(const Seen& a, const Seen& b, const std::string& message) {
     for (std::size_t k = 0; k < points; ++k) {
+      const bool is_zero = a.at[k] == Number(0) && a.error[k] == Number(0);
       const long double size = is_zero ? 1 : std::abs(b.at[k]), error = std::abs(a.error[k] + b.error[k]);
       if (!(std::abs(a.at[k] - b.at[k]) <= 1e-6L * size) || !(is_zero || error * 1e-19L <= 1e-6L * size))
         wrong_[k] = message;
@@ -112,5 +106,78 @@ inline Numbers drawn(long double low, long double high, std::mt19937& random) {
   }
   return result;
 }
+
+/// Reads texts into what is seen of them.
+class Look : public Reader<Seen> {
+ public:
+  Look() {
+    names_["$i"] = seen(Numbers(Number(0, 1), points), {});
+    names_["pi"] = seen(Numbers(std::numbers::pi_v<long double>, points), turned(1, 1, true));
+  }
+  /// A name that lives in a range such as "(0, pi/2]"; with points of one side of 0, too: < or >.
+  void draw(const std::string& name, const std::string& range, char side) {
+    const std::size_t comma = range.find(',');
+    const auto end = [&](const std::string& s) -> Seen {
+      const long double infinite = s == "inf" ? INFINITY : -INFINITY;
+      return s.ends_with("inf") ? seen(Numbers(infinite, points), {infinite, infinite}) : value(s);
+    };
+    const Seen from = end(range.substr(1, comma - 1)),
+               to = end(range.substr(comma + 2, range.size() - comma - 3));
+    const Range whole{from.range.low,      to.range.high,        range.front() == '[',
+                      range.back() == ']', from.range.exact_low, to.range.exact_high};
+    const long double low = side == '>' ? 0 : from.at[0].real(), high = side == '<' ? 0 : to.at[0].real();
+    names_[name] = seen(drawn(low, high, random_), whole);
+  }
+  void name(const std::string& name, const std::string& text) { names_[name] = value(text); }
+  /// The step takes the principal branch.
+  void take(const Json& step) {
+    const bool is_named = step.contains("name");
+    const std::string f = step.at("function"), text = step.at(is_named ? "name" : "is");
+    const Seen of = value(step.at("of"));
+    value("1/(" + step.value("cofactor", "1") + ")");
+    if (is_named) names_[text] = seen(f, of);
+    const Seen is = value(text), exponent = f == "log" || f.ends_with('h') ? is : value("$i") * is;
+    if (step.contains("unit"))
+      looks_.is_same(value(step.at("unit")), seen("exp", exponent), "another branch of exp");
+    looks_.is_same(is, seen(f, of), "another branch of " + f);
+  }
+  /// Where the statement has a value.
+  void admit(const std::string& text) { looks_.admit(value(text)); }
+  void report() const { looks_.report(); }
+
+ private:
+  Seen number(const cln::cl_I& n) override {
+    return seen(Numbers(static_cast<long double>(cln::double_approx(n)), points), point(n));
+  }
+  Seen divisor(const Seen& d) override { return looks_.is_not_zero(d, "a divisor vanishes"), d; }
+  Seen raised(const Seen& base, const Seen& exponent) override {
+    const cln::cl_RA n = exponent.range.is_constant() ? exponent.range.exact_low.number : 0;
+    const auto text = [](const cln::cl_I& i) { return std::to_string(cln::cl_I_to_long(i)); };
+    if (exponent.range.is_constant() && cln::denominator(n) == 1) {
+      Seen result = power(cln::minusp(n) ? divisor(base) : base, cln::cl_I_to_long(cln::numerator(n)));
+      if (cln::evenp(cln::numerator(n))) result.range = not_negative(result.range);
+      return result;
+    }
+    Seen root = exponent.range.is_constant()
+                    ? seen("^" + text(cln::numerator(n)) + "/" + text(cln::denominator(n)), base)
+                    : seen("exp", exponent * call("log", base));
+    root.range = {0, INFINITY, !base.range.is_positive(), false};
+    return root;
+  }
+  Seen call(const std::string& f, const Seen& x) override {
+    if (!meanings.contains(f)) return with_range(f, x, seen(f, x));
+    names_["#u"] = seen("exp", f.ends_with('h') ? x : names_["$i"] * x);
+    names_["#v"] = number(1) / names_["#u"];
+    names_["#x"] = x;
+    return with_range(f, x, value(meanings.at(f)));
+  }
+  static Seen with_range(const std::string& f, const Seen& x, Seen result) {
+    result.range = range_of(f, x.range, result.range);
+    return result;
+  }
+
+  std::mt19937 random_;
+  Looks looks_;
+};
 
 }  // namespace certificate_checker
