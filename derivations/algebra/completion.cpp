@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <derivations/algebra/completion.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/witness.hpp>
@@ -20,11 +21,15 @@ GiNaC::exmap exact_values(const Witness& witness, const Symbols& symbols) {
   return values;
 }
 
-/// To 45 decimal places.
-std::optional<cln::cl_RA> digits_of(const ex& value, const Witness& witness, const Symbols& symbols) {
+Point digits(const Witness& witness) {
   Point point;
   for (const auto& [name, text] : witness.at) point[name] = cln::cl_RA(text.c_str());
-  const auto number = evaluate(to_tree(value, symbols), point, 60);
+  return point;
+}
+
+/// To 45 decimal places.
+std::optional<cln::cl_RA> digits_of(const ex& value, const Witness& witness, const Symbols& symbols) {
+  const auto number = evaluate(to_tree(value, symbols), digits(witness), 60);
   if (!number) return std::nullopt;
   return cln::round1(*number * power_of_ten(45)) / cln::cl_RA(power_of_ten(45));
 }
@@ -48,17 +53,44 @@ void put(Witness& witness, const std::string& name, const ex& value, const Symbo
   }
 }
 
-void complete(Witness& witness, const std::vector<Given>& given, const Symbols& symbols) {
-  for (const Given& g : given) {
-    const Symbol* symbol = symbols.find(g.name);
-    if (symbol == nullptr || witness.at.contains(symbol->name)) continue;
-    const ex value = put_in(g.value, given);
-    std::set<std::string> names;
-    collect_names(to_tree(value, symbols), names);
-    for (const auto& [name, number] : Points(names, symbols).at(0))
-      witness.at.try_emplace(name, rational_text(number));
-    put(witness, symbol->name, value, symbols);
+namespace {
+
+/// Any values for the names that are missing; such that the trees have values, if they are easily found.
+void fill(Witness& witness, const std::set<std::string>& names, const std::vector<Tree>& trees,
+          const Symbols& symbols) {
+  const Points points(names, symbols);
+  Point chosen;
+  for (int k = 0; k < 8; ++k) {
+    Point point = digits(witness);
+    for (const auto& [name, value] : points.at(k)) point.try_emplace(name, value);
+    if (k == 0) chosen = point;
+    if (!std::all_of(trees.begin(), trees.end(), [&](const Tree& t) { return value_of(t, point); })) continue;
+    chosen = point;
+    break;
   }
+  for (const std::string& name : names) witness.at.try_emplace(name, rational_text(chosen.at(name)));
+}
+
+void put_given(Witness& witness, const Given& g, const std::vector<Given>& given, const Symbols& symbols) {
+  const Symbol* symbol = symbols.find(g.name);
+  if (symbol == nullptr || witness.at.contains(symbol->name)) return;
+  const ex value = put_in(g.value, given);
+  const Tree tree = to_tree(value, symbols);
+  std::set<std::string> names;
+  collect_names(tree, names);
+  fill(witness, names, {tree}, symbols);
+  put(witness, symbol->name, value, symbols);
+}
+
+}  // namespace
+
+void complete(Witness& witness, const std::vector<Tree>& sides, const std::vector<Given>& given,
+              const Symbols& symbols) {
+  for (const Given& g : given) put_given(witness, g, given, symbols);
+  std::set<std::string> names;
+  for (const Tree& side : sides) collect_names(side, names);
+  std::erase_if(names, [&](const std::string& name) { return witness.at.contains(name); });
+  fill(witness, names, sides, symbols);
 }
 
 std::vector<std::string> in_words(const Witness& witness) {

@@ -9,7 +9,9 @@ namespace rederive {
 /// nothing if it has no value there.
 void put(Witness& witness, const std::string& name, const GiNaC::ex& value, const Symbols& symbols);
 
-/// Puts in every symbol that is replaced, and any values for others that only these mention.
-void complete(Witness& witness, const std::vector<Given>& given, const Symbols& symbols);
+/// Puts in every symbol that is replaced, and any values for others that only these mention, or the sides of
+/// the statements, where they make no difference.
+void complete(Witness& witness, const std::vector<Tree>& sides, const std::vector<Given>& given,
+              const Symbols& symbols);
 
 }  // namespace rederive

@@ -129,7 +129,7 @@ std::optional<int> sign_of_part(const Part& part, const Place& place, const Symb
   const auto sign = at.exact ? std::nullopt : sign_at(part.written, at);
   if (sign) return sign;
   const auto root = zero_near({part.written, part.residual}, at.at, symbols);
-  const bool is_certain = root && (root->exact || (!at.meant.empty() && root->meant == at.meant));
+  const bool is_certain = root && (at.exact ? root->exact : !at.meant.empty() && root->meant == at.meant);
   return is_certain ? std::optional(0) : std::nullopt;
 }
 

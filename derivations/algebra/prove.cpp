@@ -174,7 +174,9 @@ Proof prove(const Relation& left, const Relation& right, const Symbols& symbols,
       add_conditions(proof, left, symbols);
       add_conditions(proof, right, symbols);
     }
-    if (proof.witness) complete(*proof.witness, given, symbols);
+    std::vector<Tree> sides = left.sides;
+    sides.insert(sides.end(), right.sides.begin(), right.sides.end());
+    if (proof.witness) complete(*proof.witness, sides, given, symbols);
     return proof;
   } catch (const Undecidable& error) {
     return undecided(error.what());

@@ -28,8 +28,9 @@ double to_double(const End& end) {
 }
 
 /// A rational number with a small denominator near `value`.
-cln::cl_RA near(double value, long denominator) {
-  return cln::rational(cln::cl_DF(std::floor(value * static_cast<double>(denominator) + 0.5))) / denominator;
+cln::cl_RA near(double value, double denominator) {
+  return cln::rational(cln::cl_DF(std::floor(value * denominator + 0.5))) /
+         cln::rational(cln::cl_DF(denominator));
 }
 
 constexpr int working_digits = 70;
@@ -174,7 +175,7 @@ Point Points::at(int index) const {
     // coarse numbers are easier on the hand; finer ones where an end of the range, or 0, is near
     double room = std::min(value - range.low, range.high - value);
     if (!std::isfinite(room)) room = std::fabs(value);
-    for (const long denominator : {20L, 1000L, 1000000L, 1000000000000000L}) {
+    for (const double denominator : {20., 1000., 1e6, 1e15, 0x1p100, 0x1p200}) {
       point[name] = near(value, denominator);
       const double coarse = cln::double_approx(point[name]);
       if (is_between(name, coarse) && std::fabs(coarse - value) <= 0.2 * room) break;

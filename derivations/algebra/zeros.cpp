@@ -117,9 +117,9 @@ bool is_in_range(const Between& bounds, const std::string& name, const Symbols& 
   return is_strictly_inside(range, bounds.low) && is_strictly_inside(range, bounds.high);
 }
 
-/// What is linear in the symbol has one zero: as text, where it lies within the bounds.
-std::optional<std::string> quotient_in(const Between& bounds, const ex& e, Point others,
-                                       const std::string& name, const Symbols& symbols) {
+/// What is linear in the symbol has one zero: if it lies within the bounds and is not long.
+std::optional<ex> quotient_in(const Between& bounds, const ex& e, Point others, const std::string& name,
+                              const Symbols& symbols) {
   const ex& symbol = symbols[name];
   if (!e.is_polynomial(symbol) || e.degree(symbol) != 1) return std::nullopt;
   try {
@@ -127,9 +127,9 @@ std::optional<std::string> quotient_in(const Between& bounds, const ex& e, Point
     const ex zero = (-e.subs(symbol == 0) / e.diff(symbols[name]).expand())
                         .subs(values_at(others, symbols), GiNaC::subs_options::no_pattern);
     const auto value = evaluate(to_tree(zero, symbols), {}, 60);
-    const std::string text = print(zero, Notation::plain, symbols);
-    const bool fits = value && *value > bounds.low && *value < bounds.high && text.size() <= 80;
-    return fits ? std::optional(text) : std::nullopt;
+    const bool fits = value && *value > bounds.low && *value < bounds.high &&
+                      print(zero, Notation::plain, symbols).size() <= 80;
+    return fits ? std::optional(zero) : std::nullopt;
   } catch (const std::exception&) {  // a pole, or symbols that are left
     return std::nullopt;
   }
@@ -141,10 +141,15 @@ std::optional<Root> zero_between(const Written& e, const Point& point, const std
   const auto bounds = change_of_sign(e.tree, point, name, 40);
   if (!bounds || !is_in_range(*bounds, name, symbols)) return std::nullopt;
   Root root{point, false, {}, {{name, *bounds}}};
-  if (const auto quotient = quotient_in(*bounds, e.value, point, name, symbols))
-    root.meant[name] = *quotient;
-  else
+  const auto quotient = quotient_in(*bounds, e.value, point, name, symbols);
+  if (quotient && quotient->info(GiNaC::info_flags::rational)) {
+    root = {point, true};
+    root.at[name] = cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(*quotient).to_cl_N());
+  } else if (quotient) {
+    root.meant[name] = print(*quotient, Notation::plain, symbols);
+  } else {
     root.solves = print(e.tree, Notation::plain, symbols) + " = 0", root.around = root.box;
+  }
   return root;
 }
 

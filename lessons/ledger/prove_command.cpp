@@ -62,7 +62,9 @@ Proof decide_in(const Context& context, const ProveRequest& request) {
   if (proof.verdict != Verdict::proved && request.order > 0)
     proof =
         prove_approximation(left, right, request.small, request.order, symbols, context.put_in_at_once(true));
-  if (proof.witness) complete(*proof.witness, context.put_in_at_once(true), symbols);
+  std::vector<Tree> sides = left.sides;
+  sides.insert(sides.end(), right.sides.begin(), right.sides.end());
+  if (proof.witness) complete(*proof.witness, sides, context.put_in_at_once(true), symbols);
   return without_excess(proof, context.comparisons, symbols);
 }
 
