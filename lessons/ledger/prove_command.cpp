@@ -123,7 +123,8 @@ std::vector<std::string> ranges_used(Verdict verdict, const Context& context, co
   std::vector<std::string> freed, used;
   for (std::size_t k = 0; k < names.size(); ++k) {
     freed.push_back(names[k]);
-    if (k < most && holds(freed)) continue;
+    const bool is_known = freed.size() == names.size();  // that it does not hold
+    if (k < most && !is_known && holds(freed)) continue;
     freed.pop_back();
     used.push_back(names[k]);
   }
