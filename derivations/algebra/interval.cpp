@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
+#include <derivations/algebra/evaluate.hpp>
 #include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/print.hpp>
 #include <map>
 #include <stdexcept>
 
@@ -10,16 +13,32 @@ using GiNaC::ex_to;
 using GiNaC::is_a;
 using GiNaC::numeric;
 
+namespace {
+
+/// Numbers, multiples of π and square roots: what GiNaC calculates to 17 digits.
+bool is_plain(const ex& e) {
+  return std::none_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) {
+    return is_a<GiNaC::function>(part) || (is_a<numeric>(part) && !(GiNaC::abs(ex_to<numeric>(part)) < 1e6));
+  });
+}
+
+}  // namespace
+
 int compare(const ex& a, const ex& b) {
   const ex difference = (a - b).expand();
   if (difference.is_zero()) return 0;
-  const ex value = difference.evalf();
-  if (!is_a<numeric>(value) || !ex_to<numeric>(value).is_real())
-    throw std::domain_error("not a real constant");
-  const double d = ex_to<numeric>(value).to_double();
-  if (std::fabs(d) < 1e-9 && !is_a<numeric>(difference)) throw std::domain_error("too close to tell");
-  if (is_a<numeric>(difference)) return ex_to<numeric>(difference).is_positive() ? 1 : -1;
-  return d > 0 ? 1 : -1;
+  if (is_a<numeric>(difference) && ex_to<numeric>(difference).is_real())
+    return ex_to<numeric>(difference).is_positive() ? 1 : -1;
+  if (is_plain(difference)) {
+    const ex value = difference.evalf();
+    const bool is_real = is_a<numeric>(value) && ex_to<numeric>(value).is_real();
+    const double d = is_real ? ex_to<numeric>(value).to_double() : 0;
+    if (std::fabs(d) > 1e-6) return d > 0 ? 1 : -1;
+  }
+  const auto value = evaluate(to_tree(difference), {}, 5);
+  if (!value) throw std::domain_error("not a real constant");
+  if (cln::zerop(*value)) throw std::domain_error("too close to tell");
+  return cln::plusp(*value) ? 1 : -1;
 }
 
 namespace {
@@ -194,6 +213,19 @@ Interval function_interval(const std::string& name, const Interval& i) {
   return {};
 }
 
+Interval enclose(const ex& e, const Symbols& symbols);
+
+/// A square is not negative, whatever is known of its base.
+Interval power_interval(const ex& e, const Symbols& symbols) {
+  const numeric exponent = ex_to<numeric>(e.op(1));
+  try {
+    return power(enclose(e.op(0), symbols), exponent);
+  } catch (const std::exception&) {  // ends that are too close to tell, or poles of GiNaC
+    if (!exponent.is_even()) throw;
+    return {{0, 0, true}, {0, +1, false}};
+  }
+}
+
 Interval enclose(const ex& e, const Symbols& symbols) {
   if (is_a<numeric>(e) || is_a<GiNaC::constant>(e)) return point(e);
   if (is_a<GiNaC::symbol>(e)) {
@@ -214,7 +246,7 @@ Interval enclose(const ex& e, const Symbols& symbols) {
     return result;
   }
   if (is_a<GiNaC::power>(e) && is_a<numeric>(e.op(1)) && ex_to<numeric>(e.op(1)).is_rational())
-    return power(enclose(e.op(0), symbols), ex_to<numeric>(e.op(1)));
+    return power_interval(e, symbols);
   if (is_a<GiNaC::power>(e)) {  // a^b with a symbolic exponent is defined for a >= 0, and 0 only where a is
     const Interval base = enclose(e.op(0), symbols);
     const bool positive = sign(base.low) > 0 || (sign(base.low) == 0 && !base.low.closed);
@@ -262,29 +294,6 @@ Interval interval_of(const ex& expression, const Symbols& symbols) {
   } catch (const std::exception&) {  // a pole of GiNaC, or constants too close to tell: nothing is known
     return {};
   }
-}
-
-int sign_of(const ex& expression, const Symbols& symbols) {
-  const Interval i = interval_of(expression, symbols);
-  try {
-    if (i.low.infinite == 0 && (sign(i.low) > 0 || (sign(i.low) == 0 && !i.low.closed))) return 1;
-    if (i.high.infinite == 0 && (sign(i.high) < 0 || (sign(i.high) == 0 && !i.high.closed))) return -1;
-  } catch (const std::exception&) {
-  }
-  const auto quadratic = as_quadratic(expression);
-  if (!quadratic || quadratic->b.is_zero()) return 0;
-  return sign_of(quadratic->discriminant(), symbols) > 0 ? sign_of(quadratic->a, symbols) : 0;
-}
-
-bool is_nonnegative(const ex& expression, const Symbols& symbols) {
-  const Interval i = interval_of(expression, symbols);
-  try {
-    if (i.low.infinite == 0 && sign(i.low) >= 0) return true;
-  } catch (const std::exception&) {
-  }
-  const auto quadratic = as_quadratic(expression);
-  if (!quadratic || quadratic->b.is_zero()) return false;
-  return sign_of(quadratic->a, symbols) > 0 && is_nonnegative(quadratic->discriminant(), symbols);
 }
 
 }  // namespace rederive

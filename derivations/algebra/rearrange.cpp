@@ -2,6 +2,7 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <optional>
 #include <set>
@@ -262,6 +263,22 @@ std::vector<Layer> rearrangements(const Sides& s, const Symbols& symbols) {
       break;
     }
   return result;
+}
+
+std::optional<Layer> factored(const Sides& s, const Symbols& symbols) {
+  const auto parts = s.op == "=" ? std::nullopt : checked_quotient(s.left - s.right, 1, symbols);
+  ex doubtful = 0, factor = 1;
+  if (!parts) return std::nullopt;
+  for (const auto& [part, n] : *parts) {
+    const bool is_clear =
+        n.is_even() ? sign_of(GiNaC::pow(part, n), symbols) > 0 : sign_of(part, symbols) != 0;
+    if (!is_clear && (!doubtful.is_zero() || n.is_even())) return std::nullopt;
+    if (!is_clear) doubtful = part;
+    factor *= GiNaC::pow(part, is_clear ? n : n - 1);
+  }
+  const int sign = sign_of(factor, symbols);
+  if (doubtful.is_zero() || sign == 0) return std::nullopt;
+  return Layer{"*", doubtful, 0, factor, sign < 0};
 }
 
 }  // namespace rederive

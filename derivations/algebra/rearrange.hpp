@@ -38,4 +38,8 @@ std::optional<Layer> common_power(const Sides& sides);
 std::optional<Sides> squared(const Sides& sides, const Symbols& symbols,
                              std::vector<Layer>* layers = nullptr);
 
+/// left - right as a product of which only one part may have either sign: that part, and 0; sums of powers
+/// of sines and cosines are sums of sines and cosines of multiples there.
+std::optional<Layer> factored(const Sides& sides, const Symbols& symbols);
+
 }  // namespace rederive

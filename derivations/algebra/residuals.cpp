@@ -189,6 +189,9 @@ bool has_high_power(const ex& e) {
 std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symbols) {
   try {
     if (vanishes(residual, symbols)) return claim != Claim::positive;
+    if (const int sign = sign_of(residual, symbols); sign != 0) return claim != Claim::zero && sign > 0;
+    if (claim == Claim::not_negative && is_nonnegative(residual, symbols)) return true;
+    if (claim == Claim::positive && is_nonnegative(-residual, symbols)) return false;
     const auto parts = checked_quotient(residual, 1, symbols);
     if (!parts) return std::nullopt;
     const Quotient factor = assess(*parts, {}, symbols);
@@ -239,8 +242,12 @@ Proof prove_strictness(const Proof& proof, const Residuals& r, const Points& poi
 Proof prove_by_algebra(const Residuals& r, const Points& points, const Symbols& symbols) {
   const Proof proof = prove_by_some_factor(r, symbols);
   if (proof.verdict == Verdict::proved && r.left == r.right) return proof;
-  const auto left = settled(r.inner_left, r.left, symbols);
-  if (left && left == settled(r.inner_right, r.right, symbols))
+  const auto holds = [&](const ex& inner, const ex& whole, Claim claim) {
+    const auto result = settled(inner, claim, symbols);
+    return result || inner.is_equal(whole) ? result : settled(whole, claim, symbols);
+  };
+  const auto left = holds(r.inner_left, r.pair.left_value, r.left);
+  if (left && left == holds(r.inner_right, r.pair.right_value, r.right))
     return proved("", *left ? "both hold for all values in the declared ranges"
                             : "neither holds for any value in the declared ranges");
   return proof.verdict == Verdict::proved ? prove_strictness(proof, r, points, symbols) : proof;

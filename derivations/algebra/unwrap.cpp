@@ -79,6 +79,7 @@ std::optional<ex> logarithm_of(const ex& e, const Symbols& symbols) {
   if (!has_symbol(e)) return sign_of(e, symbols) > 0 ? std::optional<ex>(GiNaC::log(e)) : std::nullopt;
   if (kind_of(e) == "exp") return e.op(0);
   if (is_a<GiNaC::power>(e)) {
+    if (has_symbol(e.op(1)) && sign_of(e.op(0), symbols) > 0) return e.op(1) * GiNaC::log(e.op(0));
     const auto base = logarithm_of(e.op(0), symbols);
     return base ? std::optional<ex>(*base * e.op(1)) : std::nullopt;
   }
@@ -206,6 +207,18 @@ std::vector<Layer> step(Sides& sides, const Symbols& symbols) {
   return {};
 }
 
+/// The same once left - right has been factored. Only if that helps.
+std::vector<Layer> step_in_factors(Sides& sides, const Symbols& symbols) {
+  const auto product = factored(sides, symbols);
+  if (!product) return {};
+  Sides next = rearranged(*product, sides.op);
+  std::vector<Layer> layers = step(next, symbols);
+  if (layers.empty()) return {};
+  sides = next;
+  layers.insert(layers.begin(), *product);
+  return layers;
+}
+
 /// sin a < u is tan a < u/√(1-u²), as functions of the angle all grow; cos a < u is tan a > √(1-u²)/u.
 std::vector<Layer> to_tangent(Sides& sides, const Symbols& symbols) {
   const Sides swapped{sides.right, turned(sides.op), sides.left};
@@ -240,8 +253,12 @@ Sides unwrapped(Sides sides, const Symbols& symbols, std::vector<Layer>* layers)
     return !off.empty();
   };
   try {
-    for (int depth = 0; depth < 10 && taken(step(sides, symbols));) ++depth;
-    taken(to_tangent(sides, symbols));
+    const auto steps = [&] {
+      int depth = 0;
+      while (depth < 10 && taken(step(sides, symbols))) ++depth;
+      return depth > 0;
+    };
+    if (!steps() && !taken(to_tangent(sides, symbols)) && taken(step_in_factors(sides, symbols))) steps();
   } catch (const std::exception&) {  // a pole of GiNaC: the rest stays on
   }
   return sides;

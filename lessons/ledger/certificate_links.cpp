@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <derivations/algebra/conjunction.hpp>
-#include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/forms.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/vanish.hpp>
@@ -54,10 +54,12 @@ struct Finder {
   }
   /// An expression of one sign so written that it shows: with a square completed, if need be.
   ex form(const ex& e) const {
+    if (shows_sign(e)) return e;
     const auto quadratic = as_quadratic(e);
-    if (shows_sign(e) || !quadratic || quadratic->b.is_zero()) return e;
-    return quadratic->a * GiNaC::pow(quadratic->x + quadratic->b / (2 * quadratic->a), 2) +
-           form((quadratic->discriminant() / (4 * quadratic->a)).normal());
+    if (quadratic && !quadratic->b.is_zero() && is_nonnegative(quadratic->discriminant(), q.symbols))
+      return quadratic->a * GiNaC::pow(quadratic->x + quadratic->b / (2 * quadratic->a), 2) +
+             form((quadratic->discriminant() / (4 * quadratic->a)).normal());
+    return rederive::form_of_one_sign(e, q.symbols).value_or(e);
   }
   std::optional<ex> form_of_one_sign(const ex& e) const {
     if (e.is_zero() || is_nonnegative(e, q.symbols) || is_nonnegative(-e, q.symbols)) return form(e);

@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <derivations/algebra/forms.hpp>
+#include <derivations/algebra/phases.hpp>
+#include <derivations/algebra/positive.hpp>
+#include <set>
+
+namespace rederive {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+using GiNaC::numeric;
+
+namespace {
+
+constexpr std::size_t most_terms = 12;
+constexpr int most_parts = 200, highest_multiple = 8;
+
+/// What a sum is made of: its symbols, its functions, and the bases of its square roots.
+struct Atoms {
+  std::vector<ex> symbols, functions, roots;
+  int parts = 0;
+};
+
+void add(std::vector<ex>& list, const ex& e) {
+  if (std::none_of(list.begin(), list.end(), [&](const ex& other) { return other.is_equal(e); }))
+    list.push_back(e);
+}
+
+/// Arguments of functions are not looked into.
+void collect(const ex& e, Atoms& atoms) {
+  ++atoms.parts;
+  if (is_a<GiNaC::symbol>(e)) return add(atoms.symbols, e);
+  if (is_a<GiNaC::function>(e)) return add(atoms.functions, e);
+  if (is_a<GiNaC::power>(e) && e.op(1).is_equal(numeric(1, 2))) return add(atoms.roots, e);
+  for (const ex& part : e) collect(part, atoms);
+}
+
+// ---- A + B sin x + C cos x
+
+/// The coefficient of a name in what is linear in it; nothing where it is not.
+std::optional<ex> factor_of(const GiNaC::symbol& name, const ex& e) {
+  if (!e.is_polynomial(name) || e.degree(name) > 1) return std::nullopt;
+  return e.coeff(name, 1);
+}
+
+/// r + B sin x + C cos x with r = sqrt(B² + C²) is a square; A - r is (A² - r²)/(A + r).
+std::optional<ex> wave(const ex& a, const ex& b, const ex& c, const ex& x, const Symbols& symbols) {
+  const ex left = (a * a - b * b - c * c).expand(), size = GiNaC::sqrt(b * b + c * c);
+  if (sign_of(a, symbols) <= 0 || !is_nonnegative(left, symbols)) return std::nullopt;
+  const bool forward = is_nonnegative(c, symbols);
+  if (!forward && !is_nonnegative(-c, symbols)) return std::nullopt;
+  const ex whole = size + (forward ? c : -c), sine = GiNaC::sin(x / 2), cosine = GiNaC::cos(x / 2);
+  if (sign_of(whole, symbols) <= 0) return std::nullopt;
+  const ex square = GiNaC::pow(forward ? cosine + b / whole * sine : sine + b / whole * cosine, 2);
+  return left / (a + size) + whole * square;
+}
+
+std::optional<ex> form_of_wave(const ex& e, const Atoms& atoms, const Symbols& symbols) {
+  const GiNaC::realsymbol s("s"), c("c");
+  GiNaC::exmap names;
+  for (const ex& f : atoms.functions)
+    if (name_of(f) == "sin" || name_of(f) == "cos") names[f] = name_of(f) == "sin" ? s : c;
+  if (names.size() != 2 || !names.begin()->first.op(0).is_equal(names.rbegin()->first.op(0)))
+    return std::nullopt;
+  const ex x = names.begin()->first.op(0), named = e.subs(names, GiNaC::subs_options::no_pattern);
+  const auto of_sine = factor_of(s, named), of_cosine = factor_of(c, named);
+  if (!of_sine || !of_cosine || of_sine->has(c)) return std::nullopt;
+  const ex rest = named.coeff(s, 0).coeff(c, 0);
+  if (const auto form = wave(rest, *of_sine, *of_cosine, x, symbols)) return form;
+  const auto turned = wave(-rest, -*of_sine, -*of_cosine, x, symbols);
+  return turned ? std::optional<ex>(-*turned) : std::nullopt;
+}
+
+// ---- sqrt(A) - B
+
+std::optional<ex> form_of_root(const ex& e, const Atoms& atoms, const Symbols& symbols) {
+  for (const ex& root : atoms.roots) {
+    const GiNaC::realsymbol r("r");
+    const ex named = e.subs(root == r, GiNaC::subs_options::no_pattern);
+    const auto factor = factor_of(r, named);
+    const int sign = factor ? sign_of(*factor, symbols) : 0;
+    if (sign == 0 || sign_of(root.op(0), symbols) <= 0) continue;
+    const ex u = sign * *factor * root, v = -sign * named.coeff(r, 0);
+    const ex left = (GiNaC::pow(*factor, 2) * root.op(0) - v * v).expand();
+    if (!is_nonnegative(left, symbols)) continue;
+    const auto shown = form_of_one_sign(left, symbols);
+    return sign * (GiNaC::pow(u - v, 2) + shown.value_or(left)) / (2 * u);
+  }
+  return std::nullopt;
+}
+
+// ---- polynomials in one function
+
+/// The largest x of which all arguments of the functions are whole multiples, and those.
+struct Multiples {
+  ex x;
+  std::vector<int> of;
+};
+std::optional<Multiples> multiples(const std::vector<ex>& functions) {
+  numeric common = 0;
+  const ex& first = functions.front().op(0);
+  std::vector<numeric> ratios;
+  for (const ex& f : functions) {
+    const ex ratio = f.op(0) / first;
+    if (first.is_zero() || !is_a<numeric>(ratio) || !ex_to<numeric>(ratio).is_rational()) return std::nullopt;
+    ratios.push_back(ex_to<numeric>(ratio));
+    const numeric scale = GiNaC::lcm(common.denom(), ratios.back().denom());
+    common = GiNaC::gcd(common * scale, ratios.back() * scale) / scale;
+  }
+  Multiples result{first * common, {}};
+  for (const numeric& ratio : ratios) {
+    if (GiNaC::abs(ratio / common) > highest_multiple) return std::nullopt;
+    result.of.push_back((ratio / common).to_int());
+  }
+  return result;
+}
+
+bool all_among(const std::vector<ex>& functions, const std::set<std::string>& names) {
+  return !functions.empty() && std::all_of(functions.begin(), functions.end(),
+                                           [&](const ex& f) { return names.contains(name_of(f)); });
+}
+
+/// The same in the functions that stand for it, where its range shows a sign.
+std::optional<ex> positive_in(const ex& p, const GiNaC::symbol& u, const ex& function,
+                              const Symbols& symbols) {
+  const auto form = positive_form(p, u, interval_of(function, symbols));
+  return form ? std::optional<ex>(form->subs(u == function, GiNaC::subs_options::no_pattern)) : std::nullopt;
+}
+
+/// e^{ikx} = (c + is)^k: cos kx and sin kx are its parts.
+ex of_multiple(const std::string& function, int k, const GiNaC::symbol& c, const GiNaC::symbol& s) {
+  ex sum = 0;
+  const int n = std::abs(k);
+  for (int j = function == "sin" ? 1 : 0; j <= n; j += 2)
+    sum += GiNaC::pow(-1, j / 2) * GiNaC::binomial(n, j) * GiNaC::pow(c, n - j) * GiNaC::pow(s, j);
+  return function == "sin" && k < 0 ? -sum : sum;
+}
+
+/// P(u) + v Q(u) of sines and cosines, where u is one of them and v the other; v² = 1 - u².
+struct Mixed {
+  ex p, q;
+};
+Mixed in_one(const ex& polynomial, const GiNaC::symbol& u, const GiNaC::symbol& v) {
+  Mixed result{0, 0};
+  for (int k = 0; k <= polynomial.degree(v); ++k)
+    (k % 2 == 0 ? result.p : result.q) += polynomial.coeff(v, k) * GiNaC::pow(1 - u * u, k / 2);
+  return {result.p.expand(), result.q.expand()};
+}
+
+std::optional<ex> positive_trigonometric(const ex& e, const ex& polynomial, const GiNaC::symbol& u,
+                                         const ex& function, const GiNaC::symbol& v, const Symbols& symbols) {
+  const Mixed mixed = in_one(polynomial, u, v);
+  const auto alone = positive_in(mixed.p, u, function, symbols);
+  if (!alone || mixed.q.is_zero()) return alone;
+  const ex rest = (mixed.p * mixed.p - (1 - u * u) * mixed.q * mixed.q).expand();
+  const auto shown = positive_in(rest, u, function, symbols);
+  return shown ? std::optional<ex>((GiNaC::pow(e, 2) + *shown) / (2 * *alone)) : std::nullopt;
+}
+
+std::optional<ex> form_in_angle(const ex& e, const std::vector<ex>& functions, const Symbols& symbols) {
+  const auto all = multiples(functions);
+  if (!all) return std::nullopt;
+  const GiNaC::realsymbol c("c"), s("s");
+  GiNaC::exmap in;
+  for (std::size_t k = 0; k < functions.size(); ++k)
+    in[functions[k]] = of_multiple(name_of(functions[k]), all->of[k], c, s);
+  const ex p = e.subs(in, GiNaC::subs_options::no_pattern).expand();
+  if (!p.is_polynomial(GiNaC::lst{c, s}) || p.degree(c) + p.degree(s) > 2 * highest_multiple)
+    return std::nullopt;
+  for (const int sign : {1, -1}) {
+    auto form = positive_trigonometric(sign * e, (sign * p).expand(), c, GiNaC::cos(all->x), s, symbols);
+    if (!form)
+      form = positive_trigonometric(sign * e, (sign * p).expand(), s, GiNaC::sin(all->x), c, symbols);
+    if (form) return sign * *form;
+  }
+  return std::nullopt;
+}
+
+std::optional<ex> form_in_exponential(const ex& e, const std::vector<ex>& functions, const Symbols& symbols) {
+  const auto all = multiples(functions);
+  if (!all) return std::nullopt;
+  const GiNaC::possymbol u("u");
+  GiNaC::exmap in;
+  for (std::size_t k = 0; k < functions.size(); ++k) {
+    const std::string name = name_of(functions[k]);
+    const ex power = GiNaC::pow(u, all->of[k]);
+    in[functions[k]] = name == "exp" ? power : (name == "cosh" ? power + 1 / power : power - 1 / power) / 2;
+  }
+  const ex p = e.subs(in, GiNaC::subs_options::no_pattern).expand();
+  const int least = p.ldegree(u);
+  const ex whole = (p * GiNaC::pow(u, -least)).expand(), function = GiNaC::exp(all->x);
+  for (const int sign : {1, -1})
+    if (const auto form = positive_in((sign * whole).expand(), u, function, symbols))
+      return sign * *form * GiNaC::pow(function, least);
+  return std::nullopt;
+}
+
+std::optional<ex> form_in_symbol(const ex& e, const ex& x, const Symbols& symbols) {
+  for (const int sign : {1, -1})
+    if (const auto form =
+            positive_form((sign * e).expand(), ex_to<GiNaC::symbol>(x), interval_of(x, symbols)))
+      return sign * *form;
+  return std::nullopt;
+}
+
+std::optional<ex> form_of_polynomial(const ex& e, const Atoms& atoms, const Symbols& symbols) {
+  if (!atoms.roots.empty() || atoms.symbols.size() + atoms.functions.size() == 0) return std::nullopt;
+  if (atoms.functions.empty())
+    return atoms.symbols.size() == 1 ? form_in_symbol(e, atoms.symbols[0], symbols) : std::nullopt;
+  if (!atoms.symbols.empty()) return std::nullopt;
+  if (all_among(atoms.functions, {"sin", "cos"})) return form_in_angle(e, atoms.functions, symbols);
+  if (all_among(atoms.functions, {"exp", "sinh", "cosh"}))
+    return form_in_exponential(e, atoms.functions, symbols);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ex> form_of_one_sign(const ex& sum, const Symbols& symbols) {
+  if (!is_a<GiNaC::add>(sum) || sum.nops() > most_terms) return std::nullopt;
+  Atoms atoms;
+  collect(sum, atoms);
+  if (atoms.parts > most_parts) return std::nullopt;
+  if (const auto form = form_of_wave(sum, atoms, symbols)) return form;
+  if (const auto form = form_of_polynomial(sum, atoms, symbols)) return form;
+  return form_of_root(sum, atoms, symbols);
+}
+
+}  // namespace rederive

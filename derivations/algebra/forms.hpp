@@ -1,0 +1,17 @@
+// Sums of one sign, so written that their range shows it: what interval.hpp sees term by term is too wide.
+#pragma once
+
+#include <derivations/algebra/interval.hpp>
+#include <optional>
+
+namespace rederive {
+
+/// The same expression, so written that interval_of shows that it is positive or negative, or not one of the
+/// two. One of
+///   A + B sin x + C cos x     with A^2 >= B^2 + C^2: a square of sin(x/2) and cos(x/2), and what is left;
+///   sqrt(A) - B               with A >= B^2: ((sqrt(A) - B)^2 + A - B^2)/(2 sqrt(A));
+///   a polynomial in one symbol, or in sin x and cos x, or exp(x): positive.hpp.
+/// Nothing for anything else, and where no such form is found.
+std::optional<GiNaC::ex> form_of_one_sign(const GiNaC::ex& sum, const Symbols& symbols);
+
+}  // namespace rederive

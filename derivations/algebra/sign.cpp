@@ -1,0 +1,44 @@
+// The sign of an expression over the declared ranges: what its range shows, or that of another form of it.
+#include <cstdlib>
+#include <derivations/algebra/forms.hpp>
+
+namespace rederive {
+
+using GiNaC::ex;
+
+namespace {
+
+/// 2 or -2 for a positive or a negative range, 1 or -1 where 0 may be in it, 0 where nothing is known.
+int shown_sign(const Interval& i) {
+  try {
+    const auto low = i.low.infinite == 0 ? compare(i.low.value, 0) : -1;
+    if (low > 0 || (low == 0 && !i.low.closed)) return 2;
+    const auto high = i.high.infinite == 0 ? compare(i.high.value, 0) : 1;
+    if (high < 0 || (high == 0 && !i.high.closed)) return -2;
+    return low == 0 ? 1 : high == 0 ? -1 : 0;
+  } catch (const std::exception&) {  // too close to tell
+    return 0;
+  }
+}
+
+/// Of the expression as it stands, with a square completed, or in another form.
+int sign(const ex& e, const Symbols& symbols) {
+  const int plain = shown_sign(interval_of(e, symbols));
+  if (std::abs(plain) == 2) return plain;
+  const auto quadratic = as_quadratic(e);
+  if (quadratic && !quadratic->b.is_zero()) {
+    const int rest = sign(quadratic->discriminant(), symbols), leading = sign_of(quadratic->a, symbols);
+    if (rest > 0 && leading != 0) return rest * leading;
+  }
+  const auto form = form_of_one_sign(e, symbols);
+  const int other = form ? shown_sign(interval_of(*form, symbols)) : 0;
+  return other != 0 ? other : plain;
+}
+
+}  // namespace
+
+int sign_of(const ex& expression, const Symbols& symbols) { return sign(expression, symbols) / 2; }
+
+bool is_nonnegative(const ex& expression, const Symbols& symbols) { return sign(expression, symbols) > 0; }
+
+}  // namespace rederive
