@@ -244,7 +244,8 @@ Proof prove_by_algebra(const Residuals& r, const Points& points, const Symbols& 
   if (proof.verdict == Verdict::proved && r.left == r.right) return proof;
   const auto holds = [&](const ex& inner, const ex& whole, Claim claim) {
     const auto result = settled(inner, claim, symbols);
-    return result || inner.is_equal(whole) ? result : settled(whole, claim, symbols);
+    const bool is_other = !inner.is_equal(whole) && claim != Claim::zero && !has_high_power(whole);
+    return !result && is_other ? settled(whole, claim, symbols) : result;
   };
   const auto left = holds(r.inner_left, r.pair.left_value, r.left);
   if (left && left == holds(r.inner_right, r.pair.right_value, r.right))
