@@ -62,7 +62,7 @@ Witness make_witness(const Pair& pair, const Root& root, const std::vector<Tree>
 std::string precision_of(const Root& root) {
   std::string text;
   for (const auto& [name, value] : root.meant) text += (text.empty() ? "" : ", ") + name + " = " + value;
-  for (const auto& [name, bounds] : root.around) text += name + " is a root of " + root.solves;
+  for (const auto& [name, bounds] : root.around) text += name + " is a root";
   return text.empty() ? "" : " (" + text + ")";
 }
 

@@ -20,7 +20,7 @@ bool is_admitted(const Pair& pair, const Root& root, const Symbols& symbols);
 /// Both sides at the root, of which those among `zeros` are 0 there.
 Witness make_witness(const Pair& pair, const Root& root, const std::vector<Tree>& zeros);
 
-/// " (x = pi/2)", " (y is a root of y-cos(y) = 0)"; empty for an exact point.
+/// " (x = pi/2)", " (y is a root)"; empty for an exact point.
 std::string precision_of(const Root& root);
 
 }  // namespace rederive
