@@ -222,9 +222,13 @@ std::optional<ex> form_of_one_sign(const ex& sum, const Symbols& symbols) {
   Atoms atoms;
   collect(sum, atoms);
   if (atoms.parts > most_parts) return std::nullopt;
-  if (const auto form = form_of_wave(sum, atoms, symbols)) return form;
-  if (const auto form = form_of_polynomial(sum, atoms, symbols)) return form;
-  return form_of_root(sum, atoms, symbols);
+  try {
+    if (const auto form = form_of_wave(sum, atoms, symbols)) return form;
+    if (const auto form = form_of_polynomial(sum, atoms, symbols)) return form;
+    return form_of_root(sum, atoms, symbols);
+  } catch (const std::exception&) {  // no polynomial, after all, or ends of a range too large for a double
+    return std::nullopt;
+  }
 }
 
 }  // namespace rederive

@@ -43,7 +43,7 @@ Symbols narrowed_by_functions(const Sides& sides, Symbols symbols) {
 namespace {
 
 constexpr std::size_t most_functions = 8;
-constexpr std::ptrdiff_t most_parts = 2000, most_simplified = 200, most_squared = 30;
+constexpr std::ptrdiff_t most_parts = 2000, most_simplified = 200, most_squared = 30, most_factored = 60;
 
 std::ptrdiff_t parts_of(const ex& e) { return std::distance(e.preorder_begin(), e.preorder_end()); }
 
@@ -266,7 +266,9 @@ std::vector<Layer> rearrangements(const Sides& s, const Symbols& symbols) {
 }
 
 std::optional<Layer> factored(const Sides& s, const Symbols& symbols) {
-  const auto parts = s.op == "=" ? std::nullopt : checked_quotient(s.left - s.right, 1, symbols);
+  const ex difference = s.left - s.right;
+  if (parts_of(difference) > most_factored || !has_symbol(difference)) return std::nullopt;
+  const auto parts = checked_quotient(difference, 1, symbols);
   ex doubtful = 0, factor = 1;
   if (!parts) return std::nullopt;
   for (const auto& [part, n] : *parts) {

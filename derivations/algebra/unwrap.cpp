@@ -254,11 +254,10 @@ Sides unwrapped(Sides sides, const Symbols& symbols, std::vector<Layer>* layers)
   };
   try {
     const auto steps = [&] {
-      int depth = 0;
-      while (depth < 10 && taken(step(sides, symbols))) ++depth;
-      return depth > 0;
+      for (int depth = 0; depth < 10 && taken(step(sides, symbols));) ++depth;
     };
-    if (!steps() && !taken(to_tangent(sides, symbols)) && taken(step_in_factors(sides, symbols))) steps();
+    steps();
+    if (!taken(to_tangent(sides, symbols)) && taken(step_in_factors(sides, symbols))) steps();
   } catch (const std::exception&) {  // a pole of GiNaC: the rest stays on
   }
   return sides;
