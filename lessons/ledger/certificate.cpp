@@ -116,16 +116,16 @@ Json factor_json(const CertifiedFactor& factor, const CertifiedStatement& q) {
   return json;
 }
 
-bool falls(const Layer& layer, const Symbols& symbols) {
+bool falls(const Layer& layer) {
   static const std::set<std::string> falling{"acos", "cos", "cot", "cos(atan)"};
-  return layer.function == "*" ? sign_of(layer.factor, symbols) < 0 : falling.contains(layer.function);
+  return layer.function == "*" ? layer.turns : falling.contains(layer.function);
 }
 
 Json layers_json(const std::vector<CertifiedLayer>& layers, const CertifiedStatement& q) {
   Json list = Json::array();
   for (const auto& [layer, factor] : layers) {
     list.push_back({{"function", layer.function},
-                    {"falls", falls(layer, q.symbols)},
+                    {"falls", falls(layer)},
                     {"left", print(layer.left, Notation::plain, q.symbols)},
                     {"right", print(layer.right, Notation::plain, q.symbols)}});
     if (layer.function == "*") list.back()["factor"] = factor_json(factor, q);
