@@ -94,6 +94,10 @@ TEST_CASE("Unicode reads as ASCII does") {
       {"2·π − ψ", "2*pi - psi"},
       {"ϕ + Ω", "phi + Omega"},
       {"x\u00A0+\u2009y", "x + y"},  // other spaces
+      {"t* + θ_*", "t_star + theta_star"},
+      {"(t*)^2 - t* - x", "t_star^2 - t_star - x"},
+      {"t*x + t*(1+x) + t* (2)", "t*x + t*(1+x) + t*(2)"},  // the star is a product's
+      {"t*-x", "t*(-x)"},
   };
   for (const auto& [unicode, ascii] : same) {
     CAPTURE(unicode);

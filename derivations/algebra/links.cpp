@@ -24,9 +24,14 @@ std::vector<ex> divisors_of(const Relation& relation, const Question& question) 
   return result;
 }
 
-/// Before the givens are put in.
-ex lowered_residual(const Link& link, const Symbols& symbols) {
-  return residual_of({lower(link.left, symbols), link.op, lower(link.right, symbols)});
+/// With trees for names.
+Tree put_in(const Tree& tree, const std::map<std::string, Tree>& given) {
+  if (given.empty()) return tree;
+  if (const auto found = given.find(tree->text); tree->kind == Node::Kind::symbol && found != given.end())
+    return found->second;
+  auto copy = std::make_shared<Node>(*tree);
+  for (Tree& child : copy->children) child = put_in(child, given);
+  return copy;
 }
 
 std::optional<ex> squared_residual(const Sides& sides, const Symbols& symbols) {
@@ -36,23 +41,21 @@ std::optional<ex> squared_residual(const Sides& sides, const Symbols& symbols) {
 
 }  // namespace
 
-Pair Question::pair(const ex& left_value, const ex& right_value, const Tree& written_left,
-                    const Tree& written_right) const {
-  const ex l = put_in(left_value, given), r = put_in(right_value, given);
-  const bool as_written = given.empty() && written_left && written_right;
-  Pair pair{as_written ? written_left : to_tree(l, symbols),
-            as_written ? written_right : to_tree(r, symbols),
-            l,
-            r,
-            {}};
+Pair Question::pair(const Tree& left_side, const Tree& right_side) const {
+  std::map<std::string, Tree> meanings;
+  Pair pair{};
   for (const Given& g : given) {
     const Symbol* symbol = symbols.find(g.name);
-    const ex value = put_in(g.value, given);
-    const bool may_fail =
-        symbol != nullptr && (symbol->range != "(-inf, inf)" || !value.info(GiNaC::info_flags::polynomial));
-    if (may_fail) pair.bound.push_back({symbol->name, to_tree(value, symbols)});
+    const ex value = rederive::put_in(g.value, given);
+    const Tree tree = meanings[symbol->name] = to_tree(value, symbols);
+    if (symbol->range != "(-inf, inf)" || !value.info(GiNaC::info_flags::polynomial))  // it may fail
+      pair.bound.push_back({symbol->name, tree});
   }
-  for (const ex& e : symbols.never_zero()) pair.never_zero.push_back(to_tree(put_in(e, given), symbols));
+  pair.left = put_in(left_side, meanings), pair.right = put_in(right_side, meanings);
+  pair.left_value = rederive::put_in(lower(left_side, symbols), given);
+  pair.right_value = rederive::put_in(lower(right_side, symbols), given);
+  for (const ex& e : symbols.never_zero())
+    pair.never_zero.push_back(to_tree(rederive::put_in(e, given), symbols));
   return pair;
 }
 
@@ -81,8 +84,7 @@ Residuals residuals_of(const Link& left, const Link& right, const Question& ques
   const Symbols& symbols = question.symbols;
   const Sides inner_left = unwrapped(sides_of(left, question), symbols),
               inner_right = unwrapped(sides_of(right, question), symbols);
-  return {question.pair(lowered_residual(left, symbols), lowered_residual(right, symbols),
-                        written_residual(left), written_residual(right)),
+  return {question.pair(written_residual(left), written_residual(right)),
           claim_of(left.op),
           claim_of(right.op),
           residual_of(inner_left),

@@ -13,10 +13,9 @@ struct Question {
   const Symbols& symbols;
   const std::vector<Given>& given;
 
-  /// Without givens the witness is computed from the texts themselves (where there are any), before GiNaC has
-  /// touched them.
-  Pair pair(const GiNaC::ex& left, const GiNaC::ex& right, const Tree& written_left = nullptr,
-            const Tree& written_right = nullptr) const;
+  /// Two texts with the givens put in: as they are written, before GiNaC has touched them, for witnesses; and
+  /// as GiNaC has them.
+  Pair pair(const Tree& left, const Tree& right) const;
 };
 
 /// One relation of a statement.

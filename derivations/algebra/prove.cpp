@@ -111,7 +111,7 @@ Proof prove_link(const Link& left, const Link& right, const Question& question, 
   const Symbols& symbols = question.symbols;
   const auto value = [&](const Tree& tree) { return lower(tree, symbols); };
   if (name_the_same(left, right, question)) {
-    Pair pair = question.pair(value(left.right), value(right.right), left.right, right.right);
+    Pair pair = question.pair(left.right, right.right);
     pair.name = left.left->text, pair.right_counts = of_chain;
     return prove_identity(pair, symbols);
   }
@@ -156,10 +156,7 @@ Proof decide(const Question& question) {
   const auto& [left, right, symbols, given] = question;
   if (left.operators.empty() != right.operators.empty())
     return undecided("an expression cannot be compared with a relation");
-  if (left.operators.empty())
-    return prove_identity(question.pair(lower(left.sides[0], symbols), lower(right.sides[0], symbols),
-                                        left.sides[0], right.sides[0]),
-                          symbols);
+  if (left.operators.empty()) return prove_identity(question.pair(left.sides[0], right.sides[0]), symbols);
   const bool is_chain = left.operators.size() > 1 && has_inequality(left);
   return is_chain || right.operators.size() > 1 ? prove_conjunctions(question) : prove_links(question);
 }

@@ -166,12 +166,21 @@ class Tokenizer {
     add(Token::Kind::superscript, exponent);
   }
 
+  /// Whether the star that ends there is one between factors: t*x, t*(x+y), t*-x, but not t*-less "t* - x".
+  bool is_product(std::size_t end) const {
+    if (code(end) == '*' || code(end) == '-' || code(end) == U'−') return true;
+    while (code(end) == ' ') ++end;
+    const char32_t next = code(end);
+    return is_digit(next) || is_letter(next) || next == '(' || next == '.' || next == '_' || next == U'√';
+  }
+
   /// Whether this spelling of a symbol stands here and ends here.
   bool stands_here(const std::vector<Character>& spelling) const {
     for (std::size_t i = 0; i < spelling.size(); ++i) {
       if (code(i) != spelling[i].code) return false;
     }
     const char32_t last = spelling.back().code, next = code(spelling.size());
+    if (last == '*' && is_product(spelling.size())) return false;
     const bool signed_name = last == U'⁻' || last == U'⁺';
     return !continues_name(next) && !(signed_name && superscript_digit(next) >= 0);
   }

@@ -76,6 +76,9 @@ void narrow(Symbols& symbols, const std::string& name, std::string op, const GiN
   const std::string text = fmt::format("{}{}, {}{}", range.lower_closed ? '[' : '(', range.lower, range.upper,
                                        range.upper_closed ? ']' : ')');
   const Interval now = parse_range(text);
+  if (text.front() == '[' && text.back() == ']' && compare(now.low.value, now.high.value) == 0)
+    throw BadInput(
+        fmt::format("the assumptions leave one value for {0}: say \"{0} = {1}\"", name, range.lower));
   if (now.low.infinite == 0 && now.high.infinite == 0 && compare(now.low.value, now.high.value) >= 0)
     throw BadInput("the assumptions and the declared range " + old.range + " leave no room for " + name);
   symbols.declare(name, old.latex, old.unicode, old.unit, text, old.meaning, old.introduced);
@@ -125,9 +128,14 @@ void assume_difference(const std::string& text, std::size_t at, Symbols& symbols
 }
 
 /// The symbol that an equation says the value of: alone on a side and not on the other. Of two symbols the
-/// one that may be anything, so that the range of the other one stays.
-Given read_given(const Tree& a, const Tree& b, const std::string& text, const Symbols& symbols) {
-  const bool turn = is_name(a) && is_name(b) && symbols.find(b->text)->range == any;
+/// one that is not small, or that may be anything, so that the range of the other one stays.
+Given read_given(const Tree& a, const Tree& b, const std::string& text, const Symbols& symbols,
+                 const std::vector<std::string>& small) {
+  const auto is_small = [&](const Tree& tree) {
+    return std::count(small.begin(), small.end(), tree->text) > 0;
+  };
+  const bool turn =
+      is_name(a) && is_name(b) && (is_small(a) || (symbols.find(b->text)->range == any && !is_small(b)));
   for (const auto& [name, value] : {turn ? std::pair{b, a} : std::pair{a, b}, std::pair{b, a}}) {
     if (!is_name(name)) continue;
     const Given given = reading(text, [&] { return Given{lower(name, symbols), lower(value, symbols)}; });
@@ -197,11 +205,13 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
     if (settled < 0) throw BadInput("the assumption '" + text + "' contradicts what is known without it");
     if (settled > 0) continue;
     const auto found = reading(text, [&] { return compared(link, context.comparisons, symbols); });
+    if (!found && !context.comparisons.empty())
+      throw BadInput("the assumption '" + text + "' goes round in a circle with the comparisons before it");
     if (!found) refuse(text);
     context.comparisons.push_back(*found);
   }
   for (const auto& [equation, text] : equations)
-    context.given.push_back(read_given(equation.sides[0], equation.sides[1], text, symbols));
+    context.given.push_back(read_given(equation.sides[0], equation.sides[1], text, symbols, request.small));
   check_givens(context.put_in_at_once(true), symbols);
   return context;
 }

@@ -42,6 +42,15 @@ bool has_room(const ex& greater, const ex& lesser, const Symbols& symbols) {
   return range.low.infinite != 0 || is_nonnegative(lesser - range.low.value, symbols);
 }
 
+/// Up to what the declared ranges let a positive difference grow, for a range: "pi/2)"; "inf)" if that is not
+/// known, or nothing that a range can say.
+std::string upper_end(const ex& difference, const Symbols& symbols) {
+  const End end = interval_of(difference, symbols).high;
+  const bool is_known = end.infinite == 0 && (end.value.info(GiNaC::info_flags::rational) ||
+                                              (end.value / GiNaC::Pi).info(GiNaC::info_flags::rational));
+  return is_known ? print(end.value, Notation::plain, symbols) + (end.closed ? "]" : ")") : "inf)";
+}
+
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
     text.replace(at, from.size(), to);
@@ -112,8 +121,8 @@ std::optional<Comparison> compared(const Relation& inequality, const std::vector
   const bool is_up =
       up && (!down || has_room(greater, lesser, symbols) || symbols.find(lesser)->range != "(-inf, inf)");
   const std::string unit = symbols.find(is_up ? greater : lesser)->unit;
-  const ex excess =
-      symbols.declare(name, name, name, unit, weak ? "[0, inf)" : "(0, inf)", meaning, "").ginac;
+  const std::string range = (weak ? "[0, " : "(0, ") + upper_end(greater - lesser, symbols);
+  const ex excess = symbols.declare(name, name, name, unit, range, meaning, "").ginac;
   return Comparison{is_up ? Given{greater, lesser + excess} : Given{lesser, greater - excess}, name, meaning};
 }
 

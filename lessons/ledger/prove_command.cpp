@@ -143,6 +143,10 @@ Proof decide_but_for_ranges(const Context& context, const ProveRequest& request)
   for (const std::string& name : request.small)
     if (context.symbols.find(name) == nullptr)
       throw BadInput("--small names '" + name + "', which is no symbol here");
+  for (const Given& g : context.put_in_at_once(true))
+    if (const std::string name = context.symbols.find(g.name)->name;
+        std::count(request.small.begin(), request.small.end(), name) > 0)
+      throw BadInput("--small names '" + name + "', which an assumption replaces; name what stands for it");
   return decide_in(context, request);
 }
 
