@@ -2,6 +2,7 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
+#include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/residuals.hpp>
 #include <derivations/algebra/root_witness.hpp>
 #include <derivations/algebra/roots.hpp>
@@ -188,8 +189,8 @@ bool has_high_power(const ex& e) {
 
 std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symbols) {
   try {
-    if (vanishes(residual, symbols)) return claim != Claim::positive;
     if (const int sign = sign_of(residual, symbols); sign != 0) return claim != Claim::zero && sign > 0;
+    if (vanishes(residual, symbols)) return claim != Claim::positive;
     if (claim == Claim::not_negative && is_nonnegative(residual, symbols)) return true;
     if (claim == Claim::positive && is_nonnegative(-residual, symbols)) return false;
     const auto parts = checked_quotient(residual, 1, symbols);
@@ -239,18 +240,27 @@ Proof prove_strictness(const Proof& proof, const Residuals& r, const Points& poi
   return undecided("one allows equality and the other does not");
 }
 
-Proof prove_by_algebra(const Residuals& r, const Points& points, const Symbols& symbols) {
-  const Proof proof = prove_by_some_factor(r, symbols);
-  if (proof.verdict == Verdict::proved && r.left == r.right) return proof;
+/// Both always hold, or never.
+std::optional<Proof> prove_settled(const Residuals& r, const Symbols& symbols) {
   const auto holds = [&](const ex& inner, const ex& whole, Claim claim) {
     const auto result = settled(inner, claim, symbols);
     const bool is_other = !inner.is_equal(whole) && claim != Claim::zero && !has_high_power(whole);
     return !result && is_other ? settled(whole, claim, symbols) : result;
   };
   const auto left = holds(r.inner_left, r.pair.left_value, r.left);
-  if (left && left == holds(r.inner_right, r.pair.right_value, r.right))
-    return proved("", *left ? "both hold for all values in the declared ranges"
-                            : "neither holds for any value in the declared ranges");
+  if (!left || left != holds(r.inner_right, r.pair.right_value, r.right)) return std::nullopt;
+  return proved("", *left ? "both hold for all values in the declared ranges"
+                          : "neither holds for any value in the declared ranges");
+}
+
+Proof prove_by_algebra(const Residuals& r, const Points& points, const Symbols& symbols) {
+  const bool are_constant = !has_symbol(r.pair.left_value) && !has_symbol(r.pair.right_value);
+  auto always = are_constant ? prove_settled(r, symbols) : std::nullopt;
+  if (always) return *always;
+  const Proof proof = prove_by_some_factor(r, symbols);
+  if (proof.verdict == Verdict::proved && r.left == r.right) return proof;
+  if (!are_constant) always = prove_settled(r, symbols);
+  if (always) return *always;
   return proof.verdict == Verdict::proved ? prove_strictness(proof, r, points, symbols) : proof;
 }
 

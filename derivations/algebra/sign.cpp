@@ -1,6 +1,7 @@
 // The sign of an expression over the declared ranges: what its range shows, or that of another form of it.
 #include <cstdlib>
 #include <derivations/algebra/forms.hpp>
+#include <derivations/algebra/rearrange.hpp>
 
 namespace rederive {
 
@@ -23,6 +24,7 @@ int shown_sign(const Interval& i) {
 
 /// Of the expression as it stands, with a square completed, or in another form.
 int sign(const ex& e, const Symbols& symbols) {
+  if (!has_symbol(e)) return shown_sign({{e, 0, true}, {e, 0, true}});
   const int plain = shown_sign(interval_of(e, symbols));
   if (std::abs(plain) == 2) return plain;
   const auto quadratic = as_quadratic(e);
