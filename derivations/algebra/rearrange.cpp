@@ -267,7 +267,8 @@ std::vector<Layer> rearrangements(const Sides& s, const Symbols& symbols) {
 
 std::optional<Layer> factored(const Sides& s, const Symbols& symbols) {
   const ex difference = s.left - s.right;
-  if (parts_of(difference) > most_factored || !has_symbol(difference)) return std::nullopt;
+  const auto most = s.op == "=" ? most_factored / 3 : most_factored;
+  if (parts_of(difference) > most || !has_symbol(difference)) return std::nullopt;
   const auto parts = checked_quotient(difference, 1, symbols);
   ex doubtful = 0, factor = 1;
   if (!parts) return std::nullopt;
