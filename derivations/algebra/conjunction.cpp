@@ -72,12 +72,19 @@ class Matching {
           matches_.push_back({{i}, {j}});
         }
     if (other_left.empty() && other_right.empty()) return matches_;
+    if (follow(other_left, other_right)) return matches_;
     if (left.empty() || right.empty()) return std::nullopt;
     matches_.resize(before);
     const auto a = as_one(parts_.left, left, symbols_), b = as_one(parts_.right, right, symbols_);
     if (!a || !b || !same(*a, *b)) return std::nullopt;
     matches_.push_back({left, right});
     return matches_;
+  }
+
+  bool all_follow() {
+    Numbers left(parts_.left.size()), right(parts_.right.size());
+    std::iota(left.begin(), left.end(), 0), std::iota(right.begin(), right.end(), 0);
+    return follow(left, right);
   }
 
  private:
@@ -95,6 +102,25 @@ class Matching {
         result.push_back(k);
       if (holds == false) (is_left ? never_.left : never_.right) = {k};
     }
+    return result;
+  }
+  /// Whether all of these follow from the links of the other side; then they are matches.
+  bool follow(const Numbers& left, const Numbers& right) {
+    const std::vector<Asked> of_left = asked(parts_.left), of_right = asked(parts_.right);
+    if (!have_values_together(of_left, of_right, parts_.first, symbols_)) return false;
+    std::vector<Match> found;
+    for (const auto& [numbers, is_left] : {std::pair(left, true), std::pair(right, false)})
+      for (const std::size_t k : numbers) {
+        auto why = consequence((is_left ? of_left : of_right)[k], is_left ? of_right : of_left, symbols_);
+        if (!why) return false;
+        found.push_back({is_left ? Numbers{k} : Numbers{}, is_left ? Numbers{} : Numbers{k}, false, why});
+      }
+    matches_.insert(matches_.end(), found.begin(), found.end());
+    return true;
+  }
+  static std::vector<Asked> asked(const Parts& parts) {
+    std::vector<Asked> result;
+    for (const Part& part : parts) result.push_back({part.residual, part.claim});
     return result;
   }
   bool same(const Part& a, const Part& b) const {
@@ -164,11 +190,13 @@ std::optional<Witness> witness_at(const Place& place, const Parted& parts, const
   return is_certain ? std::optional(make_witness(shown, place.at, zeros)) : std::nullopt;
 }
 
-/// Some points at which all equations of a statement hold.
-std::vector<Point> solutions_of(const Parts& parts, const Points& points, const Symbols& symbols) {
+/// Some points at which all equations of a statement hold, and one of its inequalities turns, if one is
+/// given.
+std::vector<Point> solutions_of(const Parts& parts, const Part* inequality, const Points& points,
+                                const Symbols& symbols) {
   std::vector<ex> residuals;
   for (const Part& part : parts)
-    if (part.claim == Claim::zero) residuals.push_back(part.residual.expand());
+    if (part.claim == Claim::zero || &part == inequality) residuals.push_back(part.residual.expand());
   std::vector<Point> result;
   const auto solution = residuals.size() > 1 ? solved(residuals, symbols) : std::nullopt;
   for (int k = 0; solution && k < Points::count; ++k)
@@ -197,9 +225,14 @@ std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbol
   const Points points = points_for(trees, symbols);
   for (int k = 0; k < Points::many; ++k)
     if (auto proof = differ_at({{points.at(k), true}}, parts, symbols)) return proof;
-  for (const Parts* side : {&parts.left, &parts.right})
-    for (const Point& point : solutions_of(*side, points, symbols))
-      if (auto proof = differ_at({{point, true}}, parts, symbols)) return proof;
+  for (const Parts* side : {&parts.left, &parts.right}) {
+    std::vector<const Part*> turning{nullptr};
+    for (const Part& part : *side)
+      if (part.claim != Claim::zero) turning.push_back(&part);
+    for (const Part* inequality : turning)
+      for (const Point& point : solutions_of(*side, inequality, points, symbols))
+        if (auto proof = differ_at({{point, true}}, parts, symbols)) return proof;
+  }
   std::optional<Proof> found;
   for (const Written& link : links)
     if (find_root(link, points, 10, Roots::crossings, symbols, [&](const Root& root) {
@@ -217,6 +250,11 @@ std::optional<std::vector<Match>> matches(const Question& question) {
   return Matching(question, parts_of(question)).find();
 }
 
+bool follow_from_each_other(const Question& question) {
+  const Parted parts = parts_of(question);
+  return Matching(question, parts).all_follow();
+}
+
 Proof prove_conjunctions(const Question& question) {
   const Parted parts = parts_of(question);
   if (const auto proof = differ_somewhere(parts, question.symbols)) return *proof;
@@ -225,7 +263,7 @@ Proof prove_conjunctions(const Question& question) {
     return undecided("the links of the one were not found to say together what those of the other one say");
   return proved("", found->front().never
                         ? "neither holds for any value in the declared ranges"
-                        : "link by link the two say the same, as far as a link does not always hold");
+                        : "link by link the two say the same, or what follows from the other links");
 }
 
 }  // namespace rederive

@@ -7,14 +7,14 @@ namespace rederive {
 
 using GiNaC::ex;
 
-namespace {
-
 std::set<std::string> names_in(const ex& e) {
   std::set<std::string> names;
   for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
     if (GiNaC::is_a<GiNaC::symbol>(*part)) names.insert(GiNaC::ex_to<GiNaC::symbol>(*part).get_name());
   return names;
 }
+
+namespace {
 
 /// slope·symbol + rest = 0, solved; with a number for a slope, or with any that is not 0.
 std::optional<std::pair<std::string, ex>> solved_one(const ex& residual, bool by_number,

@@ -3,9 +3,13 @@
 
 #include <derivations/algebra/evaluate.hpp>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace rederive {
+
+/// The names of the symbols in an expression.
+std::set<std::string> names_in(const GiNaC::ex& expression);
 
 /// What some symbols are where all the equations hold, in terms of those that are left free.
 using Solution = std::vector<std::pair<std::string, GiNaC::ex>>;

@@ -158,7 +158,11 @@ Proof decide(const Question& question) {
     return undecided("an expression cannot be compared with a relation");
   if (left.operators.empty()) return prove_identity(question.pair(left.sides[0], right.sides[0]), symbols);
   const bool is_chain = left.operators.size() > 1 && has_inequality(left);
-  return is_chain || right.operators.size() > 1 ? prove_conjunctions(question) : prove_links(question);
+  if (is_chain || right.operators.size() > 1) return prove_conjunctions(question);
+  const Proof proof = prove_links(question);
+  const bool are_equations = left.operators[0] == "=" && right.operators[0] == "=";
+  if (proof.verdict != Verdict::undecided || are_equations || !follow_from_each_other(question)) return proof;
+  return proved("", "each follows from the other");
 }
 
 }  // namespace

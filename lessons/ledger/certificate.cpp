@@ -147,10 +147,23 @@ Json side_json(const CertifiedSide& side, const ex& residual, const CertifiedSta
   return json;
 }
 
+Json consequence_json(const CertifiedConsequence& why, const CertifiedStatement& q) {
+  Json terms = Json::array();
+  for (const auto& [factor, links] : why.terms)
+    terms.push_back({{"factor", q.text(factor)}, {"links", links}});
+  return {
+      {"times", q.text(why.times)}, {"squared", why.squared}, {"terms", terms}, {"more", q.text(why.more)}};
+}
+
 Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Phases& phases, Steps& steps) {
   Json json = Json::object();
+  const bool is_left = !link.left.links.empty();
+  if (link.follows) {
+    json[is_left ? "left" : "right"] = {{"link", (is_left ? link.left : link.right).links[0]}};
+    json["follows"] = consequence_json(*link.follows, q);
+    return json;
+  }
   if (link.holds) {
-    const bool is_left = !link.left.links.empty();
     const CertifiedSide& side = is_left ? link.left : link.right;
     Json& part = json[is_left ? "left" : "right"] = part_json(side, 0, q);
     part["form"] = q.text(side.form), json["holds"] = *link.holds;
@@ -245,6 +258,10 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
   for (const CertifiedLink& link : links) {
     for (const auto& [part, n] : link.factor) trees.push_back(part);
     for (const auto& [part, more] : link.more) trees.push_back(more);
+    if (link.follows) {
+      trees.insert(trees.end(), {link.follows->more, link.follows->times});
+      for (const auto& [factor, links_of_term] : link.follows->terms) trees.push_back(factor);
+    }
     for (const CertifiedSide& side : {link.left, link.right}) {
       for (const Tree& tree : {side.sum, side.form})
         if (tree) trees.push_back(tree);

@@ -252,6 +252,16 @@ struct Finder {
         if (const auto link = settle(found->first, found->second, is_left)) return *link;
     throw Undecidable("no form shows that a link always holds, or never");
   }
+  /// A link that follows from those of the other side.
+  CertifiedLink find_consequence(const Match& match) const {
+    const auto written = [&](const ex& e) { return tree(form_of_one_sign(e).value_or(e)); };
+    CertifiedLink link;
+    link.left.links = match.left, link.right.links = match.right;
+    link.follows = {{}, written(match.why->more), written(match.why->times), match.why->squared};
+    for (const auto& [factor, links] : match.why->terms)
+      link.follows->terms.emplace_back(written(factor), links);
+    return link;
+  }
 };
 
 /// One relation against one.
@@ -274,7 +284,9 @@ std::vector<CertifiedLink> links_of(const CertifiedStatement& q) {
   if (const auto link = is_pair(q) ? finder.find_same({{0}, {0}}) : std::nullopt) return {*link};
   std::vector<CertifiedLink> links;
   for (const Match& match : matches(finder.question).value_or(std::vector<Match>{}))
-    if (match.never || match.left.empty() || match.right.empty()) {
+    if (match.why) {
+      links.push_back(finder.find_consequence(match));
+    } else if (match.never || match.left.empty() || match.right.empty()) {
       if (!match.left.empty()) links.push_back(finder.find_settled(match.left, true));
       if (!match.right.empty()) links.push_back(finder.find_settled(match.right, false));
     } else {

@@ -31,6 +31,14 @@ struct CertifiedSide {
   Tree sum = nullptr, form = nullptr;               ///< written so that the sign shows
 };
 
+/// Why a link follows from those of the other side: times·residual = Σ factor·residuals of links + more, or
+/// the same with minus the square of the residual (consequences.hpp).
+struct CertifiedConsequence {
+  std::vector<std::pair<Tree, std::vector<std::size_t>>> terms;
+  Tree more, times;
+  bool squared;
+};
+
 /// Two expressions (no layers, their values for residuals), or what links of two statements say.
 struct CertifiedLink {
   CertifiedSide left, right;
@@ -41,6 +49,8 @@ struct CertifiedLink {
   std::vector<std::pair<Tree, Tree>> more;
   /// … or what there is of the two always holds, or never, as the form of its residual shows.
   std::optional<bool> holds;
+  /// … or one of them follows from the links of the other one, all together.
+  std::optional<CertifiedConsequence> follows = std::nullopt;
 };
 
 /// What a text divides by, in the order in which it is met.
