@@ -10,6 +10,7 @@
 // forms and layers are not looked at: their ranges are computed.
 #pragma once
 
+#include <regex>
 #include <set>
 #include <tests/certificate_conditions.hpp>
 
@@ -151,6 +152,7 @@ class Checker {
   }
   void check_link(const Json& link) {
     if (link.contains("holds")) return settle(link);
+    if (link.contains("follows")) return follow(link);
     const auto [op, left] = residual_of_all("left", link);
     const auto [other, right] = residual_of_all("right", link);
     require(op == other,
@@ -203,6 +205,49 @@ class Checker {
       settled_.insert({side, link.at(side).at("link")});
     else
       never_.insert(side);
+  }
+
+  /// Of a text that has a value everywhere: it divides by numbers, and has no functions that may have none.
+  std::string whole(const std::string& text) {
+    static const std::regex number("sqrt\\(\\d+\\)"),
+        partial("\\^[^0-9]|\\b(?!(sin|cos|exp|sinh|cosh|fabs)\\()\\w+\\(");
+    require(!std::regex_search(std::regex_replace(text, number, "1"), partial), "it may have no value");
+    replay_.divisors.clear(), replay_.value(stated(text));
+    return require(replay_.divisors.empty(), "it divides"), "(" + text + ")";
+  }
+  /// A link that follows from those of the other side: times·r is a sum of terms, products of their residuals
+  /// with a factor, and more. A term with an equation is 0, others and more are not negative. Or
+  /// times·(-r^2).
+  void follow(const Json& link) {
+    const std::string side = link.contains("left") ? "left" : "right";
+    const Said target = said(side, link.at(side));
+    const Json& why = link.at("follows");
+    const std::string r = target.residual(), times = whole(why.at("times")), more = whole(why.at("more"));
+    std::string sum = more;
+    bool is_zero = same(more, "0"), is_positive = range(more).is_positive();
+    require(range(more).low >= 0, "more may be negative");
+    for (const Json& term : why.at("terms")) {
+      std::string product = whole(term.at("factor"));
+      bool vanishes = false, is_strict = range(product).is_positive();
+      const bool has_sign = range(product).low >= 0;
+      for (const Json& k : term.at("links")) {
+        const Said other = said(side == "left" ? "right" : "left", {{"link", k}});
+        vanishes = vanishes || other.op == "=", is_strict = is_strict && other.op == ">";
+        product += "*" + other.residual();
+      }
+      require(vanishes || has_sign, "a term may be negative");
+      is_zero = is_zero && vanishes, is_positive = is_positive || (is_strict && !vanishes);
+      sum += "+" + product;
+    }
+    const bool squared = why.at("squared");
+    require(target.op == "=" ? squared || is_zero
+            : squared        ? target.op == ">="
+                             : !target.op.empty(),
+            "such terms say nothing of an equation");
+    require(target.op == ">" ? range(times).low >= 0 && is_positive : range(times).is_positive(),
+            "a factor may vanish, or equality is left open");
+    require(same(times + "*" + (squared ? "(-1)*" + r + "^2" : r), sum), "it does not follow");
+    settled_.insert({side, link.at(side).at("link")});
   }
 
   const Json& c_;
