@@ -262,18 +262,21 @@ bool have_values_together(const Links& left, const Links& right, const Residuals
 }
 
 std::optional<Consequence> consequence(const Asked& target, const Links& links, const Symbols& symbols) {
+  const auto is_shown = [&](const std::optional<Consequence>& why) {
+    return why && shows(*why, target, links, symbols);
+  };
   std::vector<std::optional<std::size_t>> bases{std::nullopt};
   for (std::size_t k = 0; k < links.size(); ++k)
     if (links[k].claim != Claim::zero && target.claim != Claim::zero) bases.emplace_back(k);
   for (const auto& base : bases)
-    if (const auto found = by_numbers(target, links, base)) return found;
+    if (const auto found = by_numbers(target, links, base); is_shown(found)) return found;
   for (std::size_t k = 0; k < links.size(); ++k) {
-    if (const auto found = by_one(target, links, k, symbols)) return found;
+    if (const auto found = by_one(target, links, k, symbols); is_shown(found)) return found;
     for (std::size_t other = 0; other < k; ++other)
-      if (const auto found = by_two(target, links, k, other, symbols)) return found;
+      if (const auto found = by_two(target, links, k, other, symbols); is_shown(found)) return found;
   }
   for (const auto& base : bases)
-    if (const auto found = by_division(target, links, base, symbols)) return found;
+    if (const auto found = by_division(target, links, base, symbols); is_shown(found)) return found;
   return std::nullopt;
 }
 

@@ -30,12 +30,17 @@ struct Consequence {
   bool squared = false;
 };
 
+/// Whether all of that is so: the identity, and every sign. Throws Undecidable.
+bool shows(const Consequence& why, const Asked& target, const std::vector<Asked>& links,
+           const Symbols& symbols);
+
 /// Whether both statements have a value at the same points, for they divide by the same and have the same
 /// roots and logarithms, as far as the declared ranges leave it open.
 bool have_values_together(const std::vector<Asked>& left, const std::vector<Asked>& right,
                           const Residuals& divisors, const Symbols& symbols);
 
-/// Why what one link asks for follows from those of the other statement. Nothing where that is not seen.
+/// Why what one link asks for follows from those of the other statement, looked over by `shows`. Nothing
+/// where that is not seen.
 std::optional<Consequence> consequence(const Asked& target, const std::vector<Asked>& links,
                                        const Symbols& symbols);
 
