@@ -148,15 +148,22 @@ inline Range range_of(const std::string& f, const Range& x, const Range& other) 
     };
     return {at(x.low, -1), at(x.high, 1), x.has_low, x.has_high};
   }
-  if (f == "sin" && lies(x, 0, 1)) return {0, 1, may_have(x, 0) || may_have(x, 1), may_have(x, half)};
-  if (f == "sin" && lies(x, -1, 0)) return {-1, 0, may_have(x, -half), may_have(x, 0) || may_have(x, -1)};
-  if (f == "cos" && lies(x, -half, half))
-    return {0, 1, may_have(x, -half) || may_have(x, half), may_have(x, 0)};
-  if (f == "sin" || f == "cos") return {-1, 1, true, true};
-  if (f == "log" && x.low > 0 && x.high < INFINITY) {
-    const long double low = std::log(x.low), high = std::log(x.high);
-    return {end(low, 1 + std::abs(low), false, -1), end(high, 1 + std::abs(high), false, 1), x.has_low,
-            x.has_high};
+  if (f == "sin" || f == "cos") {
+    const cln::cl_RA start = f == "sin" ? cln::cl_RA(0) : -half;
+    for (int k = -4; k <= 4; ++k)  // half a period of one sign
+      if (lies(x, start + k, start + k + 1)) {
+        const bool has_ends = may_have(x, start + k) || may_have(x, start + k + 1),
+                   has_middle = may_have(x, start + k + half);
+        return k % 2 == 0 ? Range{0, 1, has_ends, has_middle} : Range{-1, 0, has_middle, has_ends};
+      }
+    return {-1, 1, true, true};
+  }
+  if (f == "log" && x.low >= 0) {
+    const auto at = [](long double from, int outward) {
+      const long double value = std::log(from);
+      return end(value, 1 + std::abs(value), from == 1 || std::isinf(value), outward);
+    };
+    return {at(x.low, -1), at(x.high, 1), x.has_low && x.low > 0, x.has_high && x.high < INFINITY};
   }
   if (f == "cosh") return {1, INFINITY, may_have(x, 0), false};
   if (f == "asin") return turned(-half, half, true);
