@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/command_line.hpp>
@@ -127,10 +128,10 @@ void assume_difference(const std::string& text, std::size_t at, Symbols& symbols
   symbols.exclude_zero(difference);
 }
 
-/// The symbol that an equation says the value of: alone on a side and not on the other. Of two symbols the
-/// one that is not small, or that may be anything, so that the range of the other one stays.
-Given read_given(const Tree& a, const Tree& b, const std::string& text, const Symbols& symbols,
-                 const std::vector<std::string>& small) {
+/// The symbol that an equation says the value of, if any: alone on a side and not on the other. Of two
+/// symbols the one that is not small, or that may be anything, so that the range of the other one stays.
+std::optional<Given> read_given(const Tree& a, const Tree& b, const std::string& text, const Symbols& symbols,
+                                const std::vector<std::string>& small) {
   const auto is_small = [&](const Tree& tree) {
     return std::count(small.begin(), small.end(), tree->text) > 0;
   };
@@ -143,7 +144,51 @@ Given read_given(const Tree& a, const Tree& b, const std::string& text, const Sy
       throw BadInput("the assumption '" + text + "' has its symbol on both sides");
     return given;
   }
-  refuse(text);
+  return {};
+}
+
+/// An equation that has no symbol alone: solved for one that is not small, in which it is linear, or the
+/// power of a positive one; better for one that may be anything.
+std::optional<Given> solved_for_one(const GiNaC::ex& residual, const Symbols& symbols,
+                                    const std::vector<std::string>& small) {
+  const GiNaC::ex polynomial = residual.normal().numer().expand();
+  for (const bool is_free : {true, false})
+    for (const std::string& name : names_in(polynomial)) {
+      const GiNaC::ex& symbol = symbols[name];
+      const std::string& range = symbols.find(name)->range;
+      const bool is_wanted = (range == any) == is_free && !name.starts_with("excess_") &&
+                             std::count(small.begin(), small.end(), name) == 0;
+      if (!is_wanted || !polynomial.is_polynomial(symbol)) continue;
+      const int n = polynomial.degree(symbol);
+      const GiNaC::ex slope = polynomial.coeff(symbol, n), rest = polynomial.coeff(symbol, 0);
+      const bool is_power = (polynomial - slope * GiNaC::pow(symbol, n) - rest).expand().is_zero();
+      if (!is_power || sign_of(slope, symbols) == 0 || (n > 1 && sign_of(symbol, symbols) <= 0)) continue;
+      return Given{symbol, GiNaC::pow(-rest / slope, GiNaC::numeric(1) / n)};
+    }
+  return std::nullopt;
+}
+
+/// Those that say what a symbol is come first; what the others leave is solved.
+void read_equations(const std::vector<std::pair<Relation, std::string>>& equations, Context& context,
+                    const std::vector<std::string>& small) {
+  const Symbols& symbols = context.symbols;
+  std::vector<std::pair<GiNaC::ex, std::string>> others;
+  for (const auto& [equation, text] : equations)
+    if (const auto given = read_given(equation.sides[0], equation.sides[1], text, symbols, small)) {
+      context.given.push_back(*given);
+    } else {
+      const auto value = [&](const Tree& side) {
+        return reading(text, [&] { return lower(side, symbols); });
+      };
+      others.emplace_back(value(equation.sides[0]) - value(equation.sides[1]), text);
+    }
+  for (const auto& [residual, text] : others) {
+    const GiNaC::ex left = put_in(residual, context.put_in_at_once(true));
+    if (left.normal().is_zero()) continue;  // it says nothing new
+    const auto given = solved_for_one(left, symbols, small);
+    if (!given) refuse(text);
+    context.given.push_back(*given);
+  }
 }
 
 void check_givens(const std::vector<Given>& given, const Symbols& symbols) {
@@ -210,8 +255,7 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
     if (!found) refuse(text);
     context.comparisons.push_back(*found);
   }
-  for (const auto& [equation, text] : equations)
-    context.given.push_back(read_given(equation.sides[0], equation.sides[1], text, symbols, request.small));
+  read_equations(equations, context, request.small);
   check_givens(context.put_in_at_once(true), symbols);
   return context;
 }
