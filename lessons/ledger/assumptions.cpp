@@ -96,7 +96,8 @@ std::optional<GiNaC::ex> number(const Tree& tree, const std::string& text, const
 [[noreturn]] void refuse(const std::string& text) {
   throw BadInput(
       "the assumption '" + text +
-      "' neither compares one symbol with numbers or other symbols, nor says what one symbol is; "
+      "' neither compares one symbol with numbers or other symbols, nor says what one symbol is or can be "
+      "solved for one; "
       "right is, for example, \"x > 0\", \"0 < x < pi/2\", \"b < h\", \"x != y\" or \"h = R*cos(alpha)\"");
 }
 
