@@ -62,7 +62,7 @@ class Reader {
   virtual Value raised(const Value& base, const Value& exponent) = 0;
   virtual Value divisor(const Value& d) = 0;  ///< told of all that must not be 0
   Value power(const Value& a, long n) {
-    require(std::abs(n) < 1000, "too large an exponent");
+    require(std::abs(n) < 10000, "too large an exponent");
     Value result = number(1);
     for (long k = 0; k < std::abs(n); ++k) result = n > 0 ? result * a : result / a;
     return result;

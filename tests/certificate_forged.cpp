@@ -72,6 +72,18 @@ TEST_CASE("factors that are 0 somewhere") {
   Json more = linked("x*(x^2+y^2-1)", "x", "1", {{"x^2+y^2-1", 1}});
   more["more"] = {{"x^2+y^2-1", "y^2-1"}};
   CHECK(verdict({"x*(x^2+y^2-1)", "=", "0"}, right, ranges, none, more) == "a factor may vanish: x^2+y^2-1");
+  Json divided = linked("x*y*z", "x*y", "1", {{"z", 1}});
+  for (const auto& [times, why] : {std::pair("x*y/z", "a factor may vanish: z"),
+                                   {"x*y", "a factor may vanish: z"},
+                                   {"0", "a factor may vanish: z"}}) {
+    divided["divides"] = {{"z", times}};  // x*y is not z times any of these that has a value
+    CHECK(verdict({"x*y*z", "=", "0"}, {"x*y", "=", "0"}, {{"x", real}, {"y", real}, {"z", real}}, none,
+                  divided) == why);
+  }
+  Json squared = linked("x*y^3", "x*y", "1", {{"y", 2}});
+  CHECK(verdict({"x*y^3", ">", "0"}, {"x*y", ">", "0"}, ranges, none, squared) == "a factor may vanish: y");
+  squared["divides"] = {{"y", "x"}};
+  CHECK(verdict({"x*y^3", ">", "0"}, {"x*y", ">", "0"}, ranges, none, squared) == "accepted");
   const Json wave = Json::array({{{"function", "exp"}, {"of", "$i*x"}, {"name", "$z"}}});
   CHECK(verdict({"cos(x)*y", ">", "0"}, {"y", ">", "0"}, {{"x", "(-2, 2)"}, {"y", real}}, wave,
                 linked("($z+1/$z)/2*y", "y", "1", {{"cos(x)", 1}})) == "a factor may vanish: cos(x)");

@@ -179,14 +179,19 @@ class Checker {
     return product;
   }
   /// In left = part·right a part may be 0 where right is, too: it is ±right, or right^2 or a quarter of it
-  /// and more that is not negative.
+  /// and more that is not negative; or right is the part times what divides by nothing.
   std::string factor(const Json& link, const std::string& left, const std::string& right) {
     return product(link.at("factor"), [&](const std::string& part, int n) {
-      const std::string other = "(" + (n > 0 ? right : left) + ")^2";
+      const std::string residual = n > 0 ? right : left, other = "(" + residual + ")^2";
       const std::string more = link.contains("more") ? link.at("more").value(part, "-1") : "-1";
       return same("(" + part + ")^2", other) ||
-             (range(more).low >= 0 && (same(part, other + "+" + more) || same(part, other + "/4+" + more)));
+             (range(more).low >= 0 && (same(part, other + "+" + more) || same(part, other + "/4+" + more))) ||
+             (link.contains("divides") && divides(part, link.at("divides").value(part, "0"), residual));
     });
+  }
+  bool divides(const std::string& part, const std::string& times, const std::string& residual) {
+    replay_.divisors.clear(), replay_.value(stated(times));
+    return replay_.divisors.empty() && same("(" + part + ")*(" + times + ")", residual);
   }
   /// A relation that always holds, or never, by the form of its residual.
   void settle(const Json& link) {

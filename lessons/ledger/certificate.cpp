@@ -178,6 +178,7 @@ Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Pha
   json["left"] = side_json(link.left, l, q), json["right"] = side_json(link.right, r, q);
   json["factor"] = factor_json(link.factor, q);
   for (const auto& [part, more] : link.more) json["more"][q.text(part)] = q.text(more);
+  for (const auto& [part, times] : link.divides) json["divides"][q.text(part)] = q.text(times);
   json["cofactor"] = polynomial_text(steps.out_cofactor(*c));
   return json;
 }
@@ -257,7 +258,8 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
   }
   for (const CertifiedLink& link : links) {
     for (const auto& [part, n] : link.factor) trees.push_back(part);
-    for (const auto& [part, more] : link.more) trees.push_back(more);
+    for (const auto* list : {&link.more, &link.divides})
+      for (const auto& [part, other] : *list) trees.push_back(other);
     if (link.follows) {
       trees.insert(trees.end(), {link.follows->more, link.follows->times});
       for (const auto& [factor, links_of_term] : link.follows->terms) trees.push_back(factor);

@@ -27,7 +27,7 @@ namespace rederive {
 ///                 `sum`: one of them holds; the expression, or the `residual` of what is left, as a quotient
 ///                 of polynomials in generators
 ///   factor        of parts that are never 0, with their exponents; `more` of a part that is 0 only where one
-///                 of the residuals is
+///                 of the residuals is; so is one that `divides` it, with what it is times
 ///   cofactor      not 0 itself: left·cofactor = factor·right·cofactor modulo the relations of the generators
 /// or, of a link that follows from those of the other side, left or right alone and what it
 ///   follows       from: times·residual = Σ factor·(product of the residuals of links) + more, where terms

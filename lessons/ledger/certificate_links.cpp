@@ -106,7 +106,7 @@ struct Finder {
     return true;
   }
   /// part^n, if the part is 0 only where right (or left, for n < 0) is, for its square is that one's, or it
-  /// is that square, or a quarter of it, and more.
+  /// is that square, or a quarter of it, and more; or that one is the part times something.
   bool put_down_sum(const ex& part, int n, CertifiedLink& link) const {
     if (has_symbol(part.denom())) return false;
     const ex square = GiNaC::pow(n > 0 ? link.right.residual : link.left.residual, 2);
@@ -118,7 +118,10 @@ struct Finder {
       link.factor.emplace_back(written, n), link.more.emplace_back(written, tree(form(more)));
       return true;
     }
-    return false;
+    const ex times = ((n > 0 ? link.right.residual : link.left.residual) / part).normal();
+    if (has_symbol(times.denom())) return false;
+    link.factor.emplace_back(written, n), link.divides.emplace_back(written, tree(times));
+    return true;
   }
   /// part^n, if that is a divisor or has the same square as one, but for parts of one sign.
   bool put_down_divisor(const ex& part, int n, numeric& number, CertifiedFactor& factor) const {
@@ -157,7 +160,7 @@ struct Finder {
         const auto parts = quotient(left, right, q.symbols, way);
         if (!parts) continue;
         const Quotient factor = assess(*parts, values, q.symbols);
-        link.factor.clear(), link.more.clear();
+        link.factor.clear(), link.more.clear(), link.divides.clear();
         const bool fits = !factor.value.is_zero() && (op == "=" || factor.sign > 0);
         if (fits && vanishes(left - factor.value * right, q.symbols) &&
             put_down(*parts, link.factor, &link) && (op == "=" || shows_sign(link.factor)))

@@ -47,8 +47,10 @@ struct CertifiedLink {
   /// not negative; …
   CertifiedFactor factor;
   std::vector<std::pair<Tree, Tree>> more;
+  /// … or that one is the part times something that divides by nothing.
+  std::vector<std::pair<Tree, Tree>> divides = {};
   /// … or what there is of the two always holds, or never, as the form of its residual shows.
-  std::optional<bool> holds;
+  std::optional<bool> holds = std::nullopt;
   /// … or one of them follows from the links of the other one, all together.
   std::optional<CertifiedConsequence> follows = std::nullopt;
 };
