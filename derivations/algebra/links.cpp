@@ -54,8 +54,8 @@ Pair Question::pair(const Tree& left_side, const Tree& right_side) const {
   pair.left = put_in(left_side, meanings), pair.right = put_in(right_side, meanings);
   pair.left_value = rederive::put_in(lower(left_side, symbols), given);
   pair.right_value = rederive::put_in(lower(right_side, symbols), given);
-  for (const ex& e : symbols.never_zero())
-    pair.never_zero.push_back(to_tree(rederive::put_in(e, given), symbols));
+  for (const auto* list : {&symbols.never_zero(), &symbols.no_witness()})
+    for (const ex& e : *list) pair.never_zero.push_back(to_tree(rederive::put_in(e, given), symbols));
   return pair;
 }
 

@@ -95,7 +95,8 @@ bool is_assumed_of(const ex& symbol, const Question& question) {
   const auto says = [&](const ex& e) { return e.has(symbol); };
   return std::any_of(question.given.begin(), question.given.end(),
                      [&](const Given& g) { return says(g.name) || says(g.value); }) ||
-         std::any_of(question.symbols.never_zero().begin(), question.symbols.never_zero().end(), says);
+         std::any_of(question.symbols.never_zero().begin(), question.symbols.never_zero().end(), says) ||
+         std::any_of(question.symbols.no_witness().begin(), question.symbols.no_witness().end(), says);
 }
 
 /// y = A and y = B, for a symbol y that is free otherwise.

@@ -55,6 +55,10 @@ class Symbols {
   /// Declares that an expression in the symbols is never 0, as in "x != y".
   void exclude_zero(const GiNaC::ex& expression) { never_zero_.push_back(expression); }
   const std::vector<GiNaC::ex>& never_zero() const { return never_zero_; }
+  /// Declares that an expression is not 0 where an assumption has a value: no witness may be there, and no
+  /// proof may use it.
+  void exclude_witnesses(const GiNaC::ex& zero) { no_witness_.push_back(zero); }
+  const std::vector<GiNaC::ex>& no_witness() const { return no_witness_; }
   const Symbol* find(std::string_view name) const;    ///< nullptr if there is none
   const Symbol* find(const GiNaC::ex& symbol) const;  ///< by its GiNaC symbol
   /// The GiNaC symbol of that name; throws std::out_of_range naming it if there is none.
@@ -65,7 +69,7 @@ class Symbols {
  private:
   std::vector<std::string> order_;
   std::map<std::string, Symbol, std::less<>> table_;
-  std::vector<GiNaC::ex> never_zero_;
+  std::vector<GiNaC::ex> never_zero_, no_witness_;
 };
 
 /// The symbols of the paper, with their meanings: the one table that everything else reads.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
@@ -169,10 +170,18 @@ std::optional<Given> solved_for_one(const GiNaC::ex& residual, const Symbols& sy
   return std::nullopt;
 }
 
+/// What an equation divides by is not 0, though the computer algebra may have cancelled it.
+void avoid_divisors(const Tree& side, Symbols& symbols) {
+  for (const GiNaC::ex& divisor : divisors(side, symbols))
+    if (sign_of(divisor, symbols) == 0) symbols.exclude_witnesses(divisor);
+}
+
 /// Those that say what a symbol is come first; what the others leave is solved.
 void read_equations(const std::vector<std::pair<Relation, std::string>>& equations, Context& context,
                     const std::vector<std::string>& small) {
-  const Symbols& symbols = context.symbols;
+  Symbols& symbols = context.symbols;
+  for (const auto& [equation, text] : equations)
+    for (const Tree& side : equation.sides) avoid_divisors(side, symbols);
   std::vector<std::pair<GiNaC::ex, std::string>> others;
   for (const auto& [equation, text] : equations)
     if (const auto given = read_given(equation.sides[0], equation.sides[1], text, symbols, small)) {

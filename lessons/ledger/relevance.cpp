@@ -70,7 +70,8 @@ std::vector<Given> relevant(const std::vector<Given>& given, const Relation& lef
   };
   for (const Relation* relation : {&left, &right})
     for (const Tree& side : relation->sides) collect_names(side, names);
-  for (const ex& e : symbols.never_zero()) mention(e);
+  for (const auto* list : {&symbols.never_zero(), &symbols.no_witness()})
+    for (const ex& e : *list) mention(e);
   for (std::size_t before = names.size() + 1; before != names.size();) {
     before = names.size();
     for (const Given& g : given)
