@@ -1,17 +1,16 @@
 // The errata sheet: what one could send to the journal.
-#include <derivations/algebra/print.hpp>
-#include <lessons/ledger/report.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <derivations/algebra/print.hpp>
+#include <lessons/ledger/report.hpp>
 
 namespace rederive {
 
 namespace {
 
-/// How many refuted rows follow from this one without a detour: an error that spreads counts for more than one that
-/// the next line mends.
+/// How many refuted rows follow from this one without a detour: an error that spreads counts for more than
+/// one that the next line mends.
 long spread(const Entry& entry, const std::vector<Entry>& wrong) {
   return std::count_if(wrong.begin(), wrong.end(), [&](const Entry& other) {
     const auto& sources = other.row.follows_from;
@@ -26,21 +25,67 @@ std::vector<Entry> refuted(const std::vector<Entry>& entries) {
     if (entry.proof.verdict == Verdict::refuted) wrong.push_back(entry);
   std::vector<Entry> sorted = wrong;
   std::stable_sort(sorted.begin(), sorted.end(), [&](const Entry& a, const Entry& b) {
-    return std::pair(spread(a, wrong), a.rests_on_it.size()) > std::pair(spread(b, wrong), b.rests_on_it.size());
+    return std::pair(spread(a, wrong), a.rests_on_it.size()) >
+           std::pair(spread(b, wrong), b.rests_on_it.size());
   });
   return sorted;
 }
 
 std::string latex_escaped(const std::string& text) {
-  static const std::map<std::string, std::string> replaced{
-      {"%", "\\%"}, {"&", "\\&"}, {"#", "\\#"}, {"_", "\\_"}, {"$", "\\$"}, {"{", "\\{"}, {"}", "\\}"},
-      {"^", "\\textasciicircum{}"}, {"~", "\\textasciitilde{}"}, {"\\", "\\textbackslash{}"}, {"<", "\\textless{}"}, {">", "\\textgreater{}"}};
-  static const std::map<std::string, std::string> signs{
-      {"θ̈", "$\\ddot\\theta$"}, {"θ̇", "$\\dot\\theta$"}, {"θ", "$\\theta$"}, {"α", "$\\alpha$"}, {"ψ", "$\\psi$"}, {"ω", "$\\omega$"},
-      {"π", "$\\pi$"}, {"μ", "$\\mu$"}, {"λ", "$\\lambda$"}, {"τ", "$\\tau$"}, {"²", "$^2$"}, {"³", "$^3$"}, {"·", "$\\cdot$"}, {"−", "$-$"}, {"≥", "$\\ge$"}, {"≤", "$\\le$"},
-      {"≠", "$\\ne$"}, {"′", "$'$"}, {"ẍ", "$\\ddot x$"}, {"ÿ", "$\\ddot y$"}, {"ü", "$\\ddot u$"}, {"Ω", "$\\Omega$"}, {"ρ", "$\\rho$"}, {"φ", "$\\varphi$"},
-      {"∂", "$\\partial$"}, {"→", "$\\to$"}, {"∞", "$\\infty$"}, {"–", "--"}, {"—", "---"}, {"’", "'"}, {"½", "$\\frac12$"}, {"×", "$\\times$"}, {"…", "\\dots{}"},
-      {"ẋ", "$\\dot x$"}, {"ẏ", "$\\dot y$"}, {"u̇", "$\\dot u$"}, {"≈", "$\\approx$"}, {"√", "$\\surd$"}, {"ξ", "$\\xi$"}, {"η", "$\\eta$"}, {"ε", "$\\varepsilon$"}, {"∫", "$\\int$"}};
+  static const std::map<std::string, std::string> replaced{{"%", "\\%"},
+                                                           {"&", "\\&"},
+                                                           {"#", "\\#"},
+                                                           {"_", "\\_"},
+                                                           {"$", "\\$"},
+                                                           {"{", "\\{"},
+                                                           {"}", "\\}"},
+                                                           {"^", "\\textasciicircum{}"},
+                                                           {"~", "\\textasciitilde{}"},
+                                                           {"\\", "\\textbackslash{}"},
+                                                           {"<", "\\textless{}"},
+                                                           {">", "\\textgreater{}"}};
+  static const std::map<std::string, std::string> signs{{"θ̈", "$\\ddot\\theta$"},
+                                                        {"θ̇", "$\\dot\\theta$"},
+                                                        {"θ", "$\\theta$"},
+                                                        {"α", "$\\alpha$"},
+                                                        {"ψ", "$\\psi$"},
+                                                        {"ω", "$\\omega$"},
+                                                        {"π", "$\\pi$"},
+                                                        {"μ", "$\\mu$"},
+                                                        {"λ", "$\\lambda$"},
+                                                        {"τ", "$\\tau$"},
+                                                        {"²", "$^2$"},
+                                                        {"³", "$^3$"},
+                                                        {"·", "$\\cdot$"},
+                                                        {"−", "$-$"},
+                                                        {"≥", "$\\ge$"},
+                                                        {"≤", "$\\le$"},
+                                                        {"≠", "$\\ne$"},
+                                                        {"′", "$'$"},
+                                                        {"ẍ", "$\\ddot x$"},
+                                                        {"ÿ", "$\\ddot y$"},
+                                                        {"ü", "$\\ddot u$"},
+                                                        {"Ω", "$\\Omega$"},
+                                                        {"ρ", "$\\rho$"},
+                                                        {"φ", "$\\varphi$"},
+                                                        {"∂", "$\\partial$"},
+                                                        {"→", "$\\to$"},
+                                                        {"∞", "$\\infty$"},
+                                                        {"–", "--"},
+                                                        {"—", "---"},
+                                                        {"’", "'"},
+                                                        {"½", "$\\frac12$"},
+                                                        {"×", "$\\times$"},
+                                                        {"…", "\\dots{}"},
+                                                        {"ẋ", "$\\dot x$"},
+                                                        {"ẏ", "$\\dot y$"},
+                                                        {"u̇", "$\\dot u$"},
+                                                        {"≈", "$\\approx$"},
+                                                        {"√", "$\\surd$"},
+                                                        {"ξ", "$\\xi$"},
+                                                        {"η", "$\\eta$"},
+                                                        {"ε", "$\\varepsilon$"},
+                                                        {"∫", "$\\int$"}};
   std::string out;
   for (std::size_t k = 0; k < text.size();) {
     std::size_t best = 0;
@@ -48,8 +93,10 @@ std::string latex_escaped(const std::string& text) {
     for (const auto* table : {&signs, &replaced})
       for (const auto& [from, to] : *table)
         if (from.size() > best && text.compare(k, from.size(), from) == 0) best = from.size(), with = &to;
-    if (with != nullptr) out += *with, k += best;
-    else if (static_cast<unsigned char>(text[k]) < 128) out += text[k++];
+    if (with != nullptr)
+      out += *with, k += best;
+    else if (static_cast<unsigned char>(text[k]) < 128)
+      out += text[k++];
     else {  // any other sign: pdflatex would stop at it
       out += "?";
       ++k;
@@ -59,7 +106,8 @@ std::string latex_escaped(const std::string& text) {
   return out;
 }
 
-std::vector<std::string> last_steps(const Entry& entry, Notation notation, const char* open, const char* close) {
+std::vector<std::string> last_steps(const Entry& entry, Notation notation, const char* open,
+                                    const char* close) {
   std::vector<std::string> lines;
   if (!entry.derivation) return lines;
   const auto& steps = entry.derivation->steps;
@@ -72,49 +120,62 @@ std::vector<std::string> last_steps(const Entry& entry, Notation notation, const
   return lines;
 }
 
-std::string at(const Witness& witness) {
-  return fmt::format("{}", fmt::join(in_words(witness), ", "));
-}
+std::string at(const Witness& witness) { return fmt::format("{}", fmt::join(in_words(witness), ", ")); }
 
 std::string text_sheet(const std::vector<Entry>& wrong) {
   std::string text;
   for (const Entry& entry : wrong) {
-    text += fmt::format("({})  {}: {}\n  printed    {}\n  corrected  {}\n", entry.row.id, entry.row.section, entry.row.error,
-                        print(parse_statement(entry.row.printed), Notation::unicode), print(parse_statement(entry.correction), Notation::unicode));
-    for (const auto& line : last_steps(entry, Notation::unicode, "", "")) text += "  why        " + line + "\n";
+    text += fmt::format("({})  {}: {}\n  printed    {}\n  corrected  {}\n", entry.row.id, entry.row.section,
+                        entry.row.error, print(parse_statement(entry.row.printed), Notation::unicode),
+                        print(parse_statement(entry.correction), Notation::unicode));
+    for (const auto& line : last_steps(entry, Notation::unicode, "", ""))
+      text += "  why        " + line + "\n";
     if (entry.proof.witness)
-      text += fmt::format("  witness    {}\n             printed {}\n             derived {}\n", at(*entry.proof.witness),
-                          entry.proof.witness->printed, entry.proof.witness->derived);
+      text +=
+          fmt::format("  witness    {}\n             printed {}\n             derived {}\n",
+                      at(*entry.proof.witness), entry.proof.witness->printed, entry.proof.witness->derived);
     text += fmt::format("  so         {}\n\n", entry.row.consequence);
   }
   return text + fmt::format("{} errors.\n", wrong.size());
 }
 
 std::string markdown_sheet(const std::vector<Entry>& wrong) {
-  std::string text = "# Errata: On the Overturning Instability of a Rectangular Rigid Block Under Ground Excitation\n\n";
+  std::string text =
+      "# Errata: On the Overturning Instability of a Rectangular Rigid Block Under Ground Excitation\n\n";
   for (const Entry& entry : wrong) {
-    text += fmt::format("## Equation ({})\n\n{}. Kind of error: {}.\n\nPrinted:\n\n$$\n{}\n$$\n\nCorrect:\n\n$$\n{}\n$$\n\nDerivation:\n\n", entry.row.id,
-                        entry.row.section, entry.row.error, print(parse_statement(entry.row.printed), Notation::latex),
-                        print(parse_statement(entry.correction), Notation::latex));
+    text += fmt::format(
+        "## Equation ({})\n\n{}. Kind of error: "
+        "{}.\n\nPrinted:\n\n$$\n{}\n$$\n\nCorrect:\n\n$$\n{}\n$$\n\nDerivation:\n\n",
+        entry.row.id, entry.row.section, entry.row.error,
+        print(parse_statement(entry.row.printed), Notation::latex),
+        print(parse_statement(entry.correction), Notation::latex));
     for (const auto& line : last_steps(entry, Notation::latex, "$", "$")) text += "1. " + line + "\n";
     if (entry.proof.witness)
-      text += fmt::format("\nWitness: at `{}` the printed side is `{}`, the derived one `{}`.\n", at(*entry.proof.witness), entry.proof.witness->printed,
-                          entry.proof.witness->derived);
+      text +=
+          fmt::format("\nWitness: at `{}` the printed side is `{}`, the derived one `{}`.\n",
+                      at(*entry.proof.witness), entry.proof.witness->printed, entry.proof.witness->derived);
     text += fmt::format("\nConsequence: {}\n\n", entry.row.consequence);
   }
   return text;
 }
 
 std::string latex_sheet(const std::vector<Entry>& wrong) {
-  std::string text = "\\documentclass[a4paper]{article}\n\\usepackage[T1]{fontenc}\n\\usepackage{amsmath}\n\\usepackage[margin=22mm]{geometry}\n"
-                     "\\setlength{\\parindent}{0pt}\\sloppy\n\\title{Errata: On the Overturning Instability of a Rectangular Rigid Block Under Ground Excitation}\n"
-                     "\\author{}\\date{}\n\\begin{document}\n\\maketitle\n";
+  std::string text =
+      "\\documentclass[a4paper]{article}\n\\usepackage[T1]{fontenc}\n\\usepackage{amsmath}\n\\usepackage["
+      "margin=22mm]{geometry}\n"
+      "\\setlength{\\parindent}{0pt}\\sloppy\n\\title{Errata: On the Overturning Instability of a "
+      "Rectangular Rigid Block Under Ground Excitation}\n"
+      "\\author{}\\date{}\n\\begin{document}\n\\maketitle\n";
   const auto display = [](const std::string& formula) {
-    return fmt::format("\\[\\resizebox{{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}}{{!}}{{$\\displaystyle {}$}}\\]\n", formula);
+    return fmt::format(
+        "\\[\\resizebox{{\\ifdim\\width>\\linewidth\\linewidth\\else\\width\\fi}}{{!}}{{$\\displaystyle "
+        "{}$}}\\]\n",
+        formula);
   };
   for (const Entry& entry : wrong) {
-    text += fmt::format("\\section*{{Equation ({})}}\n{}. Kind of error: {}.\n\nPrinted:\n{}Correct:\n{}", latex_escaped(entry.row.id),
-                        latex_escaped(entry.row.section), latex_escaped(entry.row.error),
+    text += fmt::format("\\section*{{Equation ({})}}\n{}. Kind of error: {}.\n\nPrinted:\n{}Correct:\n{}",
+                        latex_escaped(entry.row.id), latex_escaped(entry.row.section),
+                        latex_escaped(entry.row.error),
                         display(print(parse_statement(entry.row.printed), Notation::latex)),
                         display(print(parse_statement(entry.correction), Notation::latex)));
     const auto lines = last_steps(entry, Notation::latex, "$", "$");
@@ -124,7 +185,8 @@ std::string latex_sheet(const std::vector<Entry>& wrong) {
       text += "\\end{enumerate}\n";
     }
     if (entry.proof.witness)
-      text += fmt::format("Witness: at {}\\\\ printed {}\\\\ derived {}.\n\n", latex_escaped(at(*entry.proof.witness)), entry.proof.witness->printed,
+      text += fmt::format("Witness: at {}\\\\ printed {}\\\\ derived {}.\n\n",
+                          latex_escaped(at(*entry.proof.witness)), entry.proof.witness->printed,
                           entry.proof.witness->derived);
     text += "Consequence: " + latex_escaped(entry.row.consequence) + "\n\n";
   }
@@ -149,13 +211,18 @@ std::string errata(const std::vector<Entry>& entries, const std::string& format)
 }
 
 std::string graph(const std::vector<Entry>& entries) {
-  static const std::map<Verdict, std::string> colours{{Verdict::proved, "palegreen"}, {Verdict::proved_under, "khaki"}, {Verdict::approximation, "lightblue"},
-                                                      {Verdict::refuted, "salmon"}, {Verdict::definition, "lightgrey"}, {Verdict::undecided, "orange"}};
-  std::string text = "digraph ledger {\n  rankdir=LR;\n  node [shape=box, style=filled, fontname=\"sans-serif\"];\n";
+  static const std::map<Verdict, std::string> colours{
+      {Verdict::proved, "palegreen"},        {Verdict::proved_under, "khaki"},
+      {Verdict::approximation, "lightblue"}, {Verdict::refuted, "salmon"},
+      {Verdict::definition, "lightgrey"},    {Verdict::undecided, "orange"}};
+  std::string text =
+      "digraph ledger {\n  rankdir=LR;\n  node [shape=box, style=filled, fontname=\"sans-serif\"];\n";
   for (const Entry& entry : entries)
-    text += fmt::format("  \"{}\" [fillcolor={}, tooltip=\"{}\"];\n", entry.row.id, colours.at(entry.proof.verdict), to_string(entry.proof.verdict));
+    text += fmt::format("  \"{}\" [fillcolor={}, tooltip=\"{}\"];\n", entry.row.id,
+                        colours.at(entry.proof.verdict), to_string(entry.proof.verdict));
   for (const Entry& entry : entries)
-    for (const std::string& source : entry.row.follows_from) text += fmt::format("  \"{}\" -> \"{}\";\n", source, entry.row.id);
+    for (const std::string& source : entry.row.follows_from)
+      text += fmt::format("  \"{}\" -> \"{}\";\n", source, entry.row.id);
   return text + "}\n";
 }
 

@@ -1,8 +1,8 @@
+#include <fmt/format.h>
+
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/witness.hpp>
 #include <lessons/ledger/report.hpp>
-
-#include <fmt/format.h>
 
 namespace rederive {
 
@@ -14,8 +14,12 @@ Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text
 
 std::string painted(const std::string& text, Verdict verdict, bool colour) {
   if (!colour) return text;
-  const bool good = verdict == Verdict::proved || verdict == Verdict::proved_under || verdict == Verdict::approximation;
-  const char* code = verdict == Verdict::refuted ? "31" : verdict == Verdict::undecided ? "33" : good ? "32" : "2";
+  const bool good =
+      verdict == Verdict::proved || verdict == Verdict::proved_under || verdict == Verdict::approximation;
+  const char* code = verdict == Verdict::refuted     ? "31"
+                     : verdict == Verdict::undecided ? "33"
+                     : good                          ? "32"
+                                                     : "2";
   return fmt::format("\033[{}m{}\033[0m", code, text);
 }
 
@@ -53,8 +57,11 @@ Json to_json(const Witness& witness) {
 
 Json to_json(const Proof& proof) {
   const Json witness = proof.witness ? to_json(*proof.witness) : Json();
-  return {{"verdict", to_string(proof.verdict)}, {"factor", or_null(proof.factor)},
-          {"side_conditions", proof.side_conditions}, {"witness", witness}, {"reason", or_null(proof.reason)}};
+  return {{"verdict", to_string(proof.verdict)},
+          {"factor", or_null(proof.factor)},
+          {"side_conditions", proof.side_conditions},
+          {"witness", witness},
+          {"reason", or_null(proof.reason)}};
 }
 
 Json to_json(const Entry& entry) {
@@ -62,23 +69,36 @@ Json to_json(const Entry& entry) {
   const Json proof = to_json(entry.proof);
   const bool approximate = entry.derivation && entry.derivation->order > 0;
   const bool refuted = entry.proof.verdict == Verdict::refuted;
-  return {{"id", row.id}, {"section", row.section}, {"kind", row.kind}, {"domain", or_null(row.domain)},
-          {"printed", or_null(row.printed)}, {"derived", or_null(entry.derived)}, {"verdict", proof["verdict"]},
-          {"expected", row.expected}, {"factor", proof["factor"]}, {"side_conditions", proof["side_conditions"]},
+  return {{"id", row.id},
+          {"section", row.section},
+          {"kind", row.kind},
+          {"domain", or_null(row.domain)},
+          {"printed", or_null(row.printed)},
+          {"derived", or_null(entry.derived)},
+          {"verdict", proof["verdict"]},
+          {"expected", row.expected},
+          {"factor", proof["factor"]},
+          {"side_conditions", proof["side_conditions"]},
           {"assumption", entry.derivation ? or_null(entry.derivation->assumption) : Json()},
           {"order", approximate ? Json(entry.derivation->order) : Json()},
-          {"error", refuted ? or_null(row.error) : Json()}, {"correction", or_null(entry.correction)},
-          {"witness", proof["witness"]}, {"dimension", dimension_word(entry)},
-          {"follows_from", row.follows_from}, {"scan_repaired", !row.scan_repaired.empty()},
-          {"scan", or_null(row.scan_repaired)}, {"reason", proof["reason"]},
-          {"rests_on_it", entry.rests_on_it}, {"consequence", or_null(row.consequence)}};
+          {"error", refuted ? or_null(row.error) : Json()},
+          {"correction", or_null(entry.correction)},
+          {"witness", proof["witness"]},
+          {"dimension", dimension_word(entry)},
+          {"follows_from", row.follows_from},
+          {"scan_repaired", !row.scan_repaired.empty()},
+          {"scan", or_null(row.scan_repaired)},
+          {"reason", proof["reason"]},
+          {"rests_on_it", entry.rests_on_it},
+          {"consequence", or_null(row.consequence)}};
 }
 
 Json to_json(const std::vector<Entry>& entries) {
   Json equations = Json::array();
   for (const Entry& entry : entries) equations.push_back(to_json(entry));
   return {{"paper", "On the Overturning Instability of a Rectangular Rigid Block Under Ground Excitation"},
-          {"equations", equations}, {"counts", counts(entries)}};
+          {"equations", equations},
+          {"counts", counts(entries)}};
 }
 
 std::string ledger_table(const std::vector<Entry>& entries, bool colour) {
@@ -87,7 +107,8 @@ std::string ledger_table(const std::vector<Entry>& entries, bool colour) {
     const std::string verdict = to_string(entry.proof.verdict);
     const bool unexpected = verdict != entry.row.expected;
     const std::string formula = entry.row.printed.empty() ? entry.row.statement : entry.row.printed;
-    text += fmt::format("{:<6} {} {}{}\n", entry.row.id, painted(fmt::format("{:<14}", verdict), entry.proof.verdict, colour),
+    text += fmt::format("{:<6} {} {}{}\n", entry.row.id,
+                        painted(fmt::format("{:<14}", verdict), entry.proof.verdict, colour),
                         unicode_or(formula), unexpected ? "   <- expected " + entry.row.expected : "");
   }
   text += fmt::format("\n{} rows:", entries.size());
@@ -98,15 +119,17 @@ std::string ledger_table(const std::vector<Entry>& entries, bool colour) {
 
 std::string ledger_page(const Entry& entry, bool colour) {
   const Row& row = entry.row;
-  std::string text = fmt::format("({})  {}{}\n\n", row.id, row.section, row.domain.empty() ? "" : ",  " + row.domain);
+  std::string text =
+      fmt::format("({})  {}{}\n\n", row.id, row.section, row.domain.empty() ? "" : ",  " + row.domain);
   const auto line = [&](const char* name, const std::string& value) {
     if (!value.empty()) text += fmt::format("  {:<16} {}\n", name, value);
   };
   line("printed", unicode_or(row.printed));
   line("stated", unicode_or(row.statement));
   line("derived", unicode_or(entry.derived));
-  line("verdict", painted(to_string(entry.proof.verdict), entry.proof.verdict, colour) +
-                      (to_string(entry.proof.verdict) == row.expected ? "" : "   (expected: " + row.expected + ")"));
+  line("verdict",
+       painted(to_string(entry.proof.verdict), entry.proof.verdict, colour) +
+           (to_string(entry.proof.verdict) == row.expected ? "" : "   (expected: " + row.expected + ")"));
   line("because", entry.proof.reason);
   if (entry.proof.factor != "1") line("factor", entry.proof.factor);
   line("side conditions", joined(entry.proof.side_conditions));
@@ -124,8 +147,10 @@ std::string ledger_page(const Entry& entry, bool colour) {
     line("  printed", entry.proof.witness->printed);
     line("  derived", entry.proof.witness->derived);
   }
-  line("dimension", dimension_word(entry) + (entry.dimension && entry.dimension->consistent && entry.dimension->dimension
-                                                 ? " (" + unit_text(*entry.dimension->dimension) + ")" : ""));
+  line("dimension",
+       dimension_word(entry) + (entry.dimension && entry.dimension->consistent && entry.dimension->dimension
+                                    ? " (" + unit_text(*entry.dimension->dimension) + ")"
+                                    : ""));
   if (entry.dimension) line("", entry.dimension->explanation);
   line("follows from", joined(row.follows_from));
   line("rests on it", joined(entry.rests_on_it));
