@@ -17,10 +17,14 @@ namespace {
 
 std::optional<Json> certificate_of(const ProveRequest& request) {
   const Context context = make_context(request);
-  const auto found = certificate(parse_statement(request.left, context.symbols),
-                                 parse_statement(request.right, context.symbols), context.symbols,
-                                 context.put_in_at_once(true));
-  return found ? std::optional(Json::parse(found->dump())) : std::nullopt;
+  try {
+    return Json::parse(certificate(parse_statement(request.left, context.symbols),
+                                   parse_statement(request.right, context.symbols), context.symbols,
+                                   context.put_in_at_once(true))
+                           .dump());
+  } catch (const Undecidable&) {
+    return std::nullopt;
+  }
 }
 
 std::string verdict(const Json& certificate) {

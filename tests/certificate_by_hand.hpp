@@ -10,15 +10,17 @@ using Json = nlohmann::json;
 /// Of a certificate without givens, with one piece.
 inline std::string verdict_of_links(const Json& left, const Json& right, const Json& ranges,
                                     const Json& steps, const Json& links, const Json& cut = Json::array(),
-                                    const Json& divisors = Json::array()) {
+                                    const Json& divisors = Json::array(),
+                                    const Json& parts_of_divisors = Json::object()) {
   const Json piece{{"steps", steps}, {"links", links}};
   try {
-    certificate_checker::check({{"format", "rederive certificate 5"},
+    certificate_checker::check({{"format", "rederive certificate 6"},
                                 {"left", left},
                                 {"right", right},
                                 {"given", Json::object()},
                                 {"divisors", divisors},
                                 {"never zero", Json::array()},
+                                {"parts of divisors", parts_of_divisors},
                                 {"ranges", ranges},
                                 {"cut", cut},
                                 {"pieces", Json(1 << cut.size(), piece)}});
@@ -31,8 +33,9 @@ inline std::string verdict_of_links(const Json& left, const Json& right, const J
 /// With one link.
 inline std::string verdict(const Json& left, const Json& right, const Json& ranges, const Json& steps,
                            const Json& link, const Json& cut = Json::array(),
-                           const Json& divisors = Json::array()) {
-  return verdict_of_links(left, right, ranges, steps, Json::array({link}), cut, divisors);
+                           const Json& divisors = Json::array(),
+                           const Json& parts_of_divisors = Json::object()) {
+  return verdict_of_links(left, right, ranges, steps, Json::array({link}), cut, divisors, parts_of_divisors);
 }
 
 /// The residuals of the first links of both statements, and the factor between them.

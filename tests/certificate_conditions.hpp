@@ -144,12 +144,21 @@ class Look : public Reader<Seen> {
   /// Where the statement has a value.
   void admit(const std::string& text) { looks_.admit(value(text)); }
   void report() const { looks_.report(); }
+  bool divisors_are_clear = true;  ///< the ranges of all that was read show that it is not 0
 
  private:
   Seen number(const cln::cl_I& n) override {
     return seen(Numbers(static_cast<long double>(cln::double_approx(n)), points), point(n));
   }
-  Seen divisor(const Seen& d) override { return looks_.is_not_zero(d, "a divisor vanishes"), d; }
+  /// Ranges are those where there is a value, and there it is not 0.
+  Seen divisor(const Seen& d) override {
+    looks_.is_not_zero(d, "a divisor vanishes");
+    divisors_are_clear = divisors_are_clear && (d.range.is_positive() || d.range.is_negative());
+    Seen result = d;
+    if (d.range.low == 0) result.range.has_low = false;
+    if (d.range.high == 0) result.range.has_high = false;
+    return result;
+  }
   Seen raised(const Seen& base, const Seen& exponent) override {
     const cln::cl_RA n = exponent.range.is_constant() ? exponent.range.exact_low.number : 0;
     const auto text = [](const cln::cl_I& i) { return std::to_string(cln::cl_I_to_long(i)); };

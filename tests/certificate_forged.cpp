@@ -62,7 +62,7 @@ TEST_CASE("factors that are 0 somewhere") {
   CHECK(verdict({"x*y^2", "=", "0"}, right, ranges, none, linked("x*y^2", "x", "1", {{"y^2", 1}})) ==
         "a factor may vanish: y^2");
   CHECK(verdict({"x*y", "=", "0"}, right, ranges, none, linked("x*y", "x", "1", {{"1/y", -1}})) ==
-        "a factor may vanish: 1/y");
+        "divides by something else: 1/y");
   CHECK(verdict({"x^2", "=", "0"}, right, ranges, none, linked("x^2", "x", "1", {{"x", 1}})) == "accepted");
   for (const char* op : {">", ">="})  // the same factor x, which is negative for x < 0
     CHECK(verdict({"x^2", op, "0"}, {"x", op, "0"}, ranges, none, linked("x^2", "x", "1", {{"x", 1}})) ==
@@ -73,7 +73,7 @@ TEST_CASE("factors that are 0 somewhere") {
   more["more"] = {{"x^2+y^2-1", "y^2-1"}};
   CHECK(verdict({"x*(x^2+y^2-1)", "=", "0"}, right, ranges, none, more) == "a factor may vanish: x^2+y^2-1");
   Json divided = linked("x*y*z", "x*y", "1", {{"z", 1}});
-  for (const auto& [times, why] : {std::pair("x*y/z", "a factor may vanish: z"),
+  for (const auto& [times, why] : {std::pair("x*y/z", "divides by something else: x*y/z"),
                                    {"x*y", "a factor may vanish: z"},
                                    {"0", "a factor may vanish: z"}}) {
     divided["divides"] = {{"z", times}};  // x*y is not z times any of these that has a value
@@ -145,12 +145,13 @@ TEST_CASE("chains of which a part is passed over") {
 }
 
 TEST_CASE("what is never 0 is what the certificate says, and no more") {
-  Json c{{"format", "rederive certificate 5"},
+  Json c{{"format", "rederive certificate 6"},
          {"left", {"x*a", "=", "0"}},
          {"right", {"a", "=", "0"}},
          {"given", Json::object()},
          {"divisors", Json::array()},
          {"never zero", {"2*x"}},
+         {"parts of divisors", Json::object()},
          {"ranges", {{"x", real}, {"a", real}}},
          {"cut", Json::array()},
          {"pieces",
@@ -166,6 +167,49 @@ TEST_CASE("what is never 0 is what the certificate says, and no more") {
   CHECK(verdict_now() == "accepted");
   c["never zero"] = {"x+1"};
   CHECK(verdict_now() == "a factor may vanish: 2*x");
+}
+
+TEST_CASE("what divides a divisor is never 0 where the statement has a value") {
+  const Json ranges{{"x", real}, {"y", real}, {"a", real}}, none = Json::array(), divisors{"x^2"};
+  const auto of = [&](const char* op, const Json& factor, const Json& parts) {
+    return verdict({"a/x^2", op, "0"}, {"a*x", op, "0"}, ranges, none, linked("a/x^2", "a*x", "1", factor),
+                   none, divisors, parts);
+  };
+  CHECK(of("=", {{"x", -3}}, {{"x", "x"}}) == "accepted");
+  CHECK(of("=", {{"x", -3}}, Json::object()) == "a factor may vanish: x");
+  CHECK(of("=", {{"x", -3}}, {{"x", "2*x"}}) == "a factor may vanish: x");
+  CHECK(of(">", {{"x", -3}}, {{"x", "x"}}) == "a factor turns the inequality round");
+  const auto by = [&](const char* part, const char* times) {
+    return verdict({"a/x^2*(" + std::string(part) + ")", "=", "0"}, {"a/x^2", "=", "0"}, ranges, none,
+                   linked("a/x^2*(" + std::string(part) + ")", "a/x^2", "1", {{part, 1}}), none, divisors,
+                   {{part, times}});
+  };
+  CHECK(by("y", "x^2/y") == "divides by something else: x^2/y");  // y = 0 solves the left one
+  CHECK(by("x*y", "x/y") == "divides by something else: x/y");
+  CHECK(by("y^2", "1") == "a factor may vanish: y^2");
+}
+
+TEST_CASE("a form that has no value where the statement has one shows nothing") {
+  const Json ranges{{"x", real}}, none = Json::array(), always{"0", "<", "1"};
+  const auto of = [&](const Json& left, const char* form, const Json& divisors) {
+    return verdict_of_links(left, always, ranges, none,
+                            {settled("left", 0, form, true), settled("right", 0, "1", true)}, none, divisors);
+  };
+  CHECK(of({"1/x^2", ">", "0"}, "1/x^2", {"x^2"}) == "accepted");
+  CHECK(of({"x^2", ">", "0"}, "1/(1/x^2)", none) == "divides by something else: 1/(1/x^2)");  // x = 0
+  CHECK(of({"x^2", ">", "0"}, "x^2", none) == "the form leaves it open");
+}
+
+TEST_CASE("an odd power of what has one sign has that sign, a product has theirs") {
+  const Json ranges{{"x", "[0, inf)"}, {"y", "(-inf, 0)"}, {"a", real}}, none = Json::array();
+  const auto of = [&](const char* product, const Json& factor) {
+    return verdict({std::string(product) + "*a", ">", "0"}, {"a", ">", "0"}, ranges, none,
+                   linked(std::string(product) + "*a", "a", "1", factor));
+  };
+  CHECK(of("y^2", {{"y", 2}}) == "accepted");
+  CHECK(of("y^3", {{"y", 3}}) == "a factor turns the inequality round");
+  CHECK(of("(-y^3)", {{"y", 3}, {"-1", 1}}) == "accepted");
+  CHECK(of("x", {{"x", 1}}) == "a factor may vanish: x");
 }
 
 TEST_CASE("two links as one, though both may fail") {

@@ -103,8 +103,8 @@ inline Range operator*(const Range& a, const Range& b) {
 }
 /// The reciprocals of what has one sign lie between those of its ends.
 inline Range operator/(const Range& a, const Range& b) {
+  if (b.is_positive() == b.is_negative()) return {};  // 0 may be in it, or nothing is
   if (b.is_negative()) return point(-1) * a / (point(-1) * b);
-  if (!b.is_positive()) return {};
   const auto over = [](long double x, int outward) {
     const long double q = 1 / std::abs(x);
     return end(q, q, std::isinf(x) || x == 0 || std::fma(q, x, -1.0L) == 0, outward);
@@ -140,13 +140,13 @@ inline Range range_of(const std::string& f, const Range& x, const Range& other) 
   static const std::map<std::string, F> increasing{
       {"exp", std::exp}, {"sinh", std::sinh}, {"asinh", std::asinh}, {"tanh", std::tanh}};
   const cln::cl_RA half = cln::cl_RA(1) / 2;
-  if (f == "exp" && !(std::exp(x.low) > 0)) return {0, INFINITY, false, false};
   if (const auto found = increasing.find(f); found != increasing.end()) {
     const auto at = [&](long double from, int outward) {
       const long double value = found->second(from);
-      return end(value, std::abs(value), from == 0, outward);
+      return end(value, std::abs(value), from == 0 || std::isinf(from), outward);
     };
-    return {at(x.low, -1), at(x.high, 1), x.has_low, x.has_high};
+    const bool is_small = f == "exp" && !(std::exp(x.low) > 0);
+    return {is_small ? 0 : at(x.low, -1), at(x.high, 1), x.has_low && !is_small, x.has_high};
   }
   if (f == "sin" || f == "cos") {
     const cln::cl_RA start = f == "sin" ? cln::cl_RA(0) : -half;
@@ -158,12 +158,13 @@ inline Range range_of(const std::string& f, const Range& x, const Range& other) 
       }
     return {-1, 1, true, true};
   }
-  if (f == "log" && x.low >= 0) {
+  if (f == "log") {  // of what is positive
     const auto at = [](long double from, int outward) {
       const long double value = std::log(from);
       return end(value, 1 + std::abs(value), from == 1 || std::isinf(value), outward);
     };
-    return {at(x.low, -1), at(x.high, 1), x.has_low && x.low > 0, x.has_high && x.high < INFINITY};
+    return {at(std::max(x.low, 0.0L), -1), at(x.high, 1), x.has_low && x.low > 0,
+            x.has_high && x.high < INFINITY};
   }
   if (f == "cosh") return {1, INFINITY, may_have(x, 0), false};
   if (f == "asin") return turned(-half, half, true);

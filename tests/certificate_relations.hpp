@@ -42,7 +42,7 @@ class Checker {
  public:
   /// Checks one piece. Throws std::exception saying what is wrong.
   Checker(const Json& certificate, std::size_t piece) : c_(certificate) {
-    require(c_.at("format") == "rederive certificate 5", "another format");
+    require(c_.at("format") == "rederive certificate 6", "another format");
     require(c_.dump().find('#') == std::string::npos, "names with # are the checker's own");
     for (const auto& [name, range] : c_.at("ranges").items())
       replay_.variable(name), look_.draw(name, range, side_of_zero(name, piece));
@@ -71,7 +71,26 @@ class Checker {
   static std::string stated(const std::string& text) {
     return require(text.find('$') == std::string::npos, "a statement has no generators"), text;
   }
-  Range range(const std::string& text) { return look_.value(stated(text)).range; }
+  /// Where the statement has a value: what may be 0 elsewhere is nothing to divide by.
+  Range range(const std::string& text) {
+    look_.divisors_are_clear = true, replay_.divisors.clear();
+    const Range result = look_.value(stated(text)).range;
+    if (look_.divisors_are_clear) return result;
+    replay_.value(text);
+    for (const Fraction& d : replay_.divisors) require(is_divisor(d), "divides by something else: " + text);
+    return result;
+  }
+  /// Whether the statement divides by it, or its negative.
+  bool is_divisor(const Fraction& part) const {
+    return std::any_of(divisors_.begin(), divisors_.end(),
+                       [&](const Fraction& d) { return replay_.same(d * d, part * part); });
+  }
+  /// Or by it times something that has a value where the statement has one.
+  bool is_in_divisor(const std::string& text) {
+    const std::string times = c_.at("parts of divisors").value(text, "1");
+    range(times);
+    return is_divisor(replay_.value("(" + text + ")*(" + times + ")"));
+  }
   /// Where the cofactor is not 0.
   bool same(const std::string& a, const std::string& b, const std::string& cofactor = "1") {
     for (const std::string& text : {a, b, "1/(" + cofactor + ")"}) look_.value(text);
@@ -114,8 +133,7 @@ class Checker {
     if (f == "*") {
       const std::string by = product(layer.at("factor"), [](auto&&...) { return false; });
       require(same(s.residual(), "(" + by + ")*((" + x + ")-(" + y + "))"), "another layer");
-      require(s.op == "=" || (falls ? range(by).is_negative() : range(by).is_positive()),
-              "a layer of unknown sign");
+      require(s.op == "=" || sign(layer.at("factor")) == (falls ? -1 : 1), "a layer of unknown sign");
       s.a = x, s.b = y;
     } else {
       take_off(f, falls, {&x, &s.a}, {&y, &s.b}, s.op);
@@ -159,7 +177,7 @@ class Checker {
             op == "=" || other == "=" ? "an equation and an inequality" : "only one allows equality");
     const std::string f = factor(link, left, right), c = link.at("cofactor");
     require(!op.empty() || link.at("factor").empty(), "the factor of two expressions is 1");
-    require(op.empty() || op == "=" || range(f).low >= 0, "a factor turns the inequality round");
+    require(op.empty() || op == "=" || sign(link.at("factor")) > 0, "a factor turns the inequality round");
     require(same(left, link.at("left").at("residual"), c), "the left side is another one");
     require(same(right, link.at("right").at("residual"), c), "the right side is another one");
     require(same(left, "(" + f + ")*" + (op.empty() ? "(" + right + ")" : right), c), "something remains");
@@ -170,16 +188,22 @@ class Checker {
   std::string product(const Json& factors, const Allowed& is_allowed) {
     std::string product = "1";
     for (const auto& [text, n] : factors.items()) {
-      const Fraction part = replay_.value(stated(text)), square = part * part;
-      bool is_clear = range(text).is_positive() || range(text).is_negative();
-      for (const Fraction& d : divisors_) is_clear = is_clear || replay_.same(d * d, square);
+      const Range r = range(text);
+      const bool is_clear = r.is_positive() || r.is_negative() || is_in_divisor(text);
       require(is_clear || is_allowed(text, n), "a factor may vanish: " + text);
       product += "*(" + text + ")^(" + std::to_string(n.template get<int>()) + ")";
     }
     return product;
   }
+  /// That of a product of powers, where none of them is 0; 0 where one may have either.
+  int sign(const Json& factors) {
+    int sign = 1;
+    for (const auto& [text, n] : factors.items())
+      if (n.get<int>() % 2 != 0) sign *= range(text).low >= 0 ? 1 : range(text).high <= 0 ? -1 : 0;
+    return sign;
+  }
   /// In left = part·right a part may be 0 where right is, too: it is ±right, or right^2 or a quarter of it
-  /// and more that is not negative; or right is the part times what divides by nothing.
+  /// and more that is not negative; or right is the part times what divides by nothing else.
   std::string factor(const Json& link, const std::string& left, const std::string& right) {
     return product(link.at("factor"), [&](const std::string& part, int n) {
       const std::string residual = n > 0 ? right : left, other = "(" + residual + ")^2";
@@ -190,8 +214,7 @@ class Checker {
     });
   }
   bool divides(const std::string& part, const std::string& times, const std::string& residual) {
-    replay_.divisors.clear(), replay_.value(stated(times));
-    return replay_.divisors.empty() && same("(" + part + ")*(" + times + ")", residual);
+    return range(times), same("(" + part + ")*(" + times + ")", residual);
   }
   /// A relation that always holds, or never, by the form of its residual.
   void settle(const Json& link) {

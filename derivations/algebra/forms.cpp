@@ -56,6 +56,18 @@ std::optional<ex> wave(const ex& a, const ex& b, const ex& c, const ex& x, const
   return left / (a + size) + whole * square;
 }
 
+/// B sin x + C cos x = B/cos(y) sin(x + y) with tan(y) = C/B, for multiples y of pi/4 or pi/6.
+std::optional<ex> shifted_wave(const ex& b, const ex& c, const ex& x) {
+  const ex slope = (c / b).normal(), square = (slope * slope).expand(), number = slope.evalf();
+  if (!is_a<numeric>(number)) return std::nullopt;
+  for (const auto& [squared, part] : {std::pair{numeric(1), 4}, {numeric(3), 3}, {numeric(1, 3), 6}})
+    if (square.is_equal(squared)) {
+      const ex y = GiNaC::csgn(number) * GiNaC::Pi / part;
+      return b / GiNaC::cos(y) * GiNaC::sin(x + y);
+    }
+  return std::nullopt;
+}
+
 std::optional<ex> form_of_wave(const ex& e, const Atoms& atoms, const Symbols& symbols) {
   const GiNaC::realsymbol s("s"), c("c");
   GiNaC::exmap names;
@@ -67,9 +79,27 @@ std::optional<ex> form_of_wave(const ex& e, const Atoms& atoms, const Symbols& s
   const auto of_sine = factor_of(s, named), of_cosine = factor_of(c, named);
   if (!of_sine || !of_cosine || of_sine->has(c)) return std::nullopt;
   const ex rest = named.coeff(s, 0).coeff(c, 0);
+  if (rest.is_zero()) return shifted_wave(*of_sine, *of_cosine, x);
   if (const auto form = wave(rest, *of_sine, *of_cosine, x, symbols)) return form;
   const auto turned = wave(-rest, -*of_sine, -*of_cosine, x, symbols);
   return turned ? std::optional<ex>(-*turned) : std::nullopt;
+}
+
+// ---- A exp(x) + B exp(-x)
+
+/// (A + B) cosh(x) + (A - B) sinh(x).
+std::optional<ex> form_of_pair(const ex& e, const Atoms& atoms) {
+  const GiNaC::realsymbol u("u"), v("v");
+  for (const ex& f : atoms.functions)
+    for (const ex& g : atoms.functions) {
+      if (name_of(f) != "exp" || name_of(g) != "exp" || !(f.op(0) + g.op(0)).expand().is_zero()) continue;
+      const ex named = e.subs(GiNaC::lst{f == u, g == v}, GiNaC::subs_options::no_pattern), x = f.op(0);
+      const auto a = factor_of(u, named), b = factor_of(v, named);
+      if (!a || !b || a->has(v)) return std::nullopt;
+      return named.coeff(u, 0).coeff(v, 0) + (*a + *b).expand() * GiNaC::cosh(x) +
+             (*a - *b).expand() * GiNaC::sinh(x);
+    }
+  return std::nullopt;
 }
 
 // ---- sqrt(A) - B
@@ -225,6 +255,7 @@ std::optional<ex> form_of_one_sign(const ex& sum, const Symbols& symbols) {
   try {
     if (const auto form = form_of_wave(sum, atoms, symbols)) return form;
     if (const auto form = form_of_polynomial(sum, atoms, symbols)) return form;
+    if (const auto form = form_of_pair(sum, atoms)) return form;
     return form_of_root(sum, atoms, symbols);
   } catch (const std::exception&) {  // no polynomial, after all, or ends of a range too large for a double
     return std::nullopt;

@@ -1,6 +1,9 @@
+#include <algorithm>
+#include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/quadratic.hpp>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace rederive {
 
@@ -8,21 +11,27 @@ using GiNaC::ex;
 
 namespace {
 
-std::map<std::string, ex> symbols_in(const ex& e) {
-  std::map<std::string, ex> symbols;
+/// In the order of the alphabet, those of either sign first.
+std::vector<ex> symbols_in(const ex& e, const Symbols& symbols) {
+  std::map<std::string, ex> found;
   for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
     if (GiNaC::is_a<GiNaC::symbol>(*part))
-      symbols.try_emplace(GiNaC::ex_to<GiNaC::symbol>(*part).get_name(), *part);
-  return symbols;
+      found.try_emplace(GiNaC::ex_to<GiNaC::symbol>(*part).get_name(), *part);
+  std::vector<ex> result;
+  for (const auto& [name, x] : found) result.push_back(x);
+  std::stable_partition(result.begin(), result.end(), [&](const ex& x) {
+    return !is_nonnegative(x, symbols) && !is_nonnegative(-x, symbols);
+  });
+  return result;
 }
 
 }  // namespace
 
-std::optional<Quadratic> as_quadratic(const ex& e) {
+std::optional<Quadratic> as_quadratic(const ex& e, const Symbols& symbols) {
   if (!GiNaC::is_a<GiNaC::add>(e) || e.nops() > 8) return std::nullopt;
   const ex expanded = e.expand();
   for (const int degree : {2, 4})  // in x, or in x²
-    for (const auto& [name, x] : symbols_in(expanded)) {
+    for (const ex& x : symbols_in(expanded, symbols)) {
       if (!expanded.is_polynomial(x) || expanded.degree(x) != degree) continue;
       if (degree == 4 && !(expanded.coeff(x, 1).is_zero() && expanded.coeff(x, 3).is_zero())) continue;
       return Quadratic{GiNaC::pow(x, degree / 2), expanded.coeff(x, degree), expanded.coeff(x, degree / 2),

@@ -1,8 +1,7 @@
 // Sums that are quadratic in a symbol or in its square.
 #pragma once
 
-#include <ginac/ginac.h>
-
+#include <derivations/algebra/symbols.hpp>
 #include <optional>
 
 namespace rederive {
@@ -13,7 +12,8 @@ struct Quadratic {
   GiNaC::ex x, a, b, c;
   GiNaC::ex discriminant() const { return (4 * a * c - b * b).expand(); }
 };
-/// In the first symbol of the alphabet in which it is one; nothing for what is no sum, or a long one.
-std::optional<Quadratic> as_quadratic(const GiNaC::ex& expression);
+/// In the first symbol of the alphabet in which it is one, one that may have either sign before others: then
+/// the discriminant is made of those whose sign is known. Nothing for what is no sum, or a long one.
+std::optional<Quadratic> as_quadratic(const GiNaC::ex& expression, const Symbols& symbols);
 
 }  // namespace rederive

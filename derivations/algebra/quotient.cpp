@@ -190,7 +190,7 @@ std::optional<GiNaC::exmap> only_zero(const ex& e, const Symbols& symbols) {
   if (power || name_of(e) == "sinh") return only_zero(e.op(0), symbols);
   if (GiNaC::is_a<GiNaC::mul>(e) && e.nops() == 2 && GiNaC::is_a<GiNaC::numeric>(e.op(1)))
     return only_zero(e.op(0), symbols);
-  const auto quadratic = as_quadratic(e);
+  const auto quadratic = as_quadratic(e, symbols);
   if (!quadratic || !GiNaC::is_a<GiNaC::symbol>(quadratic->x) || weak_sign(e, symbols) == 0)
     return std::nullopt;
   auto zero = only_zero(quadratic->discriminant(), symbols);

@@ -103,15 +103,15 @@ void write_with_lemma(const ex& sum, CertifiedStatement q, const std::vector<Cer
 /// left - factor·right, which vanishes.
 ex difference(const CertifiedLink& link, const CertifiedStatement& q) {
   ex factor = 1;
-  for (const auto& [part, n] : link.factor) factor *= GiNaC::pow(lower(part, q.symbols), n);
+  for (const CertifiedPart& p : link.factor) factor *= GiNaC::pow(lower(p.part, q.symbols), p.exponent);
   return link.left.residual - put_in(factor, q.given) * link.right.residual;
 }
 
 Json factor_json(const CertifiedFactor& factor, const CertifiedStatement& q) {
   Json json = Json::object();
-  for (const auto& [part, n] : factor) {
-    Json& exponent = json[q.text(part)];
-    exponent = n + (exponent.is_null() ? 0 : exponent.get<int>());
+  for (const CertifiedPart& p : factor) {
+    Json& exponent = json[q.text(p.part)];
+    exponent = p.exponent + (exponent.is_null() ? 0 : exponent.get<int>());
   }
   return json;
 }
@@ -228,10 +228,17 @@ void add_pieces(Json& json, const CertifiedStatement& q, const std::vector<Certi
   }
 }
 
+void add_trees(const CertifiedFactor& factor, std::vector<Tree>& trees) {
+  for (const CertifiedPart& p : factor) {
+    trees.push_back(p.part);
+    if (p.times) trees.push_back(p.times);
+  }
+}
+
 /// The functions around the sides of a relation are functions, too.
 void add_trees(const CertifiedLayer& written, const CertifiedStatement& q, std::vector<Tree>& trees) {
   const auto& [layer, factor] = written;
-  for (const auto& [part, n] : factor) trees.push_back(part);
+  add_trees(factor, trees);
   for (const ex& inner : {layer.left, layer.right}) {
     const std::string text = "(" + print(inner, Notation::plain, q.symbols) + ")", f = layer.function;
     const std::string whole = f == "*"                ? text
@@ -240,6 +247,22 @@ void add_trees(const CertifiedLayer& written, const CertifiedStatement& q, std::
                                                       : f + text;
     trees.push_back(parse(whole, q.symbols));
   }
+}
+
+/// What is in the factors because it divides a divisor.
+Json parts_of_divisors(const std::vector<CertifiedLink>& links, const CertifiedStatement& q) {
+  Json json = Json::object();
+  const auto add = [&](const CertifiedFactor& factor) {
+    for (const CertifiedPart& p : factor)
+      if (p.times) json[q.text(p.part)] = q.text(p.times);
+  };
+  for (const CertifiedLink& link : links) {
+    add(link.factor);
+    for (const CertifiedSide& side : {link.left, link.right})
+      for (const auto& layers : side.layers)
+        for (const CertifiedLayer& layer : layers) add(layer.factor);
+  }
+  return json;
 }
 
 Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links) {
@@ -257,7 +280,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
     texts.push_back(q.text(divisor.tree));
   }
   for (const CertifiedLink& link : links) {
-    for (const auto& [part, n] : link.factor) trees.push_back(part);
+    add_trees(link.factor, trees);
     for (const auto* list : {&link.more, &link.divides})
       for (const auto& [part, other] : *list) trees.push_back(other);
     if (link.follows) {
@@ -271,31 +294,28 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
         for (const CertifiedLayer& layer : layers) add_trees(layer, q, trees);
     }
   }
-  Json json{{"format", "rederive certificate 5"},
+  Json json{{"format", "rederive certificate 6"},
             {"left", statement_json(q.left, q)},
             {"right", statement_json(q.right, q)},
             {"given", given},
             {"divisors", texts},
             {"never zero", never_zero},
             {"ranges", ranges_json(trees, q)}};
+  json["parts of divisors"] = parts_of_divisors(links, q);
   add_pieces(json, q, links, trees);
   return json;
 }
 
 }  // namespace
 
-std::optional<Json> certificate(const Relation& left, const Relation& right, const Symbols& symbols,
-                                const std::vector<Given>& given) {
+Json certificate(const Relation& left, const Relation& right, const Symbols& symbols,
+                 const std::vector<Given>& given) {
   Relation exact_left = left, exact_right = right;
   for (Relation* relation : {&exact_left, &exact_right})
     for (Tree& side : relation->sides) side = exact(side, symbols);
   const CertifiedStatement question{
       exact_left, exact_right, symbols, needed(left, right, given, symbols), {}};
-  try {
-    return write(question, links_of(question));
-  } catch (const Undecidable&) {
-    return std::nullopt;
-  }
+  return write(question, links_of(question));
 }
 
 }  // namespace rederive

@@ -1,9 +1,9 @@
 // A proof that somebody else can check: everything that the engine chose, so that only polynomials are left.
 #pragma once
 
+#include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/prove.hpp>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 namespace rederive {
 
@@ -12,6 +12,7 @@ namespace rederive {
 ///   given         what names in it stand for
 ///   divisors      everything that it divides by, but for numbers: must not vanish
 ///   never zero    what was declared so, "x - y" for x != y
+///   parts of divisors  of which factors are made, each with what it is times to be one of those
 ///   ranges        where the other names live
 ///   cut           the names x whose range is cut at x = 0, mostly none: |x| stands there
 ///   pieces        of the domain, in the order x < 0, x > 0 (the last name turns first), each with
@@ -33,9 +34,9 @@ namespace rederive {
 ///   follows       from: times·residual = Σ factor·(product of the residuals of links) + more, where terms
 ///                 without an equation and more are not negative; or with minus the square of the residual
 /// or, of a link that always holds, or never: left or right alone, with its residual in a `form` that shows
-/// it, and `holds`. One of each side that never holds is enough. All is text in our own syntax. Nothing where
-/// the statement is not proved, or where nothing like this is found.
-std::optional<nlohmann::ordered_json> certificate(const Relation& left, const Relation& right,
-                                                  const Symbols& symbols, const std::vector<Given>& given);
+/// it, and `holds`. One of each side that never holds is enough. All is text in our own syntax. Throws
+/// Undecidable where the statement is not proved, or where nothing like this is found.
+nlohmann::ordered_json certificate(const Relation& left, const Relation& right, const Symbols& symbols,
+                                   const std::vector<Given>& given);
 
 }  // namespace rederive

@@ -52,10 +52,19 @@ struct Finder {
       return false;
     }
   }
+  bool has_terms_of_one_sign(const ex& e) const {
+    const auto all = [&](int sign) {
+      return std::all_of(e.begin(), e.end(), [&](const ex& t) { return is_nonnegative(sign * t, q.symbols); });
+    };
+    return is_a<GiNaC::add>(e) && (all(1) || all(-1));
+  }
   /// An expression of one sign so written that it shows: with a square completed, if need be.
   ex form(const ex& e) const {
+    if (has_terms_of_one_sign(e)) return e;
+    if (const auto other = rederive::form_of_one_sign(e, q.symbols); other && !is_a<GiNaC::add>(*other))
+      return *other;
     if (shows_sign(e)) return e;
-    const auto quadratic = as_quadratic(e);
+    const auto quadratic = as_quadratic(e, q.symbols);
     if (quadratic && !quadratic->b.is_zero() && is_nonnegative(quadratic->discriminant(), q.symbols))
       return quadratic->a * GiNaC::pow(quadratic->x + quadratic->b / (2 * quadratic->a), 2) +
              form((quadratic->discriminant() / (4 * quadratic->a)).normal());
@@ -118,9 +127,9 @@ struct Finder {
       link.factor.emplace_back(written, n), link.more.emplace_back(written, tree(form(more)));
       return true;
     }
-    const ex times = ((n > 0 ? link.right.residual : link.left.residual) / part).normal();
-    if (has_symbol(times.denom())) return false;
-    link.factor.emplace_back(written, n), link.divides.emplace_back(written, tree(times));
+    const auto other = other_factor(part, n > 0 ? link.right.residual : link.left.residual, divisors);
+    if (!other) return false;
+    link.factor.emplace_back(written, n), link.divides.emplace_back(written, tree(*other));
     return true;
   }
   /// part^n, if that is a divisor or has the same square as one, but for parts of one sign.
@@ -142,13 +151,35 @@ struct Finder {
             factor.emplace_back(tree(form(other)), k.to_int() * n);
         return true;
       }
+    for (const CertifiedDivisor& d : divisors)
+      if (const auto other = other_factor(part, d.value, divisors))
+        return factor.emplace_back(tree(part), n, tree(*other)), true;
     return false;
   }
-  /// Of all that is not squared; 1/x has none that the range [0, inf) shows.
+  /// value/part, if that divides by nothing but what is allowed.
+  std::optional<ex> other_factor(const ex& part, const ex& value,
+                                 const std::vector<CertifiedDivisor>& allowed) const {
+    if (has_symbol(part.denom())) return std::nullopt;
+    const ex simple = (value / part).normal();
+    if (!has_symbol(simple.denom())) return simple;
+    const auto parts = checked_quotient(value, part, q.symbols);
+    if (!parts) return std::nullopt;
+    ex product = 1;
+    for (const auto& [p, k] : *parts) {
+      const auto is_it = [&, square = GiNaC::pow(p, 2)](const CertifiedDivisor& d) {
+        return vanishes(square - GiNaC::pow(d.value, 2), q.symbols);
+      };
+      if (k.is_negative() && !is_a<numeric>(p) && std::none_of(allowed.begin(), allowed.end(), is_it))
+        return std::nullopt;
+      product *= GiNaC::pow(p, k);
+    }
+    return product;
+  }
+  /// Of all that is not squared.
   bool shows_sign(const CertifiedFactor& factor) const {
-    return std::all_of(factor.begin(), factor.end(), [&](const auto& part) {
-      const ex value = put_in(lower(part.first, q.symbols), q.given);
-      return part.second % 2 == 0 || sign_of(value, q.symbols) != 0 || (part.second > 0 && shows_sign(value));
+    return std::all_of(factor.begin(), factor.end(), [&](const CertifiedPart& p) {
+      const ex value = put_in(lower(p.part, q.symbols), q.given);
+      return p.exponent % 2 == 0 || sign_of(value, q.symbols) != 0 || shows_sign(value);
     });
   }
   bool find_factor(CertifiedLink& link, const std::string& op) const {
@@ -190,7 +221,7 @@ struct Finder {
       auto factor = layer.function == "*" ? Finder{there, divisors}.put_down(layer.factor)
                                           : std::optional(CertifiedFactor{});
       if (!factor) return std::nullopt;
-      for (auto& [part, n] : *factor) part = with_functions(part, q.symbols, domain);
+      for (CertifiedPart& p : *factor) p.part = with_functions(p.part, q.symbols, domain);
       result.push_back({layer, *factor});
       sides = {layer.left, "", layer.right};
     }

@@ -13,8 +13,14 @@ struct CertifiedDivisor {
   Tree tree;
 };
 
-/// A product of parts, each with its exponent.
-using CertifiedFactor = std::vector<std::pair<Tree, int>>;
+/// A power in a product; with what it is times to be something that the statement divides by, if that shows
+/// that it is never 0.
+struct CertifiedPart {
+  Tree part;
+  int exponent;
+  Tree times = nullptr;
+};
+using CertifiedFactor = std::vector<CertifiedPart>;
 
 /// A layer; the factor of "*", of parts that are never 0.
 struct CertifiedLayer {
@@ -47,7 +53,7 @@ struct CertifiedLink {
   /// not negative; …
   CertifiedFactor factor;
   std::vector<std::pair<Tree, Tree>> more;
-  /// … or that one is the part times something that divides by nothing.
+  /// … or that one is the part times something that divides by nothing else.
   std::vector<std::pair<Tree, Tree>> divides = {};
   /// … or what there is of the two always holds, or never, as the form of its residual shows.
   std::optional<bool> holds = std::nullopt;

@@ -128,16 +128,20 @@ int show_mutation(const Options& options) {
   return total.survived == 0 ? as_expected : not_as_expected;
 }
 
+void write_certificate(const Options& options, const std::string& verdict) {
+  nlohmann::ordered_json certificate = "nothing is proved";
+  if (verdict.starts_with("proved"))
+    certificate = certificate_bounded(options.request, verdict == "proved_under");
+  if (certificate.is_object())
+    write_whole(options.certificate, certificate.dump(1) + "\n");
+  else
+    fmt::print(stderr, "no certificate: {}\n", certificate.get<std::string>());
+}
+
 int show_proof(const Options& options) {
   const auto json = decide_bounded(options.request);
   const std::string verdict = json["verdict"];
-  nlohmann::ordered_json certificate;
-  if (!options.certificate.empty() && verdict.starts_with("proved"))
-    certificate = certificate_bounded(options.request, verdict == "proved_under");
-  if (!certificate.is_null())
-    write_whole(options.certificate, certificate.dump(1) + "\n");
-  else if (!options.certificate.empty())
-    fmt::print(stderr, "no certificate: nothing is proved, or not in a way that can be put down\n");
+  if (!options.certificate.empty()) write_certificate(options, verdict);
   if (options.json) {
     put(json);
   } else {
@@ -166,13 +170,14 @@ int certify(const Options& options) {
         entry.proof.verdict == Verdict::undecided)
       continue;
     const Symbols symbols = symbols_in(entry.row.domain);
-    const auto found = certificate(parse_statement(entry.row.claim(), symbols),
-                                   derived_relation(*entry.derivation), symbols, entry.derivation->given);
-    if (found)
-      write_whole(std::filesystem::path(options.folder) / (entry.row.id + ".json"), found->dump(1) + "\n"),
-          ++written;
-    else
-      without += " " + entry.row.id;
+    try {
+      const auto found = certificate(parse_statement(entry.row.claim(), symbols),
+                                     derived_relation(*entry.derivation), symbols, entry.derivation->given);
+      write_whole(std::filesystem::path(options.folder) / (entry.row.id + ".json"), found.dump(1) + "\n");
+      ++written;
+    } catch (const Undecidable& why) {
+      without += fmt::format("\n  {}: {}", entry.row.id, why.what());
+    }
   }
   fmt::print("{} certificates in {}\n", written, options.folder);
   if (!without.empty())

@@ -228,11 +228,16 @@ Json decide_bounded(const ProveRequest& request) {
 nlohmann::ordered_json certificate_bounded(const ProveRequest& request, bool with_equations) {
   const auto work = [&]() -> std::string {
     const Context context = make_context(request);
-    const auto found = certificate(read(request.left, context.symbols), read(request.right, context.symbols),
-                                   context.symbols, context.put_in_at_once(with_equations));
-    return found ? found->dump() : "null";
+    try {
+      return certificate(read(request.left, context.symbols), read(request.right, context.symbols),
+                         context.symbols, context.put_in_at_once(with_equations))
+          .dump();
+    } catch (const Undecidable& error) {
+      return Json(error.what()).dump();
+    }
   };
-  return nlohmann::ordered_json::parse(bounded(work, 20).result.value_or("null"));
+  const Bounded outcome = bounded(work, 20);
+  return outcome.result ? Json::parse(*outcome.result) : Json("given up: " + outcome.why);
 }
 
 }  // namespace rederive

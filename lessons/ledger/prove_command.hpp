@@ -39,8 +39,8 @@ Proof decide(const ProveRequest& request);
 /// Decides within two seconds and 500 MB. Throws BadInput (with a caret) for what cannot be read.
 nlohmann::ordered_json decide_bounded(const ProveRequest& request);
 
-/// The certificate of what was proved, with the equations among the assumptions where it took those; null
-/// where there is none, or none within 20 seconds and 500 MB.
+/// The certificate of what was proved, with the equations among the assumptions where it took those; a text
+/// that says why where there is none, or none within 20 seconds and 500 MB.
 nlohmann::ordered_json certificate_bounded(const ProveRequest& request, bool with_equations);
 
 }  // namespace rederive
