@@ -124,6 +124,11 @@ Json settled(const char* where, int link, const std::string& form, bool holds) {
   return {{where, {{"link", link}, {"form", form}}}, {"holds", holds}};
 }
 
+/// All that sin and cos of a name need.
+Json steps_of(const std::string& name) {
+  return Json::array({{{"function", "exp"}, {"of", "$i*" + name}, {"name", "$z"}}});
+}
+
 }  // namespace
 
 TEST_CASE("chains of which a part is passed over") {
@@ -210,6 +215,29 @@ TEST_CASE("an odd power of what has one sign has that sign, a product has theirs
   CHECK(of("y^3", {{"y", 3}}) == "a factor turns the inequality round");
   CHECK(of("(-y^3)", {{"y", 3}, {"-1", 1}}) == "accepted");
   CHECK(of("x", {{"x", 1}}) == "a factor may vanish: x");
+}
+
+TEST_CASE("sines and cosines between the values at the ends") {
+  const auto of = [](const char* form, const char* range) {
+    return verdict_of_links({form, ">", "0"}, {"0", "<", "1"}, {{"x", range}}, steps_of("x"),
+                            {settled("left", 0, form, true), settled("right", 0, "1", true)});
+  };
+  const std::string open = "the form leaves it open";
+  CHECK(of("2*sin(x)-1", "(pi/6, 5*pi/6)") == "accepted");
+  CHECK(of("2*sin(x)-1", "[pi/6, 5*pi/6)") == open);
+  CHECK(of("2*sin(x)-1", "(0, 5*pi/6)") == open);
+  CHECK(of("1+sin(x)", "(-pi/2, 3*pi/2)") == "accepted");
+  CHECK(of("1+sin(x)", "(-pi/2, 3*pi/2]") == open);
+  CHECK(of("1+sin(x)", "(-pi/2, 4)") == "accepted");
+  CHECK(of("1+sin(x)", "(-pi/2, 5)") == open);  // 3*pi/2 = 4.7…
+  CHECK(of("1+sin(x)", "(7, 10)") == "accepted");
+  CHECK(of("1+sin(x)", "(7, 11)") == open);  // 7*pi/2 = 10.99…
+  CHECK(of("2*cos(x)-1", "(-pi/3, pi/3)") == "accepted");
+  CHECK(of("2*cos(x)-1", "(-pi/3, 2)") == open);
+  CHECK(of("1-cos(x)", "(0, 2*pi)") == "accepted");
+  CHECK(of("1-cos(x)", "(0, 2*pi]") == open);
+  CHECK(of("1-cos(x)", "(1, 7)") == open);
+  CHECK(of("1-cos(x)", "(100, 106)") == open);  // nothing is known that far out
 }
 
 TEST_CASE("two links as one, though both may fail") {

@@ -134,6 +134,44 @@ inline bool may_have(const Range& x, const cln::cl_RA& q) {
   return (low < 0 || (low == 0 && x.has_low)) && (high > 0 || (high == 0 && x.has_high));
 }
 
+/// Whether q*pi or another one, whole turns away, may lie in it.
+inline bool touches(const Range& x, const cln::cl_RA& q) {
+  for (int k = -6; k <= 6; k += 2)
+    if (may_have(x, q + k)) return true;
+  return false;
+}
+/// That of a sine or cosine: between its values at the ends, -1 and 1 if x gets there.
+inline Range wave(const std::string& f, const Range& x) {
+  const cln::cl_RA half = cln::cl_RA(1) / 2, start = f == "sin" ? cln::cl_RA(0) : -half;
+  const long double far = 13;
+  if (!(x.low > -far && x.high < far)) return {-1, 1, true, true};
+  const auto at = [&](long double from, const Exact& exact, bool has) -> Range {
+    const long double value = f == "sin" ? std::sin(from) : std::cos(from), whole = std::round(2 * value);
+    const bool is_known = exact.is_known && cln::zerop(exact.number) &&
+                          cln::denominator(6 * exact.turns) == 1 && std::abs(2 * value - whole) < 1e-9L;
+    if (is_known) return {whole / 2, whole / 2, has, has};  // 0, 1/2 or 1
+    return {end(value, 20, false, -1), end(value, 20, false, 1), true, true};
+  };
+  Range result = at(x.low, x.exact_low, x.has_low);
+  const Range other = at(x.high, x.exact_high, x.has_high);
+  result.has_low = (result.low <= other.low && result.has_low) || (other.low <= result.low && other.has_low);
+  result.has_high =
+      (result.high >= other.high && result.has_high) || (other.high >= result.high && other.has_high);
+  result.low = std::min(result.low, other.low), result.high = std::max(result.high, other.high);
+  for (int k = -5; k <= 5; ++k) {  // half a period of one sign, which has one of the extremes
+    const bool is_positive = k % 2 == 0, has_middle = may_have(x, start + k + half);
+    if (has_middle && is_positive) result.high = 1, result.has_high = true;
+    if (has_middle && !is_positive) result.low = -1, result.has_low = true;
+    if (!lies(x, start + k, start + k + 1)) continue;
+    const bool has_ends = may_have(x, start + k) || may_have(x, start + k + 1);
+    if (is_positive && result.low <= 0) result.low = 0, result.has_low = has_ends;
+    if (!is_positive && result.high >= 0) result.high = 0, result.has_high = has_ends;
+  }
+  if (result.low <= -1) result.low = -1, result.has_low = touches(x, start - half);
+  if (result.high >= 1) result.high = 1, result.has_high = touches(x, start + half);
+  return result;
+}
+
 /// That of f(x), or another one where nothing more is known.
 inline Range range_of(const std::string& f, const Range& x, const Range& other) {
   using F = long double (*)(long double);
@@ -148,16 +186,7 @@ inline Range range_of(const std::string& f, const Range& x, const Range& other) 
     const bool is_small = f == "exp" && !(std::exp(x.low) > 0);
     return {is_small ? 0 : at(x.low, -1), at(x.high, 1), x.has_low && !is_small, x.has_high};
   }
-  if (f == "sin" || f == "cos") {
-    const cln::cl_RA start = f == "sin" ? cln::cl_RA(0) : -half;
-    for (int k = -4; k <= 4; ++k)  // half a period of one sign
-      if (lies(x, start + k, start + k + 1)) {
-        const bool has_ends = may_have(x, start + k) || may_have(x, start + k + 1),
-                   has_middle = may_have(x, start + k + half);
-        return k % 2 == 0 ? Range{0, 1, has_ends, has_middle} : Range{-1, 0, has_middle, has_ends};
-      }
-    return {-1, 1, true, true};
-  }
+  if (f == "sin" || f == "cos") return wave(f, x);
   if (f == "log") {  // of what is positive
     const auto at = [](long double from, int outward) {
       const long double value = std::log(from);
