@@ -217,7 +217,7 @@ TEST_CASE("an odd power of what has one sign has that sign, a product has theirs
   CHECK(of("x", {{"x", 1}}) == "a factor may vanish: x");
 }
 
-TEST_CASE("sines and cosines between the values at the ends") {
+TEST_CASE("ranges have the ends that they have, and no others") {
   const auto of = [](const char* form, const char* range) {
     return verdict_of_links({form, ">", "0"}, {"0", "<", "1"}, {{"x", range}}, steps_of("x"),
                             {settled("left", 0, form, true), settled("right", 0, "1", true)});
@@ -238,6 +238,12 @@ TEST_CASE("sines and cosines between the values at the ends") {
   CHECK(of("1-cos(x)", "(0, 2*pi]") == open);
   CHECK(of("1-cos(x)", "(1, 7)") == open);
   CHECK(of("1-cos(x)", "(100, 106)") == open);  // nothing is known that far out
+  for (const char* range : {"(0, 1/3)", "(0, 1/3]"})
+    CHECK((of("1-3*x", range) == "accepted") == (std::string(range).back() == ')'));
+  CHECK(of("1+10^30-10^30*x", "(0, 1]") == "accepted");
+  CHECK(of("10^30-10^30*x", "(0, 1]") == open);
+  CHECK(of("1+10^30-(10^30+1)*sin(x)", "(-inf, inf)") == open);
+  CHECK(of("2+10^30-(10^30+1)*sin(x)", "(-inf, inf)") == "accepted");
 }
 
 TEST_CASE("two links as one, though both may fail") {

@@ -62,11 +62,18 @@ inline Range point(const cln::cl_I& n) {
   result.exact_low = result.exact_high = {n, 0, true};
   return result;
 }
-/// An end that is 0 is not a rounded one.
+/// Not where it is a number of the machine.
+inline long double rounded(const cln::cl_RA& n, int outward) {
+  const double value = cln::double_approx(n);
+  if (!std::isfinite(value)) return cln::minusp(n) == (outward < 0) ? outward * INFINITY : -outward * 1e300L;
+  const bool is_exact = cln::rational(cln::cl_DF(value)) == n;
+  return is_exact ? value : value + outward * (1e-15L * std::abs(value) + 1e-300L);
+}
+/// An end that is known is rounded but once.
 inline Range with_exact(Range range, const Exact& low, const Exact& high) {
   range.exact_low = low, range.exact_high = high;
-  if (low.is_rational() && cln::zerop(low.number)) range.low = 0;
-  if (high.is_rational() && cln::zerop(high.number)) range.high = 0;
+  if (low.is_rational()) range.low = rounded(low.number, -1);
+  if (high.is_rational()) range.high = rounded(high.number, 1);
   return range;
 }
 inline Range operator+(const Range& a, const Range& b) {
@@ -144,7 +151,7 @@ inline bool touches(const Range& x, const cln::cl_RA& q) {
 inline Range wave(const std::string& f, const Range& x) {
   const cln::cl_RA half = cln::cl_RA(1) / 2, start = f == "sin" ? cln::cl_RA(0) : -half;
   const long double far = 13;
-  if (!(x.low > -far && x.high < far)) return {-1, 1, true, true};
+  if (!(x.low > -far && x.high < far)) return {-1, 1, true, true, {-1, 0, true}, {1, 0, true}};
   const auto at = [&](long double from, const Exact& exact, bool has) -> Range {
     const long double value = f == "sin" ? std::sin(from) : std::cos(from), whole = std::round(2 * value);
     const bool is_known = exact.is_known && cln::zerop(exact.number) &&
@@ -169,6 +176,8 @@ inline Range wave(const std::string& f, const Range& x) {
   }
   if (result.low <= -1) result.low = -1, result.has_low = touches(x, start - half);
   if (result.high >= 1) result.high = 1, result.has_high = touches(x, start + half);
+  if (result.low == -1) result.exact_low = {-1, 0, true};
+  if (result.high == 1) result.exact_high = {1, 0, true};
   return result;
 }
 
@@ -195,7 +204,7 @@ inline Range range_of(const std::string& f, const Range& x, const Range& other) 
     return {at(std::max(x.low, 0.0L), -1), at(x.high, 1), x.has_low && x.low > 0,
             x.has_high && x.high < INFINITY};
   }
-  if (f == "cosh") return {1, INFINITY, may_have(x, 0), false};
+  if (f == "cosh") return {1, INFINITY, may_have(x, 0), false, {1, 0, true}, {}};
   if (f == "asin") return turned(-half, half, true);
   if (f == "acos") return turned(0, 1, true);
   if (f == "atan") {
