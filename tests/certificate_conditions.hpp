@@ -69,7 +69,9 @@ class Looks {
  public:
   void admit(const Seen& v) {
     for (std::size_t k = 0; k < points; ++k)
-      if (!(std::abs(v.error[k]) <= 1e9L * (1 + std::abs(v.at[k])))) admitted_[k] = false;
+      if (const long double error = std::abs(v.error[k]);
+          !std::isfinite(error) || error > 1e9L * (1 + std::abs(v.at[k])))
+        admitted_[k] = false;
   }
   void is_not_zero(const Seen& v, const std::string& message) {
     for (std::size_t k = 0; k < points; ++k)
