@@ -15,11 +15,24 @@ using GiNaC::numeric;
 
 namespace {
 
-/// Numbers, multiples of π and square roots: what GiNaC calculates to 17 digits.
+/// Numbers, multiples of π and square roots: what GiNaC calculates to 17 digits. Of π^60 these leave too few.
 bool is_plain(const ex& e) {
   return std::none_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) {
-    return is_a<GiNaC::function>(part) || (is_a<numeric>(part) && !(GiNaC::abs(ex_to<numeric>(part)) < 1e6));
+    const bool is_high = is_a<GiNaC::power>(part) &&
+                         !(is_a<numeric>(part.op(1)) && GiNaC::abs(ex_to<numeric>(part.op(1))) <= 2);
+    return is_high || is_a<GiNaC::function>(part) ||
+           (is_a<numeric>(part) && !(GiNaC::abs(ex_to<numeric>(part)) < 1e6));
   });
+}
+
+/// The largest whole number of half turns in a constant angle; nothing beyond 50 digits.
+std::optional<numeric> half_turns_in(const ex& angle) {
+  const double turns = ex_to<numeric>((angle / GiNaC::Pi).evalf()).to_double();
+  if (std::fabs(turns) < 1e6) return numeric(static_cast<long>(std::floor(turns)));
+  const auto value =
+      evaluate(to_tree(angle / GiNaC::Pi), {}, 60);  // a double of that size has no digits left
+  const bool is_known = value && cln::abs(*value) < cln::expt_pos(cln::cl_I(10), 50);
+  return is_known ? std::optional(numeric(cln::floor1(*value))) : std::nullopt;
 }
 
 }  // namespace
@@ -137,14 +150,15 @@ Interval increasing(const Interval& i, F f, const End& bottom, const End& top) {
 Interval cosine(const Interval& i) {
   const Interval whole{{-1, 0, true}, {1, 0, true}};
   if (i.low.infinite != 0 || i.high.infinite != 0) return whole;
-  const double turns = ex_to<numeric>((i.low.value / GiNaC::Pi).evalf()).to_double();
+  const auto turns = half_turns_in(i.low.value);
+  if (!turns) return whole;
   std::vector<End> ends{{GiNaC::cos(i.low.value), 0, i.low.closed},
                         {GiNaC::cos(i.high.value), 0, i.high.closed}};
-  const long first = static_cast<long>(std::floor(turns)) - 1;
-  for (long k = first; k < first + 6; ++k) {
+  for (int step = -1; step < 5; ++step) {
+    const numeric k = *turns + step;
     const End extremum{k * GiNaC::Pi, 0, true};
     if (compare(extremum, i.low) > 0 && compare(extremum, i.high) < 0)
-      ends.push_back({k % 2 == 0 ? 1 : -1, 0, true});
+      ends.push_back({k.is_even() ? 1 : -1, 0, true});
   }
   if (compare(End{i.low.value + 2 * GiNaC::Pi, 0, true}, i.high) < 0) return whole;
   return hull(ends);
@@ -265,7 +279,9 @@ End parse_end(std::string text, bool closed, std::string_view whole) {
   GiNaC::symtab table;
   table["pi"] = GiNaC::Pi;
   try {
-    if (text.empty() || text.size() > 40 || text.find_first_not_of("0123456789/*-+pi()") != std::string::npos)
+    constexpr std::size_t longest = 100;  // two numbers of 40 digits, a sign and π
+    if (text.empty() || text.size() > longest ||
+        text.find_first_not_of("0123456789/*-+pi()") != std::string::npos)
       throw std::invalid_argument("");
     const ex value = GiNaC::parser(table, true)(text);
     return {value, 0, closed};

@@ -80,9 +80,11 @@ Points::Points(const std::set<std::string>& names, const Symbols& symbols, const
   for (const std::string& name : names) {
     const Symbol* symbol = symbols.find(name);
     const Interval i = symbol != nullptr ? parse_range(symbol->range) : Interval{};
-    ranges_[name] = {to_double(i.low), to_double(i.high), {}};
-    if (i.low.closed) ranges_[name].closed_ends.push_back(rounded(i.low.value, +1));
-    if (i.high.closed) ranges_[name].closed_ends.push_back(rounded(i.high.value, -1));
+    Range& range = ranges_[name] = {to_double(i.low), to_double(i.high), {}, {}, {}};
+    if (i.low.infinite == 0) range.above = rounded(i.low.value, +1);
+    if (i.high.infinite == 0) range.below = rounded(i.high.value, -1);
+    if (i.low.closed) range.closed_ends.push_back(*range.above);
+    if (i.high.closed) range.closed_ends.push_back(*range.below);
   }
   for (const double n :
        numbers)  // x, x², 1/x and e^x may be compared with it; the ordinary points pass small ones
@@ -138,6 +140,19 @@ bool Points::is_between(const std::string& name, double value) const {
   return value > range.low && value < range.high;
 }
 
+/// To all digits.
+bool Points::is_inside(const Range& range, const cln::cl_RA& value) {
+  return (!range.above || *range.above < value) && (!range.below || value < *range.below);
+}
+
+/// Where doubles are too coarse for the range: x > 10^38, or between 10^20 and 10^20 + 1.
+cln::cl_RA Points::exactly_inside(const Range& range, double value, unsigned index, unsigned place) {
+  const cln::cl_RA part = near(0.1 + 0.8 * mixed(index, place), 1000);
+  if (range.above && range.below) return *range.above + (*range.below - *range.above) * part;
+  const cln::cl_RA size = near(std::fabs(value), 1) * part + part;
+  return range.above ? *range.above + size : *range.below - size;
+}
+
 double Points::ordinary(const Range& range, unsigned index, unsigned place) const {
   const double part = mixed(index, place);
   if (std::isfinite(range.low) && std::isfinite(range.high))
@@ -180,6 +195,7 @@ Point Points::at(int index) const {
       const double coarse = cln::double_approx(point[name]);
       if (is_between(name, coarse) && std::fabs(coarse - value) <= 0.2 * room) break;
     }
+    if (!is_inside(range, point[name])) point[name] = exactly_inside(range, value, k, place);
     ++place;
   }
   return point;

@@ -36,7 +36,11 @@ class Points {
   struct Range {
     double low, high;
     std::vector<cln::cl_RA> closed_ends;
+    std::optional<cln::cl_RA> above,
+        below;  ///< the ends; irrational ones rounded, to 45 digits, into the range
   };
+  static bool is_inside(const Range& range, const cln::cl_RA& value);
+  static cln::cl_RA exactly_inside(const Range& range, double value, unsigned index, unsigned place);
   double ordinary(const Range& range, unsigned index, unsigned place) const;
   double special(const Range& range, unsigned index, unsigned place) const;
 
