@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/witness.hpp>
@@ -51,9 +52,14 @@ std::string upper_end(const ex& difference, const Symbols& symbols) {
   return is_known ? print(end.value, Notation::plain, symbols) + (end.closed ? "]" : ")") : "inf)";
 }
 
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
+/// Of a name, where it stands whole: excess_1 is not in excess_10.
+void replace_all(std::string& text, const std::string& name, const std::string& by) {
+  for (std::size_t at = text.find(name); at != std::string::npos;) {
+    const std::size_t end = at + name.size();
+    const bool goes_on = end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])) != 0;
+    if (!goes_on) text.replace(at, name.size(), by);
+    at = text.find(name, goes_on ? end : at + by.size());
+  }
 }
 
 /// The difference that an inequality says to be positive.
