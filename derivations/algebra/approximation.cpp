@@ -1,4 +1,5 @@
 // Statements that hold to an order in symbols that are small.
+#include <derivations/algebra/failure.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/prove.hpp>
@@ -82,9 +83,14 @@ Proof prove_approximation(const Relation& left, const Relation& right, const std
     Proof proof = compared(left, right, Expansion(small, order, symbols, given), symbols, given);
     if (proof.verdict == Verdict::proved) proof.verdict = Verdict::approximation;
     return proof;
+  } catch (const std::domain_error&) {  // GiNaC: a pole, in the expression or in one of its derivatives
+    Proof proof;
+    proof.reason =
+        "no Taylor polynomial: there is a pole, or a derivative without a value, where what is small is 0";
+    return proof;
   } catch (const std::exception& error) {
     Proof proof;
-    proof.reason = std::string("no Taylor polynomial: ") + error.what();
+    proof.reason = "no Taylor polynomial: " + in_plain_words(error);
     return proof;
   }
 }

@@ -2,6 +2,7 @@
 #include <derivations/algebra/completion.hpp>
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/conjunction.hpp>
+#include <derivations/algebra/failure.hpp>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/prove.hpp>
@@ -62,7 +63,8 @@ Proof prove_identity(const Pair& pair, const Symbols& symbols) {
   const Sample seen = look(2);
   if (seen.differs)
     return refuted(witness_at(pair, *seen.differs, symbols), "the two sides differ at the witness");
-  if (seen.both == 0) return undecided("no point was found at which both sides have a value");
+  if (seen.both == 0)
+    return undecided("no point was found at which both sides have a value" + without_value(pair));
   std::string why = "the sides agree wherever they were compared" +
                     (pair.name.empty() ? std::string() : " and one of them is in the range of " + pair.name) +
                     ", but the difference does not reduce to zero";
@@ -182,12 +184,8 @@ Proof prove(const Relation& left, const Relation& right, const Symbols& symbols,
     return proof;
   } catch (const Undecidable& error) {
     return undecided(error.what());
-  } catch (const SyntaxError& error) {
-    return undecided(error.what());
-  } catch (const std::logic_error& error) {  // GiNaC: a pole, a division by zero, a degree overflow
-    return undecided(std::string("the computer algebra gave up: ") + error.what());
-  } catch (const std::runtime_error& error) {
-    return undecided(std::string("the computer algebra gave up: ") + error.what());
+  } catch (const std::exception& error) {
+    return undecided(in_plain_words(error));
   }
 }
 

@@ -269,7 +269,8 @@ Proof prove_by_algebra(const Residuals& r, const Points& points, const Symbols& 
 Proof prove_residuals(const Residuals& r, const Symbols& symbols) {
   const Points points = points_for(r.pair, symbols);
   const Sample seen = sample(r.pair, points, symbols, [](const Sample& s) { return s.both >= 1; });
-  if (seen.both == 0) return undecided("no point was found at which both residuals have a value");
+  if (seen.both == 0)
+    return undecided("no point was found at which both residuals have a value" + without_value(r.pair));
   if (auto proof = differ_at_a_point(r, points, symbols)) return *proof;
   if (auto proof = differ_at_a_root(r, points, true, Roots::crossings, symbols))
     return *proof;  // cheaper than algebra: most slips end here

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/sample.hpp>
 
 namespace rederive {
@@ -51,6 +52,32 @@ std::vector<Tree> trees_of(const Pair& pair) {
   for (const auto& [name, value] : pair.bound) trees.push_back(value);
   trees.insert(trees.end(), pair.never_zero.begin(), pair.never_zero.end());
   return trees;
+}
+
+namespace {
+
+bool is_constant(const Tree& tree) {
+  std::set<std::string> names;
+  collect_names(tree, names);
+  return names.empty();
+}
+
+/// The constant part, if any, that has no value though all of its parts do.
+Tree part_without_value(const Tree& tree) {
+  if (is_constant(tree) && value_of(tree, {})) return nullptr;
+  for (const Tree& child : tree->children)
+    if (Tree part = part_without_value(child)) return part;
+  return is_constant(tree) ? tree : nullptr;
+}
+
+}  // namespace
+
+std::string without_value(const Pair& pair) {
+  constexpr std::size_t longest = 80;
+  for (const Tree& tree : trees_of(pair))
+    if (const Tree part = part_without_value(tree))
+      if (const std::string text = print(part); text.size() <= longest) return "; none was found of " + text;
+  return {};
 }
 
 Points points_for(const Pair& pair, const Symbols& symbols) { return points_for(trees_of(pair), symbols); }

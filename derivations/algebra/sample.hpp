@@ -21,6 +21,9 @@ Points points_for(const std::vector<Tree>& trees, const Symbols& symbols);
 Points points_for(const Pair& pair, const Symbols& symbols);
 /// All that is looked at for a pair: both sides, and what a point must keep to.
 std::vector<Tree> trees_of(const Pair& pair);
+/// "; none was found of exp(10^9)": the smallest constant part of a pair that has no value, or one that is
+/// too large to be found. Empty where there is no such part, or where it is too long to be repeated.
+std::string without_value(const Pair& pair);
 
 /// Neither at an end of the range nor near a pole, as far as a value of many digits can tell.
 bool is_well_inside(const std::string& range, const cln::cl_R& value);
