@@ -75,7 +75,8 @@ Advice::Meant Advice::operand(std::size_t at) const {
     meant = group(at);
   else if (token.is("sqrt") && starts_operand(tokens_[at + 1]) && !tokens_[at + 1].is("sqrt"))
     meant = operand(at + 1), meant.text = "√" + meant.text;
-  else if (token.kind == Token::Kind::name && token.text != "pi" && symbols_.find(token.text) == nullptr)
+  else if (token.kind == Token::Kind::name && token.text != "pi" && symbols_.find(token.text) == nullptr &&
+           meant.text == token.text)
     if (const std::string product = split_into_symbols(token.text, symbols_); !product.empty())
       meant.text = product;
   if (tokens_[meant.next].kind == Token::Kind::superscript)
@@ -166,13 +167,20 @@ SyntaxError Advice::unknown_name(std::size_t at) const {
   const std::string& name = tokens_[at].text;
   const std::string shown = "'" + written(at, at) + "'";
   if (name == "inf" || name == "infinity") return error("unknown_symbol", "infinity is no number", at);
+  if (name == "nan" || name == "NaN") return error("unknown_symbol", shown + " is no number", at);
   if (const std::string function = nearest_function(name);
       tokens_[at + 1].is("(") || (is_foreign_function(name) && starts_operand(tokens_[at + 1])))
     return error("unknown_function", "there is no function " + shown + did_you_mean(function), at);
   if (const std::string call = name.size() < longest_text ? glued_call(name) : ""; !call.empty())
     return error("implicit_multiplication", "a function needs parentheses: write " + call, at);
-  const std::string near = nearest_symbol(name, symbols_), product = split_into_symbols(name, symbols_);
+  const bool is_typed = written(at, at) == name;  // of x̄, "xbar" is our spelling: no product of five letters
+  const std::string near = nearest_symbol(name, symbols_),
+                    product = is_typed ? split_into_symbols(name, symbols_) : "";
   constexpr std::size_t short_name = 3;  // "mgR" is a product; "thta" is a slip of the pen
+  const bool is_spelt = name.size() > short_name && product.size() == 2 * name.size() - 1;  // "real": r*e*a*l
+  if (is_spelt && near.empty())
+    return error("unknown_symbol", "there is no symbol " + shown + "; as a product, it would be " + product,
+                 at);
   if (!product.empty() && (near.empty() || name.size() <= short_name))
     return error("implicit_multiplication", "a product needs its '*': write " + product, at);
   return error("unknown_symbol", "there is no symbol " + shown + did_you_mean(near), at);

@@ -20,7 +20,7 @@ std::vector<Character> showable(std::string_view line) {
     if (ascii) length = 1;
     try {
       for (const Character& part : decode(line.substr(at, length))) {
-        characters.push_back({part.code, at + part.position});
+        characters.push_back({is_invisible(part.code) ? U'?' : part.code, at + part.position});
       }
     } catch (const SyntaxError&) {
       characters.push_back({'?', at});

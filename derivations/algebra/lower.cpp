@@ -51,6 +51,7 @@ std::optional<Ball> constant_of(const Operation& operation, const Operands&... o
 }
 
 constexpr double most_bits = 1 << 16, most_parts = 100'000;
+constexpr int most_parts_of_exponent = 1000;
 
 class Lowering {
  public:
@@ -148,9 +149,12 @@ class Lowering {
     const auto& n = GiNaC::ex_to<GiNaC::numeric>(exponent.value);
     const GiNaC::ex inner = GiNaC::is_a<GiNaC::power>(base.value) ? base.value.op(1) : GiNaC::ex(1);
     const GiNaC::ex total = GiNaC::is_a<GiNaC::numeric>(inner) ? inner * n : GiNaC::ex(n);
-    if (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(total)) > limits_.exponent || n.denom() > 1000) {
+    if (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(total)) > limits_.exponent)
       refuse(*node.children[1], "too_large", "exponents go up to " + std::to_string(limits_.exponent));
-    }
+    if (n.denom() > most_parts_of_exponent)
+      refuse(*node.children[1], "too_large",
+             "as a fraction, an exponent has a denominator up to " + std::to_string(most_parts_of_exponent) +
+                 ": write 1/3 for 0.333…");
     const Size size{(base.size.bits + 1) * (GiNaC::abs(n).to_double() + 1), base.size.parts + 1};
     check(node, size);
     if (base.constant && is_negative(*base.constant) && !n.is_integer()) {

@@ -98,6 +98,8 @@ class Tokenizer {
     if (const char* mark = lookup(marks, code())) return read_mark(mark);
     if (const char* relation = lookup(relations, code())) return read_relation(relation);
     if (const char* suggestion = lookup(suggestions, code())) refuse("syntax", suggestion);
+    if (is_invisible(code()))
+      refuse("character", "the invisible character " + number_of(code()) + " has no meaning here");
     refuse("character", "'" + encode(code()) + "' has no meaning here");
   }
 

@@ -139,6 +139,25 @@ int subscript_digit(char32_t code) {
   return code >= U'₀' && code <= U'₉' ? static_cast<int>(code - U'₀') : -1;
 }
 
+bool is_invisible(char32_t code) {
+  constexpr std::array<std::array<char32_t, 2>, 7> ranges{{{0xAD, 0xAD},
+                                                           {0x200B, 0x200F},
+                                                           {0x2028, 0x202E},
+                                                           {0x2060, 0x206F},
+                                                           {0xFEFF, 0xFEFF},
+                                                           {0xFFF0, 0xFFFB},
+                                                           {0xE0000, 0xE0FFF}}};
+  return std::any_of(ranges.begin(), ranges.end(),
+                     [&](const auto& range) { return code >= range[0] && code <= range[1]; });
+}
+
+std::string number_of(char32_t code) {
+  std::string digits;
+  for (auto rest = static_cast<unsigned long>(code); rest > 0 || digits.size() < 4; rest /= 16)
+    digits.insert(0, 1, "0123456789ABCDEF"[rest % 16]);
+  return "U+" + digits;
+}
+
 int width(char32_t code) { return code >= 0x300 && code < 0x370 ? 0 : 1; }
 
 }  // namespace rederive
