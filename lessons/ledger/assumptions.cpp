@@ -5,7 +5,9 @@
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/vanish.hpp>
 #include <derivations/command_line.hpp>
 #include <lessons/ledger/prove_command.hpp>
 #include <regex>
@@ -112,7 +114,10 @@ bool assume_range(const Tree& a, const std::string& op, const Tree& b, const std
   try {
     narrow(symbols, (on_left ? a : b)->text, op, *bound, on_left);
   } catch (const std::logic_error&) {  // the range cannot hold such a bound
-    throw BadInput("the assumption '" + text + "' has a bound that is no rational number or multiple of pi");
+    const bool is_read =
+        (*bound).info(GiNaC::info_flags::rational) || (*bound / GiNaC::Pi).info(GiNaC::info_flags::rational);
+    throw BadInput("the assumption '" + text + "' has a bound that " +
+                   (is_read ? "has too many digits" : "is no rational number or multiple of pi"));
   }
   return true;
 }
@@ -165,7 +170,11 @@ std::optional<Given> solved_for_one(const GiNaC::ex& residual, const Symbols& sy
       const GiNaC::ex slope = polynomial.coeff(symbol, n), rest = polynomial.coeff(symbol, 0);
       const bool is_power = (polynomial - slope * GiNaC::pow(symbol, n) - rest).expand().is_zero();
       if (!is_power || sign_of(slope, symbols) == 0 || (n > 1 && sign_of(symbol, symbols) <= 0)) continue;
-      return Given{symbol, GiNaC::pow(-rest / slope, GiNaC::numeric(1) / n)};
+      const GiNaC::ex power = -rest / slope;
+      if (n > 1 && is_nonnegative(-power, symbols))
+        throw BadInput("the assumptions leave no room for " + name + ": its power " + std::to_string(n) +
+                       " would not be positive");
+      return Given{symbol, GiNaC::pow(power, GiNaC::numeric(1) / n)};
     }
   return std::nullopt;
 }
@@ -176,6 +185,13 @@ void avoid_divisors(const Tree& side, Symbols& symbols) {
     if (sign_of(divisor, symbols) == 0) symbols.exclude_witnesses(divisor);
 }
 
+/// Whether nothing says yet what the symbol is, and its value does not come back to it by way of the others.
+bool is_new(const Given& given, const Context& context) {
+  const std::vector<Given> all = context.put_in_at_once(true);
+  return std::none_of(all.begin(), all.end(), [&](const Given& g) { return g.name.is_equal(given.name); }) &&
+         !put_in(given.value, all).has(given.name);
+}
+
 /// Those that say what a symbol is come first; what the others leave is solved.
 void read_equations(const std::vector<std::pair<Relation, std::string>>& equations, Context& context,
                     const std::vector<std::string>& small) {
@@ -184,7 +200,8 @@ void read_equations(const std::vector<std::pair<Relation, std::string>>& equatio
     for (const Tree& side : equation.sides) avoid_divisors(side, symbols);
   std::vector<std::pair<GiNaC::ex, std::string>> others;
   for (const auto& [equation, text] : equations)
-    if (const auto given = read_given(equation.sides[0], equation.sides[1], text, symbols, small)) {
+    if (const auto given = read_given(equation.sides[0], equation.sides[1], text, symbols, small);
+        given && is_new(*given, context)) {
       context.given.push_back(*given);
     } else {
       const auto value = [&](const Tree& side) {
@@ -195,7 +212,18 @@ void read_equations(const std::vector<std::pair<Relation, std::string>>& equatio
   for (const auto& [residual, text] : others) {
     const GiNaC::ex left = put_in(residual, context.put_in_at_once(true));
     if (left.normal().is_zero()) continue;  // it says nothing new
+    if (names_in(left.normal()).empty()) {
+      if (vanishes(left, symbols)) continue;
+      throw BadInput("the assumption '" + text + "' contradicts the other equations that are assumed");
+    }
     const auto given = solved_for_one(left, symbols, small);
+    const auto names_a_side = [&](const auto& e) {
+      return e.second == text && (is_name(e.first.sides[0]) || is_name(e.first.sides[1]));
+    };
+    if (!given && std::any_of(equations.begin(), equations.end(), names_a_side))
+      throw BadInput("the assumption '" + text +
+                     "' goes round in a circle with the equations before it, or gives "
+                     "a second value to a symbol");
     if (!given) refuse(text);
     context.given.push_back(*given);
   }
@@ -265,7 +293,15 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
     if (!found) refuse(text);
     context.comparisons.push_back(*found);
   }
-  read_equations(equations, context, request.small);
+  try {
+    read_equations(equations, context, request.small);
+    for (const Given& given : context.given) (void)put_in(given.value, context.put_in_at_once(true));
+  } catch (const Undecidable& error) {
+    throw BadInput(error.what());
+  } catch (const std::domain_error&) {  // GiNaC's pole_error among them
+    throw BadInput(
+        "the equations that are assumed divide by zero, or meet a pole, once each is put into the others");
+  }
   check_givens(context.put_in_at_once(true), symbols);
   return context;
 }

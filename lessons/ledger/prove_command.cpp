@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <derivations/algebra/completion.hpp>
+#include <derivations/algebra/failure.hpp>
+#include <derivations/algebra/witness.hpp>
 #include <derivations/bounded.hpp>
 #include <derivations/command_line.hpp>
 #include <functional>
@@ -28,9 +30,22 @@ auto reading(const std::string& text, Read read) {
 Relation read(const std::string& text, const Symbols& symbols) {
   return reading(text, [&] {
     Relation relation = parse_statement(text, symbols);
-    for (const Tree& side : relation.sides) (void)lower(side, symbols);
+    std::set<std::string> names;
+    for (const Tree& side : relation.sides) (void)lower(side, symbols), collect_names(side, names);
+    for (const std::string& name : names)  // the differences that comparisons are made of are ours alone
+      if (name.starts_with("excess_")) throw BadInput("there is no symbol '" + name + "'");
     return relation;
   });
+}
+
+/// Refuses a side that divides by 0, or meets a pole, wherever the assumptions hold.
+void check_values(const std::string& text, const Relation& relation, const Context& context) {
+  for (const Tree& side : relation.sides) try {
+      (void)put_in(lower(side, context.symbols), context.put_in_at_once(true));
+    } catch (const std::domain_error&) {  // GiNaC's pole_error among them
+      throw BadInput("'" + text +
+                     "' has no value where the assumptions hold: it divides by zero, or is a pole");
+    }
 }
 
 /// With the equations that are given: proved_under, unless it holds without them, too. Most that need them
@@ -53,6 +68,7 @@ Proof decide_with_equations(const Relation& left, const Relation& right, const S
 Proof decide_in(const Context& context, const ProveRequest& request) {
   const Symbols& symbols = context.symbols;
   const Relation left = read(request.left, symbols), right = read(request.right, symbols);
+  check_values(request.left, left, context), check_values(request.right, right, context);
   const std::vector<Given> compared = context.put_in_at_once(false),
                            all = relevant(context.put_in_at_once(true), left, right, symbols);
   const bool has_equations =
@@ -66,11 +82,6 @@ Proof decide_in(const Context& context, const ProveRequest& request) {
   sides.insert(sides.end(), right.sides.begin(), right.sides.end());
   if (proof.witness) complete(*proof.witness, sides, context.put_in_at_once(true), symbols);
   return without_excess(proof, context.comparisons, symbols);
-}
-
-void collect_names(const Tree& tree, std::set<std::string>& names) {
-  if (tree->kind == Node::Kind::symbol) names.insert(tree->text);
-  for (const Tree& child : tree->children) collect_names(child, names);
 }
 
 /// The symbols of the statement that the paper gives a range and no assumption does.
@@ -191,10 +202,17 @@ using Json = nlohmann::ordered_json;
 
 /// The proof, and as conditions all ranges that it may rest on.
 std::string decision(const ProveRequest& request) {
-  const Context context = make_context(request);
-  const Proof proof = decide_but_for_ranges(context, request);
+  Proof proof;
   Json ranges = Json::array();
-  if (is_proved(proof)) ranges = ranges_as_conditions(ranged_names(context, request), context.symbols);
+  try {
+    const Context context = make_context(request);
+    proof = decide_but_for_ranges(context, request);
+    if (is_proved(proof)) ranges = ranges_as_conditions(ranged_names(context, request), context.symbols);
+  } catch (const BadInput&) {
+    throw;
+  } catch (const std::exception& error) {
+    proof = {}, proof.reason = in_plain_words(error);
+  }
   return Json{to_json(proof), ranges}.dump();
 }
 

@@ -49,6 +49,8 @@ std::vector<TableRow> read_table(const std::filesystem::path& file) {
     const toml::array* array = table["row"].as_array();
     if (array == nullptr) throw BadInput("'" + file.string() + "' has no [[row]]");
     for (const toml::node& node : *array) {
+      if (!node.is_table())
+        throw BadInput(fmt::format("{}:{}: a row is a table", file.string(), node.source().begin.line));
       const toml::table& row = *node.as_table();
       TableRow entry{
           text(row, "group"), text(row, "why"), text(row, "expected"), row["limit"].value_or(false), {}};
