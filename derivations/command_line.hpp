@@ -40,6 +40,30 @@ inline std::vector<std::string> arguments_of(int argc, char** argv) {
   return arguments;
 }
 
+/// What a user typed, fit for a terminal: control characters (but for line ends) and bytes that are no UTF-8
+/// come out as '?', so that nothing that is quoted can move the cursor or change colours.
+inline std::string printable(std::string_view text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+    const unsigned char first = byte(at);
+    const std::size_t length = first < 0x80                    ? 1
+                               : first >= 0xC2 && first < 0xE0 ? 2
+                               : first >= 0xE0 && first < 0xF0 ? 3
+                               : first >= 0xF0 && first < 0xF5 ? 4
+                                                               : 0;
+    bool is_whole = length > 0 && at + length <= text.size();
+    for (std::size_t k = 1; is_whole && k < length; ++k) is_whole = (byte(at + k) & 0xC0) == 0x80;
+    const bool is_control = (first < 0x20 && first != '\n') || first == 0x7F ||
+                            (is_whole && first == 0xC2 && byte(at + 1) < 0xA0) ||
+                            (is_whole && first == 0xE2 && byte(at + 1) == 0x80 && byte(at + 2) >= 0xA8 &&
+                             byte(at + 2) <= 0xAE);  // U+2028 to U+202E: lines and directions
+    result += is_whole && !is_control ? std::string(text.substr(at, length)) : "?";
+    at += is_whole ? length : 1;
+  }
+  return result;
+}
+
 /// Parses the arguments and runs `body`. Usage errors and BadInput end with 2 and a message on standard
 /// error, anything else that is thrown with 3.
 inline int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
@@ -60,14 +84,14 @@ inline int run_command(CLI::App& app, int argc, char** argv, const std::function
       if (std::string_view(error.what()).find(argument) == std::string_view::npos)
         unread += " '" + argument + "'";
     if (!unread.empty()) unread = " (not understood:" + unread + ")";
-    std::fprintf(stderr, "%s: %s%s\nTry '%s --help'.\n", name.c_str(), error.what(), unread.c_str(),
-                 name.c_str());
+    std::fprintf(stderr, "%s: %s%s\nTry '%s --help'.\n", name.c_str(), printable(error.what()).c_str(),
+                 printable(unread).c_str(), name.c_str());
     return bad_input;
   } catch (const BadInput& error) {
-    std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), printable(error.what()).c_str());
     return bad_input;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: internal failure: %s\n", name.c_str(), error.what());
+    std::fprintf(stderr, "%s: internal failure: %s\n", name.c_str(), printable(error.what()).c_str());
     return undecided_or_failed;
   }
 }
