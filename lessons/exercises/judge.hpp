@@ -39,6 +39,8 @@ struct Prepared {
 Prepared prepare(const Exercise& exercise);
 /// Judges an answer as typed.
 Opinion judge_answer(const Prepared& prepared, const std::string& text);
+/// The same for whatever may have been typed: undecided after 1.5 seconds, or beyond 480 MB.
+Opinion judge_bounded(const Exercise& exercise, const std::string& text);
 /// The right answer in our syntax, or as a number with its unit, or as a letter.
 std::string model_answer(const Prepared& prepared);
 /// 0 correct, 1 wrong, 2 invalid, 3 undecided.

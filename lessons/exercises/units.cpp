@@ -2,10 +2,11 @@
 
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/witness.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/exercises/units.hpp>
+#include <limits>
 
 namespace rederive::classroom {
 namespace {
@@ -58,13 +59,14 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-double as_number(const GiNaC::ex& value, const std::string& text) {
-  const GiNaC::ex number = value.evalf();
-  if (!GiNaC::is_a<GiNaC::numeric>(number) || !GiNaC::ex_to<GiNaC::numeric>(number).is_real())
-    throw SyntaxError("not_real", 0, "this is no real number: " + text);
-  const double result = GiNaC::ex_to<GiNaC::numeric>(number).to_double();
-  if (!std::isfinite(result)) throw SyntaxError("not_real", 0, "this number is too large: " + text);
-  return result;
+/// A constant, to all the digits of a double.
+double as_number(const Tree& tree) {
+  const auto value = value_of(tree, {});
+  if (!value)
+    throw SyntaxError("not_real", 0, "no value of this can be found: it has none, or one that is too large");
+  const auto largest = cln::rational(cln::cl_DF(std::numeric_limits<double>::max()));
+  if (cln::abs(*value) > largest) throw SyntaxError("not_real", 0, "this number is too large");
+  return cln::double_approx(*value);
 }
 
 /// The size of a unit such as "m/s^2" and what it measures.
@@ -76,7 +78,8 @@ std::pair<double, Dimension> read_unit(const std::string& text) {
   const auto report = dimension(tree, unit_symbols());
   if (symbols_in(tree).empty()) throw SyntaxError("unit", 0, "this is no unit: " + text);
   if (!report.consistent || !report.dimension) throw SyntaxError("unit", 0, "this is no unit: " + text);
-  return {as_number(lower(tree, unit_symbols()).subs(sizes), text), *report.dimension};
+  const GiNaC::ex size = lower(tree, unit_symbols()).subs(sizes);
+  return {as_number(to_tree(size, no_symbols())), *report.dimension};
 }
 
 /// Where a unit may begin: at a letter, at a sign of division before one, or behind a blank.
@@ -90,11 +93,12 @@ std::optional<Quantity> split_at(const std::string& text, std::size_t at) {
     const std::string left = text.substr(0, at);
     std::string right = text.substr(at);
     if (right[0] == '/') right = "1" + right;
-    const double number = as_number(lower(parse(left, no_symbols()), no_symbols()), left);
+    const Tree tree = parse(left, no_symbols());
+    (void)lower(tree, no_symbols());  // refuses what is undefined at once, such as 1/0
+    const double number = as_number(tree);
     const auto [size, what] = read_unit(right);
-    return Quantity{number * size, what, print(parse(left, no_symbols())) + " " + right,
-                    right.find("deg") != right.npos};
-  } catch (const SyntaxError&) {
+    return Quantity{number * size, what, print(tree) + " " + right, right.find("deg") != right.npos};
+  } catch (const std::exception&) {  // no number, no unit, or one that has no size: m/(100*cm-m)
     return {};
   }
 }
@@ -126,7 +130,8 @@ Quantity parse_quantity(const std::string& typed) {
       if (auto quantity = split_at(text, at)) return *quantity;
   complain_of_unit(text);
   const Tree tree = parse(text, no_symbols());
-  return {as_number(lower(tree, no_symbols()), text), {}, print(tree), false};
+  (void)lower(tree, no_symbols());
+  return {as_number(tree), {}, print(tree), false};
 }
 
 }  // namespace rederive::classroom

@@ -115,8 +115,8 @@ class Watch {
     const AnswerFile answer = read_answer_file(file);
     say("\n" + std::string(60, '-') + "\n" + exercise.id + "\n");
     if (answer.trouble == "empty") return say("No answer in the file yet.\n");
-    const Opinion opinion = answer.trouble.empty() ? judge_answer(prepare(exercise), answer.text)
-                                                   : invalid(answer.trouble, answer.says);
+    const Opinion opinion =
+        answer.trouble.empty() ? judge_bounded(exercise, answer.text) : invalid(answer.trouble, answer.says);
     {
       const ProgressLock lock(room_.progress);
       Progress progress = load_progress(room_.progress);

@@ -128,7 +128,7 @@ int check(const Classroom& room, const std::string& id, const std::string& answe
   const Exercise& exercise = find_exercise(room, id);
   if (!is_utf8(answer))
     return tell(room, exercise, invalid("encoding", "The answer is not text in UTF-8."), answer);
-  return tell(room, exercise, judge_answer(prepare(exercise), answer), answer);
+  return tell(room, exercise, judge_bounded(exercise, answer), answer);
 }
 
 int check_file(const Classroom& room, const std::string& id, const std::string& file) {
@@ -138,7 +138,7 @@ int check_file(const Classroom& room, const std::string& id, const std::string& 
     throw BadInput("there is no file '" + file + "'");
   const AnswerFile answer = read_answer_file(file);
   if (!answer.trouble.empty()) return tell(room, exercise, invalid(answer.trouble, answer.says), "");
-  return tell(room, exercise, judge_answer(prepare(exercise), answer.text), answer.text);
+  return tell(room, exercise, judge_bounded(exercise, answer.text), answer.text);
 }
 
 int hint(const Classroom& room, const std::string& id) {
