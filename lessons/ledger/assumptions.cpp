@@ -272,14 +272,11 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
       continue;
     }
     const Relation relation = reading(text, [&] { return parse_relation(text, symbols); });
-    if (relation.operators[0] == "=") {
-      if (relation.sides.size() != 2) refuse(text);
-      equations.push_back({relation, text});
-      continue;
-    }
     for (std::size_t k = 0; k < relation.operators.size(); ++k) {
       const Relation link{{relation.sides[k], relation.sides[k + 1]}, {relation.operators[k]}};
-      if (!assume_range(link.sides[0], link.operators[0], link.sides[1], text, symbols))
+      if (link.operators[0] == "=")
+        equations.push_back({link, text});
+      else if (!assume_range(link.sides[0], link.operators[0], link.sides[1], text, symbols))
         comparisons.push_back({link, text});
     }
   }
