@@ -215,16 +215,28 @@ std::optional<Proof> differ_at(const Place& place, const Parted& parts, const Sy
   return witness ? std::optional(refuted(*witness, why + precision_of(place.at))) : std::nullopt;
 }
 
+Points points_for(const Parted& parts, const Symbols& symbols) {
+  std::vector<Tree> trees = trees_of(parts.first.pair);
+  for (const Parts* side : {&parts.left, &parts.right})
+    for (const Part& part : *side) trees.push_back(part.written);
+  return points_for(trees, symbols);
+}
+
+/// Among so many.
+std::optional<Proof> differ_at_a_point(const Parted& parts, const Points& points, int count,
+                                       const Symbols& symbols) {
+  for (int k = 0; k < count; ++k)
+    if (auto proof = differ_at({{points.at(k), true}}, parts, symbols)) return proof;
+  return std::nullopt;
+}
+
 /// A point at which one statement holds and the other does not: among many, and where a link turns.
 std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbols) {
-  std::vector<Tree> trees = trees_of(parts.first.pair);
+  const Points points = points_for(parts, symbols);
+  if (auto proof = differ_at_a_point(parts, points, Points::many, symbols)) return proof;
   std::vector<Written> links;
   for (const Parts* side : {&parts.left, &parts.right})
-    for (const Part& part : *side)
-      trees.push_back(part.written), links.push_back({part.written, part.residual});
-  const Points points = points_for(trees, symbols);
-  for (int k = 0; k < Points::many; ++k)
-    if (auto proof = differ_at({{points.at(k), true}}, parts, symbols)) return proof;
+    for (const Part& part : *side) links.push_back({part.written, part.residual});
   for (const Parts* side : {&parts.left, &parts.right}) {
     std::vector<const Part*> turning{nullptr};
     for (const Part& part : *side)
@@ -248,6 +260,12 @@ std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbol
 
 std::optional<std::vector<Match>> matches(const Question& question) {
   return Matching(question, parts_of(question)).find();
+}
+
+bool match_at_once(const Question& question) {
+  const Parted parts = parts_of(question);
+  return !differ_at_a_point(parts, points_for(parts, question.symbols), Points::count, question.symbols) &&
+         Matching(question, parts).find();
 }
 
 bool follow_from_each_other(const Question& question) {

@@ -20,6 +20,9 @@ struct Match {
 /// Nothing where that is not seen. Throws Undecidable.
 std::optional<std::vector<Match>> matches(const Question& question);
 
+/// Whether there are such matches, for two that a few points do not tell apart. Throws Undecidable.
+bool match_at_once(const Question& question);
+
 /// Whether every link follows from those of the other statement (consequences.hpp). Throws Undecidable.
 bool follow_from_each_other(const Question& question);
 

@@ -93,7 +93,7 @@ bool goes_through(const Relation& left, const Relation& right, const Symbols& sy
       return vanishes(put_in(lower(left.sides[0], symbols) - lower(right.sides[0], symbols), given), symbols);
     const bool are_equations =
         left.operators == right.operators && left.operators == std::vector<std::string>{"="};
-    return are_equations ? are_equations_by_factor(question) : matches(question).has_value();
+    return are_equations ? are_equations_by_factor(question) : match_at_once(question);
   } catch (const std::exception&) {  // outside the class, or a pole of GiNaC
     return false;
   }
