@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <tests/run_program.hpp>
 
@@ -312,6 +313,7 @@ TEST_CASE("a reason names the constant that has no value, a message the limit th
       run_program("ledger", {"prove", "--assume", "x > 10^64*10^64", "x", "y"}).err.find("too many digits") !=
       std::string::npos);
   CHECK(run_program("ledger", {"prove", "x\u0304", "y"}).err.find("x*b*a*r") == std::string::npos);
+  CHECK(run_program("ledger", {"prove", "--assume", "log(x) = sin(cot(0))", "x", "y"}).exit_code == 2);
 }
 
 TEST_CASE("bounds of more digits than a double has are kept to") {
@@ -331,6 +333,20 @@ TEST_CASE("bounds of more digits than a double has are kept to") {
     INFO(assumption << ": " << left << " | " << right << "\n" << r.out << r.err);
     CHECK(r.out.find("\"verdict\": \"" + verdict + "\"") != std::string::npos);
   }
+}
+
+TEST_CASE("a witness keeps to assumptions that the refutation does not need") {
+  const auto at = [](const std::vector<std::string>& arguments) {
+    const Result r = run_program("ledger", arguments);
+    INFO(r.out << r.err);
+    REQUIRE(r.exit_code == 1);
+    return nlohmann::json::parse(r.out)["witness"]["at"];
+  };
+  const auto one = at({"prove", "--json", "--assume", "y = z", "--assume", "z <= x", "--", "sqrt(y^2)", "y"});
+  CHECK(one["y"] == one["z"]);
+  const auto other =
+      at({"prove", "--json", "--assume", "y < z", "--assume", "z = 5", "--", "sqrt(x^2)", "x"});
+  CHECK(other["z"] == "5");
 }
 
 TEST_CASE("ten comparisons and more are told apart") {

@@ -197,7 +197,7 @@ void read_equations(const std::vector<std::pair<Relation, std::string>>& equatio
                     const std::vector<std::string>& small) {
   Symbols& symbols = context.symbols;
   for (const auto& [equation, text] : equations)
-    for (const Tree& side : equation.sides) avoid_divisors(side, symbols);
+    for (const Tree& side : equation.sides) reading(text, [&] { avoid_divisors(side, symbols); });
   std::vector<std::pair<GiNaC::ex, std::string>> others;
   for (const auto& [equation, text] : equations)
     if (const auto given = read_given(equation.sides[0], equation.sides[1], text, symbols, small);

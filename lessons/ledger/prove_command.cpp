@@ -70,11 +70,11 @@ Proof decide_in(const Context& context, const ProveRequest& request) {
   const Relation left = read(request.left, symbols), right = read(request.right, symbols);
   check_values(request.left, left, context), check_values(request.right, right, context);
   const std::vector<Given> compared = context.put_in_at_once(false),
+                           needed = relevant(compared, left, right, symbols),
                            all = relevant(context.put_in_at_once(true), left, right, symbols);
-  const bool has_equations =
-      request.order == 0 && all.size() > relevant(compared, left, right, symbols).size();
+  const bool has_equations = request.order == 0 && all.size() > needed.size();
   Proof proof = has_equations ? decide_with_equations(left, right, symbols, compared, all)
-                              : prove(left, right, symbols, compared);
+                              : prove(left, right, symbols, needed);
   if (proof.verdict != Verdict::proved && request.order > 0)
     proof =
         prove_approximation(left, right, request.small, request.order, symbols, context.put_in_at_once(true));
