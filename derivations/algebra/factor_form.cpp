@@ -28,6 +28,27 @@ struct Coefficient {
 /// A polynomial in the generators, sorted: circular exponents → real exponents → coefficient.
 using Terms = std::map<Exponents, std::map<Exponents, Coefficient>>;
 
+std::map<std::string, ex> symbols_of(const ex& e) {
+  std::map<std::string, ex> symbols;
+  for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+    if (is_a<GiNaC::symbol>(*part)) symbols.try_emplace(ex_to<GiNaC::symbol>(*part).get_name(), *part);
+  return symbols;
+}
+
+/// The polynomial as a product. A v + B is gcd(A, B) times what has no factors: for what is linear in one of
+/// its symbols nothing is searched.
+ex factored(const ex& polynomial) {
+  const ex p = polynomial.expand();
+  if (!is_a<GiNaC::add>(p)) return p;
+  for (const auto& [name, v] : symbols_of(p)) {
+    if (p.degree(v) != 1) continue;
+    const ex common = GiNaC::gcd(p.coeff(v, 1), p.coeff(v, 0));
+    ex rest;
+    if (GiNaC::divide(p, common, rest)) return rest * (is_a<numeric>(common) ? common : factored(common));
+  }
+  return GiNaC::factor(p);
+}
+
 /// Collects the product: parts, and a monomial of exponentials that is left over.
 struct Product {
   const Phases& phases;
@@ -158,7 +179,7 @@ struct Product {
   }
 
   bool add_all(const ex& polynomial, int sign) {
-    const ex product = GiNaC::factor(polynomial);
+    const ex product = factored(polynomial);
     const auto one = [&](const ex& f) {
       const bool raised = is_a<GiNaC::power>(f) && is_a<numeric>(f.op(1));
       return raised ? add(f.op(0), ex_to<numeric>(f.op(1)) * sign) : add(f, sign);
