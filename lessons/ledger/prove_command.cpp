@@ -165,15 +165,31 @@ Proof decide_but_for_ranges(const Context& context, const ProveRequest& request)
   return decide_in(context, request);
 }
 
+/// What the computer algebra throws, overflows and poles, leaves a statement undecided.
+template <class Work>
+Proof or_undecided(Work work) {
+  try {
+    return work();
+  } catch (const BadInput&) {
+    throw;
+  } catch (const std::exception& error) {
+    Proof proof;
+    proof.reason = in_plain_words(error);
+    return proof;
+  }
+}
+
 }  // namespace
 
 Proof decide(const ProveRequest& request) {
-  const Context context = make_context(request);
-  Proof proof = decide_but_for_ranges(context, request);
-  if (!is_proved(proof)) return proof;
-  const auto ranges = ranges_used(proof.verdict, context, request);
-  proof.side_conditions.insert(proof.side_conditions.end(), ranges.begin(), ranges.end());
-  return proof;
+  return or_undecided([&] {
+    const Context context = make_context(request);
+    Proof proof = decide_but_for_ranges(context, request);
+    if (!is_proved(proof)) return proof;
+    const auto ranges = ranges_used(proof.verdict, context, request);
+    proof.side_conditions.insert(proof.side_conditions.end(), ranges.begin(), ranges.end());
+    return proof;
+  });
 }
 
 namespace {
@@ -202,17 +218,13 @@ using Json = nlohmann::ordered_json;
 
 /// The proof, and as conditions all ranges that it may rest on.
 std::string decision(const ProveRequest& request) {
-  Proof proof;
   Json ranges = Json::array();
-  try {
+  const Proof proof = or_undecided([&] {
     const Context context = make_context(request);
-    proof = decide_but_for_ranges(context, request);
-    if (is_proved(proof)) ranges = ranges_as_conditions(ranged_names(context, request), context.symbols);
-  } catch (const BadInput&) {
-    throw;
-  } catch (const std::exception& error) {
-    proof = {}, proof.reason = in_plain_words(error);
-  }
+    Proof found = decide_but_for_ranges(context, request);
+    if (is_proved(found)) ranges = ranges_as_conditions(ranged_names(context, request), context.symbols);
+    return found;
+  });
   return Json{to_json(proof), ranges}.dump();
 }
 
