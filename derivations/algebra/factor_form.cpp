@@ -185,7 +185,12 @@ struct Product {
       return raised ? add(f.op(0), ex_to<numeric>(f.op(1)) * sign) : add(f, sign);
     };
     if (!is_a<GiNaC::mul>(product)) return one(product);
-    return std::all_of(product.begin(), product.end(), one);
+    ex rest = 1;  // (b - h e^{ix})(b - h e^{-ix}) is real, its factors are not
+    for (const ex& f : product) {
+      const auto before = std::pair(parts, exponents);
+      if (!one(f)) std::tie(parts, exponents) = before, rest *= f;
+    }
+    return rest.is_equal(1) || one(is_a<GiNaC::power>(rest) ? rest : rest.expand());
   }
 
   /// What is left of exponentials: real ones stay, circular ones must have cancelled but for i² = -1.

@@ -102,6 +102,26 @@ std::optional<ex> form_of_pair(const ex& e, const Atoms& atoms) {
   return std::nullopt;
 }
 
+// ---- sums of a monomial each, times a sum of functions
+
+/// m g - m g cos x + J p² is m g (1 - cos x) + J p².
+std::optional<ex> form_of_groups(const ex& e, const Atoms& atoms) {
+  if (atoms.functions.empty() || atoms.symbols.empty()) return std::nullopt;
+  const ex sum = e.expand();
+  std::map<ex, ex, GiNaC::ex_is_less> groups;  // by monomial
+  for (const ex& term : sum) {
+    ex monomial = 1;
+    const ex factors = is_a<GiNaC::mul>(term) ? term : ex(GiNaC::lst{term});
+    for (const ex& f : factors)
+      if (is_a<GiNaC::symbol>(f) || (is_a<GiNaC::power>(f) && is_a<GiNaC::symbol>(f.op(0)))) monomial *= f;
+    groups[monomial] += term / monomial;
+  }
+  if (groups.size() == sum.nops()) return std::nullopt;
+  ex result = 0;
+  for (const auto& [monomial, rest] : groups) result += monomial * rest;
+  return result;
+}
+
 // ---- sqrt(A) - B
 
 std::optional<ex> form_of_root(const ex& e, const Atoms& atoms, const Symbols& symbols) {
@@ -256,7 +276,8 @@ std::optional<ex> form_of_one_sign(const ex& sum, const Symbols& symbols) {
     if (const auto form = form_of_wave(sum, atoms, symbols)) return form;
     if (const auto form = form_of_polynomial(sum, atoms, symbols)) return form;
     if (const auto form = form_of_pair(sum, atoms)) return form;
-    return form_of_root(sum, atoms, symbols);
+    if (const auto form = form_of_root(sum, atoms, symbols)) return form;
+    return form_of_groups(sum, atoms);
   } catch (const std::exception&) {  // no polynomial, after all, or ends of a range too large for a double
     return std::nullopt;
   }

@@ -83,6 +83,10 @@ std::optional<std::vector<Part>> quotient_unless_pole(const ex& left, const ex& 
   if (below.is_zero()) return std::nullopt;
   const ex ratio = whole(left) / below;
   if (way == Way::real_denominator) return factor_form(with_real_denominator(ratio, phases), phases);
+  if (way == Way::real_numerator) {  // b - R sin(x) in b^2 - R^2 sin(x)^2
+    if (ratio.is_zero() || !ratio.numer().has(phases.generators().front().symbol)) return std::nullopt;
+    return factor_form(1 / with_real_denominator(1 / ratio, phases), phases);
+  }
   const ex cancelled = cancelled_with_complex_numbers(ratio, phases);
   if (way == Way::complex_numbers) return factor_form(cancelled, phases);
   const ex rationalised = without_roots(cancelled, way == Way::no_roots_above, phases);

@@ -7,9 +7,16 @@
 namespace rederive {
 
 /// How a quotient is brought into lowest terms: no way finds everything that cancels.
-enum class Way { real_denominator, complex_numbers, no_roots_above, no_roots_below, as_it_stands };
-inline constexpr std::array all_ways{Way::real_denominator, Way::complex_numbers, Way::no_roots_above,
-                                     Way::no_roots_below, Way::as_it_stands};
+enum class Way {
+  real_denominator,
+  real_numerator,
+  complex_numbers,
+  no_roots_above,
+  no_roots_below,
+  as_it_stands
+};
+inline constexpr std::array all_ways{Way::real_denominator, Way::real_numerator, Way::complex_numbers,
+                                     Way::no_roots_above,   Way::no_roots_below, Way::as_it_stands};
 
 /// left/right as a product of named parts, if it is one. Throws Undecidable.
 std::optional<std::vector<Part>> quotient(const GiNaC::ex& left, const GiNaC::ex& right,

@@ -161,10 +161,20 @@ Proof prove_by_factor(const ex& left, const ex& right, const Residuals& r, const
   return undecided(why);
 }
 
+/// asin(3/5) and acos(4/5) are one number, and no factor shows it.
+bool are_equal(const ex& left, const ex& right, const Symbols& symbols) {
+  try {
+    return vanishes(left - right, symbols);
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
 /// Without the functions around the sides, or as squares of sides that are not negative.
 std::optional<Proof> prove_inside(const Residuals& r, const Symbols& symbols) {
   const auto differ_by_factor = [&](const ex& left, const ex& right) {
-    return prove_by_factor(left, right, r, symbols).verdict == Verdict::proved;
+    return prove_by_factor(left, right, r, symbols).verdict == Verdict::proved ||
+           are_equal(left, right, symbols);
   };
   const bool unwrapped =
       !r.inner_left.is_equal(r.pair.left_value) || !r.inner_right.is_equal(r.pair.right_value);

@@ -199,7 +199,8 @@ struct Finder {
       } catch (const Undecidable&) {  // then another way
       }
     }
-    return false;
+    link.factor.clear(), link.more.clear(), link.divides.clear();
+    return vanishes(left - right, q.symbols);
   }
 
   // ---- relations
