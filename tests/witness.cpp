@@ -24,7 +24,7 @@ Tree with(const Tree& tree, const std::string& name, const Tree& value) {
 
 /// A witness, as it can be put into a text.
 struct Put {
-  Point point;  ///< what is rational, and the zero between bounds to 80 places
+  Point point;  ///< what is rational, and the zero between bounds to 110 places
   std::vector<std::pair<std::string, Tree>> exactly;
 
   Tree operator()(Tree tree) const {
@@ -45,13 +45,13 @@ int sign_beside(const Tree& tree, Point point, const std::string& name, const cl
   return cln::zerop(*value) ? 0 : cln::minusp(*value) ? -1 : 1;
 }
 
-/// Halves the bounds until 80 places are known. There must be opposite signs at the bounds, and values
+/// Halves the bounds until 110 places are known. There must be opposite signs at the bounds, and values
 /// between them.
 cln::cl_RA zero_of(const Tree& tree, const Point& point, const std::string& name, Between bounds) {
   CHECK(enclosure(tree, point, {{name, bounds}}));
   const int below = sign_beside(tree, point, name, bounds.low);
   CHECK(below * sign_beside(tree, point, name, bounds.high) == -1);
-  while ((bounds.high - bounds.low) * power_of_ten(80) > 1) {
+  while ((bounds.high - bounds.low) * power_of_ten(110) > 1) {
     const cln::cl_RA middle = (bounds.low + bounds.high) / 2;
     (sign_beside(tree, point, name, middle) == below ? bounds.low : bounds.high) = middle;
   }

@@ -114,18 +114,6 @@ int weak_sign(const ex& e, const Symbols& symbols) {
 /// Long ones would be divided at length, and to no avail.
 bool is_short(const ex& e) { return e.nops() <= 3; }
 
-/// e or -e, whichever is printed with fewer minus signs, or else comes first in the alphabet: which of them a
-/// factorisation finds depends on GiNaC's order of terms, which is another one in each run.
-ex with_settled_sign(const ex& e, const Symbols& symbols) {
-  if (!GiNaC::is_a<GiNaC::add>(e)) return e;
-  const auto key = [&](const ex& sum) {
-    const std::string text = print(sum, Notation::plain, symbols);
-    return std::pair(std::count(text.begin(), text.end(), '-'), text);
-  };
-  const ex turned = (-e).expand();
-  return key(turned) < key(e) ? turned : e;
-}
-
 /// Whether no symbol of the part is missing in the other one.
 bool has_all_symbols_of(const ex& part, const ex& other) {
   return std::all_of(part.preorder_begin(), part.preorder_end(),
@@ -150,11 +138,21 @@ bool is_alive_without(const ex& symbol, const ex& other, const Symbols& symbols)
   }
 }
 
+}  // namespace
+
+ex with_settled_sign(const ex& e, const Symbols& symbols) {
+  if (!GiNaC::is_a<GiNaC::add>(e)) return e;
+  const auto key = [&](const ex& sum) {
+    const std::string text = print(sum, Notation::plain, symbols);
+    return std::pair(std::count(text.begin(), text.end(), '-'), text);
+  };
+  const ex turned = (-e).expand();
+  return key(turned) < key(e) ? turned : e;
+}
+
 bool is_multiple(const ex& part, const ex& other) {
   return !part.is_zero() && !other.is_zero() && GiNaC::is_a<GiNaC::numeric>((part / other).normal());
 }
-
-}  // namespace
 
 Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors, const Symbols& symbols) {
   Quotient result;

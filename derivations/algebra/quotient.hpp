@@ -18,6 +18,12 @@ enum class Way {
 inline constexpr std::array all_ways{Way::real_denominator, Way::real_numerator, Way::complex_numbers,
                                      Way::no_roots_above,   Way::no_roots_below, Way::as_it_stands};
 
+/// e or -e, whichever is printed with fewer minus signs, or else comes first in the alphabet: which of them a
+/// factorisation finds depends on GiNaC's order of terms, which is another one in each run.
+GiNaC::ex with_settled_sign(const GiNaC::ex& e, const Symbols& symbols);
+/// Whether neither is 0 and their quotient is a number.
+bool is_multiple(const GiNaC::ex& part, const GiNaC::ex& other);
+
 /// left/right as a product of named parts, if it is one. Throws Undecidable.
 std::optional<std::vector<Part>> quotient(const GiNaC::ex& left, const GiNaC::ex& right,
                                           const Symbols& symbols, Way way);

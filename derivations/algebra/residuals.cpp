@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/algebra/factor_roots.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
@@ -71,7 +72,11 @@ std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, 
   };
   const Written zero =
       of_right ? Written{r.pair.right, r.pair.right_value} : Written{r.pair.left, r.pair.left_value};
-  const auto root = find_root(zero, points, which == Roots::crossings ? 1 : 10, which, symbols, tells_apart);
+  const ex& other_value = of_right ? r.pair.left_value : r.pair.right_value;
+  const auto root =
+      which == Roots::of_factors
+          ? find_root_of_factor(zero, other_value, points, symbols, tells_apart)
+          : find_root(zero, points, which == Roots::crossings ? 1 : 10, which, symbols, tells_apart);
   if (!root) return std::nullopt;
   return refuted(make_witness(r.pair, *root, {zero.tree}),
                  std::string(of_right != holds_at_zero(here)
@@ -94,9 +99,22 @@ std::vector<Point> points_to_look_at(const Residuals& r, const Points& points, c
   return result;
 }
 
+/// The large and the small ones on the other side of 0, where the ranges admit that: they are too many for
+/// the sequence to have them on both.
+std::vector<Point> mirrored_points(const Points& points, const Symbols& symbols) {
+  std::vector<Point> result;
+  for (int k = Points::first_special; k < Points::count; ++k) {
+    result.push_back(points.at(k));
+    for (auto& [name, value] : result.back())
+      if (is_inside(symbols.find(name)->range, -value)) value = -value;
+  }
+  return result;
+}
+
 /// A point at which both residuals are clearly not 0, and one relation holds and the other fails.
-std::optional<Proof> differ_at_a_point(const Residuals& r, const Points& points, const Symbols& symbols) {
-  for (const Point& p : points_to_look_at(r, points, symbols)) {
+std::optional<Proof> differ_at_a_point(const Residuals& r, const std::vector<Point>& points,
+                                       const Symbols& symbols) {
+  for (const Point& p : points) {
     const auto a = value_of(r.pair.left, p), b = a ? value_of(r.pair.right, p) : std::nullopt;
     if (!b || !differ(*a, 0) || !differ(*b, 0) || !is_admitted(r.pair, p, symbols)) continue;
     if (holds(r.left, *a) != holds(r.right, *b))
@@ -118,9 +136,8 @@ std::optional<ex> doubtful_part(const Quotient& factor, const ex& left, const ex
 std::optional<ex> losing_divisor(const Residuals& r, const ex& left, const ex& right,
                                  const Symbols& symbols) {
   const auto is_among = [](const ex& divisor, const std::vector<ex>& others) {
-    return std::any_of(others.begin(), others.end(), [&](const ex& other) {
-      return !other.is_zero() && GiNaC::is_a<GiNaC::numeric>((divisor / other).normal());
-    });
+    return std::any_of(others.begin(), others.end(),
+                       [&](const ex& other) { return is_multiple(divisor, other); });
   };
   const auto loses = [&](const ex& divisor, const std::vector<ex>& others, const ex& residual) {
     return sign_of(divisor, symbols) == 0 && !is_among(divisor, others) &&
@@ -285,13 +302,15 @@ Proof prove_residuals(const Residuals& r, const Symbols& symbols) {
   const Sample seen = sample(r.pair, points, symbols, [](const Sample& s) { return s.both >= 1; });
   if (seen.both == 0)
     return undecided("no point was found at which both residuals have a value" + without_value(r.pair));
-  if (auto proof = differ_at_a_point(r, points, symbols)) return *proof;
+  if (auto proof = differ_at_a_point(r, points_to_look_at(r, points, symbols), symbols)) return *proof;
   if (auto proof = differ_at_a_root(r, points, true, Roots::crossings, symbols))
     return *proof;  // cheaper than algebra: most slips end here
   const Proof proof = prove_by_algebra(r, points, symbols);
   if (proof.verdict != Verdict::undecided) return proof;
-  for (const bool of_right : {false, true})
-    if (auto refutation = differ_at_a_root(r, points, of_right, Roots::all, symbols)) return *refutation;
+  for (const Roots which : {Roots::of_factors, Roots::all})
+    for (const bool of_right : {false, true})
+      if (auto refutation = differ_at_a_root(r, points, of_right, which, symbols)) return *refutation;
+  if (auto refutation = differ_at_a_point(r, mirrored_points(points, symbols), symbols)) return *refutation;
   return undecided(proof.reason + advice(r.pair.left_value - r.pair.right_value, symbols));
 }
 

@@ -6,15 +6,15 @@
 
 namespace rederive {
 
-/// Which roots are looked for: where the sign changes, or where it does not, too.
-enum class Roots { crossings, all };
+/// Which roots are looked for: where the sign changes, or where it does not, too; or those of single factors.
+enum class Roots { crossings, all, of_factors };
 
 /// The zeros, near some Points::at, of what is linear in one symbol, however far away; with that symbol:
-/// those that are rational, or 45 decimal places of the others.
+/// those that are rational, or 45 decimal places of the others. `count` of the points are looked at.
 enum class Zeros { rational, irrational };
 std::vector<std::pair<std::string, Point>> linear_zeros(const GiNaC::ex& expression, const Points& points,
-                                                        const Symbols& symbols,
-                                                        Zeros which = Zeros::rational);
+                                                        const Symbols& symbols, Zeros which = Zeros::rational,
+                                                        int count = 3);
 
 /// A zero that `wanted` accepts, near some Points::at, or where the expression is linear in one symbol. Gives
 /// up after `most` changes of sign.

@@ -185,8 +185,8 @@ Point Points::at(int index) const {
   unsigned place = 0;
   for (const auto& [name, range] : ranges_) {
     const auto k = static_cast<unsigned>(index);
-    const bool is_special = index >= 28 && index < count;
-    const double value = is_special ? special(range, k - 28, place) : ordinary(range, k, place);
+    const bool is_special = index >= first_special && index < count;
+    const double value = is_special ? special(range, k - first_special, place) : ordinary(range, k, place);
     // coarse numbers are easier on the hand; finer ones where an end of the range, or 0, is near
     double room = std::min(value - range.low, range.high - value);
     if (!std::isfinite(room)) room = std::fabs(value);

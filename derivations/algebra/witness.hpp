@@ -20,6 +20,7 @@ void collect_numbers(const Tree& tree, std::set<double>& numbers);
 class Points {
  public:
   static constexpr int count = 60;
+  static constexpr int first_special = 28;  ///< from here on: the ends, and the sizes
   static constexpr int many =
       400;  ///< for what is defined in a corner only: the rest are small, and no longer special
 

@@ -57,7 +57,8 @@ bool is_zero_at(const ex& e, const GiNaC::exmap& values, const Symbols& symbols)
   }
 }
 
-/// The multiple of π/12, or the square or cube root, that a number of 40 digits stands for.
+/// The multiple of π/12, the square or cube root, or the arc of a rational tangent, that a number of 40
+/// digits stands for.
 std::optional<ex> meant_by(const cln::cl_RA& value) {
   if (cln::denominator(value) < power_of_ten(9)) return std::nullopt;
   const cln::cl_R turns = 12 * value / cln::pi(cln::float_format(60));
@@ -68,7 +69,10 @@ std::optional<ex> meant_by(const cln::cl_RA& value) {
   for (const int n : {2, 3})
     if (const auto power = simple_fraction(cln::expt(size, n), 38))
       return (cln::minusp(value) ? -1 : 1) * GiNaC::pow(ex(GiNaC::numeric(*power)), GiNaC::numeric(1) / n);
-  return std::nullopt;
+  if (2 * size >= cln::pi()) return std::nullopt;
+  const cln::cl_R tangent = cln::tan(cln::cl_float(value, cln::float_format(60)));
+  const auto simple = simple_fraction(cln::rational(tangent), 38);
+  return simple ? std::optional(GiNaC::atan(ex(GiNaC::numeric(*simple)))) : std::nullopt;
 }
 
 /// What a constant is, to 45 decimal places.

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <derivations/algebra/walk.hpp>
+#include <derivations/algebra/zeros.hpp>
+
+namespace rederive {
+
+namespace {
+
+/// The simplest fraction near a root of the tree, if it seems to be one; else the value itself.
+cln::cl_RA simplest(const Tree& tree, Point point, const std::string& name, const cln::cl_RA& value) {
+  const auto fraction = simple_fraction(value, 40);
+  if (!fraction) return value;
+  point[name] = *fraction;
+  const auto there = value_of(tree, point);
+  return there && is_tiny(*there) ? *fraction : value;
+}
+
+/// How many digits a large value has before its point: so many more it takes to come as close to 0.
+int digits_above_one(const cln::cl_R& size) {
+  int digits = 0;
+  for (cln::cl_R rest = size; rest > power_of_ten(8) && digits < 64; rest = rest / power_of_ten(8))
+    digits += 8;
+  return digits;
+}
+
+}  // namespace
+
+std::optional<Point> polish(const Tree& tree, Point point, const std::string& name, cln::cl_RA a,
+                            cln::cl_RA b, cln::cl_R fa, cln::cl_R fb) {
+  // Illinois' variant of false position
+  const cln::cl_R larger = cln::max(cln::abs(fa), cln::abs(fb));
+  const cln::cl_I scale = power_of_ten(45 + digits_above_one(larger));
+  int side = 0;
+  for (int step = 0; step < 200; ++step) {
+    const cln::cl_RA weight = cln::rational(fa / (fa - fb));
+    cln::cl_RA c = cln::round1((a + (b - a) * weight) * scale) / cln::cl_RA(scale);
+    if (step % 3 == 2 || c <= cln::min(a, b) || c >= cln::max(a, b))
+      c = cln::round1((a + b) / 2 * scale) / cln::cl_RA(scale);
+    point[name] = c;
+    const auto fc = value_of(tree, point);
+    if (!fc) return std::nullopt;
+    if (cln::zerop(*fc) || cln::abs(b - a) * scale <= 4) {
+      if (cln::abs(*fc) * power_of_ten(20) > larger) return std::nullopt;  // a jump, not a root
+      point[name] = simplest(tree, point, name, c);
+      return point;
+    }
+    if (cln::minusp(*fc) == cln::minusp(fb)) {
+      b = c, fb = *fc;
+      if (side == 1) fa = fa / 2;
+      side = 1;
+    } else {
+      a = c, fa = *fc;
+      if (side == -1) fb = fb / 2;
+      side = -1;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<cln::cl_RA> values_of(const std::string& name, const Points& points) {
+  std::vector<cln::cl_RA> values = points.closed_ends(name);
+  for (int k = 0; k < Points::count; ++k) values.push_back(points.at(k).at(name));
+  for (int k = -3; k <= 3; ++k)
+    if (points.is_between(name, k)) values.emplace_back(k);
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+std::optional<Point> walk(const Tree& tree, const Points& points, int most,
+                          const std::function<bool(const Point&)>& wanted) {
+  int found = 0;
+  for (int start = 0; start < 5; ++start) {
+    const Point base = start < 4 ? points.at(start) : points.with_zeros(0);
+    for (const std::string& name : points.names()) {
+      std::optional<cln::cl_R> before;
+      cln::cl_RA at_before = 0;
+      int found_here = 0;
+      for (const cln::cl_RA& value : values_of(name, points)) {
+        Point here = base;
+        here[name] = value;
+        const auto now = value_of(tree, here);
+        if (now && is_tiny(*now) && wanted(here)) return here;
+        if (now && before && cln::minusp(*now) != cln::minusp(*before)) {
+          const auto root = polish(tree, base, name, at_before, value, *before, *now);
+          if (root && wanted(*root)) return root;
+          if (++found == most) return std::nullopt;
+          if (++found_here > most / 4) break;
+        }
+        before = now && cln::zerop(*now) ? std::nullopt : now;  // a root that was not wanted is no crossing
+        at_before = value;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace rederive
