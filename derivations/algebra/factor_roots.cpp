@@ -162,6 +162,12 @@ struct Search {
         .has_value();
   }
 
+  /// Where it is steep, more places are needed to come close to 0.
+  bool cross_steeply(const Target& part) {
+    const auto is_it = [&](const Point& point) { return take(part, point); };
+    return walk(part.written.tree, part.line, 10, is_it, 80).has_value();
+  }
+
   /// Where it touches 0, or reaches it in a corner: down along one symbol after the other.
   bool descend(const Target& part) {
     std::map<std::string, Tree> slopes;
@@ -204,7 +210,7 @@ std::optional<Root> find_root_of_factor(const Written& e, const ex& other, const
   Search search{e, points, symbols, wanted};
   try {
     const std::vector<Target> parts = parts_of(e.value, other, symbols);
-    for (const auto look : {&Search::solve, &Search::cross, &Search::descend})
+    for (const auto look : {&Search::solve, &Search::cross, &Search::descend, &Search::cross_steeply})
       for (const Target& part : parts)
         if ((search.*look)(part)) return search.found;
   } catch (const std::exception&) {  // what our syntax cannot write, or no derivative to be had

@@ -15,21 +15,13 @@ cln::cl_RA simplest(const Tree& tree, Point point, const std::string& name, cons
   return there && is_tiny(*there) ? *fraction : value;
 }
 
-/// How many digits a large value has before its point: so many more it takes to come as close to 0.
-int digits_above_one(const cln::cl_R& size) {
-  int digits = 0;
-  for (cln::cl_R rest = size; rest > power_of_ten(8) && digits < 64; rest = rest / power_of_ten(8))
-    digits += 8;
-  return digits;
-}
-
 }  // namespace
 
 std::optional<Point> polish(const Tree& tree, Point point, const std::string& name, cln::cl_RA a,
-                            cln::cl_RA b, cln::cl_R fa, cln::cl_R fb) {
+                            cln::cl_RA b, cln::cl_R fa, cln::cl_R fb, int places) {
   // Illinois' variant of false position
   const cln::cl_R larger = cln::max(cln::abs(fa), cln::abs(fb));
-  const cln::cl_I scale = power_of_ten(45 + digits_above_one(larger));
+  const cln::cl_I scale = power_of_ten(places);
   int side = 0;
   for (int step = 0; step < 200; ++step) {
     const cln::cl_RA weight = cln::rational(fa / (fa - fb));
@@ -68,7 +60,7 @@ std::vector<cln::cl_RA> values_of(const std::string& name, const Points& points)
 }
 
 std::optional<Point> walk(const Tree& tree, const Points& points, int most,
-                          const std::function<bool(const Point&)>& wanted) {
+                          const std::function<bool(const Point&)>& wanted, int places) {
   int found = 0;
   for (int start = 0; start < 5; ++start) {
     const Point base = start < 4 ? points.at(start) : points.with_zeros(0);
@@ -82,7 +74,7 @@ std::optional<Point> walk(const Tree& tree, const Points& points, int most,
         const auto now = value_of(tree, here);
         if (now && is_tiny(*now) && wanted(here)) return here;
         if (now && before && cln::minusp(*now) != cln::minusp(*before)) {
-          const auto root = polish(tree, base, name, at_before, value, *before, *now);
+          const auto root = polish(tree, base, name, at_before, value, *before, *now, places);
           if (root && wanted(*root)) return root;
           if (++found == most) return std::nullopt;
           if (++found_here > most / 4) break;

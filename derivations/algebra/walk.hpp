@@ -5,11 +5,10 @@
 
 namespace rederive {
 
-/// The zero between a and b, at which the values fa and fb differ in sign: exact rationals, rounded to 45
-/// digits, or more where the values are large, if the zero is no simple fraction. Nothing where the sign
-/// jumps, or a value is missing.
+/// The zero between a and b, at which the values fa and fb differ in sign: exact rationals, rounded to so
+/// many decimal places if the zero is no simple fraction. Nothing where the sign jumps, or a value is missing.
 std::optional<Point> polish(const Tree& tree, Point point, const std::string& name, cln::cl_RA a,
-                            cln::cl_RA b, cln::cl_R fa, cln::cl_R fb);
+                            cln::cl_RA b, cln::cl_R fa, cln::cl_R fb, int places = 45);
 
 /// The values that a symbol takes in the points, in order, with small whole numbers and the ends of its
 /// range.
@@ -18,6 +17,6 @@ std::vector<cln::cl_RA> values_of(const std::string& name, const Points& points)
 /// A walk along one symbol from each of a few points, to a zero that is wanted. Nothing once `most` changes
 /// of sign have been seen.
 std::optional<Point> walk(const Tree& tree, const Points& points, int most,
-                          const std::function<bool(const Point&)>& wanted);
+                          const std::function<bool(const Point&)>& wanted, int places = 45);
 
 }  // namespace rederive
