@@ -245,7 +245,7 @@ class Checker {
   }
   /// A link that follows from those of the other side: times·r is a sum of terms, products of their residuals
   /// with a factor, and more. A term with an equation is 0, others and more are not negative. Or
-  /// times·(-r^2).
+  /// times·(-r^2). Of an equation times may be a product of what is never 0.
   void follow(const Json& link) {
     const std::string side = link.contains("left") ? "left" : "right";
     const Said target = said(side, link.at(side));
@@ -272,7 +272,10 @@ class Checker {
             : squared        ? target.op == ">="
                              : !target.op.empty(),
             "such terms say nothing of an equation");
-    require(target.op == ">" ? range(times).low >= 0 && is_positive : range(times).is_positive(),
+    const bool is_product = why.contains("product") && target.op == "=" && !squared;
+    require(is_product         ? same(times, product(why.at("product"), [](auto&&...) { return false; }))
+            : target.op == ">" ? range(times).low >= 0 && is_positive
+                               : range(times).is_positive(),
             "a factor may vanish, or equality is left open");
     require(same(times + "*" + (squared ? "(-1)*" + r + "^2" : r), sum), "it does not follow");
     settled_.insert({side, link.at(side).at("link")});

@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <derivations/algebra/conjunction.hpp>
-#include <derivations/algebra/elimination.hpp>
+#include <derivations/algebra/exact_points.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/root_witness.hpp>
 #include <derivations/algebra/roots.hpp>
+#include <exception>
 #include <functional>
 #include <numeric>
 
@@ -97,7 +98,7 @@ class Matching {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const auto holds = settled(parts[k].inner, parts[k].claim, symbols_);
       if (holds == true)
-        matches_.push_back(is_left ? Match{{k}, {}} : Match{{}, {k}});
+        (is_left ? matches_.emplace_back().left : matches_.emplace_back().right) = {k};
       else
         result.push_back(k);
       if (holds == false) (is_left ? never_.left : never_.right) = {k};
@@ -108,10 +109,13 @@ class Matching {
   bool follow(const Numbers& left, const Numbers& right) {
     const std::vector<Asked> of_left = asked(parts_.left), of_right = asked(parts_.right);
     if (!have_values_together(of_left, of_right, parts_.first, symbols_)) return false;
+    std::vector<ex> divisors = parts_.first.left_divisors;
+    divisors.insert(divisors.end(), parts_.first.right_divisors.begin(), parts_.first.right_divisors.end());
     std::vector<Match> found;
     for (const auto& [numbers, is_left] : {std::pair(left, true), std::pair(right, false)})
       for (const std::size_t k : numbers) {
-        auto why = consequence((is_left ? of_left : of_right)[k], is_left ? of_right : of_left, symbols_);
+        auto why =
+            consequence((is_left ? of_left : of_right)[k], is_left ? of_right : of_left, divisors, symbols_);
         if (!why) return false;
         found.push_back({is_left ? Numbers{k} : Numbers{}, is_left ? Numbers{} : Numbers{k}, false, why});
       }
@@ -138,10 +142,12 @@ class Matching {
   Match never_{{}, {}, true};
 };
 
-/// A root that is looked at, or a point that is exact, and a residual that is 0 there.
+/// A root that is looked at, or a point that is exact, and a residual that is 0 there; or what every symbol
+/// is.
 struct Place {
   Root at;
   ex root_of = 0;
+  GiNaC::exmap values = {};
 };
 
 /// The sign of a part where the point is, or what it stands for; nothing where that cannot be told.
@@ -149,6 +155,8 @@ std::optional<int> sign_of_part(const Part& part, const Place& place, const Symb
   const Root& at = place.at;
   const auto value = value_of(part.written, at.at);
   if (!value) return std::nullopt;
+  if (!place.values.empty() && is_zero_at({part.written, part.residual}, {at, place.values}, symbols))
+    return 0;
   if (at.exact && differ(*value, 0)) return cln::plusp(*value) ? 1 : -1;
   if (!place.root_of.is_zero() && GiNaC::is_a<GiNaC::numeric>((part.residual / place.root_of).normal()))
     return 0;
@@ -230,13 +238,10 @@ std::optional<Proof> differ_at_a_point(const Parted& parts, const Points& points
   return std::nullopt;
 }
 
-/// A point at which one statement holds and the other does not: among many, and where a link turns.
-std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbols) {
-  const Points points = points_for(parts, symbols);
+/// A point at which one statement holds and the other does not: among many, or where all equations of a side
+/// hold.
+std::optional<Proof> differ_somewhere(const Parted& parts, const Points& points, const Symbols& symbols) {
   if (auto proof = differ_at_a_point(parts, points, Points::many, symbols)) return proof;
-  std::vector<Written> links;
-  for (const Parts* side : {&parts.left, &parts.right})
-    for (const Part& part : *side) links.push_back({part.written, part.residual});
   for (const Parts* side : {&parts.left, &parts.right}) {
     std::vector<const Part*> turning{nullptr};
     for (const Part& part : *side)
@@ -245,6 +250,27 @@ std::optional<Proof> differ_somewhere(const Parted& parts, const Symbols& symbol
       for (const Point& point : solutions_of(*side, inequality, points, symbols))
         if (auto proof = differ_at({{point, true}}, parts, symbols)) return proof;
   }
+  return std::nullopt;
+}
+
+/// The same where all the equations of a side hold, though not all symbols are rational.
+std::optional<Proof> differ_at_a_solution(const Parted& parts, const Points& points, const Symbols& symbols) {
+  for (const Parts* side : {&parts.left, &parts.right}) {
+    std::vector<ex> equations;
+    for (const Part& part : *side)
+      if (part.claim == Claim::zero) equations.push_back(part.residual);
+    if (equations.empty()) continue;
+    for (const auto& [root, values] : exact_points(equations, points, symbols))
+      if (auto proof = differ_at({root, 0, values}, parts, symbols)) return proof;
+  }
+  return std::nullopt;
+}
+
+/// The same where a link turns.
+std::optional<Proof> differ_at_a_root(const Parted& parts, const Points& points, const Symbols& symbols) {
+  std::vector<Written> links;
+  for (const Parts* side : {&parts.left, &parts.right})
+    for (const Part& part : *side) links.push_back({part.written, part.residual});
   std::optional<Proof> found;
   for (const Written& link : links)
     if (find_root(link, points, 10, Roots::crossings, symbols, [&](const Root& root) {
@@ -275,8 +301,20 @@ bool follow_from_each_other(const Question& question) {
 
 Proof prove_conjunctions(const Question& question) {
   const Parted parts = parts_of(question);
-  if (const auto proof = differ_somewhere(parts, question.symbols)) return *proof;
-  const auto found = Matching(question, parts).find();
+  const Symbols& symbols = question.symbols;
+  const Points points = points_for(parts, symbols);
+  if (const auto proof = differ_somewhere(parts, points, symbols)) return *proof;
+  std::optional<std::vector<Match>> found;
+  std::exception_ptr failure;  // a witness may be found all the same
+  try {
+    found = Matching(question, parts).find();
+  } catch (const std::exception&) {
+    failure = std::current_exception();
+  }
+  auto proof = found ? std::nullopt : differ_at_a_solution(parts, points, symbols);
+  if (!found && !proof) proof = differ_at_a_root(parts, points, symbols);
+  if (proof) return *proof;
+  if (failure) std::rethrow_exception(failure);
   if (!found)
     return undecided("the links of the one were not found to say together what those of the other one say");
   return proved("", found->front().never

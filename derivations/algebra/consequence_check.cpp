@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <derivations/algebra/consequences.hpp>
+#include <derivations/algebra/cofactors.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/quotient.hpp>
@@ -38,7 +38,7 @@ bool has_only_equations(const Consequence& why, const std::vector<Asked>& links)
 }  // namespace
 
 bool shows(const Consequence& why, const Asked& target, const std::vector<Asked>& links,
-           const Symbols& symbols) {
+           const std::vector<ex>& divisors, const Symbols& symbols) {
   ex sum = why.more;
   bool is_positive = sign_of(why.more, symbols) > 0, is_weak = is_never_negative(why.more, symbols);
   for (const Summand& term : why.terms) {
@@ -50,11 +50,11 @@ bool shows(const Consequence& why, const Asked& target, const std::vector<Asked>
   }
   const ex goal = why.squared ? ex(-GiNaC::pow(target.residual, 2)) : target.residual;
   if (!vanishes(why.times * goal - sum, symbols)) return false;
-  const int times = sign_of(why.times, symbols);
-  if (target.claim == Claim::zero && !why.squared) return times != 0 && has_only_equations(why, links);
+  if (target.claim == Claim::zero && !why.squared)
+    return is_never_zero(why.times, divisors, symbols) && has_only_equations(why, links);
   if (target.claim == Claim::positive)
     return !why.squared && is_weak && is_positive && is_never_negative(why.times, symbols);
-  return is_weak && times > 0;
+  return is_weak && sign_of(why.times, symbols) > 0;
 }
 
 }  // namespace rederive

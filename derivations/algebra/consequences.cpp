@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <derivations/algebra/consequences.hpp>
+#include <derivations/algebra/cofactors.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
@@ -70,14 +70,15 @@ std::optional<std::vector<numeric>> combination(const ex& target, const std::vec
   return result;
 }
 
-/// The target as a sum of equations, of one inequality and of a number.
+/// The target as a sum of equations, of some inequalities and of a number.
 std::optional<Consequence> by_numbers(const Asked& target, const Links& links,
-                                      std::optional<std::size_t> inequality) {
+                                      const std::vector<std::size_t>& inequalities) {
   const bool is_equation = target.claim == Claim::zero;
   std::vector<std::size_t> chosen;
   for (std::size_t k = 0; k < links.size(); ++k)
     if (links[k].claim == Claim::zero) chosen.push_back(k);
-  if (inequality) chosen.push_back(*inequality);
+  const std::size_t equations = chosen.size();
+  chosen.insert(chosen.end(), inequalities.begin(), inequalities.end());
   std::vector<ex> columns;
   for (const std::size_t k : chosen) columns.push_back(links[k].residual);
   if (!is_equation) columns.emplace_back(1);
@@ -88,11 +89,52 @@ std::optional<Consequence> by_numbers(const Asked& target, const Links& links,
     if (!(*numbers)[k].is_zero()) result.terms.push_back({(*numbers)[k], {chosen[k]}});
   if (is_equation) return result;
   result.more = numbers->back();
-  const numeric of_inequality = inequality ? (*numbers)[chosen.size() - 1] : numeric(0);
-  if (of_inequality.is_negative() || numbers->back().is_negative()) return std::nullopt;
-  const bool is_strict = numbers->back().is_positive() ||
-                         (of_inequality.is_positive() && links[*inequality].claim == Claim::positive);
+  bool is_strict = numbers->back().is_positive();
+  for (std::size_t k = equations; k <= chosen.size(); ++k) {
+    const numeric& number = (*numbers)[k];
+    if (number.is_negative()) return std::nullopt;
+    is_strict =
+        is_strict || (number.is_positive() && k < chosen.size() && links[chosen[k]].claim == Claim::positive);
+  }
   return is_strict || target.claim == Claim::not_negative ? std::optional(result) : std::nullopt;
+}
+
+/// None of the inequalities, each of them, and each two and three.
+std::vector<std::vector<std::size_t>> some_inequalities(const Links& links) {
+  std::vector<std::vector<std::size_t>> result{{}};
+  for (std::size_t first = 0, size = 0; size < 3; ++size) {  // those of one more than the last ones
+    const std::size_t last = result.size();
+    for (; first < last; ++first)
+      for (std::size_t k = result[first].empty() ? 0 : result[first].back() + 1; k < links.size(); ++k) {
+        if (links[k].claim == Claim::zero) continue;
+        result.push_back(result[first]);
+        result.back().push_back(k);
+      }
+    if (result.size() > 100) break;
+  }
+  return result;
+}
+
+/// r = 0, for r >= 0 and -r >= 0 are sums of inequalities, and -r² is the product of these.
+std::optional<Consequence> by_both_sides(const ex& r, const Links& links) {
+  std::vector<Consequence> sums;
+  for (const ex& side : {r, ex(-r)})
+    for (const auto& chosen : some_inequalities(links)) {
+      const auto sum = by_numbers({side, Claim::not_negative}, links, chosen);
+      const bool fits = sum && sum->more.is_zero() &&
+                        std::all_of(sum->terms.begin(), sum->terms.end(), [&](const Summand& term) {
+                          return links[term.links[0]].claim != Claim::zero;
+                        });
+      if (!fits) continue;
+      sums.push_back(*sum);
+      break;
+    }
+  if (sums.size() != 2) return std::nullopt;
+  Consequence result{{}, 0, 1, true};
+  for (const Summand& a : sums[0].terms)
+    for (const Summand& b : sums[1].terms)
+      result.terms.push_back({a.factor * b.factor, {a.links[0], b.links[0]}});
+  return result;
 }
 
 // ---- with the equations solved for symbols
@@ -255,28 +297,42 @@ Parts doubtful_parts(const Links& links, const std::vector<ex>& divisors, const 
 }  // namespace
 
 bool have_values_together(const Links& left, const Links& right, const Residuals& r, const Symbols& symbols) {
-  const Parts one = doubtful_parts(left, r.left_divisors, symbols),
-              other = doubtful_parts(right, r.right_divisors, symbols);
-  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
-                    [](const ex& a, const ex& b) { return a.is_equal(b); });
+  const Parts of_left = doubtful_parts(left, r.left_divisors, symbols),
+              of_right = doubtful_parts(right, r.right_divisors, symbols);
+  const auto is_granted = [&](const Parts& parts, const Parts& others, const Links& by) {
+    return std::all_of(parts.begin(), parts.end(), [&](const ex& part) {
+      const bool is_reciprocal = is_a<GiNaC::power>(part) && part.op(1).info(GiNaC::info_flags::negint);
+      const ex divisor = is_reciprocal ? part.op(0) : part;
+      return others.contains(part) || others.contains(divisor) ||
+             (is_a<GiNaC::symbol>(divisor) && exclude_zero(by, divisor, symbols));
+    });
+  };
+  return is_granted(of_left, of_right, right) && is_granted(of_right, of_left, left);
 }
 
-std::optional<Consequence> consequence(const Asked& target, const Links& links, const Symbols& symbols) {
+std::optional<Consequence> consequence(const Asked& target, const Links& links,
+                                       const std::vector<ex>& divisors, const Symbols& symbols) {
   const auto is_shown = [&](const std::optional<Consequence>& why) {
-    return why && shows(*why, target, links, symbols);
+    return why && shows(*why, target, links, divisors, symbols);
   };
+  const bool is_equation = target.claim == Claim::zero;
+  for (const auto& chosen : some_inequalities(links)) {
+    if (is_equation && !chosen.empty()) break;
+    if (const auto found = by_numbers(target, links, chosen); is_shown(found)) return found;
+  }
   std::vector<std::optional<std::size_t>> bases{std::nullopt};
   for (std::size_t k = 0; k < links.size(); ++k)
-    if (links[k].claim != Claim::zero && target.claim != Claim::zero) bases.emplace_back(k);
-  for (const auto& base : bases)
-    if (const auto found = by_numbers(target, links, base); is_shown(found)) return found;
+    if (links[k].claim != Claim::zero && !is_equation) bases.emplace_back(k);
   for (std::size_t k = 0; k < links.size(); ++k) {
     if (const auto found = by_one(target, links, k, symbols); is_shown(found)) return found;
     for (std::size_t other = 0; other < k; ++other)
       if (const auto found = by_two(target, links, k, other, symbols); is_shown(found)) return found;
   }
+  if (is_equation)
+    if (const auto found = by_both_sides(target.residual, links); is_shown(found)) return found;
   for (const auto& base : bases)
     if (const auto found = by_division(target, links, base, symbols); is_shown(found)) return found;
+  if (const auto found = by_elimination(target, links, divisors, symbols); is_shown(found)) return found;
   return std::nullopt;
 }
 

@@ -151,8 +151,10 @@ Json consequence_json(const CertifiedConsequence& why, const CertifiedStatement&
   Json terms = Json::array();
   for (const auto& [factor, links] : why.terms)
     terms.push_back({{"factor", q.text(factor)}, {"links", links}});
-  return {
+  Json json{
       {"times", q.text(why.times)}, {"squared", why.squared}, {"terms", terms}, {"more", q.text(why.more)}};
+  if (!why.product.empty()) json["product"] = factor_json(why.product, q);
+  return json;
 }
 
 Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Phases& phases, Steps& steps) {
@@ -258,6 +260,7 @@ Json parts_of_divisors(const std::vector<CertifiedLink>& links, const CertifiedS
   };
   for (const CertifiedLink& link : links) {
     add(link.factor);
+    if (link.follows) add(link.follows->product);
     for (const CertifiedSide& side : {link.left, link.right})
       for (const auto& layers : side.layers)
         for (const CertifiedLayer& layer : layers) add(layer.factor);
@@ -285,6 +288,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
       for (const auto& [part, other] : *list) trees.push_back(other);
     if (link.follows) {
       trees.insert(trees.end(), {link.follows->more, link.follows->times});
+      add_trees(link.follows->product, trees);
       for (const auto& [factor, links_of_term] : link.follows->terms) trees.push_back(factor);
     }
     for (const CertifiedSide& side : {link.left, link.right}) {

@@ -32,7 +32,8 @@ namespace rederive {
 ///   cofactor      not 0 itself: left·cofactor = factor·right·cofactor modulo the relations of the generators
 /// or, of a link that follows from those of the other side, left or right alone and what it
 ///   follows       from: times·residual = Σ factor·(product of the residuals of links) + more, where terms
-///                 without an equation and more are not negative; or with minus the square of the residual
+///                 without an equation and more are not negative; or with minus the square of the residual;
+///                 of an equation times may be a `product` of parts that are never 0, as in a factor
 /// or, of a link that always holds, or never: left or right alone, with its residual in a `form` that shows
 /// it, and `holds`. One of each side that never holds is enough. All is text in our own syntax. Throws
 /// Undecidable where the statement is not proved, or where nothing like this is found.

@@ -54,7 +54,8 @@ struct Finder {
   }
   bool has_terms_of_one_sign(const ex& e) const {
     const auto all = [&](int sign) {
-      return std::all_of(e.begin(), e.end(), [&](const ex& t) { return is_nonnegative(sign * t, q.symbols); });
+      return std::all_of(e.begin(), e.end(),
+                         [&](const ex& t) { return is_nonnegative(sign * t, q.symbols); });
     };
     return is_a<GiNaC::add>(e) && (all(1) || all(-1));
   }
@@ -293,6 +294,8 @@ struct Finder {
     CertifiedLink link;
     link.left.links = match.left, link.right.links = match.right;
     link.follows = {{}, written(match.why->more), written(match.why->times), match.why->squared};
+    if (sign_of(match.why->times, q.symbols) == 0)  // of an inequality it may be 0
+      link.follows->product = put_down(match.why->times).value_or(CertifiedFactor{});
     for (const auto& [factor, links] : match.why->terms)
       link.follows->terms.emplace_back(written(factor), links);
     return link;

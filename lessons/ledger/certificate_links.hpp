@@ -43,6 +43,7 @@ struct CertifiedConsequence {
   std::vector<std::pair<Tree, std::vector<std::size_t>>> terms;
   Tree more, times;
   bool squared;
+  CertifiedFactor product = {};  ///< times, of parts that are never 0, where it may have either sign
 };
 
 /// Two expressions (no layers, their values for residuals), or what links of two statements say.

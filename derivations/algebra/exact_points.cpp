@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <derivations/algebra/exact_points.hpp>
+#include <derivations/algebra/print.hpp>
+#include <derivations/algebra/vanish.hpp>
+
+namespace rederive {
+
+using GiNaC::ex;
+using GiNaC::is_a;
+
+namespace {
+
+using Residuals = std::vector<ex>;
+
+ex put_in(const ex& e, const GiNaC::exmap& values) { return e.subs(values, GiNaC::subs_options::no_pattern); }
+
+bool is_zero(const ex& e, const Symbols& symbols) {
+  try {
+    return e.is_zero() || vanishes(e, symbols);
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
+/// Those of the numerator; in an order, and with signs, that are the same in each run.
+std::vector<ex> factors_of(const ex& residual, const Symbols& symbols) {
+  GiNaC::exmap names;
+  const ex product = GiNaC::factor(residual.to_rational(names).numer());
+  std::map<std::string, ex> result;
+  for (const ex& factor : is_a<GiNaC::mul>(product) ? product : ex(GiNaC::lst{product})) {
+    const ex base = is_a<GiNaC::power>(factor) ? factor.op(0) : factor;
+    if (is_a<GiNaC::numeric>(base)) continue;
+    const ex one = put_in(base, names).expand(), other = (-one).expand();
+    const std::string text = print(one, Notation::plain, symbols),
+                      turned = print(other, Notation::plain, symbols);
+    result.emplace(std::min(text, turned), text < turned ? one : other);
+  }
+  std::vector<ex> in_order;
+  for (const auto& [text, factor] : result) in_order.push_back(factor);
+  return in_order;
+}
+
+/// The zeros of what is linear in a symbol, or a multiple of its square and a rest.
+std::vector<ex> zeros_of(const ex& factor, const ex& symbol) {
+  if (!factor.is_polynomial(symbol)) return {};
+  const int degree = factor.degree(symbol);
+  if (degree != 1 && (degree != 2 || !factor.coeff(symbol, 1).is_zero())) return {};
+  const ex zero = -factor.coeff(symbol, 0) / factor.coeff(symbol, degree);
+  if (degree == 1) return {zero};
+  return {GiNaC::sqrt(zero), -GiNaC::sqrt(zero)};
+}
+
+/// Depth first, until there are enough.
+void solve(Residuals residuals, const Solution& so_far, const Symbols& symbols,
+           std::vector<Solution>& found) {
+  constexpr std::size_t enough = 8;
+  std::erase_if(residuals, [&](const ex& residual) { return is_zero(residual, symbols); });
+  if (residuals.empty()) return found.push_back(so_far);
+  const Residuals others(residuals.begin() + 1, residuals.end());
+  for (const ex& factor : factors_of(residuals.front(), symbols))
+    for (const std::string& name : names_in(factor)) {
+      const Symbol* symbol = symbols.find(name);
+      for (const ex& zero : symbol != nullptr ? zeros_of(factor, symbol->ginac) : std::vector<ex>{}) {
+        if (found.size() >= enough) return;
+        try {
+          const GiNaC::exmap value{{symbol->ginac, zero}};
+          Solution solution = so_far;
+          Residuals rest;
+          for (auto& [other, earlier] : solution) earlier = put_in(earlier, value);
+          solution.emplace_back(name, zero);
+          for (const ex& residual : others) rest.push_back(put_in(residual, value));
+          solve(rest, solution, symbols, found);
+        } catch (const std::exception&) {  // a division by 0: it has no value there
+        }
+      }
+    }
+}
+
+/// To 45 decimal places.
+std::optional<Between> bounds_of(const ex& constant, const Symbols& symbols) {
+  const auto value = evaluate(to_tree(constant, symbols), {}, 70);
+  if (!value || cln::abs(*value) > power_of_ten(20)) return std::nullopt;
+  const cln::cl_I scale = power_of_ten(45), below = cln::floor1(*value * scale);
+  return Between{(below - 1) / cln::cl_RA(scale), (below + 2) / cln::cl_RA(scale)};
+}
+
+/// Says what a symbol is; false where that is outside of its range, or long.
+bool put(ExactPoint& point, const std::string& name, const ex& value, const Symbols& symbols) {
+  const std::string& range = symbols.find(name)->range;
+  cln::cl_RA& at = point.root.at[name];
+  point.values[symbols[name]] = value;
+  if (value.info(GiNaC::info_flags::rational)) {
+    at = cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N());
+    return is_inside(range, at);
+  }
+  const auto bounds = bounds_of(value, symbols);
+  const std::string text = print(value, Notation::plain, symbols);
+  if (!bounds || text.size() > 80) return false;
+  at = bounds->low + (bounds->high - bounds->low) / 3;  // a whole number of units of the last place
+  point.root.box[name] = *bounds, point.root.meant[name] = text, point.root.exact = false;
+  return is_strictly_inside(range, bounds->low) && is_strictly_inside(range, bounds->high);
+}
+
+std::optional<ExactPoint> completed_exactly(const Solution& solution, const Point& free,
+                                            const Symbols& symbols) {
+  ExactPoint point{{{}, true}, {}};
+  try {
+    for (const auto& [name, value] : free)
+      if (std::none_of(solution.begin(), solution.end(), [&n = name](const auto& s) { return s.first == n; }))
+        put(point, name, GiNaC::numeric(value), symbols);
+    const GiNaC::exmap values = point.values;
+    for (const auto& [name, value] : solution)
+      if (!put(point, name, put_in(value, values), symbols)) return std::nullopt;
+  } catch (const std::exception&) {  // a division by 0, or what our syntax cannot write
+    return std::nullopt;
+  }
+  return point;
+}
+
+/// The symbols in arguments of functions.
+std::set<std::string> angles_in(const Residuals& residuals) {
+  std::set<std::string> names;
+  for (const ex& residual : residuals)
+    for (auto part = residual.preorder_begin(); part != residual.preorder_end(); ++part)
+      if (is_a<GiNaC::function>(*part)) names.merge(names_in(*part));
+  return names;
+}
+
+/// With one angle a multiple of pi.
+void solve_at_angles(const Residuals& residuals, const Symbols& symbols, std::vector<Solution>& found) {
+  for (const std::string& name : angles_in(residuals))
+    for (const GiNaC::numeric& turns : {GiNaC::numeric(1, 4), GiNaC::numeric(1, 6), GiNaC::numeric(1, 3),
+                                        GiNaC::numeric(3, 4), GiNaC::numeric(1, 2)}) {
+      const ex angle = turns * GiNaC::Pi;
+      Residuals there;
+      try {
+        for (const ex& residual : residuals) there.push_back(put_in(residual, {{symbols[name], angle}}));
+        solve(there, {{name, angle}}, symbols, found);
+      } catch (const std::exception&) {  // a pole
+      }
+    }
+}
+
+}  // namespace
+
+std::vector<ExactPoint> exact_points(const Residuals& residuals, const Points& points,
+                                     const Symbols& symbols) {
+  std::vector<Solution> solutions;
+  try {
+    solve(residuals, {}, symbols, solutions);
+    if (solutions.empty()) solve_at_angles(residuals, symbols, solutions);
+  } catch (const std::exception&) {  // what the computer algebra cannot do
+  }
+  std::vector<ExactPoint> result;
+  for (const Solution& solution : solutions)
+    for (int k = 0, of_this = 0; k < 6 && of_this < 2; ++k)
+      if (auto point = completed_exactly(solution, points.at(k), symbols))
+        result.push_back(std::move(*point)), ++of_this;
+  return result;
+}
+
+bool is_zero_at(const Written& part, const ExactPoint& point, const Symbols& symbols) {
+  if (!point.root.exact && !enclosure(part.tree, point.root.at, point.root.box)) return false;
+  try {
+    return is_zero(put_in(part.value, point.values), symbols);
+  } catch (const std::exception&) {  // a pole
+    return false;
+  }
+}
+
+}  // namespace rederive
