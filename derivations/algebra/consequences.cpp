@@ -320,6 +320,7 @@ std::optional<Consequence> consequence(const Asked& target, const Links& links,
     if (is_equation && !chosen.empty()) break;
     if (const auto found = by_numbers(target, links, chosen); is_shown(found)) return found;
   }
+  if (const auto found = by_elimination(target, links, divisors, symbols); is_shown(found)) return found;
   std::vector<std::optional<std::size_t>> bases{std::nullopt};
   for (std::size_t k = 0; k < links.size(); ++k)
     if (links[k].claim != Claim::zero && !is_equation) bases.emplace_back(k);
@@ -332,7 +333,6 @@ std::optional<Consequence> consequence(const Asked& target, const Links& links,
     if (const auto found = by_both_sides(target.residual, links); is_shown(found)) return found;
   for (const auto& base : bases)
     if (const auto found = by_division(target, links, base, symbols); is_shown(found)) return found;
-  if (const auto found = by_elimination(target, links, divisors, symbols); is_shown(found)) return found;
   return std::nullopt;
 }
 
