@@ -107,6 +107,41 @@ TEST_CASE("a text that cannot be read ends with 2 and a caret under the characte
   CHECK(run_program("ledger", {"prove", "x", "y", "--assume", "x > 1", "--assume", "x < 0"}).exit_code == 2);
 }
 
+TEST_CASE("a comparison of symbols that a proof rests on is among its side conditions") {
+  const auto conditions = [](const std::string& assumption, const std::string& left,
+                             const std::string& right) {
+    return prove_json({"--assume", assumption, "--", left, right}, 0)["side_conditions"];
+  };
+  CHECK(conditions("a_p > alpha*g", "fabs(a_p-alpha*g)", "a_p-alpha*g") == nlohmann::json{"a_p > g*alpha"});
+  CHECK(conditions("a_p > alpha*g", "a_p+a_p", "2*a_p").empty());
+  CHECK(conditions("b/h < 1", "sqrt((h-b)^2)", "h-b") == nlohmann::json{"b/h < 1", "h > 0"});
+}
+
+TEST_CASE("an assumption that cannot be taken says why, or what would decide it") {
+  const auto error = [](const std::vector<std::string>& assumptions) {
+    std::vector<std::string> arguments{"prove", "1", "1"};
+    for (const std::string& assumption : assumptions)
+      arguments.push_back("--assume"), arguments.push_back(assumption);
+    const Result r = run_program("ledger", arguments);
+    CHECK(r.exit_code == 2);
+    return r.err;
+  };
+  const auto has = [](const std::string& text, const char* part) {
+    INFO(text);
+    CHECK(text.find(part) != std::string::npos);
+  };
+  has(error({"x^2 = 4"}), "assume \"x > 0\" or \"x < 0\"");
+  has(error({"sin(psi) = 1/2"}), "\"psi = pi/6\", or \"psi = 5*pi/6\"");
+  has(error({"x < 0", "y = log(x)"}), "contradict each other");
+  has(error({"x < 1", "x = y^2+1"}), "contradicts its range (-inf, 1)");
+  has(error({"b < h", "b = h"}), "contradict each other");
+  has(error({"x < y", "y < z", "z < x"}), "contradict each other");
+  has(error({"x <= y", "y <= x"}), "say so by \"=\"");
+  has(error({"alpha = 2"}), "contradicts its range (0, pi/2)");
+  has(error({"y > sqrt(x)"}), "x >= 0");
+  has(error({"x/y > 1"}), "factor of known sign");
+}
+
 TEST_CASE("the page of what can be decided is written from the table") {
   const Result r = run_program("ledger", {"prove", "--table", table_file});
   CHECK(r.exit_code == 0);

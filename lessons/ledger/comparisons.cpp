@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/witness.hpp>
@@ -14,33 +15,39 @@ using GiNaC::is_a;
 
 namespace {
 
-bool is_polynomial(const ex& e) {
-  return std::all_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) {
-    const bool is_power = is_a<GiNaC::power>(part) && part.op(1).info(GiNaC::info_flags::posint);
-    return is_power || is_a<GiNaC::add>(part) || is_a<GiNaC::mul>(part) || is_a<GiNaC::symbol>(part) ||
-           part.info(GiNaC::info_flags::rational);
-  });
-}
-
 std::vector<Given> givens(const std::vector<Comparison>& comparisons) {
   std::vector<Given> result;
   for (const Comparison& c : comparisons) result.push_back(c.given);
   return result;
 }
 
-/// Whether the symbol may be replaced by other + excess, or other - excess where it is the lesser.
-bool is_replaceable(const ex& symbol, const ex& other, const std::vector<Comparison>& before) {
-  if (!is_a<GiNaC::symbol>(symbol) || !is_polynomial(other)) return false;
-  const bool is_replaced = std::any_of(before.begin(), before.end(),
-                                       [&](const Comparison& c) { return c.given.name.is_equal(symbol); });
-  return !is_replaced && !put_in(other, givens(before)).has(symbol);
+/// Whether the declared range of the symbol says no more than that it lies beyond the bound.
+bool is_whole_range(const Bound& bound, const Symbols& symbols) {
+  const Interval range = parse_range(symbols.find(bound.symbol)->range);
+  const End &open = bound.is_lower ? range.high : range.low, &other = bound.is_lower ? range.low : range.high;
+  if (open.infinite == 0) return false;
+  const ex inside = bound.is_lower ? bound.value - other.value : other.value - bound.value;
+  return other.infinite != 0 || is_nonnegative(inside, symbols);
 }
 
-/// Whether the range of the greater one follows from that of the lesser one.
-bool has_room(const ex& greater, const ex& lesser, const Symbols& symbols) {
-  const Interval range = parse_range(symbols.find(greater)->range);
-  if (range.high.infinite == 0) return false;
-  return range.low.infinite != 0 || is_nonnegative(lesser - range.low.value, symbols);
+bool is_excess(const std::string& name) { return name.starts_with("excess_"); }
+
+/// How well a bound does for what is replaced: without loss; as the user wrote it; the greater one.
+int rank(const Bound& bound, const Inequality& inequality, const Symbols& symbols) {
+  const bool is_alone = bound.symbol.is_equal(inequality.greater) || bound.symbol.is_equal(inequality.lesser);
+  return 4 * is_whole_range(bound, symbols) + 2 * is_alone + bound.is_lower;
+}
+
+/// For the symbol that does best; nothing that stands for an excess.
+std::optional<Bound> solved(const Inequality& inequality, const ex& difference, const Symbols& symbols) {
+  std::optional<Bound> best;
+  for (const std::string& name : names_in(difference)) {
+    if (is_excess(name)) continue;
+    const auto bound = solved_for(symbols[name], difference, symbols);
+    if (bound && (!best || rank(*bound, inequality, symbols) > rank(*best, inequality, symbols)))
+      best = bound;
+  }
+  return best;
 }
 
 /// Up to what the declared ranges let a positive difference grow, for a range: "pi/2)"; "inf)" if that is not
@@ -62,10 +69,13 @@ void replace_all(std::string& text, const std::string& name, const std::string& 
   }
 }
 
-/// The difference that an inequality says to be positive.
-ex difference(const Relation& inequality, const Symbols& symbols) {
-  const ex left = lower(inequality.sides[0], symbols), right = lower(inequality.sides[1], symbols);
-  return inequality.operators[0][0] == '<' ? right - left : left - right;
+/// The value itself, where that is rational; else one to 45 places on that side of it.
+cln::cl_RA rational_near(const Tree& value, const Point& point, int side, const Symbols& symbols) {
+  const ex exact = lower(value, symbols).subs(values_at(point, symbols), GiNaC::subs_options::no_pattern);
+  if (exact.info(GiNaC::info_flags::rational))
+    return cln::the<cln::cl_RA>(ex_to<GiNaC::numeric>(exact).to_cl_N());
+  const cln::cl_RA places = cln::cl_RA(power_of_ten(45));
+  return (cln::round1(evaluate(value, point, 60).value() * places) + side) / places;
 }
 
 /// Of other + excess, where only bounds of the excess are known: so of the sum, or the difference.
@@ -73,17 +83,39 @@ void move_bounds(Witness& witness, const Comparison& c, const std::vector<Compar
                  const Symbols& symbols) {
   const auto bounds = witness.between.find(c.excess);
   if (bounds == witness.between.end()) return;
-  const auto value = [&](const cln::cl_RA& excess) {
+  const Tree value = to_tree(put_in(c.given.value, givens(all)), symbols);
+  const auto at = [&](const cln::cl_RA& excess, int side) {
     Point point{{c.excess, excess}};
     for (const auto& [name, number] : witness.at)
       if (name != c.excess) point[name] = cln::cl_RA(number.c_str());
-    return put_in(c.given.value, givens(all)).subs(values_at(point, symbols));
+    return rational_near(value, point, side, symbols);
   };
-  const auto rational = [](const ex& e) { return cln::the<cln::cl_RA>(ex_to<GiNaC::numeric>(e).to_cl_N()); };
-  const ex a = value(bounds->second.low), b = value(bounds->second.high);
   const std::string name = symbols.find(c.given.name)->name;
-  witness.between[name] = {cln::min(rational(a), rational(b)), cln::max(rational(a), rational(b))};
+  const cln::cl_RA &low = bounds->second.low, &high = bounds->second.high;
+  witness.between[name] = {cln::min(at(low, -1), at(high, -1)), cln::max(at(low, 1), at(high, 1))};
   witness.exactly.erase(name);
+}
+
+/// The excess by the symbol that has its bounds from now on, so that no other one is said by way of itself.
+void say_by_symbol(Witness& witness, const Comparison& c, const std::vector<Comparison>& all,
+                   const Symbols& symbols) {
+  if (!witness.between.contains(c.excess)) return;
+  GiNaC::exmap values;
+  for (const auto& [name, number] : witness.at) {
+    const auto exactly = witness.exactly.find(name);
+    if (name != c.excess)
+      values[symbols[name]] = exactly != witness.exactly.end()
+                                  ? lower(parse(exactly->second, symbols), symbols)
+                                  : ex(GiNaC::numeric(number.c_str()));
+  }
+  const ex excess = symbols[c.excess];
+  const ex value = put_in(c.given.value, givens(all)).subs(values, GiNaC::subs_options::no_pattern).expand();
+  if (!value.is_polynomial(excess) || value.degree(excess) != 1) return;
+  const ex by_symbol = (c.given.name - value.coeff(excess, 0)) / value.coeff(excess, 1);
+  for (auto& [name, text] : witness.exactly)
+    if (text.find(c.excess) != std::string::npos)
+      text = print(lower(parse(text, symbols), symbols).subs(excess == by_symbol).expand(), Notation::plain,
+                   symbols);
 }
 
 /// An expression, or an equation "… = 0", in the symbols that the user knows.
@@ -99,6 +131,7 @@ std::string without_excess(std::string text, const std::vector<Comparison>& comp
 
 /// Says the witness in the symbols that the user knows.
 void forget_excess(Witness& witness, const std::vector<Comparison>& comparisons, const Symbols& symbols) {
+  for (const Comparison& c : comparisons) say_by_symbol(witness, c, comparisons, symbols);
   for (const Comparison& c : comparisons) move_bounds(witness, c, comparisons, symbols);
   for (const Comparison& c : comparisons)
     witness.at.erase(c.excess), witness.exactly.erase(c.excess), witness.between.erase(c.excess);
@@ -108,28 +141,25 @@ void forget_excess(Witness& witness, const std::vector<Comparison>& comparisons,
 
 }  // namespace
 
-int settled_by(const std::vector<Comparison>& before, const Relation& inequality, const Symbols& symbols) {
-  const ex excess = put_in(difference(inequality, symbols), givens(before)).expand();
-  const bool weak = inequality.operators[0].size() == 2;
+int settled_by(const std::vector<Comparison>& before, const Inequality& inequality, const Symbols& symbols) {
+  const ex excess = put_in(inequality.difference(), givens(before)).normal().expand();
+  const bool weak = inequality.weak;
   if (weak ? is_nonnegative(excess, symbols) : sign_of(excess, symbols) > 0) return 1;
   return (weak ? sign_of(excess, symbols) < 0 : is_nonnegative(-excess, symbols)) ? -1 : 0;
 }
 
-std::optional<Comparison> compared(const Relation& inequality, const std::vector<Comparison>& before,
+std::optional<Comparison> compared(const Inequality& inequality, const std::vector<Comparison>& before,
                                    Symbols& symbols) {
-  const bool rises = inequality.operators[0][0] == '<', weak = inequality.operators[0].size() == 2;
-  const ex greater = lower(inequality.sides[rises ? 1 : 0], symbols),
-           lesser = lower(inequality.sides[rises ? 0 : 1], symbols);
-  const bool up = is_replaceable(greater, lesser, before), down = is_replaceable(lesser, greater, before);
-  if (!up && !down) return std::nullopt;
+  const auto bound = solved(inequality, put_in(inequality.difference(), givens(before)), symbols);
+  if (!bound) return std::nullopt;
+  const ex room = bound->is_lower ? bound->symbol - bound->value : bound->value - bound->symbol;
   const std::string name = "excess_" + std::to_string(before.size() + 1);
-  const std::string meaning = print(greater - lesser, Notation::plain, symbols);
-  const bool is_up =
-      up && (!down || has_room(greater, lesser, symbols) || symbols.find(lesser)->range != "(-inf, inf)");
-  const std::string unit = symbols.find(is_up ? greater : lesser)->unit;
-  const std::string range = (weak ? "[0, " : "(0, ") + upper_end(greater - lesser, symbols);
+  const std::string meaning = without_excess(print(room, Notation::plain, symbols), before, symbols);
+  const std::string range = (inequality.weak ? "[0, " : "(0, ") + upper_end(room, symbols);
+  const std::string unit = symbols.find(bound->symbol)->unit;
   const ex excess = symbols.declare(name, name, name, unit, range, meaning, "").ginac;
-  return Comparison{is_up ? Given{greater, lesser + excess} : Given{lesser, greater - excess}, name, meaning};
+  const ex value = bound->is_lower ? bound->value + excess : bound->value - excess;
+  return Comparison{Given{bound->symbol, value}, name, meaning};
 }
 
 Proof without_excess(Proof proof, const std::vector<Comparison>& comparisons, const Symbols& symbols) {

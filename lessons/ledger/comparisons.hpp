@@ -1,7 +1,9 @@
-// Assumptions that compare symbols: b < h is h = b + excess with a positive excess.
+// Assumptions that compare symbols: b < h is h = b + excess with a positive excess, x + y > 0 is x = -y +
+// excess.
 #pragma once
 
 #include <derivations/algebra/prove.hpp>
+#include <lessons/ledger/inequalities.hpp>
 #include <optional>
 
 namespace rederive {
@@ -14,12 +16,12 @@ struct Comparison {
 };
 
 /// How the two sides of an inequality compare after those before: +1 if it always holds, -1 if never, 0 if
-/// neither is known. Throws SyntaxError.
-int settled_by(const std::vector<Comparison>& before, const Relation& inequality, const Symbols& symbols);
+/// neither is known.
+int settled_by(const std::vector<Comparison>& before, const Inequality& inequality, const Symbols& symbols);
 
-/// Declares the excess. The symbol that is replaced stands alone on one side, is none that was replaced
-/// before, and the other side is a polynomial without it. Nothing where there is none. Throws SyntaxError.
-std::optional<Comparison> compared(const Relation& inequality, const std::vector<Comparison>& before,
+/// Declares the excess over what the inequality, after those before it, says of one symbol: linear in it,
+/// with a factor of known sign, better with a range that follows from the bound. Nothing where there is none.
+std::optional<Comparison> compared(const Inequality& inequality, const std::vector<Comparison>& before,
                                    Symbols& symbols);
 
 /// The same proof in the symbols that the user knows; the witness with all of them.

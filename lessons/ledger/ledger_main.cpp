@@ -223,8 +223,8 @@ int main(int argc, char** argv) {
   auto* rhs = proving->add_option("rhs", options.request.right, "\"2*sin(x)*cos(x)\"");
   proving
       ->add_option("--assume", options.request.assumptions,
-                   "\"x > 0\", \"0 < x < 1\", \"b < h\", \"x != y\", \"h = R*cos(alpha)\", "
-                   "\"p^2 = 3*g/(4*R)\"; more of them by more options")
+                   "\"x > 0\", \"0 < x < 1\", \"b < h\", \"mu > tan(alpha)\", \"x != y\", "
+                   "\"h = R*cos(alpha)\", \"p^2 = 3*g/(4*R)\"; more of them by more options")
       ->take_all()
       ->allow_extra_args(false);
   proving->add_option("--small", options.request.small, "Compare Taylor polynomials in these symbols")

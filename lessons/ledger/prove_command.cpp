@@ -5,10 +5,10 @@
 #include <derivations/algebra/failure.hpp>
 #include <derivations/algebra/witness.hpp>
 #include <derivations/bounded.hpp>
-#include <derivations/command_line.hpp>
 #include <functional>
 #include <lessons/ledger/certificate.hpp>
 #include <lessons/ledger/prove_command.hpp>
+#include <lessons/ledger/reading.hpp>
 #include <lessons/ledger/relevance.hpp>
 #include <lessons/ledger/report.hpp>
 #include <set>
@@ -16,16 +16,6 @@
 namespace rederive {
 
 namespace {
-
-/// Parses, so that what is wrong with a text is said with a caret under it.
-template <class Read>
-auto reading(const std::string& text, Read read) {
-  try {
-    return read();
-  } catch (const SyntaxError& error) {
-    throw BadInput(explain(error, text));
-  }
-}
 
 Relation read(const std::string& text, const Symbols& symbols) {
   return reading(text, [&] {
@@ -118,39 +108,71 @@ bool goes_through_in(const Context& context, const ProveRequest& request, Verdic
   return goes_through(left, right, context.symbols, relevant(given, left, right, context.symbols));
 }
 
-/// Which declared ranges the proof rests on: those without which it does not go through, and those of more
-/// symbols than are tried.
-std::vector<std::string> ranges_used(Verdict verdict, const Context& context, const ProveRequest& request) {
-  constexpr std::size_t most = 12;
-  const std::vector<std::string> names = ranged_names(context, request);
-  if (names.empty()) return {};
-  const bool by_algebra = goes_through_in(context, request, verdict);
-  const auto holds = [&](const std::vector<std::string>& freed) {
-    try {
-      const Context other = make_context(request, freed);
-      return by_algebra ? goes_through_in(other, request, verdict)
-                        : decide_in(other, request).verdict == verdict;
-    } catch (const BadInput&) {  // an assumption means something with the range only
-      return false;
-    }
-  };
-  if (holds(names)) return {};
-  std::vector<std::string> freed, used;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    freed.push_back(names[k]);
-    const bool is_known = freed.size() == names.size();  // that it does not hold
-    if (k < most && !is_known && holds(freed)) continue;
-    freed.pop_back();
-    used.push_back(names[k]);
+/// What a proof may rest on that is not said in the statement.
+struct Grounds {
+  std::vector<std::string> ranges;    ///< of which symbols
+  std::set<std::size_t> comparisons;  ///< which of Context::compared
+};
+
+Grounds grounds(const Context& context, const ProveRequest& request) {
+  Grounds all{ranged_names(context, request), {}};
+  for (std::size_t k = 0; k < context.compared.size(); ++k) all.comparisons.insert(k);
+  return all;
+}
+
+/// "a_p > alpha*g", "alpha > 0", "alpha < pi/2"
+std::vector<std::string> as_conditions(const Grounds& grounds, const Context& context) {
+  std::vector<std::string> conditions;
+  for (const std::size_t k : grounds.comparisons) conditions.push_back(context.compared[k]);
+  for (const std::string& range : ranges_as_conditions(grounds.ranges, context.symbols))
+    conditions.push_back(range);
+  return conditions;
+}
+
+/// Whether the proof goes through without these.
+bool holds_without(const Grounds& left_out, bool by_algebra, Verdict verdict, const ProveRequest& request) {
+  try {
+    const Context other = make_context(request, left_out.ranges, left_out.comparisons);
+    return by_algebra ? goes_through_in(other, request, verdict)
+                      : decide_in(other, request).verdict == verdict;
+  } catch (const BadInput&) {  // an assumption means something with the range only
+    return false;
   }
-  return ranges_as_conditions(used, context.symbols);
+}
+
+/// Which comparisons and declared ranges the proof rests on: those without which it does not go through, and
+/// those of more symbols than are tried.
+std::vector<std::string> conditions_used(Verdict verdict, const Context& context,
+                                         const ProveRequest& request) {
+  constexpr std::size_t most = 12;
+  const Grounds all = grounds(context, request);
+  if (all.ranges.empty() && all.comparisons.empty()) return {};
+  const bool by_algebra = goes_through_in(context, request, verdict);
+  const auto holds = [&](const Grounds& out) { return holds_without(out, by_algebra, verdict, request); };
+  if (holds(all)) return {};
+  Grounds out, used;
+  for (const std::size_t k : all.comparisons) {
+    out.comparisons.insert(k);
+    if (holds(out)) continue;
+    out.comparisons.erase(k);
+    used.comparisons.insert(k);
+  }
+  for (std::size_t k = 0; k < all.ranges.size(); ++k) {
+    out.ranges.push_back(all.ranges[k]);
+    const bool is_known = out.ranges.size() == all.ranges.size() &&  // that it does not hold
+                          out.comparisons.size() == all.comparisons.size();
+    if (k < most && !is_known && holds(out)) continue;
+    out.ranges.pop_back();
+    used.ranges.push_back(all.ranges[k]);
+  }
+  return as_conditions(used, context);
 }
 
 bool is_proved(const Proof& proof) {
   return proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
 }
 
-/// Without the ranges that a proof rests on.
+/// Without the ranges and comparisons that a proof rests on.
 Proof decide_but_for_ranges(const Context& context, const ProveRequest& request) {
   if (request.order < 0 || request.order > 12 || (request.order > 0) != !request.small.empty())
     throw BadInput(
@@ -186,8 +208,8 @@ Proof decide(const ProveRequest& request) {
     const Context context = make_context(request);
     Proof proof = decide_but_for_ranges(context, request);
     if (!is_proved(proof)) return proof;
-    const auto ranges = ranges_used(proof.verdict, context, request);
-    proof.side_conditions.insert(proof.side_conditions.end(), ranges.begin(), ranges.end());
+    const auto used = conditions_used(proof.verdict, context, request);
+    proof.side_conditions.insert(proof.side_conditions.end(), used.begin(), used.end());
     return proof;
   });
 }
@@ -216,23 +238,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The proof, and as conditions all ranges that it may rest on.
+/// The proof, and as conditions all that it may rest on.
 std::string decision(const ProveRequest& request) {
-  Json ranges = Json::array();
+  Json conditions = Json::array();
   const Proof proof = or_undecided([&] {
     const Context context = make_context(request);
     Proof found = decide_but_for_ranges(context, request);
-    if (is_proved(found)) ranges = ranges_as_conditions(ranged_names(context, request), context.symbols);
+    if (is_proved(found)) conditions = as_conditions(grounds(context, request), context);
     return found;
   });
-  return Json{to_json(proof), ranges}.dump();
+  return Json{to_json(proof), conditions}.dump();
 }
 
 /// Those among them that it does rest on; all of them, if there is no time to find out.
-Json ranges_within(double seconds, const Json& all, const Json& verdict, const ProveRequest& request) {
+Json conditions_within(double seconds, const Json& all, const Json& verdict, const ProveRequest& request) {
   const auto work = [&] {
     const Verdict proved = verdict == "proved" ? Verdict::proved : Verdict::proved_under;
-    return Json(ranges_used(proved, make_context(request), request)).dump();
+    return Json(conditions_used(proved, make_context(request), request)).dump();
   };
   const Bounded outcome = all.empty() ? Bounded{} : bounded(work, seconds);
   return outcome.result ? Json::parse(*outcome.result) : all;
@@ -250,8 +272,8 @@ Json decide_bounded(const ProveRequest& request) {
   }
   Json parts = Json::parse(*outcome.result), &proof = parts[0];
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  for (const Json& range : ranges_within(1.85 - elapsed.count(), parts[1], proof["verdict"], request))
-    proof["side_conditions"].push_back(range);
+  for (const Json& condition : conditions_within(1.85 - elapsed.count(), parts[1], proof["verdict"], request))
+    proof["side_conditions"].push_back(condition);
   return proof;
 }
 

@@ -4,6 +4,7 @@
 #include <derivations/algebra/prove.hpp>
 #include <lessons/ledger/comparisons.hpp>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,15 @@ struct Context {
   Symbols symbols;
   std::vector<Given> given;
   std::vector<Comparison> comparisons;  ///< of symbols with each other: a part of the ranges, as it were
+  std::vector<std::string> compared;    ///< the assumptions that do so: "b < h"
 
   /// The comparisons, or the equations as well.
   std::vector<Given> put_in_at_once(bool equations_too) const;
 };
-/// Throws BadInput for an assumption that cannot be read, or that contradicts another.
-Context make_context(const ProveRequest& request, const std::vector<std::string>& freed = {});
+/// Throws BadInput for an assumption that cannot be read, or that contradicts another. Those in `compared`
+/// with the indices of `without` are left out.
+Context make_context(const ProveRequest& request, const std::vector<std::string>& freed = {},
+                     const std::set<std::size_t>& without = {});
 
 /// Decides. The declared ranges that a proof rests on are among its side conditions. Throws BadInput (with a
 /// caret) for what cannot be read. No bounds on time or memory.

@@ -1,0 +1,37 @@
+// The parts of make_context (prove_command.hpp): assumptions that are inequalities, and those that are
+// equations.
+#pragma once
+
+#include <lessons/ledger/prove_command.hpp>
+#include <lessons/ledger/reading.hpp>
+
+namespace rederive {
+
+/// A relation and the assumption that it is from.
+struct Assumed {
+  Relation relation;
+  std::string text;
+};
+
+/// Narrows the range of a symbol by "x > 0", "2*x < 3" or "abs(x) < 1". False where the link is no bound of
+/// one symbol, or one that a range cannot hold. Throws BadInput where no room is left.
+bool narrow(const Assumed& link, Symbols& symbols);
+
+/// Adds what stands for symbols after a link that compares them; nothing where it holds anyway. Throws
+/// BadInput where it contradicts what is known, and where it can be solved for no symbol.
+void compare_symbols(const Assumed& link, Context& context);
+
+/// Adds what the equations say of symbols. Those that say what a symbol is come first; what the others leave
+/// is solved, for no symbol that is small. Throws BadInput.
+void read_equations(const std::vector<Assumed>& equations, Context& context,
+                    const std::vector<std::string>& small);
+
+/// What an assumption divides by is not 0, though the computer algebra may have cancelled it.
+void avoid_divisors(const Relation& relation, Symbols& symbols);
+
+/// Throws BadInput: what can be assumed, and why not this.
+[[noreturn]] void refuse(const std::string& text, const std::string& why = "");
+/// Throws BadInput.
+[[noreturn]] void contradicts(const std::string& text);
+
+}  // namespace rederive

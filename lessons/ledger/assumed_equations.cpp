@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <derivations/algebra/conditions.hpp>
+#include <derivations/algebra/elimination.hpp>
+#include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/print.hpp>
+#include <derivations/algebra/vanish.hpp>
+#include <lessons/ledger/assumed.hpp>
+#include <lessons/ledger/solutions.hpp>
+
+namespace rederive {
+
+using GiNaC::ex;
+
+namespace {
+
+const std::string any = "(-inf, inf)";
+
+bool is_name(const Tree& tree) { return tree->kind == Node::Kind::symbol && tree->text != "pi"; }
+
+/// The symbol that an equation says the value of, if any: alone on a side and not on the other, and nothing
+/// stands for it yet. Of two symbols the one that is not small, or that may be anything, so that the range of
+/// the other one stays.
+std::optional<Given> read_given(const Tree& a, const Tree& b, const std::string& text, const Context& context,
+                                const std::vector<std::string>& small) {
+  const Symbols& symbols = context.symbols;
+  const auto before = context.put_in_at_once(true);
+  const auto is_small = [&](const Tree& tree) {
+    return std::count(small.begin(), small.end(), tree->text) > 0;
+  };
+  const bool turn =
+      is_name(a) && is_name(b) && (is_small(a) || (symbols.find(b->text)->range == any && !is_small(b)));
+  for (const auto& [name, value] : {turn ? std::pair{b, a} : std::pair{a, b}, std::pair{b, a}}) {
+    if (!is_name(name)) continue;
+    const Given given = reading(text, [&] { return Given{lower(name, symbols), lower(value, symbols)}; });
+    if (given.value.has(given.name))
+      throw BadInput("the assumption '" + text + "' has its symbol on both sides");
+    const bool is_new = put_in(given.name, before).is_equal(given.name);
+    if (is_new && !put_in(given.value, before).has(given.name)) return given;
+  }
+  return {};
+}
+
+/// An equation that has no symbol alone: solved for one that is not small, in which it is linear, or the
+/// power of a positive one; better for one that may be anything. The factor of that one is not 0, or cannot
+/// be 0 because the rest is not.
+std::optional<Given> solved_for_one(const ex& residual, const Symbols& symbols,
+                                    const std::vector<std::string>& small) {
+  const ex polynomial = residual.normal().numer().expand();
+  for (const bool is_free : {true, false})
+    for (const std::string& name : names_in(polynomial)) {
+      const ex& symbol = symbols[name];
+      const std::string& range = symbols.find(name)->range;
+      const bool is_wanted = (range == any) == is_free && !name.starts_with("excess_") &&
+                             std::count(small.begin(), small.end(), name) == 0;
+      if (!is_wanted || !polynomial.is_polynomial(symbol)) continue;
+      const int n = polynomial.degree(symbol);
+      const ex slope = polynomial.coeff(symbol, n), rest = polynomial.coeff(symbol, 0);
+      const bool is_power = (polynomial - slope * GiNaC::pow(symbol, n) - rest).expand().is_zero();
+      const bool has_slope = sign_of(slope, symbols) != 0 || (n == 1 && sign_of(rest, symbols) != 0);
+      if (!is_power || !has_slope || (n > 1 && sign_of(symbol, symbols) <= 0)) continue;
+      return Given{symbol, GiNaC::pow(-rest / slope, GiNaC::numeric(1) / n)};
+    }
+  return std::nullopt;
+}
+
+/// Which assumption would leave one of the solutions.
+std::string choice(const std::string& name, const std::vector<ex>& values, const Symbols& symbols) {
+  const bool by_sign = values.size() == 2 && compare(values[0], 0) < 0 && compare(values[1], 0) > 0;
+  std::string result;
+  for (const ex& value : values)
+    result +=
+        (result.empty() ? "\"" : ", or \"") + name + " = " + print(value, Notation::plain, symbols) + "\"";
+  return by_sign ? "assume \"" + name + " > 0\" or \"" + name + " < 0\" as well" : "say " + result;
+}
+
+/// An equation of one symbol that holds for one of its values only.
+std::optional<Given> only_solution(const ex& residual, const std::string& text, const Symbols& symbols) {
+  const auto names = names_in(residual);
+  const auto values = solutions(residual, symbols);
+  if (!values) return std::nullopt;
+  if (values->empty()) contradicts(text);
+  const std::string& name = *names.begin();
+  if (values->size() > 1 && name.starts_with("excess_")) refuse(text);
+  if (values->size() > 1)
+    throw BadInput("the assumption '" + text + "' holds for more than one value of " + name +
+                   " in its range " + symbols.find(name)->range + ": " + choice(name, *values, symbols));
+  return Given{symbols[name], values->front()};
+}
+
+/// What is solved for none, with what would help.
+[[noreturn]] void refuse_equation(const ex& residual, const Assumed& equation) {
+  const auto& sides = equation.relation.sides;
+  if (std::any_of(sides.begin(), sides.end(), is_name))
+    throw BadInput(
+        "the assumption '" + equation.text +
+        "' goes round in a circle with the equations before it, or gives a second value to a symbol");
+  const auto names = names_in(residual);
+  if (names.size() != 1 || names.begin()->starts_with("excess_")) refuse(equation.text);
+  const std::string& name = *names.begin();
+  refuse(equation.text,
+         "if it holds for one value of " + name + " only, say that one: \"" + name + " = ...\"");
+}
+
+void check_range(const Given& given, const std::vector<Given>& all, const Symbols& symbols) {
+  const Interval range = parse_range(symbols.find(given.name)->range);
+  const ex value = put_in(given.value, all);
+  const auto is_beyond = [&](const End& end, int side) {
+    if (end.infinite != 0) return false;
+    const ex outside = side * (value - end.value);
+    return end.closed ? sign_of(outside, symbols) > 0 : is_nonnegative(outside, symbols);
+  };
+  if (is_beyond(range.low, -1) || is_beyond(range.high, 1))
+    throw BadInput("the assumption on " + print(given.name, Notation::plain, symbols) +
+                   " contradicts its range " + symbols.find(given.name)->range + ", as declared or assumed");
+}
+
+/// What can be seen never to hold: without a value, or with one side always greater.
+void check_equation(const Assumed& equation, const Context& context) {
+  const auto compared = context.put_in_at_once(false), all = context.put_in_at_once(true);
+  ex residual = 0;
+  for (const Tree& side : equation.relation.sides) {
+    const ex value = lower(side, context.symbols);
+    if (has_no_value(put_in(value, all), context.symbols)) contradicts(equation.text);
+    residual = value - residual;
+  }
+  if (sign_of(put_in(residual, compared), context.symbols) != 0) contradicts(equation.text);
+}
+
+void solve(const Assumed& equation, Context& context, const std::vector<std::string>& small) {
+  Symbols& symbols = context.symbols;
+  const auto value = [&](const Tree& side) {
+    return reading(equation.text, [&] { return lower(side, symbols); });
+  };
+  const ex residual = value(equation.relation.sides[0]) - value(equation.relation.sides[1]);
+  const ex left = put_in(residual, context.put_in_at_once(true));
+  if (left.normal().is_zero()) return;  // it says nothing new
+  if (names_in(left.normal()).empty() && vanishes(left, symbols)) return;
+  if (sign_of(left, symbols) != 0) contradicts(equation.text);
+  auto given = only_solution(left, equation.text, symbols);
+  if (!given) given = solved_for_one(left, symbols, small);
+  if (!given) refuse_equation(left, equation);
+  context.given.push_back(*given);
+}
+
+}  // namespace
+
+void avoid_divisors(const Relation& relation, Symbols& symbols) {
+  for (const Tree& side : relation.sides)
+    for (const ex& divisor : divisors(side, symbols))
+      if (sign_of(divisor, symbols) == 0) symbols.exclude_witnesses(divisor);
+}
+
+void read_equations(const std::vector<Assumed>& equations, Context& context,
+                    const std::vector<std::string>& small) {
+  Symbols& symbols = context.symbols;
+  for (const Assumed& equation : equations)
+    reading(equation.text, [&] { avoid_divisors(equation.relation, symbols); });
+  std::vector<Assumed> others;
+  for (const Assumed& equation : equations) {
+    const auto& sides = equation.relation.sides;
+    if (const auto given = read_given(sides[0], sides[1], equation.text, context, small))
+      context.given.push_back(*given);
+    else
+      others.push_back(equation);
+  }
+  for (const Assumed& other : others) solve(other, context, small);
+  const auto all = context.put_in_at_once(true);
+  for (const Given& given : all) check_range(given, all, symbols);
+  for (const Assumed& equation : equations) check_equation(equation, context);
+}
+
+}  // namespace rederive

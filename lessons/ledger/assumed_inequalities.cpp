@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <derivations/algebra/conditions.hpp>
+#include <derivations/algebra/elimination.hpp>
+#include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/print.hpp>
+#include <lessons/ledger/assumed.hpp>
+
+namespace rederive {
+
+namespace {
+
+/// Narrows a range by one bound, a number.
+void set_end(Symbols& symbols, const std::string& name, const Bound& bound, bool closed) {
+  const GiNaC::ex& value = bound.value;
+  const bool lower_end = bound.is_lower;
+  const Symbol old = *symbols.find(name);
+  Range range = read_range(old.range);
+  const Interval present = parse_range(old.range);
+  const End& end = lower_end ? present.low : present.high;
+  const int order = end.infinite != 0 ? -1
+                    : lower_end       ? compare(end.value, value)
+                                      : compare(value, end.value);
+  if (order > 0 || (order == 0 && !end.closed)) return;  // nothing new
+  (lower_end ? range.lower : range.upper) = print(value, Notation::plain, symbols);
+  (lower_end ? range.lower_closed : range.upper_closed) = closed;
+  const std::string text = fmt::format("{}{}, {}{}", range.lower_closed ? '[' : '(', range.lower, range.upper,
+                                       range.upper_closed ? ']' : ')');
+  const Interval now = parse_range(text);
+  if (text.front() == '[' && text.back() == ']' && compare(now.low.value, now.high.value) == 0)
+    throw BadInput(
+        fmt::format("the assumptions leave one value for {0}: say \"{0} = {1}\"", name, range.lower));
+  if (now.low.infinite == 0 && now.high.infinite == 0 && compare(now.low.value, now.high.value) >= 0)
+    throw BadInput("the assumptions and the declared range " + old.range + " leave no room for " + name);
+  symbols.declare(name, old.latex, old.unicode, old.unit, text, old.meaning, old.introduced);
+}
+
+/// Of one symbol on one side and a number on the other, or of what is solved for one.
+std::optional<Bound> bound_of_one(const Inequality& i, const Symbols& symbols) {
+  const auto names = names_in(i.difference());
+  if (names.size() != 1 || symbols.find(*names.begin()) == nullptr) return std::nullopt;
+  return solved_for(symbols[*names.begin()], i.difference(), symbols);
+}
+
+/// Rational, or a rational multiple of π.
+bool has_digits_only(const GiNaC::ex& bound) {
+  return bound.info(GiNaC::info_flags::rational) || (bound / GiNaC::Pi).info(GiNaC::info_flags::rational);
+}
+
+/// A number that may stand at the end of a range: rational, or with π.
+bool fits_a_range(const GiNaC::ex& bound, const Symbols& symbols) {
+  try {
+    (void)parse_range("(" + print(bound, Notation::plain, symbols) + ", inf)");
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+std::vector<Inequality> parts_of(const Assumed& link, const Symbols& symbols) {
+  return without_bars(reading(link.text, [&] { return inequality(link.relation, symbols); }), symbols);
+}
+
+/// Nothing in it fails, but for what it divides by.
+void needs_values(const Assumed& link, const Symbols& symbols) {
+  for (const Tree& side : link.relation.sides)
+    for (const std::string& condition : side_conditions(side, symbols))
+      if (condition.find("!=") == std::string::npos)
+        refuse(link.text, "it has a value for " + condition + " only: assume that as well");
+}
+
+}  // namespace
+
+void refuse(const std::string& text, const std::string& why) {
+  throw BadInput(
+      "the assumption '" + text +
+      "' neither compares one symbol with numbers or other symbols, nor says what one symbol is or can be "
+      "solved for one" +
+      (why.empty() ? "" : " (" + why + ")") +
+      "; right is, for example, \"x > 0\", \"0 < x < pi/2\", \"b < h\", \"x != y\" or \"h = R*cos(alpha)\"");
+}
+
+void contradicts(const std::string& text) {
+  throw BadInput("the assumptions contradict each other: '" + text +
+                 "' never holds with the declared ranges and what else is assumed");
+}
+
+bool narrow(const Assumed& link, Symbols& symbols) {
+  const std::vector<Inequality> parts = parts_of(link, symbols);
+  std::vector<std::pair<Bound, bool>> bounds;
+  for (const Inequality& part : parts) {
+    const auto bound = bound_of_one(part, symbols);
+    if (!bound) return false;
+    if (!fits_a_range(bound->value, symbols)) {
+      if (has_digits_only(bound->value))
+        throw BadInput("the assumption '" + link.text + "' has a bound that has too many digits");
+      return false;
+    }
+    bounds.push_back({*bound, part.weak});
+  }
+  needs_values(link, symbols);
+  for (const auto& [bound, weak] : bounds)  // each time the symbol itself is declared anew
+    set_end(symbols, *names_in(bound.symbol).begin(), bound, weak);
+  return true;
+}
+
+void compare_symbols(const Assumed& link, Context& context) {
+  Symbols& symbols = context.symbols;
+  needs_values(link, symbols);
+  avoid_divisors(link.relation, symbols);
+  for (const Inequality& part : parts_of(link, symbols)) {
+    const int settled = settled_by(context.comparisons, part, symbols);
+    if (settled < 0) contradicts(link.text);
+    if (settled > 0) continue;
+    const auto found = compared(part, context.comparisons, symbols);
+    if (!found && !context.comparisons.empty())
+      refuse(link.text,
+             "after the comparisons before it, no symbol stands in it linearly, with a factor of known sign; "
+             "if both sides are the same, say so by \"=\"");
+    if (!found) refuse(link.text, "no symbol stands in it linearly, with a factor of known sign");
+    context.comparisons.push_back(*found);
+  }
+}
+
+}  // namespace rederive

@@ -1,0 +1,36 @@
+// Assumptions that are inequalities: what they say of one symbol.
+#pragma once
+
+#include <derivations/algebra/syntax.hpp>
+#include <optional>
+#include <vector>
+
+namespace rederive {
+
+/// greater > lesser, or greater >= lesser.
+struct Inequality {
+  GiNaC::ex greater, lesser;
+  bool weak = false;
+
+  GiNaC::ex difference() const { return greater - lesser; }
+};
+
+/// One link of a chain, as expressions. Throws SyntaxError.
+Inequality inequality(const Relation& link, const Symbols& symbols);
+
+/// symbol > bound or symbol < bound.
+struct Bound {
+  GiNaC::ex symbol, value;
+  bool is_lower;
+};
+
+/// The inequality solved for that symbol: linear in it, after what divides has been multiplied by, with
+/// factors of a sign that is known over the declared ranges. Nothing where that fails.
+std::optional<Bound> solved_for(const GiNaC::ex& symbol, const GiNaC::ex& difference, const Symbols& symbols);
+
+/// The same points as inequalities without bars around anything of unknown sign, that must hold together:
+/// |u| < c is u < c and -c < u, and so is u^2 < c^2 for the square of one symbol and numbers. What cannot be
+/// said so is left as it is.
+std::vector<Inequality> without_bars(const Inequality& inequality, const Symbols& symbols);
+
+}  // namespace rederive
