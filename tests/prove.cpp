@@ -110,11 +110,16 @@ TEST_CASE("a text that cannot be read ends with 2 and a caret under the characte
 TEST_CASE("a comparison of symbols that a proof rests on is among its side conditions") {
   const auto conditions = [](const std::string& assumption, const std::string& left,
                              const std::string& right) {
-    return prove_json({"--assume", assumption, "--", left, right}, 0)["side_conditions"];
+    return prove_json({left, right, "--assume", assumption}, 0)["side_conditions"];
   };
   CHECK(conditions("a_p > alpha*g", "fabs(a_p-alpha*g)", "a_p-alpha*g") == nlohmann::json{"a_p > g*alpha"});
   CHECK(conditions("a_p > alpha*g", "a_p+a_p", "2*a_p").empty());
   CHECK(conditions("b/h < 1", "sqrt((h-b)^2)", "h-b") == nlohmann::json{"b/h < 1", "h > 0"});
+}
+
+TEST_CASE("a witness has every symbol that the assumptions name") {
+  const auto j = prove_json({"y", "0", "--assume", "x*b > h", "--assume", "z > 2"}, 1);
+  for (const char* name : {"x", "b", "h", "y", "z"}) CHECK(j["witness"]["at"].contains(name));
 }
 
 TEST_CASE("an assumption that cannot be taken says why, or what would decide it") {

@@ -1,6 +1,7 @@
 // What stands for what in a statement that a user types: names, ranges, givens.
 #include <algorithm>
 #include <derivations/algebra/elimination.hpp>
+#include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
 #include <lessons/ledger/assumed.hpp>
 #include <regex>
@@ -102,7 +103,7 @@ std::string in_words(const Assumed& link, const Symbols& symbols) {
 
 Context make_context(const ProveRequest& request, const std::vector<std::string>& freed,
                      const std::set<std::size_t>& without) {
-  Context context{paper_symbols(), {}, {}, {}};
+  Context context{paper_symbols(), {}, {}, {}, {}};
   Symbols& symbols = context.symbols;
   for (const std::string& name : freed) {
     const Symbol old = *symbols.find(name);
@@ -118,6 +119,9 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
   for (const std::string& text : request.assumptions) declare_names_in(text, symbols);
 
   const Texts texts = sorted(request.assumptions, symbols);
+  for (const auto* relations : {&texts.inequalities, &texts.equations})
+    for (const Assumed& link : *relations)
+      context.assumed.insert(context.assumed.end(), link.relation.sides.begin(), link.relation.sides.end());
   std::vector<Assumed> comparisons;
   for (const bool as_it_stands : {true, false})
     for (const Assumed& link : texts.inequalities)
@@ -132,6 +136,8 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
   }
   try {
     read_equations(texts.equations, context, request.small);
+  } catch (const Undecidable& error) {
+    throw BadInput(error.what());
   } catch (const std::domain_error&) {  // GiNaC's pole_error among them
     throw BadInput(
         "the equations that are assumed divide by zero, or meet a pole, once each is put into the others");

@@ -70,6 +70,7 @@ Proof decide_in(const Context& context, const ProveRequest& request) {
         prove_approximation(left, right, request.small, request.order, symbols, context.put_in_at_once(true));
   std::vector<Tree> sides = left.sides;
   sides.insert(sides.end(), right.sides.begin(), right.sides.end());
+  sides.insert(sides.end(), context.assumed.begin(), context.assumed.end());
   if (proof.witness) complete(*proof.witness, sides, context.put_in_at_once(true), symbols);
   return without_excess(proof, context.comparisons, symbols);
 }

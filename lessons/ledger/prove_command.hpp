@@ -27,6 +27,7 @@ struct Context {
   std::vector<Given> given;
   std::vector<Comparison> comparisons;  ///< of symbols with each other: a part of the ranges, as it were
   std::vector<std::string> compared;    ///< the assumptions that do so: "b < h"
+  std::vector<Tree> assumed = {};       ///< the sides of all inequalities and equations that are assumed
 
   /// The comparisons, or the equations as well.
   std::vector<Given> put_in_at_once(bool equations_too) const;
