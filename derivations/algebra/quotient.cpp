@@ -174,7 +174,10 @@ Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors,
       if (is_multiple(p, d)) return true;
       return is_short(p) && is_short(d) && (vanishes_with(p, d, symbols) || is_factor(p, d, symbols));
     });
-    if (!divides) result.zeros.push_back({part, exponent});
+    if (divides)
+      result.divisors.push_back(part);
+    else
+      result.zeros.push_back({part, exponent});
   }
   return result;
 }
@@ -225,14 +228,9 @@ bool vanishes_with(const ex& part, const ex& other, const Symbols& symbols) {
 bool is_factor(const ex& part, const ex& other, const Symbols& symbols) {
   if (!has_all_symbols_of(part, other) || is_alive_without(part, other, symbols))
     return false;  // it would stay below
-  const auto rest = checked_quotient(other, part, symbols), own = checked_quotient(other, 1, symbols);
-  const auto is_own = [&](const Part& pole) {
-    return own && std::any_of(own->begin(), own->end(), [&](const Part& f) {
-             return f.first.is_equal(pole.first) && f.second == pole.second;
-           });
-  };
+  const auto rest = checked_quotient(other, part, symbols);
   return rest && std::none_of(rest->begin(), rest->end(), [&](const Part& f) {
-           return f.second.is_negative() && sign_of(f.first, symbols) == 0 && !is_own(f);
+           return f.second.is_negative() && sign_of(f.first, symbols) == 0;
          });
 }
 

@@ -31,8 +31,9 @@ std::optional<std::vector<Part>> quotient(const GiNaC::ex& left, const GiNaC::ex
 /// A product of parts, and what is known of it.
 struct Quotient {
   GiNaC::ex value = 1;
-  int sign = 1;             ///< where no part is 0; itself 0 if it is not known
-  std::vector<Part> zeros;  ///< the parts that may vanish where the statement has a meaning
+  int sign = 1;                     ///< where no part is 0; itself 0 if it is not known
+  std::vector<Part> zeros;          ///< the parts that may vanish
+  std::vector<GiNaC::ex> divisors;  ///< those that the statement divides by: not zero where it has a meaning
 };
 
 /// `divisors`: what the statement as written divides by.
@@ -46,7 +47,7 @@ std::optional<std::vector<Part>> checked_quotient(const GiNaC::ex& left, const G
 /// Whether `other` is 0 wherever this part is: it has it among its parts, or the only zero of the part is one
 /// of its own.
 bool vanishes_with(const GiNaC::ex& part, const GiNaC::ex& other, const Symbols& symbols);
-/// Whether other/part has no pole but those of the other one.
+/// Whether other/part has no pole.
 bool is_factor(const GiNaC::ex& part, const GiNaC::ex& other, const Symbols& symbols);
 
 }  // namespace rederive

@@ -131,22 +131,18 @@ std::optional<ex> doubtful_part(const Quotient& factor, const ex& left, const ex
   return std::nullopt;
 }
 
-/// A divisor of one statement whose zeros solve the other: there the first has no value. Where both are
-/// divided by it, neither has.
-std::optional<ex> losing_divisor(const Residuals& r, const ex& left, const ex& right,
+/// A divisor of one statement that is a factor of the other: its zeros solve that one, and the first has no
+/// value there. Where both are divided by it, neither has.
+std::optional<ex> losing_divisor(const Quotient& factor, const Residuals& r, const ex& left, const ex& right,
                                  const Symbols& symbols) {
   const auto is_among = [](const ex& divisor, const std::vector<ex>& others) {
     return std::any_of(others.begin(), others.end(),
                        [&](const ex& other) { return is_multiple(divisor, other); });
   };
-  const auto loses = [&](const ex& divisor, const std::vector<ex>& others, const ex& residual) {
-    return sign_of(divisor, symbols) == 0 && !is_among(divisor, others) &&
-           (vanishes_with(divisor, residual, symbols) || is_factor(divisor, residual, symbols));
-  };
-  for (const ex& divisor : r.left_divisors)
-    if (loses(divisor, r.right_divisors, right)) return divisor;
-  for (const ex& divisor : r.right_divisors)
-    if (loses(divisor, r.left_divisors, left)) return divisor;
+  for (const ex& divisor : factor.divisors)
+    if (!(is_among(divisor, r.left_divisors) && is_among(divisor, r.right_divisors)) &&
+        (is_factor(divisor, left, symbols) || is_factor(divisor, right, symbols)))
+      return divisor;
   return std::nullopt;
 }
 
@@ -167,7 +163,7 @@ Proof prove_by_factor(const ex& left, const ex& right, const Residuals& r, const
         why = "the sign of the factor between the two is not known";
       else if (const auto part = doubtful_part(factor, left, right, symbols))
         why = "the factor " + print(*part, Notation::plain, symbols) + " may vanish";
-      else if (const auto divisor = strict ? std::nullopt : losing_divisor(r, left, right, symbols))
+      else if (const auto divisor = strict ? std::nullopt : losing_divisor(factor, r, left, right, symbols))
         why = "where " + print(*divisor, Notation::plain, symbols) +
               " = 0, one of the two holds and the other has no value";
       else if (vanishes(left - factor.value * right, symbols))
