@@ -64,9 +64,35 @@ ex without_roots(const ex& quotient, bool of_above, const Phases& phases) {
 
 namespace {
 
+constexpr std::ptrdiff_t long_from = 80;
+
+std::ptrdiff_t length(const ex& e) { return std::distance(e.preorder_begin(), e.preorder_end()); }
+
+/// Of a symbol in which both are linear, the shortest two: if left is factor * right, so are they.
+std::optional<std::pair<ex, ex>> coefficients(const ex& left, const ex& right) {
+  if (length(left) + length(right) < long_from) return std::nullopt;
+  const ex l = left.expand(), r = right.expand();
+  std::map<std::string, ex> names;
+  for (auto part = l.preorder_begin(); part != l.preorder_end(); ++part)
+    if (GiNaC::is_a<GiNaC::symbol>(*part))
+      names.try_emplace(GiNaC::ex_to<GiNaC::symbol>(*part).get_name(), *part);
+  std::optional<std::pair<ex, ex>> shortest;
+  for (const auto& [name, y] : names) {
+    if (!l.is_polynomial(y) || !r.is_polynomial(y) || l.degree(y) != 1 || r.degree(y) != 1) continue;
+    const ex a = l.coeff(y, 1), b = r.coeff(y, 1);
+    if (!shortest || length(a) + length(b) < length(shortest->first) + length(shortest->second))
+      shortest = std::pair(a, b);
+  }
+  return shortest;
+}
+
 std::optional<std::vector<Part>> quotient_unless_pole(const ex& left, const ex& right, const Symbols& symbols,
                                                       Way way) {
   if (right.is_zero()) return std::nullopt;
+  if (way == Way::of_coefficients) {
+    const auto of = coefficients(left, right);
+    return of ? quotient_unless_pole(of->first, of->second, symbols, Way::real_denominator) : std::nullopt;
+  }
   if (way == Way::as_it_stands) {
     const ex parts = (left / right).normal().numer_denom();
     if (sign_of(parts.op(0), symbols) == 0 || sign_of(parts.op(1), symbols) == 0) return std::nullopt;
