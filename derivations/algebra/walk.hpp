@@ -6,7 +6,8 @@
 namespace rederive {
 
 /// The zero between a and b, at which the values fa and fb differ in sign: exact rationals, rounded to so
-/// many decimal places if the zero is no simple fraction. Nothing where the sign jumps, or a value is missing.
+/// many decimal places if the zero is no simple fraction. Nothing where the sign jumps, or a value is
+/// missing.
 std::optional<Point> polish(const Tree& tree, Point point, const std::string& name, cln::cl_RA a,
                             cln::cl_RA b, cln::cl_R fa, cln::cl_R fb, int places = 45);
 

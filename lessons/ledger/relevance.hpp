@@ -12,8 +12,8 @@ namespace rederive {
 std::vector<Given> relevant(const std::vector<Given>& given, const Relation& left, const Relation& right,
                             const Symbols& symbols);
 
-/// Whether the algebra alone proves it: no points are looked at but for a few at which the two may differ, and
-/// nothing is refuted. True is a proof; false is not to say that prove() finds none.
+/// Whether the algebra alone proves it: no points are looked at but for a few at which the two may differ,
+/// and nothing is refuted. True is a proof; false is not to say that prove() finds none.
 bool goes_through(const Relation& left, const Relation& right, const Symbols& symbols,
                   const std::vector<Given>& given);
 

@@ -1,0 +1,140 @@
+// What is said where something goes wrong, and assumptions that are easily lost sight of.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <tests/run_program.hpp>
+
+namespace {
+
+/// Words of the libraries beneath, which no user should have to read.
+std::string inner_word_in(const std::string& message) {
+  for (const char* word : {"power::", "eval()", "GiNaC", "ginac", "cln", "std::", "32-bit", "virtual memory",
+                           "exponent overflow", "logarithmic pole", "gave up", "internal failure",
+                           "bad_alloc", "floating point"})
+    if (message.find(word) != std::string::npos) return word;
+  return "";
+}
+
+std::string letters(int k) { return std::string(1, static_cast<char>('a' + k)) + "1"; }
+
+/// "a1 < b1", "b1 < c1" …, each an option --assume.
+std::vector<std::string> rising(int links) {
+  std::vector<std::string> options;
+  for (int k = 0; k < links; ++k)
+    options.insert(options.end(), {"--assume", letters(k) + " < " + letters(k + 1)});
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("what goes wrong underneath is said in words of the statement, or of the answer") {
+  const std::vector<std::vector<std::string>> requests{
+      {"prove", "--json", "--assume", "x=y", "--", "1/(x-y)", "x"},
+      {"prove", "--json", "--assume", "x=y", "--assume", "y=z", "--", "log(x-z)", "x"},
+      {"prove", "--json", "--assume", "x=cos(y)", "--assume", "y=acosh(x)", "--", "x", "y"},
+      {"prove", "--json", "--assume", "0<x<1", "--assume", "x^2=-1", "--", "x", "y"},
+      {"prove", "--json", "--assume", "b=a^64", "--assume", "c=b^64", "--assume", "d=c^64", "--assume",
+       "f=d^64", "--assume", "k=f^64", "--assume", "l=k^64", "--assume", "n=l^64", "--", "n", "a"},
+      {"prove", "--json", "--small", "x", "--order", "3", "--", "sqrt(x)", "x"},
+      {"prove", "--json", "--small", "x", "--order", "2", "--", "exp(1/x)", "1"},
+      {"prove", "--json", "--small", "x", "--order", "12", "--", "x^x", "x"},
+      {"prove", "--json", "--assume", "x=y", "--small", "x", "--order", "2", "--", "fabs(x)", "y"},
+      {"prove", "--json", "--", "exp(10^9)", "x"},
+      {"prove", "--json", "--assume", "x>y", "--", "excess_1", "x-y"},
+      {"prove", "--json", "--", "x^0.333333", "x"},
+      {"check", "--json", "frequency-of-a-bookcase", "--", "1/(log(6)-log(2)-log(3))"},
+      {"check", "--json", "first-lift", "--", "sinh(10^40)"},
+      {"check", "--json", "first-lift", "--", "tanh(1e39*pi+1/2) m/s^2"},
+      {"check", "--json", "first-lift", "--", "2 m/(100*cm-m)"},
+      {"check", "--json", "size-from-p", "--", "acosh(1e39)"},
+      {"check", "--json", "size-from-p", "--", "cot(10^40)"}};
+  for (const auto& request : requests) {
+    std::string shown;
+    for (const std::string& part : request) shown += part + " ";
+    INFO(shown);
+    const TemporaryFolder desk;
+    const bool is_exercise = request[0] == "check";
+    std::vector<std::string> arguments = request;
+    if (is_exercise)
+      arguments.insert(arguments.begin(), {"--progress", (desk.path / "progress.txt").string()});
+    const Result r = run_program(is_exercise ? "exercises" : "ledger", arguments);
+    CHECK(r.exit_code >= 1);
+    CHECK(r.exit_code <= 3);
+    CHECK((!r.out.empty() || !r.err.empty()));
+    CHECK(inner_word_in(r.out + r.err) == "");
+    if (is_exercise || r.exit_code != 2) CHECK(r.out.find("\"verdict\": \"") != std::string::npos);
+  }
+}
+
+TEST_CASE("a reason names the constant that has no value, a message the limit that is met") {
+  CHECK(run_program("ledger", {"prove", "exp(10^9)", "x"}).out.find("none was found of exp(10^9)") !=
+        std::string::npos);
+  CHECK(run_program("ledger", {"prove", "x^0.333333", "x"}).err.find("denominator up to 1000") !=
+        std::string::npos);
+  CHECK(
+      run_program("ledger", {"prove", "--assume", "x > 10^64*10^64", "x", "y"}).err.find("too many digits") !=
+      std::string::npos);
+  CHECK(run_program("ledger", {"prove", "x\u0304", "y"}).err.find("x*b*a*r") == std::string::npos);
+  CHECK(run_program("ledger", {"prove", "--assume", "log(x) = sin(cot(0))", "x", "y"}).exit_code == 2);
+}
+
+TEST_CASE("bounds of more digits than a double has are kept to") {
+  struct Case {
+    std::string assumption, left, right, verdict;
+  };
+  const std::vector<Case> cases{
+      {"x > 10^38", "fabs(x-10^38)", "x-10^38", "proved"},
+      {"x > 10^17+1/3", "x*atan(tan(atan(x-10^17-1/3)))", "fabs(x)*atan(fabs(x-10^17-1/3))", "proved"},
+      {"x > 0.33333333333333333334", "3*x > 1", "0 < 1", "proved"},
+      {"x > 0.33333333333333333333", "3*x > 1", "0 < 1", "refuted"},
+      {"100000000000000000006 < x < 100000000000000000008", "cos(x) < 0.9", "0 < 1", "refuted"},
+      {"100000000000000000273 < x < 100000000000000000275", "cos(x) > -0.9", "0 < 1", "refuted"},
+      {"10^20 < x < 10^20+1", "fabs(2-fabs(x-10^20-1/2))", "2-fabs(x-10^20-1/2)", "proved"}};
+  for (const auto& [assumption, left, right, verdict] : cases) {
+    const Result r = run_program("ledger", {"prove", "--json", "--assume", assumption, "--", left, right});
+    INFO(assumption << ": " << left << " | " << right << "\n" << r.out << r.err);
+    CHECK(r.out.find("\"verdict\": \"" + verdict + "\"") != std::string::npos);
+  }
+}
+
+TEST_CASE("a witness keeps to assumptions that the refutation does not need") {
+  const auto at = [](const std::vector<std::string>& arguments) {
+    const Result r = run_program("ledger", arguments);
+    INFO(r.out << r.err);
+    REQUIRE(r.exit_code == 1);
+    return nlohmann::json::parse(r.out)["witness"]["at"];
+  };
+  const auto one = at({"prove", "--json", "--assume", "y = z", "--assume", "z <= x", "--", "sqrt(y^2)", "y"});
+  CHECK(one["y"] == one["z"]);
+  const auto other =
+      at({"prove", "--json", "--assume", "y < z", "--assume", "z = 5", "--", "sqrt(x^2)", "x"});
+  CHECK(other["z"] == "5");
+}
+
+TEST_CASE("ten comparisons and more are told apart") {
+  std::vector<std::string> arguments{"prove", "--json"};
+  const auto options = rising(11);
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  arguments.insert(arguments.end(), {"--", letters(0) + " < " + letters(11), "0 < 1"});
+  const Result r = run_program("ledger", arguments);
+  INFO(r.out << r.err);
+  CHECK(r.exit_code == 0);
+  CHECK(r.out.find("\"factor\": \"l1 - a1\"") != std::string::npos);
+}
+
+TEST_CASE("what is quoted in a message cannot steer a terminal") {
+  for (const std::string& typed :
+       {std::string("\x1b[31mx"), std::string("\x1b]0;title\x07x"), std::string("\xff\xfe"),
+        std::string("\xc0\xaf"), std::string("\xc2\x9b"), std::string("\u202ex")}) {
+    for (const Result& r :
+         {run_program("ledger", {"prove", "x", "x", "--small", typed, "--order", "2"}),
+          run_program("ledger", {"show", typed}), run_program("ledger", {"prove", typed, "x"}),
+          run_program("exercises", {"check", typed, "x"})}) {
+      INFO(r.err);
+      CHECK(r.exit_code == 2);
+      CHECK_FALSE(r.err.empty());
+      for (const char* bytes : {"\x1b", "\x07", "\xff", "\xc0", "\xc2\x9b", "\u202e"})
+        CHECK(r.err.find(bytes) == std::string::npos);
+    }
+  }
+}
