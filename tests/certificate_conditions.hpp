@@ -1,67 +1,96 @@
 // Looks at a certificate in points of its domain, and at ranges. Polynomials do not see which of its finitely
-// many branches a root or an inverse function takes, nor what vanishes there; nineteen digits do.
+// many branches a root or an inverse function takes, nor what vanishes there; a hundred digits do.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <complex>
+#include <optional>
 #include <random>
 #include <tests/certificate_checker.hpp>
 #include <tests/certificate_ranges.hpp>
-#include <valarray>
 
 namespace certificate_checker {
 
-using Number = std::complex<long double>;
-using Numbers = std::valarray<Number>;  // one for each point
-constexpr std::size_t points = 100;
+constexpr std::size_t points = 50;
+constexpr long digits = 100;
+inline cln::cl_R ten_to(long n) { return cln::expt(cln::cl_RA(10), n); }
+inline cln::cl_F rounded(const cln::cl_R& x) { return cln::cl_float(x, cln::float_format(digits)); }
 
-inline Numbers sizes(const Numbers& numbers) {
-  return numbers.apply([](const Number& z) -> Number { return std::abs(z); });
+/// As large as |z|, within a factor of two, in few digits.
+inline cln::cl_R size_of(const cln::cl_N& z) {
+  const cln::float_format_t few = cln::float_format(17);
+  return cln::cl_float(cln::abs(cln::realpart(z)), few) + cln::cl_float(cln::abs(cln::imagpart(z)), few);
+}
+/// A value, and by how many units of the last place of 1 it may be wrong, for a sum that cancels is much
+/// larger than its value; or none.
+struct Number {
+  cln::cl_N at = 0;
+  cln::cl_R error = 0;
+  bool is_known = false;
+  cln::cl_R size() const { return size_of(at); }
+};
+inline Number known(const cln::cl_N& at) { return {at, size_of(at), true}; }
+inline Number operator+(const Number& a, const Number& b) {
+  return {a.at + b.at, a.error + b.error, a.is_known && b.is_known};
+}
+inline Number operator*(const Number& a, const Number& b) {
+  return {a.at * b.at, a.error * b.size() + a.size() * b.error, a.is_known && b.is_known};
+}
+inline Number operator/(const Number& a, const Number& b) {
+  if (!b.is_known || cln::zerop(b.at)) return {};
+  const cln::cl_N at = a.at / b.at;
+  return {at, (a.error + size_of(at) * b.error) / b.size(), a.is_known};
 }
 
-/// What is seen of a value: the numbers, and by how many units of the last place of 1 they may be wrong, for
-/// a sum that cancels is much larger than its value; and its range, as its form shows it.
+/// What is seen of a value: the numbers, one for each point; and its range, as its form shows it.
 struct Seen {
-  Numbers at, error;
+  std::vector<Number> at;
   Range range;
 };
-inline Seen seen(const Numbers& at, Range range) { return {at, sizes(at), range}; }
-inline Seen operator+(const Seen& a, const Seen& b) {
-  return {a.at + b.at, a.error + b.error, a.range + b.range};
+template <class Operation>
+Seen combined(const Seen& a, const Seen& b, const Operation& operation) {
+  Seen result{a.at, operation(a.range, b.range)};
+  for (std::size_t k = 0; k < points; ++k) result.at[k] = operation(a.at[k], b.at[k]);
+  return result;
 }
-inline Seen operator*(const Seen& a, const Seen& b) {
-  return {a.at * b.at, a.error * sizes(b.at) + sizes(a.at) * b.error, a.range * b.range};
-}
-inline Seen operator/(const Seen& a, const Seen& b) {
-  const Numbers at = a.at / b.at;
-  return {at, (a.error + sizes(at) * b.error) / sizes(b.at), a.range / b.range};
-}
+inline Seen operator+(const Seen& a, const Seen& b) { return combined(a, b, std::plus<>()); }
+inline Seen operator*(const Seen& a, const Seen& b) { return combined(a, b, std::multiplies<>()); }
+inline Seen operator/(const Seen& a, const Seen& b) { return combined(a, b, std::divides<>()); }
 
-/// A power of e; of a root "^p/q" or an inverse function the principal value, not a number where it is not
-/// real.
-inline Numbers principal_values(const std::string& function, const Numbers& x) {
-  using F = Number (*)(const Number&);
-  static const std::map<std::string, F> functions{
-      {"log", std::log},     {"asin", std::asin},   {"acos", std::acos},   {"atan", std::atan},
-      {"asinh", std::asinh}, {"acosh", std::acosh}, {"atanh", std::atanh}, {"exp", std::exp}};
-  if (function == "exp") return x.apply(functions.at(function));
-  Numbers values = x;
-  const auto bar = function.find('/');
-  for (Number& z : values)
-    z = function[0] != '^'
-            ? functions.at(function)(z)
-            : std::pow(z, std::stold(function.substr(1)) / std::stold(function.substr(bar + 1)));
-  return values.apply([](const Number& z) -> Number {
-    return std::abs(z.imag()) <= 1e-12L * std::abs(z) ? z.real() : std::nanl("");
-  });
+/// A power of e; of a root "^p/q" or an inverse function the principal value, none where it is not real.
+inline cln::cl_N principal_value(const std::string& function, const cln::cl_N& x) {
+  using N = const cln::cl_N&;
+  static const std::map<std::string, cln::cl_N (*)(N)> functions{
+      {"log", [](N z) { return cln::log(z); }},     {"asin", [](N z) { return cln::asin(z); }},
+      {"acos", [](N z) { return cln::acos(z); }},   {"atan", [](N z) { return cln::atan(z); }},
+      {"asinh", [](N z) { return cln::asinh(z); }}, {"acosh", [](N z) { return cln::acosh(z); }},
+      {"atanh", [](N z) { return cln::atanh(z); }}, {"exp", [](N z) { return cln::exp(z); }}};
+  if (function == "exp") return functions.at(function)(x);
+  const auto power = [&](const cln::cl_RA& q) -> cln::cl_N {
+    return cln::zerop(x) && cln::plusp(q) ? x : cln::exp(q * cln::log(x));
+  };
+  const cln::cl_N z =
+      function[0] != '^' ? functions.at(function)(x) : power(cln::cl_RA(function.substr(1).c_str()));
+  require(cln::abs(cln::imagpart(z)) <= size_of(z) * ten_to(-digits / 2), "not real");
+  return cln::realpart(z);
 }
 /// With the error that the function makes of that of its argument.
-inline Seen seen(const std::string& function, const Seen& x) {
-  constexpr long double part = 1e-12L;
-  const Numbers at = principal_values(function, x.at),
-                beside = principal_values(function, x.at + x.error * Number(part));
-  return {at, sizes(at) + sizes(beside - at) / Number(part), {}};
+inline Number value_of(const std::string& function, const Number& x) {
+  if (!x.is_known) return x;
+  try {
+    const cln::cl_R part = ten_to(-digits / 2);
+    const cln::cl_N at = principal_value(function, x.at),
+                    beside = principal_value(function, x.at + rounded(x.error * part));
+    return {at, size_of(at) + size_of(beside - at) / part, true};
+  } catch (const std::exception&) {  // a pole, a number that is too large, or not real
+    return {};
+  }
+}
+inline Seen seen(const std::string& function, Seen x) {
+  for (Number& number : x.at) number = value_of(function, number);
+  return {x.at, {}};
+}
+inline Seen seen(const cln::cl_N& everywhere, const Range& range) {
+  return {std::vector<Number>(points, known(everywhere)), range};
 }
 
 /// What was found wrong at each point, and whether the statement has a value there.
@@ -69,20 +98,28 @@ class Looks {
  public:
   void admit(const Seen& v) {
     for (std::size_t k = 0; k < points; ++k)
-      if (const long double error = std::abs(v.error[k]);
-          !std::isfinite(error) || error > 1e9L * (1 + std::abs(v.at[k])))
-        admitted_[k] = false;
+      admitted_[k] =
+          admitted_[k] && v.at[k].is_known && v.at[k].error <= ten_to(digits / 2) * (1 + v.at[k].size());
+  }
+  /// Between these ends.
+  void admit(const Seen& v, const std::optional<cln::cl_R>& low, const std::optional<cln::cl_R>& high) {
+    for (std::size_t k = 0; k < points; ++k) {
+      const cln::cl_R at = cln::realpart(v.at[k].at);
+      if ((low && at < *low) || (high && at > *high)) admitted_[k] = false;
+    }
   }
   void is_not_zero(const Seen& v, const std::string& message) {
     for (std::size_t k = 0; k < points; ++k)
-      if (!(std::abs(v.at[k]) > 1e-15L * std::abs(v.error[k]))) wrong_[k] = message;
+      if (!v.at[k].is_known || v.at[k].size() <= ten_to(5 - digits) * v.at[k].error) wrong_[k] = message;
   }
   /// To six digits, of which the errors leave three; 0 is far from all other branches.
   void is_same(const Seen& a, const Seen& b, const std::string& message) {
     for (std::size_t k = 0; k < points; ++k) {
-      const bool is_zero = a.at[k] == Number(0) && a.error[k] == Number(0);
-      const long double size = is_zero ? 1 : std::abs(b.at[k]), error = std::abs(a.error[k] + b.error[k]);
-      if (!(std::abs(a.at[k] - b.at[k]) <= 1e-6L * size) || !(is_zero || error * 1e-19L <= 1e-6L * size))
+      const Number &x = a.at[k], &y = b.at[k];
+      const bool is_zero = cln::zerop(x.at) && cln::zerop(x.error);
+      const cln::cl_R most = ten_to(-6) * (is_zero ? 1 : y.size());
+      if (!x.is_known || !y.is_known || size_of(x.at - y.at) > most ||
+          (!is_zero && (x.error + y.error) * ten_to(-digits) > most))
         wrong_[k] = message;
     }
   }
@@ -97,14 +134,20 @@ class Looks {
   std::vector<bool> admitted_ = std::vector<bool>(points, true);
 };
 
-/// Numbers between two ends, which may be infinite.
-inline Numbers drawn(long double low, long double high, std::mt19937& random) {
-  Numbers result(points);
+/// Numbers between two ends, if it has them.
+inline std::vector<Number> drawn(const std::optional<cln::cl_R>& low, const std::optional<cln::cl_R>& high,
+                                 std::mt19937& random) {
+  std::vector<Number> result(points);
   for (std::size_t k = 0; k < points; ++k) {
-    const long double width = std::array{1, 3, 10}[k % 3], share = (random() + 0.5L) / 4294967296.0L;
-    const long double from = std::isfinite(low) ? low : std::isfinite(high) ? high - width : -width;
-    const long double to = std::isfinite(high) ? high : std::isfinite(low) ? low + width : width;
-    result[k] = from + (to - from) * share;
+    const int width = std::array{1, 3, 10}[k % 3];
+    const cln::cl_R share = (2 * cln::cl_RA(random()) + 1) / cln::expt(cln::cl_RA(2), 33);
+    const cln::cl_R from = low    ? *low
+                           : high ? *high - width
+                                  : cln::cl_R(-width),
+                    to = high  ? *high
+                         : low ? *low + width
+                               : cln::cl_R(width);
+    result[k] = known(rounded(from + (to - from) * share));
   }
   return result;
 }
@@ -113,24 +156,22 @@ inline Numbers drawn(long double low, long double high, std::mt19937& random) {
 class Look : public Reader<Seen> {
  public:
   Look() {
-    names_["$i"] = seen(Numbers(Number(0, 1), points), {});
-    names_["pi"] = seen(Numbers(std::numbers::pi_v<long double>, points), turned(1, 1, true));
+    names_["$i"] = seen(cln::complex(0, 1), {});
+    names_["pi"] = seen(cln::pi(cln::float_format(digits)), turned(1, 1, true));
   }
   /// A name that lives in a range such as "(0, pi/2]"; with points of one side of 0, too: < or >.
   void draw(const std::string& name, const std::string& range, char side) {
-    const std::size_t comma = range.find(',');
-    const auto end = [&](const std::string& s) -> Seen {
-      const long double infinite = s == "inf" ? INFINITY : -INFINITY;
-      return s.ends_with("inf") ? seen(Numbers(infinite, points), {infinite, infinite}) : value(s);
-    };
-    const Seen from = end(range.substr(1, comma - 1)),
-               to = end(range.substr(comma + 2, range.size() - comma - 3));
-    const Range whole{from.range.low,      to.range.high,        range.front() == '[',
-                      range.back() == ']', from.range.exact_low, to.range.exact_high};
-    const long double low = side == '>' ? 0 : from.at[0].real(), high = side == '<' ? 0 : to.at[0].real();
-    names_[name] = seen(drawn(low, high, random_), whole);
+    Bounds bounds = read_bounds(range);
+    if (side != ' ') (side == '>' ? bounds.low : bounds.high) = 0;
+    names_[name] = {drawn(bounds.low, bounds.high, random_), bounds.whole};
   }
   void name(const std::string& name, const std::string& text) { names_[name] = value(text); }
+  /// Of which only the points count where it is in its range.
+  void narrow(const std::string& name, const std::string& range) {
+    const Bounds bounds = read_bounds(range);
+    names_[name].range = both(names_[name].range, bounds.whole);
+    looks_.admit(names_[name], bounds.low, bounds.high);
+  }
   /// The step takes the principal branch.
   void take(const Json& step) {
     const bool is_named = step.contains("name");
@@ -149,30 +190,40 @@ class Look : public Reader<Seen> {
   bool divisors_are_clear = true;  ///< the ranges of all that was read show that it is not 0
 
  private:
-  Seen number(const cln::cl_I& n) override {
-    return seen(Numbers(static_cast<long double>(cln::double_approx(n)), points), point(n));
+  struct Bounds {
+    Range whole;
+    std::optional<cln::cl_R> low, high;
+  };
+  Bounds read_bounds(const std::string& range) {
+    const std::size_t comma = range.find(',');
+    const std::string from = range.substr(1, comma - 1),
+                      to = range.substr(comma + 2, range.size() - comma - 3);
+    Bounds b{{{0, 0, -1}, {0, 0, 1}, range.front() == '[', range.back() == ']'}, {}, {}};
+    if (from != "-inf") b.whole.low = value(from).range.low, b.low = cln::realpart(value(from).at[0].at);
+    if (to != "inf") b.whole.high = value(to).range.high, b.high = cln::realpart(value(to).at[0].at);
+    return b;
   }
+  Seen number(const cln::cl_I& n) override { return seen(rounded(n), point(n)); }
   /// Ranges are those where there is a value, and there it is not 0.
   Seen divisor(const Seen& d) override {
     looks_.is_not_zero(d, "a divisor vanishes");
     divisors_are_clear = divisors_are_clear && (d.range.is_positive() || d.range.is_negative());
     Seen result = d;
-    if (d.range.low == 0) result.range.has_low = false;
-    if (d.range.high == 0) result.range.has_high = false;
+    if (d.range.low.is_zero()) result.range.has_low = false;
+    if (d.range.high.is_zero()) result.range.has_high = false;
     return result;
   }
   Seen raised(const Seen& base, const Seen& exponent) override {
-    const cln::cl_RA n = exponent.range.is_constant() ? exponent.range.exact_low.number : 0;
+    const cln::cl_RA n = exponent.range.is_constant() ? exponent.range.low.number : 0;
     const auto text = [](const cln::cl_I& i) { return std::to_string(cln::cl_I_to_long(i)); };
     if (exponent.range.is_constant() && cln::denominator(n) == 1) {
       Seen result = power(cln::minusp(n) ? divisor(base) : base, cln::cl_I_to_long(cln::numerator(n)));
       if (cln::evenp(cln::numerator(n))) result.range = not_negative(result.range);
       return result;
     }
-    Seen root = exponent.range.is_constant()
-                    ? seen("^" + text(cln::numerator(n)) + "/" + text(cln::denominator(n)), base)
-                    : seen("exp", exponent * call("log", base));
-    root.range = {0, INFINITY, !base.range.is_positive(), false};
+    if (!exponent.range.is_constant()) return call("exp", exponent * call("log", base));
+    Seen root = seen("^" + text(cln::numerator(n)) + "/" + text(cln::denominator(n)), base);
+    root.range = power_of(n, base.range);
     return root;
   }
   Seen call(const std::string& f, const Seen& x) override {

@@ -237,13 +237,37 @@ TEST_CASE("ranges have the ends that they have, and no others") {
   CHECK(of("1-cos(x)", "(0, 2*pi)") == "accepted");
   CHECK(of("1-cos(x)", "(0, 2*pi]") == open);
   CHECK(of("1-cos(x)", "(1, 7)") == open);
-  CHECK(of("1-cos(x)", "(100, 106)") == open);  // nothing is known that far out
+  CHECK(of("1-cos(x)", "(100, 106)") == open);  // 32*pi = 100.5…
+  CHECK(of("1-cos(x)", "(101, 106)") == "accepted");
+  CHECK(of("sin(x)", "(2*10^30, 2*10^30+1/10)") == "accepted");
+  CHECK(of("sin(x)", "(2*10^30, 2*10^30+2)") == "accepted");
+  CHECK(of("sin(x)", "(2*10^30, 2*10^30+3)") == open);  // pi - 0.18 further it is 0
   for (const char* range : {"(0, 1/3)", "(0, 1/3]"})
     CHECK((of("1-3*x", range) == "accepted") == (std::string(range).back() == ')'));
   CHECK(of("1+10^30-10^30*x", "(0, 1]") == "accepted");
   CHECK(of("10^30-10^30*x", "(0, 1]") == open);
   CHECK(of("1+10^30-(10^30+1)*sin(x)", "(-inf, inf)") == open);
   CHECK(of("2+10^30-(10^30+1)*sin(x)", "(-inf, inf)") == "accepted");
+}
+
+TEST_CASE("what is rounded in a range lies outside") {
+  const auto of = [](const std::string& form, const char* range) {
+    return verdict_of_links({form, ">", "0"}, {"0", "<", "1"}, {{"x", range}}, steps_of("x"),
+                            {settled("left", 0, form, true), settled("right", 0, "1", true)});
+  };
+  const std::string open = "the form leaves it open";
+  const std::string digits =  // of sin(1)
+      "841470984807896506652502321630298999622563060798371065672751709";
+  const std::string below = digits.substr(0, 50) + "/10^50";
+  const std::string near = digits + "/10^63", above = digits.substr(0, 62) + "9/10^63";
+  CHECK(of("sin(x)-" + below, "[1, 3/2]") == "accepted");
+  CHECK(of("sin(x)-" + near, "[1, 3/2]") == open);   // it is true, by less than is known
+  CHECK(of("sin(x)-" + above, "[1, 3/2]") == open);  // it is not
+  CHECK(of(above + "-sin(x)", "[1/2, 1]") == open);  // it is, by less
+  const std::string both = "(x+1/10^200)*(1+1/10^200)", longer = "(x+1/10^400)*(1+1/10^400)";
+  CHECK(of(both + "-1", "[1, 2]") == "accepted");
+  CHECK(of(both + "-1-1/2^660", "[1, 2]") == open);  // 2/10^200 is less
+  CHECK(of(longer + "*" + longer + "-1-1/2^705", "[1, 2]") == open);
 }
 
 TEST_CASE("two links as one, though both may fail") {

@@ -1,237 +1,248 @@
 // The range of an expression as far as its form shows it: x^2 + 1 is positive, and so are exp(x), and 1 - x
-// for x in (0, 1).
+// for x in (0, 1). Ends are exact, or sixty digits that lie outside.
 #pragma once
 
 #include <cln/cln.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
 namespace certificate_checker {
 
-/// number + turns*pi, where that is known.
-struct Exact {
+/// number + turns*pi, or infinite.
+struct End {
   cln::cl_RA number = 0, turns = 0;
-  bool is_known = false;
-  bool is_rational() const { return is_known && cln::zerop(turns); }
+  int infinite = 0;  ///< -1 and 1
+  bool is_rational() const { return infinite == 0 && cln::zerop(turns); }
+  bool is_zero() const { return is_rational() && cln::zerop(number); }
 };
-inline Exact operator+(const Exact& a, const Exact& b) {
-  return {a.number + b.number, a.turns + b.turns, a.is_known && b.is_known};
+inline End operator+(const End& a, const End& b) {
+  if (a.infinite != 0 || b.infinite != 0) return {0, 0, a.infinite != 0 ? a.infinite : b.infinite};
+  return {a.number + b.number, a.turns + b.turns};
 }
-inline Exact operator*(const cln::cl_RA& c, const Exact& a) {
-  return {c * a.number, c * a.turns, a.is_known};
+inline End operator*(const cln::cl_RA& c, const End& a) {
+  return {c * a.number, c * a.turns, cln::minusp(c) ? -a.infinite : a.infinite};
+}
+/// Two hundred digits of what is finite, of which it keeps a hundred where a sum with pi cancels.
+inline cln::cl_F digits_of(const End& e) {
+  const cln::float_format_t format = cln::float_format(200);
+  const cln::cl_F number = cln::cl_float(e.number, format),
+                  turns = cln::cl_float(e.turns, format) * cln::pi(format);
+  if (cln::zerop(e.turns)) return number;
+  if (cln::abs(number + turns) < cln::abs(turns) * cln::expt(cln::cl_RA(10), -100))
+    throw std::runtime_error("an end that is too close to 0");
+  return number + turns;
+}
+/// -1, 0 or 1; pi is irrational.
+inline int sign(const End& e) {
+  if (e.infinite != 0) return e.infinite;
+  if (e.is_rational()) return cln::plusp(e.number) ? 1 : cln::minusp(e.number) ? -1 : 0;
+  return cln::plusp(digits_of(e)) ? 1 : -1;
+}
+inline int compare(const End& a, const End& b) {
+  if (a.infinite != 0 || b.infinite != 0) return (a.infinite > b.infinite) - (a.infinite < b.infinite);
+  return sign(a + cln::cl_RA(-1) * b);
+}
+/// A number of which sixty digits are right, moved outward by more than the others may be wrong.
+inline End outside(const cln::cl_R& value, int outward) {
+  const cln::cl_RA size = cln::rational(cln::abs(value)), tiny = cln::expt(cln::cl_RA(10), -60);
+  return {cln::rational(value) + outward * (size + tiny) * tiny};
+}
+/// The same, or what lies outside of it and has fewer digits.
+inline End shortened(const End& e, int outward) {
+  constexpr long many = 2000, enough = 700;
+  const auto bits = [](const cln::cl_I& n) { return static_cast<long>(cln::integer_length(n)); };
+  const auto bits_of = [&](const cln::cl_RA& r) {
+    return bits(cln::numerator(r)) + bits(cln::denominator(r));
+  };
+  if (e.infinite != 0 || bits_of(e.number) + bits_of(e.turns) < many) return e;
+  if (!e.is_rational()) return outside(digits_of(e), outward);
+  const cln::cl_RA scale =
+      cln::expt(cln::cl_RA(2), enough - bits(cln::numerator(e.number)) + bits(cln::denominator(e.number)));
+  const cln::cl_RA scaled = e.number * scale;
+  return {(outward < 0 ? cln::floor1(scaled) : cln::ceiling1(scaled)) / scale};
+}
+inline End product(const End& a, const End& b, int outward) {
+  if (sign(a) == 0 || sign(b) == 0) return {};
+  if (a.infinite != 0 || b.infinite != 0) return {0, 0, sign(a) * sign(b)};
+  if (a.is_rational()) return shortened(a.number * b, outward);
+  return b.is_rational() ? shortened(b.number * a, outward) : outside(digits_of(a) * digits_of(b), outward);
 }
 
 /// The real numbers between two ends.
 struct Range {
-  long double low = -INFINITY, high = INFINITY;
+  End low{0, 0, -1}, high{0, 0, 1};
   bool has_low = false, has_high = false;  ///< the ends themselves
-  Exact exact_low = {}, exact_high = {};   ///< beside the rounded ones
-  bool is_constant() const {
-    return exact_low.is_rational() && exact_high.is_rational() && exact_low.number == exact_high.number;
-  }
-  bool is_positive() const { return low > 0 || (low == 0 && !has_low); }
-  bool is_negative() const { return high < 0 || (high == 0 && !has_high); }
+  bool is_constant() const { return low.is_rational() && high.is_rational() && low.number == high.number; }
+  bool is_positive() const { return sign(low) > 0 || (sign(low) == 0 && !has_low); }
+  bool is_negative() const { return sign(high) < 0 || (sign(high) == 0 && !has_high); }
+  bool is_not_negative() const { return sign(low) >= 0; }
+  bool is_not_positive() const { return sign(high) <= 0; }
+  bool is_zero() const { return is_not_negative() && is_not_positive(); }
 };
-/// A rounded end is moved outward, by more than it may be wrong.
-inline long double end(long double value, long double size, bool is_exact, int outward) {
-  return is_exact ? value : value + outward * 1e-15L * size;
-}
-inline Range around(long double value) {
-  const bool is_exact = std::abs(value) < 9e15L;
-  return {end(value, std::abs(value), is_exact, -1), end(value, std::abs(value), is_exact, 1), true, true};
-}
+inline Range point(const cln::cl_RA& n) { return {{n}, {n}, true, true}; }
 /// A rational number times pi, from the one to the other.
 inline Range turned(const cln::cl_RA& low, const cln::cl_RA& high, bool has_ends) {
-  const long double pi = std::numbers::pi_v<long double>, from = pi * cln::double_approx(low),
-                    to = pi * cln::double_approx(high);
-  return {end(from, std::abs(from), false, -1),
-          end(to, std::abs(to), false, 1),
-          has_ends,
-          has_ends,
-          {0, low, true},
-          {0, high, true}};
-}
-inline Range point(const cln::cl_I& n) {
-  Range result = around(cln::double_approx(n));
-  result.exact_low = result.exact_high = {n, 0, true};
-  return result;
-}
-/// Not where it is a number of the machine.
-inline long double rounded(const cln::cl_RA& n, int outward) {
-  const double value = cln::double_approx(n);
-  if (!std::isfinite(value)) return cln::minusp(n) == (outward < 0) ? outward * INFINITY : -outward * 1e300L;
-  const bool is_exact = cln::rational(cln::cl_DF(value)) == n;
-  return is_exact ? value : value + outward * (1e-15L * std::abs(value) + 1e-300L);
-}
-/// An end that is known is rounded but once.
-inline Range with_exact(Range range, const Exact& low, const Exact& high) {
-  range.exact_low = low, range.exact_high = high;
-  if (low.is_rational()) range.low = rounded(low.number, -1);
-  if (high.is_rational()) range.high = rounded(high.number, 1);
-  return range;
+  return {{0, low}, {0, high}, has_ends, has_ends};
 }
 inline Range operator+(const Range& a, const Range& b) {
-  const auto sum = [](long double x, long double y, int outward) {
-    const long double s = x + y;
-    return end(s, std::abs(x) + std::abs(y), s - x == y && s - y == x, outward);
-  };
-  return with_exact(
-      {sum(a.low, b.low, -1), sum(a.high, b.high, 1), a.has_low && b.has_low, a.has_high && b.has_high},
-      a.exact_low + b.exact_low, a.exact_high + b.exact_high);
+  return {shortened(a.low + b.low, -1), shortened(a.high + b.high, 1), a.has_low && b.has_low,
+          a.has_high && b.has_high};
 }
 inline Range operator*(const Range& a, const Range& b) {
-  if (!a.is_constant() && b.is_constant()) return b * a;
-  Range result{INFINITY, -INFINITY};
+  Range result{{0, 0, 1}, {0, 0, -1}};
   for (const auto& [x, has_x] : {std::pair{a.low, a.has_low}, {a.high, a.has_high}})
     for (const auto& [y, has_y] : {std::pair{b.low, b.has_low}, {b.high, b.has_high}}) {
-      const bool is_zero = x == 0 || y == 0;
-      const long double product = is_zero ? 0 : x * y;
-      if (std::isnan(product) || (product == 0 && !is_zero)) return {};
-      const bool is_exact = is_zero || std::isinf(product) || std::fma(x, y, -product) == 0;
-      const long double low = end(product, std::abs(product), is_exact, -1),
-                        high = end(product, std::abs(product), is_exact, 1);
-      const bool has_end = (has_x && (has_y || x == 0)) || (has_y && y == 0);
-      if (low < result.low) result.low = low, result.has_low = false;
-      if (high > result.high) result.high = high, result.has_high = false;
-      if (low == result.low) result.has_low = result.has_low || has_end;
-      if (high == result.high) result.has_high = result.has_high || has_end;
+      const End low = product(x, y, -1), high = product(x, y, 1);
+      const bool has_end = (has_x && (has_y || sign(x) == 0)) || (has_y && sign(y) == 0);
+      if (compare(low, result.low) < 0) result.low = low, result.has_low = false;
+      if (compare(high, result.high) > 0) result.high = high, result.has_high = false;
+      if (compare(low, result.low) == 0) result.has_low = result.has_low || has_end;
+      if (compare(high, result.high) == 0) result.has_high = result.has_high || has_end;
     }
-  if (!a.is_constant()) return result;
-  const cln::cl_RA by = a.exact_low.number;
-  const bool falls = cln::minusp(by);
-  return with_exact(result, by * (falls ? b.exact_high : b.exact_low),
-                    by * (falls ? b.exact_low : b.exact_high));
+  return result;
 }
 /// The reciprocals of what has one sign lie between those of its ends.
 inline Range operator/(const Range& a, const Range& b) {
   if (b.is_positive() == b.is_negative()) return {};  // 0 may be in it, or nothing is
   if (b.is_negative()) return point(-1) * a / (point(-1) * b);
-  const auto over = [](long double x, int outward) {
-    const long double q = 1 / std::abs(x);
-    return end(q, q, std::isinf(x) || x == 0 || std::fma(q, x, -1.0L) == 0, outward);
+  const auto over = [](const End& x, int outward) -> End {
+    if (x.infinite != 0) return {};
+    if (sign(x) == 0) return {0, 0, 1};
+    return x.is_rational() ? End{1 / x.number} : outside(1 / digits_of(x), outward);
   };
-  Range reciprocal{over(b.high, -1), over(b.low, 1), b.has_high, b.has_low};
-  if (b.is_constant()) reciprocal.exact_low = reciprocal.exact_high = {1 / b.exact_low.number, 0, true};
-  return a * reciprocal;
+  return a * Range{over(b.high, -1), over(b.low, 1), b.has_high, b.has_low};
+}
+/// What is known of one number in two ways.
+inline Range both(const Range& a, const Range& b) {
+  const int low = compare(a.low, b.low), high = compare(a.high, b.high);
+  return {low > 0 ? a.low : b.low, high < 0 ? a.high : b.high,
+          (low > 0 || a.has_low) && (low < 0 || b.has_low),
+          (high < 0 || a.has_high) && (high > 0 || b.has_high)};
 }
 /// Of an even power, for which a range was found that does not know of it.
 inline Range not_negative(const Range& range) {
-  return range.low >= 0 ? range : Range{0, range.high, true, range.has_high};
+  return range.is_not_negative() ? range : Range{{}, range.high, true, range.has_high};
 }
 
-/// Whether an end lies below q*pi (-1), there (0) or above (1); `doubt` where rounding does not tell.
-inline int place(long double value, const Exact& exact, const cln::cl_RA& q, int doubt) {
-  if (exact.is_known && cln::zerop(exact.number)) return cln::compare(exact.turns, q);
-  const long double at = std::numbers::pi_v<long double> * cln::double_approx(q),
-                    margin = 1e-15L * std::abs(at);
-  return value > at + margin ? 1 : value < at - margin ? -1 : margin > 0 ? doubt : 0;
-}
-/// Whether it lies between two multiples of pi, for sure; whether one may lie in it.
+/// Whether it lies between two multiples of pi; whether one lies in it.
 inline bool lies(const Range& x, const cln::cl_RA& low, const cln::cl_RA& high) {
-  return place(x.low, x.exact_low, low, -1) >= 0 && place(x.high, x.exact_high, high, 1) <= 0;
+  return compare(x.low, {0, low}) >= 0 && compare(x.high, {0, high}) <= 0;
 }
-inline bool may_have(const Range& x, const cln::cl_RA& q) {
-  const int low = place(x.low, x.exact_low, q, -1), high = place(x.high, x.exact_high, q, 1);
+inline bool has(const Range& x, const End& e) {
+  const int low = compare(x.low, e), high = compare(x.high, e);
   return (low < 0 || (low == 0 && x.has_low)) && (high > 0 || (high == 0 && x.has_high));
 }
 
-/// Whether q*pi or another one, whole turns away, may lie in it.
-inline bool touches(const Range& x, const cln::cl_RA& q) {
-  for (int k = -6; k <= 6; k += 2)
-    if (may_have(x, q + k)) return true;
-  return false;
-}
 /// That of a sine or cosine: between its values at the ends, -1 and 1 if x gets there.
-inline Range wave(const std::string& f, const Range& x) {
-  const cln::cl_RA half = cln::cl_RA(1) / 2, start = f == "sin" ? cln::cl_RA(0) : -half;
-  const long double far = 13;
-  if (!(x.low > -far && x.high < far)) return {-1, 1, true, true, {-1, 0, true}, {1, 0, true}};
-  const auto at = [&](long double from, const Exact& exact, bool has) -> Range {
-    const long double value = f == "sin" ? std::sin(from) : std::cos(from), whole = std::round(2 * value);
-    const bool is_known = exact.is_known && cln::zerop(exact.number) &&
-                          cln::denominator(6 * exact.turns) == 1 && std::abs(2 * value - whole) < 1e-9L;
-    if (is_known) return {whole / 2, whole / 2, has, has};  // 0, 1/2 or 1
-    return {end(value, 20, false, -1), end(value, 20, false, 1), true, true};
+inline Range wave(const std::string& f, Range x) {
+  const Range whole{{-1}, {1}, true, true};
+  if (x.low.infinite != 0 || x.high.infinite != 0) return whole;
+  const cln::cl_F start = digits_of(x.low) / cln::pi(cln::float_format(200));
+  if (cln::abs(start) > cln::expt(cln::cl_RA(10), 40)) return whole;
+  const cln::cl_RA turns = 2 * cln::floor1(start / 2);
+  x.low.turns = x.low.turns - turns, x.high.turns = x.high.turns - turns;  // x begins in the first turn
+  if (compare(x.high, x.low + End{0, 2}) > 0) return whole;
+  const auto at = [&](const End& e, bool has_end) -> Range {
+    const cln::cl_F angle = digits_of(e), value = f == "sin" ? cln::sin(angle) : cln::cos(angle);
+    const cln::cl_RA twice = cln::round1(2 * value);
+    const bool is_known = cln::zerop(e.number) && cln::denominator(6 * e.turns) == 1 &&
+                          cln::abs(2 * value - twice) < cln::cl_RA(1) / 1000;
+    if (is_known) return {{twice / 2}, {twice / 2}, has_end, has_end};  // 0, 1/2 or 1
+    return {outside(value, -1), outside(value, 1), true, true};
   };
-  Range result = at(x.low, x.exact_low, x.has_low);
-  const Range other = at(x.high, x.exact_high, x.has_high);
-  result.has_low = (result.low <= other.low && result.has_low) || (other.low <= result.low && other.has_low);
-  result.has_high =
-      (result.high >= other.high && result.has_high) || (other.high >= result.high && other.has_high);
-  result.low = std::min(result.low, other.low), result.high = std::max(result.high, other.high);
-  for (int k = -5; k <= 5; ++k) {  // half a period of one sign, which has one of the extremes
-    const bool is_positive = k % 2 == 0, has_middle = may_have(x, start + k + half);
-    if (has_middle && is_positive) result.high = 1, result.has_high = true;
-    if (has_middle && !is_positive) result.low = -1, result.has_low = true;
-    if (!lies(x, start + k, start + k + 1)) continue;
-    const bool has_ends = may_have(x, start + k) || may_have(x, start + k + 1);
-    if (is_positive && result.low <= 0) result.low = 0, result.has_low = has_ends;
-    if (!is_positive && result.high >= 0) result.high = 0, result.has_high = has_ends;
+  const Range a = at(x.low, x.has_low), b = at(x.high, x.has_high);
+  const int low = compare(a.low, b.low), high = compare(a.high, b.high);
+  Range result{low < 0 ? a.low : b.low, high > 0 ? a.high : b.high,
+               (low <= 0 && a.has_low) || (low >= 0 && b.has_low),
+               (high >= 0 && a.has_high) || (high <= 0 && b.has_high)};
+  const cln::cl_RA top = f == "sin" ? cln::cl_RA(1) / 2 : cln::cl_RA(0);
+  for (int k = -1; k <= 5; ++k) {  // at top + k*pi it is 1 and -1 in turn
+    if (!has(x, {0, top + k})) continue;
+    if (k % 2 == 0) result.high = {1}, result.has_high = true;
+    if (k % 2 != 0) result.low = {-1}, result.has_low = true;
   }
-  if (result.low <= -1) result.low = -1, result.has_low = touches(x, start - half);
-  if (result.high >= 1) result.high = 1, result.has_high = touches(x, start + half);
-  if (result.low == -1) result.exact_low = {-1, 0, true};
-  if (result.high == 1) result.exact_high = {1, 0, true};
   return result;
+}
+
+/// A function that grows from one point to another, with its values there.
+struct Growing {
+  cln::cl_N (*f)(const cln::cl_F&);
+  End from, at_from, to, at_to, exact, at_exact;  ///< and one between them where its value is exact
+  bool is_steep = false;                          ///< far from 0 it has too many digits
+};
+inline const std::map<std::string, Growing>& growing() {
+  using F = const cln::cl_F&;
+  using N = cln::cl_N;
+  const cln::cl_RA half = cln::cl_RA(1) / 2;
+  const End zero, one{1}, minus_one{-1}, least{0, 0, -1}, most{0, 0, 1}, left{0, -half}, right{0, half};
+  static const std::map<std::string, Growing> functions{
+      {"exp", {[](F x) -> N { return cln::exp(x); }, least, zero, most, most, zero, one, true}},
+      {"log", {[](F x) -> N { return cln::ln(x); }, zero, least, most, most, one, zero}},
+      {"sinh", {[](F x) -> N { return cln::sinh(x); }, least, least, most, most, zero, zero, true}},
+      {"cosh", {[](F x) -> N { return cln::cosh(x); }, zero, one, most, most, zero, one, true}},
+      {"tanh", {[](F x) -> N { return cln::tanh(x); }, least, minus_one, most, one, zero, zero}},
+      {"asin", {[](F x) -> N { return cln::asin(N(x)); }, minus_one, left, one, right, zero, zero}},
+      {"atan", {[](F x) -> N { return cln::atan(N(x)); }, least, left, most, right, zero, zero}},
+      {"asinh", {[](F x) -> N { return cln::asinh(N(x)); }, least, least, most, most, zero, zero}},
+      {"acosh", {[](F x) -> N { return cln::acosh(N(x)); }, one, zero, most, most, one, zero}}};
+  return functions;
+}
+/// One of them at an end, and whether that is a value of it; none that is further inside.
+inline std::pair<End, bool> value_at(const Growing& g, const End& x, bool has_x, int outward) {
+  const int left = compare(x, g.from), right = compare(x, g.to);
+  if (left <= 0) return {g.at_from, g.at_from.infinite == 0 && (has_x || left < 0)};
+  if (right >= 0) return {g.at_to, g.at_to.infinite == 0 && (has_x || right > 0)};
+  if (compare(x, g.exact) == 0) return {g.at_exact, has_x};
+  const cln::cl_F at = digits_of(x);
+  const int far = !g.is_steep || cln::abs(at) < cln::cl_I(10000) ? 0 : cln::plusp(at) ? 1 : -1;
+  if (far == outward) return {outward > 0 ? g.at_to : g.at_from, false};
+  const cln::cl_N value = g.f(far != 0 ? cln::cl_float(cln::cl_I(far * 10000), at) : at);
+  const End e = outside(cln::cl_float(cln::realpart(value), at), outward);
+  if (compare(e, g.at_from) <= 0) return {g.at_from, false};
+  return compare(e, g.at_to) >= 0 ? std::pair{g.at_to, false} : std::pair{e, has_x};
+}
+inline Range range_of(const Growing& g, const Range& x) {
+  const auto [low, has_low] = value_at(g, x.low, x.has_low, -1);
+  const auto [high, has_high] = value_at(g, x.high, x.has_high, 1);
+  return {low, high, has_low, has_high};
+}
+/// That of x^(p/q), where it has a value.
+inline Range power_of(const cln::cl_RA& exponent, Range x) {
+  if (cln::minusp(exponent)) {
+    Range below = power_of(-exponent, x);
+    if (below.low.is_zero()) below.has_low = false;
+    return point(1) / below;
+  }
+  if (compare(x.low, {}) < 0) x.low = {}, x.has_low = true;
+  const auto at = [&](const End& e, int outward) -> End {
+    cln::cl_RA root;
+    if (sign(e) <= 0 || e.infinite != 0) return sign(e) <= 0 ? End{} : e;
+    if (e.is_rational() && cln::rootp(e.number, cln::denominator(exponent), &root))
+      return shortened({cln::expt(root, cln::numerator(exponent))}, outward);
+    return outside(cln::exp(exponent * cln::ln(digits_of(e))), outward);
+  };
+  return {at(x.low, -1), at(x.high, 1), x.has_low, x.has_high};
 }
 
 /// That of f(x), or another one where nothing more is known.
 inline Range range_of(const std::string& f, const Range& x, const Range& other) {
-  using F = long double (*)(long double);
-  static const std::map<std::string, F> increasing{
-      {"exp", std::exp}, {"sinh", std::sinh}, {"asinh", std::asinh}, {"tanh", std::tanh}};
   const cln::cl_RA half = cln::cl_RA(1) / 2;
-  if (const auto found = increasing.find(f); found != increasing.end()) {
-    const auto at = [&](long double from, int outward) {
-      const long double value = found->second(from);
-      return end(value, std::abs(value), from == 0 || std::isinf(from), outward);
-    };
-    const bool is_small = f == "exp" && !(std::exp(x.low) > 0);
-    return {is_small ? 0 : at(x.low, -1), at(x.high, 1), x.has_low && !is_small, x.has_high};
-  }
   if (f == "sin" || f == "cos") return wave(f, x);
-  if (f == "log") {  // of what is positive
-    const auto at = [](long double from, int outward) {
-      const long double value = std::log(from);
-      return end(value, 1 + std::abs(value), from == 1 || std::isinf(value), outward);
-    };
-    return {at(std::max(x.low, 0.0L), -1), at(x.high, 1), x.has_low && x.low > 0,
-            x.has_high && x.high < INFINITY};
-  }
-  if (f == "cosh") return {1, INFINITY, may_have(x, 0), false, {1, 0, true}, {}};
-  if (f == "asin") return turned(-half, half, true);
-  if (f == "acos") return turned(0, 1, true);
-  if (f == "atan") {
-    Range result = turned(-half, half, false);
-    const auto at = [](long double from, int outward) { return end(std::atan(from), 2, from == 0, outward); };
-    if (x.low > -1e9L) result.low = at(x.low, -1), result.has_low = x.has_low, result.exact_low = {};
-    if (x.high < 1e9L) result.high = at(x.high, 1), result.has_high = x.has_high, result.exact_high = {};
-    return result;
-  }
+  if (f == "acos") return turned(half, half, true) + point(-1) * range_of("asin", x, other);
   if (f == "fabs") {
     const Range y = point(-1) * x;
-    const bool same = y.exact_high.is_known && x.exact_high.is_known &&
-                      y.exact_high.number == x.exact_high.number && y.exact_high.turns == x.exact_high.turns;
-    const bool left = y.high > x.high + 1e-14L * std::abs(x.high),
-               right = x.high > y.high + 1e-14L * std::abs(y.high);
-    return {0,
-            std::max(x.high, y.high),
-            true,
-            left    ? y.has_high
-            : right ? x.has_high
-                    : x.has_high || y.has_high,
-            {0, 0, true},
-            left            ? y.exact_high
-            : right || same ? x.exact_high
-                            : Exact{}};
+    if (x.is_not_negative() || y.is_not_negative()) return x.is_not_negative() ? x : y;
+    const int left = compare(y.high, x.high);
+    return {
+        {}, left > 0 ? y.high : x.high, has(x, {}), (left >= 0 && y.has_high) || (left <= 0 && x.has_high)};
   }
-  return f == "acosh" ? Range{0, INFINITY, true, false} : other;
+  const auto found = growing().find(f);
+  return found == growing().end() ? other : range_of(found->second, f == "cosh" ? range_of("fabs", x, x) : x);
 }
 
 /// Whether f grows, or falls, all over two ranges and between them.
@@ -239,7 +250,8 @@ inline bool is_monotonic(const std::string& f, bool falls, const Range& x, const
   static const std::set<std::string> grow{"exp",   "log",  "sinh", "asinh", "tanh",
                                           "atanh", "asin", "atan", "acosh", "sin(atan)"};
   if (f[0] == '^' || grow.contains(f)) return !falls && f.substr(0, 2) != "^-";
-  if (f == "acos" || f == "cos(atan)") return falls && (f == "acos" || (x.low >= 0 && y.low >= 0));
+  if (f == "acos" || f == "cos(atan)")
+    return falls && (f == "acos" || (x.is_not_negative() && y.is_not_negative()));
   const cln::cl_RA start = f == "sin" || f == "tan" ? -cln::cl_RA(1) / 2 : cln::cl_RA(0);
   for (int k = -4; k <= 4; ++k)  // half a period of sin and cos
     if (const bool is_odd = k % 2 != 0;

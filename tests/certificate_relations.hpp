@@ -45,7 +45,8 @@ class Checker {
     require(c_.at("format") == "rederive certificate 6", "another format");
     require(c_.dump().find('#') == std::string::npos, "names with # are the checker's own");
     for (const auto& [name, range] : c_.at("ranges").items())
-      replay_.variable(name), look_.draw(name, range, side_of_zero(name, piece));
+      if (!c_.at("given").contains(name))
+        replay_.variable(name), look_.draw(name, range, side_of_zero(name, piece));
     for (const Json& step : c_.at("pieces").at(piece).at("steps")) take(step);
     read_statement();
     for (const Json& link : c_.at("pieces").at(piece).at("links")) check_link(link);
@@ -66,6 +67,7 @@ class Checker {
     if (!step.contains("given")) return replay_.take(step), look_.take(step);
     const std::string name = step.at("given"), text = stated(c_.at("given").at(name));
     replay_.name(name, text), look_.name(name, text);
+    if (const Json& ranges = c_.at("ranges"); ranges.contains(name)) look_.narrow(name, ranges.at(name));
   }
   /// Of real names and functions only.
   static std::string stated(const std::string& text) {
@@ -199,7 +201,8 @@ class Checker {
   int sign(const Json& factors) {
     int sign = 1;
     for (const auto& [text, n] : factors.items())
-      if (n.get<int>() % 2 != 0) sign *= range(text).low >= 0 ? 1 : range(text).high <= 0 ? -1 : 0;
+      if (n.get<int>() % 2 != 0)
+        sign *= range(text).is_not_negative() ? 1 : range(text).is_not_positive() ? -1 : 0;
     return sign;
   }
   /// In left = part·right a part may be 0 where right is, too: it is ±right, or right^2 or a quarter of it
@@ -209,7 +212,8 @@ class Checker {
       const std::string residual = n > 0 ? right : left, other = "(" + residual + ")^2";
       const std::string more = link.contains("more") ? link.at("more").value(part, "-1") : "-1";
       return same("(" + part + ")^2", other) ||
-             (range(more).low >= 0 && (same(part, other + "+" + more) || same(part, other + "/4+" + more))) ||
+             (range(more).is_not_negative() &&
+              (same(part, other + "+" + more) || same(part, other + "/4+" + more))) ||
              (link.contains("divides") && divides(part, link.at("divides").value(part, "0"), residual));
     });
   }
@@ -222,9 +226,9 @@ class Checker {
     const Said s = said(side, link.at(side));
     const std::string form = stated(link.at(side).at("form"));
     const Range r = range(form);
-    const bool always = s.op == "=" ? r.low == 0 && r.high == 0 : s.op == ">" ? r.is_positive() : r.low >= 0;
+    const bool always = s.op == "=" ? r.is_zero() : s.op == ">" ? r.is_positive() : r.is_not_negative();
     const bool never = s.op == "="   ? r.is_positive() || r.is_negative()
-                       : s.op == ">" ? r.high <= 0
+                       : s.op == ">" ? r.is_not_positive()
                                      : r.is_negative();
     require(!s.op.empty() && same(s.residual(), form), "the form is another one");
     const bool holds = link.at("holds");
@@ -253,11 +257,11 @@ class Checker {
     const std::string r = target.residual(), times = whole(why.at("times")), more = whole(why.at("more"));
     std::string sum = more;
     bool is_zero = same(more, "0"), is_positive = range(more).is_positive();
-    require(range(more).low >= 0, "more may be negative");
+    require(range(more).is_not_negative(), "more may be negative");
     for (const Json& term : why.at("terms")) {
       std::string product = whole(term.at("factor"));
       bool vanishes = false, is_strict = range(product).is_positive();
-      const bool has_sign = range(product).low >= 0;
+      const bool has_sign = range(product).is_not_negative();
       for (const Json& k : term.at("links")) {
         const Said other = said(side == "left" ? "right" : "left", {{"link", k}});
         vanishes = vanishes || other.op == "=", is_strict = is_strict && other.op == ">";
@@ -274,7 +278,7 @@ class Checker {
             "such terms say nothing of an equation");
     const bool is_product = why.contains("product") && target.op == "=" && !squared;
     require(is_product         ? same(times, product(why.at("product"), [](auto&&...) { return false; }))
-            : target.op == ">" ? range(times).low >= 0 && is_positive
+            : target.op == ">" ? range(times).is_not_negative() && is_positive
                                : range(times).is_positive(),
             "a factor may vanish, or equality is left open");
     require(same(times + "*" + (squared ? "(-1)*" + r + "^2" : r), sum), "it does not follow");

@@ -21,7 +21,11 @@ class Expansion {
 
   ex value(const Tree& tree) const { return put_in(lower(tree, symbols_), given_); }
   ex polynomial(const ex& e) const {
-    return GiNaC::series_to_poly(in_size(e).series(size_ == 0, order_ + 1)).subs(size_ == 1);
+    const ex series = GiNaC::series_to_poly(in_size(e).series(size_ == 0, order_ + 1)).expand();
+    if (!series.is_polynomial(size_)) return series.subs(size_ == 1);
+    ex result = 0;  // the series of a product of polynomials has more terms than those asked for
+    for (int k = 0; k <= order_; ++k) result += series.coeff(size_, k);
+    return result;
   }
   Tree tree(const ex& e) const { return to_tree(e, symbols_); }
   /// What is left of an expression where all that is small is 0.

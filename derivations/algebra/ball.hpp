@@ -15,6 +15,9 @@ struct Ball {
   cln::cl_RA of_pi = 0;  ///< where it is not 0, the value is known to be this rational multiple of π
 
   bool is_of_pi() const { return !cln::zerop(of_pi); }
+  /// The ends, exactly: floats of CLN that are added have the digits of the shorter one only.
+  cln::cl_RA least() const { return cln::rational(middle) - cln::rational(radius); }
+  cln::cl_RA most() const { return cln::rational(middle) + cln::rational(radius); }
   bool exact() const { return cln::zerop(radius) && cln:: instanceof (middle, cln::cl_RA_ring); }
 };
 

@@ -41,13 +41,13 @@ Ball BallArithmetic::call(const std::string& name, const Ball& x) const {
 }
 
 bool is_outside_domain(const std::string& function, const Ball& x) {
-  const auto certainly_above = [](const Ball& ball, int bound) { return ball.middle - ball.radius > bound; };
+  const auto certainly_above = [](const Ball& ball, int bound) { return ball.least() > bound; };
   const Ball size{cln::abs(x.middle), x.radius};
   const bool at_one = x.exact() && cln::abs(x.middle) == 1;
   if (function == "log") return is_negative(x) || (x.exact() && cln::zerop(x.middle));
   if (function == "sqrt") return is_negative(x);
   if (function == "asin" || function == "acos") return certainly_above(size, 1);
-  if (function == "acosh") return x.middle + x.radius < 1;
+  if (function == "acosh") return x.most() < 1;
   if (function == "atanh") return certainly_above(size, 1) || at_one;
   return false;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/evaluate.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
@@ -228,6 +229,7 @@ Interval function_interval(const std::string& name, const Interval& i) {
 }
 
 Interval enclose(const ex& e, const Symbols& symbols);
+Interval enclose_as_it_stands(const ex& e, const Symbols& symbols);
 
 /// A square is not negative, whatever is known of its base.
 Interval power_interval(const ex& e, const Symbols& symbols) {
@@ -240,7 +242,40 @@ Interval power_interval(const ex& e, const Symbols& symbols) {
   }
 }
 
+/// What lies in both.
+Interval both(const Interval& a, const Interval& b) {
+  const int low = compare(a.low, b.low), high = compare(a.high, b.high);
+  return {low == 0  ? (a.low.closed ? b.low : a.low)
+          : low > 0 ? a.low
+                    : b.low,
+          high == 0  ? (a.high.closed ? b.high : a.high)
+          : high < 0 ? a.high
+                     : b.high};
+}
+
+/// By what the ranges of other symbols say of it, if it has no more symbols in those; and fewer of the ones
+/// that can be said otherwise, so that this comes to an end.
+Interval enclose_otherwise(const ex& e, Interval interval, const Symbols& symbols) {
+  const auto count = [&](const ex& words) {
+    return std::count_if(symbols.otherwise().begin(), symbols.otherwise().end(),
+                         [&](const auto& pair) { return words.has(pair.first); });
+  };
+  for (const auto& [symbol, words] : symbols.otherwise()) {
+    if (!e.has(symbol)) continue;
+    const ex otherwise = e.subs(symbol == words, GiNaC::subs_options::no_pattern).expand();
+    if (names_in(otherwise).size() <= names_in(e).size() && count(otherwise) < count(e))
+      interval = both(interval, enclose_as_it_stands(otherwise, symbols));
+  }
+  return interval;
+}
+
 Interval enclose(const ex& e, const Symbols& symbols) {
+  const bool is_linear = is_a<GiNaC::add>(e) || is_a<GiNaC::mul>(e) || is_a<GiNaC::symbol>(e);
+  const Interval interval = enclose_as_it_stands(e, symbols);
+  return is_linear && !symbols.otherwise().empty() ? enclose_otherwise(e, interval, symbols) : interval;
+}
+
+Interval enclose_as_it_stands(const ex& e, const Symbols& symbols) {
   if (is_a<numeric>(e) || is_a<GiNaC::constant>(e)) return point(e);
   if (is_a<GiNaC::symbol>(e)) {
     const Symbol* symbol = symbols.find(e);

@@ -59,6 +59,21 @@ Pair Question::pair(const Tree& left_side, const Tree& right_side) const {
   return pair;
 }
 
+Symbols with_ranges_of(const std::vector<Given>& given, const Symbols& symbols) {
+  Symbols result = symbols;
+  for (const Given& g : given) {
+    const ex value = put_in(g.value, given);
+    if (symbols.find(g.name) == nullptr || symbols.find(g.name)->range == "(-inf, inf)") continue;
+    for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part) {
+      if (!GiNaC::is_a<GiNaC::symbol>(*part) || !value.is_polynomial(*part)) continue;
+      const ex slope = value.diff(GiNaC::ex_to<GiNaC::symbol>(*part));
+      if (GiNaC::is_a<GiNaC::numeric>(slope) && !slope.is_zero())
+        result.say_otherwise(*part, *part + ((g.name - value) / slope).expand());
+    }
+  }
+  return result;
+}
+
 std::vector<Link> links_of(const Relation& relation) {
   std::vector<Link> links;
   bool explicit_form = true;

@@ -18,6 +18,10 @@ struct Question {
   Pair pair(const Tree& left, const Tree& right) const;
 };
 
+/// The symbols, and that what a given says of one in others has the range of that one: with alpha = theta +
+/// d, alpha < pi/2.
+Symbols with_ranges_of(const std::vector<Given>& given, const Symbols& symbols);
+
 /// One relation of a statement.
 struct Link {
   Tree left;

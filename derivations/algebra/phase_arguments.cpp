@@ -1,4 +1,5 @@
 // Arguments of sin, cos, exp … as rational combinations of phases.
+#include <algorithm>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
 
@@ -106,7 +107,7 @@ Phases::Argument Phases::in_basis(const ex& numerator, bool circular) const {
 /// argument = Σ coefficient·phase + q·π, over the denominator that all arguments share.
 Phases::Argument Phases::take_apart(const ex& argument, bool circular) const {
   const ex numerator = (rational(argument) * denominator_).normal().expand();
-  if (is_a<GiNaC::add>(denominator_)) return in_basis(numerator, circular);
+  if (is_a<GiNaC::add>(denominator_)) return in_units(in_basis(numerator, circular), circular);
   Argument result;
   ex rest = numerator;
   const ex of_pi = numerator.coeff(pi_symbol(), 1);
@@ -122,6 +123,36 @@ Phases::Argument Phases::take_apart(const ex& argument, bool circular) const {
   for (const auto& [monomial, number] : monomials_of(rest)) {
     const ex phase = (monomial / denominator_).subs(atoms_, GiNaC::subs_options::no_pattern);
     result.parts[phase.subs(pi_symbol() == GiNaC::Pi)] += number;
+  }
+  return in_units(result, circular);
+}
+
+/// The greatest common part of the multiples of a phase, where they or their denominator are large: 2469/2000
+/// in 1.2345·x and 2.469·x. A phase that is a function is tied to what stands in it, and left whole.
+void Phases::find_units() {
+  constexpr long large = 60;
+  std::map<ex, numeric, GiNaC::ex_is_less> above[2], below[2], largest[2];
+  for (const auto& [argument, circular] : arguments_)
+    for (const auto& [phase, number] : take_apart(argument, circular).parts) {
+      if (!name_of(phase).empty()) continue;
+      numeric &a = above[circular][phase], &b = below[circular].try_emplace(phase, 1).first->second;
+      a = GiNaC::gcd(a, number.numer()), b = GiNaC::lcm(b, number.denom());
+      numeric& most = largest[circular][phase];
+      most = std::max(most, GiNaC::abs(number));
+    }
+  for (const bool circular : {false, true})
+    for (const auto& [phase, a] : above[circular])
+      if (const numeric& b = below[circular].at(phase);
+          !a.is_zero() && (b > large || largest[circular].at(phase) * b > large))
+        units_[circular][phase] = a / b;
+}
+
+Phases::Argument Phases::in_units(const Argument& taken, bool circular) const {
+  Argument result{{}, taken.pi};
+  for (const auto& [phase, number] : taken.parts) {
+    const auto found = units_[circular].find(phase);
+    const numeric unit = found == units_[circular].end() ? 1 : found->second;
+    result.parts[unit * phase] += number / unit;
   }
   return result;
 }

@@ -75,6 +75,7 @@ void Phases::make_generators() {
   generators_.push_back({Kind::pi, pi_symbol(), GiNaC::Pi, 1, 0, 0, false, true});
 
   find_denominator();
+  find_units();
   std::map<ex, long, GiNaC::ex_is_less> divisors[2];
   std::vector<numeric> turns;
   for (const auto& [argument, circular] : arguments_) {
@@ -96,6 +97,7 @@ void Phases::make_generators() {
       if (denominator > 64) throw Undecidable("roots of a degree above 64");
     }
   for (const auto& [base, degree] : roots_) {
+    if (degree == 2 && !root_of_turns(base).is_zero()) continue;
     // the root of a symbol or a prime generates; that of anything else is tied to what stands under it
     const bool free = is_a<GiNaC::symbol>(base);
     Generator& generator = add(Kind::root, "$r" + std::to_string(generators_.size()), base);
@@ -136,6 +138,18 @@ void Phases::make_generators() {
     }
     if (generator.kind == Kind::circular || generator.kind == Kind::real) relate_inverse(generator);
   }
+  join_equal_sizes();
+}
+
+/// |u| and |v| are one where u^2 and v^2 are.
+void Phases::join_equal_sizes() {
+  std::vector<Generator*> sizes;
+  for (Generator& generator : generators_)
+    if (generator.kind == Kind::opaque && name_of(generator.meaning) == "abs") sizes.push_back(&generator);
+  for (std::size_t k = 1; k < sizes.size(); ++k)
+    for (std::size_t j = 0; j < k && sizes[k]->degree == 2; ++j)
+      if (reduce((sizes[k]->value - sizes[j]->value).normal().numer()).is_zero())
+        sizes[k]->degree = 1, sizes[k]->value = sizes[j]->symbol;
 }
 
 ex Phases::operator()(const ex& expression) const {
@@ -191,9 +205,9 @@ std::pair<std::vector<std::pair<GiNaC::symbol, numeric>>, numeric> Phases::combi
   }
   if (!(taken.pi * turn->divisor).is_integer())
     throw Undecidable("a multiple of pi that was not seen before");
-  if (taken.pi.is_zero()) return {exponents, 0};
-  exponents.push_back({turn->symbol, taken.pi * turn->divisor});
-  return {exponents, 0};
+  const numeric turns = taken.pi * turn->divisor, rest = GiNaC::mod(turns, 2 * turn->divisor);
+  if (!rest.is_zero()) exponents.push_back({turn->symbol, rest});
+  return {exponents, (turns - rest) / turn->divisor};
 }
 
 ex Phases::turn(const numeric& q) const {
@@ -218,7 +232,12 @@ ex Phases::exponential(const ex& argument, bool circular) const {
 
 ex Phases::root(const ex& base, const numeric& exponent) const {
   const Generator* generator = find(Kind::root, base);
-  if (generator == nullptr) throw Undecidable("a root that was not seen before");
+  if (generator == nullptr) {
+    const ex of_turns = root_of_turns(base);
+    if (of_turns.is_zero() || !(2 * exponent).is_integer())
+      throw Undecidable("a root that was not seen before");
+    return GiNaC::pow(of_turns, 2 * exponent);
+  }
   return GiNaC::pow(generator->symbol, exponent * generator->divisor);
 }
 

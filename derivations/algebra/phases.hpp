@@ -87,14 +87,18 @@ class Phases {
   };
   void collect(const GiNaC::ex& prepared);
   Argument take_apart(const GiNaC::ex& argument, bool circular) const;
+  Argument in_units(const Argument& taken, bool circular) const;
   Argument in_basis(const GiNaC::ex& numerator, bool circular) const;
   Monomials monomials_of(const GiNaC::ex& numerator) const;
   GiNaC::ex rational(const GiNaC::ex& argument) const;
   void find_denominator();
+  void find_units();
   void make_bases();
   void make_generators();
   void make_turns(const std::vector<GiNaC::numeric>& turns);
+  GiNaC::ex root_of_turns(const GiNaC::ex& base) const;
   void relate_inverse(Generator& generator);
+  void join_equal_sizes();
   GiNaC::ex rewrite(const GiNaC::ex& prepared) const;
   GiNaC::ex root(const GiNaC::ex& base, const GiNaC::numeric& exponent) const;
   GiNaC::ex opaque(const GiNaC::ex& value) const;
@@ -105,6 +109,8 @@ class Phases {
   std::vector<Generator> generators_;
   GiNaC::ex denominator_ = 1;
   std::array<PhaseBasis, 2> bases_;  ///< of real and of circular phases, where that denominator is a sum
+  /// phase → the part of it of which there are small multiples only, where the numbers are large
+  std::array<std::map<GiNaC::ex, GiNaC::numeric, GiNaC::ex_is_less>, 2> units_;
   mutable GiNaC::exmap atoms_;       ///< stand-in symbol → function value inside an argument
   std::vector<std::pair<GiNaC::ex, bool>> arguments_;   ///< (argument, circular?)
   std::map<GiNaC::ex, long, GiNaC::ex_is_less> roots_;  ///< base → least common denominator of its exponents

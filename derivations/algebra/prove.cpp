@@ -173,7 +173,8 @@ Proof decide(const Question& question) {
 Proof prove(const Relation& left, const Relation& right, const Symbols& symbols,
             const std::vector<Given>& given) {
   try {
-    Proof proof = decide({left, right, symbols, given});
+    const Symbols with_ranges = with_ranges_of(given, symbols);
+    Proof proof = decide({left, right, with_ranges, given});
     if (proof.verdict == Verdict::proved) {
       add_conditions(proof, left, symbols);
       add_conditions(proof, right, symbols);

@@ -97,6 +97,15 @@ void Phases::make_turns(const std::vector<numeric>& turns) {
   generators_.front().value = GiNaC::pow(z, divisor / 2);
 }
 
+/// √2 = 2·cos(π/4), √3 = 2·cos(π/6) and √5 = 4·cos(π/5) - 1 in the root of unity, if it has them; else 0.
+ex Phases::root_of_turns(const ex& base) const {
+  const Generator* turn = find(Kind::circular, GiNaC::Pi);
+  const int part = base.is_equal(2) ? 4 : base.is_equal(3) ? 6 : base.is_equal(5) ? 5 : 0;
+  if (turn == nullptr || part == 0 || turn->divisor % part != 0) return 0;
+  const ex unit = GiNaC::pow(turn->symbol, turn->divisor / part), twice_cosine = unit + 1 / unit;
+  return part == 5 ? 2 * twice_cosine - 1 : twice_cosine;
+}
+
 /// e^{i asin u} = √(1-u²) + iu and its kin: an inverse function inside an argument ties its phase to algebra.
 void Phases::relate_inverse(Generator& generator) {
   const std::string name = name_of(generator.meaning);

@@ -146,6 +146,15 @@ std::optional<ex> losing_divisor(const Quotient& factor, const Residuals& r, con
   return std::nullopt;
 }
 
+/// asin(3/5) and acos(4/5) are one number, and no factor shows it.
+bool are_equal(const ex& left, const ex& right, const Symbols& symbols) {
+  try {
+    return vanishes(left - right, symbols);
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
 /// The factor between the two, if there is one that has the right sign, and is 0 nowhere but where both of
 /// them are; else why not.
 Proof prove_by_factor(const ex& left, const ex& right, const Residuals& r, const Symbols& symbols) {
@@ -175,16 +184,10 @@ Proof prove_by_factor(const ex& left, const ex& right, const Residuals& r, const
       why = error.what();
     }
   }
+  const auto number = number_between(left, right, symbols);
+  if (number && (r.left == Claim::zero || number->is_positive()) && are_equal(left, *number * right, symbols))
+    return proved(print(*number, Notation::plain, symbols), "the residuals differ by a number");
   return undecided(why);
-}
-
-/// asin(3/5) and acos(4/5) are one number, and no factor shows it.
-bool are_equal(const ex& left, const ex& right, const Symbols& symbols) {
-  try {
-    return vanishes(left - right, symbols);
-  } catch (const Undecidable&) {
-    return false;
-  }
 }
 
 /// Without the functions around the sides, or as squares of sides that are not negative.
@@ -212,6 +215,24 @@ bool has_high_power(const ex& e) {
     return GiNaC::is_a<GiNaC::power>(part) && part.op(1).info(GiNaC::info_flags::integer) &&
            GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(part.op(1))) > 8;
   });
+}
+
+std::optional<GiNaC::numeric> number_between(const ex& left, const ex& right, const Symbols& symbols) {
+  const Tree a = to_tree(left, symbols), b = to_tree(right, symbols);
+  const Points points = points_for(std::vector<Tree>{a, b}, symbols);
+  std::optional<cln::cl_RA> number;
+  int seen = 0;
+  for (int k = 0; k < 12 && seen < 3; ++k) {
+    const auto x = value_of(a, points.at(k)), y = x ? value_of(b, points.at(k)) : std::nullopt;
+    if (!y || is_nearly_zero(*y)) continue;
+    const cln::cl_R scaled = 12 * *x / *y;
+    const cln::cl_I whole = cln::round1(scaled);
+    if (cln::zerop(whole) || !is_nearly_zero(scaled - whole) || (number && *number != whole))
+      return std::nullopt;
+    number = whole, ++seen;
+  }
+  if (seen < 3) return std::nullopt;
+  return GiNaC::numeric(*number / 12);
 }
 
 std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symbols) {

@@ -26,6 +26,10 @@ Proof prove_residuals(const Residuals& residuals, const Symbols& symbols);
 /// The same by a factor alone: as the residuals stand, or without functions around both sides.
 Proof prove_by_some_factor(const Residuals& residuals, const Symbols& symbols);
 
+/// A number that two residuals may differ by: their quotient at points, if that is one of few digits.
+std::optional<GiNaC::numeric> number_between(const GiNaC::ex& left, const GiNaC::ex& right,
+                                             const Symbols& symbols);
+
 /// x^64 - y^64 has a factor that takes long to find, and is not needed where x^2 - y^2 does: with such powers
 /// functions are taken off first.
 bool has_high_power(const GiNaC::ex& residual);

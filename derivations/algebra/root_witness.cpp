@@ -37,8 +37,7 @@ bool is_admitted(const Pair& pair, const Root& root, const Symbols& symbols) {
     const auto ball = widely(bound.second, root);
     const std::string& range = symbols.find(bound.first)->range;
     if (ball && ball->exact()) return is_inside(range, ball->middle);
-    return ball && is_strictly_inside(range, ball->middle - ball->radius) &&
-           is_strictly_inside(range, ball->middle + ball->radius);
+    return ball && is_strictly_inside(range, ball->least()) && is_strictly_inside(range, ball->most());
   };
   const auto is_not_zero = [&](const Tree& tree) { return sign_at(tree, root).value_or(0) != 0; };
   return std::all_of(pair.bound.begin(), pair.bound.end(), stays) &&

@@ -59,6 +59,11 @@ class Symbols {
   /// proof may use it.
   void exclude_witnesses(const GiNaC::ex& zero) { no_witness_.push_back(zero); }
   const std::vector<GiNaC::ex>& no_witness() const { return no_witness_; }
+  /// Says a symbol in others, of which the ranges say more: the difference of y and x, as y - x.
+  void say_otherwise(const GiNaC::ex& symbol, const GiNaC::ex& words) {
+    otherwise_.push_back({symbol, words});
+  }
+  const std::vector<std::pair<GiNaC::ex, GiNaC::ex>>& otherwise() const { return otherwise_; }
   const Symbol* find(std::string_view name) const;    ///< nullptr if there is none
   const Symbol* find(const GiNaC::ex& symbol) const;  ///< by its GiNaC symbol
   /// The GiNaC symbol of that name; throws std::out_of_range naming it if there is none.
@@ -70,6 +75,7 @@ class Symbols {
   std::vector<std::string> order_;
   std::map<std::string, Symbol, std::less<>> table_;
   std::vector<GiNaC::ex> never_zero_, no_witness_;
+  std::vector<std::pair<GiNaC::ex, GiNaC::ex>> otherwise_;
 };
 
 /// The symbols of the paper, with their meanings: the one table that everything else reads.

@@ -185,19 +185,47 @@ bool vanishes_by_its_exponential(const ex& sum, const Symbols& given, int depth)
          vanishes(GiNaC::cos((2 * sum).expand()) - 1, symbols, depth + 1);
 }
 
+/// A symbol of the polynomial that no phase, root or function has: all of its coefficients must vanish.
+std::optional<ex> symbol_beside(const ex& polynomial, const Phases& phases, const Symbols& symbols) {
+  for (const std::string& name : names_in(polynomial)) {
+    const Symbol* symbol = symbols.find(name);
+    const auto is_in = [&](const Generator& g) { return symbol == nullptr || g.meaning.has(symbol->ginac); };
+    if (std::none_of(phases.generators().begin(), phases.generators().end(), is_in)) return symbol->ginac;
+  }
+  return std::nullopt;
+}
+
+/// A sum of inverse functions that vanishes, in a factor of a polynomial in the generators, or one in each
+/// of its coefficients: the first of those. That makes the polynomial 0.
+std::optional<ex> vanishing_sum_in(const ex& polynomial, const Phases& phases, const Symbols& symbols,
+                                   int depth) {
+  const ex product = GiNaC::factor(polynomial);
+  const ex factors = is_a<GiNaC::mul>(product) ? product : ex(GiNaC::lst{product});
+  for (const ex& f : factors) {
+    const ex base = is_a<GiNaC::power>(f) ? f.op(0) : f, sum = phases.meaning_of(base);
+    if (!is_a<GiNaC::add>(base)) continue;
+    if (vanishes_by_its_exponential(sum, symbols, depth)) return sum;
+    const auto symbol = symbol_beside(base, phases, symbols);
+    std::optional<ex> found;
+    for (int k = 0; symbol && k <= base.degree(*symbol); ++k) {
+      const ex coefficient = base.coeff(*symbol, k).expand();
+      if (coefficient.is_zero()) continue;
+      const auto sum_there = vanishing_sum_in(coefficient, phases, symbols, depth);
+      if (!sum_there) break;
+      if (!found) found = sum_there;
+      if (k == base.degree(*symbol)) return found;
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<ex> vanishing_sum(const ex& expression, const Symbols& symbols, int depth) {
   const Phases phases({expression}, symbols);
   bool has_inverse = false;
   for (const Generator& g : phases.generators())
     has_inverse = has_inverse || (g.kind == Generator::Kind::opaque && name_of(g.meaning) != "abs");
   if (!has_inverse) return std::nullopt;
-  const ex product = GiNaC::factor(phases.reduce(phases(expression).normal().numer()));
-  const ex factors = is_a<GiNaC::mul>(product) ? product : ex(GiNaC::lst{product});
-  for (const ex& f : factors) {
-    const ex base = is_a<GiNaC::power>(f) ? f.op(0) : f, sum = phases.meaning_of(base);
-    if (is_a<GiNaC::add>(base) && vanishes_by_its_exponential(sum, symbols, depth)) return sum;
-  }
-  return std::nullopt;
+  return vanishing_sum_in(phases.reduce(phases(expression).normal().numer()), phases, symbols, depth);
 }
 
 bool vanishes(const ex& expression, const Symbols& symbols, int depth) {

@@ -122,18 +122,19 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
   for (const auto* relations : {&texts.inequalities, &texts.equations})
     for (const Assumed& link : *relations)
       context.assumed.insert(context.assumed.end(), link.relation.sides.begin(), link.relation.sides.end());
+  std::vector<Assumed> inequalities = texts.inequalities;
+  std::stable_partition(inequalities.begin(), inequalities.end(),
+                        [&](const Assumed& link) { return is_bound_as_it_stands(link, symbols); });
   std::vector<Assumed> comparisons;
-  for (const bool as_it_stands : {true, false})
-    for (const Assumed& link : texts.inequalities)
-      if (is_bound_as_it_stands(link, symbols) == as_it_stands && !narrow(link, symbols))
-        comparisons.push_back(link);
+  for (std::size_t k = 0; k < inequalities.size(); ++k) {
+    const Assumed& link = inequalities[k];
+    if (!without.contains(k) && !narrow(link, symbols)) comparisons.push_back(link);
+    context.inequalities.push_back(in_words(link, symbols));
+  }
   for (const Assumed& link : texts.inequalities)
     reading(link.text, [&] { avoid_divisors(link.relation, symbols); });
   for (const std::string& text : texts.differences) assume_difference(text, symbols);
-  for (std::size_t k = 0; k < comparisons.size(); ++k) {
-    context.compared.push_back(in_words(comparisons[k], symbols));
-    if (!without.contains(k)) compare_symbols(comparisons[k], context);
-  }
+  for (const Assumed& link : comparisons) compare_symbols(link, context);
   try {
     read_equations(texts.equations, context, request.small);
   } catch (const Undecidable& error) {

@@ -1,3 +1,4 @@
+#include <derivations/algebra/links.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/witness.hpp>
 #include <lessons/ledger/certificate.hpp>
@@ -13,7 +14,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// The givens that the statement needs: those whose names it has, and what they have in turn.
+/// The givens that the statement needs: those whose names it has, or that say of its names what their own
+/// ranges are; and what they have in turn.
 std::vector<Given> needed(const Relation& left, const Relation& right, const std::vector<Given>& given,
                           const Symbols& symbols) {
   std::set<std::string> names;
@@ -23,7 +25,11 @@ std::vector<Given> needed(const Relation& left, const Relation& right, const std
   for (std::size_t round = 0; round <= given.size(); ++round) {
     result.clear();
     for (const Given& g : given) {
-      if (!names.contains(ex_to<GiNaC::symbol>(g.name).get_name())) continue;
+      const auto said = with_ranges_of({{g.name, put_in(g.value, given)}}, symbols).otherwise();
+      const bool is_said = std::any_of(said.begin(), said.end(), [&](const auto& symbol_and_words) {
+        return names.contains(symbols.find(symbol_and_words.first)->name);
+      });
+      if (!names.contains(symbols.find(g.name)->name) && !is_said) continue;
       result.push_back(g);
       collect_names(to_tree(g.value, symbols), names);
     }
@@ -48,11 +54,12 @@ Json statement_json(const Relation& relation, const CertifiedStatement& q) {
   return list;
 }
 
-/// The ranges of all names that are free in a text.
+/// The ranges of all names in these texts.
 Json ranges_json(const std::vector<Tree>& trees, const CertifiedStatement& q) {
   std::set<std::string> names;
   for (const Tree& tree : trees) collect_names(tree, names);
-  for (const Given& g : q.given) names.erase(ex_to<GiNaC::symbol>(g.name).get_name());
+  for (const Given& g : q.given)
+    if (q.symbols.find(g.name)->range == "(-inf, inf)") names.erase(q.symbols.find(g.name)->name);
   Json ranges = Json::object();
   for (const std::string& name : names)
     if (const Symbol* symbol = q.symbols.find(name); symbol != nullptr && name != "pi")
@@ -270,7 +277,8 @@ Json parts_of_divisors(const std::vector<CertifiedLink>& links, const CertifiedS
 
 Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links) {
   std::vector<Tree> trees;
-  for (const Given& g : q.given) trees.push_back(to_tree(g.value, q.symbols));
+  for (const Given& g : q.given)
+    for (const ex& e : {g.value, g.name}) trees.push_back(to_tree(e, q.symbols));
   for (const Relation* relation : {&q.left, &q.right})
     trees.insert(trees.end(), relation->sides.begin(), relation->sides.end());
   Json given = Json::object(), texts = Json::array();
@@ -317,8 +325,9 @@ Json certificate(const Relation& left, const Relation& right, const Symbols& sym
   Relation exact_left = left, exact_right = right;
   for (Relation* relation : {&exact_left, &exact_right})
     for (Tree& side : relation->sides) side = exact(side, symbols);
-  const CertifiedStatement question{
-      exact_left, exact_right, symbols, needed(left, right, given, symbols), {}};
+  const std::vector<Given> in_it = needed(left, right, given, symbols);
+  const Symbols with_ranges = with_ranges_of(in_it, symbols);
+  const CertifiedStatement question{exact_left, exact_right, with_ranges, in_it, {}};
   return write(question, links_of(question));
 }
 

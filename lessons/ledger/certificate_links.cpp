@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <derivations/algebra/conjunction.hpp>
+#include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/forms.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/rearrange.hpp>
@@ -34,7 +35,15 @@ struct Finder {
   const std::vector<CertifiedDivisor>& divisors;
   const Question question{q.left, q.right, q.symbols, q.given};
 
-  Tree tree(const ex& e) const { return to_tree(e, q.symbols); }
+  /// In names that have ranges of their own, where that takes no more: alpha, not theta + (alpha - theta).
+  Tree tree(const ex& e) const {
+    ex shorter = e;
+    for (const auto& [symbol, words] : q.symbols.otherwise())
+      if (const ex other = shorter.subs(symbol == words, GiNaC::subs_options::no_pattern);
+          names_in(other).size() <= names_in(shorter).size())
+        shorter = other;
+    return to_tree(shorter, q.symbols);
+  }
 
   // ---- forms that show a sign
 
@@ -201,7 +210,9 @@ struct Finder {
       }
     }
     link.factor.clear(), link.more.clear(), link.divides.clear();
-    return vanishes(left - right, q.symbols);
+    const numeric number = number_between(left, right, q.symbols).value_or(1);
+    if (number != 1) link.factor.emplace_back(tree(number), 1);
+    return (op == "=" || number.is_positive()) && vanishes(left - number * right, q.symbols);
   }
 
   // ---- relations

@@ -139,10 +139,30 @@ void Steps::exponential(const Generator& g) {
   }
   steps_.push_back(step);
 }
-/// e^{iqπ}, of which a power is a power of i.
+/// e^{2πi n} = 1, where n is a power of 1000: a thousandth of it comes first.
+void Steps::whole_turns(const numeric& n) {
+  if (!done_.insert(turn_text(2 * n)).second) return;
+  if (n > 1) whole_turns(n / 1000);
+  const std::string from = n > 1 ? turn_text(2 * n / 1000) : "$i*pi/2";
+  steps_.push_back(
+      {{"function", "exp"}, {"of", turn_text(2 * n)}, {"is", "1"}, {"from", {{from, n > 1 ? 1000 : 4}}}});
+}
+/// e^{iqπ}, of which a power is a power of i; whole turns by their digits in thousands.
 void Steps::turn(const numeric& q) {
   if (q.is_zero() || !done_.insert(turn_text(q)).second) return;
   generators(phases_.turn(q));
+  if (GiNaC::abs(q) > 100) {
+    const numeric whole = GiNaC::iquo((q / 2).numer(), (q / 2).denom()), rest = q - 2 * whole;
+    Json from = Json::object();
+    if (!rest.is_zero()) turn(rest), from[turn_text(rest)] = 1;
+    numeric left = whole;
+    for (numeric unit = 1; !left.is_zero(); unit *= 1000, left = GiNaC::iquo(left, 1000))
+      if (const numeric digit = GiNaC::irem(left, 1000); !digit.is_zero())
+        whole_turns(unit), from[turn_text(2 * unit)] = digit.to_int();
+    steps_.push_back(
+        {{"function", "exp"}, {"of", turn_text(q)}, {"is", fraction_text(phases_.turn(q))}, {"from", from}});
+    return;
+  }
   steps_.push_back({{"function", "exp"},
                     {"of", turn_text(q)},
                     {"is", fraction_text(phases_.turn(q))},

@@ -32,6 +32,7 @@ class Steps {
   void generator(const Generator& g);
   void inverse_function(const Generator& g);
   void exponential(const Generator& g);
+  void whole_turns(const GiNaC::numeric& n);
   void turn(const GiNaC::numeric& q);
   void unit(const Tree& written, const GiNaC::ex& argument, bool circular);
   GiNaC::ex difference(const Tree& tree, const GiNaC::ex& value, const GiNaC::ex& is);

@@ -75,18 +75,17 @@ Proof decide_in(const Context& context, const ProveRequest& request) {
   return without_excess(proof, context.comparisons, symbols);
 }
 
-/// The symbols of the statement that the paper gives a range and no assumption does.
+/// The symbols of the statement and the assumptions that the paper gives a range.
 std::vector<std::string> ranged_names(const Context& context, const ProveRequest& request) {
   std::set<std::string> names;
   for (const std::string* text : {&request.left, &request.right})
     for (const Tree& side : parse_statement(*text, context.symbols).sides) collect_names(side, names);
-  std::vector<std::string> result;
-  for (const std::string& name : names) {
+  for (const Tree& side : context.assumed) collect_names(side, names);
+  std::erase_if(names, [&](const std::string& name) {
     const Symbol *here = context.symbols.find(name), *paper = paper_symbols().find(name);
-    if (paper != nullptr && here->range != "(-inf, inf)" && here->range == paper->range)
-      result.push_back(name);
-  }
-  return result;
+    return paper == nullptr || paper->range == "(-inf, inf)" || here->range == "(-inf, inf)";
+  });
+  return {names.begin(), names.end()};
 }
 
 /// "alpha > 0", "alpha < pi/2"
@@ -112,28 +111,29 @@ bool goes_through_in(const Context& context, const ProveRequest& request, Verdic
 /// What a proof may rest on that is not said in the statement.
 struct Grounds {
   std::vector<std::string> ranges;    ///< of which symbols
-  std::set<std::size_t> comparisons;  ///< which of Context::compared
+  std::set<std::size_t> inequalities;  ///< which of Context::inequalities
 };
 
 Grounds grounds(const Context& context, const ProveRequest& request) {
   Grounds all{ranged_names(context, request), {}};
-  for (std::size_t k = 0; k < context.compared.size(); ++k) all.comparisons.insert(k);
+  for (std::size_t k = 0; k < context.inequalities.size(); ++k) all.inequalities.insert(k);
   return all;
 }
 
 /// "a_p > alpha*g", "alpha > 0", "alpha < pi/2"
 std::vector<std::string> as_conditions(const Grounds& grounds, const Context& context) {
   std::vector<std::string> conditions;
-  for (const std::size_t k : grounds.comparisons) conditions.push_back(context.compared[k]);
+  for (const std::size_t k : grounds.inequalities) conditions.push_back(context.inequalities[k]);
   for (const std::string& range : ranges_as_conditions(grounds.ranges, context.symbols))
-    conditions.push_back(range);
+    if (std::find(conditions.begin(), conditions.end(), range) == conditions.end())
+      conditions.push_back(range);
   return conditions;
 }
 
 /// Whether the proof goes through without these.
 bool holds_without(const Grounds& left_out, bool by_algebra, Verdict verdict, const ProveRequest& request) {
   try {
-    const Context other = make_context(request, left_out.ranges, left_out.comparisons);
+    const Context other = make_context(request, left_out.ranges, left_out.inequalities);
     return by_algebra ? goes_through_in(other, request, verdict)
                       : decide_in(other, request).verdict == verdict;
   } catch (const BadInput&) {  // an assumption means something with the range only
@@ -141,27 +141,27 @@ bool holds_without(const Grounds& left_out, bool by_algebra, Verdict verdict, co
   }
 }
 
-/// Which comparisons and declared ranges the proof rests on: those without which it does not go through, and
+/// Which inequalities and declared ranges the proof rests on: those without which it does not go through, and
 /// those of more symbols than are tried.
 std::vector<std::string> conditions_used(Verdict verdict, const Context& context,
                                          const ProveRequest& request) {
   constexpr std::size_t most = 12;
   const Grounds all = grounds(context, request);
-  if (all.ranges.empty() && all.comparisons.empty()) return {};
+  if (all.ranges.empty() && all.inequalities.empty()) return {};
   const bool by_algebra = goes_through_in(context, request, verdict);
   const auto holds = [&](const Grounds& out) { return holds_without(out, by_algebra, verdict, request); };
   if (holds(all)) return {};
   Grounds out, used;
-  for (const std::size_t k : all.comparisons) {
-    out.comparisons.insert(k);
+  for (const std::size_t k : all.inequalities) {
+    out.inequalities.insert(k);
     if (holds(out)) continue;
-    out.comparisons.erase(k);
-    used.comparisons.insert(k);
+    out.inequalities.erase(k);
+    used.inequalities.insert(k);
   }
   for (std::size_t k = 0; k < all.ranges.size(); ++k) {
     out.ranges.push_back(all.ranges[k]);
     const bool is_known = out.ranges.size() == all.ranges.size() &&  // that it does not hold
-                          out.comparisons.size() == all.comparisons.size();
+                          out.inequalities.size() == all.inequalities.size();
     if (k < most && !is_known && holds(out)) continue;
     out.ranges.pop_back();
     used.ranges.push_back(all.ranges[k]);
@@ -173,7 +173,7 @@ bool is_proved(const Proof& proof) {
   return proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
 }
 
-/// Without the ranges and comparisons that a proof rests on.
+/// Without the ranges and inequalities that a proof rests on.
 Proof decide_but_for_ranges(const Context& context, const ProveRequest& request) {
   if (request.order < 0 || request.order > 12 || (request.order > 0) != !request.small.empty())
     throw BadInput(

@@ -25,15 +25,15 @@ struct ProveRequest {
 struct Context {
   Symbols symbols;
   std::vector<Given> given;
-  std::vector<Comparison> comparisons;  ///< of symbols with each other: a part of the ranges, as it were
-  std::vector<std::string> compared;    ///< the assumptions that do so: "b < h"
-  std::vector<Tree> assumed = {};       ///< the sides of all inequalities and equations that are assumed
+  std::vector<Comparison> comparisons;    ///< of symbols with each other: a part of the ranges, as it were
+  std::vector<std::string> inequalities;  ///< that are assumed: "b < h", "x > 0"
+  std::vector<Tree> assumed = {};         ///< the sides of all inequalities and equations that are assumed
 
   /// The comparisons, or the equations as well.
   std::vector<Given> put_in_at_once(bool equations_too) const;
 };
-/// Throws BadInput for an assumption that cannot be read, or that contradicts another. Those in `compared`
-/// with the indices of `without` are left out.
+/// Throws BadInput for an assumption that cannot be read, or that contradicts another. Of the
+/// inequalities, those with the indices of `without` are left out.
 Context make_context(const ProveRequest& request, const std::vector<std::string>& freed = {},
                      const std::set<std::size_t>& without = {});
 

@@ -87,7 +87,8 @@ std::vector<Given> relevant(const std::vector<Given>& given, const Relation& lef
 bool goes_through(const Relation& left, const Relation& right, const Symbols& symbols,
                   const std::vector<Given>& given) {
   try {
-    const Question question{left, right, symbols, given};
+    const Symbols with_ranges = with_ranges_of(given, symbols);
+    const Question question{left, right, with_ranges, given};
     if (left.operators.empty() != right.operators.empty()) return false;
     if (left.operators.empty())
       return vanishes(put_in(lower(left.sides[0], symbols) - lower(right.sides[0], symbols), given), symbols);
