@@ -14,7 +14,7 @@ inline std::string verdict_of_links(const Json& left, const Json& right, const J
                                     const Json& parts_of_divisors = Json::object()) {
   const Json piece{{"steps", steps}, {"links", links}};
   try {
-    certificate_checker::check({{"format", "rederive certificate 6"},
+    certificate_checker::check({{"format", "rederive certificate 7"},
                                 {"left", left},
                                 {"right", right},
                                 {"given", Json::object()},
@@ -22,6 +22,7 @@ inline std::string verdict_of_links(const Json& left, const Json& right, const J
                                 {"never zero", Json::array()},
                                 {"parts of divisors", parts_of_divisors},
                                 {"ranges", ranges},
+                                {"declared", Json::object()},
                                 {"cut", cut},
                                 {"pieces", Json(1 << cut.size(), piece)}});
     return "accepted";

@@ -150,7 +150,7 @@ TEST_CASE("chains of which a part is passed over") {
 }
 
 TEST_CASE("what is never 0 is what the certificate says, and no more") {
-  Json c{{"format", "rederive certificate 6"},
+  Json c{{"format", "rederive certificate 7"},
          {"left", {"x*a", "=", "0"}},
          {"right", {"a", "=", "0"}},
          {"given", Json::object()},
@@ -158,6 +158,7 @@ TEST_CASE("what is never 0 is what the certificate says, and no more") {
          {"never zero", {"2*x"}},
          {"parts of divisors", Json::object()},
          {"ranges", {{"x", real}, {"a", real}}},
+         {"declared", Json::object()},
          {"cut", Json::array()},
          {"pieces",
           {{{"steps", Json::array()}, {"links", {linked("x*a", "a", "1", {{"2*x", 1}, {"1/2", 1}})}}}}}};

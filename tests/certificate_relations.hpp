@@ -13,6 +13,7 @@
 #include <regex>
 #include <set>
 #include <tests/certificate_conditions.hpp>
+#include <tests/certificate_outside.hpp>
 
 namespace certificate_checker {
 
@@ -42,7 +43,7 @@ class Checker {
  public:
   /// Checks one piece. Throws std::exception saying what is wrong.
   Checker(const Json& certificate, std::size_t piece) : c_(certificate) {
-    require(c_.at("format") == "rederive certificate 6", "another format");
+    require(c_.at("format") == "rederive certificate 7", "another format");
     require(c_.dump().find('#') == std::string::npos, "names with # are the checker's own");
     for (const auto& [name, range] : c_.at("ranges").items())
       if (!c_.at("given").contains(name))
@@ -297,6 +298,7 @@ class Checker {
 /// on either side of 0 for each name that is cut there.
 inline void check(const Json& certificate) {
   require(certificate.at("cut").size() < 10, "too many pieces");
+  check_outside(certificate);
   for (std::size_t piece = 0; piece < std::size_t{1} << certificate.at("cut").size(); ++piece)
     Checker(certificate, piece);
 }

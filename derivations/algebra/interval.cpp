@@ -242,17 +242,6 @@ Interval power_interval(const ex& e, const Symbols& symbols) {
   }
 }
 
-/// What lies in both.
-Interval both(const Interval& a, const Interval& b) {
-  const int low = compare(a.low, b.low), high = compare(a.high, b.high);
-  return {low == 0  ? (a.low.closed ? b.low : a.low)
-          : low > 0 ? a.low
-                    : b.low,
-          high == 0  ? (a.high.closed ? b.high : a.high)
-          : high < 0 ? a.high
-                     : b.high};
-}
-
 /// By what the ranges of other symbols say of it, if it has no more symbols in those; and fewer of the ones
 /// that can be said otherwise, so that this comes to an end.
 Interval enclose_otherwise(const ex& e, Interval interval, const Symbols& symbols) {
@@ -264,7 +253,7 @@ Interval enclose_otherwise(const ex& e, Interval interval, const Symbols& symbol
     if (!e.has(symbol)) continue;
     const ex otherwise = e.subs(symbol == words, GiNaC::subs_options::no_pattern).expand();
     if (names_in(otherwise).size() <= names_in(e).size() && count(otherwise) < count(e))
-      interval = both(interval, enclose_as_it_stands(otherwise, symbols));
+      interval = overlap(interval, enclose_as_it_stands(otherwise, symbols));
   }
   return interval;
 }
@@ -327,6 +316,16 @@ End parse_end(std::string text, bool closed, std::string_view whole) {
 }
 
 }  // namespace
+
+Interval overlap(const Interval& a, const Interval& b) {
+  const int low = compare(a.low, b.low), high = compare(a.high, b.high);
+  return {low == 0  ? (a.low.closed ? b.low : a.low)
+          : low > 0 ? a.low
+                    : b.low,
+          high == 0  ? (a.high.closed ? b.high : a.high)
+          : high < 0 ? a.high
+                     : b.high};
+}
 
 Interval parse_range(std::string_view range) {
   thread_local std::map<std::string, Interval, std::less<>>

@@ -22,6 +22,11 @@ struct Question {
 /// d, alpha < pi/2.
 Symbols with_ranges_of(const std::vector<Given>& given, const Symbols& symbols);
 
+/// The symbols with ranges in which both statements have values, as far as single symbols say so: x > 0 where
+/// log(x) stands, x <= 1 where sqrt(1-x) does. Nothing where the declared ranges say as much, or where one
+/// has no value and the other may hold.
+std::optional<Symbols> where_defined(const Question& question);
+
 /// One relation of a statement.
 struct Link {
   Tree left;

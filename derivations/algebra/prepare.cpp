@@ -86,6 +86,9 @@ struct Prepare : GiNaC::map_function {
       throw Undecidable("a number that is not exact");
     if (is_a<GiNaC::power>(base) && base.op(1).info(GiNaC::info_flags::even))  // (x²ⁿ)^q = |x|^{2nq}
       if (const ex size = without_bars(base.op(0)); !size.is_zero()) return power(size, base.op(1) * q);
+    if (is_a<GiNaC::mul>(base))
+      if (const auto [sizes, rest] = squares_taken_out(base, q); !sizes.is_equal(1))
+        return rest.is_equal(1) ? sizes : sizes * root(rest, q);
     ex outside = 1, inside = 1;
     std::vector<Part> unknown;  // odd powers of what may have either sign
     for (auto [factor, n] : factors(base)) {
@@ -122,6 +125,17 @@ struct Prepare : GiNaC::map_function {
     if (inside.is_equal(1)) return outside;
     const auto [upper, exponent] = upright(inside);
     return outside * GiNaC::pow(upper, exponent * q);
+  }
+
+  /// (∏ f_k^{n_k})^q without the f_k of known sign that have an even power, and those.
+  std::pair<ex, ex> squares_taken_out(const ex& product, const numeric& q) {
+    ex sizes = 1, rest = 1;
+    for (const ex& f : product) {
+      const bool is_square = is_a<GiNaC::power>(f) && f.op(1).info(GiNaC::info_flags::even);
+      const ex size = is_square ? without_bars(f.op(0)) : ex(0);
+      size.is_zero() ? rest *= f : sizes *= power(size, f.op(1) * q);
+    }
+    return {sizes, rest};
   }
 
   /// |x| as x or -x; 0 where its sign is not known.

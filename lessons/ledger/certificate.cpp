@@ -59,10 +59,10 @@ Json ranges_json(const std::vector<Tree>& trees, const CertifiedStatement& q) {
   std::set<std::string> names;
   for (const Tree& tree : trees) collect_names(tree, names);
   for (const Given& g : q.given)
-    if (q.symbols.find(g.name)->range == "(-inf, inf)") names.erase(q.symbols.find(g.name)->name);
+    if (q.declared.find(g.name)->range == "(-inf, inf)") names.erase(q.declared.find(g.name)->name);
   Json ranges = Json::object();
   for (const std::string& name : names)
-    if (const Symbol* symbol = q.symbols.find(name); symbol != nullptr && name != "pi")
+    if (const Symbol* symbol = q.declared.find(name); symbol != nullptr && name != "pi")
       ranges[name] = symbol->range;
   return ranges;
 }
@@ -233,7 +233,7 @@ void add_pieces(Json& json, const CertifiedStatement& q, const std::vector<Certi
     for (const auto& [name, range] : json["ranges"].items())
       if (pieces.front().find(name)->range != pieces.back().find(name)->range) json["cut"].push_back(name);
     for (const Symbols& piece : pieces)
-      json["pieces"].push_back(piece_json({q.left, q.right, piece, q.given, {}}, links, trees));
+      json["pieces"].push_back(piece_json({q.left, q.right, piece, q.given, {}, q.declared}, links, trees));
   }
 }
 
@@ -306,7 +306,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
         for (const CertifiedLayer& layer : layers) add_trees(layer, q, trees);
     }
   }
-  Json json{{"format", "rederive certificate 6"},
+  Json json{{"format", "rederive certificate 7"},
             {"left", statement_json(q.left, q)},
             {"right", statement_json(q.right, q)},
             {"given", given},
@@ -318,6 +318,18 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
   return json;
 }
 
+/// Over some of the declared ranges, which are said where they are wider.
+Json certificate_over(const Symbols& ranges, const Relation& left, const Relation& right,
+                      const std::vector<Given>& given, const Symbols& declared) {
+  const Symbols with_ranges = with_ranges_of(given, ranges);
+  const CertifiedStatement question{left, right, with_ranges, given, {}, ranges};
+  Json json = write(question, links_of(question));
+  json["declared"] = Json::object();
+  for (const auto& [name, range] : json["ranges"].items())
+    if (const std::string whole = declared.find(name)->range; whole != range) json["declared"][name] = whole;
+  return json;
+}
+
 }  // namespace
 
 Json certificate(const Relation& left, const Relation& right, const Symbols& symbols,
@@ -326,9 +338,13 @@ Json certificate(const Relation& left, const Relation& right, const Symbols& sym
   for (Relation* relation : {&exact_left, &exact_right})
     for (Tree& side : relation->sides) side = exact(side, symbols);
   const std::vector<Given> in_it = needed(left, right, given, symbols);
-  const Symbols with_ranges = with_ranges_of(in_it, symbols);
-  const CertifiedStatement question{exact_left, exact_right, with_ranges, in_it, {}};
-  return write(question, links_of(question));
+  try {
+    return certificate_over(symbols, exact_left, exact_right, in_it, symbols);
+  } catch (const Undecidable&) {  // then over the part of the ranges where both have values
+    const auto defined = where_defined({exact_left, exact_right, symbols, in_it});
+    if (!defined) throw;
+    return certificate_over(*defined, exact_left, exact_right, in_it, symbols);
+  }
 }
 
 }  // namespace rederive

@@ -35,22 +35,26 @@ struct Finder {
   const std::vector<CertifiedDivisor>& divisors;
   const Question question{q.left, q.right, q.symbols, q.given};
 
-  /// In names that have ranges of their own, where that takes no more: alpha, not theta + (alpha - theta).
+  /// In the words in which the declared ranges show its sign, if they do; else in those that take no more
+  /// names: alpha, not theta + (alpha - theta).
   Tree tree(const ex& e) const {
+    if (shows_sign_in(e, q.declared)) return to_tree(e, q.symbols);
     ex shorter = e;
-    for (const auto& [symbol, words] : q.symbols.otherwise())
-      if (const ex other = shorter.subs(symbol == words, GiNaC::subs_options::no_pattern);
-          names_in(other).size() <= names_in(shorter).size())
-        shorter = other;
+    for (const auto& [symbol, words] : q.symbols.otherwise()) {
+      const ex other = shorter.subs(symbol == words, GiNaC::subs_options::no_pattern);
+      if (shows_sign_in(other, q.declared)) return to_tree(other, q.symbols);
+      if (names_in(other).size() <= names_in(shorter).size()) shorter = other;
+    }
     return to_tree(shorter, q.symbols);
   }
 
   // ---- forms that show a sign
 
   /// Whether the range of the terms as they stand shows one sign; where 0 is known to be outside, that, too.
-  bool shows_sign(const ex& e) const {
-    const Interval i = interval_of(e, q.symbols);
-    const bool may_be_zero = sign_of(e, q.symbols) == 0;
+  bool shows_sign(const ex& e) const { return shows_sign_in(e, q.symbols); }
+  bool shows_sign_in(const ex& e, const Symbols& symbols) const {
+    const Interval i = interval_of(e, symbols);
+    const bool may_be_zero = sign_of(e, symbols) == 0;
     const auto is_beyond = [&](const End& end, int side) {
       const int place = end.infinite != 0 ? -1 : side * compare(end.value, 0);
       return place > 0 || (place == 0 && (may_be_zero || !end.closed));
@@ -230,7 +234,7 @@ struct Finder {
     std::vector<CertifiedLayer> result;
     for (const Layer& layer : layers) {
       const Symbols domain = narrowed_by_functions(sides, q.symbols);
-      const CertifiedStatement there{q.left, q.right, domain, q.given, q.equal};
+      const CertifiedStatement there{q.left, q.right, domain, q.given, q.equal, q.declared};
       auto factor = layer.function == "*" ? Finder{there, divisors}.put_down(layer.factor)
                                           : std::optional(CertifiedFactor{});
       if (!factor) return std::nullopt;
