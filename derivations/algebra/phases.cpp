@@ -148,7 +148,7 @@ void Phases::join_equal_sizes() {
     if (generator.kind == Kind::opaque && name_of(generator.meaning) == "abs") sizes.push_back(&generator);
   for (std::size_t k = 1; k < sizes.size(); ++k)
     for (std::size_t j = 0; j < k && sizes[k]->degree == 2; ++j)
-      if (reduce((sizes[k]->value - sizes[j]->value).normal().numer()).is_zero())
+      if (sizes[j]->degree == 2 && reduce((sizes[k]->value - sizes[j]->value).normal().numer()).is_zero())
         sizes[k]->degree = 1, sizes[k]->value = sizes[j]->symbol;
 }
 
