@@ -35,6 +35,22 @@ ex number_root(const numeric& value, const numeric& q) {
   for (const auto& [prime, n] : prime_powers(value)) result *= GiNaC::pow(ex(prime), ex(q * n));
   return result;
 }
+ex denested_root(const ex& sum) {
+  if (!is_a<GiNaC::add>(sum) || sum.nops() != 2) return 0;
+  const bool is_first = is_a<numeric>(sum.op(0));
+  const ex rational = sum.op(is_first ? 0 : 1), root = sum.op(is_first ? 1 : 0),
+           square = (root * root).expand();
+  const auto is_positive = [](const ex& e) { return e.info(GiNaC::info_flags::positive); };
+  if (!rational.info(GiNaC::info_flags::rational) || !square.info(GiNaC::info_flags::rational)) return 0;
+  const ex difference = rational * rational - square;
+  if (!is_positive(rational) || !is_positive(square) || !is_positive(difference)) return 0;
+  const ex d = GiNaC::sqrt(difference);
+  if (!d.info(GiNaC::info_flags::rational)) return 0;
+  const auto half = [&](int sign) {
+    return number_root(ex_to<numeric>((rational + sign * d) / 2), numeric(1, 2));
+  };
+  return half(1) + (ex_to<numeric>(root.evalf()).is_positive() ? half(-1) : -half(-1));
+}
 ex number_logarithm(const numeric& value) {
   ex sum = 0;
   for (const auto& [prime, n] : prime_powers(value)) sum += n * GiNaC::log(ex(prime));

@@ -49,15 +49,19 @@ void narrow_to(const Interval& other, const ex& name, Symbols& symbols) {
     return end.infinite != 0 ? std::string(end.infinite < 0 ? "-inf" : "inf")
                              : print(end.value, Notation::plain, symbols);
   };
-  try {
-    const Interval both = overlap(parse_range(symbol->range), other);
+  const auto narrow_by = [&](const Interval& interval) {
+    const Interval both = overlap(parse_range(symbol->range), interval);
     const std::string range = (both.low.closed ? "[" : "(") + text(both.low) + ", " + text(both.high) +
                               (both.high.closed ? "]" : ")");
     const bool is_room =
         both.low.infinite != 0 || both.high.infinite != 0 || compare(both.low.value, both.high.value) < 0;
+    (void)parse_range(range);
     if (is_room) symbols.narrow(symbol->name, range);
-  } catch (const std::exception&) {  // too close to tell, or numbers that no range has
-  }
+  };
+  for (const Interval& half : {Interval{other.low, {0, 1}}, Interval{{0, -1}, other.high}}) try {
+      narrow_by(half);
+    } catch (const std::exception&) {  // too close to tell, or a number that no range has
+    }
 }
 
 /// Where a symbol may be.

@@ -86,6 +86,8 @@ struct Prepare : GiNaC::map_function {
       throw Undecidable("a number that is not exact");
     if (is_a<GiNaC::power>(base) && base.op(1).info(GiNaC::info_flags::even))  // (x²ⁿ)^q = |x|^{2nq}
       if (const ex size = without_bars(base.op(0)); !size.is_zero()) return power(size, base.op(1) * q);
+    if (const ex sum = q.denom() == 2 ? denested_root(base) : ex(0); !sum.is_zero())
+      return GiNaC::pow(sum, 2 * q);
     if (is_a<GiNaC::mul>(base))
       if (const auto [sizes, rest] = squares_taken_out(base, q); !sizes.is_equal(1))
         return rest.is_equal(1) ? sizes : sizes * root(rest, q);

@@ -35,16 +35,23 @@ struct Finder {
   const std::vector<CertifiedDivisor>& divisors;
   const Question question{q.left, q.right, q.symbols, q.given};
 
-  /// In the words in which the declared ranges show its sign, if they do; else in those that take no more
-  /// names: alpha, not theta + (alpha - theta).
+  /// In words in which the declared ranges show its sign, if there are any.
+  std::optional<ex> plain_words(const ex& e) const {
+    if (shows_sign_in(e, q.declared)) return e;
+    for (const auto& [symbol, words] : q.symbols.otherwise())
+      if (const ex other = e.subs(symbol == words, GiNaC::subs_options::no_pattern);
+          shows_sign_in(other, q.declared))
+        return other;
+    return std::nullopt;
+  }
+  /// In those; else in what takes no more names: alpha, not theta + (alpha - theta).
   Tree tree(const ex& e) const {
-    if (shows_sign_in(e, q.declared)) return to_tree(e, q.symbols);
+    if (const auto plain = plain_words(e)) return to_tree(*plain, q.symbols);
     ex shorter = e;
-    for (const auto& [symbol, words] : q.symbols.otherwise()) {
-      const ex other = shorter.subs(symbol == words, GiNaC::subs_options::no_pattern);
-      if (shows_sign_in(other, q.declared)) return to_tree(other, q.symbols);
-      if (names_in(other).size() <= names_in(shorter).size()) shorter = other;
-    }
+    for (const auto& [symbol, words] : q.symbols.otherwise())
+      if (const ex other = shorter.subs(symbol == words, GiNaC::subs_options::no_pattern);
+          names_in(other).size() <= names_in(shorter).size())
+        shorter = other;
     return to_tree(shorter, q.symbols);
   }
 
@@ -74,7 +81,7 @@ struct Finder {
   }
   /// An expression of one sign so written that it shows: with a square completed, if need be.
   ex form(const ex& e) const {
-    if (has_terms_of_one_sign(e)) return e;
+    if (has_terms_of_one_sign(e) || (!q.symbols.otherwise().empty() && plain_words(e))) return e;
     if (const auto other = rederive::form_of_one_sign(e, q.symbols); other && !is_a<GiNaC::add>(*other))
       return *other;
     if (shows_sign(e)) return e;
