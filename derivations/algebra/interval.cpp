@@ -327,6 +327,10 @@ Interval overlap(const Interval& a, const Interval& b) {
                      : b.high};
 }
 
+Interval hull(const Interval& a, const Interval& b) {
+  return {smaller(a.low, b.low), larger(a.high, b.high)};
+}
+
 Interval parse_range(std::string_view range) {
   thread_local std::map<std::string, Interval, std::less<>>
       known;  // the same few ranges are asked for all the time

@@ -23,8 +23,9 @@ struct Interval {
 /// Reads a declared range: "(0, pi/2)", "[0, inf)". Throws std::invalid_argument saying what would be right.
 Interval parse_range(std::string_view range);
 
-/// What lies in both. Throws std::domain_error where two ends are too close to tell.
+/// What lies in both; what holds both. Throw std::domain_error where two ends are too close to tell.
 Interval overlap(const Interval& a, const Interval& b);
+Interval hull(const Interval& a, const Interval& b);
 
 /// An enclosure of the values of `expression` over the declared ranges (not always the tightest one).
 Interval interval_of(const GiNaC::ex& expression, const Symbols& symbols);

@@ -64,66 +64,84 @@ void narrow_to(const Interval& other, const ex& name, Symbols& symbols) {
     }
 }
 
-/// Where a symbol may be.
-struct Stretch {
-  std::string name;
-  Interval line;
-};
+/// Where symbols may be, each by itself.
+using Intervals = std::map<std::string, Interval>;
 
-/// Where a residual of one symbol is positive, or not negative, or 0: one that is linear in it, or 1 - x^2.
-std::optional<Stretch> stretch(const ex& residual, Claim claim, const Symbols& symbols) {
+/// To where a residual of one symbol is positive, or not negative, or 0: one that is linear in it, or 1/x, or
+/// 1 - x^2.
+void narrow_by(const ex& residual, Claim claim, const Symbols& symbols, Intervals& intervals) {
   const ex value = residual.expand();
   const auto names = names_in(value);
   const Symbol* symbol = names.size() == 1 ? symbols.find(*names.begin()) : nullptr;
-  if (symbol == nullptr || !value.is_polynomial(symbol->ginac)) return std::nullopt;
-  const ex &x = symbol->ginac, rest = value.coeff(x, 0);
+  if (symbol == nullptr) return;
+  const ex& x = symbol->ginac;
+  Interval& present = intervals[symbol->name];
   const bool weak = claim != Claim::positive;
-  Stretch result{symbol->name, {}};
-  if (value.degree(x) == 1) {
-    const End end{-rest / value.coeff(x, 1), 0, weak};
-    const int sign = sign_of(value.coeff(x, 1), symbols);
-    if (sign > 0 || claim == Claim::zero) result.line.low = end;
-    if (sign < 0 || claim == Claim::zero) result.line.high = end;
-    return sign != 0 ? std::optional(result) : std::nullopt;
-  }
-  if (claim == Claim::zero || !(value - (1 - x * x)).expand().is_zero()) return std::nullopt;
-  result.line = {{-1, 0, weak}, {1, 0, weak}};
-  return result;
+  const ex reciprocal = (value * x).normal();
+  if (GiNaC::is_a<GiNaC::numeric>(reciprocal) && claim != Claim::zero)
+    return narrow_by(reciprocal * x, Claim::positive, symbols, intervals);
+  if (claim != Claim::zero && (value - (1 - x * x)).expand().is_zero())
+    present = overlap(present, {{-1, 0, weak}, {1, 0, weak}});
+  if (!value.is_polynomial(x) || value.degree(x) != 1) return;
+  const End end{-value.coeff(x, 0) / value.coeff(x, 1), 0, weak};
+  const int sign = sign_of(value.coeff(x, 1), symbols);
+  if (sign > 0 || claim == Claim::zero) present = overlap(present, {end, {0, 1}});
+  if (sign < 0 || claim == Claim::zero) present = overlap(present, {{0, -1}, end});
 }
 
-/// Where the sides have values, as far as stretches of single symbols say that.
-std::vector<Stretch> stretches_with_values(const Relation& relation, const Question& question) {
-  std::vector<Stretch> result;
-  for (const Tree& side : relation.sides)
-    for (const std::string& text : side_conditions(side, question.symbols)) {
-      if (text.find("!=") != std::string::npos) continue;
-      const Relation condition = parse_statement(text, question.symbols);
-      const ex value = put_in(lower(condition.sides[0], question.symbols), question.given);
-      if (const auto line = stretch(value, claim_of(condition.operators[0]), question.symbols))
-        result.push_back(*line);
-    }
-  return result;
+/// To where a = b may hold, or a > b, or a >= b: as their difference says, and because what is not less than
+/// something that is not negative is not negative either.
+void narrow_by(const ex& a, const ex& b, Claim claim, const Symbols& symbols, Intervals& intervals) {
+  narrow_by(a - b, claim, symbols, intervals);
+  const Claim bound = claim == Claim::zero ? Claim::not_negative : claim;
+  if (is_nonnegative(b, symbols)) narrow_by(a, bound, symbols, intervals);
+  if (is_nonnegative(-a, symbols)) narrow_by(-b, bound, symbols, intervals);
+  if (claim == Claim::zero && is_nonnegative(a, symbols)) narrow_by(b, bound, symbols, intervals);
+  if (claim == Claim::zero && is_nonnegative(-b, symbols)) narrow_by(-a, bound, symbols, intervals);
 }
 
-/// Whether all that holds in a relation, and lies on the stretches where that has values, lies on others.
-bool implies(const Relation& relation, const std::vector<Stretch>& lines, const std::vector<Stretch>& others,
-             const Question& question) {
-  std::map<std::string, Interval> together;
-  const auto add = [&](const Stretch& s) { together[s.name] = overlap(together[s.name], s.line); };
-  for (const Stretch& line : lines) add(line);
-  for (const Link& link : links_of(relation)) {
-    const Sides s = sides_of(link, question);
-    if (const auto line = stretch(residual_of(s), claim_of(s.op), question.symbols)) add(*line);
+/// What a chain says of two of its sides: "<", "<=", "=", … ; nothing where it turns between them.
+std::string operator_between(const Relation& relation, std::size_t from, std::size_t to) {
+  std::string direction;
+  for (std::size_t k = from; k < to; ++k) {
+    const std::string& op = relation.operators[k];
+    if (op[0] == '=') continue;
+    if (!direction.empty() && direction[0] != op[0]) return "";
+    const bool is_weak = op.size() > 1 && (direction.empty() || direction.size() > 1);
+    direction = op.substr(0, 1) + (is_weak ? "=" : "");
   }
-  const auto lies_in = [](const End& end, const End& other, int side) {
-    if (end.infinite != 0 || other.infinite != 0) return other.infinite != 0;
-    const int order = side * compare(end.value, other.value);
-    return order > 0 || (order == 0 && (other.closed || !end.closed));
-  };
-  return std::all_of(others.begin(), others.end(), [&](const Stretch& other) {
-    const Interval& line = together[other.name];
-    return lies_in(line.low, other.line.low, 1) && lies_in(line.high, other.line.high, -1);
+  return direction.empty() ? "=" : direction;
+}
+
+/// Whether nothing that it divides by may be 0 in these ranges.
+bool has_values(const Relation& relation, const Symbols& symbols) {
+  return std::all_of(relation.sides.begin(), relation.sides.end(), [&](const Tree& side) {
+    const auto conditions = side_conditions(side, symbols);
+    return std::none_of(conditions.begin(), conditions.end(),
+                        [](const std::string& text) { return text.find("!=") != std::string::npos; });
   });
+}
+
+/// Where a statement may hold: where its sides have values, and each is where the others say.
+Intervals where_it_may_hold(const Relation& relation, const Question& question) {
+  const Symbols& symbols = question.symbols;
+  Intervals intervals;
+  std::vector<ex> values;
+  for (const Tree& side : relation.sides) {
+    values.push_back(put_in(lower(side, symbols), question.given));
+    for (const std::string& text : side_conditions(side, symbols)) {
+      if (text.find("!=") != std::string::npos) continue;
+      const Relation condition = parse_statement(text, symbols);
+      const ex value = put_in(lower(condition.sides[0], symbols), question.given);
+      narrow_by(value, claim_of(condition.operators[0]), symbols, intervals);
+    }
+  }
+  for (std::size_t j = 1; j < values.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i)
+      if (const std::string op = operator_between(relation, i, j); !op.empty() && !relation.operators.empty())
+        op[0] == '<' ? narrow_by(values[j], values[i], claim_of(op), symbols, intervals)
+                     : narrow_by(values[i], values[j], claim_of(op), symbols, intervals);
+  return intervals;
 }
 
 }  // namespace
@@ -163,20 +181,20 @@ Symbols with_ranges_of(const std::vector<Given>& given, const Symbols& symbols) 
   return result;
 }
 
-std::optional<Symbols> where_defined(const Question& question) {
-  const std::vector<Stretch> left = stretches_with_values(question.left, question),
-                             right = stretches_with_values(question.right, question);
-  if (!implies(question.left, left, right, question) || !implies(question.right, right, left, question))
-    return std::nullopt;
+std::optional<Symbols> where_one_may_hold(const Question& question) {
+  const Intervals left = where_it_may_hold(question.left, question),
+                  right = where_it_may_hold(question.right, question);
   Symbols result = question.symbols;
-  for (const auto* lines : {&left, &right})
-    for (const auto& [name, line] : *lines) narrow_to(line, question.symbols[name], result);
-  const auto is_narrower = [&](const Stretch& line) {
-    return result.find(line.name)->range != question.symbols.find(line.name)->range;
-  };
-  const bool any = std::any_of(left.begin(), left.end(), is_narrower) ||
-                   std::any_of(right.begin(), right.end(), is_narrower);
-  return any ? std::optional(result) : std::nullopt;
+  bool is_narrower = false;
+  for (const auto& [name, interval] : left) {
+    const auto other = right.find(name);
+    if (other == right.end()) continue;
+    const std::string before = result.find(name)->range;
+    narrow_to(hull(interval, other->second), question.symbols[name], result);
+    is_narrower = is_narrower || result.find(name)->range != before;
+  }
+  const bool is_clear = has_values(question.left, result) && has_values(question.right, result);
+  return is_narrower && is_clear ? std::optional(result) : std::nullopt;
 }
 
 std::vector<Link> links_of(const Relation& relation) {

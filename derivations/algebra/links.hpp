@@ -22,10 +22,10 @@ struct Question {
 /// d, alpha < pi/2.
 Symbols with_ranges_of(const std::vector<Given>& given, const Symbols& symbols);
 
-/// The symbols with ranges in which both statements have values, as far as single symbols say so: x > 0 where
-/// log(x) stands, x <= 1 where sqrt(1-x) does. Nothing where the declared ranges say as much, or where one
-/// has no value and the other may hold.
-std::optional<Symbols> where_defined(const Question& question);
+/// The symbols with the ranges outside of which neither statement holds, as far as single symbols say so: for
+/// log(x) < 0 and 0 < x < 1 that is x > 0. Nothing where the declared ranges say as much, or
+/// where a statement divides by what may be 0 there.
+std::optional<Symbols> where_one_may_hold(const Question& question);
 
 /// One relation of a statement.
 struct Link {

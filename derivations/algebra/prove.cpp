@@ -168,15 +168,15 @@ Proof decide(const Question& question) {
   return proved("", "each follows from the other");
 }
 
-/// What is not decided over the declared ranges may be over the part of them where both have values.
-Proof decide_where_defined(const Question& question) {
+/// What is not decided over the declared ranges may be over the part of them where one may hold.
+Proof decide_where_one_may_hold(const Question& question) {
   Proof proof;
   try {
     proof = decide(question);
   } catch (const Undecidable& error) {
     proof = undecided(error.what());
   }
-  const auto narrower = proof.verdict == Verdict::undecided ? where_defined(question) : std::nullopt;
+  const auto narrower = proof.verdict == Verdict::undecided ? where_one_may_hold(question) : std::nullopt;
   if (!narrower) return proof;
   const Proof there = decide({question.left, question.right, *narrower, question.given});
   return there.verdict == Verdict::undecided ? proof : there;
@@ -188,7 +188,7 @@ Proof prove(const Relation& left, const Relation& right, const Symbols& symbols,
             const std::vector<Given>& given) {
   try {
     const Symbols with_ranges = with_ranges_of(given, symbols);
-    Proof proof = decide_where_defined({left, right, with_ranges, given});
+    Proof proof = decide_where_one_may_hold({left, right, with_ranges, given});
     if (proof.verdict == Verdict::proved) {
       add_conditions(proof, left, symbols);
       add_conditions(proof, right, symbols);

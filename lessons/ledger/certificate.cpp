@@ -340,8 +340,8 @@ Json certificate(const Relation& left, const Relation& right, const Symbols& sym
   const std::vector<Given> in_it = needed(left, right, given, symbols);
   try {
     return certificate_over(symbols, exact_left, exact_right, in_it, symbols);
-  } catch (const Undecidable&) {  // then over the part of the ranges where both have values
-    const auto defined = where_defined({exact_left, exact_right, symbols, in_it});
+  } catch (const Undecidable&) {  // then over the part of the ranges where one may hold
+    const auto defined = where_one_may_hold({exact_left, exact_right, symbols, in_it});
     if (!defined) throw;
     return certificate_over(*defined, exact_left, exact_right, in_it, symbols);
   }
