@@ -110,7 +110,7 @@ bool name_the_same(const Link& left, const Link& right, const Question& question
          !is_assumed_of(y, question);
 }
 
-Proof prove_link(const Link& left, const Link& right, const Question& question, bool of_chain) {
+Proof prove_where_defined(const Link& left, const Link& right, const Question& question, bool of_chain) {
   const Symbols& symbols = question.symbols;
   const auto value = [&](const Tree& tree) { return lower(tree, symbols); };
   if (name_the_same(left, right, question)) {
@@ -125,6 +125,17 @@ Proof prove_link(const Link& left, const Link& right, const Question& question, 
     return proof;
   }
   return prove_residuals(residuals_of(left, right, question), symbols);
+}
+
+/// What is the same where both have values is not, if one holds where the other has none.
+Proof prove_link(const Link& left, const Link& right, const Question& question, bool of_chain) {
+  const Proof proof = prove_where_defined(left, right, question, of_chain);
+  const auto lost = proof.verdict == Verdict::proved
+                        ? lost_to(residuals_of(left, right, question), question.symbols)
+                        : std::nullopt;
+  if (!lost) return proof;
+  return undecided("where " + print(*lost, Notation::plain, question.symbols) +
+                   " = 0, one of the two holds and the other has no value");
 }
 
 /// K = a = b against one equation. That one link differs from it shows nothing where the others may fail

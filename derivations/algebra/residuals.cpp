@@ -146,6 +146,13 @@ std::optional<ex> losing_divisor(const Quotient& factor, const Residuals& r, con
   return std::nullopt;
 }
 
+bool is_polynomial(const ex& e) {
+  return std::all_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) {
+    return !GiNaC::is_a<GiNaC::function>(part) &&
+           (!GiNaC::is_a<GiNaC::power>(part) || part.op(1).info(GiNaC::info_flags::posint));
+  });
+}
+
 /// asin(3/5) and acos(4/5) are one number, and no factor shows it.
 bool are_equal(const ex& left, const ex& right, const Symbols& symbols) {
   try {
@@ -233,6 +240,21 @@ std::optional<GiNaC::numeric> number_between(const ex& left, const ex& right, co
   }
   if (seen < 3) return std::nullopt;
   return GiNaC::numeric(*number / 12);
+}
+
+std::optional<ex> lost_to(const Residuals& r, const Symbols& symbols) {
+  const auto own = [&](const std::vector<ex>& divisors, const std::vector<ex>& others,
+                       const ex& residual) -> std::optional<ex> {
+    for (const ex& divisor : divisors)
+      if (is_polynomial(divisor) && sign_of(divisor, symbols) == 0 &&
+          std::none_of(others.begin(), others.end(), [&](const ex& o) { return is_multiple(divisor, o); }) &&
+          is_factor(divisor, residual, symbols))
+        return divisor;
+    return std::nullopt;
+  };
+  if (r.left == Claim::positive && r.right == Claim::positive) return std::nullopt;
+  const auto found = own(r.left_divisors, r.right_divisors, r.pair.right_value);
+  return found ? found : own(r.right_divisors, r.left_divisors, r.pair.left_value);
 }
 
 std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symbols) {

@@ -26,6 +26,10 @@ Proof prove_residuals(const Residuals& residuals, const Symbols& symbols);
 /// The same by a factor alone: as the residuals stand, or without functions around both sides.
 Proof prove_by_some_factor(const Residuals& residuals, const Symbols& symbols);
 
+/// A polynomial that one statement divides by and that is a factor of the other: its zeros solve that one. It
+/// may have cancelled: (x^2 - 1)/(x - 1) = 2 has no solution, and x = 1 has one. Not of two strict ones.
+std::optional<GiNaC::ex> lost_to(const Residuals& residuals, const Symbols& symbols);
+
 /// A number that two residuals may differ by: their quotient at points, if that is one of few digits.
 std::optional<GiNaC::numeric> number_between(const GiNaC::ex& left, const GiNaC::ex& right,
                                              const Symbols& symbols);
