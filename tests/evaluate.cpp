@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <derivations/algebra/ball.hpp>
 #include <derivations/algebra/evaluate.hpp>
 #include <derivations/algebra/print.hpp>
 #include <random>
@@ -41,6 +42,14 @@ TEST_CASE("multiples of pi/3 and pi/2 are exact") {
   CHECK(digits("cos(-7*pi/3)") == "0.5");
   CHECK(digits("cos(1000001*pi/2)") == "0");
   CHECK(digits("asin(1) + acos(-1) - 3*pi/2") == "0");
+}
+
+TEST_CASE("the ends of a ball have the digits of its middle") {
+  const cln::cl_R middle = cln::pi(cln::float_format(60)) / 2;
+  const Ball ball{middle, cln::cl_float(cln::expt(cl_RA(10), -40), cln::float_format(20))};
+  CHECK(ball.least() < cln::rational(middle));
+  CHECK(ball.most() > cln::rational(middle));
+  CHECK(ball.most() - ball.least() < cln::expt(cl_RA(10), -39));
 }
 
 TEST_CASE("there is nothing where there is no real value") {
