@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <random>
 #include <tests/certificate_checker.hpp>
@@ -157,7 +158,7 @@ class Look : public Reader<Seen> {
  public:
   Look() {
     names_["$i"] = seen(cln::complex(0, 1), {});
-    names_["pi"] = seen(cln::pi(cln::float_format(digits)), turned(1, 1, true));
+    names_["pi"] = seen(cln::pi(cln::float_format(digits)), turned(1));
   }
   /// A name that lives in a range such as "(0, pi/2]"; with points of one side of 0, too: < or >.
   void draw(const std::string& name, const std::string& range, char side) {

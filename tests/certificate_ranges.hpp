@@ -85,10 +85,8 @@ struct Range {
   bool is_zero() const { return is_not_negative() && is_not_positive(); }
 };
 inline Range point(const cln::cl_RA& n) { return {{n}, {n}, true, true}; }
-/// A rational number times pi, from the one to the other.
-inline Range turned(const cln::cl_RA& low, const cln::cl_RA& high, bool has_ends) {
-  return {{0, low}, {0, high}, has_ends, has_ends};
-}
+/// A rational number times pi.
+inline Range turned(const cln::cl_RA& turns) { return {{0, turns}, {0, turns}, true, true}; }
 inline Range operator+(const Range& a, const Range& b) {
   return {shortened(a.low + b.low, -1), shortened(a.high + b.high, 1), a.has_low && b.has_low,
           a.has_high && b.has_high};
@@ -233,7 +231,7 @@ inline Range power_of(const cln::cl_RA& exponent, Range x) {
 inline Range range_of(const std::string& f, const Range& x, const Range& other) {
   const cln::cl_RA half = cln::cl_RA(1) / 2;
   if (f == "sin" || f == "cos") return wave(f, x);
-  if (f == "acos") return turned(half, half, true) + point(-1) * range_of("asin", x, other);
+  if (f == "acos") return turned(half) + point(-1) * range_of("asin", x, other);
   if (f == "fabs") {
     const Range y = point(-1) * x;
     if (x.is_not_negative() || y.is_not_negative()) return x.is_not_negative() ? x : y;

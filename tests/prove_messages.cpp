@@ -78,6 +78,18 @@ TEST_CASE("a reason names the constant that has no value, a message the limit th
   CHECK(run_program("ledger", {"prove", "--assume", "log(x) = sin(cot(0))", "x", "y"}).exit_code == 2);
 }
 
+TEST_CASE("an inequality that is assumed is a condition where the proof needs it, and only there") {
+  const auto conditions = [](const char* left, const char* right) {
+    const Result r = run_program(
+        "ledger", {"prove", "--json", "--assume", "x > 0", "--assume", "y < z", "--", left, right});
+    return nlohmann::json::parse(r.out)["side_conditions"];
+  };
+  using Texts = std::vector<std::string>;
+  CHECK(conditions("sqrt(x^2)", "x") == Texts{"x > 0"});
+  CHECK(conditions("fabs(y-z)", "z-y") == Texts{"y < z"});
+  CHECK(conditions("(x+1)^2", "x^2+2*x+1") == Texts{});
+}
+
 TEST_CASE("bounds of more digits than a double has are kept to") {
   struct Case {
     std::string assumption, left, right, verdict;
