@@ -68,4 +68,13 @@ TEST_CASE("a name that is replaced keeps its range") {
   CHECK(of("1-y") == "accepted");
   CHECK(of("1/2-y") == "the form leaves it open");
   CHECK(of("x") == "the form leaves it open");
+  const Json root{{"function", "^1/2"}, {"of", "x^2"}, {"is", "x"}};  // where x is not negative
+  const Json same{{"left", {{"links", {{{"link", 0}}}}, {"residual", "x"}}},
+                  {"right", {{"links", {{{"link", 0}}}}, {"residual", "x"}}},
+                  {"factor", Json::object()},
+                  {"cofactor", "1"}};
+  CHECK(verdict_over("(-inf, inf)", "", {"sqrt(x^2)"}, {"x"}, given, Json::array({steps[0], root}),
+                     Json::array({same})) == "accepted");
+  CHECK(verdict_over("(-inf, inf)", "", {"sqrt(x^2)"}, {"x"}, Json::object(), Json::array({root}),
+                     Json::array({same})) == "another branch of ^1/2");
 }
