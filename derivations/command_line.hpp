@@ -81,7 +81,7 @@ inline int run_command(CLI::App& app, int argc, char** argv, const std::function
     std::string
         unread;  // CLI11 may complain of something missing before it comes to what it did not understand
     for (const std::string& argument : app.remaining(true))
-      if (std::string_view(error.what()).find(argument) == std::string_view::npos)
+      if (argument != "--" && std::string_view(error.what()).find(argument) == std::string_view::npos)
         unread += " '" + argument + "'";
     if (!unread.empty()) unread = " (not understood:" + unread + ")";
     std::fprintf(stderr, "%s: %s%s\nTry '%s --help'.\n", name.c_str(), printable(error.what()).c_str(),

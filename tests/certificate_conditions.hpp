@@ -74,17 +74,17 @@ inline cln::cl_N principal_value(const std::string& function, const cln::cl_N& x
   require(cln::abs(cln::imagpart(z)) <= size_of(z) * ten_to(-digits / 2), "not real");
   return cln::realpart(z);
 }
-/// With the error that the function makes of that of its argument.
+/// With the error that the function makes of that of its argument, on a side where it has a value.
 inline Number value_of(const std::string& function, const Number& x) {
-  if (!x.is_known) return x;
-  try {
-    const cln::cl_R part = ten_to(-digits / 2);
-    const cln::cl_N at = principal_value(function, x.at),
-                    beside = principal_value(function, x.at + rounded(x.error * part));
-    return {at, size_of(at) + size_of(beside - at) / part, true};
-  } catch (const std::exception&) {  // a pole, a number that is too large, or not real
-    return {};
-  }
+  const cln::cl_R part = ten_to(-digits / 2);
+  for (const int side : {1, -1}) try {
+      if (!x.is_known) return x;
+      const cln::cl_N at = principal_value(function, x.at),
+                      beside = principal_value(function, x.at + side * rounded(x.error * part));
+      return {at, size_of(at) + size_of(beside - at) / part, true};
+    } catch (const std::exception&) {  // a pole, a number that is too large, or not real
+    }
+  return {};
 }
 inline Seen seen(const std::string& function, Seen x) {
   for (Number& number : x.at) number = value_of(function, number);
@@ -109,6 +109,10 @@ class Looks {
       if ((low && at < *low) || (high && at > *high)) admitted_[k] = false;
     }
   }
+  bool is_admitted(std::size_t point) const { return admitted_[point]; }
+  bool is_any_admitted() const {
+    return std::find(admitted_.begin(), admitted_.end(), true) != admitted_.end();
+  }
   void is_not_zero(const Seen& v, const std::string& message) {
     for (std::size_t k = 0; k < points; ++k)
       if (!v.at[k].is_known || v.at[k].size() <= ten_to(5 - digits) * v.at[k].error) wrong_[k] = message;
@@ -127,7 +131,7 @@ class Looks {
   /// Throws where anything is wrong at a point that is admitted, or where no point is.
   void report() const {
     for (std::size_t k = 0; k < points; ++k) require(!admitted_[k] || wrong_[k].empty(), wrong_[k]);
-    require(std::find(admitted_.begin(), admitted_.end(), true) != admitted_.end(), "it has a value nowhere");
+    require(is_any_admitted(), "it has a value nowhere");
   }
 
  private:
@@ -135,13 +139,15 @@ class Looks {
   std::vector<bool> admitted_ = std::vector<bool>(points, true);
 };
 
-/// Numbers between two ends, if it has them.
+/// Numbers between two ends, if it has them: all over, near one, and near the other.
 inline std::vector<Number> drawn(const std::optional<cln::cl_R>& low, const std::optional<cln::cl_R>& high,
                                  std::mt19937& random) {
   std::vector<Number> result(points);
   for (std::size_t k = 0; k < points; ++k) {
     const int width = std::array{1, 3, 10}[k % 3];
-    const cln::cl_R share = (2 * cln::cl_RA(random()) + 1) / cln::expt(cln::cl_RA(2), 33);
+    const cln::cl_RA even = (2 * cln::cl_RA(random()) + 1) / cln::expt(cln::cl_RA(2), 33),
+                     near = cln::expt(even, 4);
+    const cln::cl_R share = std::array{even, near, 1 - near}[low && high ? random() % 3 : 0];
     const cln::cl_R from = low    ? *low
                            : high ? *high - width
                                   : cln::cl_R(-width),
@@ -158,7 +164,7 @@ class Look : public Reader<Seen> {
  public:
   Look() {
     names_["$i"] = seen(cln::complex(0, 1), {});
-    names_["pi"] = seen(cln::pi(cln::float_format(digits)), turned(1));
+    names_["pi"] = seen(cln::pi(cln::float_format(digits)), point(turned(1)));
   }
   /// A name that lives in a range such as "(0, pi/2]"; with points of one side of 0, too: < or >.
   void draw(const std::string& name, const std::string& range, char side) {
@@ -167,11 +173,11 @@ class Look : public Reader<Seen> {
     names_[name] = {drawn(bounds.low, bounds.high, random_), bounds.whole};
   }
   void name(const std::string& name, const std::string& text) { names_[name] = value(text); }
-  /// Of which only the points count where it is in its range.
-  void narrow(const std::string& name, const std::string& range) {
+  /// Of which only the points count where it is in its range; that, as far as it is known.
+  Range narrow(const std::string& name, const std::string& range) {
     const Bounds bounds = read_bounds(range);
-    names_[name].range = both(names_[name].range, bounds.whole);
     looks_.admit(names_[name], bounds.low, bounds.high);
+    return names_[name].range = both(names_[name].range, bounds.whole);
   }
   /// The step takes the principal branch.
   void take(const Json& step) {
@@ -187,6 +193,8 @@ class Look : public Reader<Seen> {
   }
   /// Where the statement has a value.
   void admit(const std::string& text) { looks_.admit(value(text)); }
+  bool is_admitted(std::size_t point) const { return looks_.is_admitted(point); }
+  bool is_any_admitted() const { return looks_.is_any_admitted(); }
   void report() const { looks_.report(); }
   bool divisors_are_clear = true;  ///< the ranges of all that was read show that it is not 0
 
@@ -199,12 +207,12 @@ class Look : public Reader<Seen> {
     const std::size_t comma = range.find(',');
     const std::string from = range.substr(1, comma - 1),
                       to = range.substr(comma + 2, range.size() - comma - 3);
-    Bounds b{{{0, 0, -1}, {0, 0, 1}, range.front() == '[', range.back() == ']'}, {}, {}};
+    Bounds b{{least, most, range.front() == '[', range.back() == ']'}, {}, {}};
     if (from != "-inf") b.whole.low = value(from).range.low, b.low = cln::realpart(value(from).at[0].at);
     if (to != "inf") b.whole.high = value(to).range.high, b.high = cln::realpart(value(to).at[0].at);
     return b;
   }
-  Seen number(const cln::cl_I& n) override { return seen(rounded(n), point(n)); }
+  Seen number(const cln::cl_I& n) override { return seen(rounded(n), point({n})); }
   /// Ranges are those where there is a value, and there it is not 0.
   Seen divisor(const Seen& d) override {
     looks_.is_not_zero(d, "a divisor vanishes");

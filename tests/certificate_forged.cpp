@@ -251,20 +251,37 @@ TEST_CASE("ranges have the ends that they have, and no others") {
   CHECK(of("2+10^30-(10^30+1)*sin(x)", "(-inf, inf)") == "accepted");
 }
 
-TEST_CASE("what is rounded in a range lies outside") {
+TEST_CASE("numbers with names are compared exactly, and what is rounded lies outside") {
   const auto of = [](const std::string& form, const char* range) {
-    return verdict_of_links({form, ">", "0"}, {"0", "<", "1"}, {{"x", range}}, steps_of("x"),
+    Json steps = steps_of("x");
+    steps.push_back({{"function", "exp"}, {"of", "$i*1"}, {"name", "$z1"}});
+    for (const char* base : {"2", "1+sin(x)"})
+      steps.push_back({{"function", "^1/2"}, {"of", base}, {"name", "$r" + std::to_string(steps.size())}});
+    return verdict_of_links({form, ">", "0"}, {"0", "<", "1"}, {{"x", range}}, steps,
                             {settled("left", 0, form, true), settled("right", 0, "1", true)});
   };
   const std::string open = "the form leaves it open";
   const std::string digits =  // of sin(1)
       "841470984807896506652502321630298999622563060798371065672751709";
-  const std::string below = digits.substr(0, 50) + "/10^50";
-  const std::string near = digits + "/10^63", above = digits.substr(0, 62) + "9/10^63";
-  CHECK(of("sin(x)-" + below, "[1, 3/2]") == "accepted");
-  CHECK(of("sin(x)-" + near, "[1, 3/2]") == open);   // it is true, by less than is known
-  CHECK(of("sin(x)-" + above, "[1, 3/2]") == open);  // it is not
-  CHECK(of(above + "-sin(x)", "[1/2, 1]") == open);  // it is, by less
+  const std::string near = digits + "/10^63", above = digits.substr(0, 61) + "10/10^63";
+  CHECK(of("sin(x)-" + near, "[1, 3/2]") == "accepted");
+  CHECK(of("sin(x)-" + above, "[1, 3/2]") == open);
+  CHECK(of(near + "-sin(x)", "[1/2, 1]") == open);
+  CHECK(of(above + "-sin(x)", "[1/2, 1]") == "accepted");
+  CHECK(of("sin(x)-sin(1)", "(1, 3/2]") == "accepted");
+  CHECK(of("sin(x)-sin(1)", "[1, 3/2]") == open);
+  CHECK(of("sin(x)+cos(x)-sqrt(2)/2-cos(1)", "[pi/4, 1)") == "accepted");
+  CHECK(of("sin(x)+cos(x)-sqrt(2)/2-cos(1)", "[pi/4, 1]") == open);
+  CHECK(of("x^2-2", "(sqrt(2), 2)") == "accepted");
+  CHECK(of("x^2-2", "[sqrt(2), 2)") == open);
+  CHECK(of("x^2-3*x*sqrt(2)/2+1", "(sqrt(2), 2)") == open);
+  const std::string root =
+      "13570081004945757163895695178194010400734485650503447281862274814";  // of 1+sin(1)
+  const std::string under = "sqrt(1+sin(x))";
+  CHECK(of(under + "-" + root.substr(0, 51) + "/10^50", "[1, 3/2]") == "accepted");
+  CHECK(of(under + "-" + root + "/10^64", "[1, 3/2]") == open);  // it is true, by less than is known
+  CHECK(of(root + "/10^64+1/10^64-" + under, "[1/2, 1]") == open);
+  CHECK(of(root.substr(0, 51) + "/10^50+1/10^50-" + under, "[1/2, 1]") == "accepted");
   const std::string both = "(x+1/10^200)*(1+1/10^200)", longer = "(x+1/10^400)*(1+1/10^400)";
   CHECK(of(both + "-1", "[1, 2]") == "accepted");
   CHECK(of(both + "-1-1/2^660", "[1, 2]") == open);  // 2/10^200 is less

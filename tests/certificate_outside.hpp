@@ -37,20 +37,33 @@ inline std::vector<std::string> beside(const std::string& range, const std::stri
   return result;
 }
 
-/// Throws where a statement holds in the declared ranges, outside of those of the certificate.
+/// Throws where a statement holds in the declared ranges, outside of those of the certificate. There is
+/// nothing to hold where what is given in a name cannot be in its own range.
 inline void check_outside(const Json& c) {
-  for (const auto& [name, declared] : c.at("declared").items())
-    for (const std::string& range : beside(declared, c.at("ranges").at(name))) {
-      Look look;
-      for (const auto& [other, its_range] : c.at("ranges").items())
-        if (!c.at("given").contains(other))
-          look.draw(other, other == name ? range : std::string(its_range), ' ');
-      for (const char* side : {"left", "right"}) {
-        const std::vector<bool> held = holds(c.at(side), look);
-        require(std::find(held.begin(), held.end(), true) == held.end(),
-                "it holds outside of the ranges: " + name);
-      }
+  const auto declared = [&](const std::string& name) -> std::string {
+    return c.at("declared").contains(name) ? c.at("declared").at(name) : c.at("ranges").at(name);
+  };
+  const auto check_beside = [&](const std::string& name, const std::string& range) {
+    Look look;
+    for (const auto& [other, its_range] : c.at("ranges").items())
+      if (!c.at("given").contains(other)) look.draw(other, other == name ? range : declared(other), ' ');
+    for (const Json& step : c.at("pieces").at(0).at("steps")) {
+      if (!step.contains("given")) continue;
+      const std::string other = step.at("given");
+      look.name(other, c.at("given").at(other));
+      if (c.at("ranges").contains(other) &&
+          look.narrow(other, other == name ? range : declared(other)).is_empty())
+        return;
     }
+    for (const char* side : {"left", "right"}) {
+      const std::vector<bool> held = holds(c.at(side), look);
+      for (std::size_t p = 0; p < points; ++p)
+        require(!look.is_admitted(p) || !held[p], "it holds outside of the ranges: " + name);
+    }
+    require(look.is_any_admitted(), "nothing is seen outside of the ranges: " + name);
+  };
+  for (const auto& [name, whole] : c.at("declared").items())
+    for (const std::string& range : beside(whole, c.at("ranges").at(name))) check_beside(name, range);
 }
 
 }  // namespace certificate_checker

@@ -1,98 +1,41 @@
 // The range of an expression as far as its form shows it: x^2 + 1 is positive, and so are exp(x), and 1 - x
-// for x in (0, 1). Ends are exact, or sixty digits that lie outside.
+// for x in (0, 1).
 #pragma once
 
-#include <cln/cln.h>
-
 #include <algorithm>
-#include <map>
 #include <set>
-#include <stdexcept>
-#include <string>
-#include <utility>
+#include <tests/certificate_ends.hpp>
 
 namespace certificate_checker {
 
-/// number + turns*pi, or infinite.
-struct End {
-  cln::cl_RA number = 0, turns = 0;
-  int infinite = 0;  ///< -1 and 1
-  bool is_rational() const { return infinite == 0 && cln::zerop(turns); }
-  bool is_zero() const { return is_rational() && cln::zerop(number); }
-};
-inline End operator+(const End& a, const End& b) {
-  if (a.infinite != 0 || b.infinite != 0) return {0, 0, a.infinite != 0 ? a.infinite : b.infinite};
-  return {a.number + b.number, a.turns + b.turns};
-}
-inline End operator*(const cln::cl_RA& c, const End& a) {
-  return {c * a.number, c * a.turns, cln::minusp(c) ? -a.infinite : a.infinite};
-}
-/// Two hundred digits of what is finite, of which it keeps a hundred where a sum with pi cancels.
-inline cln::cl_F digits_of(const End& e) {
-  const cln::float_format_t format = cln::float_format(200);
-  const cln::cl_F number = cln::cl_float(e.number, format),
-                  turns = cln::cl_float(e.turns, format) * cln::pi(format);
-  if (cln::zerop(e.turns)) return number;
-  if (cln::abs(number + turns) < cln::abs(turns) * cln::expt(cln::cl_RA(10), -100))
-    throw std::runtime_error("an end that is too close to 0");
-  return number + turns;
-}
-/// -1, 0 or 1; pi is irrational.
-inline int sign(const End& e) {
-  if (e.infinite != 0) return e.infinite;
-  if (e.is_rational()) return cln::plusp(e.number) ? 1 : cln::minusp(e.number) ? -1 : 0;
-  return cln::plusp(digits_of(e)) ? 1 : -1;
-}
-inline int compare(const End& a, const End& b) {
-  if (a.infinite != 0 || b.infinite != 0) return (a.infinite > b.infinite) - (a.infinite < b.infinite);
-  return sign(a + cln::cl_RA(-1) * b);
-}
-/// A number of which sixty digits are right, moved outward by more than the others may be wrong.
-inline End outside(const cln::cl_R& value, int outward) {
-  const cln::cl_RA size = cln::rational(cln::abs(value)), tiny = cln::expt(cln::cl_RA(10), -60);
-  return {cln::rational(value) + outward * (size + tiny) * tiny};
-}
-/// The same, or what lies outside of it and has fewer digits.
-inline End shortened(const End& e, int outward) {
-  constexpr long many = 2000, enough = 700;
-  const auto bits = [](const cln::cl_I& n) { return static_cast<long>(cln::integer_length(n)); };
-  const auto bits_of = [&](const cln::cl_RA& r) {
-    return bits(cln::numerator(r)) + bits(cln::denominator(r));
-  };
-  if (e.infinite != 0 || bits_of(e.number) + bits_of(e.turns) < many) return e;
-  if (!e.is_rational()) return outside(digits_of(e), outward);
-  const cln::cl_RA scale =
-      cln::expt(cln::cl_RA(2), enough - bits(cln::numerator(e.number)) + bits(cln::denominator(e.number)));
-  const cln::cl_RA scaled = e.number * scale;
-  return {(outward < 0 ? cln::floor1(scaled) : cln::ceiling1(scaled)) / scale};
-}
 inline End product(const End& a, const End& b, int outward) {
   if (sign(a) == 0 || sign(b) == 0) return {};
-  if (a.infinite != 0 || b.infinite != 0) return {0, 0, sign(a) * sign(b)};
-  if (a.is_rational()) return shortened(a.number * b, outward);
-  return b.is_rational() ? shortened(b.number * a, outward) : outside(digits_of(a) * digits_of(b), outward);
+  if (a.infinite != 0 || b.infinite != 0) return {0, sign(a) * sign(b)};
+  return shortened(a * b, outward);
 }
 
 /// The real numbers between two ends.
 struct Range {
-  End low{0, 0, -1}, high{0, 0, 1};
+  End low = least, high = most;
   bool has_low = false, has_high = false;  ///< the ends themselves
   bool is_constant() const { return low.is_rational() && high.is_rational() && low.number == high.number; }
+  bool is_empty() const {
+    const int order = compare(low, high);
+    return order > 0 || (order == 0 && !(has_low && has_high));
+  }
   bool is_positive() const { return sign(low) > 0 || (sign(low) == 0 && !has_low); }
   bool is_negative() const { return sign(high) < 0 || (sign(high) == 0 && !has_high); }
   bool is_not_negative() const { return sign(low) >= 0; }
   bool is_not_positive() const { return sign(high) <= 0; }
   bool is_zero() const { return is_not_negative() && is_not_positive(); }
 };
-inline Range point(const cln::cl_RA& n) { return {{n}, {n}, true, true}; }
-/// A rational number times pi.
-inline Range turned(const cln::cl_RA& turns) { return {{0, turns}, {0, turns}, true, true}; }
+inline Range point(const End& e) { return {e, e, true, true}; }
 inline Range operator+(const Range& a, const Range& b) {
   return {shortened(a.low + b.low, -1), shortened(a.high + b.high, 1), a.has_low && b.has_low,
           a.has_high && b.has_high};
 }
 inline Range operator*(const Range& a, const Range& b) {
-  Range result{{0, 0, 1}, {0, 0, -1}};
+  Range result{most, least};
   for (const auto& [x, has_x] : {std::pair{a.low, a.has_low}, {a.high, a.has_high}})
     for (const auto& [y, has_y] : {std::pair{b.low, b.has_low}, {b.high, b.has_high}}) {
       const End low = product(x, y, -1), high = product(x, y, 1);
@@ -107,11 +50,10 @@ inline Range operator*(const Range& a, const Range& b) {
 /// The reciprocals of what has one sign lie between those of its ends.
 inline Range operator/(const Range& a, const Range& b) {
   if (b.is_positive() == b.is_negative()) return {};  // 0 may be in it, or nothing is
-  if (b.is_negative()) return point(-1) * a / (point(-1) * b);
+  if (b.is_negative()) return point({-1}) * a / (point({-1}) * b);
   const auto over = [](const End& x, int outward) -> End {
     if (x.infinite != 0) return {};
-    if (sign(x) == 0) return {0, 0, 1};
-    return x.is_rational() ? End{1 / x.number} : outside(1 / digits_of(x), outward);
+    return sign(x) == 0 ? most : power_at(x, -1, outward);
   };
   return a * Range{over(b.high, -1), over(b.low, 1), b.has_high, b.has_low};
 }
@@ -129,38 +71,32 @@ inline Range not_negative(const Range& range) {
 
 /// Whether it lies between two multiples of pi; whether one lies in it.
 inline bool lies(const Range& x, const cln::cl_RA& low, const cln::cl_RA& high) {
-  return compare(x.low, {0, low}) >= 0 && compare(x.high, {0, high}) <= 0;
+  return compare(x.low, turned(low)) >= 0 && compare(x.high, turned(high)) <= 0;
 }
 inline bool has(const Range& x, const End& e) {
   const int low = compare(x.low, e), high = compare(x.high, e);
   return (low < 0 || (low == 0 && x.has_low)) && (high > 0 || (high == 0 && x.has_high));
 }
 
-/// That of a sine or cosine: between its values at the ends, -1 and 1 if x gets there.
-inline Range wave(const std::string& f, Range x) {
+/// That of a cosine: between its values at the ends, -1 and 1 if x gets there.
+inline Range cosine(Range x) {
   const Range whole{{-1}, {1}, true, true};
   if (x.low.infinite != 0 || x.high.infinite != 0) return whole;
-  const cln::cl_F start = digits_of(x.low) / cln::pi(cln::float_format(200));
+  const cln::cl_R start = digits_of(x.low) / cln::pi(cln::float_format(200));
   if (cln::abs(start) > cln::expt(cln::cl_RA(10), 40)) return whole;
-  const cln::cl_RA turns = 2 * cln::floor1(start / 2);
-  x.low.turns = x.low.turns - turns, x.high.turns = x.high.turns - turns;  // x begins in the first turn
-  if (compare(x.high, x.low + End{0, 2}) > 0) return whole;
-  const auto at = [&](const End& e, bool has_end) -> Range {
-    const cln::cl_F angle = digits_of(e), value = f == "sin" ? cln::sin(angle) : cln::cos(angle);
-    const cln::cl_RA twice = cln::round1(2 * value);
-    const bool is_known = cln::zerop(e.number) && cln::denominator(6 * e.turns) == 1 &&
-                          cln::abs(2 * value - twice) < cln::cl_RA(1) / 1000;
-    if (is_known) return {{twice / 2}, {twice / 2}, has_end, has_end};  // 0, 1/2 or 1
-    return {outside(value, -1), outside(value, 1), true, true};
+  const End turns = turned(-2 * cln::floor1(start / 2));
+  x.low = x.low + turns, x.high = x.high + turns;  // x begins in the first turn
+  if (compare(x.high, x.low + turned(2)) > 0) return whole;
+  const auto at = [](const End& e, bool has_end) -> Range {
+    return {cosine_at(e, -1), cosine_at(e, 1), has_end, has_end};
   };
   const Range a = at(x.low, x.has_low), b = at(x.high, x.has_high);
   const int low = compare(a.low, b.low), high = compare(a.high, b.high);
   Range result{low < 0 ? a.low : b.low, high > 0 ? a.high : b.high,
                (low <= 0 && a.has_low) || (low >= 0 && b.has_low),
                (high >= 0 && a.has_high) || (high <= 0 && b.has_high)};
-  const cln::cl_RA top = f == "sin" ? cln::cl_RA(1) / 2 : cln::cl_RA(0);
-  for (int k = -1; k <= 5; ++k) {  // at top + k*pi it is 1 and -1 in turn
-    if (!has(x, {0, top + k})) continue;
+  for (int k = 0; k <= 4; ++k) {  // at k*pi it is 1 and -1 in turn
+    if (!has(x, turned(k))) continue;
     if (k % 2 == 0) result.high = {1}, result.has_high = true;
     if (k % 2 != 0) result.low = {-1}, result.has_low = true;
   }
@@ -177,7 +113,7 @@ inline const std::map<std::string, Growing>& growing() {
   using F = const cln::cl_F&;
   using N = cln::cl_N;
   const cln::cl_RA half = cln::cl_RA(1) / 2;
-  const End zero, one{1}, minus_one{-1}, least{0, 0, -1}, most{0, 0, 1}, left{0, -half}, right{0, half};
+  const End zero, one{1}, minus_one{-1}, left = turned(-half), right = turned(half);
   static const std::map<std::string, Growing> functions{
       {"exp", {[](F x) -> N { return cln::exp(x); }, least, zero, most, most, zero, one, true}},
       {"log", {[](F x) -> N { return cln::ln(x); }, zero, least, most, most, one, zero}},
@@ -191,7 +127,8 @@ inline const std::map<std::string, Growing>& growing() {
   return functions;
 }
 /// One of them at an end, and whether that is a value of it; none that is further inside.
-inline std::pair<End, bool> value_at(const Growing& g, const End& x, bool has_x, int outward) {
+inline std::pair<End, bool> value_at(const std::string& name, const Growing& g, const End& x, bool has_x,
+                                     int outward) {
   const int left = compare(x, g.from), right = compare(x, g.to);
   if (left <= 0) return {g.at_from, g.at_from.infinite == 0 && (has_x || left < 0)};
   if (right >= 0) return {g.at_to, g.at_to.infinite == 0 && (has_x || right > 0)};
@@ -200,13 +137,13 @@ inline std::pair<End, bool> value_at(const Growing& g, const End& x, bool has_x,
   const int far = !g.is_steep || cln::abs(at) < cln::cl_I(10000) ? 0 : cln::plusp(at) ? 1 : -1;
   if (far == outward) return {outward > 0 ? g.at_to : g.at_from, false};
   const cln::cl_N value = g.f(far != 0 ? cln::cl_float(cln::cl_I(far * 10000), at) : at);
-  const End e = outside(cln::cl_float(cln::realpart(value), at), outward);
+  const End e = value_at(name, x, cln::cl_float(cln::realpart(value), at), outward);
   if (compare(e, g.at_from) <= 0) return {g.at_from, false};
   return compare(e, g.at_to) >= 0 ? std::pair{g.at_to, false} : std::pair{e, has_x};
 }
-inline Range range_of(const Growing& g, const Range& x) {
-  const auto [low, has_low] = value_at(g, x.low, x.has_low, -1);
-  const auto [high, has_high] = value_at(g, x.high, x.has_high, 1);
+inline Range range_of(const std::string& name, const Growing& g, const Range& x) {
+  const auto [low, has_low] = value_at(name, g, x.low, x.has_low, -1);
+  const auto [high, has_high] = value_at(name, g, x.high, x.has_high, 1);
   return {low, high, has_low, has_high};
 }
 /// That of x^(p/q), where it has a value.
@@ -214,15 +151,11 @@ inline Range power_of(const cln::cl_RA& exponent, Range x) {
   if (cln::minusp(exponent)) {
     Range below = power_of(-exponent, x);
     if (below.low.is_zero()) below.has_low = false;
-    return point(1) / below;
+    return point({1}) / below;
   }
   if (compare(x.low, {}) < 0) x.low = {}, x.has_low = true;
   const auto at = [&](const End& e, int outward) -> End {
-    cln::cl_RA root;
-    if (sign(e) <= 0 || e.infinite != 0) return sign(e) <= 0 ? End{} : e;
-    if (e.is_rational() && cln::rootp(e.number, cln::denominator(exponent), &root))
-      return shortened({cln::expt(root, cln::numerator(exponent))}, outward);
-    return outside(cln::exp(exponent * cln::ln(digits_of(e))), outward);
+    return e.infinite != 0 ? e : sign(e) <= 0 ? End{} : power_at(e, exponent, outward);
   };
   return {at(x.low, -1), at(x.high, 1), x.has_low, x.has_high};
 }
@@ -230,17 +163,18 @@ inline Range power_of(const cln::cl_RA& exponent, Range x) {
 /// That of f(x), or another one where nothing more is known.
 inline Range range_of(const std::string& f, const Range& x, const Range& other) {
   const cln::cl_RA half = cln::cl_RA(1) / 2;
-  if (f == "sin" || f == "cos") return wave(f, x);
-  if (f == "acos") return turned(half) + point(-1) * range_of("asin", x, other);
+  if (f == "sin" || f == "cos") return cosine(f == "cos" ? x : x + point(turned(-half)));
+  if (f == "acos") return point(turned(half)) + point({-1}) * range_of("asin", x, other);
   if (f == "fabs") {
-    const Range y = point(-1) * x;
+    const Range y = point({-1}) * x;
     if (x.is_not_negative() || y.is_not_negative()) return x.is_not_negative() ? x : y;
     const int left = compare(y.high, x.high);
     return {
         {}, left > 0 ? y.high : x.high, has(x, {}), (left >= 0 && y.has_high) || (left <= 0 && x.has_high)};
   }
   const auto found = growing().find(f);
-  return found == growing().end() ? other : range_of(found->second, f == "cosh" ? range_of("fabs", x, x) : x);
+  return found == growing().end() ? other
+                                  : range_of(f, found->second, f == "cosh" ? range_of("fabs", x, x) : x);
 }
 
 /// Whether f grows, or falls, all over two ranges and between them.

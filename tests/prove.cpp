@@ -69,7 +69,7 @@ TEST_CASE("of many ranges those are named that a proof rests on, however long it
               "thetaddot = -p^2*(sin(alpha-theta) + a_p*sin(omega_p*t+psi)/g*cos(alpha-theta))",
               {"J_o = 4/3*m*R^2", "p = sqrt(3*g/(4*R))"},
               {},
-              0});
+              {}});
   CHECK(proof.verdict == Verdict::proved_under);
   CHECK(proof.side_conditions == std::vector<std::string>{"R > 0", "m > 0"});
 }

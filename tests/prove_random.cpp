@@ -185,7 +185,7 @@ TEST_CASE("random identities are proved, and random slips are refuted") {
   const long pairs = from_environment("REDERIVE_PAIRS", 10'000);
   std::cout << "seed " << seed << ", " << pairs << " pairs\n";
   Generator generator(seed);
-  const Symbols symbols = make_context({"x", "y", {}, {}, 0}).symbols;
+  const Symbols symbols = make_context({"x", "y", {}, {}, {}}).symbols;
   long done = 0, undecided_true = 0, undecided_false = 0, equal_after_all = 0, wrong = 0;
   while (done < pairs) {
     const Twin twin = generator.expression(static_cast<int>(generator.below(3)));

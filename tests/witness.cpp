@@ -176,7 +176,7 @@ void check(const Witness& witness, const ProveRequest& request) {
   for (const auto& [name, text] : witness.at)
     CHECK(is_inside(symbols.find(name)->range, at.value(parse(name, symbols)).value()));
   for (const std::string& text : request.assumptions) check_assumption(text, at, symbols);
-  if (request.order == 0)
+  if (!request.order)
     check(witness, parse_statement(request.left, symbols), parse_statement(request.right, symbols), at);
 }
 
@@ -224,7 +224,7 @@ TEST_CASE("so it is where statements that have roots without a name are put agai
   const auto one_of = [&](const auto& list) { return list[random() % list.size()]; };
   int refuted = 0, between = 0;
   for (int k = 0; k < 400; ++k) {
-    const ProveRequest request{one_of(statements), one_of(statements), one_of(assumptions), {}, 0};
+    const ProveRequest request{one_of(statements), one_of(statements), one_of(assumptions), {}, {}};
     INFO(request.left << "  |  " << request.right);
     const auto json = decide_bounded(request);
     if (json["verdict"] != "refuted") continue;

@@ -96,7 +96,7 @@ class Matching {
   Numbers open(const Parts& parts, bool is_left) {
     Numbers result;
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      const auto holds = settled(parts[k].inner, parts[k].claim, symbols_);
+      const auto holds = settled(parts[k].inner, parts[k].residual, parts[k].claim, symbols_);
       if (holds == true)
         (is_left ? matches_.emplace_back().left : matches_.emplace_back().right) = {k};
       else

@@ -67,8 +67,17 @@ void narrow_to(const Interval& other, const ex& name, Symbols& symbols) {
 /// Where symbols may be, each by itself.
 using Intervals = std::map<std::string, Interval>;
 
+/// The roots between which A x^2 + B x + C is positive, if they are rational and it is so nowhere else.
+std::optional<std::pair<ex, ex>> between_roots(const ex& e, const ex& x) {
+  if (!e.is_polynomial(x) || e.degree(x) != 2 || !e.coeff(x, 2).info(GiNaC::info_flags::negative))
+    return std::nullopt;
+  const ex a = e.coeff(x, 2), b = e.coeff(x, 1), root = GiNaC::sqrt(b * b - 4 * a * e.coeff(x, 0));
+  if (!root.info(GiNaC::info_flags::rational)) return std::nullopt;
+  return std::pair{(-b + root) / (2 * a), (-b - root) / (2 * a)};
+}
+
 /// To where a residual of one symbol is positive, or not negative, or 0: one that is linear in it, or 1/x, or
-/// 1 - x^2.
+/// has a sign between two roots alone, as 1 - x^2 and (1+x)/(1-x).
 void narrow_by(const ex& residual, Claim claim, const Symbols& symbols, Intervals& intervals) {
   const ex value = residual.expand();
   const auto names = names_in(value);
@@ -80,8 +89,9 @@ void narrow_by(const ex& residual, Claim claim, const Symbols& symbols, Interval
   const ex reciprocal = (value * x).normal();
   if (GiNaC::is_a<GiNaC::numeric>(reciprocal) && claim != Claim::zero)
     return narrow_by(reciprocal * x, Claim::positive, symbols, intervals);
-  if (claim != Claim::zero && (value - (1 - x * x)).expand().is_zero())
-    present = overlap(present, {{-1, 0, weak}, {1, 0, weak}});
+  const ex fraction = claim != Claim::zero ? value.normal().numer_denom() : GiNaC::lst{value, 1};
+  if (const auto roots = between_roots((fraction.op(0) * fraction.op(1)).expand(), x))
+    present = overlap(present, {{roots->first, 0, weak}, {roots->second, 0, weak}});
   if (!value.is_polynomial(x) || value.degree(x) != 1) return;
   const End end{-value.coeff(x, 0) / value.coeff(x, 1), 0, weak};
   const int sign = sign_of(value.coeff(x, 1), symbols);

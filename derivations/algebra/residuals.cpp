@@ -277,6 +277,12 @@ std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symb
   }
 }
 
+std::optional<bool> settled(const ex& inner, const ex& whole, Claim claim, const Symbols& symbols) {
+  const auto result = settled(inner, claim, symbols);
+  const bool is_other = !inner.is_equal(whole) && claim != Claim::zero && !has_high_power(whole);
+  return !result && is_other ? settled(whole, claim, symbols) : result;
+}
+
 Proof prove_by_some_factor(const Residuals& r, const Symbols& symbols) {
   if ((r.left == Claim::zero) != (r.right == Claim::zero))
     return undecided("an equation is not compared with an inequality");
@@ -312,13 +318,8 @@ Proof prove_strictness(const Proof& proof, const Residuals& r, const Points& poi
 
 /// Both always hold, or never.
 std::optional<Proof> prove_settled(const Residuals& r, const Symbols& symbols) {
-  const auto holds = [&](const ex& inner, const ex& whole, Claim claim) {
-    const auto result = settled(inner, claim, symbols);
-    const bool is_other = !inner.is_equal(whole) && claim != Claim::zero && !has_high_power(whole);
-    return !result && is_other ? settled(whole, claim, symbols) : result;
-  };
-  const auto left = holds(r.inner_left, r.pair.left_value, r.left);
-  if (!left || left != holds(r.inner_right, r.pair.right_value, r.right)) return std::nullopt;
+  const auto left = settled(r.inner_left, r.pair.left_value, r.left, symbols);
+  if (!left || left != settled(r.inner_right, r.pair.right_value, r.right, symbols)) return std::nullopt;
   return proved("", *left ? "both hold for all values in the declared ranges"
                           : "neither holds for any value in the declared ranges");
 }

@@ -41,6 +41,9 @@ bool has_high_power(const GiNaC::ex& residual);
 /// Whether what a residual asks for holds at all points of the declared ranges, or at none; nothing where
 /// neither is known.
 std::optional<bool> settled(const GiNaC::ex& residual, Claim claim, const Symbols& symbols);
+/// The same of a residual whose sides may be without the functions around them; then of the whole, too.
+std::optional<bool> settled(const GiNaC::ex& inner, const GiNaC::ex& whole, Claim claim,
+                            const Symbols& symbols);
 
 Proof proved(std::string factor, std::string reason);
 Proof refuted(Witness witness, std::string reason);

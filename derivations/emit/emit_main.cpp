@@ -97,7 +97,8 @@ int main(int argc, char** argv) {
   app.add_option("--target", options.target, "the language to write")
       ->check(CLI::IsMember({"cpp", "c", "python", "javascript", "latex"}));
   app.add_option("--function", options.functions, "only this function; may be given several times")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->option_text("NAME");
   app.add_flag("--no-sharing", options.no_sharing, "compute every subexpression where it is used");
   app.add_option("--out", options.out, "write to this file instead of standard output");
   return run_command(app, argc, argv, [&] { return run(options); });

@@ -59,10 +59,10 @@ Json ranges_json(const std::vector<Tree>& trees, const CertifiedStatement& q) {
   std::set<std::string> names;
   for (const Tree& tree : trees) collect_names(tree, names);
   for (const Given& g : q.given)
-    if (q.declared.find(g.name)->range == "(-inf, inf)") names.erase(q.declared.find(g.name)->name);
+    if (q.ranges.find(g.name)->range == "(-inf, inf)") names.erase(q.ranges.find(g.name)->name);
   Json ranges = Json::object();
   for (const std::string& name : names)
-    if (const Symbol* symbol = q.declared.find(name); symbol != nullptr && name != "pi")
+    if (const Symbol* symbol = q.ranges.find(name); symbol != nullptr && name != "pi")
       ranges[name] = symbol->range;
   return ranges;
 }
@@ -233,7 +233,7 @@ void add_pieces(Json& json, const CertifiedStatement& q, const std::vector<Certi
     for (const auto& [name, range] : json["ranges"].items())
       if (pieces.front().find(name)->range != pieces.back().find(name)->range) json["cut"].push_back(name);
     for (const Symbols& piece : pieces)
-      json["pieces"].push_back(piece_json({q.left, q.right, piece, q.given, {}, q.declared}, links, trees));
+      json["pieces"].push_back(piece_json({q.left, q.right, piece, q.given, {}, q.ranges}, links, trees));
   }
 }
 
@@ -322,7 +322,9 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
 Json certificate_over(const Symbols& ranges, const Relation& left, const Relation& right,
                       const std::vector<Given>& given, const Symbols& declared) {
   const Symbols with_ranges = with_ranges_of(given, ranges);
-  const CertifiedStatement question{left, right, with_ranges, given, {}, ranges};
+  Symbols narrowed = ranges;
+  for (const std::string& name : ranges.names()) narrowed.narrow(name, with_ranges.find(name)->range);
+  const CertifiedStatement question{left, right, with_ranges, given, {}, narrowed};
   Json json = write(question, links_of(question));
   json["declared"] = Json::object();
   for (const auto& [name, range] : json["ranges"].items())

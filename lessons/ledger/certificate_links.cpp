@@ -37,11 +37,19 @@ struct Finder {
 
   /// In words in which the declared ranges show its sign, if there are any.
   std::optional<ex> plain_words(const ex& e) const {
-    if (shows_sign_in(e, q.declared)) return e;
-    for (const auto& [symbol, words] : q.symbols.otherwise())
-      if (const ex other = e.subs(symbol == words, GiNaC::subs_options::no_pattern);
-          shows_sign_in(other, q.declared))
-        return other;
+    constexpr std::size_t most = 40;
+    std::vector<ex> ways{e};
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+      if (shows_sign_in(ways[k], q.ranges)) return ways[k];
+      for (const auto& [symbol, words] : q.symbols.otherwise())
+        for (const bool expands : {false, true}) {
+          ex way = ways[k].subs(symbol == words, GiNaC::subs_options::no_pattern);
+          if (expands) way = way.expand();
+          const bool is_new =
+              std::none_of(ways.begin(), ways.end(), [&](const ex& w) { return w.is_equal(way); });
+          if (is_new && ways.size() < most) ways.push_back(way);
+        }
+    }
     return std::nullopt;
   }
   /// In those; else in what takes no more names: alpha, not theta + (alpha - theta).
@@ -61,7 +69,7 @@ struct Finder {
   bool shows_sign(const ex& e) const { return shows_sign_in(e, q.symbols); }
   bool shows_sign_in(const ex& e, const Symbols& symbols) const {
     const Interval i = interval_of(e, symbols);
-    const bool may_be_zero = sign_of(e, symbols) == 0;
+    const bool may_be_zero = sign_of(e, q.symbols) == 0;
     const auto is_beyond = [&](const End& end, int side) {
       const int place = end.infinite != 0 ? -1 : side * compare(end.value, 0);
       return place > 0 || (place == 0 && (may_be_zero || !end.closed));
@@ -241,7 +249,7 @@ struct Finder {
     std::vector<CertifiedLayer> result;
     for (const Layer& layer : layers) {
       const Symbols domain = narrowed_by_functions(sides, q.symbols);
-      const CertifiedStatement there{q.left, q.right, domain, q.given, q.equal, q.declared};
+      const CertifiedStatement there{q.left, q.right, domain, q.given, q.equal, q.ranges};
       auto factor = layer.function == "*" ? Finder{there, divisors}.put_down(layer.factor)
                                           : std::optional(CertifiedFactor{});
       if (!factor) return std::nullopt;

@@ -15,7 +15,7 @@ struct CertifiedStatement {
   const Symbols& symbols;
   std::vector<Given> given;  ///< those that the statement needs, each after those that it mentions
   GiNaC::exmap equal;        ///< an inverse function → a combination of others that it equals
-  const Symbols& declared;   ///< without what the givens say of ranges
+  const Symbols& ranges;     ///< without the words in which the givens say more of them
 
   /// Ready for Phases: with the givens put in, and x^y read as e^{y log(x)}.
   GiNaC::ex value(const GiNaC::ex& e) const;

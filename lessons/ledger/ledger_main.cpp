@@ -226,21 +226,25 @@ int main(int argc, char** argv) {
                    "\"x > 0\", \"0 < x < 1\", \"b < h\", \"mu > tan(alpha)\", \"x != y\", "
                    "\"h = R*cos(alpha)\", \"p^2 = 3*g/(4*R)\"; more of them by more options")
       ->take_all()
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->option_text("TEXT");
   proving->add_option("--small", options.request.small, "Compare Taylor polynomials in these symbols")
       ->delimiter(',')
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->option_text("NAME[,NAME]");
   proving->add_option("--order", options.request.order, "… up to this order");
 
   proving->footer(
       "A witness shows the values of two expressions, or of A and B for y = A and y = B; for other equations "
       "and\n"
       "inequalities the differences of their sides, of an inequality the one that it asks to be positive.\n"
-      "In JSON, at gives every symbol: as the rational number that it is; or, if it is not one, to 40 places,\n"
-      "and then exactly says what it is, or between has rational bounds of a root of the equation solves: the\n"
+      "In JSON, at gives every symbol: as the rational number that it is; or, if it is not one, to 40 "
+      "places,\n"
+      "and then exactly says what it is, or between has rational bounds of a root of the equation solves: "
+      "the\n"
       "expression there certainly changes its sign between them, and any root between them is a witness.\n"
       "in_words says the same to a reader.\n"
-      "Exit code: 0 proved, 1 refuted, 3 undecided, 2 for input that cannot be read.");
+      "Exit code: 0 proved, 1 refuted, 3 undecided, 2 for input that cannot be read.\n");
   proving->add_option("--certificate", options.certificate,
                       "Writes what is needed to check the proof to this file");
   auto* certifying =

@@ -62,12 +62,12 @@ Proof decide_in(const Context& context, const ProveRequest& request) {
   const std::vector<Given> compared = context.put_in_at_once(false),
                            needed = relevant(compared, left, right, symbols),
                            all = relevant(context.put_in_at_once(true), left, right, symbols);
-  const bool has_equations = request.order == 0 && all.size() > needed.size();
+  const bool has_equations = !request.order && all.size() > needed.size();
   Proof proof = has_equations ? decide_with_equations(left, right, symbols, compared, all)
                               : prove(left, right, symbols, needed);
-  if (proof.verdict != Verdict::proved && request.order > 0)
-    proof =
-        prove_approximation(left, right, request.small, request.order, symbols, context.put_in_at_once(true));
+  if (proof.verdict != Verdict::proved && request.order)
+    proof = prove_approximation(left, right, request.small, *request.order, symbols,
+                                context.put_in_at_once(true));
   std::vector<Tree> sides = left.sides;
   sides.insert(sides.end(), right.sides.begin(), right.sides.end());
   sides.insert(sides.end(), context.assumed.begin(), context.assumed.end());
@@ -110,7 +110,7 @@ bool goes_through_in(const Context& context, const ProveRequest& request, Verdic
 
 /// What a proof may rest on that is not said in the statement.
 struct Grounds {
-  std::vector<std::string> ranges;    ///< of which symbols
+  std::vector<std::string> ranges;     ///< of which symbols
   std::set<std::size_t> inequalities;  ///< which of Context::inequalities
 };
 
@@ -175,9 +175,10 @@ bool is_proved(const Proof& proof) {
 
 /// Without the ranges and inequalities that a proof rests on.
 Proof decide_but_for_ranges(const Context& context, const ProveRequest& request) {
-  if (request.order < 0 || request.order > 12 || (request.order > 0) != !request.small.empty())
-    throw BadInput(
-        fmt::format("--small and --order belong together, and the order is 1 to 12, not {}", request.order));
+  if (request.order.has_value() == request.small.empty())
+    throw BadInput("--small and --order belong together");
+  if (request.order && (*request.order < 0 || *request.order > 12))
+    throw BadInput(fmt::format("the order of an approximation is 0 to 12, not {}", *request.order));
   for (const std::string& name : request.small)
     if (context.symbols.find(name) == nullptr)
       throw BadInput("--small names '" + name + "', which is no symbol here");

@@ -4,6 +4,7 @@
 #include <derivations/algebra/prove.hpp>
 #include <lessons/ledger/comparisons.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ struct ProveRequest {
   std::string left, right;
   std::vector<std::string> assumptions;  ///< "x > 0", "0 < x < 1", "b < h", "x != 0", "theta = 0"
   std::vector<std::string> small;        ///< expansion symbols, with order
-  int order = 0;                         ///< > 0: compare Taylor polynomials
+  std::optional<int> order;              ///< compare Taylor polynomials of this order
 };
 
 /// The symbols of the paper, every letter and Greek letter (with an index or dots) that the texts use, and

@@ -32,10 +32,10 @@ std::string assumptions(const ProveRequest& request) {
   std::string result;
   for (const std::string& assumption : request.assumptions)
     result += (result.empty() ? "" : ", ") + cell(assumption);
-  if (request.order > 0) {
+  if (request.order) {
     std::string small;
     for (const std::string& name : request.small) small += (small.empty() ? "" : ", ") + name;
-    result += fmt::format("{} small, order {}", cell(small), request.order);
+    result += fmt::format("{} small, order {}", cell(small), *request.order);
   }
   return result;
 }
@@ -55,7 +55,7 @@ std::vector<TableRow> read_table(const std::filesystem::path& file) {
       TableRow entry{
           text(row, "group"), text(row, "why"), text(row, "expected"), row["limit"].value_or(false), {}};
       entry.request = {text(row, "left"), text(row, "right"), list(row, "assume"), list(row, "small"),
-                       row["order"].value_or(0)};
+                       row["order"].value<int>()};
       if (entry.expected.empty() || entry.group.empty())
         throw BadInput(fmt::format("{}:{}: a row needs left, right, group and expected", file.string(),
                                    node.source().begin.line));
