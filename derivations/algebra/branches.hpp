@@ -21,8 +21,8 @@ struct Branch {
 };
 
 /// The same value as that of such an angle: of x, x ± 2π … or, for sines, π - x; a cosine of -x or |x|, too;
-/// and a sine that both grows and falls is the cosine of |x - π/2|. Nothing where x is on none of them for all
-/// values in the declared ranges.
+/// and a sine that both grows and falls is the cosine of |x - π/2|. Nothing where x is on none of them for
+/// all values in the declared ranges.
 std::optional<Branch> on_one_branch(const std::string& kind, const GiNaC::ex& x, const Symbols& symbols);
 
 /// The angle there whose sine … is a constant: a multiple of π/12 as such. Nothing where there is none.

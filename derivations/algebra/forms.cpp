@@ -2,6 +2,7 @@
 #include <derivations/algebra/forms.hpp>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/positive.hpp>
+#include <derivations/algebra/two_squares.hpp>
 #include <set>
 
 namespace rederive {
@@ -85,6 +86,11 @@ std::optional<ex> form_of_wave(const ex& e, const Atoms& atoms, const Symbols& s
   return turned ? std::optional<ex>(-*turned) : std::nullopt;
 }
 
+bool has_functions(const ex& e) {
+  return std::any_of(e.preorder_begin(), e.preorder_end(),
+                     [](const ex& part) { return is_a<GiNaC::function>(part); });
+}
+
 // ---- A exp(x) + B exp(-x)
 
 /// (A + B) cosh(x) + (A - B) sinh(x).
@@ -99,6 +105,20 @@ std::optional<ex> form_of_pair(const ex& e, const Atoms& atoms) {
       return named.coeff(u, 0).coeff(v, 0) + (*a + *b).expand() * GiNaC::cosh(x) +
              (*a - *b).expand() * GiNaC::sinh(x);
     }
+  return std::nullopt;
+}
+
+// ---- A f(u) - A f(v)
+
+/// log(u) - log(v) is log(1 + (u - v)/v), and atan(u) - atan(v) is atan((u - v)/(1 + u v)) for u v > -1.
+std::optional<ex> form_of_difference(const ex& e, const Atoms& atoms, const Symbols& symbols) {
+  if (e.nops() != 2 || atoms.functions.size() != 2) return std::nullopt;
+  const ex f = atoms.functions[0], g = atoms.functions[1], a = (e.op(0) / f).normal();
+  const std::string name = name_of(f);
+  if (name != name_of(g) || has_functions(a) || !(e - a * (f - g)).expand().is_zero()) return std::nullopt;
+  const ex u = f.op(0), v = g.op(0), difference = (u - v).expand();
+  if (name == "log") return a * GiNaC::log(1 + difference / v);
+  if (name == "atan" && sign_of(1 + u * v, symbols) > 0) return a * GiNaC::atan(difference / (1 + u * v));
   return std::nullopt;
 }
 
@@ -257,7 +277,8 @@ std::optional<ex> form_in_symbol(const ex& e, const ex& x, const Symbols& symbol
 std::optional<ex> form_of_polynomial(const ex& e, const Atoms& atoms, const Symbols& symbols) {
   if (!atoms.roots.empty() || atoms.symbols.size() + atoms.functions.size() == 0) return std::nullopt;
   if (atoms.functions.empty())
-    return atoms.symbols.size() == 1 ? form_in_symbol(e, atoms.symbols[0], symbols) : std::nullopt;
+    return atoms.symbols.size() == 1 ? form_in_symbol(e, atoms.symbols[0], symbols)
+                                     : form_of_two_squares(e, symbols);
   if (!atoms.symbols.empty()) return std::nullopt;
   if (all_among(atoms.functions, {"sin", "cos"})) return form_in_angle(e, atoms.functions, symbols);
   if (all_among(atoms.functions, {"exp", "sinh", "cosh"}))
@@ -276,6 +297,7 @@ std::optional<ex> form_of_one_sign(const ex& sum, const Symbols& symbols) {
     if (const auto form = form_of_wave(sum, atoms, symbols)) return form;
     if (const auto form = form_of_polynomial(sum, atoms, symbols)) return form;
     if (const auto form = form_of_pair(sum, atoms)) return form;
+    if (const auto form = form_of_difference(sum, atoms, symbols)) return form;
     if (const auto form = form_of_root(sum, atoms, symbols)) return form;
     return form_of_groups(sum, atoms);
   } catch (const std::exception&) {  // no polynomial, after all, or ends of a range too large for a double

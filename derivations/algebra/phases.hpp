@@ -111,7 +111,7 @@ class Phases {
   std::array<PhaseBasis, 2> bases_;  ///< of real and of circular phases, where that denominator is a sum
   /// phase → the part of it of which there are small multiples only, where the numbers are large
   std::array<std::map<GiNaC::ex, GiNaC::numeric, GiNaC::ex_is_less>, 2> units_;
-  mutable GiNaC::exmap atoms_;       ///< stand-in symbol → function value inside an argument
+  mutable GiNaC::exmap atoms_;  ///< stand-in symbol → function value inside an argument
   std::vector<std::pair<GiNaC::ex, bool>> arguments_;   ///< (argument, circular?)
   std::map<GiNaC::ex, long, GiNaC::ex_is_less> roots_;  ///< base → least common denominator of its exponents
   std::vector<GiNaC::ex> opaques_;

@@ -85,7 +85,7 @@ struct Prepare : GiNaC::map_function {
     if (is_a<numeric>(base) && !ex_to<numeric>(base).is_rational())
       throw Undecidable("a number that is not exact");
     if (is_a<GiNaC::power>(base) && base.op(1).info(GiNaC::info_flags::even))  // (x²ⁿ)^q = |x|^{2nq}
-      if (const ex size = without_bars(base.op(0)); !size.is_zero()) return power(size, base.op(1) * q);
+      if (const ex size = size_under_root(base, q); !size.is_zero()) return power(size, base.op(1) * q);
     if (const ex sum = q.denom() == 2 ? denested_root(base) : ex(0); !sum.is_zero())
       return GiNaC::pow(sum, 2 * q);
     if (is_a<GiNaC::mul>(base))
@@ -134,10 +134,16 @@ struct Prepare : GiNaC::map_function {
     ex sizes = 1, rest = 1;
     for (const ex& f : product) {
       const bool is_square = is_a<GiNaC::power>(f) && f.op(1).info(GiNaC::info_flags::even);
-      const ex size = is_square ? without_bars(f.op(0)) : ex(0);
+      const ex size = is_square ? size_under_root(f, q) : ex(0);
       size.is_zero() ? rest *= f : sizes *= power(size, f.op(1) * q);
     }
     return {sizes, rest};
+  }
+
+  /// |x| of x^2n, to be taken to the power 2nq; or x where that is even. 0 where its sign is not known.
+  ex size_under_root(const ex& even_power, const numeric& q) const {
+    const ex power = even_power.op(1) * q;
+    return power.info(GiNaC::info_flags::even) ? even_power.op(0) : without_bars(even_power.op(0));
   }
 
   /// |x| as x or -x; 0 where its sign is not known.

@@ -27,6 +27,7 @@ int sign(const ex& e, const Symbols& symbols) {
   if (!has_symbol(e)) return shown_sign({{e, 0, true}, {e, 0, true}});
   const int plain = shown_sign(interval_of(e, symbols));
   if (std::abs(plain) == 2) return plain;
+  if (GiNaC::is_a<GiNaC::power>(e) && sign_of(e.op(0), symbols) > 0) return 2;
   const auto quadratic = as_quadratic(e, symbols);
   if (quadratic && !quadratic->b.is_zero()) {
     const int rest = sign(quadratic->discriminant(), symbols), leading = sign_of(quadratic->a, symbols);

@@ -162,10 +162,26 @@ std::optional<ex> cofactor_on_our_branch(const ex& numerator, const Phases& phas
 
 bool vanishes(const ex& expression, const Symbols& symbols, int depth);
 
-/// A sum E of inverse functions and angles, with integer coefficients: e^E = 1 makes it 0, where it has
-/// logarithms and area functions; e^{2iE} = 1 makes it a multiple of π, the same one all over a connected
-/// domain, where it has arcs: which one is seen at one point.
-bool vanishes_by_its_exponential(const ex& sum, const Symbols& given, int depth) {
+/// A sum divided by what the coefficients of its functions have in common: powers of their exponentials are
+/// long.
+ex with_small_multiples(const ex& sum) {
+  numeric common = 0;
+  const ex terms = sum.expand();
+  for (const ex& term : terms) {
+    const ex number = is_a<GiNaC::mul>(term) ? term.op(term.nops() - 1) : ex(1);
+    const bool is_rational = number.info(GiNaC::info_flags::rational);
+    if (!name_of(is_rational && !number.is_equal(1) ? term / number : term).empty())
+      common = common.is_zero() ? abs(ex_to<numeric>(is_rational ? number : 1))
+                                : gcd(common, ex_to<numeric>(is_rational ? number : 1));
+  }
+  return common.is_pos_integer() ? (terms / common).expand() : terms;
+}
+
+/// A sum E of inverse functions and angles: e^E = 1 makes it 0, where it has logarithms and area functions;
+/// e^{2iE} = 1 makes it a multiple of π, the same one all over a connected domain, where it has arcs: which
+/// one is seen at one point.
+bool vanishes_by_its_exponential(const ex& multiple, const Symbols& given, int depth) {
+  const ex sum = with_small_multiples(multiple);
   bool arcs = false, areas = false;
   for (auto part = sum.preorder_begin(); part != sum.preorder_end(); ++part) {
     const std::string name = name_of(*part);

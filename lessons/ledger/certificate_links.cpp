@@ -93,6 +93,7 @@ struct Finder {
     if (const auto other = rederive::form_of_one_sign(e, q.symbols); other && !is_a<GiNaC::add>(*other))
       return *other;
     if (shows_sign(e)) return e;
+    if (is_a<GiNaC::power>(e)) return GiNaC::pow(form(e.op(0)), e.op(1));
     const auto quadratic = as_quadratic(e, q.symbols);
     if (quadratic && !quadratic->b.is_zero() && is_nonnegative(quadratic->discriminant(), q.symbols))
       return quadratic->a * GiNaC::pow(quadratic->x + quadratic->b / (2 * quadratic->a), 2) +
