@@ -14,13 +14,14 @@ inline std::string verdict_of_links(const Json& left, const Json& right, const J
                                     const Json& parts_of_divisors = Json::object()) {
   const Json piece{{"steps", steps}, {"links", links}};
   try {
-    certificate_checker::check({{"format", "rederive certificate 7"},
+    certificate_checker::check({{"format", "rederive certificate 8"},
                                 {"left", left},
                                 {"right", right},
                                 {"given", Json::object()},
                                 {"divisors", divisors},
                                 {"never zero", Json::array()},
                                 {"parts of divisors", parts_of_divisors},
+                                {"slopes", Json::object()},
                                 {"ranges", ranges},
                                 {"declared", Json::object()},
                                 {"cut", cut},

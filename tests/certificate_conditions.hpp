@@ -28,6 +28,9 @@ struct Number {
   cln::cl_R error = 0;
   bool is_known = false;
   cln::cl_R size() const { return size_of(at); }
+  /// As far as its error lets it be told.
+  bool is_zero() const { return size() <= ten_to(5 - digits) * error; }
+  bool is_real() const { return cln::abs(cln::imagpart(at)) <= ten_to(5 - digits) * error; }
 };
 inline Number known(const cln::cl_N& at) { return {at, size_of(at), true}; }
 inline Number operator+(const Number& a, const Number& b) {
@@ -37,7 +40,7 @@ inline Number operator*(const Number& a, const Number& b) {
   return {a.at * b.at, a.error * b.size() + a.size() * b.error, a.is_known && b.is_known};
 }
 inline Number operator/(const Number& a, const Number& b) {
-  if (!b.is_known || cln::zerop(b.at)) return {};
+  if (!b.is_known || b.is_zero()) return {};
   const cln::cl_N at = a.at / b.at;
   return {at, (a.error + size_of(at) * b.error) / b.size(), a.is_known};
 }
@@ -115,7 +118,7 @@ class Looks {
   }
   void is_not_zero(const Seen& v, const std::string& message) {
     for (std::size_t k = 0; k < points; ++k)
-      if (!v.at[k].is_known || v.at[k].size() <= ten_to(5 - digits) * v.at[k].error) wrong_[k] = message;
+      if (!v.at[k].is_known || v.at[k].is_zero()) wrong_[k] = message;
   }
   /// To six digits, of which the errors leave three; 0 is far from all other branches.
   void is_same(const Seen& a, const Seen& b, const std::string& message) {
@@ -193,6 +196,15 @@ class Look : public Reader<Seen> {
   }
   /// Where the statement has a value.
   void admit(const std::string& text) { looks_.admit(value(text)); }
+  /// With another range of a name: that of a text, if it certainly has a value all over it.
+  std::optional<Range> whole_range(const std::string& text, const std::string& name, const Range& range) {
+    const Range before = std::exchange(names_.at(name).range, range);
+    is_whole_ = divisors_are_clear = true;
+    const Range result = value(text).range;
+    names_.at(name).range = before;
+    return is_whole_ && divisors_are_clear ? std::optional(result) : std::nullopt;
+  }
+  Range range(const std::string& name) const { return names_.at(name).range; }
   bool is_admitted(std::size_t point) const { return looks_.is_admitted(point); }
   bool is_any_admitted() const { return looks_.is_any_admitted(); }
   void report() const { looks_.report(); }
@@ -231,11 +243,13 @@ class Look : public Reader<Seen> {
       return result;
     }
     if (!exponent.range.is_constant()) return call("exp", exponent * call("log", base));
+    is_whole_ = is_whole_ && (cln::minusp(n) ? base.range.is_positive() : base.range.is_not_negative());
     Seen root = seen("^" + text(cln::numerator(n)) + "/" + text(cln::denominator(n)), base);
     root.range = power_of(n, base.range);
     return root;
   }
   Seen call(const std::string& f, const Seen& x) override {
+    is_whole_ = is_whole_ && is_defined(f, x.range);
     if (!meanings.contains(f)) return with_range(f, x, seen(f, x));
     names_["#u"] = seen("exp", f.ends_with('h') ? x : names_["$i"] * x);
     names_["#v"] = number(1) / names_["#u"];
@@ -249,6 +263,7 @@ class Look : public Reader<Seen> {
 
   std::mt19937 random_;
   Looks looks_;
+  bool is_whole_ = true;  ///< no function that was read is known to have no value somewhere
 };
 
 }  // namespace certificate_checker

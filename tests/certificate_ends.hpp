@@ -174,10 +174,27 @@ inline std::string text_of(const End& e) {
   }
   return text.str();
 }
+/// The powers that e^x is, for sums x of rational numbers and logarithms with names.
+inline std::pair<bool, Constants> powers_of_e(const End& x) {
+  Constants result{{{"e", in_digits(cln::exp(in_digits(1)))}, x.number}};
+  for (const auto& [constants, c] : x.more) {
+    const auto& [constant, power] = *constants.begin();
+    const std::string inner = constant.name.substr(std::min<std::size_t>(4, constant.name.size() - 1));
+    const bool is_log = constant.name.substr(0, 4) == "log(" && constants.size() == 1 && power == 1;
+    const bool is_integer = inner.find_first_not_of("0123456789)") == std::string::npos;
+    if (!is_log || !(is_integer || inner == "pi)")) return {false, {}};
+    const cln::cl_I n = is_integer ? cln::cl_I(inner.substr(0, inner.size() - 1).c_str()) : cln::cl_I(0);
+    result.insert({{inner.substr(0, inner.size() - 1),
+                    is_integer ? in_digits(n) : cln::cl_F(cln::pi(cln::float_format(200))), n},
+                   c});
+  }
+  return {x.infinite == 0, result};
+}
 /// f(x), of which the digits are known: a power of e, a sum of logarithms of constants, or a number with a
 /// name of its own; sixty digits of what may be a part of pi.
 inline End value_at(const std::string& f, const End& x, const cln::cl_F& value, int outward) {
-  if (f == "exp" && x.is_rational()) return named("e", in_digits(cln::exp(in_digits(1))), x.number);
+  if (const auto [is_power, powers] = powers_of_e(x); f == "exp" && is_power)
+    return shortened(times({}, powers), outward);
   if (const auto [is_term, powers] = powers_of(x); f == "log" && is_term) {
     End sum;
     for (const auto& [constant, power] : powers)

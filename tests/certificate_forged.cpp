@@ -150,13 +150,14 @@ TEST_CASE("chains of which a part is passed over") {
 }
 
 TEST_CASE("what is never 0 is what the certificate says, and no more") {
-  Json c{{"format", "rederive certificate 7"},
+  Json c{{"format", "rederive certificate 8"},
          {"left", {"x*a", "=", "0"}},
          {"right", {"a", "=", "0"}},
          {"given", Json::object()},
          {"divisors", Json::array()},
          {"never zero", {"2*x"}},
          {"parts of divisors", Json::object()},
+         {"slopes", Json::object()},
          {"ranges", {{"x", real}, {"a", real}}},
          {"declared", Json::object()},
          {"cut", Json::array()},

@@ -15,8 +15,7 @@ inline std::vector<bool> holds(const Json& statement, Look& look) {
     for (std::size_t k = 0; k < sides.size(); ++k) {
       const Number &a = sides[k == 0 ? 0 : k - 1].at[p], &b = sides[k].at[p];
       const std::string op = k == 0 ? "=" : statement.at(2 * k - 1);
-      const bool is_known =
-          a.is_known && b.is_known && cln::zerop(cln::imagpart(a.at)) && cln::zerop(cln::imagpart(b.at));
+      const bool is_known = a.is_known && b.is_known && a.is_real() && b.is_real();
       const cln::cl_R difference = is_known ? cln::realpart(a.at) - cln::realpart(b.at) : cln::cl_R(0);
       const bool is_close = cln::abs(difference) <= ten_to(10 - digits) * (a.error + b.error);
       const bool fits = op[0] == '<' ? cln::minusp(difference) : op[0] == '>' && cln::plusp(difference);
@@ -25,15 +24,16 @@ inline std::vector<bool> holds(const Json& statement, Look& look) {
   return result;
 }
 
+inline std::string low_end(const std::string& range) { return range.substr(1, range.find(',') - 1); }
+inline std::string high_end(const std::string& range) {
+  return range.substr(range.find(',') + 2, range.size() - range.find(',') - 3);
+}
 /// What is left of a range beside another one, on either side; nothing where that has its end.
 inline std::vector<std::string> beside(const std::string& range, const std::string& inner) {
-  const auto low = [](const std::string& r) { return r.substr(1, r.find(',') - 1); };
-  const auto high = [](const std::string& r) {
-    return r.substr(r.find(',') + 2, r.size() - r.find(',') - 3);
-  };
+  const std::string low = low_end(inner), high = high_end(inner);
   std::vector<std::string> result;
-  if (low(inner) != low(range)) result.push_back(range.front() + low(range) + ", " + low(inner) + ")");
-  if (high(inner) != high(range)) result.push_back("(" + high(inner) + ", " + high(range) + range.back());
+  if (low != low_end(range)) result.push_back(range.front() + low_end(range) + ", " + low + ")");
+  if (high != high_end(range)) result.push_back("(" + high + ", " + high_end(range) + range.back());
   return result;
 }
 
@@ -64,6 +64,44 @@ inline void check_outside(const Json& c) {
   };
   for (const auto& [name, whole] : c.at("declared").items())
     for (const std::string& range : beside(whole, c.at("ranges").at(name))) check_beside(name, range);
+}
+
+/// At a point: whether both statements hold there, or neither; or both expressions have one value, or none.
+inline bool agree_at(const std::string& point, const Json& c) {
+  Look look;
+  look.draw(c.at("in"), "[" + point + ", " + point + "]", ' ');
+  const bool left = holds(c.at("left"), look).front(), right = holds(c.at("right"), look).front();
+  if (left != right || c.at("left").size() > 1 || !left) return left == right;
+  return holds({c.at("left").at(0), "=", c.at("right").at(0)}, look).front();
+}
+
+/// A range in pieces, as a certificate of each proves it; without one, neither statement holds there.
+template <class Check>
+void check_cells(const Json& c, const Check& check) {
+  const std::string name = c.at("in"), whole = c.at("range");
+  std::string end = low_end(whole);
+  if (whole.front() == '[') require(agree_at(end, c), "they differ at " + end);
+  for (const Json& cell : c.at("cells")) {
+    const std::string range = cell.at("range");
+    require(range.front() == '(' && range.back() == ')' && low_end(range) == end, "a gap before " + range);
+    end = high_end(range);
+    if (end != high_end(whole) || whole.back() == ']') require(agree_at(end, c), "they differ at " + end);
+    if (!cell.contains("certificate")) {
+      Look look;
+      look.draw(name, range, ' ');
+      for (const char* side : {"left", "right"}) {
+        const std::vector<bool> held = holds(c.at(side), look);
+        require(std::find(held.begin(), held.end(), true) == held.end(), "it holds in " + range);
+      }
+      continue;
+    }
+    const Json& there = cell.at("certificate");
+    require(there.at("left") == c.at("left") && there.at("right") == c.at("right") &&
+                there.at("given").empty() && there.at("ranges") == Json{{name, range}},
+            "another statement in " + range);
+    check(there);
+  }
+  require(end == high_end(whole), "the cells end at " + end);
 }
 
 }  // namespace certificate_checker

@@ -123,6 +123,7 @@ inline const std::map<std::string, Growing>& growing() {
       {"asin", {[](F x) -> N { return cln::asin(N(x)); }, minus_one, left, one, right, zero, zero}},
       {"atan", {[](F x) -> N { return cln::atan(N(x)); }, least, left, most, right, zero, zero}},
       {"asinh", {[](F x) -> N { return cln::asinh(N(x)); }, least, least, most, most, zero, zero}},
+      {"atanh", {[](F x) -> N { return cln::atanh(N(x)); }, minus_one, least, one, most, zero, zero}},
       {"acosh", {[](F x) -> N { return cln::acosh(N(x)); }, one, zero, most, most, one, zero}}};
   return functions;
 }
@@ -175,6 +176,15 @@ inline Range range_of(const std::string& f, const Range& x, const Range& other) 
   const auto found = growing().find(f);
   return found == growing().end() ? other
                                   : range_of(f, found->second, f == "cosh" ? range_of("fabs", x, x) : x);
+}
+
+/// Whether f has a value all over a range; roots and divisors are seen elsewhere.
+inline bool is_defined(const std::string& f, const Range& x) {
+  const Range from_1 = x + point({-1}), to_1 = point({1}) + point({-1}) * x, from_minus_1 = x + point({1});
+  if (f == "log") return x.is_positive();
+  if (f == "asin" || f == "acos") return from_minus_1.is_not_negative() && to_1.is_not_negative();
+  if (f == "atanh") return from_minus_1.is_positive() && to_1.is_positive();
+  return f != "acosh" || from_1.is_not_negative();
 }
 
 /// Whether f grows, or falls, all over two ranges and between them.

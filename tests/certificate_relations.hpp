@@ -14,6 +14,7 @@
 #include <set>
 #include <tests/certificate_conditions.hpp>
 #include <tests/certificate_outside.hpp>
+#include <tests/certificate_slopes.hpp>
 
 namespace certificate_checker {
 
@@ -24,26 +25,10 @@ struct Said {
   std::string residual() const { return op.empty() ? a : "((" + a + ")-(" + b + "))"; }
 };
 
-/// A replay that knows what statements divide by.
-class Statement : public Replay {
- public:
-  void name(const std::string& name, const std::string& text) {
-    require(names_.insert({name, value(text)}).second, "no new name: " + name);
-  }
-  std::vector<Fraction> divisors;  ///< of the texts that were read, but for numbers
-
- private:
-  Fraction divisor(const Fraction& d) override {
-    if (d.above.size() > 1 || !d.above.contains({})) divisors.push_back(d);
-    return Replay::divisor(d);
-  }
-};
-
 class Checker {
  public:
   /// Checks one piece. Throws std::exception saying what is wrong.
   Checker(const Json& certificate, std::size_t piece) : c_(certificate) {
-    require(c_.at("format") == "rederive certificate 7", "another format");
     require(c_.dump().find('#') == std::string::npos, "names with # are the checker's own");
     for (const auto& [name, range] : c_.at("ranges").items())
       if (!c_.at("given").contains(name))
@@ -74,14 +59,19 @@ class Checker {
   static std::string stated(const std::string& text) {
     return require(text.find('$') == std::string::npos, "a statement has no generators"), text;
   }
-  /// Where the statement has a value: what may be 0 elsewhere is nothing to divide by.
+  /// Where the statement has a value: what may be 0 elsewhere is nothing to divide by. With what is said of
+  /// its slope.
   Range range(const std::string& text) {
     look_.divisors_are_clear = true, replay_.divisors.clear();
     const Range result = look_.value(stated(text)).range;
-    if (look_.divisors_are_clear) return result;
-    replay_.value(text);
-    for (const Fraction& d : replay_.divisors) require(is_divisor(d), "divides by something else: " + text);
-    return result;
+    if (!look_.divisors_are_clear) {
+      replay_.value(text);
+      for (const Fraction& d : replay_.divisors) require(is_divisor(d), "divides by something else: " + text);
+    }
+    if (!c_.at("slopes").contains(text)) return result;
+    require(++slopes_ < 100, "too many slopes");
+    const auto range_of = [this](const std::string& t) { return range(t); };
+    return both(result, SlopeCheck(text, c_, replay_, look_, range_of).range());
   }
   /// Whether the statement divides by it, or its negative.
   bool is_divisor(const Fraction& part) const {
@@ -289,6 +279,7 @@ class Checker {
   const Json& c_;
   Statement replay_;
   Look look_;
+  int slopes_ = 0;
   std::vector<Fraction> divisors_;                         // of the statement, but for numbers
   std::set<std::pair<std::string, std::size_t>> settled_;  // links: side and number
   std::set<std::string> never_;                            // sides of which a link never holds
@@ -297,6 +288,8 @@ class Checker {
 /// Throws std::exception saying what is wrong with a certificate. It is checked on all pieces of the domain:
 /// on either side of 0 for each name that is cut there.
 inline void check(const Json& certificate) {
+  require(certificate.at("format") == "rederive certificate 8", "another format");
+  if (certificate.contains("cells")) return check_cells(certificate, [](const Json& c) { check(c); });
   require(certificate.at("cut").size() < 10, "too many pieces");
   check_outside(certificate);
   for (std::size_t piece = 0; piece < std::size_t{1} << certificate.at("cut").size(); ++piece)

@@ -110,14 +110,16 @@ std::optional<ex> form_of_pair(const ex& e, const Atoms& atoms) {
 
 // ---- A f(u) - A f(v)
 
-/// log(u) - log(v) is log(1 + (u - v)/v), and atan(u) - atan(v) is atan((u - v)/(1 + u v)) for u v > -1.
+/// log(u) - log(v) is log(1 + (u - v)/v) for u >= v, and atan(u) - atan(v) is atan((u - v)/(1 + u v)) for
+/// u v > -1.
 std::optional<ex> form_of_difference(const ex& e, const Atoms& atoms, const Symbols& symbols) {
   if (e.nops() != 2 || atoms.functions.size() != 2) return std::nullopt;
   const ex f = atoms.functions[0], g = atoms.functions[1], a = (e.op(0) / f).normal();
   const std::string name = name_of(f);
   if (name != name_of(g) || has_functions(a) || !(e - a * (f - g)).expand().is_zero()) return std::nullopt;
   const ex u = f.op(0), v = g.op(0), difference = (u - v).expand();
-  if (name == "log") return a * GiNaC::log(1 + difference / v);
+  if (name == "log" && is_nonnegative(difference, symbols)) return a * GiNaC::log(1 + difference / v);
+  if (name == "log" && is_nonnegative(-difference, symbols)) return -a * GiNaC::log(1 - difference / u);
   if (name == "atan" && sign_of(1 + u * v, symbols) > 0) return a * GiNaC::atan(difference / (1 + u * v));
   return std::nullopt;
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/algebra/cells.hpp>
 #include <derivations/algebra/completion.hpp>
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/conjunction.hpp>
@@ -193,6 +194,23 @@ Proof decide_where_one_may_hold(const Question& question) {
   return there.verdict == Verdict::undecided ? proof : there;
 }
 
+/// On every piece of the range of the one symbol, and at the points between.
+std::optional<Proof> decide_in_cells(const Question& question) {
+  const auto cells = cells_of(question);
+  if (!cells) return std::nullopt;
+  for (const Symbols& piece : cells->pieces) {
+    const Cell cell = look_at(question, piece);
+    if (cell == Cell::unknown) return std::nullopt;
+    if (cell == Cell::empty) continue;
+    const Proof there = decide({question.left, question.right, piece, question.given});
+    if (there.verdict == Verdict::refuted) return there;
+    if (there.verdict != Verdict::proved) return std::nullopt;
+  }
+  for (const ex& point : cells->points)
+    if (!agree_at(point, *cells, question)) return std::nullopt;
+  return proved("", "on every piece of the range, and at the points between, the two say the same");
+}
+
 }  // namespace
 
 Proof prove(const Relation& left, const Relation& right, const Symbols& symbols,
@@ -200,6 +218,8 @@ Proof prove(const Relation& left, const Relation& right, const Symbols& symbols,
   try {
     const Symbols with_ranges = with_ranges_of(given, symbols);
     Proof proof = decide_where_one_may_hold({left, right, with_ranges, given});
+    if (proof.verdict == Verdict::undecided)
+      if (auto in_cells = decide_in_cells({left, right, with_ranges, given})) proof = *in_cells;
     if (proof.verdict == Verdict::proved) {
       add_conditions(proof, left, symbols);
       add_conditions(proof, right, symbols);

@@ -2,6 +2,7 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
+#include <derivations/algebra/slopes.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/witness.hpp>
 
@@ -194,8 +195,10 @@ Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors,
   for (const auto& [text, factor] : in_order) {
     const auto& [part, exponent] = factor;
     result.value *= GiNaC::pow(part, exponent);
-    if (!exponent.is_even()) result.sign *= weak_sign(part, symbols);
-    if (sign_of(part, symbols) != 0) continue;  // its range says that it cannot vanish
+    const bool is_clear = sign_of(part, symbols) != 0;  // its range says that it cannot vanish
+    const auto slope = is_clear ? std::nullopt : sign_by_slope(part, symbols);
+    if (!exponent.is_even()) result.sign *= slope ? slope->sign : weak_sign(part, symbols);
+    if (is_clear || slope) continue;
     const bool divides = std::any_of(divisors.begin(), divisors.end(), [&p = part, &symbols](const ex& d) {
       if (is_multiple(p, d)) return true;
       return is_short(p) && is_short(d) && (vanishes_with(p, d, symbols) || is_factor(p, d, symbols));

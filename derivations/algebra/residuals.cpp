@@ -7,6 +7,7 @@
 #include <derivations/algebra/residuals.hpp>
 #include <derivations/algebra/root_witness.hpp>
 #include <derivations/algebra/roots.hpp>
+#include <derivations/algebra/slopes.hpp>
 #include <derivations/algebra/vanish.hpp>
 
 namespace rederive {
@@ -257,7 +258,9 @@ std::optional<ex> lost_to(const Residuals& r, const Symbols& symbols) {
   return found ? found : own(r.right_divisors, r.left_divisors, r.pair.left_value);
 }
 
-std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symbols) {
+namespace {
+
+std::optional<bool> settled_by_form(const ex& residual, Claim claim, const Symbols& symbols) {
   try {
     if (const int sign = sign_of(residual, symbols); sign != 0) return claim != Claim::zero && sign > 0;
     if (vanishes(residual, symbols)) return claim != Claim::positive;
@@ -275,6 +278,14 @@ std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symb
   } catch (const Undecidable&) {
     return std::nullopt;
   }
+}
+
+}  // namespace
+
+std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symbols) {
+  if (const auto holds = settled_by_form(residual, claim, symbols)) return holds;
+  const auto slope = sign_by_slope(residual, symbols);
+  return slope ? std::optional(claim != Claim::zero && slope->sign > 0) : std::nullopt;
 }
 
 std::optional<bool> settled(const ex& inner, const ex& whole, Claim claim, const Symbols& symbols) {

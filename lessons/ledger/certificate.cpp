@@ -1,3 +1,5 @@
+#include <derivations/algebra/cells.hpp>
+#include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/links.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/witness.hpp>
@@ -275,6 +277,24 @@ Json parts_of_divisors(const std::vector<CertifiedLink>& links, const CertifiedS
   return json;
 }
 
+/// What shows the signs of forms and parts of factors that their ranges do not.
+Json slopes_json(const std::vector<CertifiedLink>& links, const CertifiedStatement& q) {
+  static const std::map<Slope::How, std::string> names{{Slope::How::range, "inside"},
+                                                       {Slope::How::low, "low"},
+                                                       {Slope::How::high, "high"},
+                                                       {Slope::How::ends, "ends"}};
+  Json json = Json::object();
+  for (const CertifiedLink& link : links)
+    for (const CertifiedSlope& s : link.slopes) {
+      json[q.text(s.value)] = {{"in", *names_in(s.why.value).begin()},
+                               {"sign", s.why.sign},
+                               {"how", names.at(s.why.how)},
+                               {"slope", q.text(s.slope)}};
+      if (s.bend) json[q.text(s.value)]["bend"] = q.text(s.bend);
+    }
+  return json;
+}
+
 Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links) {
   std::vector<Tree> trees;
   for (const Given& g : q.given)
@@ -294,6 +314,9 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
     add_trees(link.factor, trees);
     for (const auto* list : {&link.more, &link.divides})
       for (const auto& [part, other] : *list) trees.push_back(other);
+    for (const CertifiedSlope& s : link.slopes)
+      for (const Tree& tree : {s.slope, s.bend})
+        if (tree) trees.push_back(tree);
     if (link.follows) {
       trees.insert(trees.end(), {link.follows->more, link.follows->times});
       add_trees(link.follows->product, trees);
@@ -306,7 +329,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
         for (const CertifiedLayer& layer : layers) add_trees(layer, q, trees);
     }
   }
-  Json json{{"format", "rederive certificate 7"},
+  Json json{{"format", "rederive certificate 8"},
             {"left", statement_json(q.left, q)},
             {"right", statement_json(q.right, q)},
             {"given", given},
@@ -314,6 +337,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
             {"never zero", never_zero},
             {"ranges", ranges_json(trees, q)}};
   json["parts of divisors"] = parts_of_divisors(links, q);
+  json["slopes"] = slopes_json(links, q);
   add_pieces(json, q, links, trees);
   return json;
 }
@@ -332,6 +356,23 @@ Json certificate_over(const Symbols& ranges, const Relation& left, const Relatio
   return json;
 }
 
+/// Piece by piece of the range of one symbol. Throws Undecidable.
+Json certificate_in_cells(const Question& question) {
+  const auto& [left, right, symbols, given] = question;
+  const auto cells = cells_of(question);
+  if (!cells) throw Undecidable("there are no pieces to look at");
+  const CertifiedStatement statement{left, right, symbols, given, {}, symbols};
+  Json json{{"format", "rederive certificate 8"},          {"left", statement_json(left, statement)},
+            {"right", statement_json(right, statement)},   {"in", symbols.find(cells->symbol)->name},
+            {"range", symbols.find(cells->symbol)->range}, {"cells", Json::array()}};
+  for (const Symbols& piece : cells->pieces) {
+    json["cells"].push_back({{"range", piece.find(cells->symbol)->range}});
+    if (look_at(question, piece) == Cell::compared)
+      json["cells"].back()["certificate"] = certificate_over(piece, left, right, given, piece);
+  }
+  return json;
+}
+
 }  // namespace
 
 Json certificate(const Relation& left, const Relation& right, const Symbols& symbols,
@@ -343,9 +384,14 @@ Json certificate(const Relation& left, const Relation& right, const Symbols& sym
   try {
     return certificate_over(symbols, exact_left, exact_right, in_it, symbols);
   } catch (const Undecidable&) {  // then over the part of the ranges where one may hold
-    const auto defined = where_one_may_hold({exact_left, exact_right, symbols, in_it});
-    if (!defined) throw;
-    return certificate_over(*defined, exact_left, exact_right, in_it, symbols);
+    const Question question{exact_left, exact_right, symbols, in_it};
+    const auto defined = where_one_may_hold(question);
+    try {
+      if (defined) return certificate_over(*defined, exact_left, exact_right, in_it, symbols);
+    } catch (const Undecidable&) {  // then piece by piece
+    }
+    if (!cells_of(question)) throw;
+    return certificate_in_cells(question);
   }
 }
 

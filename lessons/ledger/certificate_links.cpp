@@ -102,6 +102,7 @@ struct Finder {
   }
   std::optional<ex> form_of_one_sign(const ex& e) const {
     if (e.is_zero() || is_nonnegative(e, q.symbols) || is_nonnegative(-e, q.symbols)) return form(e);
+    if (sign_by_slope(e, q.symbols)) return e;
     const auto parts = checked_quotient(e, 1, q.symbols);
     if (!parts) return std::nullopt;
     ex product = 1;
@@ -123,6 +124,39 @@ struct Finder {
     return link;
   }
 
+  // ---- slopes
+
+  void add_slopes(const Tree& tree, const Slope& why, std::vector<CertifiedSlope>& slopes) const {
+    if (why.how == Slope::How::range) return;
+    const Slope& slope = why.slope.front();
+    const bool is_shown = slope.how == Slope::How::range;
+    const Tree shown = this->tree(is_shown ? form(slope.value) : slope.value);
+    const GiNaC::symbol& x = q.symbols[*names_in(why.value).begin()];
+    if (why.how == Slope::How::ends)
+      slopes.push_back({tree, this->tree(why.value.diff(x)), why, shown});
+    else
+      slopes.push_back({tree, shown, why});
+    add_slopes(shown, slope, slopes);
+  }
+  void add_slopes(const Tree& tree, std::vector<CertifiedSlope>& slopes) const {
+    const ex value = tree ? lower(tree, q.symbols) : ex(0);
+    if (sign_of(value, q.symbols) != 0) return;
+    const auto why = sign_by_slope(value, q.symbols);
+    if (why && why->how == Slope::How::range) slopes.push_back({tree, tree, *why});
+    if (why) add_slopes(tree, *why, slopes);
+  }
+  /// Of all forms and parts of factors that need them.
+  CertifiedLink with_slopes(CertifiedLink link) const {
+    for (const CertifiedPart& p : link.factor) add_slopes(p.part, link.slopes);
+    for (const CertifiedSide& side : {link.left, link.right}) {
+      add_slopes(side.form, link.slopes);
+      for (const auto& layers : side.layers)
+        for (const CertifiedLayer& layer : layers)
+          for (const CertifiedPart& p : layer.factor) add_slopes(p.part, link.slopes);
+    }
+    return link;
+  }
+
   // ---- factors
 
   /// Every part is a number, has one sign, or is what the statement divides by; what is none of these may be
@@ -138,6 +172,8 @@ struct Finder {
         number *= ex_to<numeric>(part).power(n);
       else if (sign_of(part, q.symbols) != 0)
         factor.emplace_back(tree(form(part)), n.to_int());
+      else if (sign_by_slope(part, q.symbols))
+        factor.emplace_back(tree(part), n.to_int());
       else if (!is_put_down(part, n.to_int()))
         rest *= GiNaC::pow(part, n);
     if (!rest.is_equal(1) && !is_put_down(rest, 1)) return false;
@@ -209,7 +245,8 @@ struct Finder {
   bool shows_sign(const CertifiedFactor& factor) const {
     return std::all_of(factor.begin(), factor.end(), [&](const CertifiedPart& p) {
       const ex value = put_in(lower(p.part, q.symbols), q.given);
-      return p.exponent % 2 == 0 || sign_of(value, q.symbols) != 0 || shows_sign(value);
+      return p.exponent % 2 == 0 || sign_of(value, q.symbols) != 0 || shows_sign(value) ||
+             sign_by_slope(value, q.symbols);
     });
   }
   bool find_factor(CertifiedLink& link, const std::string& op) const {
@@ -350,7 +387,8 @@ std::vector<CertifiedLink> links_of(const CertifiedStatement& q) {
   }
   const std::vector<CertifiedDivisor> divisors = divisors_of(q);
   const Finder finder{q, divisors};
-  if (const auto link = is_pair(q) ? finder.find_same({{0}, {0}}) : std::nullopt) return {*link};
+  if (const auto link = is_pair(q) ? finder.find_same({{0}, {0}}) : std::nullopt)
+    return {finder.with_slopes(*link)};
   std::vector<CertifiedLink> links;
   for (const Match& match : matches(finder.question).value_or(std::vector<Match>{}))
     if (match.why) {
@@ -364,6 +402,7 @@ std::vector<CertifiedLink> links_of(const CertifiedStatement& q) {
       links.push_back(*link);
     }
   if (links.empty()) throw Undecidable("nothing was found that says it link by link");
+  for (CertifiedLink& link : links) link = finder.with_slopes(link);
   return links;
 }
 

@@ -2,6 +2,7 @@
 // forms.
 #pragma once
 
+#include <derivations/algebra/slopes.hpp>
 #include <derivations/algebra/unwrap.hpp>
 #include <lessons/ledger/certificate_statement.hpp>
 
@@ -46,6 +47,13 @@ struct CertifiedConsequence {
   CertifiedFactor product = {};  ///< times, of parts that are never 0, where it may have either sign
 };
 
+/// Why an expression of one symbol keeps its sign: its values at ends of the range, and its slope.
+struct CertifiedSlope {
+  Tree value, slope;
+  Slope why;
+  Tree bend = nullptr;  ///< the slope of the slope, where that is what shows it
+};
+
 /// Two expressions (no layers, their values for residuals), or what links of two statements say.
 struct CertifiedLink {
   CertifiedSide left, right;
@@ -60,6 +68,8 @@ struct CertifiedLink {
   std::optional<bool> holds = std::nullopt;
   /// … or one of them follows from the links of the other one, all together.
   std::optional<CertifiedConsequence> follows = std::nullopt;
+  /// What shows the signs of forms and parts of factors that their ranges do not.
+  std::vector<CertifiedSlope> slopes = {};
 };
 
 /// What a text divides by, in the order in which it is met.

@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <derivations/algebra/cells.hpp>
+#include <derivations/algebra/conditions.hpp>
+#include <derivations/algebra/elimination.hpp>
+#include <derivations/algebra/print.hpp>
+#include <derivations/algebra/rearrange.hpp>
+#include <derivations/algebra/vanish.hpp>
+
+namespace rederive {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+
+namespace {
+
+constexpr std::size_t most_points = 8;
+
+/// What must hold for a statement to have a value.
+struct Condition {
+  ex value;
+  std::string op;  ///< "!=", ">" or ">="
+};
+std::vector<Condition> conditions_of(const Relation& relation, const Question& question) {
+  std::vector<Condition> result;
+  for (const Tree& side : relation.sides)
+    for (const std::string& text : side_conditions(side, question.symbols)) {
+      const std::size_t at = text.rfind(' ', text.size() - 3) + 1;  // "x - 1 >= 0"
+      const std::string op = text.substr(at, text.rfind(' ') - at);
+      result.push_back({lower(parse(text.substr(0, at - 1), question.symbols), question.symbols), op});
+    }
+  return result;
+}
+
+/// Everything whose zeros cut the range.
+std::vector<ex> cutting(const Question& question, const GiNaC::symbol& x) {
+  std::vector<ex> result;
+  for (const Relation* relation : {&question.left, &question.right}) {
+    for (const Condition& c : conditions_of(*relation, question)) result.push_back(c.value);
+    for (const Link& link : links_of(*relation)) {
+      const ex residual = residual_of(sides_of(link, question));
+      result.push_back(residual), result.push_back(residual.diff(x));
+    }
+    for (const Tree& side : relation->sides) {
+      const ex value = lower(side, question.symbols);
+      for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part) {
+        const bool is_root = GiNaC::is_a<GiNaC::power>(*part) && !part->op(1).info(GiNaC::info_flags::integer);
+        if (name_of(*part) == "abs" || is_root) result.push_back(part->op(0));
+      }
+    }
+  }
+  std::erase_if(result, [](const ex& e) { return !has_symbol(e); });
+  return result;
+}
+
+std::vector<ex> candidates(const std::vector<ex>& cutting, const ex& x) {
+  std::vector<ex> result;
+  for (int k = -24; k <= 24; ++k) result.push_back(k * GiNaC::Pi / 12), result.push_back(numeric(k, 2));
+  for (const ex& e : cutting) {
+    const ex zero = e.is_polynomial(x) && e.degree(x) == 1 ? -e.coeff(x, 0) / e.coeff(x, 1) : ex(0);
+    result.push_back(zero.normal());
+  }
+  return result;
+}
+
+bool is_zero_at(const ex& e, const ex& x, const ex& point, const Symbols& symbols) {
+  try {
+    const ex value = e.subs(x == point);
+    const auto digits = evaluate(to_tree(value, symbols), {}, 20);
+    return digits && cln::abs(*digits) < cln::cl_RA(1) / 1'000'000'000 && vanishes(value, symbols);
+  } catch (const std::exception&) {  // a pole, or outside of the class
+    return false;
+  }
+}
+
+bool is_inside(const ex& point, const Interval& range, bool with_ends) {
+  try {
+    const int low = range.low.infinite != 0 ? 1 : compare(point, range.low.value),
+              high = range.high.infinite != 0 ? 1 : compare(range.high.value, point);
+    return (low > 0 || (with_ends && low == 0 && range.low.closed)) &&
+           (high > 0 || (with_ends && high == 0 && range.high.closed));
+  } catch (const std::exception&) {  // too close to tell
+    return false;
+  }
+}
+
+/// Of a constant.
+std::optional<int> sign_at(const ex& e, const ex& x, const ex& point, const Symbols& symbols) {
+  const ex value = e.subs(x == point);
+  if (vanishes(value, symbols)) return 0;
+  const int sign = sign_of(value, symbols);
+  return sign != 0 ? std::optional(sign) : std::nullopt;
+}
+bool fits(int sign, const std::string& op) {
+  const bool is_turned = op[0] == '<';
+  if (op == "=" || op == "!=") return (sign == 0) == (op == "=");
+  return sign == 0 ? op.size() == 2 : (sign > 0) != is_turned;
+}
+
+/// Whether a statement has a value at a point, and holds there. Nothing where that is not seen.
+struct Truth {
+  bool has_value = true, holds = true;
+};
+std::optional<Truth> truth_at(const Relation& relation, const ex& x, const ex& point,
+                              const Question& question) {
+  for (const Condition& c : conditions_of(relation, question)) {
+    const auto sign = sign_at(c.value, x, point, question.symbols);
+    if (!sign) return std::nullopt;
+    if (!fits(*sign, c.op)) return Truth{false, false};
+  }
+  if (relation.operators.empty()) return Truth{};
+  Truth result;
+  for (const Link& link : links_of(relation)) {
+    const Sides sides = sides_of(link, question);
+    const auto sign = sign_at(sides.left - sides.right, x, point, question.symbols);
+    if (!sign) return std::nullopt;
+    result.holds = result.holds && fits(*sign, link.op);
+  }
+  return result;
+}
+
+/// Whether a statement has values all over a piece, or nowhere; nothing where neither is seen.
+std::optional<bool> has_values(const Relation& relation, const Question& question, const Symbols& piece) {
+  bool all = true;
+  for (const Condition& c : conditions_of(relation, question)) {
+    const bool excludes_zero = c.op == "!=";
+    const auto holds = settled(c.value, excludes_zero ? Claim::zero : claim_of(c.op), piece);
+    if (holds && *holds == excludes_zero) return false;
+    all = all && holds;
+  }
+  return all ? std::optional(true) : std::nullopt;
+}
+
+bool never_holds(const Relation& relation, const Question& question, const Symbols& piece) {
+  if (relation.operators.empty()) return false;
+  const std::vector<Link> links = links_of(relation);
+  return std::any_of(links.begin(), links.end(), [&](const Link& link) {
+    return settled(residual_of(sides_of(link, question)), claim_of(link.op), piece) == std::optional(false);
+  });
+}
+
+}  // namespace
+
+std::optional<Cells> cells_of(const Question& question) {
+  std::set<std::string> names;
+  for (const Relation* relation : {&question.left, &question.right})
+    for (const Tree& side : relation->sides) names.merge(names_in(lower(side, question.symbols)));
+  if (names.size() != 1 || !question.given.empty()) return std::nullopt;
+  const Symbol& symbol = *question.symbols.find(*names.begin());
+  const Interval range = parse_range(symbol.range);
+  Cells cells{symbol.ginac, {}, {}};
+  const std::vector<ex> zeros = cutting(question, symbol.ginac);
+  for (const ex& point : candidates(zeros, cells.symbol)) {
+    const auto is_it = [&](const ex& other) { return other.is_equal(point); };
+    const bool is_new = std::none_of(cells.points.begin(), cells.points.end(), is_it);
+    if (is_new && is_inside(point, range, false) &&
+        std::any_of(zeros.begin(), zeros.end(),
+                    [&](const ex& e) { return is_zero_at(e, cells.symbol, point, question.symbols); }))
+      cells.points.push_back(point);
+  }
+  if (cells.points.empty() || cells.points.size() > most_points) return std::nullopt;
+  std::sort(cells.points.begin(), cells.points.end(),
+            [](const ex& a, const ex& b) { return compare(a, b) < 0; });
+  const Range ends = read_range(symbol.range);
+  std::vector<std::string> texts{ends.lower};
+  for (const ex& point : cells.points) texts.push_back(print(point, Notation::plain, question.symbols));
+  texts.push_back(ends.upper);
+  for (std::size_t k = 0; k + 1 < texts.size(); ++k) {
+    cells.pieces.push_back(question.symbols);
+    cells.pieces.back().narrow(symbol.name, "(" + texts[k] + ", " + texts[k + 1] + ")");
+  }
+  if (range.low.closed) cells.points.push_back(range.low.value);
+  if (range.high.closed) cells.points.push_back(range.high.value);
+  return cells;
+}
+
+Cell look_at(const Question& question, const Symbols& piece) {
+  const auto left = has_values(question.left, question, piece),
+             right = has_values(question.right, question, piece);
+  if (!left || !right) return Cell::unknown;
+  if (*left && *right) return Cell::compared;
+  const bool neither = !*left && !*right;
+  const Relation& other = *left ? question.left : question.right;
+  return neither || never_holds(other, question, piece) ? Cell::empty : Cell::unknown;
+}
+
+bool agree_at(const ex& point, const Cells& cells, const Question& question) {
+  try {
+    const auto left = truth_at(question.left, cells.symbol, point, question),
+               right = truth_at(question.right, cells.symbol, point, question);
+    if (!left || !right) return false;
+    if (!question.left.operators.empty()) return left->holds == right->holds;
+    if (left->has_value != right->has_value) return false;
+    const ex difference =
+        lower(question.left.sides[0], question.symbols) - lower(question.right.sides[0], question.symbols);
+    return !left->has_value || sign_at(difference, cells.symbol, point, question.symbols) == std::optional(0);
+  } catch (const std::exception&) {  // a pole, or outside of the class
+    return false;
+  }
+}
+
+}  // namespace rederive

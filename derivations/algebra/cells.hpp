@@ -1,0 +1,32 @@
+// Statements in one symbol, piece by piece: cut where something in them is 0, they may be decided on every
+// piece, and at every point between.
+#pragma once
+
+#include <derivations/algebra/links.hpp>
+
+namespace rederive {
+
+/// The range of one symbol, cut into open pieces and the points between, and those at closed ends.
+struct Cells {
+  GiNaC::ex symbol;
+  std::vector<GiNaC::ex> points;
+  std::vector<Symbols> pieces;  ///< with the range of the piece
+};
+
+/// Cut where residuals, slopes of residuals, conditions and what stands between bars is exactly 0: at multiples
+/// of pi/12, small rationals and the zeros of what is linear. Nothing where the statements have other symbols
+/// or givens, or are cut nowhere.
+std::optional<Cells> cells_of(const Question& question);
+
+/// What is known of both statements on one piece.
+enum class Cell {
+  unknown,
+  compared,  ///< both have values all over it
+  empty      ///< neither holds, for at least one has no value anywhere on it
+};
+Cell look_at(const Question& question, const Symbols& piece);
+
+/// Whether at a point both hold, or neither does; or both expressions have one value there, or neither has.
+bool agree_at(const GiNaC::ex& point, const Cells& cells, const Question& question);
+
+}  // namespace rederive

@@ -1,0 +1,168 @@
+// Slopes, of which a certificate says that they show a sign: they are taken here again, by the rules for
+// sums, products and functions, and compared as polynomials.
+#pragma once
+
+#include <tests/certificate_conditions.hpp>
+
+namespace certificate_checker {
+
+/// A replay that knows what statements divide by.
+class Statement : public Replay {
+ public:
+  void name(const std::string& name, const std::string& text) {
+    require(names_.insert({name, value(text)}).second, "no new name: " + name);
+  }
+  /// A text in #x.
+  Fraction at(const std::string& text, const Fraction& x) { return names_["#x"] = x, value(text); }
+  std::vector<Fraction> divisors;  ///< of the texts that were read, but for numbers
+
+ private:
+  Fraction divisor(const Fraction& d) override {
+    if (d.above.size() > 1 || !d.above.contains({})) divisors.push_back(d);
+    return Replay::divisor(d);
+  }
+};
+
+/// What a text is, and its slope.
+struct Sloped {
+  Fraction at, slope;
+};
+inline Fraction operator-(const Fraction& a, const Fraction& b) {
+  return a + Fraction{{{{}, -1}}, {{{}, 1}}} * b;
+}
+inline Sloped operator+(const Sloped& a, const Sloped& b) { return {a.at + b.at, a.slope + b.slope}; }
+inline Sloped operator*(const Sloped& a, const Sloped& b) {
+  return {a.at * b.at, a.slope * b.at + a.at * b.slope};
+}
+inline Sloped operator/(const Sloped& a, const Sloped& b) {
+  return {a.at / b.at, (a.slope * b.at - a.at * b.slope) / (b.at * b.at)};
+}
+
+/// Reads texts into that: in one name, the others do not change with it.
+class Slopes : public Reader<Sloped> {
+ public:
+  Slopes(Statement& replay, const Json& certificate, const std::string& name) : replay_(replay) {
+    names_["pi"] = {replay_.value("pi"), replay_.value("0")};
+    for (const auto& [other, range] : certificate.at("ranges").items())
+      if (!certificate.at("given").contains(other))
+        names_[other] = {replay_.value(other), replay_.value(other == name ? "1" : "0")};
+  }
+
+ private:
+  Sloped number(const cln::cl_I& n) override { return {{plus({}, {{{}, n}}), {{{}, 1}}}, {{}, {{{}, 1}}}}; }
+  Sloped divisor(const Sloped& d) override { return d; }
+  Sloped raised(const Sloped& base, const Sloped& exponent) override {
+    if (!replay_.same(exponent.slope, replay_.value("0"))) return call("exp", exponent * call("log", base));
+    const Fraction power = replay_.raised(base.at, exponent.at);
+    return {power, exponent.at * power / base.at * base.slope};
+  }
+  Sloped call(const std::string& f, const Sloped& x) override {
+    static const std::map<std::string, std::string> slopes{{"sin", "cos(#x)"},
+                                                           {"cos", "-sin(#x)"},
+                                                           {"tan", "1/cos(#x)^2"},
+                                                           {"exp", "exp(#x)"},
+                                                           {"log", "1/#x"},
+                                                           {"sinh", "cosh(#x)"},
+                                                           {"cosh", "sinh(#x)"},
+                                                           {"tanh", "1/cosh(#x)^2"},
+                                                           {"asin", "1/cos(asin(#x))"},
+                                                           {"acos", "-1/sin(acos(#x))"},
+                                                           {"atan", "1/(1+#x^2)"},
+                                                           {"asinh", "1/cosh(asinh(#x))"},
+                                                           {"acosh", "1/sinh(acosh(#x))"},
+                                                           {"atanh", "1/(1-#x^2)"}};
+    if (f == "sqrt") return raised(x, number(1) / number(2));
+    if (!slopes.contains(f)) return names_["#x"] = x, value(meanings.at(f));
+    return {replay_.call(f, x.at), replay_.at(slopes.at(f), x.at) * x.slope};
+  }
+
+  Statement& replay_;
+};
+
+/// Above or below 0, and 0 itself if that is not excluded.
+inline Range beyond(int sign, bool is_strict) {
+  return sign > 0 ? Range{{}, most, !is_strict, false} : Range{least, {}, false, !is_strict};
+}
+
+/// What an entry of a certificate says of the slope of a text in one name, taken again.
+template <class RangeOf>
+class SlopeCheck {
+ public:
+  SlopeCheck(const std::string& text, const Json& certificate, Statement& replay, Look& look,
+             const RangeOf& range)
+      : text_(text),
+        c_(certificate),
+        why_(certificate.at("slopes").at(text)),
+        name_(why_.at("in")),
+        how_(why_.at("how")),
+        sign_(why_.at("sign")),
+        replay_(replay),
+        look_(look),
+        range_(range) {}
+
+  /// Of one sign at the low end, and growing or falling from there; or at the high end; or at both ends, and
+  /// bent; or by its range, and by its values at ends that the range of the name has.
+  Range range() {
+    require(std::abs(sign_) == 1, "no sign");
+    require(c_.at("ranges").contains(name_) && !c_.at("given").contains(name_), "no slope in " + name_);
+    const Range x = look_.range(name_);
+    inside_ = x;
+    inside_.has_low = inside_.has_high = false;
+    if (how_ == "inside")
+      require(sign_ > 0 ? shown(text_, 0).is_positive() : shown(text_, 0).is_negative(),
+              "of another sign inside: " + text_);
+    else
+      check_slopes();
+    const bool low = end(x.low, x.has_low, how_ == "low" || how_ == "ends"),
+               high = end(x.high, x.has_high, how_ == "high" || how_ == "ends");
+    const bool is_strict = low && high;
+    return sign_ > 0 ? Range{{}, most, !is_strict, false} : Range{least, {}, false, !is_strict};
+  }
+
+ private:
+  /// Its range inside, where it has a value everywhere; of one sign, if it is said to have one.
+  Range shown(const std::string& text, int sign) {
+    const auto whole = look_.whole_range(text, name_, inside_);
+    require(whole.has_value(), "it may have no value: " + text);
+    if (sign == 0) return *whole;
+    const Range known = c_.at("slopes").contains(text) ? both(*whole, range_(text)) : *whole;
+    require(sign > 0 ? known.is_not_negative() : known.is_not_positive(), "a slope of unknown sign: " + text);
+    require(!replay_.same(replay_.value(text), replay_.value("0")), "no slope: " + text);
+    return known;
+  }
+  void check_slopes() {
+    require(how_ == "low" || how_ == "high" || how_ == "ends", "no such reason: " + how_);
+    const std::string slope = why_.at("slope");
+    shown(text_, 0), check_slope(text_, slope);
+    if (how_ != "ends") return void(shown(slope, how_ == "low" ? sign_ : -sign_));
+    const std::string bend = why_.at("bend");
+    shown(slope, 0), check_slope(slope, bend), shown(bend, -sign_);
+  }
+  void check_slope(const std::string& of, const std::string& is) {
+    require(replay_.same(Slopes(replay_, c_, name_).value(of).slope, replay_.value(is)),
+            "another slope of " + of);
+  }
+  /// Its value at an end of the range: whether it is of that sign, or the range does not have that end.
+  bool end(const End& end, bool has_end, bool is_needed) {
+    if (!has_end && !is_needed) return true;
+    const auto there = end.infinite == 0 ? look_.whole_range(text_, name_, point(end)) : std::nullopt;
+    require(there.has_value(), "it may have no value at an end: " + text_);
+    require(!is_needed || (sign_ > 0 ? there->is_not_negative() : there->is_not_positive()),
+            "of another sign at an end: " + text_);
+    const bool is_clear = sign_ > 0 ? there->is_positive() : there->is_negative();
+    require(is_clear || is_needed || how_ != "inside", "of another sign at an end: " + text_);
+    return !has_end || is_clear || !(is_needed || how_ == "inside");
+  }
+
+  const std::string text_;
+  const Json& c_;
+  const Json& why_;
+  const std::string name_, how_;
+  const int sign_;
+  Statement& replay_;
+  Look& look_;
+  const RangeOf& range_;
+  Range inside_;
+};
+
+}  // namespace certificate_checker
