@@ -43,7 +43,8 @@ std::vector<ex> cutting(const Question& question, const GiNaC::symbol& x) {
     for (const Tree& side : relation->sides) {
       const ex value = lower(side, question.symbols);
       for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part) {
-        const bool is_root = GiNaC::is_a<GiNaC::power>(*part) && !part->op(1).info(GiNaC::info_flags::integer);
+        const bool is_root =
+            GiNaC::is_a<GiNaC::power>(*part) && !part->op(1).info(GiNaC::info_flags::integer);
         if (name_of(*part) == "abs" || is_root) result.push_back(part->op(0));
       }
     }
@@ -62,11 +63,23 @@ std::vector<ex> candidates(const std::vector<ex>& cutting, const ex& x) {
   return result;
 }
 
+/// A constant to twenty digits.
+bool is_small(const ex& value, const Symbols& symbols) {
+  const auto digits = evaluate(to_tree(value, symbols), {}, 20);
+  return digits && cln::abs(*digits) < cln::cl_RA(1) / power_of_ten(15);
+}
+/// And not all around it.
 bool is_zero_at(const ex& e, const ex& x, const ex& point, const Symbols& symbols) {
   try {
     const ex value = e.subs(x == point);
-    const auto digits = evaluate(to_tree(value, symbols), {}, 20);
-    return digits && cln::abs(*digits) < cln::cl_RA(1) / 1'000'000'000 && vanishes(value, symbols);
+    if (!is_small(value, symbols) || !vanishes(value, symbols)) return false;
+    const auto at = evaluate(to_tree(point, symbols), {}, 20);
+    const cln::cl_I millionths = at ? cln::round1(*at * power_of_ten(6)) : cln::cl_I(0);
+    const auto is_small_beside = [&](int side) {
+      const numeric beside((millionths + side * 70'000) / cln::cl_RA(power_of_ten(6)));
+      return is_small(e.subs(x == beside), symbols);
+    };
+    return at && !(is_small_beside(-1) && is_small_beside(1));
   } catch (const std::exception&) {  // a pole, or outside of the class
     return false;
   }
@@ -138,28 +151,41 @@ bool never_holds(const Relation& relation, const Question& question, const Symbo
   });
 }
 
-}  // namespace
-
-std::optional<Cells> cells_of(const Question& question) {
+/// The one symbol of both statements, if nothing is given.
+const Symbol* only_symbol(const Question& question) {
   std::set<std::string> names;
   for (const Relation* relation : {&question.left, &question.right})
     for (const Tree& side : relation->sides) names.merge(names_in(lower(side, question.symbols)));
-  if (names.size() != 1 || !question.given.empty()) return std::nullopt;
-  const Symbol& symbol = *question.symbols.find(*names.begin());
+  const bool is_one = names.size() == 1 && question.given.empty();
+  return is_one ? question.symbols.find(*names.begin()) : nullptr;
+}
+
+/// Inside of the range, the smallest first.
+std::vector<ex> cuts(const Question& question, const Symbol& symbol) {
+  const ex& x = symbol.ginac;
   const Interval range = parse_range(symbol.range);
-  Cells cells{symbol.ginac, {}, {}};
+  std::vector<ex> result;
   const std::vector<ex> zeros = cutting(question, symbol.ginac);
-  for (const ex& point : candidates(zeros, cells.symbol)) {
+  for (const ex& point : candidates(zeros, x)) {
     const auto is_it = [&](const ex& other) { return other.is_equal(point); };
-    const bool is_new = std::none_of(cells.points.begin(), cells.points.end(), is_it);
-    if (is_new && is_inside(point, range, false) &&
+    if (std::none_of(result.begin(), result.end(), is_it) && is_inside(point, range, false) &&
         std::any_of(zeros.begin(), zeros.end(),
-                    [&](const ex& e) { return is_zero_at(e, cells.symbol, point, question.symbols); }))
-      cells.points.push_back(point);
+                    [&](const ex& e) { return is_zero_at(e, x, point, question.symbols); }))
+      result.push_back(point);
   }
+  std::sort(result.begin(), result.end(), [](const ex& a, const ex& b) { return compare(a, b) < 0; });
+  return result;
+}
+
+}  // namespace
+
+std::optional<Cells> cells_of(const Question& question) {
+  const Symbol* only = only_symbol(question);
+  if (only == nullptr) return std::nullopt;
+  const Symbol& symbol = *only;
+  const Interval range = parse_range(symbol.range);
+  Cells cells{symbol.ginac, cuts(question, symbol), {}};
   if (cells.points.empty() || cells.points.size() > most_points) return std::nullopt;
-  std::sort(cells.points.begin(), cells.points.end(),
-            [](const ex& a, const ex& b) { return compare(a, b) < 0; });
   const Range ends = read_range(symbol.range);
   std::vector<std::string> texts{ends.lower};
   for (const ex& point : cells.points) texts.push_back(print(point, Notation::plain, question.symbols));
@@ -171,6 +197,37 @@ std::optional<Cells> cells_of(const Question& question) {
   if (range.low.closed) cells.points.push_back(range.low.value);
   if (range.high.closed) cells.points.push_back(range.high.value);
   return cells;
+}
+
+std::vector<Root> places_of(const Question& question) {
+  const Symbol* symbol = only_symbol(question);
+  if (symbol == nullptr) return {};
+  const Interval range = parse_range(symbol->range);
+  std::vector<Root> exact, beside;
+  const auto add_beside = [&](const cln::cl_RA& at) {
+    if (is_strictly_inside(symbol->range, at)) beside.push_back(Root{{{symbol->name, at}}, true});
+  };
+  std::vector<ex> points = cuts(question, *symbol);
+  for (const End* end : {&range.low, &range.high})
+    if (end->infinite == 0) points.push_back(end->value);
+  for (const ex& point : points) {
+    const auto place = place_of(symbol->name, point, question.symbols);
+    if (!place) continue;
+    if (is_inside(point, range, true)) exact.push_back(*place);
+    for (const int digits : {2, 4, 8, 12, 20, 45})
+      for (const int side : {1, -1}) {
+        const cln::cl_I scale = power_of_ten(digits);
+        add_beside((cln::round1(place->at.at(symbol->name) * scale) + side) / cln::cl_RA(scale));
+      }
+  }
+  for (const int digits : {2, 4, 8, 12, 20})
+    for (const int side : {1, -1}) add_beside(side * power_of_ten(digits));
+  std::stable_sort(exact.begin(), exact.end(), [](const Root& a, const Root& b) {
+    const cln::cl_RA &x = a.at.begin()->second, &y = b.at.begin()->second;
+    return cln::abs(x) == cln::abs(y) ? x > y : cln::abs(x) < cln::abs(y);
+  });
+  exact.insert(exact.end(), beside.begin(), beside.end());
+  return exact;
 }
 
 Cell look_at(const Question& question, const Symbols& piece) {

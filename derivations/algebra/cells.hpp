@@ -3,6 +3,7 @@
 #pragma once
 
 #include <derivations/algebra/links.hpp>
+#include <derivations/algebra/zeros.hpp>
 
 namespace rederive {
 
@@ -13,10 +14,14 @@ struct Cells {
   std::vector<Symbols> pieces;  ///< with the range of the piece
 };
 
-/// Cut where residuals, slopes of residuals, conditions and what stands between bars is exactly 0: at multiples
-/// of pi/12, small rationals and the zeros of what is linear. Nothing where the statements have other symbols
-/// or givens, or are cut nowhere.
+/// Cut where residuals, slopes of residuals, conditions and what stands between bars is exactly 0: at
+/// multiples of pi/12, small rationals and the zeros of what is linear. Nothing where the statements have
+/// other symbols or givens, or are cut nowhere.
 std::optional<Cells> cells_of(const Question& question);
+
+/// Where two statements in one symbol may differ, and few other points show it: where they may be cut, at
+/// ends of the range, and closely beside these; and far out.
+std::vector<Root> places_of(const Question& question);
 
 /// What is known of both statements on one piece.
 enum class Cell {

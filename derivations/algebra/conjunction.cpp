@@ -299,6 +299,13 @@ bool follow_from_each_other(const Question& question) {
   return Matching(question, parts).all_follow();
 }
 
+std::optional<Proof> differ_at_one_of(const std::vector<Root>& places, const Question& question) {
+  const Parted parts = parts_of(question);
+  for (const Root& place : places)
+    if (auto proof = differ_at({place}, parts, question.symbols)) return proof;
+  return std::nullopt;
+}
+
 Proof prove_conjunctions(const Question& question) {
   const Parted parts = parts_of(question);
   const Symbols& symbols = question.symbols;

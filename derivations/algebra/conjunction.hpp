@@ -3,6 +3,7 @@
 
 #include <derivations/algebra/consequences.hpp>
 #include <derivations/algebra/links.hpp>
+#include <derivations/algebra/zeros.hpp>
 
 namespace rederive {
 
@@ -25,6 +26,9 @@ bool match_at_once(const Question& question);
 
 /// Whether every link follows from those of the other statement (consequences.hpp). Throws Undecidable.
 bool follow_from_each_other(const Question& question);
+
+/// A witness at one of these places, if there is one. Throws Undecidable.
+std::optional<Proof> differ_at_one_of(const std::vector<Root>& places, const Question& question);
 
 /// All the left links together against all the right ones.
 Proof prove_conjunctions(const Question& question);

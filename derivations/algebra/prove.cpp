@@ -196,6 +196,8 @@ Proof decide_where_one_may_hold(const Question& question) {
 
 /// On every piece of the range of the one symbol, and at the points between.
 std::optional<Proof> decide_in_cells(const Question& question) {
+  if (!question.left.operators.empty())
+    if (auto proof = differ_at_one_of(places_of(question), question)) return proof;
   const auto cells = cells_of(question);
   if (!cells) return std::nullopt;
   for (const Symbols& piece : cells->pieces) {

@@ -159,6 +159,17 @@ std::optional<Root> zero_between(const Written& e, const Point& point, const std
 
 }  // namespace
 
+std::optional<Root> place_of(const std::string& name, const ex& constant, const Symbols& symbols) {
+  if (constant.info(GiNaC::info_flags::rational))
+    return Root{{{name, cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(constant).to_cl_N())}}, true};
+  const auto bounds = bounds_of(constant, symbols);
+  if (!bounds) return std::nullopt;
+  Root root{{{name, (bounds->low + bounds->high) / 2}}, false};
+  root.meant[name] = print(constant, Notation::plain, symbols);
+  root.box[name] = *bounds;
+  return root;
+}
+
 std::optional<Root> zero_near(const Written& e, const Point& point, const Symbols& symbols) {
   const auto value = value_of(e.tree, point);
   if (!value || !is_tiny(*value)) return std::nullopt;

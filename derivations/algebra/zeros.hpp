@@ -29,6 +29,9 @@ struct Root {
 /// proves nothing.
 std::optional<Root> zero_near(const Written& expression, const Point& point, const Symbols& symbols);
 
+/// The point at which the one symbol is a constant, rational or not.
+std::optional<Root> place_of(const std::string& name, const GiNaC::ex& constant, const Symbols& symbols);
+
 /// The root that is known by a change of sign, with the shortest bounds that `wanted` accepts around it.
 Root with_short_bounds(Root root, const Written& expression, const Symbols& symbols,
                        const std::function<bool(const Root&)>& wanted);

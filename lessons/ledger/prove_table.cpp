@@ -77,20 +77,22 @@ std::string verdict_of(const TableRow& row) {
 
 std::string table_page(const std::vector<TableRow>& rows, int& unexpected) {
   std::map<std::string, int> counts;
-  std::string body, group;
+  std::vector<std::pair<std::string, std::string>> groups;  // in the order of their first rows
   for (const TableRow& row : rows) {
-    if (row.group != group)
-      body += fmt::format(
-          "\n## {}\n\n| left | right | assumed | verdict | why it is here |\n|---|---|---|---|---|\n",
-          row.group);
-    group = row.group;
+    auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == row.group; });
+    if (group == groups.end())
+      group = groups.insert(
+          group,
+          {row.group, "| left | right | assumed | verdict | why it is here |\n|---|---|---|---|---|\n"});
     const std::string verdict = verdict_of(row);
     ++counts[row.limit && verdict == "undecided" ? "undecided, though true" : verdict];
     const bool as_expected = verdict == row.expected;
     unexpected += as_expected ? 0 : 1;
-    body += fmt::format("| {} | {} | {} | {}{} | {} |\n", cell(row.request.left), cell(row.request.right),
-                        assumptions(row.request), verdict,
-                        as_expected ? "" : " (**expected " + row.expected + "**)", escaped(row.why, "|*_`"));
+    group->second +=
+        fmt::format("| {} | {} | {} | {}{} | {} |\n", cell(row.request.left), cell(row.request.right),
+                    assumptions(row.request), verdict,
+                    as_expected ? "" : " (**expected " + row.expected + "**)", escaped(row.why, "|*_`"));
   }
   std::string head = fmt::format(
       "# What `ledger prove` can decide, and what it cannot\n\n{} statements, decided as this page was "
@@ -98,7 +100,9 @@ std::string table_page(const std::vector<TableRow>& rows, int& unexpected) {
       rows.size());
   for (const auto& [verdict, count] : counts) head += fmt::format(" {} {},", count, verdict);
   head.back() = '.';
-  return head + "\n" + body;
+  head += "\n";
+  for (const auto& [name, body] : groups) head += fmt::format("\n## {}\n\n{}", name, body);
+  return head;
 }
 
 }  // namespace rederive
