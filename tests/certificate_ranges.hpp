@@ -61,8 +61,8 @@ inline Range operator/(const Range& a, const Range& b) {
 inline Range both(const Range& a, const Range& b) {
   const int low = compare(a.low, b.low), high = compare(a.high, b.high);
   return {low > 0 ? a.low : b.low, high < 0 ? a.high : b.high,
-          (low > 0 || a.has_low) && (low < 0 || b.has_low),
-          (high < 0 || a.has_high) && (high > 0 || b.has_high)};
+          (low < 0 || a.has_low) && (low > 0 || b.has_low),
+          (high > 0 || a.has_high) && (high < 0 || b.has_high)};
 }
 /// Of an even power, for which a range was found that does not know of it.
 inline Range not_negative(const Range& range) {

@@ -116,7 +116,7 @@ Proof prove_where_defined(const Link& left, const Link& right, const Question& q
   const auto value = [&](const Tree& tree) { return lower(tree, symbols); };
   if (name_the_same(left, right, question)) {
     Pair pair = question.pair(left.right, right.right);
-    pair.name = left.left->text, pair.right_counts = of_chain;
+    pair.name = symbols.find(value(left.left))->name, pair.right_counts = of_chain;
     return prove_identity(pair, symbols);
   }
   const ex difference = put_in(value(right.left) - value(right.right), question.given);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <derivations/algebra/cells.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/links.hpp>
@@ -356,6 +357,13 @@ Json certificate_over(const Symbols& ranges, const Relation& left, const Relatio
   return json;
 }
 
+/// As sqrt(x-1) = sqrt(1-x) at 1.
+bool has_values_at_points_only(const Question& question) {
+  const auto cells = cells_of(question);
+  return cells && std::all_of(cells->pieces.begin(), cells->pieces.end(),
+                              [&](const Symbols& piece) { return look_at(question, piece) == Cell::empty; });
+}
+
 /// Piece by piece of the range of one symbol. Throws Undecidable.
 Json certificate_in_cells(const Question& question) {
   const auto& [left, right, symbols, given] = question;
@@ -381,10 +389,11 @@ Json certificate(const Relation& left, const Relation& right, const Symbols& sym
   for (Relation* relation : {&exact_left, &exact_right})
     for (Tree& side : relation->sides) side = exact(side, symbols);
   const std::vector<Given> in_it = needed(left, right, given, symbols);
+  const Question question{exact_left, exact_right, symbols, in_it};
+  if (has_values_at_points_only(question)) return certificate_in_cells(question);
   try {
     return certificate_over(symbols, exact_left, exact_right, in_it, symbols);
   } catch (const Undecidable&) {  // then over the part of the ranges where one may hold
-    const Question question{exact_left, exact_right, symbols, in_it};
     const auto defined = where_one_may_hold(question);
     try {
       if (defined) return certificate_over(*defined, exact_left, exact_right, in_it, symbols);

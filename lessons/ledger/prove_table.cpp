@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <derivations/command_line.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <map>

@@ -1,0 +1,135 @@
+// Certificates whose signs are seen from slopes, and those in pieces: what the checker takes, and what not.
+#include <doctest/doctest.h>
+
+#include <lessons/ledger/certificate.hpp>
+#include <lessons/ledger/prove_command.hpp>
+#include <tests/certificate_by_hand.hpp>
+
+using namespace rederive;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string open_form = "the form leaves it open";
+
+std::string verdict_of(const Json& certificate) {
+  try {
+    certificate_checker::check(certificate);
+    return "accepted";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+/// Of "form op 0 always holds" for x in a range, with what is said of the slope of the form.
+std::string sloped(const std::string& form, const std::string& range, const Json& why,
+                   const std::string& op = ">", const Json& divisors = Json::array()) {
+  const auto link = [](const char* where, const std::string& f) -> Json {
+    return {{where, {{"link", 0}, {"form", f}}}, {"holds", true}};
+  };
+  Json c = Json::parse(certificate(parse_statement("x^2+1 > 0", paper_symbols()), parse_statement("0 < 1"),
+                                   make_context({"x", "x", {}, {}, {}}).symbols, {})
+                           .dump());
+  c["left"] = {form, op, "0"}, c["right"] = {"0", "<", "1"};
+  c["ranges"] = {{"x", range}}, c["slopes"] = {{form, why}}, c["divisors"] = divisors;
+  c["pieces"] = {{{"steps", Json::array()}, {"links", {link("left", form), link("right", "1")}}}};
+  return verdict_of(c);
+}
+Json from(const std::string& how, int sign, const std::string& slope, const std::string& bend = "") {
+  Json why{{"in", "x"}, {"sign", sign}, {"how", how}, {"slope", slope}};
+  if (!bend.empty()) why["bend"] = bend;
+  return why;
+}
+
+Json certificate_of(const std::string& left, const std::string& right,
+                    const std::vector<std::string>& assumptions = {}) {
+  const Context context = make_context({left, right, assumptions, {}, {}});
+  return Json::parse(certificate(parse_statement(left, context.symbols),
+                                 parse_statement(right, context.symbols), context.symbols,
+                                 context.put_in_at_once(true))
+                         .dump());
+}
+
+}  // namespace
+
+TEST_CASE("what is not negative at an end and grows from there is positive") {
+  const std::string f = "x^2-x";
+  CHECK(sloped(f, "(1, inf)", from("low", 1, "2*x-1")) == "accepted");
+  CHECK(sloped(f, "[1, inf)", from("low", 1, "2*x-1")) == open_form);  // it is 0 at 1
+  CHECK(sloped(f, "[1, inf)", from("low", 1, "2*x-1"), ">=") == "accepted");
+  CHECK(sloped(f, "(-inf, 0)", from("high", 1, "2*x-1")) == "accepted");
+  CHECK(sloped(f, "(-inf, 1)", from("high", 1, "2*x-1")) == "a slope of unknown sign: 2*x-1");
+  CHECK(sloped(f, "(1, inf)", from("low", 1, "2*x")) == "another slope of x^2-x");
+  CHECK(sloped(f, "(1, inf)", from("low", -1, "2*x-1")) == "a slope of unknown sign: 2*x-1");
+  CHECK(sloped(f, "(1, inf)", from("low", 2, "2*x-1")) == "no sign");
+  CHECK(sloped(f, "(1, inf)", from("high", 1, "2*x-1")) == "a slope of unknown sign: 2*x-1");
+  CHECK(sloped("1-x", "(0, inf)", from("high", -1, "-1")) == "a slope of unknown sign: -1");
+  CHECK(sloped("1-x", "(0, inf)", from("high", 1, "-1")) == "it may have no value at an end: 1-x");
+  CHECK(sloped(f, "(1/2, inf)", from("low", 1, "2*x-1")) == "of another sign at an end: x^2-x");
+  CHECK(sloped(f, "(0, inf)", from("low", 1, "2*x-1")) == "a slope of unknown sign: 2*x-1");
+  CHECK(sloped("x-x", "(0, inf)", from("low", 1, "0")) == "no slope: 0");
+  CHECK(sloped(f, "(1, inf)", from("soon", 1, "2*x-1")) == "no such reason: soon");
+  Json of_another = from("low", 1, "2*x-1");
+  of_another["in"] = "y";
+  CHECK(sloped(f, "(1, inf)", of_another) == "no slope in y");
+}
+
+TEST_CASE("so is what bends down between two ends where it is not negative") {
+  CHECK(sloped("x-x^2", "(0, 1)", from("ends", 1, "1-2*x", "-2")) == "accepted");
+  CHECK(sloped("x-x^2", "(0, 1]", from("ends", 1, "1-2*x", "-2")) == open_form);
+  CHECK(sloped("x-x^2", "(0, 2)", from("ends", 1, "1-2*x", "-2")) == "of another sign at an end: x-x^2");
+  CHECK(sloped("x-x^2", "(0, 1)", from("ends", 1, "1-2*x", "2")) == "another slope of 1-2*x");
+  CHECK(sloped("x^2-x", "(0, 1)", from("ends", 1, "2*x-1", "2")) == "a slope of unknown sign: 2");
+  CHECK(sloped("x-x^2", "(0, inf)", from("ends", 1, "1-2*x", "-2")) ==
+        "it may have no value at an end: x-x^2");
+}
+
+TEST_CASE("and what is positive inside, and at the ends of its range") {
+  const std::string f = "x+(1-x)^2";
+  CHECK(sloped(f, "[0, 1]", from("inside", 1, f)) == "accepted");
+  CHECK(sloped(f, "[0, 1]", from("inside", -1, f)) == "of another sign inside: " + f);
+  CHECK(sloped("x*(1-x)", "[0, 1]", from("inside", 1, "x")) == "of another sign at an end: x*(1-x)");
+  CHECK(sloped("x*(1-x)", "(0, 1)", from("inside", 1, "x")) == "accepted");
+}
+
+TEST_CASE("a slope says nothing across a pole or a kink") {
+  const Json divisor{"x"};
+  CHECK(sloped("x-1/x", "(-1/2, inf)", from("low", 1, "1+1/x^2"), ">", divisor) ==
+        "it may have no value: x-1/x");
+  CHECK(sloped("x-1/x", "(1, inf)", from("low", 1, "1+1/x^2"), ">", divisor) == "accepted");
+  CHECK(sloped("x-1/x", "(0, inf)", from("low", 1, "1+1/x^2"), ">", divisor) ==
+        "it may have no value at an end: x-1/x");
+}
+
+TEST_CASE("a certificate in pieces covers the range, and every point between") {
+  const Json c = certificate_of("exp(x) >= 1+x", "0 < 1");
+  REQUIRE(c.at("cells").size() == 2);
+  CHECK(verdict_of(c) == "accepted");
+  Json spoiled = c;
+  spoiled["cells"].erase(0);
+  CHECK(verdict_of(spoiled) == "a gap before (0, inf)");
+  spoiled = c, spoiled["cells"].erase(1);
+  CHECK(verdict_of(spoiled) == "the cells end at 0");
+  spoiled = c, spoiled["left"] = spoiled["right"];
+  CHECK(verdict_of(spoiled) == "another statement in (-inf, 0)");
+  spoiled = c, spoiled["cells"][0]["range"] = "(-inf, 1)", spoiled["cells"][1]["range"] = "(1, inf)";
+  CHECK(verdict_of(spoiled) == "another statement in (-inf, 1)");
+  spoiled = c, spoiled["cells"][1].erase("certificate");
+  CHECK(verdict_of(spoiled) == "it holds in (0, inf)");
+  spoiled = c, spoiled["range"] = "[-1, inf)";
+  CHECK(verdict_of(spoiled) == "a gap before (-inf, 0)");
+  Json strict = c;  // on either side the same, but not at 0
+  for (Json* s : {&strict, &strict["cells"][0]["certificate"], &strict["cells"][1]["certificate"]})
+    (*s)["left"][1] = ">";
+  CHECK(verdict_of(strict) == "they differ at 0");
+}
+
+TEST_CASE("so does one of expressions, where they may be equal on either side alone") {
+  const Json c = certificate_of("acos(sin(psi))", "fabs(pi/2-psi)");
+  CHECK(verdict_of(c) == "accepted");
+  const Json root = certificate_of("sqrt(x-1)+sqrt(x) = 1", "x = 1");
+  CHECK(verdict_of(root) == "accepted");
+  Json other = root;
+  other["right"] = {"x", "=", "2"};
+  CHECK(verdict_of(other) != "accepted");
+}
