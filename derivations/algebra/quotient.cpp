@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
@@ -120,11 +121,42 @@ std::optional<std::vector<Part>> quotient_unless_pole(const ex& left, const ex& 
   return factor_form(cancelled_with_complex_numbers(rationalised, phases), phases);
 }
 
+/// sqrt(u) and its power in a sum, which is the rest times that; nothing where it is not in every term.
+std::optional<std::vector<Part>> without_root(const ex& sum, const ex& root, const Symbols& symbols) {
+  const ex u = root.op(0);
+  for (const std::string& name : names_in(u)) {
+    const ex& y = symbols[name];
+    if (!u.is_polynomial(y) || u.degree(y) != 1 || !GiNaC::is_a<GiNaC::numeric>(u.coeff(y, 1))) continue;
+    const GiNaC::possymbol s("s");
+    const ex e = sum.subs(y == (s * s - u.coeff(y, 0)) / u.coeff(y, 1)).expand();
+    const int power = e.is_polynomial(s) ? e.ldegree(s) : 0;
+    if (power == 0) continue;
+    return std::vector<Part>{{root, power}, {(e / GiNaC::pow(s, power)).expand().subs(s == root), 1}};
+  }
+  return std::nullopt;
+}
+/// b - w + sqrt(h) sqrt(b - w) is sqrt(b - w) (sqrt(b - w) + sqrt(h)).
+std::vector<Part> with_roots_apart(const std::vector<Part>& parts, const Symbols& symbols) {
+  std::vector<Part> result;
+  for (const Part& p : parts) {
+    std::optional<std::vector<Part>> apart;
+    if (GiNaC::is_a<GiNaC::add>(p.first))
+      for (auto r = p.first.preorder_begin(); r != p.first.preorder_end() && !apart; ++r)
+        if (GiNaC::is_a<GiNaC::power>(*r) && r->op(1).is_equal(GiNaC::numeric(1, 2)) &&
+            GiNaC::is_a<GiNaC::add>(r->op(0)))
+          apart = without_root(p.first, *r, symbols);
+    if (!apart) apart = std::vector<Part>{{p.first, 1}};
+    for (const auto& [part, n] : *apart) result.push_back({part, n * p.second});
+  }
+  return result;
+}
+
 }  // namespace
 
 std::optional<std::vector<Part>> quotient(const ex& left, const ex& right, const Symbols& symbols, Way way) {
   try {
-    return quotient_unless_pole(left, right, symbols, way);
+    const auto parts = quotient_unless_pole(left, right, symbols, way);
+    return parts ? std::optional(with_roots_apart(*parts, symbols)) : std::nullopt;
   } catch (const std::logic_error&) {  // GiNaC divides by what it finds to be 0, in some orders of the terms
   } catch (const std::overflow_error&) {
   }
@@ -200,7 +232,8 @@ Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors,
     if (!exponent.is_even()) result.sign *= slope ? slope->sign : weak_sign(part, symbols);
     if (is_clear || slope) continue;
     const bool divides = std::any_of(divisors.begin(), divisors.end(), [&p = part, &symbols](const ex& d) {
-      if (is_multiple(p, d)) return true;
+      const bool is_root = GiNaC::is_a<GiNaC::power>(p) && p.op(1).is_equal(GiNaC::numeric(1, 2));
+      if (is_multiple(p, d) || (is_root && is_multiple(p.op(0), d))) return true;
       return is_short(p) && is_short(d) && (vanishes_with(p, d, symbols) || is_factor(p, d, symbols));
     });
     if (divides)
