@@ -117,7 +117,10 @@ Proof prove_where_defined(const Link& left, const Link& right, const Question& q
   if (name_the_same(left, right, question)) {
     Pair pair = question.pair(left.right, right.right);
     pair.name = symbols.find(value(left.left))->name, pair.right_counts = of_chain;
-    return prove_identity(pair, symbols);
+    const Proof proof = prove_identity(pair, symbols);
+    if (proof.verdict != Verdict::undecided) return proof;
+    const Proof other = prove_residuals(residuals_of(left, right, question), symbols);  // neither may hold
+    return other.verdict == Verdict::proved ? other : proof;
   }
   const ex difference = put_in(value(right.left) - value(right.right), question.given);
   if (left.op == "=" && right.op == "=" && always_holds(difference, symbols)) {  // does the other one, too?
