@@ -185,7 +185,8 @@ std::optional<Cells> cells_of(const Question& question) {
   const Symbol& symbol = *only;
   const Interval range = parse_range(symbol.range);
   Cells cells{symbol.ginac, cuts(question, symbol), {}};
-  if (cells.points.empty() || cells.points.size() > most_points) return std::nullopt;
+  const bool is_cut = !cells.points.empty() || range.low.closed || range.high.closed;
+  if (!is_cut || cells.points.size() > most_points) return std::nullopt;
   const Range ends = read_range(symbol.range);
   std::vector<std::string> texts{ends.lower};
   for (const ex& point : cells.points) texts.push_back(print(point, Notation::plain, question.symbols));

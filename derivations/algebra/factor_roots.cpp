@@ -197,7 +197,7 @@ std::vector<Target> parts_of(const ex& e, const ex& other, const Symbols& symbol
     const bool is_whole = factors.size() == 1 && is_multiple(f, e);
     if (is_common || is_whole || sign_of(f, symbols) != 0) continue;
     const Tree tree = to_tree(f, symbols);
-    parts.push_back({{tree, f}, points_for(std::vector<Tree>{tree}, symbols)});
+    parts.push_back({Written{tree, f}, points_for(std::vector<Tree>{tree}, symbols)});
   }
   return parts;
 }

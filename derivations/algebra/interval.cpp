@@ -132,7 +132,7 @@ Interval power(const Interval& base, const numeric& exponent) {
   }
   if (!exponent.is_integer() && sign(base.low) < 0) {  // a root is defined where its base is not negative
     if (sign(base.high) < 0) return {};
-    return {{0, 0, true}, raise(base.high)};
+    return {End{0, 0, true}, raise(base.high)};  // End by name: see function_interval
   }
   return {raise(base.low), raise(base.high)};
 }
@@ -220,7 +220,8 @@ Interval function_interval(const std::string& name, const Interval& i) {
     if (sign(i.low) >= 0) return i;
     Interval flipped = product(i, point(-1));
     if (sign(i.high) <= 0) return flipped;
-    return {{0, 0, true}, larger(flipped.high, i.high)};
+    // Where larger() throws, GCC 12 destroys an End without a name twice.
+    return {End{0, 0, true}, larger(flipped.high, i.high)};
   }
   if (name == "cos") return cosine(i);
   if (name == "sin") return cosine(shifted(i, -GiNaC::Pi / 2));

@@ -1,12 +1,12 @@
 // Decides whether two expressions, equations or inequalities are the same.
 //
 // 1. Both sides are evaluated at rational points inside the declared ranges. Where they differ beyond all
-// doubt,
-//    that point is the witness: refuted.
+//    doubt, that point is the witness: refuted.
 // 2. Else both become rational functions of independent generators (phases.hpp). If the numerator of the
 //    difference vanishes modulo the generators' relations: proved.
 // 3. Equations are compared as residuals, left minus right, up to a factor that provably cannot vanish;
-//    inequalities up to one that is provably positive.
+//    inequalities up to one that is provably positive: by its range, another form, or its slope (slopes.hpp).
+// 4. Statements in one symbol are looked at on every piece of its range (cells.hpp).
 // What is left is undecided. Nothing is ever proved by agreement at points.
 #pragma once
 

@@ -361,7 +361,8 @@ struct Finder {
     const auto written = [&](const ex& e) { return tree(form_of_one_sign(e).value_or(e)); };
     CertifiedLink link;
     link.left.links = match.left, link.right.links = match.right;
-    link.follows = {{}, written(match.why->more), written(match.why->times), match.why->squared};
+    const Tree more = written(match.why->more), times = written(match.why->times);
+    link.follows = {{}, more, times, match.why->squared};
     if (sign_of(match.why->times, q.symbols) == 0)  // of an inequality it may be 0
       link.follows->product = put_down(match.why->times).value_or(CertifiedFactor{});
     for (const auto& [factor, links] : match.why->terms)
