@@ -177,6 +177,16 @@ std::vector<ex> cuts(const Question& question, const Symbol& symbol) {
   return result;
 }
 
+/// Ranges have rational ends, and multiples of pi.
+bool may_be_an_end(const ex& point, const Symbols& symbols) {
+  try {
+    (void)parse_range("(" + print(point, Notation::plain, symbols) + ", inf)");
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 std::optional<Cells> cells_of(const Question& question) {
@@ -185,6 +195,7 @@ std::optional<Cells> cells_of(const Question& question) {
   const Symbol& symbol = *only;
   const Interval range = parse_range(symbol.range);
   Cells cells{symbol.ginac, cuts(question, symbol), {}};
+  std::erase_if(cells.points, [&](const ex& point) { return !may_be_an_end(point, question.symbols); });
   const bool is_cut = !cells.points.empty() || range.low.closed || range.high.closed;
   if (!is_cut || cells.points.size() > most_points) return std::nullopt;
   const Range ends = read_range(symbol.range);
