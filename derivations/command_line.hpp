@@ -96,20 +96,32 @@ inline int run_command(CLI::App& app, int argc, char** argv, const std::function
   }
 }
 
-/// Writes a file whole or not at all: a temporary neighbour, then a rename. Throws BadInput if it cannot.
+/// Writes a file whole or not at all: a temporary neighbour, then a rename. A link stays, and what it leads
+/// to is written; into a device or a pipe the text goes as it is. Throws BadInput if it cannot.
 inline void write_whole(const std::filesystem::path& path, std::string_view text) {
-  const std::filesystem::path temporary = path.string() + ".part" + std::to_string(::getpid());
-  std::ofstream file(temporary, std::ios::binary);
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (path.empty()) throw BadInput("cannot write to a file without a name");
+  if (fs::is_directory(status)) throw BadInput("cannot write '" + path.string() + "': it is a folder");
+  const bool in_place = fs::exists(status) && !fs::is_regular_file(status);
+  const fs::path target = fs::is_symlink(fs::symlink_status(path, error)) ? fs::weakly_canonical(path) : path,
+                 written = in_place ? path : fs::path(target.string() + ".part" + std::to_string(::getpid()));
+  std::ofstream file(written, std::ios::binary);
   file.write(text.data(), static_cast<std::streamsize>(text.size()));
   file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(temporary, path, error);
+  error.clear();
+  if (file && !in_place) fs::rename(written, target, error);
   if (!file || error) {
     std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
+    if (!in_place) fs::remove(written, ignored);
     throw BadInput("cannot write '" + path.string() + "'" + (error ? ": " + error.message() : std::string()));
   }
 }
+
+/// For options that take the name of a file to be written.
+inline const CLI::Validator file_name(
+    [](std::string& name) { return name.empty() ? "a file needs a name" : ""; }, "");
 
 /// Whether colour and progress may be shown on this stream (1 or 2): a terminal, and no NO_COLOR.
 inline bool is_lively(int stream) { return ::isatty(stream) != 0 && std::getenv("NO_COLOR") == nullptr; }

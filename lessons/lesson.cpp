@@ -156,7 +156,7 @@ int run_lesson(const Lesson& lesson, int argc, char** argv) {
       ->check(CLI::IsMember({"unicode", "plain", "latex", "markdown", "html"}))
       ->type_name("FORMAT");
   app.add_flag("--quiet", flags.quiet, "the ledger's verdicts only");
-  app.add_option("--out", flags.out, "write here instead of to the terminal")->type_name("FILE");
+  app.add_option("--out", flags.out, "write here instead of to the terminal")->check(file_name)->type_name("FILE");
   return run_command(app, argc, argv, [&] { return run(lesson, flags); });
 }
 

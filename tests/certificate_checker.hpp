@@ -1,6 +1,5 @@
-// Replays a certificate of `ledger prove` without trusting the program that wrote it: reads texts as they are
-// printed, takes the steps, and compares in polynomials of its own, over exact integers. What it cannot see:
-// certificate_conditions.hpp. What it says of relations: certificate_relations.hpp.
+// Replays a certificate of `ledger prove` without trust: reads texts as they are printed, takes the steps,
+// compares in its own polynomials over exact integers. Branches and signs: certificate_conditions.hpp.
 #pragma once
 
 #include <cln/cln.h>
@@ -109,7 +108,8 @@ class Replay : public Reader<Fraction> {
  public:
   Replay() {
     variable("$i"), variable("pi"), relations_.emplace_back("$i", 2, number(-1));
-    facts_.emplace_back("exp", value("$i*pi/2"), value("$i"));
+    for (const auto& [f, x, is] : {std::tuple{"exp", "0", "1"}, {"exp", "$i*pi/2", "$i"}, {"log", "1", "0"}})
+      facts_.emplace_back(f, value(x), value(is));
   }
   void variable(const std::string& text) {
     require(names_.insert({text, {{{{{text, 1}}, 1}}, {{{}, 1}}}}).second, "no new name: " + text);

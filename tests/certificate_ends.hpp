@@ -206,6 +206,8 @@ inline End value_at(const std::string& f, const End& x, const cln::cl_F& value, 
   static const std::set<std::string> odd{"sinh", "tanh", "asin", "atan", "asinh"};
   if (odd.contains(f) && sign(x) < 0)
     return cln::cl_RA(-1) * value_at(f, cln::cl_RA(-1) * x, -value, -outward);
+  if (f == "atan" && compare(x, {1}) == 0) return turned(cln::cl_RA(1) / 4);
+  if (f == "asin" && compare(x, {cln::cl_RA(1) / 2}) == 0) return turned(cln::cl_RA(1) / 6);
   const cln::cl_R parts = 60 * value / cln::pi(cln::float_format(200));
   const bool is_part = cln::abs(parts - cln::round1(parts)) < cln::expt(cln::cl_RA(10), -50);
   return is_part ? outside(value, outward) : named(f + "(" + text_of(x) + ")", value);

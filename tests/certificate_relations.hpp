@@ -73,10 +73,10 @@ class Checker {
     const auto range_of = [this](const std::string& t) { return range(t); };
     return both(result, SlopeCheck(text, c_, replay_, look_, range_of).range());
   }
-  /// Whether the statement divides by it, or its negative.
+  /// Whether the statement divides by it, but for a number.
   bool is_divisor(const Fraction& part) const {
     return std::any_of(divisors_.begin(), divisors_.end(),
-                       [&](const Fraction& d) { return replay_.same(d * d, part * part); });
+                       [&](const Fraction& d) { return replay_.is_multiple(d, part); });
   }
   /// Or by it times something that has a value where the statement has one.
   bool is_in_divisor(const std::string& text) {
@@ -179,14 +179,31 @@ class Checker {
   /// what is said to be allowed besides.
   template <class Allowed>
   std::string product(const Json& factors, const Allowed& is_allowed) {
-    std::string product = "1";
     for (const auto& [text, n] : factors.items()) {
       const Range r = range(text);
       const bool is_clear = r.is_positive() || r.is_negative() || is_in_divisor(text);
       require(is_clear || is_allowed(text, n), "a factor may vanish: " + text);
-      product += "*(" + text + ")^(" + std::to_string(n.template get<int>()) + ")";
     }
+    return text_of(factors);
+  }
+  static std::string text_of(const Json& factors) {
+    std::string product = "1";
+    for (const auto& [text, n] : factors.items())
+      product += "*(" + text + ")^(" + std::to_string(n.get<int>()) + ")";
     return product;
+  }
+  /// That of a product of powers, each by itself.
+  Range range_of(const Json& factors) {
+    Range result = point({1});
+    for (const auto& [text, exponent] : factors.items()) {
+      const int n = exponent.get<int>();
+      require(std::abs(n) < 100, "too large an exponent");
+      const Range r = range(text);
+      Range power = point({1});
+      for (int k = 0; k < std::abs(n); ++k) power = n > 0 ? power * r : power / r;
+      result = result * (n % 2 == 0 ? not_negative(power) : power);
+    }
+    return result;
   }
   /// That of a product of powers, where none of them is 0; 0 where one may have either.
   int sign(const Json& factors) {
@@ -215,8 +232,9 @@ class Checker {
   void settle(const Json& link) {
     const std::string side = link.contains("left") ? "left" : "right";
     const Said s = said(side, link.at(side));
-    const std::string form = stated(link.at(side).at("form"));
-    const Range r = range(form);
+    const bool is_whole = link.at(side).contains("form");
+    const std::string form = is_whole ? stated(link.at(side).at("form")) : text_of(link.at(side).at("parts"));
+    const Range r = is_whole ? range(form) : range_of(link.at(side).at("parts"));
     const bool always = s.op == "=" ? r.is_zero() : s.op == ">" ? r.is_positive() : r.is_not_negative();
     const bool never = s.op == "="   ? r.is_positive() || r.is_negative()
                        : s.op == ">" ? r.is_not_positive()

@@ -2,7 +2,7 @@
 // sums, products and functions, and compared as polynomials.
 #pragma once
 
-#include <tests/certificate_conditions.hpp>
+#include <tests/certificate_outside.hpp>
 
 namespace certificate_checker {
 
@@ -14,12 +14,32 @@ class Statement : public Replay {
   }
   /// A text in #x.
   Fraction at(const std::string& text, const Fraction& x) { return names_["#x"] = x, value(text); }
+  /// A text where a name has this value.
+  Fraction at(const std::string& text, const std::string& name, const Fraction& is) {
+    const Fraction before = std::exchange(names_.at(name), is), result = value(text);
+    return names_.at(name) = before, result;
+  }
   std::vector<Fraction> divisors;  ///< of the texts that were read, but for numbers
+
+  /// But for a number, too, and the sign.
+  bool is_multiple(const Fraction& a, const Fraction& b) const {
+    const Fraction c = without_number(a), d = without_number(b);
+    return same(c * c, d * d);
+  }
 
  private:
   Fraction divisor(const Fraction& d) override {
-    if (d.above.size() > 1 || !d.above.contains({})) divisors.push_back(d);
+    const bool may_be_number = d.above.size() == d.below.size();  // as csc(x)*sin(x) is
+    if (!may_be_number || !is_multiple(d, {{{{}, 1}}, {{{}, 1}}})) divisors.push_back(d);
     return Replay::divisor(d);
+  }
+  static Fraction without_number(Fraction a) {
+    for (Polynomial* p : {&a.above, &a.below}) {
+      cln::cl_I common = 0;
+      for (const auto& term : *p) common = cln::gcd(common, term.second);
+      for (auto& term : *p) term.second = cln::exquo(term.second, common);
+    }
+    return a;
   }
 };
 
@@ -113,8 +133,9 @@ class SlopeCheck {
               "of another sign inside: " + text_);
     else
       check_slopes();
-    const bool low = end(x.low, x.has_low, how_ == "low" || how_ == "ends"),
-               high = end(x.high, x.has_high, how_ == "high" || how_ == "ends");
+    const bool is_inside = how_ == "inside";
+    const bool low = end(x, true, how_ == "low" || how_ == "ends" || (is_inside && x.has_low)),
+               high = end(x, false, how_ == "high" || how_ == "ends" || (is_inside && x.has_high));
     const bool is_strict = low && high;
     return sign_ > 0 ? Range{{}, most, !is_strict, false} : Range{least, {}, false, !is_strict};
   }
@@ -143,15 +164,26 @@ class SlopeCheck {
             "another slope of " + of);
   }
   /// Its value at an end of the range: whether it is of that sign, or the range does not have that end.
-  bool end(const End& end, bool has_end, bool is_needed) {
+  bool end(const Range& x, bool is_low, bool is_needed) {
+    const bool has_end = is_low ? x.has_low : x.has_high;
     if (!has_end && !is_needed) return true;
-    const auto there = end.infinite == 0 ? look_.whole_range(text_, name_, point(end)) : std::nullopt;
-    require(there.has_value(), "it may have no value at an end: " + text_);
-    require(!is_needed || (sign_ > 0 ? there->is_not_negative() : there->is_not_positive()),
+    const End& end = is_low ? x.low : x.high;
+    const auto whole = end.infinite == 0 ? look_.whole_range(text_, name_, point(end)) : std::nullopt;
+    require(whole.has_value(), "it may have no value at an end: " + text_);
+    const char* at = is_low ? "at low" : "at high";
+    const Range there = why_.contains(at) ? both(*whole, range_of_value(why_.at(at), is_low)) : *whole;
+    require(!is_needed || (sign_ > 0 ? there.is_not_negative() : there.is_not_positive()),
             "of another sign at an end: " + text_);
-    const bool is_clear = sign_ > 0 ? there->is_positive() : there->is_negative();
-    require(is_clear || is_needed || how_ != "inside", "of another sign at an end: " + text_);
-    return !has_end || is_clear || !(is_needed || how_ == "inside");
+    const bool is_clear = sign_ > 0 ? there.is_positive() : there.is_negative();
+    return !has_end || is_clear || !is_needed;
+  }
+  /// That of another text for the value at an end.
+  Range range_of_value(const std::string& at, bool is_low) {
+    const std::string range = c_.at("ranges").at(name_);
+    const Fraction end = replay_.value(is_low ? low_end(range) : high_end(range));
+    require(replay_.same(replay_.at(text_, name_, end), replay_.value(at)),
+            "another value at an end: " + text_);
+    return range_(at);
   }
 
   const std::string text_;

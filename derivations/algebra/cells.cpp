@@ -252,6 +252,35 @@ Cell look_at(const Question& question, const Symbols& piece) {
   return neither || never_holds(other, question, piece) ? Cell::empty : Cell::unknown;
 }
 
+std::optional<ex> lost_at_a_zero(const Question& question) {
+  const Symbol* symbol = only_symbol(question);
+  const auto is_strict = [](const Relation& relation) {
+    return relation.operators.front().size() == 1 && relation.operators.front() != "=";
+  };
+  if (symbol == nullptr || (is_strict(question.left) && is_strict(question.right))) return std::nullopt;
+  const ex& x = symbol->ginac;
+  const Interval range = parse_range(symbol->range);
+  const auto differ_at = [&](const ex& point) {
+    try {
+      const auto left = truth_at(question.left, x, point, question),
+                 right = truth_at(question.right, x, point, question);
+      return left && right && left->holds != right->holds;
+    } catch (const std::exception&) {  // a pole
+      return false;
+    }
+  };
+  for (const Relation* relation : {&question.left, &question.right})
+    for (const Tree& side : relation->sides)
+      for (const ex& divisor : divisors(side, question.symbols)) {
+        if (!divisor.has(x) || sign_of(divisor, question.symbols) != 0) continue;
+        for (const ex& point : candidates({divisor}, x))
+          if (is_inside(point, range, true) && is_zero_at(divisor, x, point, question.symbols) &&
+              differ_at(point))
+            return divisor;
+      }
+  return std::nullopt;
+}
+
 bool agree_at(const ex& point, const Cells& cells, const Question& question) {
   try {
     const auto left = truth_at(question.left, cells.symbol, point, question),

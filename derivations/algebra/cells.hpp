@@ -31,6 +31,10 @@ enum class Cell {
 };
 Cell look_at(const Question& question, const Symbols& piece);
 
+/// Something that one of two statements in one symbol divides by, and at a zero of which the other one holds:
+/// sin(x)/tan(x) = 1 has no solution, cos(x) = 1 has some. Not of strict ones.
+std::optional<GiNaC::ex> lost_at_a_zero(const Question& question);
+
 /// Whether at a point both hold, or neither does; or both expressions have one value there, or neither has.
 bool agree_at(const GiNaC::ex& point, const Cells& cells, const Question& question);
 

@@ -209,11 +209,9 @@ struct Product {
     return true;
   }
 
-  /// sin φ · cos φ = ½ sin 2φ, and equal parts together, as long as there are any.
+  /// sin φ · cos φ = ½ sin 2φ, and so for sinh x · cosh x; and equal parts together, as long as there are
+  /// any.
   void merge() {
-    const auto is = [](const Part& part, const char* name) {
-      return is_a<GiNaC::function>(part.first) && ex_to<GiNaC::function>(part.first).get_name() == name;
-    };
     for (std::size_t a = 0; a < parts.size(); ++a)
       for (std::size_t b = 0; b < parts.size(); ++b) {
         Part &p = parts[a], &q = parts[b];
@@ -221,9 +219,9 @@ struct Product {
         if (p.first.is_equal(q.first)) {
           p.second += q.second;
           q.second = 0;
-        } else if (is(p, "sin") && is(q, "cos") && p.first.op(0).is_equal(q.first.op(0)) &&
-                   p.second == q.second) {
-          const ex doubled = GiNaC::sin(2 * p.first.op(0));
+        } else if (p.second == q.second && is_sine_of(p.first, q.first)) {
+          const ex x = 2 * p.first.op(0),
+                   doubled = name_of(p.first) == "sin" ? GiNaC::sin(x) : GiNaC::sinh(x);
           const numeric exponent = p.second;
           p.second = q.second = 0;
           parts.push_back({2, -exponent});  // from here on p and q may be gone
@@ -232,6 +230,11 @@ struct Product {
         }
       }
     std::erase_if(parts, [](const Part& part) { return part.second.is_zero() || part.first.is_equal(1); });
+  }
+  static bool is_sine_of(const ex& sine, const ex& cosine) {
+    const std::string name = name_of(sine);
+    return (name == "sin" || name == "sinh") && name_of(cosine) == (name == "sin" ? "cos" : "cosh") &&
+           sine.op(0).is_equal(cosine.op(0));
   }
 };
 

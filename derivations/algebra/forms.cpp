@@ -82,8 +82,9 @@ std::optional<ex> form_of_wave(const ex& e, const Atoms& atoms, const Symbols& s
   const ex rest = named.coeff(s, 0).coeff(c, 0);
   if (rest.is_zero()) return shifted_wave(*of_sine, *of_cosine, x);
   if (const auto form = wave(rest, *of_sine, *of_cosine, x, symbols)) return form;
-  const auto turned = wave(-rest, -*of_sine, -*of_cosine, x, symbols);
-  return turned ? std::optional<ex>(-*turned) : std::nullopt;
+  if (const auto turned = wave(-rest, -*of_sine, -*of_cosine, x, symbols)) return -*turned;
+  const auto shifted = shifted_wave(*of_sine, *of_cosine, x);
+  return shifted ? std::optional<ex>(*shifted + rest) : std::nullopt;
 }
 
 bool has_functions(const ex& e) {
@@ -91,7 +92,43 @@ bool has_functions(const ex& e) {
                      [](const ex& part) { return is_a<GiNaC::function>(part); });
 }
 
+// ---- what is quadratic in sin x and cos x
+
+/// A² + B² - (A sin x + B cos x)² is (A cos x - B sin x)²: with sin²x + cos²x for 1.
+std::optional<ex> form_of_quadratic(const ex& e, const Atoms& atoms, const Symbols& symbols) {
+  const GiNaC::realsymbol s("s"), c("c");
+  for (const ex& f : atoms.functions) {
+    const ex x = f.op(0);
+    if (name_of(f) != "sin") continue;
+    const ex named = e.subs(GiNaC::lst{f == s, GiNaC::cos(x) == c}, GiNaC::subs_options::no_pattern).expand();
+    const ex rest = named.coeff(s, 0).coeff(c, 0);
+    const ex quadratic = named.coeff(s, 2).coeff(c, 0) * s * s + named.coeff(s, 1).coeff(c, 1) * s * c +
+                         named.coeff(s, 0).coeff(c, 2) * c * c;
+    if (rest.is_zero() || !(named - quadratic - rest).expand().is_zero()) continue;
+    const ex form = GiNaC::factor((quadratic + rest * (s * s + c * c)).expand())
+                        .subs(GiNaC::lst{s == f, c == GiNaC::cos(x)}, GiNaC::subs_options::no_pattern);
+    if (!is_a<GiNaC::add>(form) && (is_nonnegative(form, symbols) || is_nonnegative(-form, symbols)))
+      return form;
+  }
+  return std::nullopt;
+}
+
 // ---- A exp(x) + B exp(-x)
+
+/// A sinh(x) + B cosh(x) is (A + B) sinh(x) + B exp(-x).
+std::optional<ex> form_of_hyperbolic(const ex& e, const Atoms& atoms, const Symbols& symbols) {
+  const GiNaC::realsymbol s("s"), c("c");
+  for (const ex& f : atoms.functions)
+    for (const ex& g : atoms.functions) {
+      if (name_of(f) != "sinh" || name_of(g) != "cosh" || !f.op(0).is_equal(g.op(0))) continue;
+      const ex named = e.subs(GiNaC::lst{f == s, g == c}, GiNaC::subs_options::no_pattern);
+      const auto a = factor_of(s, named), b = factor_of(c, named);
+      if (!a || !b || a->has(c) || !named.coeff(s, 0).coeff(c, 0).is_zero()) continue;
+      const ex sum = (*a + *b).expand(), form = sum * f + *b * GiNaC::exp(-f.op(0));
+      if (is_nonnegative(form, symbols) || is_nonnegative(-form, symbols)) return form;
+    }
+  return std::nullopt;
+}
 
 /// (A + B) cosh(x) + (A - B) sinh(x).
 std::optional<ex> form_of_pair(const ex& e, const Atoms& atoms) {
@@ -130,6 +167,7 @@ std::optional<ex> form_of_difference(const ex& e, const Atoms& atoms, const Symb
 std::optional<ex> form_of_groups(const ex& e, const Atoms& atoms) {
   if (atoms.functions.empty() || atoms.symbols.empty()) return std::nullopt;
   const ex sum = e.expand();
+  if (!is_a<GiNaC::add>(sum)) return sum;
   std::map<ex, ex, GiNaC::ex_is_less> groups;  // by monomial
   for (const ex& term : sum) {
     ex monomial = 1;
@@ -298,6 +336,8 @@ std::optional<ex> form_of_one_sign(const ex& sum, const Symbols& symbols) {
   try {
     if (const auto form = form_of_wave(sum, atoms, symbols)) return form;
     if (const auto form = form_of_polynomial(sum, atoms, symbols)) return form;
+    if (const auto form = form_of_quadratic(sum, atoms, symbols)) return form;
+    if (const auto form = form_of_hyperbolic(sum, atoms, symbols)) return form;
     if (const auto form = form_of_pair(sum, atoms)) return form;
     if (const auto form = form_of_difference(sum, atoms, symbols)) return form;
     if (const auto form = form_of_root(sum, atoms, symbols)) return form;

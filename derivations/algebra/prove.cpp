@@ -131,15 +131,18 @@ Proof prove_where_defined(const Link& left, const Link& right, const Question& q
   return prove_residuals(residuals_of(left, right, question), symbols);
 }
 
+Proof lost(const ex& divisor, const Symbols& symbols) {
+  return undecided("where " + print(divisor, Notation::plain, symbols) +
+                   " = 0, one of the two holds and the other has no value");
+}
+
 /// What is the same where both have values is not, if one holds where the other has none.
 Proof prove_link(const Link& left, const Link& right, const Question& question, bool of_chain) {
   const Proof proof = prove_where_defined(left, right, question, of_chain);
-  const auto lost = proof.verdict == Verdict::proved
-                        ? lost_to(residuals_of(left, right, question), question.symbols)
-                        : std::nullopt;
-  if (!lost) return proof;
-  return undecided("where " + print(*lost, Notation::plain, question.symbols) +
-                   " = 0, one of the two holds and the other has no value");
+  const auto divisor = proof.verdict == Verdict::proved
+                           ? lost_to(residuals_of(left, right, question), question.symbols)
+                           : std::nullopt;
+  return divisor ? lost(*divisor, question.symbols) : proof;
 }
 
 /// K = a = b against one equation. That one link differs from it shows nothing where the others may fail
@@ -199,6 +202,7 @@ Proof decide_where_one_may_hold(const Question& question) {
 
 /// On every piece of the range of the one symbol, and at the points between.
 std::optional<Proof> decide_in_cells(const Question& question) {
+  if (question.left.operators.empty() != question.right.operators.empty()) return std::nullopt;
   if (!question.left.operators.empty())
     if (auto proof = differ_at_one_of(places_of(question), question)) return proof;
   const auto cells = cells_of(question);
@@ -223,6 +227,9 @@ Proof prove(const Relation& left, const Relation& right, const Symbols& symbols,
   try {
     const Symbols with_ranges = with_ranges_of(given, symbols);
     Proof proof = decide_where_one_may_hold({left, right, with_ranges, given});
+    if (proof.verdict == Verdict::proved && !left.operators.empty())
+      if (const auto divisor = lost_at_a_zero({left, right, with_ranges, given}))
+        proof = lost(*divisor, symbols);
     if (proof.verdict == Verdict::undecided)
       if (auto in_cells = decide_in_cells({left, right, with_ranges, given})) proof = *in_cells;
     if (proof.verdict == Verdict::proved) {

@@ -230,7 +230,7 @@ Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors,
     const bool is_clear = sign_of(part, symbols) != 0;  // its range says that it cannot vanish
     const auto slope = is_clear ? std::nullopt : sign_by_slope(part, symbols);
     if (!exponent.is_even()) result.sign *= slope ? slope->sign : weak_sign(part, symbols);
-    if (is_clear || slope) continue;
+    if (is_clear || (slope && slope->is_strict)) continue;
     const bool divides = std::any_of(divisors.begin(), divisors.end(), [&p = part, &symbols](const ex& d) {
       const bool is_root = GiNaC::is_a<GiNaC::power>(p) && p.op(1).is_equal(GiNaC::numeric(1, 2));
       if (is_multiple(p, d) || (is_root && is_multiple(p.op(0), d))) return true;

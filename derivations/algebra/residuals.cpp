@@ -285,7 +285,10 @@ std::optional<bool> settled_by_form(const ex& residual, Claim claim, const Symbo
 std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symbols) {
   if (const auto holds = settled_by_form(residual, claim, symbols)) return holds;
   const auto slope = sign_by_slope(residual, symbols);
-  return slope ? std::optional(claim != Claim::zero && slope->sign > 0) : std::nullopt;
+  if (!slope) return std::nullopt;
+  const bool holds = slope->sign > 0, is_weak = holds == (claim == Claim::not_negative);  // 0 does not matter
+  if (!slope->is_strict && (claim == Claim::zero || !is_weak)) return std::nullopt;
+  return claim != Claim::zero && holds;
 }
 
 std::optional<bool> settled(const ex& inner, const ex& whole, Claim claim, const Symbols& symbols) {

@@ -4,10 +4,12 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/sample.hpp>
 #include <derivations/algebra/slopes.hpp>
 #include <derivations/algebra/vanish.hpp>
+#include <set>
 
 namespace rederive {
 
@@ -16,24 +18,30 @@ using How = Slope::How;
 
 namespace {
 
-constexpr int most_slopes = 4;
-constexpr std::size_t longest = 400;  ///< nodes of a tree
+constexpr int most_slopes = 6;
+constexpr std::size_t most_looked_at = 7;
+constexpr std::ptrdiff_t longest = 400, longest_in_factors = 50;  ///< nodes of a tree
 
-/// One symbol and the open range that it keeps to.
+/// One symbol and the open range that it keeps to; the others are any numbers in theirs.
 class Slopes {
  public:
   Slopes(const ex& x, const Symbols& symbols)
-      : x_(x), range_(read_range(symbols.find(x)->range)), interval_(parse_range(symbols.find(x)->range)),
+      : x_(x),
+        range_(read_range(symbols.find(x)->range)),
+        interval_(parse_range(symbols.find(x)->range)),
         symbols_(symbols) {
     symbols_.narrow(symbols.find(x)->name, "(" + range_.lower + ", " + range_.upper + ")");
   }
 
   std::optional<Slope> of(const ex& f) const {
     const int seen = sign_seen(f);
-    const auto shown = seen != 0 ? strict(f, seen, most_slopes) : std::nullopt;
+    auto shown = seen != 0 ? strict(f, seen, most_slopes) : std::nullopt;
     if (!shown) return std::nullopt;
-    for (const End* end : {&interval_.low, &interval_.high})
-      if (end->closed && sign_at(f, *end) != std::optional(seen)) return std::nullopt;
+    for (const End* end : {&interval_.low, &interval_.high}) {
+      if (!end->closed) continue;
+      if (!is_at_least_0(f, seen, *end)) return std::nullopt;
+      shown->is_strict = shown->is_strict && *sign_at(f, *end) != 0;
+    }
     return shown;
   }
 
@@ -61,8 +69,8 @@ class Slopes {
     try {
       const bool is_low = end.value.is_equal(interval_.low.value);
       Symbols closed = symbols_;
-      closed.narrow(closed.find(x_)->name, (is_low ? "[" : "(") + range_.lower + ", " + range_.upper +
-                                               (is_low ? ")" : "]"));
+      closed.narrow(closed.find(x_)->name,
+                    (is_low ? "[" : "(") + range_.lower + ", " + range_.upper + (is_low ? ")" : "]"));
       if (!has_values(f, closed)) return std::nullopt;
       const ex value = f.subs(x_ == end.value);
       if (vanishes(value, symbols_)) return 0;
@@ -79,51 +87,87 @@ class Slopes {
   /// sign*f >= 0, and f is not 0 everywhere.
   std::optional<Slope> weak(const ex& f, int sign, int left) const {
     if (sign_seen(f) != sign) return std::nullopt;
-    if (is_nonnegative(sign * f, symbols_)) return Slope{f, sign};
+    if (is_nonnegative(sign * f, symbols_)) return Slope{f, x_, sign};
     return strict(f, sign, left);
   }
-  std::optional<Slope> strict(const ex& f, int sign, int left) const {
-    if (sign_of(f, symbols_) == sign) return Slope{f, sign};
-    if (left <= 0 || !has_values(f, symbols_)) return std::nullopt;
-    const ex slope = f.diff(GiNaC::ex_to<GiNaC::symbol>(x_));
-    if (!is_short(slope) || !has_values(slope, symbols_)) return std::nullopt;
-    if (is_at_least_0(f, sign, interval_.low))
-      if (auto why = weak(slope, sign, left - 1)) return Slope{f, sign, How::low, {*why}};
-    if (is_at_least_0(f, sign, interval_.high))
-      if (auto why = weak(slope, -sign, left - 1)) return Slope{f, sign, How::high, {*why}};
-    if (!is_at_least_0(f, sign, interval_.low) || !is_at_least_0(f, sign, interval_.high))
-      return std::nullopt;
-    const ex bend = slope.diff(GiNaC::ex_to<GiNaC::symbol>(x_));
-    if (!is_short(bend) || !has_values(bend, symbols_)) return std::nullopt;
-    if (auto why = weak(bend, -sign, left - 2)) return Slope{f, sign, How::ends, {*why}};
+  /// The slope as it comes, over one denominator, and in factors: the first for which `shown` says why, of a
+  /// sign that may do.
+  template <class Shown>
+  std::optional<Slope> by_slope_of(const ex& f, bool may_grow, bool may_fall, const Shown& shown) const {
+    const ex plain = f.diff(GiNaC::ex_to<GiNaC::symbol>(x_));
+    const int sign = is_short(plain) ? sign_seen(plain) : 0;
+    if (sign == 0 || !(sign > 0 ? may_grow : may_fall)) return std::nullopt;
+    std::vector<ex> looked_at;
+    const int ways = looked_at_.size() < 3 ? 4 - static_cast<int>(looked_at_.size()) : 1;  // they take time
+    for (int way = 0; way < ways; ++way) {
+      const ex slope = way == 0 ? plain : way == 1 ? simplified(plain) : in_factors(plain);
+      const auto is_it = [&](const ex& other) { return other.is_equal(slope); };
+      const bool is_new = std::none_of(looked_at.begin(), looked_at.end(), is_it);
+      looked_at.push_back(slope);
+      if (!is_new || !is_short(slope) || !has_values(slope, symbols_)) continue;
+      if (auto why = shown(slope, sign)) return why;
+    }
     return std::nullopt;
   }
-  static bool is_short(const ex& f) {
-    std::size_t count = 0;
-    for (auto part = f.preorder_begin(); part != f.preorder_end(); ++part) ++count;
-    return count < longest;
+  ex in_factors(const ex& f) const {
+    const auto parts = size_of(f) < longest_in_factors ? checked_quotient(f, 1, symbols_) : std::nullopt;
+    ex product = parts ? 1 : f;
+    for (const auto& [part, n] : parts.value_or(std::vector<Part>{})) product *= GiNaC::pow(part, n);
+    return product;
   }
+  std::optional<Slope> strict(const ex& f, int sign, int left) const {
+    if (sign_of(f, symbols_) == sign) return Slope{f, x_, sign};
+    if (left <= 0 || looked_at_.size() >= most_looked_at || !has_values(f, symbols_)) return std::nullopt;
+    if (!looked_at_.insert(f).second) return std::nullopt;
+    const bool from_low = is_at_least_0(f, sign, interval_.low),
+               from_high = is_at_least_0(f, sign, interval_.high);
+    const auto from_an_end = [&](const ex& slope, int its_sign) -> std::optional<Slope> {
+      auto why = weak(slope, its_sign, left - 1);
+      if (!why) return std::nullopt;
+      return Slope{f, x_, sign, its_sign == sign ? How::low : How::high, true, {*why}};
+    };
+    auto result =
+        by_slope_of(f, sign > 0 ? from_low : from_high, sign > 0 ? from_high : from_low, from_an_end);
+    if (result || !from_low || !from_high) return result;
+    const ex slope = f.diff(GiNaC::ex_to<GiNaC::symbol>(x_));
+    if (!is_short(slope) || !has_values(slope, symbols_)) return std::nullopt;
+    return by_slope_of(slope, sign<0, sign> 0, [&](const ex& bend, int) -> std::optional<Slope> {
+      auto why = weak(bend, -sign, left - 2);
+      return why ? std::optional(Slope{f, x_, sign, How::ends, true, {*why}, slope}) : std::nullopt;
+    });
+  }
+  static std::ptrdiff_t size_of(const ex& f) { return std::distance(f.preorder_begin(), f.preorder_end()); }
+  static bool is_short(const ex& f) { return size_of(f) < longest; }
 
   ex x_;
   Range range_;
   Interval interval_;
   Symbols symbols_;
+  mutable std::set<ex, GiNaC::ex_is_less> looked_at_;
 };
+
+bool is_in_function(const ex& x, const ex& f) {
+  return std::any_of(f.preorder_begin(), f.preorder_end(),
+                     [&](const ex& part) { return !name_of(part).empty() && part.has(x); });
+}
 
 }  // namespace
 
 std::optional<Slope> sign_by_slope(const ex& expression, const Symbols& symbols) {
+  constexpr std::size_t most_names = 3;
   const auto names = names_in(expression);
-  if (names.size() != 1) return std::nullopt;
+  if (names.empty() || names.size() > most_names) return std::nullopt;
   try {
     const ex f = prepare(expression, symbols);
     const bool has_bars = std::any_of(f.preorder_begin(), f.preorder_end(),
                                       [](const ex& part) { return name_of(part) == "abs"; });
     if (has_bars || !has_symbol(f)) return std::nullopt;
-    return Slopes(symbols[*names.begin()], symbols).of(f);
+    for (const std::string& name : names)
+      if (names.size() == 1 || is_in_function(symbols[name], f))
+        if (auto slope = Slopes(symbols[name], symbols).of(f)) return slope;
   } catch (const std::exception&) {  // outside of the class, or ends that are too close to tell
-    return std::nullopt;
   }
+  return std::nullopt;
 }
 
 }  // namespace rederive

@@ -1,4 +1,4 @@
-// The sign of a function of one symbol from its slope: what is 0 at 0 and grows from there is positive.
+// The sign of a function from its slope in one symbol: what is 0 at 0 and grows from there is positive.
 #pragma once
 
 #include <derivations/algebra/symbols.hpp>
@@ -7,7 +7,7 @@
 
 namespace rederive {
 
-/// Why an expression of one symbol keeps one sign all over the open range of that symbol.
+/// Why an expression keeps one sign all over the open range of one of its symbols, whatever the others are.
 struct Slope {
   enum class How {
     range,  ///< what interval_of or another form of it shows: not 0, or of one sign for a slope
@@ -16,14 +16,16 @@ struct Slope {
     ends    ///< its values at both ends are, and the slope of its slope has the other sign
   };
   GiNaC::ex value;
+  GiNaC::ex in;  ///< the symbol
   int sign = 0;  ///< 1 or -1
   How how = How::range;
+  bool is_strict = true;  ///< not 0 either at an end that the range has
   std::vector<Slope> slope = {};  ///< of what `how` says, none or one
+  GiNaC::ex between = 0;          ///< for `ends`, the slope
 };
 
-/// Nothing where the expression has other symbols or bars, may have no value somewhere, is not seen to have a
-/// slope everywhere, or where four slopes do not show a sign; and where the range has one of its ends, unless
-/// the expression is not 0 there.
+/// In its one symbol, or one of up to three that functions have. Nothing where the expression has bars, may
+/// have no value somewhere, is not seen to have a slope everywhere, or where six slopes do not show a sign.
 std::optional<Slope> sign_by_slope(const GiNaC::ex& expression, const Symbols& symbols);
 
 }  // namespace rederive

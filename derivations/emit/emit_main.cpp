@@ -100,6 +100,6 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false)
       ->option_text("NAME");
   app.add_flag("--no-sharing", options.no_sharing, "compute every subexpression where it is used");
-  app.add_option("--out", options.out, "write to this file instead of standard output");
+  app.add_option("--out", options.out, "write to this file instead of standard output")->check(file_name);
   return run_command(app, argc, argv, [&] { return run(options); });
 }

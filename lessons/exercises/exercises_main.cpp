@@ -55,7 +55,7 @@ void declare(CLI::App& app, Arguments& given) {
   watch->add_flag("--once", given.once, "look once and stop");
   auto* grade = with_json(app.add_subcommand("grade", "judge a whole class: DIR/<student>/<ID>.txt"), given);
   grade->add_option("DIR", given.grade.folder, "one folder a student in it")->required();
-  grade->add_option("--csv", given.grade.csv, "write the rows here")->type_name("FILE");
+  grade->add_option("--csv", given.grade.csv, "write the rows here")->check(file_name)->type_name("FILE");
   grade->add_option("--workers", given.grade.workers, "answers judged at a time")->check(CLI::Range(1, 64));
   grade->add_flag("--missing", given.grade.missing, "a row also for each answer that was not handed in");
   with_json(app.add_subcommand("selftest", "is the exercise set sound?"), given);

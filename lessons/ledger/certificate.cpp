@@ -5,7 +5,8 @@
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/witness.hpp>
 #include <lessons/ledger/certificate.hpp>
-#include <lessons/ledger/certificate_links.hpp>
+#include <lessons/ledger/certificate_forms.hpp>
+#include <lessons/ledger/certificate_json.hpp>
 #include <lessons/ledger/certificate_steps.hpp>
 
 namespace rederive {
@@ -49,31 +50,10 @@ Tree exact(const Tree& tree, const Symbols& symbols) {
   return copy;
 }
 
-/// A statement in pieces: sides and operators.
-Json statement_json(const Relation& relation, const CertifiedStatement& q) {
-  Json list{q.text(relation.sides[0])};
-  for (std::size_t k = 0; k < relation.operators.size(); ++k)
-    list.push_back(relation.operators[k]), list.push_back(q.text(relation.sides[k + 1]));
-  return list;
-}
-
-/// The ranges of all names in these texts.
-Json ranges_json(const std::vector<Tree>& trees, const CertifiedStatement& q) {
-  std::set<std::string> names;
-  for (const Tree& tree : trees) collect_names(tree, names);
-  for (const Given& g : q.given)
-    if (q.ranges.find(g.name)->range == "(-inf, inf)") names.erase(q.ranges.find(g.name)->name);
-  Json ranges = Json::object();
-  for (const std::string& name : names)
-    if (const Symbol* symbol = q.ranges.find(name); symbol != nullptr && name != "pi")
-      ranges[name] = symbol->range;
-  return ranges;
-}
-
 /// The functions that stand alone in a sum that vanishes, each with what it equals; small coefficients first.
 std::vector<std::pair<ex, ex>> solutions(const ex& sum) {
   std::vector<std::pair<GiNaC::numeric, ex>> functions;
-  const ex terms = sum.expand();
+  const ex expanded = sum.expand(), terms = is_a<GiNaC::add>(expanded) ? expanded : ex(GiNaC::lst{expanded});
   for (const ex& term : terms) {
     const ex number = is_a<GiNaC::mul>(term) ? term.op(term.nops() - 1) : ex(1), f = term / number;
     if (is_a<GiNaC::numeric>(number) && !name_of(f).empty() && name_of(f) != "abs")
@@ -82,7 +62,7 @@ std::vector<std::pair<ex, ex>> solutions(const ex& sum) {
   std::stable_sort(functions.begin(), functions.end(),
                    [](const auto& a, const auto& b) { return GiNaC::abs(a.first) < GiNaC::abs(b.first); });
   std::vector<std::pair<ex, ex>> result;
-  for (const auto& [number, f] : functions) result.emplace_back(f, (f - terms / number).expand());
+  for (const auto& [number, f] : functions) result.emplace_back(f, (f - expanded / number).expand());
   return result;
 }
 
@@ -117,56 +97,6 @@ ex difference(const CertifiedLink& link, const CertifiedStatement& q) {
   return link.left.residual - put_in(factor, q.given) * link.right.residual;
 }
 
-Json factor_json(const CertifiedFactor& factor, const CertifiedStatement& q) {
-  Json json = Json::object();
-  for (const CertifiedPart& p : factor) {
-    Json& exponent = json[q.text(p.part)];
-    exponent = p.exponent + (exponent.is_null() ? 0 : exponent.get<int>());
-  }
-  return json;
-}
-
-bool falls(const Layer& layer) {
-  static const std::set<std::string> falling{"acos", "cos", "cot", "cos(atan)"};
-  return layer.function == "*" ? layer.turns : falling.contains(layer.function);
-}
-
-Json layers_json(const std::vector<CertifiedLayer>& layers, const CertifiedStatement& q) {
-  Json list = Json::array();
-  for (const auto& [layer, factor] : layers) {
-    list.push_back({{"function", layer.function},
-                    {"falls", falls(layer)},
-                    {"left", print(layer.left, Notation::plain, q.symbols)},
-                    {"right", print(layer.right, Notation::plain, q.symbols)}});
-    if (layer.function == "*") list.back()["factor"] = factor_json(factor, q);
-  }
-  return list;
-}
-
-/// One link by its number, and what is taken off its sides.
-Json part_json(const CertifiedSide& side, std::size_t k, const CertifiedStatement& q) {
-  Json json{{"link", side.links[k]}};
-  if (!side.layers[k].empty()) json["layers"] = layers_json(side.layers[k], q);
-  return json;
-}
-Json side_json(const CertifiedSide& side, const ex& residual, const CertifiedStatement& q) {
-  Json json{{"links", Json::array()}};
-  for (std::size_t k = 0; k < side.links.size(); ++k) json["links"].push_back(part_json(side, k, q));
-  if (side.sum) json["sum"] = q.text(side.sum);
-  json["residual"] = fraction_text(residual);
-  return json;
-}
-
-Json consequence_json(const CertifiedConsequence& why, const CertifiedStatement& q) {
-  Json terms = Json::array();
-  for (const auto& [factor, links] : why.terms)
-    terms.push_back({{"factor", q.text(factor)}, {"links", links}});
-  Json json{
-      {"times", q.text(why.times)}, {"squared", why.squared}, {"terms", terms}, {"more", q.text(why.more)}};
-  if (!why.product.empty()) json["product"] = factor_json(why.product, q);
-  return json;
-}
-
 Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Phases& phases, Steps& steps) {
   Json json = Json::object();
   const bool is_left = !link.left.links.empty();
@@ -177,8 +107,15 @@ Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Pha
   }
   if (link.holds) {
     const CertifiedSide& side = is_left ? link.left : link.right;
+    if (side.form && lower(side.form, q.symbols).is_zero() &&
+        !phases.reduce(phases(q.value(side.residual)).normal().numer()).is_zero())
+      throw Undecidable("an equation that always holds, and no polynomial identity that says it");
     Json& part = json[is_left ? "left" : "right"] = part_json(side, 0, q);
-    part["form"] = q.text(side.form), json["holds"] = *link.holds;
+    if (side.form)
+      part["form"] = q.text(side.form);
+    else
+      part["parts"] = factor_json(side.parts, q);
+    json["holds"] = *link.holds;
     return json;
   }
   const ex l = steps.out(phases(q.value(link.left.residual))),
@@ -252,48 +189,13 @@ void add_trees(const CertifiedLayer& written, const CertifiedStatement& q, std::
   const auto& [layer, factor] = written;
   add_trees(factor, trees);
   for (const ex& inner : {layer.left, layer.right}) {
-    const std::string text = "(" + print(inner, Notation::plain, q.symbols) + ")", f = layer.function;
+    const std::string text = "(" + q.text(Forms(q).short_tree(inner)) + ")", f = layer.function;
     const std::string whole = f == "*"                ? text
                               : f[0] == '^'           ? text + "^(" + f.substr(1) + ")"
                               : f.ends_with("(atan)") ? "1/sqrt(1+" + text + "^2)"
                                                       : f + text;
     trees.push_back(parse(whole, q.symbols));
   }
-}
-
-/// What is in the factors because it divides a divisor.
-Json parts_of_divisors(const std::vector<CertifiedLink>& links, const CertifiedStatement& q) {
-  Json json = Json::object();
-  const auto add = [&](const CertifiedFactor& factor) {
-    for (const CertifiedPart& p : factor)
-      if (p.times) json[q.text(p.part)] = q.text(p.times);
-  };
-  for (const CertifiedLink& link : links) {
-    add(link.factor);
-    if (link.follows) add(link.follows->product);
-    for (const CertifiedSide& side : {link.left, link.right})
-      for (const auto& layers : side.layers)
-        for (const CertifiedLayer& layer : layers) add(layer.factor);
-  }
-  return json;
-}
-
-/// What shows the signs of forms and parts of factors that their ranges do not.
-Json slopes_json(const std::vector<CertifiedLink>& links, const CertifiedStatement& q) {
-  static const std::map<Slope::How, std::string> names{{Slope::How::range, "inside"},
-                                                       {Slope::How::low, "low"},
-                                                       {Slope::How::high, "high"},
-                                                       {Slope::How::ends, "ends"}};
-  Json json = Json::object();
-  for (const CertifiedLink& link : links)
-    for (const CertifiedSlope& s : link.slopes) {
-      json[q.text(s.value)] = {{"in", *names_in(s.why.value).begin()},
-                               {"sign", s.why.sign},
-                               {"how", names.at(s.why.how)},
-                               {"slope", q.text(s.slope)}};
-      if (s.bend) json[q.text(s.value)]["bend"] = q.text(s.bend);
-    }
-  return json;
 }
 
 Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links) {
@@ -316,7 +218,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
     for (const auto* list : {&link.more, &link.divides})
       for (const auto& [part, other] : *list) trees.push_back(other);
     for (const CertifiedSlope& s : link.slopes)
-      for (const Tree& tree : {s.slope, s.bend})
+      for (const Tree& tree : {s.slope, s.bend, s.at_low, s.at_high})
         if (tree) trees.push_back(tree);
     if (link.follows) {
       trees.insert(trees.end(), {link.follows->more, link.follows->times});
@@ -326,6 +228,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
     for (const CertifiedSide& side : {link.left, link.right}) {
       for (const Tree& tree : {side.sum, side.form})
         if (tree) trees.push_back(tree);
+      add_trees(side.parts, trees);
       for (const auto& layers : side.layers)
         for (const CertifiedLayer& layer : layers) add_trees(layer, q, trees);
     }

@@ -13,10 +13,11 @@ namespace rederive {
 ///   divisors      everything that it divides by, but for numbers: must not vanish
 ///   never zero    what was declared so, "x - y" for x != y
 ///   parts of divisors  of which factors are made, each with what it is times to be one of those
-///   slopes        expressions in one name whose range does not show their sign: `in` that name, its `sign`,
-///                 and `how` it is seen: not of the other sign at the low (or high) end, with a `slope` that
-///                 grows or falls from there; at both ends, with a `bend`, the slope of the slope; inside the
-///                 range as it stands, and at the ends
+///   slopes        expressions whose range does not show their sign: its `sign`, `in` one name, whatever the
+///                 others are, and `how` it is seen: not of the other sign at the low (or high) end, with a
+///                 `slope` that grows or falls from there; at both ends, with a `bend`, the slope of the
+///                 slope; inside the range as it stands, and at the ends. With other names, what it is `at
+///                 low` and `at high`
 ///   ranges        where the other names live
 ///   cut           the names x whose range is cut at x = 0, mostly none: |x| stands there
 ///   pieces        of the domain, in the order x < 0, x > 0 (the last name turns first), each with
@@ -39,10 +40,11 @@ namespace rederive {
 ///                 without an equation and more are not negative; or with minus the square of the residual;
 ///                 of an equation times may be a `product` of parts that are never 0, as in a factor
 /// or, of a link that always holds, or never: left or right alone, with its residual in a `form` that shows
-/// it, and `holds`. One of each side that never holds is enough.
-/// Or of a statement in one name, `in` which the whole `range` is cut into cells: each has an open range, and
-/// a certificate over it; or none, where neither statement holds. All is text in our own syntax. Throws
-/// Undecidable where the statement is not proved, or where nothing like this is found.
+/// it, or as a product of `parts` of which each shows its own sign, with their exponents; and `holds`. One of
+/// each side that never holds is enough. Or of a statement in one name, `in` which the whole `range` is cut
+/// into cells: each has an open range, and a certificate over it; or none, where neither statement holds. All
+/// is text in our own syntax. Throws Undecidable where the statement is not proved, or where nothing like
+/// this is found.
 nlohmann::ordered_json certificate(const Relation& left, const Relation& right, const Symbols& symbols,
                                    const std::vector<Given>& given);
 

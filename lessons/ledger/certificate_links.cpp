@@ -1,11 +1,9 @@
 #include <algorithm>
 #include <derivations/algebra/conjunction.hpp>
-#include <derivations/algebra/elimination.hpp>
-#include <derivations/algebra/forms.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/vanish.hpp>
-#include <lessons/ledger/certificate_links.hpp>
+#include <lessons/ledger/certificate_forms.hpp>
 
 namespace rederive {
 
@@ -30,130 +28,22 @@ Tree with_functions(const Tree& tree, const Symbols& symbols, const Symbols& dom
 }
 
 /// Finds what makes one link hold.
-struct Finder {
-  const CertifiedStatement& q;
+struct Finder : Forms {
+  using Forms::shows_sign;
   const std::vector<CertifiedDivisor>& divisors;
   const Question question{q.left, q.right, q.symbols, q.given};
 
-  /// In words in which the declared ranges show its sign, if there are any.
-  std::optional<ex> plain_words(const ex& e) const {
-    constexpr std::size_t most = 40;
-    std::vector<ex> ways{e};
-    for (std::size_t k = 0; k < ways.size(); ++k) {
-      if (shows_sign_in(ways[k], q.ranges)) return ways[k];
-      for (const auto& [symbol, words] : q.symbols.otherwise())
-        for (const bool expands : {false, true}) {
-          ex way = ways[k].subs(symbol == words, GiNaC::subs_options::no_pattern);
-          if (expands) way = way.expand();
-          const bool is_new =
-              std::none_of(ways.begin(), ways.end(), [&](const ex& w) { return w.is_equal(way); });
-          if (is_new && ways.size() < most) ways.push_back(way);
-        }
-    }
-    return std::nullopt;
-  }
-  /// In those; else in what takes no more names: alpha, not theta + (alpha - theta).
-  Tree tree(const ex& e) const {
-    if (const auto plain = plain_words(e)) return to_tree(*plain, q.symbols);
-    ex shorter = e;
-    for (const auto& [symbol, words] : q.symbols.otherwise())
-      if (const ex other = shorter.subs(symbol == words, GiNaC::subs_options::no_pattern);
-          names_in(other).size() <= names_in(shorter).size())
-        shorter = other;
-    return to_tree(shorter, q.symbols);
-  }
-
-  // ---- forms that show a sign
-
-  /// Whether the range of the terms as they stand shows one sign; where 0 is known to be outside, that, too.
-  bool shows_sign(const ex& e) const { return shows_sign_in(e, q.symbols); }
-  bool shows_sign_in(const ex& e, const Symbols& symbols) const {
-    const Interval i = interval_of(e, symbols);
-    const bool may_be_zero = sign_of(e, q.symbols) == 0;
-    const auto is_beyond = [&](const End& end, int side) {
-      const int place = end.infinite != 0 ? -1 : side * compare(end.value, 0);
-      return place > 0 || (place == 0 && (may_be_zero || !end.closed));
-    };
-    try {
-      return is_beyond(i.low, 1) || is_beyond(i.high, -1);
-    } catch (const std::domain_error&) {  // too close to tell
-      return false;
-    }
-  }
-  bool has_terms_of_one_sign(const ex& e) const {
-    const auto all = [&](int sign) {
-      return std::all_of(e.begin(), e.end(),
-                         [&](const ex& t) { return is_nonnegative(sign * t, q.symbols); });
-    };
-    return is_a<GiNaC::add>(e) && (all(1) || all(-1));
-  }
-  /// An expression of one sign so written that it shows: with a square completed, if need be.
-  ex form(const ex& e) const {
-    if (has_terms_of_one_sign(e) || (!q.symbols.otherwise().empty() && plain_words(e))) return e;
-    if (const auto other = rederive::form_of_one_sign(e, q.symbols); other && !is_a<GiNaC::add>(*other))
-      return *other;
-    if (shows_sign(e)) return e;
-    if (is_a<GiNaC::power>(e)) return GiNaC::pow(form(e.op(0)), e.op(1));
-    const auto quadratic = as_quadratic(e, q.symbols);
-    if (quadratic && !quadratic->b.is_zero() && is_nonnegative(quadratic->discriminant(), q.symbols))
-      return quadratic->a * GiNaC::pow(quadratic->x + quadratic->b / (2 * quadratic->a), 2) +
-             form((quadratic->discriminant() / (4 * quadratic->a)).normal());
-    return rederive::form_of_one_sign(e, q.symbols).value_or(e);
-  }
-  std::optional<ex> form_of_one_sign(const ex& e) const {
-    if (e.is_zero() || is_nonnegative(e, q.symbols) || is_nonnegative(-e, q.symbols)) return form(e);
-    if (sign_by_slope(e, q.symbols)) return e;
-    const auto parts = checked_quotient(e, 1, q.symbols);
-    if (!parts) return std::nullopt;
-    ex product = 1;
-    for (const auto& [part, n] : *parts) {
-      const bool seen = n.is_even() || is_nonnegative(part, q.symbols) || is_nonnegative(-part, q.symbols);
-      if (!seen) return std::nullopt;
-      product *= GiNaC::pow(form(part), n);
-    }
-    return product;
-  }
   /// Of one side alone; `op` as residuals have it.
   std::optional<CertifiedLink> settle(CertifiedSide side, const std::string& op, bool is_left) const {
     const auto holds = settled(side.residual, claim_of(op), q.symbols);
-    const auto form = holds ? form_of_one_sign(side.residual) : std::nullopt;
-    if (!form) return std::nullopt;
-    side.form = tree(*form);
+    if (!holds) return std::nullopt;
+    const auto form = *holds && op == "=" ? ex(0) : form_of_one_sign(side.residual);
+    const auto parts = form ? CertifiedFactor{} : parts_of_one_sign(side.residual);
+    if (!form && !parts) return std::nullopt;
+    if (form) side.form = sign_by_slope(*form, q.symbols) ? to_tree(*form, q.symbols) : tree(*form);
+    side.parts = *parts;
     CertifiedLink link;
     (is_left ? link.left : link.right) = side, link.holds = holds;
-    return link;
-  }
-
-  // ---- slopes
-
-  void add_slopes(const Tree& tree, const Slope& why, std::vector<CertifiedSlope>& slopes) const {
-    if (why.how == Slope::How::range) return;
-    const Slope& slope = why.slope.front();
-    const bool is_shown = slope.how == Slope::How::range;
-    const Tree shown = this->tree(is_shown ? form(slope.value) : slope.value);
-    const GiNaC::symbol& x = q.symbols[*names_in(why.value).begin()];
-    if (why.how == Slope::How::ends)
-      slopes.push_back({tree, this->tree(why.value.diff(x)), why, shown});
-    else
-      slopes.push_back({tree, shown, why});
-    add_slopes(shown, slope, slopes);
-  }
-  void add_slopes(const Tree& tree, std::vector<CertifiedSlope>& slopes) const {
-    const ex value = tree ? lower(tree, q.symbols) : ex(0);
-    if (sign_of(value, q.symbols) != 0) return;
-    const auto why = sign_by_slope(value, q.symbols);
-    if (why && why->how == Slope::How::range) slopes.push_back({tree, tree, *why});
-    if (why) add_slopes(tree, *why, slopes);
-  }
-  /// Of all forms and parts of factors that need them.
-  CertifiedLink with_slopes(CertifiedLink link) const {
-    for (const CertifiedPart& p : link.factor) add_slopes(p.part, link.slopes);
-    for (const CertifiedSide& side : {link.left, link.right}) {
-      add_slopes(side.form, link.slopes);
-      for (const auto& layers : side.layers)
-        for (const CertifiedLayer& layer : layers)
-          for (const CertifiedPart& p : layer.factor) add_slopes(p.part, link.slopes);
-    }
     return link;
   }
 
@@ -172,8 +62,8 @@ struct Finder {
         number *= ex_to<numeric>(part).power(n);
       else if (sign_of(part, q.symbols) != 0)
         factor.emplace_back(tree(form(part)), n.to_int());
-      else if (sign_by_slope(part, q.symbols))
-        factor.emplace_back(tree(part), n.to_int());
+      else if (const auto slope = sign_by_slope(part, q.symbols); slope && slope->is_strict)
+        factor.emplace_back(to_tree(part, q.symbols), n.to_int());
       else if (!is_put_down(part, n.to_int()))
         rest *= GiNaC::pow(part, n);
     if (!rest.is_equal(1) && !is_put_down(rest, 1)) return false;
@@ -288,7 +178,7 @@ struct Finder {
     for (const Layer& layer : layers) {
       const Symbols domain = narrowed_by_functions(sides, q.symbols);
       const CertifiedStatement there{q.left, q.right, domain, q.given, q.equal, q.ranges};
-      auto factor = layer.function == "*" ? Finder{there, divisors}.put_down(layer.factor)
+      auto factor = layer.function == "*" ? Finder{Forms(there), divisors}.put_down(layer.factor)
                                           : std::optional(CertifiedFactor{});
       if (!factor) return std::nullopt;
       for (CertifiedPart& p : *factor) p.part = with_functions(p.part, q.symbols, domain);
@@ -387,7 +277,7 @@ std::vector<CertifiedLink> links_of(const CertifiedStatement& q) {
     return {{side(q.left), side(q.right), {}, {}, {}}};
   }
   const std::vector<CertifiedDivisor> divisors = divisors_of(q);
-  const Finder finder{q, divisors};
+  const Finder finder{Forms(q), divisors};
   if (const auto link = is_pair(q) ? finder.find_same({{0}, {0}}) : std::nullopt)
     return {finder.with_slopes(*link)};
   std::vector<CertifiedLink> links;

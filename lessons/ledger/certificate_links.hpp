@@ -35,7 +35,8 @@ struct CertifiedSide {
   std::vector<std::size_t> links;                   ///< their numbers
   std::vector<std::vector<CertifiedLayer>> layers;  ///< taken off each of them
   GiNaC::ex residual;                               ///< of what is left: must be 0, positive or not negative
-  Tree sum = nullptr, form = nullptr;               ///< written so that the sign shows
+  Tree sum = nullptr, form = nullptr;               ///< written so that the sign shows …
+  CertifiedFactor parts = {};  ///< … or as a product of parts of which each shows its own
 };
 
 /// Why a link follows from those of the other side: times·residual = Σ factor·residuals of links + more, or
@@ -47,11 +48,12 @@ struct CertifiedConsequence {
   CertifiedFactor product = {};  ///< times, of parts that are never 0, where it may have either sign
 };
 
-/// Why an expression of one symbol keeps its sign: its values at ends of the range, and its slope.
+/// Why an expression keeps its sign in one of its symbols: its values at ends of the range, and its slope.
 struct CertifiedSlope {
   Tree value, slope;
   Slope why;
-  Tree bend = nullptr;  ///< the slope of the slope, where that is what shows it
+  Tree bend = nullptr;                       ///< the slope of the slope, where that is what shows it
+  Tree at_low = nullptr, at_high = nullptr;  ///< its values at ends, where other symbols are in them
 };
 
 /// Two expressions (no layers, their values for residuals), or what links of two statements say.

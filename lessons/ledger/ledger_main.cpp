@@ -245,8 +245,10 @@ int main(int argc, char** argv) {
       "expression there certainly changes its sign between them, and any root between them is a witness.\n"
       "in_words says the same to a reader.\n"
       "Exit code: 0 proved, 1 refuted, 3 undecided, 2 for input that cannot be read.\n");
-  proving->add_option("--certificate", options.certificate,
-                      "Writes what is needed to check the proof to this file");
+  proving
+      ->add_option("--certificate", options.certificate,
+                   "Writes what is needed to check the proof to this file")
+      ->check(file_name);
   auto* certifying =
       app.add_subcommand("certify", "Writes the certificates of all proved equations into a folder");
   certifying->add_option("folder", options.folder, "It is made if it is not there")->required();

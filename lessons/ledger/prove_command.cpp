@@ -266,7 +266,7 @@ Json conditions_within(double seconds, const Json& all, const Json& verdict, con
 
 Json decide_bounded(const ProveRequest& request) {
   const auto start = std::chrono::steady_clock::now();
-  const Bounded outcome = bounded([&] { return decision(request); }, 1.8);
+  const Bounded outcome = bounded([&] { return decision(request); }, 1.7);
   if (!outcome.result) {
     Proof proof;
     proof.reason = "given up: " + outcome.why;
@@ -274,7 +274,7 @@ Json decide_bounded(const ProveRequest& request) {
   }
   Json parts = Json::parse(*outcome.result), &proof = parts[0];
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  for (const Json& condition : conditions_within(1.85 - elapsed.count(), parts[1], proof["verdict"], request))
+  for (const Json& condition : conditions_within(1.75 - elapsed.count(), parts[1], proof["verdict"], request))
     proof["side_conditions"].push_back(condition);
   return proof;
 }

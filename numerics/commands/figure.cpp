@@ -35,8 +35,8 @@ void add_figure(CLI::App& app, Run& run) {
   auto* command = app.add_subcommand("figure", "the paper's figures 8 to 16, computed");
   auto options = std::make_shared<FigureCommand>();
   command->add_option("number", options->number, "8 to 16")->required()->type_name("NUMBER");
-  command->add_option("--out", options->out, "draw to .svg, .png or .pdf")->type_name("FILE");
-  command->add_option("--data", options->data, "write the curves as CSV")->type_name("FILE");
+  command->add_option("--out", options->out, "draw to .svg, .png or .pdf")->check(file_name)->type_name("FILE");
+  command->add_option("--data", options->data, "write the curves as CSV")->check(file_name)->type_name("FILE");
   command->add_option("--ground-acceleration", options->ground_acceleration, "a_g/g of figure 16 [0.24]")
       ->type_name("NUMBER");
   command->add_option("--threads", options->threads, "threads [all]")->type_name("T");

@@ -89,8 +89,8 @@ void add_map(CLI::App& app, Run& run) {
   add("--omega", options->omega, "W1:W2:N", "omega_p/p from, to, how many")->required();
   add("--amplitude", options->amplitude, "A1:A2:M", "a_p/(alpha g) from, to, how many")->required();
   add("--threads", options->threads, "T", "threads [all]");
-  add("--csv", options->csv, "FILE", "write the grid");
-  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf");
+  add("--csv", options->csv, "FILE", "write the grid")->check(file_name);
+  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);
   command->callback([options, &run] { run = [options] { return run_map(*options); }; });
 }
 

@@ -162,8 +162,8 @@ void add_response(CLI::App& app, Run& run) {
   };
   add("--amplitude", options->amplitude, "A", "a_p/(alpha g) of the pulse");
   add("--until", options->until, "TAU", "end of the history, in p t");
-  add("--csv", options->csv, "FILE", "write the history");
-  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf");
+  add("--csv", options->csv, "FILE", "write the history")->check(file_name);
+  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);
   add("--friction", options->friction, "MU", "say whether this friction suffices");
   auto* record = add("--record", options->record, "FILE", "a recorded acceleration instead of a pulse");
   add("--step", options->step, "SECONDS", "time step of a record of one column")->needs(record);

@@ -107,8 +107,8 @@ void add_spectrum(CLI::App& app, Run& run) {
   add("--points", options->points, "N", "how many")->required();
   add("--max-amplitude", options->max_amplitude, "NUMBER", "largest amplitude, in alpha g [12]");
   add("--threads", options->threads, "T", "threads [all]");
-  add("--csv", options->csv, "FILE", "write the table");
-  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf");
+  add("--csv", options->csv, "FILE", "write the table")->check(file_name);
+  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);
   command->callback([options, &run] { run = [options] { return run_spectrum(*options); }; });
 }
 
