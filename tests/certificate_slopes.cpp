@@ -23,7 +23,8 @@ std::string verdict_of(const Json& certificate) {
 
 /// Of "form op 0 always holds" for x in a range, with what is said of the slope of the form.
 std::string sloped(const std::string& form, const std::string& range, const Json& why,
-                   const std::string& op = ">", const Json& divisors = Json::array()) {
+                   const std::string& op = ">", const Json& divisors = Json::array(),
+                   Json ranges = Json::object()) {
   const auto link = [](const char* where, const std::string& f) -> Json {
     return {{where, {{"link", 0}, {"form", f}}}, {"holds", true}};
   };
@@ -31,7 +32,8 @@ std::string sloped(const std::string& form, const std::string& range, const Json
                                    make_context({"x", "x", {}, {}, {}}).symbols, {})
                            .dump());
   c["left"] = {form, op, "0"}, c["right"] = {"0", "<", "1"};
-  c["ranges"] = {{"x", range}}, c["slopes"] = {{form, why}}, c["divisors"] = divisors;
+  ranges["x"] = range;
+  c["ranges"] = ranges, c["slopes"] = {{form, why}}, c["divisors"] = divisors;
   c["pieces"] = {{{"steps", Json::array()}, {"links", {link("left", form), link("right", "1")}}}};
   return verdict_of(c);
 }
@@ -90,6 +92,21 @@ TEST_CASE("and what is positive inside, and at the ends of its range") {
   CHECK(sloped(f, "[0, 1]", from("inside", -1, f)) == "of another sign inside: " + f);
   CHECK(sloped("x*(1-x)", "[0, 1]", from("inside", 1, "x")) == "the form leaves it open");  // 0 at the ends
   CHECK(sloped("x*(1-x)", "(0, 1)", from("inside", 1, "x")) == "accepted");
+}
+
+TEST_CASE("of several names a slope is positive whatever the others are") {
+  const auto with_y = [](const std::string& form, const std::string& slope, const std::string& of_y,
+                         const std::string& at_low = "") {
+    Json why = from("low", 1, slope);
+    if (!at_low.empty()) why["at low"] = at_low;
+    return sloped(form, "(0, inf)", why, ">", Json::array(), {{"y", of_y}});
+  };
+  CHECK(with_y("y^2*x", "y^2", "(0, inf)") == "accepted");
+  CHECK(with_y("y^2*x", "y^2", "(-inf, inf)") == "a slope that may be 0 for some values of others: y^2");
+  CHECK(with_y("x*y+y-1/2*y", "y", "(0, inf)") == "of another sign at an end: x*y+y-1/2*y");
+  CHECK(with_y("x*y+y-1/2*y", "y", "(0, inf)", "1/2*y") == "accepted");
+  CHECK(with_y("x*y+y-1/2*y", "y", "(0, inf)", "1/3*y") == "another value at an end: x*y+y-1/2*y");
+  CHECK(with_y("x*y+y-2*y", "y", "(0, inf)", "-y") == "of another sign at an end: x*y+y-2*y");
 }
 
 TEST_CASE("a slope says nothing across a pole or a kink") {

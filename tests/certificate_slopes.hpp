@@ -2,6 +2,7 @@
 // sums, products and functions, and compared as polynomials.
 #pragma once
 
+#include <regex>
 #include <tests/certificate_outside.hpp>
 
 namespace certificate_checker {
@@ -149,7 +150,16 @@ class SlopeCheck {
     const Range known = c_.at("slopes").contains(text) ? both(*whole, range_(text)) : *whole;
     require(sign > 0 ? known.is_not_negative() : known.is_not_positive(), "a slope of unknown sign: " + text);
     require(!replay_.same(replay_.value(text), replay_.value("0")), "no slope: " + text);
+    require(is_alone(text_) || known.is_positive() || known.is_negative(),
+            "a slope that may be 0 for some values of others: " + text);
     return known;
+  }
+  /// Whether a text has no other name.
+  bool is_alone(const std::string& text) const {
+    static const std::regex name("[A-Za-z]\\w*");
+    for (std::sregex_iterator word(text.begin(), text.end(), name), end; word != end; ++word)
+      if (word->str() != name_ && c_.at("ranges").contains(word->str())) return false;
+    return true;
   }
   void check_slopes() {
     require(how_ == "low" || how_ == "high" || how_ == "ends", "no such reason: " + how_);

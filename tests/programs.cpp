@@ -1,6 +1,10 @@
 // What holds for every program: the same bytes twice, help, a version, and a clear refusal of bad input.
 #include <doctest/doctest.h>
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -37,6 +41,9 @@ const std::vector<Call> bad{
     {"ledger", {"prove", "sin(x", "x"}, "sin(x"},
     {"ledger", {"prove", "x"}, "two statements"},
     {"ledger", {"prove", "2x", "x"}, "2*x"},
+    {"ledger", {"prove", "x", "x", "--certificate", ""}, "a file needs a name"},
+    {"ledger", {"prove", "x", "x", "--certificate", "/"}, "it is a folder"},
+    {"emit", {"--target", "cpp", "--out", ""}, "a file needs a name"},
     {"ledger", {"frobnicate"}, "frobnicate"},
     {"emit", {"--target", "cobol"}, "cobol"},
     {"emit", {"--target", "cpp", "--function", "no_such"}, "no_such"},
@@ -106,4 +113,26 @@ TEST_CASE("bad input ends with 2, names what was wrong, and says nothing on stan
     CHECK_MESSAGE(r.err.find(call.names) != std::string::npos, r.err);
     CHECK(r.out.empty());
   }
+}
+
+TEST_CASE("a link stays a link, a pipe stays a pipe, and what is behind them is written") {
+  namespace fs = std::filesystem;
+  TemporaryFolder folder;
+  const fs::path file = folder.path / "file", link = folder.path / "link", pipe = folder.path / "pipe";
+  std::ofstream(file) << "old";
+  fs::create_symlink("file", link);
+  const auto write_to = [](const fs::path& path) {
+    return run_program("emit", {"--target", "cpp", "--out", path.string()}).exit_code;
+  };
+  REQUIRE(write_to(link) == 0);
+  CHECK(fs::is_symlink(link));
+  CHECK(read_file(file) == run_program("emit", {"--target", "cpp"}).out);
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  const int reader = ::open(pipe.c_str(), O_RDWR | O_NONBLOCK);  // so that the writer need not wait
+  REQUIRE(run_program("ledger", {"prove", "x", "x", "--certificate", pipe.string()}).exit_code == 0);
+  CHECK(fs::is_fifo(pipe));
+  std::string text(100, ' ');
+  CHECK(::read(reader, text.data(), text.size()) > 0);
+  ::close(reader);
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 3);
 }

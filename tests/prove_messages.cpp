@@ -150,3 +150,13 @@ TEST_CASE("what is quoted in a message cannot steer a terminal") {
     }
   }
 }
+
+TEST_CASE("a relation and an expression are not compared, on whichever side") {
+  for (const char* relation : {"x = 0", "x < y", "1 = 1", "0 < x < 1"})
+    for (const auto& r :
+         {run_program("ledger", {"prove", relation, "x"}), run_program("ledger", {"prove", "x", relation})}) {
+      INFO(relation);
+      CHECK(r.exit_code == 3);
+      CHECK(r.out.find("an expression cannot be compared with a relation") != std::string::npos);
+    }
+}

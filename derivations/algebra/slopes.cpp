@@ -33,7 +33,8 @@ class Slopes {
     symbols_.narrow(symbols.find(x)->name, "(" + range_.lower + ", " + range_.upper + ")");
   }
 
-  std::optional<Slope> of(const ex& f) const {
+  std::optional<Slope> of(const ex& f) {
+    is_alone_ = names_in(f).size() == 1;
     const int seen = sign_seen(f);
     auto shown = seen != 0 ? strict(f, seen, most_slopes) : std::nullopt;
     if (!shown) return std::nullopt;
@@ -84,10 +85,11 @@ class Slopes {
     const auto there = sign_at(f, end);
     return there && *there * sign >= 0;
   }
-  /// sign*f >= 0, and f is not 0 everywhere.
+  /// sign*f >= 0, and f is not 0 everywhere; with other symbols, for none of their values: that is left to
+  /// strict signs.
   std::optional<Slope> weak(const ex& f, int sign, int left) const {
     if (sign_seen(f) != sign) return std::nullopt;
-    if (is_nonnegative(sign * f, symbols_)) return Slope{f, x_, sign};
+    if (is_alone_ && is_nonnegative(sign * f, symbols_)) return Slope{f, x_, sign};
     return strict(f, sign, left);
   }
   /// The slope as it comes, over one denominator, and in factors: the first for which `shown` says why, of a
@@ -143,6 +145,7 @@ class Slopes {
   Range range_;
   Interval interval_;
   Symbols symbols_;
+  bool is_alone_ = true;  ///< no other symbols
   mutable std::set<ex, GiNaC::ex_is_less> looked_at_;
 };
 

@@ -19,7 +19,7 @@ struct Slope {
   GiNaC::ex in;  ///< the symbol
   int sign = 0;  ///< 1 or -1
   How how = How::range;
-  bool is_strict = true;  ///< not 0 either at an end that the range has
+  bool is_strict = true;          ///< not 0 either at an end that the range has
   std::vector<Slope> slope = {};  ///< of what `how` says, none or one
   GiNaC::ex between = 0;          ///< for `ends`, the slope
 };
