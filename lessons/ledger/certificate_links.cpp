@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <derivations/algebra/conjunction.hpp>
+#include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/vanish.hpp>
@@ -90,6 +91,12 @@ struct Finder : Forms {
   }
   /// part^n, if that is a divisor or has the same square as one, but for parts of one sign.
   bool put_down_divisor(const ex& part, int n, numeric& number, CertifiedFactor& factor) const {
+    const auto names = names_in(part);  // what has more of them is 0 elsewhere, too
+    const auto has_them = [&](const CertifiedDivisor& d) {
+      const auto others = names_in(d.value);
+      return std::includes(others.begin(), others.end(), names.begin(), names.end());
+    };
+    if (std::none_of(divisors.begin(), divisors.end(), has_them)) return false;
     for (const CertifiedDivisor& d : divisors)
       for (const int exponent : {1, -1}) {
         if (vanishes(GiNaC::pow(part, 2) - GiNaC::pow(d.value, 2), q.symbols))
