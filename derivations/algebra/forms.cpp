@@ -96,6 +96,7 @@ bool has_functions(const ex& e) {
 
 /// A² + B² - (A sin x + B cos x)² is (A cos x - B sin x)²: with sin²x + cos²x for 1.
 std::optional<ex> form_of_quadratic(const ex& e, const Atoms& atoms, const Symbols& symbols) {
+  if (!atoms.roots.empty() || atoms.functions.size() > 2) return std::nullopt;
   const GiNaC::realsymbol s("s"), c("c");
   for (const ex& f : atoms.functions) {
     const ex x = f.op(0);
