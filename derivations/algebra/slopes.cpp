@@ -99,13 +99,13 @@ class Slopes {
     const ex plain = f.diff(GiNaC::ex_to<GiNaC::symbol>(x_));
     const int sign = is_short(plain) ? sign_seen(plain) : 0;
     if (sign == 0 || !(sign > 0 ? may_grow : may_fall)) return std::nullopt;
-    std::vector<ex> looked_at;
+    std::vector<ex> tried;
     const int ways = looked_at_.size() < 3 ? 4 - static_cast<int>(looked_at_.size()) : 1;  // they take time
     for (int way = 0; way < ways; ++way) {
       const ex slope = way == 0 ? plain : way == 1 ? simplified(plain) : in_factors(plain);
       const auto is_it = [&](const ex& other) { return other.is_equal(slope); };
-      const bool is_new = std::none_of(looked_at.begin(), looked_at.end(), is_it);
-      looked_at.push_back(slope);
+      const bool is_new = std::none_of(tried.begin(), tried.end(), is_it);
+      tried.push_back(slope);
       if (!is_new || !is_short(slope) || !has_values(slope, symbols_)) continue;
       if (auto why = shown(slope, sign)) return why;
     }
@@ -128,12 +128,13 @@ class Slopes {
       if (!why) return std::nullopt;
       return Slope{f, x_, sign, its_sign == sign ? How::low : How::high, true, {*why}};
     };
+    const bool is_positive = sign > 0;
     auto result =
-        by_slope_of(f, sign > 0 ? from_low : from_high, sign > 0 ? from_high : from_low, from_an_end);
+        by_slope_of(f, is_positive ? from_low : from_high, is_positive ? from_high : from_low, from_an_end);
     if (result || !from_low || !from_high) return result;
     const ex slope = f.diff(GiNaC::ex_to<GiNaC::symbol>(x_));
     if (!is_short(slope) || !has_values(slope, symbols_)) return std::nullopt;
-    return by_slope_of(slope, sign<0, sign> 0, [&](const ex& bend, int) -> std::optional<Slope> {
+    return by_slope_of(slope, !is_positive, is_positive, [&](const ex& bend, int) -> std::optional<Slope> {
       auto why = weak(bend, -sign, left - 2);
       return why ? std::optional(Slope{f, x_, sign, How::ends, true, {*why}, slope}) : std::nullopt;
     });
