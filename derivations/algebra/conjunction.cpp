@@ -56,10 +56,18 @@ std::optional<Part> as_one(const Parts& parts, const Numbers& chosen, const Symb
   return Part{nullptr, product, product, a.claim};
 }
 
+Points points_for(const Parted& parts, const Symbols& symbols) {
+  std::vector<Tree> trees = trees_of(parts.first.pair);
+  for (const Parts* side : {&parts.left, &parts.right})
+    for (const Part& part : *side) trees.push_back(part.written);
+  return points_for(trees, symbols);
+}
+
 /// Finds the matches of all parts.
 class Matching {
  public:
-  Matching(const Question& question, const Parted& parts) : parts_(parts), symbols_(question.symbols) {}
+  Matching(const Question& question, const Parted& parts)
+      : parts_(parts), symbols_(question.symbols), points_(points_for(parts, question.symbols)) {}
 
   std::optional<std::vector<Match>> find() {
     Numbers left = open(parts_.left, true), right = open(parts_.right, false);
@@ -127,8 +135,24 @@ class Matching {
     for (const Part& part : parts) result.push_back({part.residual, part.claim});
     return result;
   }
+  /// Whether everything has a value near a zero of one equation, and the other one fails there: cheaper than
+  /// algebra, which would not find a factor.
+  bool differ_at_a_zero(const Part& of, const Part& other) const {
+    const auto has_value = [](const Point& point) {
+      return [&](const Part& part) { return value_of(part.written, point).has_value(); };
+    };
+    for (const auto& [name, point] : linear_zeros(of.residual, points_, symbols_, Zeros::irrational, 2)) {
+      const auto value = other.written ? value_of(other.written, point) : std::nullopt;
+      if (value && differ(*value, 0) && is_admitted(parts_.first.pair, {point}, symbols_) &&
+          std::all_of(parts_.left.begin(), parts_.left.end(), has_value(point)) &&
+          std::all_of(parts_.right.begin(), parts_.right.end(), has_value(point)))
+        return true;
+    }
+    return false;
+  }
   bool same(const Part& a, const Part& b) const {
     if (a.claim != b.claim) return false;
+    if (a.claim == Claim::zero && (differ_at_a_zero(a, b) || differ_at_a_zero(b, a))) return false;
     Residuals r = parts_.first;
     r.pair.left_value = a.residual, r.pair.right_value = b.residual;
     r.inner_left = a.inner, r.inner_right = b.inner, r.left = r.right = a.claim;
@@ -138,6 +162,7 @@ class Matching {
 
   const Parted& parts_;
   const Symbols& symbols_;
+  Points points_;
   std::vector<Match> matches_;
   Match never_{{}, {}, true};
 };
@@ -221,13 +246,6 @@ std::optional<Proof> differ_at(const Place& place, const Parted& parts, const Sy
   const std::string why = left->holds ? "at the witness all of the left one holds and the right one fails"
                                       : "at the witness the right one holds and a link of the left one fails";
   return witness ? std::optional(refuted(*witness, why + precision_of(place.at))) : std::nullopt;
-}
-
-Points points_for(const Parted& parts, const Symbols& symbols) {
-  std::vector<Tree> trees = trees_of(parts.first.pair);
-  for (const Parts* side : {&parts.left, &parts.right})
-    for (const Part& part : *side) trees.push_back(part.written);
-  return points_for(trees, symbols);
 }
 
 /// Among so many.

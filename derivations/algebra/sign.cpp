@@ -23,7 +23,20 @@ int shown_sign(const Interval& i) {
 }
 
 /// Of the expression as it stands, with a square completed, or in another form.
+int find_sign(const ex& e, const Symbols& symbols);
+
+/// The same, remembered.
 int sign(const ex& e, const Symbols& symbols) {
+  constexpr std::size_t most = 2000;
+  if (const auto found = symbols.known_signs().find(e); found != symbols.known_signs().end())
+    return found->second;
+  const int result = find_sign(e, symbols);
+  if (symbols.known_signs().size() == most) symbols.known_signs().clear();
+  symbols.known_signs()[e] = result;
+  return result;
+}
+
+int find_sign(const ex& e, const Symbols& symbols) {
   if (!has_symbol(e)) return shown_sign({{e, 0, true}, {e, 0, true}});
   const int plain = shown_sign(interval_of(e, symbols));
   if (std::abs(plain) == 2) return plain;

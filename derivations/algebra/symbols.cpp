@@ -56,6 +56,7 @@ const Symbol& Symbols::declare(std::string name, std::string latex, std::string 
   const bool positive = ends.lower.front() != '-';
   const SymbolExpression symbol = positive ? SymbolExpression(GiNaC::possymbol(name, latex))
                                            : SymbolExpression(GiNaC::realsymbol(name, latex));
+  forget_signs();
   if (!table_.contains(name)) order_.push_back(name);
   Symbol entry{name,
                std::move(latex),
@@ -73,6 +74,7 @@ void Symbols::narrow(std::string_view name, std::string range) {
   if (found == table_.end()) throw std::out_of_range("no symbol '" + std::string(name) + "' is declared");
   (void)read_range(range);
   found->second.range = std::move(range);
+  forget_signs();
 }
 
 const Symbol* Symbols::find(std::string_view name) const {

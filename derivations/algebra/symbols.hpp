@@ -4,6 +4,7 @@
 #include <ginac/ginac.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,7 +54,7 @@ class Symbols {
   /// Throws std::out_of_range or std::invalid_argument.
   void narrow(std::string_view name, std::string range);
   /// Declares that an expression in the symbols is never 0, as in "x != y".
-  void exclude_zero(const GiNaC::ex& expression) { never_zero_.push_back(expression); }
+  void exclude_zero(const GiNaC::ex& expression) { never_zero_.push_back(expression), forget_signs(); }
   const std::vector<GiNaC::ex>& never_zero() const { return never_zero_; }
   /// Declares that an expression is not 0 where an assumption has a value: no witness may be there, and no
   /// proof may use it.
@@ -61,7 +62,7 @@ class Symbols {
   const std::vector<GiNaC::ex>& no_witness() const { return no_witness_; }
   /// Says a symbol in others, of which the ranges say more: the difference of y and x, as y - x.
   void say_otherwise(const GiNaC::ex& symbol, const GiNaC::ex& words) {
-    otherwise_.push_back({symbol, words});
+    otherwise_.push_back({symbol, words}), forget_signs();
   }
   const std::vector<std::pair<GiNaC::ex, GiNaC::ex>>& otherwise() const { return otherwise_; }
   const Symbol* find(std::string_view name) const;    ///< nullptr if there is none
@@ -70,12 +71,19 @@ class Symbols {
   const SymbolExpression& operator[](std::string_view name) const;
   std::vector<std::string> names() const;         ///< in the order of declaration
   std::size_t rank(std::string_view name) const;  ///< place in that order: the printing order
+  /// The signs of expressions over these ranges that were found already, for sign_of() and is_nonnegative().
+  std::map<GiNaC::ex, int, GiNaC::ex_is_less>& known_signs() const { return *known_signs_; }
 
  private:
+  void forget_signs() { known_signs_ = std::make_shared<std::map<GiNaC::ex, int, GiNaC::ex_is_less>>(); }
+
   std::vector<std::string> order_;
   std::map<std::string, Symbol, std::less<>> table_;
   std::vector<GiNaC::ex> never_zero_, no_witness_;
   std::vector<std::pair<GiNaC::ex, GiNaC::ex>> otherwise_;
+  /// Copies share it until one of them changes.
+  std::shared_ptr<std::map<GiNaC::ex, int, GiNaC::ex_is_less>> known_signs_ =
+      std::make_shared<std::map<GiNaC::ex, int, GiNaC::ex_is_less>>();
 };
 
 /// The symbols of the paper, with their meanings: the one table that everything else reads.
