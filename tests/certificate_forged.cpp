@@ -306,3 +306,21 @@ TEST_CASE("two links as one, though both may fail") {
   CHECK(of({"0", "<", "x", "<=", "1"}, {"x^2", "<", "x"}, between, "1") == "such links do not make one");
   CHECK(of({"0", "=", "x", "=", "1"}, {"x^2", "=", "x"}, between, "1") == "such links do not make one");
 }
+
+TEST_CASE("of what is not negative the square shows the sign") {
+  const auto shown = [](const Json& statement, const Json& roots, const std::string& form,
+                        bool holds = true) {
+    const Json steps = Json::array({{{"function", "^1/2"}, {"of", "x^2"}, {"name", "$f"}}}),
+               left{{"link", 0}, {"form", form}, {"roots", roots}}, right{{"link", 0}, {"form", "1"}};
+    return verdict_of_links(statement, {"0", "<", "1"}, {{"x", real}}, steps,
+                            {{{"left", left}, {"holds", holds}}, {{"right", right}, {"holds", true}}});
+  };
+  CHECK(shown({"fabs(x)-x", ">=", "0"}, {"fabs(x)"}, "0") == "accepted");
+  CHECK(shown({"fabs(x)+1-x", ">", "0"}, {"fabs(x)+1"}, "1+2*fabs(x)") == "accepted");
+  CHECK(shown({"fabs(x)-x", ">", "0"}, {"fabs(x)"}, "0") == "the form leaves it open");
+  CHECK(shown({"x-fabs(x)", ">=", "0"}, {"x"}, "0") == "a root may be negative");
+  CHECK(shown({"x-fabs(x)", ">=", "0"}, {"-fabs(x)"}, "0") == "a root may be negative");
+  CHECK(shown({"fabs(x)-x", ">=", "0"}, {"fabs(x)"}, "1") == "the form is another one");
+  CHECK(shown({"fabs(x)-x", "=", "0"}, {"fabs(x)"}, "0") == "squares do not show that");
+  CHECK(shown({"fabs(x)-x", ">", "0"}, {"fabs(x)"}, "0", false) == "squares do not show that");
+}

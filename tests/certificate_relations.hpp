@@ -228,7 +228,12 @@ class Checker {
   bool divides(const std::string& part, const std::string& times, const std::string& residual) {
     return range(times), same("(" + part + ")*(" + times + ")", residual);
   }
-  /// A relation that always holds, or never, by the form of its residual.
+  /// a^2 - b^2 of a - b: where a is not negative, a - b is not less than 0 where that is not, nor 0 where it
+  /// is positive.
+  static std::string square_of(const std::string& a, const std::string& difference) {
+    return "((" + a + ")^2-((" + a + ")-(" + difference + "))^2)";
+  }
+  /// A relation that always holds, or never, by the form of its residual, or of squares that show it.
   void settle(const Json& link) {
     const std::string side = link.contains("left") ? "left" : "right";
     const Said s = said(side, link.at(side));
@@ -239,8 +244,14 @@ class Checker {
     const bool never = s.op == "="   ? r.is_positive() || r.is_negative()
                        : s.op == ">" ? r.is_not_positive()
                                      : r.is_negative();
-    require(!s.op.empty() && same(s.residual(), form), "the form is another one");
-    const bool holds = link.at("holds");
+    const bool holds = link.at("holds"), is_square = link.at(side).contains("roots");
+    std::string residual = s.residual();
+    for (const Json& root : link.at(side).value("roots", Json::array())) {
+      require(range(root).is_not_negative(), "a root may be negative");
+      residual = square_of(root, residual);
+    }
+    require(!s.op.empty() && same(residual, form), "the form is another one");
+    require(!is_square || (holds && s.op != "="), "squares do not show that");
     require(holds ? always : never, "the form leaves it open");
     if (holds)
       settled_.insert({side, link.at(side).at("link")});

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <derivations/algebra/factor_roots.hpp>
+#include <derivations/algebra/in_square.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
@@ -280,12 +281,21 @@ std::optional<bool> settled_by_form(const ex& residual, Claim claim, const Symbo
   }
 }
 
+std::optional<bool> always_holds_in_square(const ex& residual, Claim claim, const Symbols& symbols) {
+  try {
+    const auto shown = claim == Claim::zero ? std::nullopt : shown_in_square(residual, symbols);
+    return shown && (shown->is_strict || claim == Claim::not_negative) ? std::optional(true) : std::nullopt;
+  } catch (const std::exception&) {  // outside of the class
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 std::optional<bool> settled(const ex& residual, Claim claim, const Symbols& symbols) {
   if (const auto holds = settled_by_form(residual, claim, symbols)) return holds;
   const auto slope = sign_by_slope(residual, symbols);
-  if (!slope) return std::nullopt;
+  if (!slope) return always_holds_in_square(residual, claim, symbols);
   const bool holds = slope->sign > 0, is_weak = holds == (claim == Claim::not_negative);  // 0 does not matter
   if (!slope->is_strict && (claim == Claim::zero || !is_weak)) return std::nullopt;
   return claim != Claim::zero && holds;

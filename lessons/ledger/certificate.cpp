@@ -107,7 +107,7 @@ Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Pha
   }
   if (link.holds) {
     const CertifiedSide& side = is_left ? link.left : link.right;
-    if (side.form && lower(side.form, q.symbols).is_zero() &&
+    if (side.form && side.roots.empty() && lower(side.form, q.symbols).is_zero() &&
         !phases.reduce(phases(q.value(side.residual)).normal().numer()).is_zero())
       throw Undecidable("an equation that always holds, and no polynomial identity that says it");
     Json& part = json[is_left ? "left" : "right"] = part_json(side, 0, q);
@@ -115,6 +115,7 @@ Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Pha
       part["form"] = q.text(side.form);
     else
       part["parts"] = factor_json(side.parts, q);
+    for (const Tree& root : side.roots) part["roots"].push_back(q.text(root));
     json["holds"] = *link.holds;
     return json;
   }
@@ -228,6 +229,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
     for (const CertifiedSide& side : {link.left, link.right}) {
       for (const Tree& tree : {side.sum, side.form})
         if (tree) trees.push_back(tree);
+      trees.insert(trees.end(), side.roots.begin(), side.roots.end());
       add_trees(side.parts, trees);
       for (const auto& layers : side.layers)
         for (const CertifiedLayer& layer : layers) add_trees(layer, q, trees);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/algebra/conjunction.hpp>
 #include <derivations/algebra/elimination.hpp>
+#include <derivations/algebra/in_square.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/vanish.hpp>
@@ -40,9 +41,14 @@ struct Finder : Forms {
     if (!holds) return std::nullopt;
     const auto form = *holds && op == "=" ? ex(0) : form_of_one_sign(side.residual);
     const auto parts = form ? CertifiedFactor{} : parts_of_one_sign(side.residual);
-    if (!form && !parts) return std::nullopt;
+    const auto square = form || parts || !*holds ? std::nullopt : shown_in_square(side.residual, q.symbols);
+    if (!form && !parts && !square) return std::nullopt;
+    if (square) {
+      for (const ex& root : square->roots) side.roots.push_back(tree(root));
+      side.form = tree(form_of_one_sign(square->rest).value_or(square->rest));
+    }
     if (form) side.form = sign_by_slope(*form, q.symbols) ? to_tree(*form, q.symbols) : tree(*form);
-    side.parts = *parts;
+    if (parts) side.parts = *parts;
     CertifiedLink link;
     (is_left ? link.left : link.right) = side, link.holds = holds;
     return link;

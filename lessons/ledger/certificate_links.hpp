@@ -37,6 +37,7 @@ struct CertifiedSide {
   GiNaC::ex residual;                               ///< of what is left: must be 0, positive or not negative
   Tree sum = nullptr, form = nullptr;               ///< written so that the sign shows …
   CertifiedFactor parts = {};  ///< … or as a product of parts of which each shows its own
+  std::vector<Tree> roots = {};  ///< a >= 0, of which a^2 - (a - residual)^2 has that form, one after another
 };
 
 /// Why a link follows from those of the other side: times·residual = Σ factor·residuals of links + more, or
