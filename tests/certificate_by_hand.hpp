@@ -7,25 +7,33 @@ namespace by_hand {
 
 using Json = nlohmann::json;
 
-/// Of a certificate without givens, with one piece.
+/// Without givens, with one piece, or the same in all.
+inline Json certificate(const Json& left, const Json& right, const Json& ranges, const Json& links,
+                        const Json& steps = Json::array(), const Json& cut = Json::array()) {
+  const Json piece{{"steps", steps}, {"links", links}};
+  return {{"format", "rederive certificate 8"},
+          {"left", left},
+          {"right", right},
+          {"given", Json::object()},
+          {"divisors", Json::array()},
+          {"never zero", Json::array()},
+          {"parts of divisors", Json::object()},
+          {"slopes", Json::object()},
+          {"ranges", ranges},
+          {"declared", Json::object()},
+          {"cut", cut},
+          {"pieces", Json(1 << cut.size(), piece)}};
+}
+
+/// What the checker says of that.
 inline std::string verdict_of_links(const Json& left, const Json& right, const Json& ranges,
                                     const Json& steps, const Json& links, const Json& cut = Json::array(),
                                     const Json& divisors = Json::array(),
                                     const Json& parts_of_divisors = Json::object()) {
-  const Json piece{{"steps", steps}, {"links", links}};
+  Json c = certificate(left, right, ranges, links, steps, cut);
+  c["divisors"] = divisors, c["parts of divisors"] = parts_of_divisors;
   try {
-    certificate_checker::check({{"format", "rederive certificate 8"},
-                                {"left", left},
-                                {"right", right},
-                                {"given", Json::object()},
-                                {"divisors", divisors},
-                                {"never zero", Json::array()},
-                                {"parts of divisors", parts_of_divisors},
-                                {"slopes", Json::object()},
-                                {"ranges", ranges},
-                                {"declared", Json::object()},
-                                {"cut", cut},
-                                {"pieces", Json(1 << cut.size(), piece)}});
+    certificate_checker::check(c);
     return "accepted";
   } catch (const std::exception& error) {
     return error.what();

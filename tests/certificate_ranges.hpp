@@ -64,6 +64,11 @@ inline Range both(const Range& a, const Range& b) {
           (low < 0 || a.has_low) && (low > 0 || b.has_low),
           (high > 0 || a.has_high) && (high < 0 || b.has_high)};
 }
+inline bool is_within(const Range& x, const Range& whole) {
+  const int low = compare(x.low, whole.low), high = compare(x.high, whole.high);
+  return (low > 0 || (low == 0 && (whole.has_low || !x.has_low))) &&
+         (high < 0 || (high == 0 && (whole.has_high || !x.has_high)));
+}
 /// Of an even power, for which a range was found that does not know of it.
 inline Range not_negative(const Range& range) {
   return range.is_not_negative() ? range : Range{{}, range.high, true, range.has_high};

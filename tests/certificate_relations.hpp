@@ -68,7 +68,7 @@ class Checker {
       replay_.value(text);
       for (const Fraction& d : replay_.divisors) require(is_divisor(d), "divides by something else: " + text);
     }
-    if (!c_.at("slopes").contains(text)) return result;
+    if (!c_.at("slopes").contains(text) || c_.at("slopes").at(text).at("how") == "grows") return result;
     require(++slopes_ < 100, "too many slopes");
     const auto range_of = [this](const std::string& t) { return range(t); };
     return both(result, SlopeCheck(text, c_, replay_, look_, range_of).range());
@@ -128,10 +128,24 @@ class Checker {
       require(same(s.residual(), "(" + by + ")*((" + x + ")-(" + y + "))"), "another layer");
       require(s.op == "=" || sign(layer.at("factor")) == (falls ? -1 : 1), "a layer of unknown sign");
       s.a = x, s.b = y;
+    } else if (f == "of") {
+      take_off_of(layer.at("of"), falls, x, y, s);
     } else {
       take_off(f, falls, {&x, &s.a}, {&y, &s.b}, s.op);
     }
     if (falls && s.op != "=") s.op[0] = s.op[0] == '<' ? '>' : '<';
+  }
+  /// Any function of one name, of which the slope says as much, at two names within the range of that one.
+  void take_off_of(const std::string& of, bool falls, const std::string& x, const std::string& y, Said& s) {
+    const std::string in = c_.at("slopes").at(of).at("in");
+    const auto range_of = [this](const std::string& text) { return range(text); };
+    require(SlopeCheck(of, c_, replay_, look_, range_of).growth() == (falls ? -1 : 1), "no such growth");
+    for (const auto& [name, whole] : {std::pair(x, &s.a), {y, &s.b}}) {
+      require(c_.at("ranges").contains(name) && is_within(look_.range(name), look_.range(in)),
+              "not in the range of " + in + ": " + name);
+      require(replay_.same(replay_.value(*whole), replay_.at(of, in, replay_.value(name))), "another layer");
+      *whole = name;
+    }
   }
   /// Even functions grow with x^2, and f(x) = f(0) is x = 0.
   void take_off(const std::string& f, bool falls, std::pair<const std::string*, std::string*> left,

@@ -109,6 +109,59 @@ TEST_CASE("of several names a slope is positive whatever the others are") {
   CHECK(with_y("x*y+y-2*y", "y", "(0, inf)", "-y") == "of another sign at an end: x*y+y-2*y");
 }
 
+TEST_CASE("what is taken times a slope is positive") {
+  const auto times = [](const std::string& form, int sign, const std::string& by, const std::string& slope) {
+    Json why = from("low", sign, slope);
+    why["by"] = by;
+    return sloped(form, "(0, inf)", why, ">", {"1+x"});
+  };
+  CHECK(times("x/(1+x)", 1, "(1+x)^2", "1") == "accepted");
+  CHECK(times("x/(1+x)", 1, "(1+x)^2", "2") == "another slope of x/(1+x)");
+  CHECK(times("-x/(1+x)", 1, "-(1+x)^2", "1") == "it may turn the slope round: -(1+x)^2");
+  CHECK(times("x/(1+x)", 1, "(1-x)^2", "(1-x)^2/(1+x)^2") == "it may turn the slope round: (1-x)^2");
+}
+
+TEST_CASE("a function that grows is a layer") {
+  const auto layered = [](const std::string& f_of_y, const Json& ranges, const Json& why,
+                          const std::string& function = "x^3+x", bool falls = false) {
+    const auto side = [](const Json& layers) -> Json {
+      return {{"links", Json::array({{{"link", 0}, {"layers", layers}}})}, {"residual", "x-y"}};
+    };
+    const Json layer{{"function", "of"}, {"falls", falls}, {"left", "x"}, {"right", "y"}, {"of", function}};
+    const Json link{{"left", side(Json::array({layer}))},
+                    {"right", side(Json::array())},
+                    {"factor", Json::object()},
+                    {"cofactor", "1"}};
+    const std::string op = falls ? "<" : ">";
+    Json c = by_hand::certificate({function, op, f_of_y}, {"x", ">", "y"}, ranges, Json::array({link}));
+    c["slopes"] = {{function, why}};
+    if (function == "-1/x") c["divisors"] = {"x", "y"};
+    return verdict_of(c);
+  };
+  const Json real{{"x", "(-inf, inf)"}, {"y", "(-inf, inf)"}}, grows = from("grows", 1, "3*x^2+1");
+  CHECK(layered("y^3+y", real, grows) == "accepted");
+  CHECK(layered("y^3+y+1", real, grows) == "another layer");
+  CHECK(layered("y^3", {{"x", "(-inf, inf)"}, {"y", "(-inf, inf)"}}, from("grows", 1, "3*x^2"), "x^3") ==
+        "accepted");  // 0 at a single point
+  CHECK(layered("y^3+y", {{"x", "(-inf, inf)"}, {"y", "(0, inf)"}}, grows) == "accepted");
+  CHECK(layered("y^3+y", {{"x", "(0, inf)"}, {"y", "(-inf, inf)"}}, grows) == "not in the range of x: y");
+  CHECK(layered("y^3+y", {{"x", "(0, inf)"}, {"y", "[0, inf)"}}, grows) == "not in the range of x: y");
+  CHECK(layered("y^3+y", real, from("grows", 1, "3*x^2+2")) == "another slope of x^3+x");
+  CHECK(layered("y^3+y", real, from("low", 1, "3*x^2+1")) == "no growth: x^3+x");
+  CHECK(layered("y^3-y", real, from("grows", 1, "3*x^2-1"), "x^3-x") == "a slope of unknown sign: 3*x^2-1");
+  CHECK(layered("y^3+y", real, grows, "x^3+x", true) == "no such growth");
+  CHECK(layered("-y", real, from("grows", -1, "-1"), "-x", true) == "accepted");
+  CHECK(layered("-y", real, from("grows", -1, "-1"), "-x") == "no such growth");
+  CHECK(layered("1", real, from("grows", 1, "0"), "1") == "no slope: 0");
+  Json other = grows;
+  other["in"] = "y";
+  CHECK(layered("y^3+y", real, other) == "no growth: x^3+x");
+  CHECK(sloped("x", "(0, inf)", from("grows", 1, "1")) == "accepted");  // by its range alone
+  CHECK(sloped("x-1", "(0, inf)", from("grows", 1, "1")) == open_form);
+  const Json pole{{"x", "(-1, 1)"}, {"y", "(-1, 1)"}};
+  CHECK(layered("-1/y", pole, from("grows", 1, "1/x^2"), "-1/x") == "it may have no value: -1/x");
+}
+
 TEST_CASE("a slope says nothing across a pole or a kink") {
   const Json divisor{"x"};
   CHECK(sloped("x-1/x", "(-1/2, inf)", from("low", 1, "1+1/x^2"), ">", divisor) ==

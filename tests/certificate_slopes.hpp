@@ -125,10 +125,7 @@ class SlopeCheck {
   /// bent; or by its range, and by its values at ends that the range of the name has.
   Range range() {
     require(std::abs(sign_) == 1, "no sign");
-    require(c_.at("ranges").contains(name_) && !c_.at("given").contains(name_), "no slope in " + name_);
-    const Range x = look_.range(name_);
-    inside_ = x;
-    inside_.has_low = inside_.has_high = false;
+    const Range x = range_of_name();
     if (how_ == "inside")
       require(sign_ > 0 ? shown(text_, 0).is_positive() : shown(text_, 0).is_negative(),
               "of another sign inside: " + text_);
@@ -141,7 +138,22 @@ class SlopeCheck {
     return sign_ > 0 ? Range{{}, most, !is_strict, false} : Range{least, {}, false, !is_strict};
   }
 
+  /// Whether it is said to grow (1), or fall (-1), and does, all over the range of its name: its slope is 0
+  /// at single points at most.
+  int growth() {
+    require(how_ == "grows" && std::abs(sign_) == 1 && is_alone(text_), "no growth: " + text_);
+    require(look_.whole_range(text_, name_, range_of_name()).has_value(), "it may have no value: " + text_);
+    const std::string slope = why_.at("slope");
+    return check_slope(text_, slope, by()), shown(slope, sign_), sign_;
+  }
+
  private:
+  Range range_of_name() {
+    require(c_.at("ranges").contains(name_) && !c_.at("given").contains(name_), "no slope in " + name_);
+    inside_ = look_.range(name_);
+    inside_.has_low = inside_.has_high = false;
+    return look_.range(name_);
+  }
   /// Its range inside, where it has a value everywhere; of one sign, if it is said to have one.
   Range shown(const std::string& text, int sign) {
     const auto whole = look_.whole_range(text, name_, inside_);
@@ -164,14 +176,19 @@ class SlopeCheck {
   void check_slopes() {
     require(how_ == "low" || how_ == "high" || how_ == "ends", "no such reason: " + how_);
     const std::string slope = why_.at("slope");
-    shown(text_, 0), check_slope(text_, slope);
+    shown(text_, 0), check_slope(text_, slope, how_ == "ends" ? "1" : by());
     if (how_ != "ends") return void(shown(slope, how_ == "low" ? sign_ : -sign_));
     const std::string bend = why_.at("bend");
-    shown(slope, 0), check_slope(slope, bend), shown(bend, -sign_);
+    shown(slope, 0), check_slope(slope, bend, by()), shown(bend, -sign_);
   }
-  void check_slope(const std::string& of, const std::string& is) {
-    require(replay_.same(Slopes(replay_, c_, name_).value(of).slope, replay_.value(is)),
+  void check_slope(const std::string& of, const std::string& is, const std::string& by) {
+    require(replay_.same(Slopes(replay_, c_, name_).value(of).slope * replay_.value(by), replay_.value(is)),
             "another slope of " + of);
+  }
+  /// What the last slope is taken times.
+  std::string by() {
+    const std::string by = why_.value("by", "1");
+    return require(shown(by, 0).is_positive(), "it may turn the slope round: " + by), by;
   }
   /// Its value at an end of the range: whether it is of that sign, or the range does not have that end.
   bool end(const Range& x, bool is_low, bool is_needed) {

@@ -29,6 +29,7 @@ class Slopes {
       : x_(x),
         range_(read_range(symbols.find(x)->range)),
         interval_(parse_range(symbols.find(x)->range)),
+        declared_(symbols),
         symbols_(symbols) {
     symbols_.narrow(symbols.find(x)->name, "(" + range_.lower + ", " + range_.upper + ")");
   }
@@ -44,6 +45,13 @@ class Slopes {
       shown->is_strict = shown->is_strict && *sign_at(f, *end) != 0;
     }
     return shown;
+  }
+  std::optional<Slope> growth(const ex& f) const {
+    if (!has_values(f, declared_)) return std::nullopt;
+    return by_slope_of(f, true, true, [&](const ex& slope, int sign) -> std::optional<Slope> {
+      auto why = weak(slope, sign, most_slopes - 1);
+      return why ? std::optional(Slope{f, x_, sign, How::grows, true, {*why}}) : std::nullopt;
+    });
   }
 
  private:
@@ -92,8 +100,8 @@ class Slopes {
     if (is_alone_ && is_nonnegative(sign * f, symbols_)) return Slope{f, x_, sign};
     return strict(f, sign, left);
   }
-  /// The slope as it comes, over one denominator, and in factors: the first for which `shown` says why, of a
-  /// sign that may do.
+  /// The slope as it comes, over one denominator (its numerator, where that has a sign), and in factors: the
+  /// first for which `shown` says why, of a sign that may do.
   template <class Shown>
   std::optional<Slope> by_slope_of(const ex& f, bool may_grow, bool may_fall, const Shown& shown) const {
     const ex plain = f.diff(GiNaC::ex_to<GiNaC::symbol>(x_));
@@ -102,14 +110,22 @@ class Slopes {
     std::vector<ex> tried;
     const int ways = looked_at_.size() < 3 ? 4 - static_cast<int>(looked_at_.size()) : 1;  // they take time
     for (int way = 0; way < ways; ++way) {
-      const ex slope = way == 0 ? plain : way == 1 ? simplified(plain) : in_factors(plain);
-      const auto is_it = [&](const ex& other) { return other.is_equal(slope); };
+      const auto [slope, by] = way == 0   ? std::pair(plain, ex(1))
+                               : way == 1 ? numerator(simplified(plain))
+                                          : std::pair(in_factors(plain), ex(1));
+      const auto is_it = [&, &s = slope](const ex& other) { return other.is_equal(s); };
       const bool is_new = std::none_of(tried.begin(), tried.end(), is_it);
       tried.push_back(slope);
       if (!is_new || !is_short(slope) || !has_values(slope, symbols_)) continue;
-      if (auto why = shown(slope, sign)) return why;
+      if (auto why = shown(slope, sign)) return why->by = by, why;
     }
     return std::nullopt;
+  }
+  /// n and a positive d of n/d, if d has a sign; else the whole, and 1.
+  std::pair<ex, ex> numerator(const ex& f) const {
+    const ex parts = f.numer_denom();
+    const int sign = GiNaC::is_a<GiNaC::numeric>(parts.op(1)) ? 0 : sign_of(parts.op(1), symbols_);
+    return sign != 0 ? std::pair<ex, ex>(sign * parts.op(0), sign * parts.op(1)) : std::pair(f, ex(1));
   }
   ex in_factors(const ex& f) const {
     const auto parts = size_of(f) < longest_in_factors ? checked_quotient(f, 1, symbols_) : std::nullopt;
@@ -145,10 +161,15 @@ class Slopes {
   ex x_;
   Range range_;
   Interval interval_;
-  Symbols symbols_;
-  bool is_alone_ = true;  ///< no other symbols
+  Symbols declared_, symbols_;  ///< the second ones without the ends of that range
+  bool is_alone_ = true;        ///< no other symbols
   mutable std::set<ex, GiNaC::ex_is_less> looked_at_;
 };
+
+bool has_bars(const ex& f) {
+  return std::any_of(f.preorder_begin(), f.preorder_end(),
+                     [](const ex& part) { return name_of(part) == "abs"; });
+}
 
 bool is_in_function(const ex& x, const ex& f) {
   return std::any_of(f.preorder_begin(), f.preorder_end(),
@@ -163,15 +184,22 @@ std::optional<Slope> sign_by_slope(const ex& expression, const Symbols& symbols)
   if (names.empty() || names.size() > most_names) return std::nullopt;
   try {
     const ex f = prepare(expression, symbols);
-    const bool has_bars = std::any_of(f.preorder_begin(), f.preorder_end(),
-                                      [](const ex& part) { return name_of(part) == "abs"; });
-    if (has_bars || !has_symbol(f)) return std::nullopt;
+    if (has_bars(f) || !has_symbol(f)) return std::nullopt;
     for (const std::string& name : names)
       if (names.size() == 1 || is_in_function(symbols[name], f))
         if (auto slope = Slopes(symbols[name], symbols).of(f)) return slope;
   } catch (const std::exception&) {  // outside of the class, or ends that are too close to tell
   }
   return std::nullopt;
+}
+
+std::optional<Slope> growth_by_slope(const ex& expression, const ex& symbol, const Symbols& symbols) {
+  if (names_in(expression).size() != 1 || has_bars(expression)) return std::nullopt;
+  try {
+    return Slopes(symbol, symbols).growth(expression);
+  } catch (const std::exception&) {  // outside of the class
+    return std::nullopt;
+  }
 }
 
 }  // namespace rederive

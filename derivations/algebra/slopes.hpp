@@ -13,7 +13,8 @@ struct Slope {
     range,  ///< what interval_of or another form of it shows: not 0, or of one sign for a slope
     low,    ///< its value at the low end is 0 or of that sign, and its slope has that sign
     high,   ///< its value at the high end is, and its slope has the other one
-    ends    ///< its values at both ends are, and the slope of its slope has the other sign
+    ends,   ///< its values at both ends are, and the slope of its slope has the other sign
+    grows   ///< it has no sign, but its slope has that one: the expression grows, or falls, strictly
   };
   GiNaC::ex value;
   GiNaC::ex in;  ///< the symbol
@@ -22,10 +23,16 @@ struct Slope {
   bool is_strict = true;          ///< not 0 either at an end that the range has
   std::vector<Slope> slope = {};  ///< of what `how` says, none or one
   GiNaC::ex between = 0;          ///< for `ends`, the slope
+  GiNaC::ex by = 1;               ///< positive: the slope times this is `slope`, or its own slope for `ends`
 };
 
 /// In its one symbol, or one of up to three that functions have. Nothing where the expression has bars, may
 /// have no value somewhere, is not seen to have a slope everywhere, or where six slopes do not show a sign.
 std::optional<Slope> sign_by_slope(const GiNaC::ex& expression, const Symbols& symbols);
+
+/// Whether an expression of one symbol alone grows (sign 1) or falls (-1) strictly all over its range, on
+/// which it has a value everywhere: its slope is 0 at single points at most. Nothing where that is not seen.
+std::optional<Slope> growth_by_slope(const GiNaC::ex& expression, const GiNaC::ex& symbol,
+                                     const Symbols& symbols);
 
 }  // namespace rederive

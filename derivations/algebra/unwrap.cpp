@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <derivations/algebra/branches.hpp>
+#include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/rearrange.hpp>
+#include <derivations/algebra/slopes.hpp>
 #include <derivations/algebra/unwrap.hpp>
 #include <optional>
 #include <set>
@@ -170,11 +172,49 @@ std::optional<Layer> of_the_left(const Sides& s, const Symbols& symbols) {
   return c ? std::optional(with(*c)) : std::nullopt;
 }
 
+bool is_within(const Interval& inner, const Interval& outer) {
+  const Interval both = overlap(inner, outer);
+  const auto is_end = [](const End& a, const End& b) {
+    return a.infinite == b.infinite && a.closed == b.closed &&
+           (a.infinite != 0 || compare(a.value, b.value) == 0);
+  };
+  return is_end(both.low, inner.low) && is_end(both.high, inner.high);
+}
+
+/// f(x) op f(y) of two symbols, where f grows, or falls, over the wider range of both, as its slope shows.
+std::optional<Layer> of_two_symbols(const Sides& s, const Symbols& symbols) {
+  const auto one = names_in(s.left), other = names_in(s.right);
+  if (one.size() != 1 || other.size() != 1 || one == other) return std::nullopt;
+  const ex &x = symbols[*one.begin()], &y = symbols[*other.begin()];
+  if (s.left.is_polynomial(x) && s.left.degree(x) == 1) return std::nullopt;  // nothing to take off
+  const Interval of_x = interval_of(x, symbols), of_y = interval_of(y, symbols);
+  const bool is_wider = is_within(of_y, of_x);
+  if ((!is_wider && !is_within(of_x, of_y)) || !(s.left.subs(x == y) - s.right).expand().is_zero())
+    return std::nullopt;
+  const ex &of = is_wider ? s.left : s.right, &in = is_wider ? x : y;
+  const auto growth = growth_by_slope(of, in, symbols);
+  return growth ? std::optional(Layer{"of", x, y, 1, growth->sign < 0, of, in}) : std::nullopt;
+}
+
+/// left - right in terms of one symbol and of another one: the former on the left.
+std::optional<Layer> separated(const Sides& s) {
+  const ex difference = (s.left - s.right).expand();
+  const auto names = names_in(difference);
+  if (names.size() != 2 || !is_a<GiNaC::add>(difference)) return std::nullopt;
+  ex of_first = 0;
+  for (const ex& term : difference) {
+    const auto in_term = names_in(term);
+    if (in_term.size() != 1) return std::nullopt;
+    if (in_term.contains(*names.begin())) of_first += term;
+  }
+  return Layer{"*", of_first, of_first - difference};
+}
+
 /// The relation inside of a layer; x^2 = 0 is x = 0.
 Sides inside(const Layer& layer, const std::string& op) {
   const bool is_zero = op == "=" && (layer.left.is_zero() || layer.right.is_zero());
   const int power = is_even(layer.function) && !is_zero ? 2 : 1;
-  return {GiNaC::pow(layer.left, power), falls(layer.function) ? turned(op) : op,
+  return {GiNaC::pow(layer.left, power), falls(layer.function) || layer.turns ? turned(op) : op,
           GiNaC::pow(layer.right, power)};
 }
 
@@ -190,6 +230,7 @@ std::optional<Layer> peel(Sides& sides, const Symbols& symbols) {
                   : of_the_left(sides, symbols);
     if (layer && right) std::swap(layer->left, layer->right);
   }
+  if (!layer) layer = of_two_symbols(sides, symbols);
   if (layer) sides = inside(*layer, sides.op);
   return layer;
 }
@@ -204,6 +245,9 @@ std::vector<Layer> step(Sides& sides, const Symbols& symbols) {
       return {moved, *layer};
     }
   }
+  const auto moved = separated(sides);
+  const auto layer = moved ? of_two_symbols({moved->left, sides.op, moved->right}, symbols) : std::nullopt;
+  if (layer) return sides = inside(*layer, sides.op), std::vector{*moved, *layer};
   return {};
 }
 

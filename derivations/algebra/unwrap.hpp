@@ -19,12 +19,14 @@ struct Sides {
 /// and cot are taken off angles on [-pi/2, pi/2], [0, pi], (-pi/2, pi/2), (0, pi) only: left and right lie
 /// there, turned if need be, pi - x for x; a sine may have become a cosine then. "sin(atan)" is
 /// x/sqrt(1+x^2), which increases; "cos(atan)" is 1/sqrt(1+x^2), for x >= 0, and falls.
+/// "of" is any function that grows or falls over the ranges of the two symbols: f(x) < f(y), f(x) = f(y).
 /// "*" rearranges: left - right was factor*(left - right); it turns an inequality round if factor < 0.
 struct Layer {
   std::string function;  ///< "exp"; "^3" or "^1/2" for a power; "sin(atan)"; "*"
   GiNaC::ex left, right;
-  GiNaC::ex factor = 1;  ///< of "*": never 0, and of one sign where the relation is an inequality: there
-  bool turns = false;    ///< a negative one turns it round
+  GiNaC::ex factor = 1;      ///< of "*": never 0, and of one sign where the relation is an inequality: there
+  bool turns = false;        ///< a negative one turns it round, and a function that falls
+  GiNaC::ex of = 0, in = 0;  ///< of "of": the function, and the one of both symbols that it is written in
 };
 
 /// < for >, <= for >=; = stays.

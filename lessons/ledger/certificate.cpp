@@ -189,6 +189,7 @@ void add_trees(const CertifiedFactor& factor, std::vector<Tree>& trees) {
 void add_trees(const CertifiedLayer& written, const CertifiedStatement& q, std::vector<Tree>& trees) {
   const auto& [layer, factor] = written;
   add_trees(factor, trees);
+  if (layer.function == "of") return trees.push_back(to_tree(layer.of, q.symbols));
   for (const ex& inner : {layer.left, layer.right}) {
     const std::string text = "(" + q.text(Forms(q).short_tree(inner)) + ")", f = layer.function;
     const std::string whole = f == "*"                ? text
@@ -219,7 +220,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
     for (const auto* list : {&link.more, &link.divides})
       for (const auto& [part, other] : *list) trees.push_back(other);
     for (const CertifiedSlope& s : link.slopes)
-      for (const Tree& tree : {s.slope, s.bend, s.at_low, s.at_high})
+      for (const Tree& tree : {s.slope, s.bend, s.at_low, s.at_high, s.by})
         if (tree) trees.push_back(tree);
     if (link.follows) {
       trees.insert(trees.end(), {link.follows->more, link.follows->times});

@@ -116,6 +116,7 @@ void Forms::add_slopes(const Tree& tree, const Slope& why, std::vector<Certified
   const Tree shown = is_shown ? this->tree(form(slope.value)) : to_tree(slope.value, q.symbols);
   CertifiedSlope certified{tree, shown, why};
   if (why.how == Slope::How::ends) certified.slope = to_tree(why.between, q.symbols), certified.bend = shown;
+  if (!why.by.is_equal(1)) certified.by = this->tree(why.by);
   if (names_in(why.value).size() > 1) add_ends(certified, slopes);
   slopes.push_back(certified);
   add_slopes(shown, slope, slopes);
@@ -143,12 +144,19 @@ void Forms::add_slopes(const Tree& tree, std::vector<CertifiedSlope>& slopes) co
 
 CertifiedLink Forms::with_slopes(CertifiedLink link) const {
   for (const CertifiedPart& p : link.factor) add_slopes(p.part, link.slopes);
+  const auto add_growth = [&](const Layer& layer) {
+    if (layer.function == "of")
+      add_slopes(to_tree(layer.of, q.symbols), *growth_by_slope(layer.of, layer.in, q.symbols),
+                 link.slopes);
+  };
   for (const CertifiedSide& side : {link.left, link.right}) {
     add_slopes(side.form, link.slopes);
     for (const CertifiedPart& p : side.parts) add_slopes(p.part, link.slopes);
     for (const auto& layers : side.layers)
-      for (const CertifiedLayer& layer : layers)
-        for (const CertifiedPart& p : layer.factor) add_slopes(p.part, link.slopes);
+      for (const CertifiedLayer& written : layers) {
+        add_growth(written.layer);
+        for (const CertifiedPart& p : written.factor) add_slopes(p.part, link.slopes);
+      }
   }
   return link;
 }

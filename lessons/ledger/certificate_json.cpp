@@ -38,7 +38,7 @@ namespace {
 
 bool falls(const Layer& layer) {
   static const std::set<std::string> falling{"acos", "cos", "cot", "cos(atan)"};
-  return layer.function == "*" ? layer.turns : falling.contains(layer.function);
+  return layer.function == "*" || layer.function == "of" ? layer.turns : falling.contains(layer.function);
 }
 
 Json layers_json(const std::vector<CertifiedLayer>& layers, const CertifiedStatement& q) {
@@ -49,6 +49,7 @@ Json layers_json(const std::vector<CertifiedLayer>& layers, const CertifiedState
                     {"left", q.text(Forms(q).short_tree(layer.left))},
                     {"right", q.text(Forms(q).short_tree(layer.right))}});
     if (layer.function == "*") list.back()["factor"] = factor_json(factor, q);
+    if (layer.function == "of") list.back()["of"] = q.text(to_tree(layer.of, q.symbols));
   }
   return list;
 }
@@ -98,7 +99,8 @@ Json slopes_json(const std::vector<CertifiedLink>& links, const CertifiedStateme
   static const std::map<Slope::How, std::string> names{{Slope::How::range, "inside"},
                                                        {Slope::How::low, "low"},
                                                        {Slope::How::high, "high"},
-                                                       {Slope::How::ends, "ends"}};
+                                                       {Slope::How::ends, "ends"},
+                                                       {Slope::How::grows, "grows"}};
   Json json = Json::object();
   for (const CertifiedLink& link : links)
     for (const CertifiedSlope& s : link.slopes) {
@@ -109,6 +111,7 @@ Json slopes_json(const std::vector<CertifiedLink>& links, const CertifiedStateme
       if (s.at_low) json[q.text(s.value)]["at low"] = q.text(s.at_low);
       if (s.at_high) json[q.text(s.value)]["at high"] = q.text(s.at_high);
       if (s.bend) json[q.text(s.value)]["bend"] = q.text(s.bend);
+      if (s.by) json[q.text(s.value)]["by"] = q.text(s.by);
     }
   return json;
 }

@@ -55,6 +55,7 @@ struct CertifiedSlope {
   Slope why;
   Tree bend = nullptr;                       ///< the slope of the slope, where that is what shows it
   Tree at_low = nullptr, at_high = nullptr;  ///< its values at ends, where other symbols are in them
+  Tree by = nullptr;                         ///< positive, by which the last slope is taken times
 };
 
 /// Two expressions (no layers, their values for residuals), or what links of two statements say.
