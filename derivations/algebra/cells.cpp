@@ -56,6 +56,7 @@ std::vector<ex> cutting(const Question& question, const GiNaC::symbol& x) {
 std::vector<ex> candidates(const std::vector<ex>& cutting, const ex& x) {
   std::vector<ex> result;
   for (int k = -24; k <= 24; ++k) result.push_back(k * GiNaC::Pi / 12), result.push_back(numeric(k, 2));
+  for (int k = -4; k <= 4; ++k) result.push_back(GiNaC::exp(ex(numeric(k, 2))));
   for (const ex& e : cutting) {
     const ex zero = e.is_polynomial(x) && e.degree(x) == 1 ? -e.coeff(x, 0) / e.coeff(x, 1) : ex(0);
     result.push_back(zero.normal());
@@ -177,7 +178,7 @@ std::vector<ex> cuts(const Question& question, const Symbol& symbol) {
   return result;
 }
 
-/// Ranges have rational ends, and multiples of pi.
+/// Ranges have rational ends, multiples of pi, and a few powers of e.
 bool may_be_an_end(const ex& point, const Symbols& symbols) {
   try {
     (void)parse_range("(" + print(point, Notation::plain, symbols) + ", inf)");

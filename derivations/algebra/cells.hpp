@@ -15,7 +15,7 @@ struct Cells {
 };
 
 /// Cut where residuals, slopes of residuals, conditions and what stands between bars is exactly 0: at
-/// multiples of pi/12, small rationals and the zeros of what is linear. Nothing where the statements have
+/// multiples of pi/12, small rationals, powers of sqrt(e) and the zeros of what is linear. Nothing where the statements have
 /// other symbols or givens, or are cut nowhere and the range is open.
 std::optional<Cells> cells_of(const Question& question);
 

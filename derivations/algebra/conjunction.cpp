@@ -319,8 +319,12 @@ bool follow_from_each_other(const Question& question) {
 
 std::optional<Proof> differ_at_one_of(const std::vector<Root>& places, const Question& question) {
   const Parted parts = parts_of(question);
-  for (const Root& place : places)
-    if (auto proof = differ_at({place}, parts, question.symbols)) return proof;
+  for (const Root& place : places) {
+    GiNaC::exmap values;
+    for (const auto& [name, text] : place.meant)
+      values[question.symbols[name]] = lower(parse(text, question.symbols), question.symbols);
+    if (auto proof = differ_at({place, 0, values}, parts, question.symbols)) return proof;
+  }
   return std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <map>
+#include <regex>
 #include <stdexcept>
 
 namespace rederive {
@@ -36,10 +37,28 @@ std::optional<numeric> half_turns_in(const ex& angle) {
   return is_known ? std::optional(numeric(cln::floor1(*value))) : std::nullopt;
 }
 
+/// A sum, the powers of e in each term as one.
+ex with_one_power_of_e(const ex& sum) {
+  ex result = 0;
+  for (const ex& term : is_a<GiNaC::add>(sum) ? sum : ex(GiNaC::lst{sum})) {
+    ex exponent = 0, rest = 1;
+    for (const ex& factor : is_a<GiNaC::mul>(term) ? term : ex(GiNaC::lst{term})) {
+      const bool is_power = is_a<GiNaC::power>(factor) && is_a<numeric>(factor.op(1));
+      const ex base = is_power ? factor.op(0) : factor, n = is_power ? factor.op(1) : 1;
+      if (GiNaC::is_the_function<GiNaC::exp_SERIAL>(base))
+        exponent += n * base.op(0);
+      else
+        rest *= factor;
+    }
+    result += rest * GiNaC::exp(exponent);
+  }
+  return result;
+}
+
 }  // namespace
 
 int compare(const ex& a, const ex& b) {
-  const ex difference = (a - b).expand();
+  const ex difference = with_one_power_of_e((a - b).expand());
   if (difference.is_zero()) return 0;
   if (is_a<numeric>(difference) && ex_to<numeric>(difference).is_real())
     return ex_to<numeric>(difference).is_positive() ? 1 : -1;
@@ -296,7 +315,14 @@ Interval enclose_as_it_stands(const ex& e, const Symbols& symbols) {
   return {};
 }
 
-/// "pi/2", "-3/4*pi", "inf", "0.25": what may stand at the end of a range.
+/// Whether a text is made of numbers, π, and powers of e with two digits at most.
+bool is_constant(std::string text) {
+  static const std::regex power("exp\\(-?\\d\\d?(/\\d\\d?)?\\)");
+  text = std::regex_replace(text, power, "1");
+  return !text.empty() && text.find_first_not_of("0123456789/*-+pi()") == std::string::npos;
+}
+
+/// "pi/2", "-3/4*pi", "inf", "0.25", "exp(1)": what may stand at the end of a range.
 End parse_end(std::string text, bool closed, std::string_view whole) {
   std::erase(text, ' ');
   if (text == "inf" || text == "+inf") return {0, +1, false};
@@ -305,9 +331,7 @@ End parse_end(std::string text, bool closed, std::string_view whole) {
   table["pi"] = GiNaC::Pi;
   try {
     constexpr std::size_t longest = 100;  // two numbers of 40 digits, a sign and π
-    if (text.empty() || text.size() > longest ||
-        text.find_first_not_of("0123456789/*-+pi()") != std::string::npos)
-      throw std::invalid_argument("");
+    if (text.size() > longest || !is_constant(text)) throw std::invalid_argument("");
     const ex value = GiNaC::parser(table, true)(text);
     return {value, 0, closed};
   } catch (const std::exception&) {
