@@ -150,7 +150,7 @@ TEST_CASE("chains of which a part is passed over") {
 }
 
 TEST_CASE("what is never 0 is what the certificate says, and no more") {
-  Json c{{"format", "rederive certificate 8"},
+  Json c{{"format", "rederive certificate 9"},
          {"left", {"x*a", "=", "0"}},
          {"right", {"a", "=", "0"}},
          {"given", Json::object()},
@@ -323,4 +323,23 @@ TEST_CASE("of what is not negative the square shows the sign") {
   CHECK(shown({"fabs(x)-x", ">=", "0"}, {"fabs(x)"}, "1") == "the form is another one");
   CHECK(shown({"fabs(x)-x", "=", "0"}, {"fabs(x)"}, "0") == "squares do not show that");
   CHECK(shown({"fabs(x)-x", ">", "0"}, {"fabs(x)"}, "0", false) == "squares do not show that");
+}
+
+TEST_CASE("a part that is at least a share of a residual is 0 only where that is") {
+  const auto bounded = [](int times, const std::string& residual, const std::string& more) {
+    const std::string part = "x^2+x*y+y^2", other = "x^2+y^2";
+    Json link = linked(part, other, "1", {{"(x+1/2*y)^2+3/4*y^2", 1}, {other, -1}});
+    link["right"]["residual"] = other;
+    link["bounds"] = {
+        {"(x+1/2*y)^2+3/4*y^2", {{"times", times}, {"residual", residual}, {"more", more}}},
+        {other, {{"times", 2}, {"residual", "(x+1/2*y)^2+3/4*y^2"}, {"more", "(x-1/2*y)^2+3/4*y^2"}}}};
+    return verdict({part, "=", "0"}, {other, "=", "0"}, {{"x", real}, {"y", real}}, Json::array(), link);
+  };
+  CHECK(bounded(2, "x^2+y^2", "(x+y)^2") == "accepted");
+  const std::string refusal = "a factor may vanish: (x+1/2*y)^2+3/4*y^2";
+  CHECK(bounded(1, "x^2+y^2", "x*y") == refusal);
+  CHECK(bounded(3, "x^2+y^2", "(x+y)^2") == refusal);
+  CHECK(bounded(-1, "x^2+y^2", "-2*x^2-2*y^2-x*y") == refusal);
+  CHECK(bounded(2, "2*x^2+2*x*y+2*y^2", "0") == refusal);  // another residual
+  CHECK(bounded(0, "x^2+y^2", "-x^2-y^2") == refusal);
 }

@@ -1,6 +1,6 @@
 // Checks a certificate of `ledger prove`: replays its steps in every piece of the domain, reads the statement
 // itself, and sees that its sides are the same, or that both relations hold at the same points: they differ
-// by a factor that is never 0 (or positive, for inequalities), without increasing functions around their
+// by a factor that is never 0 (or positive, for inequalities), without functions that grow around their
 // sides; or both always hold, or never.
 //
 // What is left to believe: at the points that are looked at (up to 10 from 0, or from an end; not where the
@@ -228,7 +228,8 @@ class Checker {
     return sign;
   }
   /// In left = part·right a part may be 0 where right is, too: it is ±right, or right^2 or a quarter of it
-  /// and more that is not negative; or right is the part times what divides by nothing else.
+  /// and more that is not negative, or a share of right that is not negative, and more; or right is the part
+  /// times what divides by nothing else.
   std::string factor(const Json& link, const std::string& left, const std::string& right) {
     return product(link.at("factor"), [&](const std::string& part, int n) {
       const std::string residual = n > 0 ? right : left, other = "(" + residual + ")^2";
@@ -236,8 +237,17 @@ class Checker {
       return same("(" + part + ")^2", other) ||
              (range(more).is_not_negative() &&
               (same(part, other + "+" + more) || same(part, other + "/4+" + more))) ||
+             (link.contains("bounds") && link.at("bounds").contains(part) &&
+              is_bounded_by(part, link.at("bounds").at(part), residual)) ||
              (link.contains("divides") && divides(part, link.at("divides").value(part, "0"), residual));
     });
+  }
+  bool is_bounded_by(const std::string& part, const Json& why, const std::string& residual) {
+    const int times = why.at("times");
+    const std::string least = why.at("residual"), more = why.at("more");
+    return times > 0 && range(least).is_not_negative() && range(more).is_not_negative() &&
+           same(residual, least) &&
+           same("(" + part + ")*" + std::to_string(times), "(" + least + ")+(" + more + ")");
   }
   bool divides(const std::string& part, const std::string& times, const std::string& residual) {
     return range(times), same("(" + part + ")*(" + times + ")", residual);
@@ -331,7 +341,7 @@ class Checker {
 /// Throws std::exception saying what is wrong with a certificate. It is checked on all pieces of the domain:
 /// on either side of 0 for each name that is cut there.
 inline void check(const Json& certificate) {
-  require(certificate.at("format") == "rederive certificate 8", "another format");
+  require(certificate.at("format") == "rederive certificate 9", "another format");
   if (certificate.contains("cells")) return check_cells(certificate, [](const Json& c) { check(c); });
   require(certificate.at("cut").size() < 10, "too many pieces");
   check_outside(certificate);

@@ -153,6 +153,8 @@ TEST_CASE("a function that grows is a layer") {
   CHECK(layered("-y", real, from("grows", -1, "-1"), "-x", true) == "accepted");
   CHECK(layered("-y", real, from("grows", -1, "-1"), "-x") == "no such growth");
   CHECK(layered("1", real, from("grows", 1, "0"), "1") == "no slope: 0");
+  CHECK(layered("y*z^2", {{"x", "(0, 1)"}, {"y", "(0, 1)"}, {"z", "(-inf, inf)"}}, from("grows", 1, "z^2"),
+                "x*z^2") == "no growth: x*z^2");
   Json other = grows;
   other["in"] = "y";
   CHECK(layered("y^3+y", real, other) == "no growth: x^3+x");

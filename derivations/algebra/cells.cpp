@@ -168,10 +168,14 @@ std::vector<ex> cuts(const Question& question, const Symbol& symbol) {
   std::vector<ex> result;
   const std::vector<ex> zeros = cutting(question, symbol.ginac);
   for (const ex& point : candidates(zeros, x)) {
-    const auto is_it = [&](const ex& other) { return other.is_equal(point); };
-    if (std::none_of(result.begin(), result.end(), is_it) && is_inside(point, range, false) &&
+    const auto is_it = [&](const ex& other) {
+      return other.is_equal(point) ||
+             (!(other - point).info(GiNaC::info_flags::numeric) && vanishes(other - point, question.symbols));
+    };
+    if (is_inside(point, range, false) &&
         std::any_of(zeros.begin(), zeros.end(),
-                    [&](const ex& e) { return is_zero_at(e, x, point, question.symbols); }))
+                    [&](const ex& e) { return is_zero_at(e, x, point, question.symbols); }) &&
+        std::none_of(result.begin(), result.end(), is_it))
       result.push_back(point);
   }
   std::sort(result.begin(), result.end(), [](const ex& a, const ex& b) { return compare(a, b) < 0; });

@@ -164,7 +164,11 @@ std::optional<Root> place_of(const std::string& name, const ex& constant, const 
     return Root{{{name, cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(constant).to_cl_N())}}, true};
   const auto bounds = bounds_of(constant, symbols);
   if (!bounds) return std::nullopt;
-  Root root{{{name, (bounds->low + bounds->high) / 2}}, false};
+  const std::string& range = symbols.find(name)->range;
+  cln::cl_RA at = (bounds->low + bounds->high) / 2;  // or on the side of an end on which the range is
+  for (const cln::cl_RA& end : {bounds->low, bounds->high})
+    if (!is_inside(range, at)) at = end;
+  Root root{{{name, at}}, false};
   root.meant[name] = print(constant, Notation::plain, symbols);
   root.box[name] = *bounds;
   return root;

@@ -4,6 +4,7 @@
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
 #include <lessons/ledger/assumed.hpp>
+#include <numeric>
 #include <regex>
 
 namespace rederive {
@@ -99,6 +100,26 @@ std::string in_words(const Assumed& link, const Symbols& symbols) {
   return side(0) + " " + link.relation.operators[0] + " " + side(1);
 }
 
+/// In the order in which they were said, or else in another one of few: of x > y, x > z and y > z the last is
+/// about symbols of which each is said by another one already.
+void compare_in_some_order(const std::vector<Assumed>& links, Context& context) {
+  constexpr std::size_t most = 4;
+  std::vector<std::size_t> order(links.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::exception_ptr first;
+  do {
+    Context next = context;
+    try {
+      for (const std::size_t k : order) compare_symbols(links[k], next);
+      context = next;
+      return;
+    } catch (const BadInput&) {
+      if (!first) first = std::current_exception();
+    }
+  } while (links.size() <= most && std::next_permutation(order.begin(), order.end()));
+  std::rethrow_exception(first);
+}
+
 }  // namespace
 
 Context make_context(const ProveRequest& request, const std::vector<std::string>& freed,
@@ -134,7 +155,7 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
   for (const Assumed& link : texts.inequalities)
     reading(link.text, [&] { avoid_divisors(link.relation, symbols); });
   for (const std::string& text : texts.differences) assume_difference(text, symbols);
-  for (const Assumed& link : comparisons) compare_symbols(link, context);
+  compare_in_some_order(comparisons, context);
   try {
     read_equations(texts.equations, context, request.small);
   } catch (const Undecidable& error) {

@@ -128,6 +128,9 @@ Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Pha
   json["left"] = side_json(link.left, l, q), json["right"] = side_json(link.right, r, q);
   json["factor"] = factor_json(link.factor, q);
   for (const auto& [part, more] : link.more) json["more"][q.text(part)] = q.text(more);
+  for (const CertifiedBound& b : link.bounds)
+    json["bounds"][q.text(b.part)] = {
+        {"times", b.times}, {"residual", q.text(b.residual)}, {"more", q.text(b.more)}};
   for (const auto& [part, times] : link.divides) json["divides"][q.text(part)] = q.text(times);
   json["cofactor"] = polynomial_text(steps.out_cofactor(*c));
   return json;
@@ -219,6 +222,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
     add_trees(link.factor, trees);
     for (const auto* list : {&link.more, &link.divides})
       for (const auto& [part, other] : *list) trees.push_back(other);
+    for (const CertifiedBound& b : link.bounds) trees.insert(trees.end(), {b.residual, b.more});
     for (const CertifiedSlope& s : link.slopes)
       for (const Tree& tree : {s.slope, s.bend, s.at_low, s.at_high, s.by})
         if (tree) trees.push_back(tree);
@@ -236,7 +240,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
         for (const CertifiedLayer& layer : layers) add_trees(layer, q, trees);
     }
   }
-  Json json{{"format", "rederive certificate 8"},
+  Json json{{"format", "rederive certificate 9"},
             {"left", statement_json(q.left, q)},
             {"right", statement_json(q.right, q)},
             {"given", given},
@@ -276,7 +280,7 @@ Json certificate_in_cells(const Question& question) {
   const auto cells = cells_of(question);
   if (!cells) throw Undecidable("there are no pieces to look at");
   const CertifiedStatement statement{left, right, symbols, given, {}, symbols};
-  Json json{{"format", "rederive certificate 8"},          {"left", statement_json(left, statement)},
+  Json json{{"format", "rederive certificate 9"},          {"left", statement_json(left, statement)},
             {"right", statement_json(right, statement)},   {"in", symbols.find(cells->symbol)->name},
             {"range", symbols.find(cells->symbol)->range}, {"cells", Json::array()}};
   for (const Symbols& piece : cells->pieces) {

@@ -17,7 +17,8 @@ namespace rederive {
 ///                 others are, and `how` it is seen: not of the other sign at the low (or high) end, with a
 ///                 `slope` that grows or falls from there; at both ends, with a `bend`, the slope of the
 ///                 slope; inside the range as it stands, and at the ends. With other names, what it is `at
-///                 low` and `at high`
+///                 low` and `at high`; `by` is positive, and the last slope is taken times that. Of a layer
+///                 "of" it has no sign itself, but `grows`, or falls for a sign of -1
 ///   ranges        where the other names live
 ///   cut           the names x whose range is cut at x = 0, mostly none: |x| stands there
 ///   pieces        of the domain, in the order x < 0, x > 0 (the last name turns first), each with
@@ -28,20 +29,23 @@ namespace rederive {
 /// A link has (certificate_links.hpp)
 ///   left, right   the `links` of that statement that are taken together, one mostly, by their numbers, and
 ///                 the `layers` taken off their sides, the outermost first: functions that grow, or `falls`,
-///                 where function(left) and function(right) are the sides; "*", where the sides differ by
-///                 factor·(left - right) of a `factor` like the one below; of two inequalities a positive
-///                 `sum`: one of them holds; the expression, or the `residual` of what is left, as a quotient
-///                 of polynomials in generators
+///                 where function(left) and function(right) are the sides; "of", where it is a text in one
+///                 name, over the range of which it grows, at two names within that range; "*", where the
+///                 sides differ by factor·(left - right) of a `factor` like the one below; of two
+///                 inequalities a positive `sum`: one of them holds; the expression, or the `residual` of
+///                 what is left, as a quotient of polynomials in generators
 ///   factor        of parts that are never 0, with their exponents; `more` of a part that is 0 only where one
-///                 of the residuals is; so is one that `divides` it, with what it is times
+///                 of the residuals is; `bounds`, where `times` the part is that `residual`, not negative,
+///                 and `more`; so is one that `divides` it, with what it is times
 ///   cofactor      not 0 itself: left·cofactor = factor·right·cofactor modulo the relations of the generators
 /// or, of a link that follows from those of the other side, left or right alone and what it
 ///   follows       from: times·residual = Σ factor·(product of the residuals of links) + more, where terms
 ///                 without an equation and more are not negative; or with minus the square of the residual;
 ///                 of an equation times may be a `product` of parts that are never 0, as in a factor
 /// or, of a link that always holds, or never: left or right alone, with its residual in a `form` that shows
-/// it, or as a product of `parts` of which each shows its own sign, with their exponents; and `holds`. One of
-/// each side that never holds is enough. Or of a statement in one name, `in` which the whole `range` is cut
+/// it, or as a product of `parts` of which each shows its own sign, with their exponents; or of which a^2 -
+/// (a - residual)^2 is the form, for a = `roots`, not negative, one after another; and `holds`. One of each
+/// side that never holds is enough. Or of a statement in one name, `in` which the whole `range` is cut
 /// into cells: each has an open range, and a certificate over it; or none, where neither statement holds. All
 /// is text in our own syntax. Throws Undecidable where the statement is not proved, or where nothing like
 /// this is found.

@@ -146,8 +146,7 @@ CertifiedLink Forms::with_slopes(CertifiedLink link) const {
   for (const CertifiedPart& p : link.factor) add_slopes(p.part, link.slopes);
   const auto add_growth = [&](const Layer& layer) {
     if (layer.function == "of")
-      add_slopes(to_tree(layer.of, q.symbols), *growth_by_slope(layer.of, layer.in, q.symbols),
-                 link.slopes);
+      add_slopes(to_tree(layer.of, q.symbols), *growth_by_slope(layer.of, layer.in, q.symbols), link.slopes);
   };
   for (const CertifiedSide& side : {link.left, link.right}) {
     add_slopes(side.form, link.slopes);

@@ -90,10 +90,24 @@ struct Finder : Forms {
       link.factor.emplace_back(written, n), link.more.emplace_back(written, tree(form(more)));
       return true;
     }
+    if (put_down_bound(part, n, link)) return true;
     const auto other = other_factor(part, n > 0 ? link.right.residual : link.left.residual, divisors);
     if (!other) return false;
     link.factor.emplace_back(written, n), link.divides.emplace_back(written, tree(*other));
     return true;
+  }
+  /// part^n, if a few times the part are not less than right (or left), and that is not negative.
+  bool put_down_bound(const ex& part, int n, CertifiedLink& link) const {
+    const ex residual = n > 0 ? link.right.residual : link.left.residual;
+    if (has_symbol(residual.denom()) || !is_nonnegative(residual, q.symbols)) return false;
+    for (const int times : {1, 2, 3, 4, 8}) {
+      const ex more = (times * part - residual).expand();
+      if (!more.is_zero() && !is_nonnegative(more, q.symbols)) continue;
+      link.factor.emplace_back(tree(form(part)), n);
+      link.bounds.push_back({link.factor.back().part, times, tree(form(residual)), tree(form(more))});
+      return true;
+    }
+    return false;
   }
   /// part^n, if that is a divisor or has the same square as one, but for parts of one sign.
   bool put_down_divisor(const ex& part, int n, numeric& number, CertifiedFactor& factor) const {
@@ -161,7 +175,7 @@ struct Finder : Forms {
         const auto parts = quotient(left, right, q.symbols, way);
         if (!parts) continue;
         const Quotient factor = assess(*parts, values, q.symbols);
-        link.factor.clear(), link.more.clear(), link.divides.clear();
+        link.factor.clear(), link.more.clear(), link.bounds.clear(), link.divides.clear();
         const bool fits = !factor.value.is_zero() && (op == "=" || factor.sign > 0);
         if (fits && vanishes(left - factor.value * right, q.symbols) &&
             put_down(*parts, link.factor, &link) && (op == "=" || shows_sign(link.factor)))
@@ -169,7 +183,7 @@ struct Finder : Forms {
       } catch (const Undecidable&) {  // then another way
       }
     }
-    link.factor.clear(), link.more.clear(), link.divides.clear();
+    link.factor.clear(), link.more.clear(), link.bounds.clear(), link.divides.clear();
     const numeric number = number_between(left, right, q.symbols).value_or(1);
     if (number != 1) link.factor.emplace_back(tree(number), 1);
     return (op == "=" || number.is_positive()) && vanishes(left - number * right, q.symbols);

@@ -36,7 +36,7 @@ struct CertifiedSide {
   std::vector<std::vector<CertifiedLayer>> layers;  ///< taken off each of them
   GiNaC::ex residual;                               ///< of what is left: must be 0, positive or not negative
   Tree sum = nullptr, form = nullptr;               ///< written so that the sign shows …
-  CertifiedFactor parts = {};  ///< … or as a product of parts of which each shows its own
+  CertifiedFactor parts = {};    ///< … or as a product of parts of which each shows its own
   std::vector<Tree> roots = {};  ///< a >= 0, of which a^2 - (a - residual)^2 has that form, one after another
 };
 
@@ -58,6 +58,13 @@ struct CertifiedSlope {
   Tree by = nullptr;                         ///< positive, by which the last slope is taken times
 };
 
+/// times·part = residual + more, where neither of these is negative: where the part is 0, so is the residual.
+struct CertifiedBound {
+  Tree part;
+  int times;
+  Tree residual, more;
+};
+
 /// Two expressions (no layers, their values for residuals), or what links of two statements say.
 struct CertifiedLink {
   CertifiedSide left, right;
@@ -66,6 +73,8 @@ struct CertifiedLink {
   /// not negative; …
   CertifiedFactor factor;
   std::vector<std::pair<Tree, Tree>> more;
+  /// … or the part is a share of that one and more; …
+  std::vector<CertifiedBound> bounds = {};
   /// … or that one is the part times something that divides by nothing else.
   std::vector<std::pair<Tree, Tree>> divides = {};
   /// … or what there is of the two always holds, or never, as the form of its residual shows.
