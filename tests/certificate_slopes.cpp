@@ -153,11 +153,15 @@ TEST_CASE("a function that grows is a layer") {
   CHECK(layered("-y", real, from("grows", -1, "-1"), "-x", true) == "accepted");
   CHECK(layered("-y", real, from("grows", -1, "-1"), "-x") == "no such growth");
   CHECK(layered("1", real, from("grows", 1, "0"), "1") == "no slope: 0");
-  CHECK(layered("y*z^2", {{"x", "(0, 1)"}, {"y", "(0, 1)"}, {"z", "(-inf, inf)"}}, from("grows", 1, "z^2"),
-                "x*z^2") == "no growth: x*z^2");
+  const auto of_three = [&](const char* of_z) {
+    const Json three{{"x", "(0, 1)"}, {"y", "(0, 1)"}, {"z", of_z}};
+    return layered("y*z^2", three, from("grows", 1, "z^2"), "x*z^2");
+  };
+  CHECK(of_three("(0, inf)") == "accepted");
+  CHECK(of_three("(-inf, inf)") == "a slope that may be 0 for some values of others: z^2");
   Json other = grows;
   other["in"] = "y";
-  CHECK(layered("y^3+y", real, other) == "no growth: x^3+x");
+  CHECK(layered("y^3+y", real, other) == "another slope of x^3+x");
   CHECK(sloped("x", "(0, inf)", from("grows", 1, "1")) == "accepted");  // by its range alone
   CHECK(sloped("x-1", "(0, inf)", from("grows", 1, "1")) == open_form);
   const Json pole{{"x", "(-1, 1)"}, {"y", "(-1, 1)"}};

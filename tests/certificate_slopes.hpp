@@ -141,7 +141,7 @@ class SlopeCheck {
   /// Whether it is said to grow (1), or fall (-1), and does, all over the range of its name: its slope is 0
   /// at single points at most.
   int growth() {
-    require(how_ == "grows" && std::abs(sign_) == 1 && is_alone(text_), "no growth: " + text_);
+    require(how_ == "grows" && std::abs(sign_) == 1, "no growth: " + text_);
     require(look_.whole_range(text_, name_, range_of_name()).has_value(), "it may have no value: " + text_);
     const std::string slope = why_.at("slope");
     return check_slope(text_, slope, by()), shown(slope, sign_), sign_;

@@ -19,7 +19,7 @@ using How = Slope::How;
 namespace {
 
 constexpr int most_slopes = 6;
-constexpr std::size_t most_looked_at = 7;
+constexpr std::size_t most_looked_at = 7, most_names = 3;
 constexpr std::ptrdiff_t longest = 400, longest_in_factors = 50;  ///< nodes of a tree
 
 /// One symbol and the open range that it keeps to; the others are any numbers in theirs.
@@ -46,7 +46,8 @@ class Slopes {
     }
     return shown;
   }
-  std::optional<Slope> growth(const ex& f) const {
+  std::optional<Slope> growth(const ex& f) {
+    is_alone_ = names_in(f).size() == 1;
     if (!has_values(f, declared_)) return std::nullopt;
     return by_slope_of(f, true, true, [&](const ex& slope, int sign) -> std::optional<Slope> {
       auto why = weak(slope, sign, most_slopes - 1);
@@ -179,7 +180,6 @@ bool is_in_function(const ex& x, const ex& f) {
 }  // namespace
 
 std::optional<Slope> sign_by_slope(const ex& expression, const Symbols& symbols) {
-  constexpr std::size_t most_names = 3;
   const auto names = names_in(expression);
   if (names.empty() || names.size() > most_names) return std::nullopt;
   try {
@@ -194,7 +194,7 @@ std::optional<Slope> sign_by_slope(const ex& expression, const Symbols& symbols)
 }
 
 std::optional<Slope> growth_by_slope(const ex& expression, const ex& symbol, const Symbols& symbols) {
-  if (names_in(expression).size() != 1 || has_bars(expression)) return std::nullopt;
+  if (names_in(expression).size() > most_names || has_bars(expression)) return std::nullopt;
   try {
     return Slopes(symbol, symbols).growth(expression);
   } catch (const std::exception&) {  // outside of the class

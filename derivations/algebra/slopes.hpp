@@ -30,8 +30,9 @@ struct Slope {
 /// have no value somewhere, is not seen to have a slope everywhere, or where six slopes do not show a sign.
 std::optional<Slope> sign_by_slope(const GiNaC::ex& expression, const Symbols& symbols);
 
-/// Whether an expression of one symbol alone grows (sign 1) or falls (-1) strictly all over its range, on
-/// which it has a value everywhere: its slope is 0 at single points at most. Nothing where that is not seen.
+/// Whether an expression grows (sign 1) or falls (-1) strictly in one symbol all over its range, on which it
+/// has a value everywhere: its slope is 0 at single points at most, and nowhere, whatever they are, where
+/// there are up to two others. Nothing where that is not seen.
 std::optional<Slope> growth_by_slope(const GiNaC::ex& expression, const GiNaC::ex& symbol,
                                      const Symbols& symbols);
 

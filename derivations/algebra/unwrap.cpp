@@ -181,10 +181,13 @@ bool is_within(const Interval& inner, const Interval& outer) {
   return is_end(both.low, inner.low) && is_end(both.high, inner.high);
 }
 
-/// f(x) op f(y) of two symbols, where f grows, or falls, over the wider range of both, as its slope shows.
+/// f(x) op f(y) of two symbols, beside the same others, where f grows, or falls, over the wider range of
+/// both, as its slope shows.
 std::optional<Layer> of_two_symbols(const Sides& s, const Symbols& symbols) {
-  const auto one = names_in(s.left), other = names_in(s.right);
-  if (one.size() != 1 || other.size() != 1 || one == other) return std::nullopt;
+  auto one = names_in(s.left), other = names_in(s.right);
+  for (const std::string& name : names_in(s.left))
+    if (other.erase(name) == 1) one.erase(name);
+  if (one.size() != 1 || other.size() != 1) return std::nullopt;
   const ex &x = symbols[*one.begin()], &y = symbols[*other.begin()];
   if (s.left.is_polynomial(x) && s.left.degree(x) == 1) return std::nullopt;  // nothing to take off
   const Interval of_x = interval_of(x, symbols), of_y = interval_of(y, symbols);
