@@ -117,7 +117,7 @@ void Forms::add_slopes(const Tree& tree, const Slope& why, std::vector<Certified
   CertifiedSlope certified{tree, shown, why};
   if (why.how == Slope::How::ends) certified.slope = to_tree(why.between, q.symbols), certified.bend = shown;
   if (!why.by.is_equal(1)) certified.by = this->tree(why.by);
-  if (names_in(why.value).size() > 1) add_ends(certified, slopes);
+  if (names_in(why.value).size() > 1 && why.how != Slope::How::grows) add_ends(certified, slopes);
   slopes.push_back(certified);
   add_slopes(shown, slope, slopes);
 }
