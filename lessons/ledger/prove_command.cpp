@@ -7,6 +7,7 @@
 #include <derivations/bounded.hpp>
 #include <functional>
 #include <lessons/ledger/certificate.hpp>
+#include <lessons/ledger/domain.hpp>
 #include <lessons/ledger/prove_command.hpp>
 #include <lessons/ledger/reading.hpp>
 #include <lessons/ledger/relevance.hpp>
@@ -68,6 +69,7 @@ Proof decide_in(const Context& context, const ProveRequest& request) {
   if (proof.verdict != Verdict::proved && request.order)
     proof = prove_approximation(left, right, request.small, *request.order, symbols,
                                 context.put_in_at_once(true));
+  proof = with_domain(std::move(proof), left, right, context.put_in_at_once(true), symbols);
   std::vector<Tree> sides = left.sides;
   sides.insert(sides.end(), right.sides.begin(), right.sides.end());
   sides.insert(sides.end(), context.assumed.begin(), context.assumed.end());
