@@ -173,9 +173,11 @@ struct Search {
     std::map<std::string, Tree> slopes;
     for (const std::string& name : part.line.names())
       slopes[name] = to_tree(part.written.value.diff(symbols[name]), symbols);
-    for (int start = 0; start < 3; ++start) {
+    const bool has_one_line = slopes.size() == 1;
+    const int starts = has_one_line ? 1 : 3, rounds = has_one_line ? 1 : 2;
+    for (int start = 0; start < starts; ++start) {
       Point point = start < 2 ? part.line.at(start) : part.line.with_zeros(0);
-      for (int round = 0; round < 2; ++round)
+      for (int round = 0; round < rounds; ++round)
         for (const auto& [name, slope] : slopes) {
           const auto down = lowest(part, slope, point, name);
           if (!down) continue;

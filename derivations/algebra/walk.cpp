@@ -61,8 +61,9 @@ std::vector<cln::cl_RA> values_of(const std::string& name, const Points& points)
 
 std::optional<Point> walk(const Tree& tree, const Points& points, int most,
                           const std::function<bool(const Point&)>& wanted, int places) {
+  const int starts = points.names().size() == 1 ? 1 : 5;  // one symbol has one line
   int found = 0;
-  for (int start = 0; start < 5; ++start) {
+  for (int start = 0; start < starts; ++start) {
     const Point base = start < 4 ? points.at(start) : points.with_zeros(0);
     for (const std::string& name : points.names()) {
       std::optional<cln::cl_R> before;

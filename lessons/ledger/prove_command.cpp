@@ -114,6 +114,8 @@ bool goes_through_in(const Context& context, const ProveRequest& request, Verdic
 struct Grounds {
   std::vector<std::string> ranges;     ///< of which symbols
   std::set<std::size_t> inequalities;  ///< which of Context::inequalities
+
+  bool operator==(const Grounds&) const = default;
 };
 
 Grounds grounds(const Context& context, const ProveRequest& request) {
@@ -151,8 +153,10 @@ std::vector<std::string> conditions_used(Verdict verdict, const Context& context
   const Grounds all = grounds(context, request);
   if (all.ranges.empty() && all.inequalities.empty()) return {};
   const bool by_algebra = goes_through_in(context, request, verdict);
-  const auto holds = [&](const Grounds& out) { return holds_without(out, by_algebra, verdict, request); };
-  if (holds(all)) return {};
+  if (holds_without(all, by_algebra, verdict, request)) return {};
+  const auto holds = [&](const Grounds& out) {
+    return out != all && holds_without(out, by_algebra, verdict, request);
+  };
   Grounds out, used;
   for (const std::size_t k : all.inequalities) {
     out.inequalities.insert(k);
@@ -162,9 +166,7 @@ std::vector<std::string> conditions_used(Verdict verdict, const Context& context
   }
   for (std::size_t k = 0; k < all.ranges.size(); ++k) {
     out.ranges.push_back(all.ranges[k]);
-    const bool is_known = out.ranges.size() == all.ranges.size() &&  // that it does not hold
-                          out.inequalities.size() == all.inequalities.size();
-    if (k < most && !is_known && holds(out)) continue;
+    if (k < most && holds(out)) continue;
     out.ranges.pop_back();
     used.ranges.push_back(all.ranges[k]);
   }
