@@ -1,14 +1,18 @@
 // Looks at the declared ranges outside of those in which a certificate proves: there neither statement holds,
-// for one of its sides has no value, or is said to lie elsewhere.
+// for one of its sides has no value, or is said to lie elsewhere; where one of them is of numbers alone, the
+// other one has no value.
 #pragma once
 
+#include <optional>
+#include <regex>
 #include <tests/certificate_conditions.hpp>
 
 namespace certificate_checker {
 
-/// Whether a statement holds at each point; an expression does where it has a value.
-inline std::vector<bool> holds(const Json& statement, Look& look) {
-  std::vector<bool> result(points, true);
+/// Whether a statement holds at each point, an expression where it has a value; nothing where it has none.
+using Held = std::optional<bool>;
+inline std::vector<Held> holds(const Json& statement, Look& look) {
+  std::vector<Held> result(points, true);
   std::vector<Seen> sides;
   for (std::size_t k = 0; k < statement.size(); k += 2) sides.push_back(look.value(statement.at(k)));
   for (std::size_t p = 0; p < points; ++p)
@@ -19,9 +23,33 @@ inline std::vector<bool> holds(const Json& statement, Look& look) {
       const cln::cl_R difference = is_known ? cln::realpart(a.at) - cln::realpart(b.at) : cln::cl_R(0);
       const bool is_close = cln::abs(difference) <= ten_to(10 - digits) * (a.error + b.error);
       const bool fits = op[0] == '<' ? cln::minusp(difference) : op[0] == '>' && cln::plusp(difference);
-      result[p] = result[p] && is_known && (is_close ? op.back() == '=' : fits);
+      const bool here = is_close ? op.back() == '=' : fits;
+      result[p] = is_known && result[p] ? Held(*result[p] && here) : std::nullopt;
     }
   return result;
+}
+
+/// A relation that says nothing of a symbol, as 0 < 1: the other one is asked wherever it has a value.
+inline bool is_of_numbers(const Json& statement) {
+  static const std::regex symbol("\\b(?!pi\\b)[A-Za-z_]\\w*\\b(?!\\()");
+  bool result = statement.size() > 1;
+  for (std::size_t k = 0; k < statement.size(); k += 2)
+    result = result && !std::regex_search(statement.at(k).get<std::string>(), symbol);
+  return result;
+}
+
+/// Whether there is nothing to compare at any point that counts: neither holds, or what is asked has no
+/// value.
+template <class Counts>
+bool is_nothing(const Json& c, Look& look, const Counts& counts) {
+  const std::vector<Held> left = holds(c.at("left"), look), right = holds(c.at("right"), look);
+  const bool left_asked = is_of_numbers(c.at("right")), right_asked = is_of_numbers(c.at("left"));
+  for (std::size_t p = 0; p < points; ++p) {
+    const bool asked = left_asked ? left[p].has_value() : right[p].has_value();
+    const bool held = left[p].value_or(false) || right[p].value_or(false);
+    if (counts(p) && (left_asked || right_asked ? asked : held)) return false;
+  }
+  return true;
 }
 
 inline std::string low_end(const std::string& range) { return range.substr(1, range.find(',') - 1); }
@@ -55,11 +83,8 @@ inline void check_outside(const Json& c) {
           look.narrow(other, other == name ? range : declared(other)).is_empty())
         return;
     }
-    for (const char* side : {"left", "right"}) {
-      const std::vector<bool> held = holds(c.at(side), look);
-      for (std::size_t p = 0; p < points; ++p)
-        require(!look.is_admitted(p) || !held[p], "it holds outside of the ranges: " + name);
-    }
+    require(is_nothing(c, look, [&](std::size_t p) { return look.is_admitted(p); }),
+            "it holds outside of the ranges: " + name);
     require(look.is_any_admitted(), "nothing is seen outside of the ranges: " + name);
   };
   for (const auto& [name, whole] : c.at("declared").items())
@@ -70,9 +95,11 @@ inline void check_outside(const Json& c) {
 inline bool agree_at(const std::string& point, const Json& c) {
   Look look;
   look.draw(c.at("in"), "[" + point + ", " + point + "]", ' ');
-  const bool left = holds(c.at("left"), look).front(), right = holds(c.at("right"), look).front();
-  if (left != right || c.at("left").size() > 1 || !left) return left == right;
-  return holds({c.at("left").at(0), "=", c.at("right").at(0)}, look).front();
+  const Held left = holds(c.at("left"), look).front(), right = holds(c.at("right"), look).front();
+  if (is_of_numbers(c.at("left")) && !right) return true;
+  if (is_of_numbers(c.at("right")) && !left) return true;
+  if (c.at("left").size() > 1 || !left || !right) return left.value_or(false) == right.value_or(false);
+  return holds({c.at("left").at(0), "=", c.at("right").at(0)}, look).front().value_or(false);
 }
 
 /// A range in pieces, as a certificate of each proves it; without one, neither statement holds there.
@@ -80,6 +107,7 @@ template <class Check>
 void check_cells(const Json& c, const Check& check) {
   const std::string name = c.at("in"), whole = c.at("range");
   std::string end = low_end(whole);
+  bool is_seen = !is_of_numbers(c.at("left")) && !is_of_numbers(c.at("right"));
   if (whole.front() == '[') require(agree_at(end, c), "they differ at " + end);
   for (const Json& cell : c.at("cells")) {
     const std::string range = cell.at("range");
@@ -89,10 +117,7 @@ void check_cells(const Json& c, const Check& check) {
     if (!cell.contains("certificate")) {
       Look look;
       look.draw(name, range, ' ');
-      for (const char* side : {"left", "right"}) {
-        const std::vector<bool> held = holds(c.at(side), look);
-        require(std::find(held.begin(), held.end(), true) == held.end(), "it holds in " + range);
-      }
+      require(is_nothing(c, look, [](std::size_t) { return true; }), "it holds in " + range);
       continue;
     }
     const Json& there = cell.at("certificate");
@@ -100,7 +125,9 @@ void check_cells(const Json& c, const Check& check) {
                 there.at("given").empty() && there.at("ranges") == Json{{name, range}},
             "another statement in " + range);
     check(there);
+    is_seen = true;
   }
+  require(is_seen, "it is compared nowhere");
   require(end == high_end(whole), "the cells end at " + end);
 }
 

@@ -73,12 +73,12 @@ class Checker {
     const auto range_of = [this](const std::string& t) { return range(t); };
     return both(result, SlopeCheck(text, c_, replay_, look_, range_of).range());
   }
-  /// Whether the statement divides by it, but for a number.
-  bool is_divisor(const Fraction& part) const {
-    return std::any_of(divisors_.begin(), divisors_.end(),
-                       [&](const Fraction& d) { return replay_.is_multiple(d, part); });
+  /// Whether the statement divides by it, but for a number; or by all of a few of which it is the product.
+  bool is_divisor(const Fraction& part, int factors = 4) const {
+    return std::any_of(divisors_.begin(), divisors_.end(), [&](const Fraction& d) {
+      return replay_.is_multiple(d, part) || (factors > 1 && is_divisor(part / d, factors - 1));
+    });
   }
-  /// Or by it times something that has a value where the statement has one.
   bool is_in_divisor(const std::string& text) {
     const std::string times = c_.at("parts of divisors").value(text, "1");
     range(times);

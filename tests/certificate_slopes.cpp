@@ -209,3 +209,22 @@ TEST_CASE("so does one of expressions, where they may be equal on either side al
   other["right"] = {"x", "=", "2"};
   CHECK(verdict_of(other) != "accepted");
 }
+
+TEST_CASE("what is compared with a relation of numbers is so wherever it has a value") {
+  const Json log = certificate_of("log(x) <= x - 1", "0 < 1"), sine = certificate_of("sin(x)/x < 1", "0 < 1");
+  CHECK(verdict_of(log) == "accepted");
+  CHECK(verdict_of(sine) == "accepted");
+  Json part = certificate_of("sqrt(x) >= 1", "0 < 1", {"x > 1"});
+  CHECK(verdict_of(part) == "accepted");
+  part["declared"] = {{"x", "(0, inf)"}};
+  CHECK(verdict_of(part) == "it holds outside of the ranges: x");
+  part["left"] = {"sqrt(x-1)", ">", "0"}, part["declared"] = {{"x", "(-inf, inf)"}};
+  CHECK(verdict_of(part) != "it holds outside of the ranges: x");  // without a value below 1
+  Json nowhere = log;
+  nowhere["in"] = "x", nowhere["range"] = "(-inf, 0)", nowhere["cells"] = {{{"range", "(-inf, 0)"}}};
+  CHECK(verdict_of(nowhere) == "it is compared nowhere");
+  nowhere["left"] = {"x", ">", "0"};
+  CHECK(verdict_of(nowhere) == "it holds in (-inf, 0)");
+  nowhere["left"] = log["left"], nowhere["right"] = {"x", "<", "1"};
+  CHECK(verdict_of(nowhere) == "it holds in (-inf, 0)");
+}

@@ -69,6 +69,17 @@ TEST_CASE("a proof says what it rests on") {
   CHECK(prove_json({"x/x", "1"}, 0)["side_conditions"] == nlohmann::json{"x != 0"});
   CHECK(prove_json({"sqrt(x)^2", "x"}, 0)["side_conditions"] == nlohmann::json{"x >= 0"});
   CHECK(prove_json({"m*a = m*b", "a = b"}, 0)["factor"] == "m");
+  CHECK(prove_json({"log(x) <= x - 1", "0 < 1"}, 0)["side_conditions"] == nlohmann::json{"x > 0"});
+}
+
+TEST_CASE("what is assumed not to be 0 is a side condition of a proof that rests on it, and of no other one") {
+  const auto conditions = [](const std::string& left, const std::string& right) {
+    return prove_json({left, right, "--assume", "x != 0", "--assume", "x != y"}, 0)["side_conditions"];
+  };
+  CHECK(conditions("x^2 > 0", "0 < 1") == nlohmann::json{"x != 0"});
+  CHECK(conditions("(x - y)*z = 0", "z = 0") == nlohmann::json{"x - y != 0"});
+  CHECK(conditions("x^2 + y^2 >= 2*x*y", "0 < 1") == nlohmann::json::array());
+  CHECK(conditions("1/x^2 > 0", "0 < 1") == nlohmann::json{"x != 0"});  // once
 }
 
 TEST_CASE("of many ranges those are named that a proof rests on, however long it takes to find out") {

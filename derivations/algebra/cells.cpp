@@ -252,12 +252,14 @@ Cell look_at(const Question& question, const Symbols& piece) {
              right = has_values(question.right, question, piece);
   if (!left || !right) return Cell::unknown;
   if (*left && *right) return Cell::compared;
-  const bool neither = !*left && !*right;
+  const bool neither =
+      (!*left && !*right) || (*left ? is_of_numbers(question.left) : is_of_numbers(question.right));
   const Relation& other = *left ? question.left : question.right;
   return neither || never_holds(other, question, piece) ? Cell::empty : Cell::unknown;
 }
 
 std::optional<ex> lost_at_a_zero(const Question& question) {
+  if (is_of_numbers(question.left) || is_of_numbers(question.right)) return std::nullopt;
   const Symbol* symbol = only_symbol(question);
   const auto is_strict = [](const Relation& relation) {
     return relation.operators.front().size() == 1 && relation.operators.front() != "=";
@@ -291,7 +293,9 @@ bool agree_at(const ex& point, const Cells& cells, const Question& question) {
     const auto left = truth_at(question.left, cells.symbol, point, question),
                right = truth_at(question.right, cells.symbol, point, question);
     if (!left || !right) return false;
-    if (!question.left.operators.empty()) return left->holds == right->holds;
+    if (!question.left.operators.empty())
+      return left->holds == right->holds || (!left->has_value && is_of_numbers(question.right)) ||
+             (!right->has_value && is_of_numbers(question.left));
     if (left->has_value != right->has_value) return false;
     const ex difference =
         lower(question.left.sides[0], question.symbols) - lower(question.right.sides[0], question.symbols);

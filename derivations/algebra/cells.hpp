@@ -15,8 +15,8 @@ struct Cells {
 };
 
 /// Cut where residuals, slopes of residuals, conditions and what stands between bars is exactly 0: at
-/// multiples of pi/12, small rationals, powers of sqrt(e) and the zeros of what is linear. Nothing where the statements have
-/// other symbols or givens, or are cut nowhere and the range is open.
+/// multiples of pi/12, small rationals, powers of sqrt(e) and the zeros of what is linear. Nothing where the
+/// statements have other symbols or givens, or are cut nowhere and the range is open.
 std::optional<Cells> cells_of(const Question& question);
 
 /// Where two statements in one symbol may differ, and few other points show it: where they may be cut, at
@@ -27,7 +27,8 @@ std::vector<Root> places_of(const Question& question);
 enum class Cell {
   unknown,
   compared,  ///< both have values all over it
-  empty      ///< neither holds, for at least one has no value anywhere on it
+  empty      ///< neither holds, for at least one has no value anywhere on it; or the only one that counts has
+             ///< none
 };
 Cell look_at(const Question& question, const Symbols& piece);
 

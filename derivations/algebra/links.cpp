@@ -132,20 +132,26 @@ bool has_values(const Relation& relation, const Symbols& symbols) {
   });
 }
 
-/// Where a statement may hold: where its sides have values, and each is where the others say.
-Intervals where_it_may_hold(const Relation& relation, const Question& question) {
+/// Where the sides of a statement have values.
+Intervals where_it_has_values(const Relation& relation, const Question& question) {
   const Symbols& symbols = question.symbols;
   Intervals intervals;
-  std::vector<ex> values;
-  for (const Tree& side : relation.sides) {
-    values.push_back(put_in(lower(side, symbols), question.given));
+  for (const Tree& side : relation.sides)
     for (const std::string& text : side_conditions(side, symbols)) {
       if (text.find("!=") != std::string::npos) continue;
       const Relation condition = parse_statement(text, symbols);
       const ex value = put_in(lower(condition.sides[0], symbols), question.given);
       narrow_by(value, claim_of(condition.operators[0]), symbols, intervals);
     }
-  }
+  return intervals;
+}
+
+/// Where a statement may hold: where its sides have values, and each is where the others say.
+Intervals where_it_may_hold(const Relation& relation, const Question& question) {
+  const Symbols& symbols = question.symbols;
+  Intervals intervals = where_it_has_values(relation, question);
+  std::vector<ex> values;
+  for (const Tree& side : relation.sides) values.push_back(put_in(lower(side, symbols), question.given));
   for (std::size_t j = 1; j < values.size(); ++j)
     for (std::size_t i = 0; i < j; ++i)
       if (const std::string op = operator_between(relation, i, j); !op.empty() && !relation.operators.empty())
@@ -191,9 +197,23 @@ Symbols with_ranges_of(const std::vector<Given>& given, const Symbols& symbols) 
   return result;
 }
 
+bool is_of_numbers(const Relation& relation) {
+  return !relation.operators.empty() &&
+         std::all_of(relation.sides.begin(), relation.sides.end(), [](const Tree& side) {
+           std::set<std::string> names;
+           collect_names(side, names);
+           names.erase("pi");
+           return names.empty();
+         });
+}
+
 std::optional<Symbols> where_one_may_hold(const Question& question) {
-  const Intervals left = where_it_may_hold(question.left, question),
-                  right = where_it_may_hold(question.right, question);
+  const auto where = [&](const Relation& relation, const Relation& other) {
+    if (is_of_numbers(relation)) return where_it_has_values(other, question);
+    return is_of_numbers(other) ? where_it_has_values(relation, question)
+                                : where_it_may_hold(relation, question);
+  };
+  const Intervals left = where(question.left, question.right), right = where(question.right, question.left);
   Symbols result = question.symbols;
   bool is_narrower = false;
   for (const auto& [name, interval] : left) {

@@ -22,6 +22,10 @@ struct Question {
 /// d, alpha < pi/2.
 Symbols with_ranges_of(const std::vector<Given>& given, const Symbols& symbols);
 
+/// Whether it says nothing of a symbol, as 0 < 1 does: what is compared with it is asked wherever that has a
+/// value, and nothing is lost where it has none.
+bool is_of_numbers(const Relation& relation);
+
 /// The symbols with the ranges outside of which neither statement holds, as far as single symbols say so: for
 /// log(x) < 0 and 0 < x < 1 that is x > 0. Nothing where the declared ranges say as much, or
 /// where a statement divides by what may be 0 there.

@@ -139,9 +139,10 @@ Proof lost(const ex& divisor, const Symbols& symbols) {
 /// What is the same where both have values is not, if one holds where the other has none.
 Proof prove_link(const Link& left, const Link& right, const Question& question, bool of_chain) {
   const Proof proof = prove_where_defined(left, right, question, of_chain);
-  const auto divisor = proof.verdict == Verdict::proved
-                           ? lost_to(residuals_of(left, right, question), question.symbols)
-                           : std::nullopt;
+  const bool may_lose =
+      proof.verdict == Verdict::proved && !is_of_numbers(question.left) && !is_of_numbers(question.right);
+  const auto divisor =
+      may_lose ? lost_to(residuals_of(left, right, question), question.symbols) : std::nullopt;
   return divisor ? lost(*divisor, question.symbols) : proof;
 }
 
@@ -207,6 +208,7 @@ std::optional<Proof> decide_in_cells(const Question& question) {
     if (auto proof = differ_at_one_of(places_of(question), question)) return proof;
   const auto cells = cells_of(question);
   if (!cells) return std::nullopt;
+  bool is_seen = !is_of_numbers(question.left) && !is_of_numbers(question.right);
   for (const Symbols& piece : cells->pieces) {
     const Cell cell = look_at(question, piece);
     if (cell == Cell::unknown) return std::nullopt;
@@ -214,7 +216,9 @@ std::optional<Proof> decide_in_cells(const Question& question) {
     const Proof there = decide({question.left, question.right, piece, question.given});
     if (there.verdict == Verdict::refuted) return there;
     if (there.verdict != Verdict::proved) return std::nullopt;
+    is_seen = true;
   }
+  if (!is_seen) return std::nullopt;  // it has values at a few points, or nowhere
   for (const ex& point : cells->points)
     if (!agree_at(point, *cells, question)) return std::nullopt;
   return proved("", "on every piece of the range, and at the points between, the two say the same");

@@ -57,8 +57,8 @@ bool is_bound_as_it_stands(const Assumed& link, const Symbols& symbols) {
   return (is_name(a) && is_number(b)) || (is_name(b) && is_number(a));
 }
 
-/// "x != y": the right side is read where it stands, so that an error is shown there.
-void assume_difference(const std::string& text, Symbols& symbols) {
+/// What is not 0 where "x != y": the right side is read where it stands, so that an error is shown there.
+GiNaC::ex difference_in(const std::string& text, const Symbols& symbols) {
   const auto at = text.find("!=");
   const auto value = [&](const std::string& side) {
     return reading(text, [&] { return lower(parse(side, symbols), symbols); });
@@ -68,7 +68,7 @@ void assume_difference(const std::string& text, Symbols& symbols) {
                   difference = (left - right).expand();
   if (GiNaC::is_a<GiNaC::numeric>(difference.evalf()))
     throw BadInput("the assumption '" + text + "' says nothing of a symbol");
-  symbols.exclude_zero(difference);
+  return difference;
 }
 
 /// The assumptions by what they are.
@@ -154,7 +154,11 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
   }
   for (const Assumed& link : texts.inequalities)
     reading(link.text, [&] { avoid_divisors(link.relation, symbols); });
-  for (const std::string& text : texts.differences) assume_difference(text, symbols);
+  for (const std::string& text : texts.differences) {
+    const GiNaC::ex difference = difference_in(text, symbols);
+    if (!without.contains(context.inequalities.size())) symbols.exclude_zero(difference);
+    context.inequalities.push_back(print(difference, Notation::plain, symbols) + " != 0");
+  }
   compare_in_some_order(comparisons, context);
   try {
     read_equations(texts.equations, context, request.small);

@@ -12,11 +12,11 @@ using GiNaC::ex;
 
 namespace {
 
-bool never_holds(const std::string& condition, const Symbols& symbols) {
+bool never_holds(const std::string& condition, const std::vector<Given>& given, const Symbols& symbols) {
   if (condition.find("!=") != std::string::npos) return false;
   const Relation relation = parse_statement(condition, symbols);
-  const Sides sides{lower(relation.sides[0], symbols), relation.operators[0],
-                    lower(relation.sides[1], symbols)};
+  const auto value = [&](std::size_t k) { return put_in(lower(relation.sides[k], symbols), given); };
+  const Sides sides{value(0), relation.operators[0], value(1)};
   return settled(residual_of(sides), claim_of(sides.op), symbols) == std::optional(false);
 }
 
@@ -34,7 +34,7 @@ Proof with_domain(Proof proof, const Relation& left, const Relation& right, cons
                   const Symbols& symbols) {
   if (proof.verdict == Verdict::refuted || proof.verdict == Verdict::undecided) return proof;
   for (const std::string& condition : proof.side_conditions)
-    if (never_holds(condition, symbols))
+    if (never_holds(condition, given, symbols))
       return undecided("it needs " + condition + ", which holds nowhere in the declared ranges");
   if (left.operators.empty()) return proof;
   for (const Relation* relation : {&left, &right})

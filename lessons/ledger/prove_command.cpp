@@ -214,8 +214,9 @@ Proof decide(const ProveRequest& request) {
     const Context context = make_context(request);
     Proof proof = decide_but_for_ranges(context, request);
     if (!is_proved(proof)) return proof;
-    const auto used = conditions_used(proof.verdict, context, request);
-    proof.side_conditions.insert(proof.side_conditions.end(), used.begin(), used.end());
+    for (const std::string& condition : conditions_used(proof.verdict, context, request))
+      if (std::count(proof.side_conditions.begin(), proof.side_conditions.end(), condition) == 0)
+        proof.side_conditions.push_back(condition);
     return proof;
   });
 }
@@ -278,8 +279,9 @@ Json decide_bounded(const ProveRequest& request) {
   }
   Json parts = Json::parse(*outcome.result), &proof = parts[0];
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  Json& said = proof["side_conditions"];
   for (const Json& condition : conditions_within(1.75 - elapsed.count(), parts[1], proof["verdict"], request))
-    proof["side_conditions"].push_back(condition);
+    if (std::count(said.begin(), said.end(), condition) == 0) said.push_back(condition);
   return proof;
 }
 

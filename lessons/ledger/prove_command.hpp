@@ -27,7 +27,7 @@ struct Context {
   Symbols symbols;
   std::vector<Given> given;
   std::vector<Comparison> comparisons;    ///< of symbols with each other: a part of the ranges, as it were
-  std::vector<std::string> inequalities;  ///< that are assumed: "b < h", "x > 0"
+  std::vector<std::string> inequalities;  ///< that are assumed: "b < h", "x > 0", "x - y != 0"
   std::vector<Tree> assumed = {};         ///< the sides of all inequalities and equations that are assumed
 
   /// The comparisons, or the equations as well.
