@@ -1,6 +1,5 @@
 // Looks at the declared ranges outside of those in which a certificate proves: there neither statement holds,
-// for one of its sides has no value, or is said to lie elsewhere; where one of them is of numbers alone, the
-// other one has no value.
+// or one has no value; where one of them is of numbers alone, the other one has none.
 #pragma once
 
 #include <optional>
@@ -38,18 +37,24 @@ inline bool is_of_numbers(const Json& statement) {
   return result;
 }
 
-/// Whether there is nothing to compare at any point that counts: neither holds, or what is asked has no
-/// value.
+/// Whether there is nothing to compare at any point that counts: one has no value; or neither holds, where
+/// both say something of a symbol.
 template <class Counts>
 bool is_nothing(const Json& c, Look& look, const Counts& counts) {
   const std::vector<Held> left = holds(c.at("left"), look), right = holds(c.at("right"), look);
-  const bool left_asked = is_of_numbers(c.at("right")), right_asked = is_of_numbers(c.at("left"));
-  for (std::size_t p = 0; p < points; ++p) {
-    const bool asked = left_asked ? left[p].has_value() : right[p].has_value();
-    const bool held = left[p].value_or(false) || right[p].value_or(false);
-    if (counts(p) && (left_asked || right_asked ? asked : held)) return false;
-  }
+  const bool is_asked = is_of_numbers(c.at("left")) || is_of_numbers(c.at("right"));
+  for (std::size_t p = 0; p < points; ++p)
+    if (counts(p) && left[p] && right[p] && (is_asked || *left[p] || *right[p])) return false;
   return true;
+}
+/// The same, where also a statement alone must not hold.
+inline bool neither_holds(const Json& c, Look& look) {
+  const auto never = [&](const char* side) {
+    const std::vector<Held> held = holds(c.at(side), look);
+    return std::find(held.begin(), held.end(), true) == held.end();
+  };
+  const bool is_asked = is_of_numbers(c.at("left")) || is_of_numbers(c.at("right"));
+  return is_asked ? is_nothing(c, look, [](std::size_t) { return true; }) : never("left") && never("right");
 }
 
 inline std::string low_end(const std::string& range) { return range.substr(1, range.find(',') - 1); }
@@ -91,10 +96,13 @@ inline void check_outside(const Json& c) {
     for (const std::string& range : beside(whole, c.at("ranges").at(name))) check_beside(name, range);
 }
 
-/// At a point: whether both statements hold there, or neither; or both expressions have one value, or none.
+/// At a point: whether both statements hold there, or neither; or both expressions have one value, or none;
+/// or something that is assumed not to be 0 is.
 inline bool agree_at(const std::string& point, const Json& c) {
   Look look;
   look.draw(c.at("in"), "[" + point + ", " + point + "]", ' ');
+  for (const Json& e : c.at("never zero"))
+    if (holds({e, "=", "0"}, look).front() == true) return true;
   const Held left = holds(c.at("left"), look).front(), right = holds(c.at("right"), look).front();
   if (is_of_numbers(c.at("left")) && !right) return true;
   if (is_of_numbers(c.at("right")) && !left) return true;
@@ -117,12 +125,13 @@ void check_cells(const Json& c, const Check& check) {
     if (!cell.contains("certificate")) {
       Look look;
       look.draw(name, range, ' ');
-      require(is_nothing(c, look, [](std::size_t) { return true; }), "it holds in " + range);
+      require(neither_holds(c, look), "it holds in " + range);
       continue;
     }
     const Json& there = cell.at("certificate");
     require(there.at("left") == c.at("left") && there.at("right") == c.at("right") &&
-                there.at("given").empty() && there.at("ranges") == Json{{name, range}},
+                there.at("given").empty() && there.at("never zero") == c.at("never zero") &&
+                there.at("ranges") == Json{{name, range}},
             "another statement in " + range);
     check(there);
     is_seen = true;

@@ -198,6 +198,11 @@ TEST_CASE("a certificate in pieces covers the range, and every point between") {
   for (Json* s : {&strict, &strict["cells"][0]["certificate"], &strict["cells"][1]["certificate"]})
     (*s)["left"][1] = ">";
   CHECK(verdict_of(strict) == "they differ at 0");
+  Json excluded = certificate_of("exp(x) > 1+x", "0 < 1", {"x != 0"});
+  CHECK(verdict_of(excluded) == "accepted");
+  for (Json* s : {&excluded, &excluded["cells"][0]["certificate"], &excluded["cells"][1]["certificate"]})
+    (*s)["never zero"] = {"x-1"};
+  CHECK(verdict_of(excluded) == "they differ at 0");
 }
 
 TEST_CASE("so does one of expressions, where they may be equal on either side alone") {

@@ -2,6 +2,7 @@
 #include <derivations/algebra/cells.hpp>
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/elimination.hpp>
+#include <derivations/algebra/factor_roots.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/vanish.hpp>
@@ -53,14 +54,27 @@ std::vector<ex> cutting(const Question& question, const GiNaC::symbol& x) {
   return result;
 }
 
-std::vector<ex> candidates(const std::vector<ex>& cutting, const ex& x) {
+/// Of a polynomial with rational coefficients, up to the second degree.
+std::vector<ex> zeros_of(const ex& e, const ex& x) {
+  if (!e.is_polynomial(x) || e.degree(x) < 1 || e.degree(x) > 2) return {};
+  const ex a = e.coeff(x, 2), b = e.coeff(x, 1), c = e.coeff(x, 0);
+  if (a.is_zero()) return {(-c / b).normal()};
+  const ex discriminant = b * b - 4 * a * c;
+  if (!discriminant.info(GiNaC::info_flags::positive)) return {};
+  const ex root = GiNaC::sqrt(discriminant);
+  return {((-b + root) / (2 * a)).expand(), ((-b - root) / (2 * a)).expand()};
+}
+
+std::vector<ex> candidates(const std::vector<ex>& cutting, const ex& x, const Symbols& symbols) {
   std::vector<ex> result;
   for (int k = -24; k <= 24; ++k) result.push_back(k * GiNaC::Pi / 12), result.push_back(numeric(k, 2));
   for (int k = -4; k <= 4; ++k) result.push_back(GiNaC::exp(ex(numeric(k, 2))));
-  for (const ex& e : cutting) {
-    const ex zero = e.is_polynomial(x) && e.degree(x) == 1 ? -e.coeff(x, 0) / e.coeff(x, 1) : ex(0);
-    result.push_back(zero.normal());
-  }
+  for (const int n : {2, 3})
+    for (const numeric& k : {numeric(1), numeric(1, 2), numeric(1, 3)})
+      for (const int sign : {1, -1}) result.push_back(sign * k * GiNaC::sqrt(ex(n)));
+  for (const ex& e : cutting)
+    for (const ex& factor : factors_of(e, symbols))
+      for (const ex& zero : zeros_of(factor, x)) result.push_back(zero);
   return result;
 }
 
@@ -167,7 +181,7 @@ std::vector<ex> cuts(const Question& question, const Symbol& symbol) {
   const Interval range = parse_range(symbol.range);
   std::vector<ex> result;
   const std::vector<ex> zeros = cutting(question, symbol.ginac);
-  for (const ex& point : candidates(zeros, x)) {
+  for (const ex& point : candidates(zeros, x, question.symbols)) {
     const auto is_it = [&](const ex& other) {
       return other.is_equal(point) ||
              (!(other - point).info(GiNaC::info_flags::numeric) && vanishes(other - point, question.symbols));
@@ -258,6 +272,16 @@ Cell look_at(const Question& question, const Symbols& piece) {
   return neither || never_holds(other, question, piece) ? Cell::empty : Cell::unknown;
 }
 
+namespace {
+
+/// By an assumption that something is not 0 there.
+bool is_excluded(const ex& point, const ex& x, const Symbols& symbols) {
+  const auto is_zero = [&](const ex& e) { return e.has(x) && is_zero_at(e, x, point, symbols); };
+  return std::any_of(symbols.never_zero().begin(), symbols.never_zero().end(), is_zero);
+}
+
+}  // namespace
+
 std::optional<ex> lost_at_a_zero(const Question& question) {
   if (is_of_numbers(question.left) || is_of_numbers(question.right)) return std::nullopt;
   const Symbol* symbol = only_symbol(question);
@@ -280,15 +304,16 @@ std::optional<ex> lost_at_a_zero(const Question& question) {
     for (const Tree& side : relation->sides)
       for (const ex& divisor : divisors(side, question.symbols)) {
         if (!divisor.has(x) || sign_of(divisor, question.symbols) != 0) continue;
-        for (const ex& point : candidates({divisor}, x))
+        for (const ex& point : candidates({divisor}, x, question.symbols))
           if (is_inside(point, range, true) && is_zero_at(divisor, x, point, question.symbols) &&
-              differ_at(point))
+              !is_excluded(point, x, question.symbols) && differ_at(point))
             return divisor;
       }
   return std::nullopt;
 }
 
 bool agree_at(const ex& point, const Cells& cells, const Question& question) {
+  if (is_excluded(point, cells.symbol, question.symbols)) return true;
   try {
     const auto left = truth_at(question.left, cells.symbol, point, question),
                right = truth_at(question.right, cells.symbol, point, question);

@@ -36,7 +36,8 @@ Cell look_at(const Question& question, const Symbols& piece);
 /// sin(x)/tan(x) = 1 has no solution, cos(x) = 1 has some. Not of strict ones.
 std::optional<GiNaC::ex> lost_at_a_zero(const Question& question);
 
-/// Whether at a point both hold, or neither does; or both expressions have one value there, or neither has.
+/// Whether at a point both hold, or neither does; or both expressions have one value there, or neither has;
+/// or what is assumed excludes the point.
 bool agree_at(const GiNaC::ex& point, const Cells& cells, const Question& question);
 
 }  // namespace rederive

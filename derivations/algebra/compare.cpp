@@ -4,6 +4,7 @@
 #include <derivations/algebra/evaluate.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
+#include <map>
 #include <stdexcept>
 
 namespace rederive {
@@ -43,6 +44,17 @@ ex with_one_power_of_e(const ex& sum) {
   return result;
 }
 
+/// The same few constants are asked for again and again.
+int sign_in_digits(const ex& constant) {
+  static std::map<ex, int, GiNaC::ex_is_less> known;
+  if (const auto found = known.find(constant); found != known.end()) return found->second;
+  const auto value = evaluate(to_tree(constant), {}, 5);
+  if (!value) throw std::domain_error("not a real constant");
+  if (cln::zerop(*value)) throw std::domain_error("too close to tell");
+  if (known.size() > 1000) known.clear();
+  return known[constant] = cln::plusp(*value) ? 1 : -1;
+}
+
 }  // namespace
 
 int compare(const ex& a, const ex& b) {
@@ -57,10 +69,7 @@ int compare(const ex& a, const ex& b) {
     const double d = is_real ? ex_to<numeric>(value).to_double() : 0;
     if (std::fabs(d) > 1e-6) return d > 0 ? 1 : -1;
   }
-  const auto value = evaluate(to_tree(difference), {}, 5);
-  if (!value) throw std::domain_error("not a real constant");
-  if (cln::zerop(*value)) throw std::domain_error("too close to tell");
-  return cln::plusp(*value) ? 1 : -1;
+  return sign_in_digits(difference);
 }
 
 }  // namespace rederive

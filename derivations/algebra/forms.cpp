@@ -196,7 +196,7 @@ std::optional<ex> form_of_root(const ex& e, const Atoms& atoms, const Symbols& s
     const ex left = (GiNaC::pow(*factor, 2) * root.op(0) - v * v).expand();
     if (!is_nonnegative(left, symbols)) continue;
     const auto shown = form_of_one_sign(left, symbols);
-    return sign * (GiNaC::pow(u - v, 2) + shown.value_or(left)) / (2 * u);
+    return sign * (GiNaC::pow(u - v, 2) + shown.value_or(GiNaC::factor(left))) / (2 * u);
   }
   return std::nullopt;
 }

@@ -266,9 +266,9 @@ Interval enclose_as_it_stands(const ex& e, const Symbols& symbols) {
   return {};
 }
 
-/// Whether a text is made of numbers, π, and powers of e with two digits at most.
+/// Whether a text is made of numbers, π, and powers of e with two digits and roots of four at most.
 bool is_constant(std::string text) {
-  static const std::regex power("exp\\(-?\\d\\d?(/\\d\\d?)?\\)");
+  static const std::regex power("exp\\(-?\\d\\d?(/\\d\\d?)?\\)|sqrt\\(\\d{1,4}\\)");
   text = std::regex_replace(text, power, "1");
   return !text.empty() && text.find_first_not_of("0123456789/*-+pi()") == std::string::npos;
 }

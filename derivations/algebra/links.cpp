@@ -207,6 +207,22 @@ bool is_of_numbers(const Relation& relation) {
          });
 }
 
+namespace {
+
+/// Nothing if no range becomes narrower.
+std::optional<Symbols> narrowed(const Intervals& intervals, const Question& question) {
+  Symbols result = question.symbols;
+  bool is_narrower = false;
+  for (const auto& [name, interval] : intervals) {
+    const std::string before = result.find(name)->range;
+    narrow_to(interval, question.symbols[name], result);
+    is_narrower = is_narrower || result.find(name)->range != before;
+  }
+  return is_narrower ? std::optional(result) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<Symbols> where_one_may_hold(const Question& question) {
   const auto where = [&](const Relation& relation, const Relation& other) {
     if (is_of_numbers(relation)) return where_it_has_values(other, question);
@@ -214,17 +230,22 @@ std::optional<Symbols> where_one_may_hold(const Question& question) {
                                 : where_it_may_hold(relation, question);
   };
   const Intervals left = where(question.left, question.right), right = where(question.right, question.left);
-  Symbols result = question.symbols;
-  bool is_narrower = false;
-  for (const auto& [name, interval] : left) {
-    const auto other = right.find(name);
-    if (other == right.end()) continue;
-    const std::string before = result.find(name)->range;
-    narrow_to(hull(interval, other->second), question.symbols[name], result);
-    is_narrower = is_narrower || result.find(name)->range != before;
-  }
-  const bool is_clear = has_values(question.left, result) && has_values(question.right, result);
-  return is_narrower && is_clear ? std::optional(result) : std::nullopt;
+  Intervals either;
+  for (const auto& [name, interval] : left)
+    if (const auto other = right.find(name); other != right.end()) try {
+        either[name] = hull(interval, other->second);
+      } catch (const std::domain_error&) {  // ends too close to tell
+      }
+  const auto result = narrowed(either, question);
+  const bool is_clear = result && has_values(question.left, *result) && has_values(question.right, *result);
+  return is_clear ? result : std::nullopt;
+}
+
+std::optional<Symbols> where_both_have_values(const Question& question) {
+  Intervals both = where_it_has_values(question.left, question);
+  for (const auto& [name, interval] : where_it_has_values(question.right, question))
+    both[name] = overlap(both[name], interval);
+  return narrowed(both, question);
 }
 
 std::vector<Link> links_of(const Relation& relation) {

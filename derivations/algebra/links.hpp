@@ -31,6 +31,10 @@ bool is_of_numbers(const Relation& relation);
 /// where a statement divides by what may be 0 there.
 std::optional<Symbols> where_one_may_hold(const Question& question);
 
+/// The symbols with the ranges outside of which a side of one of the statements has no value, as far as single
+/// symbols say so. Nothing where the declared ranges say as much.
+std::optional<Symbols> where_both_have_values(const Question& question);
+
 /// One relation of a statement.
 struct Link {
   Tree left;

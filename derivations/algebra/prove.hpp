@@ -56,8 +56,9 @@ struct Given {
 GiNaC::ex put_in(GiNaC::ex expression, const std::vector<Given>& given);
 
 /// Decides left against right: two expressions, two equations or two inequalities. A chain says that all its
-/// links hold: K = a = b that K = a and K = b, a < b < c that a < b and b < c. Never throws for a statement
-/// that parses; what cannot be decided is undecided.
+/// links hold: K = a = b that K = a and K = b, a < b < c that a < b and b < c. Against a relation of numbers,
+/// 0 < 1, the other one is asked wherever it has a value. Never throws for a statement that parses; what
+/// cannot be decided is undecided.
 Proof prove(const Relation& left, const Relation& right, const Symbols& symbols = paper_symbols(),
             const std::vector<Given>& given = {});
 

@@ -243,10 +243,14 @@ std::optional<GiNaC::numeric> number_between(const ex& left, const ex& right, co
 }
 
 std::optional<ex> lost_to(const Residuals& r, const Symbols& symbols) {
+  const auto is_known = [&](const ex& divisor) {  // not to be 0
+    const auto& known = symbols.never_zero();
+    return std::any_of(known.begin(), known.end(), [&](const ex& e) { return is_multiple(divisor, e); });
+  };
   const auto own = [&](const std::vector<ex>& divisors, const std::vector<ex>& others,
                        const ex& residual) -> std::optional<ex> {
     for (const ex& divisor : divisors)
-      if (is_polynomial(divisor) && sign_of(divisor, symbols) == 0 &&
+      if (is_polynomial(divisor) && sign_of(divisor, symbols) == 0 && !is_known(divisor) &&
           std::none_of(others.begin(), others.end(), [&](const ex& o) { return is_multiple(divisor, o); }) &&
           is_factor(divisor, residual, symbols))
         return divisor;

@@ -18,6 +18,16 @@ using How = Slope::How;
 
 namespace {
 
+/// As sqrt(1 - sqrt(2)/2).
+bool has_nested_roots(const ex& constant) {
+  const auto is_root = [](const ex& part) {
+    return GiNaC::is_a<GiNaC::power>(part) && !part.op(1).info(GiNaC::info_flags::integer);
+  };
+  return std::any_of(constant.preorder_begin(), constant.preorder_end(), [&](const ex& part) {
+    return is_root(part) && std::any_of(part.op(0).preorder_begin(), part.op(0).preorder_end(), is_root);
+  });
+}
+
 constexpr int most_slopes = 6;
 constexpr std::size_t most_looked_at = 7, most_names = 3;
 constexpr std::ptrdiff_t longest = 400, longest_in_factors = 50;  ///< nodes of a tree
@@ -83,6 +93,7 @@ class Slopes {
                     (is_low ? "[" : "(") + range_.lower + ", " + range_.upper + (is_low ? ")" : "]"));
       if (!has_values(f, closed)) return std::nullopt;
       const ex value = f.subs(x_ == end.value);
+      if (has_nested_roots(value)) return std::nullopt;  // a certificate has no exact values of these
       if (vanishes(value, symbols_)) return 0;
       const int sign = sign_of(value, symbols_);
       return sign != 0 ? std::optional(sign) : std::nullopt;
@@ -177,13 +188,20 @@ bool is_in_function(const ex& x, const ex& f) {
                      [&](const ex& part) { return !name_of(part).empty() && part.has(x); });
 }
 
+/// There sqrt(1-x^2) may have an exact value, and sqrt(1-x)*sqrt(1+x), which is easier elsewhere, none.
+bool has_roots_at_ends(const std::set<std::string>& names, const Symbols& symbols) {
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return symbols.find(name)->range.find("sqrt") != std::string::npos;
+  });
+}
+
 }  // namespace
 
 std::optional<Slope> sign_by_slope(const ex& expression, const Symbols& symbols) {
   const auto names = names_in(expression);
   if (names.empty() || names.size() > most_names) return std::nullopt;
   try {
-    const ex f = prepare(expression, symbols);
+    const ex f = has_roots_at_ends(names, symbols) ? expression : prepare(expression, symbols);
     if (has_bars(f) || !has_symbol(f)) return std::nullopt;
     for (const std::string& name : names)
       if (names.size() == 1 || is_in_function(symbols[name], f))

@@ -203,6 +203,12 @@ void add_trees(const CertifiedLayer& written, const CertifiedStatement& q, std::
   }
 }
 
+Json never_zero_json(const Symbols& symbols) {
+  Json texts = Json::array();
+  for (const ex& e : symbols.never_zero()) texts.push_back(print(e, Notation::plain, symbols));
+  return texts;
+}
+
 Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links) {
   std::vector<Tree> trees;
   for (const Given& g : q.given)
@@ -212,8 +218,6 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
   Json given = Json::object(), texts = Json::array();
   for (const Given& g : q.given)
     given[ex_to<GiNaC::symbol>(g.name).get_name()] = print(g.value, Notation::plain, q.symbols);
-  Json never_zero = Json::array();
-  for (const ex& e : q.symbols.never_zero()) never_zero.push_back(print(e, Notation::plain, q.symbols));
   for (const CertifiedDivisor& divisor : divisors_of(q)) {
     trees.push_back(divisor.tree);
     texts.push_back(q.text(divisor.tree));
@@ -245,7 +249,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
             {"right", statement_json(q.right, q)},
             {"given", given},
             {"divisors", texts},
-            {"never zero", never_zero},
+            {"never zero", never_zero_json(q.symbols)},
             {"ranges", ranges_json(trees, q)}};
   json["parts of divisors"] = parts_of_divisors(links, q);
   json["slopes"] = slopes_json(links, q);
@@ -280,9 +284,13 @@ Json certificate_in_cells(const Question& question) {
   const auto cells = cells_of(question);
   if (!cells) throw Undecidable("there are no pieces to look at");
   const CertifiedStatement statement{left, right, symbols, given, {}, symbols};
-  Json json{{"format", "rederive certificate 9"},          {"left", statement_json(left, statement)},
-            {"right", statement_json(right, statement)},   {"in", symbols.find(cells->symbol)->name},
-            {"range", symbols.find(cells->symbol)->range}, {"cells", Json::array()}};
+  Json json{{"format", "rederive certificate 9"},
+            {"left", statement_json(left, statement)},
+            {"right", statement_json(right, statement)},
+            {"in", symbols.find(cells->symbol)->name},
+            {"range", symbols.find(cells->symbol)->range},
+            {"never zero", never_zero_json(symbols)},
+            {"cells", Json::array()}};
   for (const Symbols& piece : cells->pieces) {
     json["cells"].push_back({{"range", piece.find(cells->symbol)->range}});
     if (look_at(question, piece) == Cell::compared)
@@ -301,17 +309,16 @@ Json certificate(const Relation& left, const Relation& right, const Symbols& sym
   const std::vector<Given> in_it = needed(left, right, given, symbols);
   const Question question{exact_left, exact_right, symbols, in_it};
   if (has_values_at_points_only(question)) return certificate_in_cells(question);
-  try {
-    return certificate_over(symbols, exact_left, exact_right, in_it, symbols);
-  } catch (const Undecidable&) {  // then over the part of the ranges where one may hold
-    const auto defined = where_one_may_hold(question);
+  std::string why;
+  for (const std::optional<Symbols>& ranges :
+       {where_both_have_values(question), std::optional(symbols), where_one_may_hold(question)})
     try {
-      if (defined) return certificate_over(*defined, exact_left, exact_right, in_it, symbols);
-    } catch (const Undecidable&) {  // then piece by piece
+      if (ranges) return certificate_over(*ranges, exact_left, exact_right, in_it, symbols);
+    } catch (const Undecidable& error) {  // then over other ranges, or piece by piece
+      why = error.what();
     }
-    if (!cells_of(question)) throw;
-    return certificate_in_cells(question);
-  }
+  if (!cells_of(question)) throw Undecidable(why);
+  return certificate_in_cells(question);
 }
 
 }  // namespace rederive

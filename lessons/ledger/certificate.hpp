@@ -19,7 +19,8 @@ namespace rederive {
 ///                 slope; inside the range as it stands, and at the ends. With other names, what it is `at
 ///                 low` and `at high`; `by` is positive, and the last slope is taken times that. Of a layer
 ///                 "of" it has no sign itself, but `grows`, or falls for a sign of -1
-///   ranges        where the other names live
+///   ranges        where the other names live; what `declared` has beside them, neither statement holds in,
+///                 or one has no value there
 ///   cut           the names x whose range is cut at x = 0, mostly none: |x| stands there
 ///   pieces        of the domain, in the order x < 0, x > 0 (the last name turns first), each with
 ///     steps       what every function is in generators: powers of e, roots and function values with names of
@@ -46,9 +47,9 @@ namespace rederive {
 /// it, or as a product of `parts` of which each shows its own sign, with their exponents; or of which a^2 -
 /// (a - residual)^2 is the form, for a = `roots`, not negative, one after another; and `holds`. One of each
 /// side that never holds is enough. Or of a statement in one name, `in` which the whole `range` is cut
-/// into cells: each has an open range, and a certificate over it; or none, where neither statement holds. All
-/// is text in our own syntax. Throws Undecidable where the statement is not proved, or where nothing like
-/// this is found.
+/// into cells: each has an open range, and a certificate over it; or none, where neither statement holds, or
+/// one has no value. All is text in our own syntax. Throws Undecidable where the statement is not proved, or
+/// where nothing like this is found.
 nlohmann::ordered_json certificate(const Relation& left, const Relation& right, const Symbols& symbols,
                                    const std::vector<Given>& given);
 

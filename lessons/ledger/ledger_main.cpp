@@ -235,6 +235,7 @@ int main(int argc, char** argv) {
   proving->add_option("--order", options.request.order, "… up to this order");
 
   proving->footer(
+      "To ask whether an inequality holds wherever it has a value, compare it with 0 < 1.\n\n"
       "A witness shows the values of two expressions, or of A and B for y = A and y = B; for other equations "
       "and\n"
       "inequalities the differences of their sides, of an inequality the one that it asks to be positive.\n"
