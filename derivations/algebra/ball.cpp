@@ -99,7 +99,7 @@ Ball BallArithmetic::power(const Ball& x, const Ball& y) const {
     return whole_power(x, cln::the<cl_I>(y.middle));
   }
   if (is_zero(x) && is_positive(y)) return exactly(0);
-  if (y.exact() && cln::denominator(rational(y)) == 2)
+  if (y.exact() && cln::denominator(rational(y)) == 2 && cln::abs(y.middle) <= largest)
     return whole_power(sqrt(x), cln::numerator(rational(y)));
   return exp(times(y, log(x)));
 }

@@ -196,7 +196,7 @@ std::vector<ex> cuts(const Question& question, const Symbol& symbol) {
   return result;
 }
 
-/// Ranges have rational ends, multiples of pi, and a few powers of e.
+/// Ranges have rational ends, multiples of pi, a few powers of e, and short square roots.
 bool may_be_an_end(const ex& point, const Symbols& symbols) {
   try {
     (void)parse_range("(" + print(point, Notation::plain, symbols) + ", inf)");

@@ -15,8 +15,9 @@ struct Cells {
 };
 
 /// Cut where residuals, slopes of residuals, conditions and what stands between bars is exactly 0: at
-/// multiples of pi/12, small rationals, powers of sqrt(e) and the zeros of what is linear. Nothing where the
-/// statements have other symbols or givens, or are cut nowhere and the range is open.
+/// multiples of pi/12, small rationals, powers of sqrt(e), parts of sqrt(2) and sqrt(3), and the zeros of
+/// factors up to the second degree. Nothing where the statements have other symbols or givens, or are cut
+/// nowhere and the range is open.
 std::optional<Cells> cells_of(const Question& question);
 
 /// Where two statements in one symbol may differ, and few other points show it: where they may be cut, at

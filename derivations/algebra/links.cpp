@@ -243,8 +243,10 @@ std::optional<Symbols> where_one_may_hold(const Question& question) {
 
 std::optional<Symbols> where_both_have_values(const Question& question) {
   Intervals both = where_it_has_values(question.left, question);
-  for (const auto& [name, interval] : where_it_has_values(question.right, question))
-    both[name] = overlap(both[name], interval);
+  for (const auto& [name, interval] : where_it_has_values(question.right, question)) try {
+      both[name] = overlap(both[name], interval);
+    } catch (const std::domain_error&) {  // ends too close to tell
+    }
   return narrowed(both, question);
 }
 
