@@ -239,7 +239,10 @@ class Look : public Reader<Seen> {
     const auto text = [](const cln::cl_I& i) { return std::to_string(cln::cl_I_to_long(i)); };
     if (exponent.range.is_constant() && cln::denominator(n) == 1) {
       Seen result = power(cln::minusp(n) ? divisor(base) : base, cln::cl_I_to_long(cln::numerator(n)));
-      if (cln::evenp(cln::numerator(n))) result.range = not_negative(result.range);
+      if (cln::evenp(cln::numerator(n)))
+        result.range = not_negative(result.range);
+      else if (cln::plusp(n))
+        result.range = both(result.range, odd_power_of(n, base.range));
       return result;
     }
     if (!exponent.range.is_constant()) return call("exp", exponent * call("log", base));

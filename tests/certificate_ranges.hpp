@@ -166,6 +166,15 @@ inline Range power_of(const cln::cl_RA& exponent, Range x) {
   return {at(x.low, -1), at(x.high, 1), x.has_low, x.has_high};
 }
 
+/// That of x^n for an odd n > 0, which grows.
+inline Range odd_power_of(const cln::cl_RA& n, const Range& x) {
+  const auto at = [&](const End& e, int outward) -> End {
+    if (e.infinite != 0 || sign(e) == 0) return e;
+    return sign(e) > 0 ? power_at(e, n, outward) : cln::cl_RA(-1) * power_at(cln::cl_RA(-1) * e, n, -outward);
+  };
+  return {at(x.low, -1), at(x.high, 1), x.has_low, x.has_high};
+}
+
 /// That of f(x), or another one where nothing more is known.
 inline Range range_of(const std::string& f, const Range& x, const Range& other) {
   const cln::cl_RA half = cln::cl_RA(1) / 2;

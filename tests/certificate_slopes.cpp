@@ -164,6 +164,8 @@ TEST_CASE("a function that grows is a layer") {
   CHECK(layered("y^3+y", real, other) == "another slope of x^3+x");
   CHECK(sloped("x", "(0, inf)", from("grows", 1, "1")) == "accepted");  // by its range alone
   CHECK(sloped("x-1", "(0, inf)", from("grows", 1, "1")) == open_form);
+  CHECK(sloped("x^3+8", "(-2, 1)", from("grows", 1, "1")) == "accepted");  // an odd power grows
+  CHECK(sloped("x^3+8", "(-3, 1)", from("grows", 1, "1")) == open_form);
   const Json pole{{"x", "(-1, 1)"}, {"y", "(-1, 1)"}};
   CHECK(layered("-1/y", pole, from("grows", 1, "1/x^2"), "-1/x") == "it may have no value: -1/x");
 }
