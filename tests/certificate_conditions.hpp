@@ -224,10 +224,10 @@ class Look : public Reader<Seen> {
     if (to != "inf") b.whole.high = value(to).range.high, b.high = cln::realpart(value(to).at[0].at);
     return b;
   }
-  Seen number(const cln::cl_I& n) override { return seen(rounded(n), point({n})); }
+  Seen number(const cln::cl_I& n) const override { return seen(rounded(n), point({n})); }
   /// Ranges are those where there is a value, and there it is not 0.
   Seen divisor(const Seen& d) override {
-    looks_.is_not_zero(d, "a divisor vanishes");
+    looks_.is_not_zero(d, "a divisor is 0");
     divisors_are_clear = divisors_are_clear && (d.range.is_positive() || d.range.is_negative());
     Seen result = d;
     if (d.range.low.is_zero()) result.range.has_low = false;

@@ -10,9 +10,7 @@ namespace certificate_checker {
 /// A replay that knows what statements divide by.
 class Statement : public Replay {
  public:
-  void name(const std::string& name, const std::string& text) {
-    require(names_.insert({name, value(text)}).second, "no new name: " + name);
-  }
+  using Replay::Replay;
   /// A text in #x.
   Fraction at(const std::string& text, const Fraction& x) { return names_["#x"] = x, value(text); }
   /// A text where a name has this value.
@@ -30,12 +28,13 @@ class Statement : public Replay {
 
  private:
   Fraction divisor(const Fraction& d) override {
-    const bool may_be_number = d.above.size() == d.below.size();  // as csc(x)*sin(x) is
+    Replay::divisor(d);
+    const bool may_be_number = d.num.size() == d.den.size();  // as csc(x)*sin(x) is
     if (!may_be_number || !is_multiple(d, {{{{}, 1}}, {{{}, 1}}})) divisors.push_back(d);
-    return Replay::divisor(d);
+    return d;
   }
   static Fraction without_number(Fraction a) {
-    for (Polynomial* p : {&a.above, &a.below}) {
+    for (Polynomial* p : {&a.num, &a.den}) {
       cln::cl_I common = 0;
       for (const auto& term : *p) common = cln::gcd(common, term.second);
       for (auto& term : *p) term.second = cln::exquo(term.second, common);
@@ -70,7 +69,7 @@ class Slopes : public Reader<Sloped> {
   }
 
  private:
-  Sloped number(const cln::cl_I& n) override { return {{plus({}, {{{}, n}}), {{{}, 1}}}, {{}, {{{}, 1}}}}; }
+  Sloped number(const cln::cl_I& n) const override { return {{{{{}, n}}, {{{}, 1}}}, {{}, {{{}, 1}}}}; }
   Sloped divisor(const Sloped& d) override { return d; }
   Sloped raised(const Sloped& base, const Sloped& exponent) override {
     if (!replay_.same(exponent.slope, replay_.value("0"))) return call("exp", exponent * call("log", base));
