@@ -3,6 +3,7 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <map>
+#include <set>
 
 namespace rederive {
 
@@ -10,11 +11,21 @@ namespace {
 
 struct Collector {
   const Symbols& symbols;
+  const std::vector<Given>& given;
   std::vector<std::string> found;
   std::vector<GiNaC::ex> divisors;
 
-  void note(const GiNaC::ex& value, const std::string& relation, bool granted) {
-    if (granted || GiNaC::is_a<GiNaC::numeric>(value)) return;
+  bool is_granted(const GiNaC::ex& value, const std::string& relation) const {
+    const GiNaC::ex e = put_in(value, given);
+    return relation == ">="  ? is_nonnegative(e, symbols)
+           : relation == ">" ? sign_of(e, symbols) > 0
+                             : sign_of(e, symbols) != 0;
+  }
+  void note(const GiNaC::ex& value, const std::string& relation) {
+    if (GiNaC::is_a<GiNaC::numeric>(value) || is_granted(value, relation)) return;
+    const bool is_root = GiNaC::is_a<GiNaC::power>(value) && value.op(1).info(GiNaC::info_flags::positive) &&
+                         !value.op(1).info(GiNaC::info_flags::integer);
+    if (is_root && relation == ">") return note(value.op(0), relation);
     const std::string text = print(value, Notation::plain, symbols) + " " + relation + " 0";
     if (std::find(found.begin(), found.end(), text) == found.end()) found.push_back(text);
   }
@@ -27,7 +38,7 @@ struct Collector {
       nonzero(value.op(0));
     } else {
       divisors.push_back(value);
-      note(value, "!=", sign_of(value, symbols) != 0);
+      note(value, "!=");
     }
   }
 
@@ -46,9 +57,7 @@ struct Collector {
         const bool whole =
             GiNaC::is_a<GiNaC::numeric>(exponent) && GiNaC::ex_to<GiNaC::numeric>(exponent).is_integer();
         if (!whole)
-          note(value(0), may_be_negative(tree->children[1]) ? ">" : ">=",
-               may_be_negative(tree->children[1]) ? sign_of(value(0), symbols) > 0
-                                                  : is_nonnegative(value(0), symbols));
+          note(value(0), may_be_negative(tree->children[1]) ? ">" : ">=");
         else if (may_be_negative(tree->children[1]))
           nonzero(value(0));
         break;
@@ -65,24 +74,45 @@ struct Collector {
     if (name == "tan" || name == "sec") nonzero(GiNaC::cos(x));
     if (name == "cot" || name == "csc") nonzero(GiNaC::sin(x));
     if (name == "coth" || name == "csch") nonzero(GiNaC::sinh(x));
-    if (name == "log") note(x, ">", sign_of(x, symbols) > 0);
-    if (name == "sqrt") note(x, ">=", is_nonnegative(x, symbols));
-    if (name == "acosh") note(x - 1, ">=", is_nonnegative(x - 1, symbols));
-    if (name == "asin" || name == "acos") note(1 - x * x, ">=", is_nonnegative(1 - x * x, symbols));
-    if (name == "atanh") note(1 - x * x, ">", sign_of(1 - x * x, symbols) > 0);
+    if (name == "log") note(x, ">");
+    if (name == "sqrt") note(x, ">=");
+    if (name == "acosh") note(x - 1, ">=");
+    if (name == "asin" || name == "acos") note(1 - x * x, ">=");
+    if (name == "atanh") note(1 - x * x, ">");
   }
 };
 
 }  // namespace
 
-std::vector<std::string> side_conditions(const Tree& tree, const Symbols& symbols) {
-  Collector collector{symbols, {}, {}};
+std::vector<std::string> side_conditions(const Tree& tree, const Symbols& symbols,
+                                         const std::vector<Given>& given) {
+  Collector collector{symbols, given, {}, {}};
   collector.visit(tree);
   return collector.found;
 }
 
+std::vector<std::string> said_once(const std::vector<std::string>& conditions) {
+  std::vector<std::string> values;  // in the order in which they are first mentioned
+  std::map<std::string, std::set<std::string>> said;
+  for (const std::string& condition : conditions) {  // "value relation 0"
+    const std::size_t after = condition.size() - 2, before = condition.rfind(' ', after - 1);
+    const std::string value = condition.substr(0, before);
+    if (!said.contains(value)) values.push_back(value);
+    said[value].insert(condition.substr(before + 1, after - before - 1));
+  }
+  std::vector<std::string> result;
+  for (const std::string& value : values) {
+    const std::set<std::string>& relations = said[value];
+    if (relations.contains(">") || relations.size() > 1)
+      result.push_back(value + " > 0");
+    else
+      result.push_back(value + " " + *relations.begin() + " 0");
+  }
+  return result;
+}
+
 std::vector<GiNaC::ex> divisors(const Tree& tree, const Symbols& symbols) {
-  Collector collector{symbols, {}, {}};
+  Collector collector{symbols, {}, {}, {}};
   collector.visit(tree);
   return collector.divisors;
 }

@@ -161,12 +161,13 @@ Proof prove_links(const Question& question) {
   return proof;
 }
 
-void add_conditions(Proof& proof, const Relation& relation, const Symbols& symbols) {
-  for (const Tree& side : relation.sides)
-    for (const std::string& condition : side_conditions(side, symbols))
-      if (std::find(proof.side_conditions.begin(), proof.side_conditions.end(), condition) ==
-          proof.side_conditions.end())
-        proof.side_conditions.push_back(condition);
+/// For all of these sides to have values.
+std::vector<std::string> conditions_of(const std::vector<Tree>& sides, const Symbols& symbols,
+                                       const std::vector<Given>& given) {
+  std::vector<std::string> result;
+  for (const Tree& side : sides)
+    for (const std::string& condition : side_conditions(side, symbols, given)) result.push_back(condition);
+  return said_once(result);
 }
 
 bool has_inequality(const Relation& relation) {
@@ -236,12 +237,9 @@ Proof prove(const Relation& left, const Relation& right, const Symbols& symbols,
         proof = lost(*divisor, symbols);
     if (proof.verdict == Verdict::undecided)
       if (auto in_cells = decide_in_cells({left, right, with_ranges, given})) proof = *in_cells;
-    if (proof.verdict == Verdict::proved) {
-      add_conditions(proof, left, symbols);
-      add_conditions(proof, right, symbols);
-    }
     std::vector<Tree> sides = left.sides;
     sides.insert(sides.end(), right.sides.begin(), right.sides.end());
+    if (proof.verdict == Verdict::proved) proof.side_conditions = conditions_of(sides, with_ranges, given);
     if (proof.witness) complete(*proof.witness, sides, given, symbols);
     return proof;
   } catch (const Undecidable& error) {
