@@ -18,8 +18,11 @@ class Advice {
   SyntaxError called_symbol(std::size_t name) const;
   /// sin x, sin^2(x), sin: a function is not followed by a parenthesis.
   SyntaxError bare_function(std::size_t function) const;
+  /// thta, mgR, sin2x, inf: a name that is neither a symbol nor a function.
   SyntaxError unknown_name(std::size_t name) const;
+  /// x*, (), ²: at this token an operand should begin, and none does.
   SyntaxError missing_operand(std::size_t at) const;
+  /// 3,5: a comma that is not between the arguments of a function.
   SyntaxError stray_comma(std::size_t at) const;
 
  private:

@@ -14,19 +14,23 @@ struct Ball {
   cln::cl_R radius = 0;
   cln::cl_RA of_pi = 0;  ///< where it is not 0, the value is known to be this rational multiple of π
 
+  /// Whether it is known to be a rational multiple of π other than 0.
   bool is_of_pi() const { return !cln::zerop(of_pi); }
   /// The ends, exactly: floats of CLN that are added have the digits of the shorter one only.
   cln::cl_RA least() const { return cln::rational(middle) - cln::rational(radius); }
   cln::cl_RA most() const { return cln::rational(middle) + cln::rational(radius); }
+  /// Whether it is one rational number, the middle.
   bool exact() const { return cln::zerop(radius) && cln:: instanceof (middle, cln::cl_RA_ring); }
 };
 
 /// Thrown where an operation has no real value, or where the ball is too wide to tell.
 struct NoValue {};
 
-/// The operations at one working precision, in decimal digits.
+/// The operations at one working precision. What is said of NoValue is so for narrow balls; wide ones may be
+/// refused elsewhere, too. Where numbers grow too large for CLN, its cln::runtime_exception passes.
 class BallArithmetic {
  public:
+  /// `digits`: decimal ones, more than 0.
   explicit BallArithmetic(int digits);
 
   Ball pi() const;
@@ -34,21 +38,25 @@ class BallArithmetic {
   Ball plus(const Ball& x, const Ball& y) const;
   Ball times(const Ball& x, const Ball& y) const;
   Ball over(const Ball& x, const Ball& y) const;  ///< NoValue if y may be 0
+  /// For exact whole numbers y up to 10,000 in size: NoValue if x may be 0 and y is not positive. Any other
+  /// power is one of sqrt(x), or exp(y*log(x)): NoValue unless x is certainly positive, or exactly 0 and y
+  /// certainly positive.
   Ball power(const Ball& x, const Ball& y) const;
   Ball absolute(const Ball& x) const;
-  Ball sqrt(const Ball& x) const;
-  Ball exp(const Ball& x) const;
-  Ball log(const Ball& x) const;
-  Ball sin(const Ball& x) const;
-  Ball cos(const Ball& x) const;
-  Ball sinh(const Ball& x) const;
-  Ball cosh(const Ball& x) const;
+  Ball sqrt(const Ball& x) const;  ///< NoValue unless x is certainly positive, or exactly 0
+  Ball exp(const Ball& x) const;   ///< NoValue beyond a million in size, or for a radius above 1
+  Ball log(const Ball& x) const;   ///< NoValue unless x is certainly positive
+  Ball sin(const Ball& x) const;   ///< NoValue beyond 10^digits in size, where no exact value is known
+  Ball cos(const Ball& x) const;   ///< as sin
+  Ball sinh(const Ball& x) const;  ///< NoValue as exp
+  Ball cosh(const Ball& x) const;  ///< as sinh
   Ball atan(const Ball& x) const;
-  Ball asin(const Ball& x) const;
+  Ball asin(const Ball& x) const;  ///< NoValue unless x is certainly between -1 and 1, or exactly one of them
   Ball asinh(const Ball& x) const;
-  Ball acosh(const Ball& x) const;
-  Ball atanh(const Ball& x) const;
-  /// Any function of our syntax, by its name. Throws std::out_of_range for an unknown one.
+  Ball acosh(const Ball& x) const;  ///< NoValue unless x is certainly above 1, or exactly 1
+  Ball atanh(const Ball& x) const;  ///< NoValue unless x is certainly between -1 and 1
+  /// Any function of our syntax of one argument, by its name; "fabs" for "abs". NoValue as above, and where a
+  /// divisor may be 0, as of tan at π/2. Throws std::out_of_range for an unknown one.
   Ball call(const std::string& function, const Ball& x) const;
 
  private:

@@ -5,6 +5,7 @@
 #include <derivations/algebra/factor_roots.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/rearrange.hpp>
+#include <derivations/algebra/turns.hpp>
 #include <derivations/algebra/vanish.hpp>
 
 namespace rederive {
@@ -17,18 +18,10 @@ namespace {
 constexpr std::size_t most_points = 8;
 
 /// What must hold for a statement to have a value.
-struct Condition {
-  ex value;
-  std::string op;  ///< "!=", ">" or ">="
-};
 std::vector<Condition> conditions_of(const Relation& relation, const Question& question) {
   std::vector<Condition> result;
   for (const Tree& side : relation.sides)
-    for (const std::string& text : side_conditions(side, question.symbols)) {
-      const std::size_t at = text.rfind(' ', text.size() - 3) + 1;  // "x - 1 >= 0"
-      const std::string op = text.substr(at, text.rfind(' ') - at);
-      result.push_back({lower(parse(text.substr(0, at - 1), question.symbols), question.symbols), op});
-    }
+    for (const Condition& c : conditions_of(side, question.symbols)) result.push_back(c);
   return result;
 }
 
@@ -114,9 +107,8 @@ bool is_inside(const ex& point, const Interval& range, bool with_ends) {
 /// Of a constant.
 std::optional<int> sign_at(const ex& e, const ex& x, const ex& point, const Symbols& symbols) {
   const ex value = e.subs(x == point);
-  if (vanishes(value, symbols)) return 0;
-  const int sign = sign_of(value, symbols);
-  return sign != 0 ? std::optional(sign) : std::nullopt;
+  if (const int sign = sign_of(value, symbols); sign != 0) return sign;
+  return vanishes(value, symbols) ? std::optional(0) : std::nullopt;
 }
 bool fits(int sign, const std::string& op) {
   const bool is_turned = op[0] == '<';
@@ -133,7 +125,7 @@ std::optional<Truth> truth_at(const Relation& relation, const ex& x, const ex& p
   for (const Condition& c : conditions_of(relation, question)) {
     const auto sign = sign_at(c.value, x, point, question.symbols);
     if (!sign) return std::nullopt;
-    if (!fits(*sign, c.op)) return Truth{false, false};
+    if (!fits(*sign, c.relation)) return Truth{false, false};
   }
   if (relation.operators.empty()) return Truth{};
   Truth result;
@@ -150,8 +142,8 @@ std::optional<Truth> truth_at(const Relation& relation, const ex& x, const ex& p
 std::optional<bool> has_values(const Relation& relation, const Question& question, const Symbols& piece) {
   bool all = true;
   for (const Condition& c : conditions_of(relation, question)) {
-    const bool excludes_zero = c.op == "!=";
-    const auto holds = settled(c.value, excludes_zero ? Claim::zero : claim_of(c.op), piece);
+    const bool excludes_zero = c.relation == "!=";
+    const auto holds = settled(c.value, excludes_zero ? Claim::zero : claim_of(c.relation), piece);
     if (holds && *holds == excludes_zero) return false;
     all = all && holds;
   }
@@ -170,7 +162,7 @@ bool never_holds(const Relation& relation, const Question& question, const Symbo
 const Symbol* only_symbol(const Question& question) {
   std::set<std::string> names;
   for (const Relation* relation : {&question.left, &question.right})
-    for (const Tree& side : relation->sides) names.merge(names_in(lower(side, question.symbols)));
+    for (const Tree& side : relation->sides) collect_names(side, names);
   const bool is_one = names.size() == 1 && question.given.empty();
   return is_one ? question.symbols.find(*names.begin()) : nullptr;
 }
@@ -206,14 +198,10 @@ bool may_be_an_end(const ex& point, const Symbols& symbols) {
   }
 }
 
-}  // namespace
-
-std::optional<Cells> cells_of(const Question& question) {
-  const Symbol* only = only_symbol(question);
-  if (only == nullptr) return std::nullopt;
-  const Symbol& symbol = *only;
+/// Between the points, of which there are not too many.
+std::optional<Cells> cells_between(std::vector<ex> points, const Symbol& symbol, const Question& question) {
   const Interval range = parse_range(symbol.range);
-  Cells cells{symbol.ginac, cuts(question, symbol), {}};
+  Cells cells{symbol.ginac, std::move(points), {}};
   std::erase_if(cells.points, [&](const ex& point) { return !may_be_an_end(point, question.symbols); });
   const bool is_cut = !cells.points.empty() || range.low.closed || range.high.closed;
   if (!is_cut || cells.points.size() > most_points) return std::nullopt;
@@ -228,6 +216,26 @@ std::optional<Cells> cells_of(const Question& question) {
   if (range.low.closed) cells.points.push_back(range.low.value);
   if (range.high.closed) cells.points.push_back(range.high.value);
   return cells;
+}
+
+}  // namespace
+
+std::optional<Cells> cells_of(const Question& question) {
+  const Symbol* symbol = only_symbol(question);
+  return symbol != nullptr ? cells_between(cuts(question, *symbol), *symbol, question) : std::nullopt;
+}
+
+std::optional<Cells> cells_beside_turns(const Question& question) {
+  const Symbol* symbol = only_symbol(question);
+  if (symbol == nullptr) return std::nullopt;
+  std::vector<ex> points = cuts(question, *symbol);
+  const std::size_t before = points.size();
+  for (const ex& point : points_beside_turns(question, *symbol))
+    if (std::none_of(points.begin(), points.end(), [&](const ex& p) { return p.is_equal(point); }))
+      points.push_back(point);
+  if (points.size() == before) return std::nullopt;
+  std::sort(points.begin(), points.end(), [](const ex& a, const ex& b) { return compare(a, b) < 0; });
+  return cells_between(points, *symbol, question);
 }
 
 std::vector<Root> places_of(const Question& question) {
@@ -245,13 +253,13 @@ std::vector<Root> places_of(const Question& question) {
     const auto place = place_of(symbol->name, point, question.symbols);
     if (!place) continue;
     if (is_inside(point, range, true)) exact.push_back(*place);
-    for (const int digits : {2, 4, 8, 12, 20, 45})
+    for (const int digits : {2, 4, 8, 12, 20, 45, 100, 500})
       for (const int side : {1, -1}) {
         const cln::cl_I scale = power_of_ten(digits);
         add_beside((cln::round1(place->at.at(symbol->name) * scale) + side) / cln::cl_RA(scale));
       }
   }
-  for (const int digits : {2, 4, 8, 12, 20})
+  for (const int digits : {2, 4, 8, 12, 20, 45, 100, 500})
     for (const int side : {1, -1}) add_beside(side * power_of_ten(digits));
   std::stable_sort(exact.begin(), exact.end(), [](const Root& a, const Root& b) {
     const cln::cl_RA &x = a.at.begin()->second, &y = b.at.begin()->second;

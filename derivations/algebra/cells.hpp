@@ -20,6 +20,10 @@ struct Cells {
 /// nowhere and the range is open.
 std::optional<Cells> cells_of(const Question& question);
 
+/// The same, cut also at rational points on either side of where a residual, or its slope, turns without
+/// being 0: between them its range shows its sign, beyond them it grows or falls. Nothing where none turns.
+std::optional<Cells> cells_beside_turns(const Question& question);
+
 /// Where two statements in one symbol may differ, and few other points show it: where they may be cut, at
 /// ends of the range, and closely beside these; and far out.
 std::vector<Root> places_of(const Question& question);

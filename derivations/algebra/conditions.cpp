@@ -3,7 +3,6 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <map>
-#include <set>
 
 namespace rederive {
 
@@ -12,7 +11,7 @@ namespace {
 struct Collector {
   const Symbols& symbols;
   const std::vector<Given>& given;
-  std::vector<std::string> found;
+  std::vector<Condition> found;
   std::vector<GiNaC::ex> divisors;
 
   bool is_granted(const GiNaC::ex& value, const std::string& relation) const {
@@ -26,8 +25,8 @@ struct Collector {
     const bool is_root = GiNaC::is_a<GiNaC::power>(value) && value.op(1).info(GiNaC::info_flags::positive) &&
                          !value.op(1).info(GiNaC::info_flags::integer);
     if (is_root && relation == ">") return note(value.op(0), relation);
-    const std::string text = print(value, Notation::plain, symbols) + " " + relation + " 0";
-    if (std::find(found.begin(), found.end(), text) == found.end()) found.push_back(text);
+    const auto is_it = [&](const Condition& c) { return c.relation == relation && c.value.is_equal(value); };
+    if (std::none_of(found.begin(), found.end(), is_it)) found.push_back({value, relation});
   }
   void nonzero(const GiNaC::ex& value) {
     if (GiNaC::is_a<GiNaC::mul>(value)) {
@@ -38,7 +37,8 @@ struct Collector {
       nonzero(value.op(0));
     } else {
       divisors.push_back(value);
-      note(value, "!=");
+      const bool is_inverse = GiNaC::is_a<GiNaC::power>(value) && sign_of(value.op(1), symbols) < 0;
+      if (!is_inverse) note(value, "!=");  // 1/y is not 0
     }
   }
 
@@ -84,30 +84,29 @@ struct Collector {
 
 }  // namespace
 
-std::vector<std::string> side_conditions(const Tree& tree, const Symbols& symbols,
-                                         const std::vector<Given>& given) {
+std::vector<Condition> conditions_of(const Tree& tree, const Symbols& symbols,
+                                     const std::vector<Given>& given) {
   Collector collector{symbols, given, {}, {}};
   collector.visit(tree);
   return collector.found;
 }
 
-std::vector<std::string> said_once(const std::vector<std::string>& conditions) {
-  std::vector<std::string> values;  // in the order in which they are first mentioned
-  std::map<std::string, std::set<std::string>> said;
-  for (const std::string& condition : conditions) {  // "value relation 0"
-    const std::size_t after = condition.size() - 2, before = condition.rfind(' ', after - 1);
-    const std::string value = condition.substr(0, before);
-    if (!said.contains(value)) values.push_back(value);
-    said[value].insert(condition.substr(before + 1, after - before - 1));
+std::string in_words(const Condition& condition, const Symbols& symbols) {
+  return print(condition.value, Notation::plain, symbols) + " " + condition.relation + " 0";
+}
+
+std::vector<std::string> in_words(const std::vector<Condition>& conditions, const Symbols& symbols) {
+  std::vector<Condition> said;
+  for (const Condition& condition : conditions) {
+    const auto same = std::find_if(said.begin(), said.end(),
+                                   [&](const Condition& c) { return c.value.is_equal(condition.value); });
+    if (same == said.end())
+      said.push_back(condition);
+    else if (same->relation != condition.relation)
+      same->relation = ">";  // two of !=, > and >= are that
   }
   std::vector<std::string> result;
-  for (const std::string& value : values) {
-    const std::set<std::string>& relations = said[value];
-    if (relations.contains(">") || relations.size() > 1)
-      result.push_back(value + " > 0");
-    else
-      result.push_back(value + " " + *relations.begin() + " 0");
-  }
+  for (const Condition& condition : said) result.push_back(in_words(condition, symbols));
   return result;
 }
 

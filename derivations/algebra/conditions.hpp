@@ -5,13 +5,21 @@
 
 namespace rederive {
 
-/// "w != 0", "cos(theta) != 0", "x > 0": read off the tree as it was written, before anything cancels; not
-/// what the givens grant. Throws Undecidable where these go round in a circle.
-std::vector<std::string> side_conditions(const Tree& tree, const Symbols& symbols,
-                                         const std::vector<Given>& given = {});
+struct Condition {
+  GiNaC::ex value;
+  std::string relation;  ///< to 0: "!=", ">" or ">="
+};
 
-/// The same conditions with nothing said twice: x >= 0 and x != 0 are x > 0, which says both.
-std::vector<std::string> said_once(const std::vector<std::string>& conditions);
+/// As w != 0, cos(theta) != 0, x > 0: read off the tree as it was written, before anything cancels; not what
+/// the givens grant. Throws Undecidable where these go round in a circle.
+std::vector<Condition> conditions_of(const Tree& tree, const Symbols& symbols,
+                                     const std::vector<Given>& given = {});
+
+/// "x - 1 >= 0", in our syntax.
+std::string in_words(const Condition& condition, const Symbols& symbols);
+
+/// All of them, with nothing said twice: x >= 0 and x != 0 are x > 0, which says both.
+std::vector<std::string> in_words(const std::vector<Condition>& conditions, const Symbols& symbols);
 
 /// What the tree divides by, factor by factor: none of it is 0 where the tree has a value.
 std::vector<GiNaC::ex> divisors(const Tree& tree, const Symbols& symbols);

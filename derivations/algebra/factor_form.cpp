@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/rearrange.hpp>
 
 namespace rederive {
 
@@ -35,18 +36,25 @@ std::map<std::string, ex> symbols_of(const ex& e) {
   return symbols;
 }
 
+/// A constant of high degree, e^40 + 1 say: its factors tell nothing of its sign, and take long to find.
+bool is_high_power_of_constant(const ex& p, const Phases& phases) {
+  const auto symbols = symbols_of(p);
+  return symbols.size() == 1 && p.degree(symbols.begin()->second) > 12 && !has_symbol(phases.meaning_of(p));
+}
+
 /// The polynomial as a product. A v + B is gcd(A, B) times what has no factors: for what is linear in one of
 /// its symbols nothing is searched.
-ex factored(const ex& polynomial) {
+ex factored(const ex& polynomial, const Phases& phases) {
   const ex p = polynomial.expand();
   if (!is_a<GiNaC::add>(p)) return p;
   for (const auto& [name, v] : symbols_of(p)) {
     if (p.degree(v) != 1) continue;
     const ex common = GiNaC::gcd(p.coeff(v, 1), p.coeff(v, 0));
     ex rest;
-    if (GiNaC::divide(p, common, rest)) return rest * (is_a<numeric>(common) ? common : factored(common));
+    if (GiNaC::divide(p, common, rest))
+      return rest * (is_a<numeric>(common) ? common : factored(common, phases));
   }
-  return GiNaC::factor(p);
+  return is_high_power_of_constant(p, phases) ? p : GiNaC::factor(p);
 }
 
 /// Collects the product: parts, and a monomial of exponentials that is left over.
@@ -179,7 +187,7 @@ struct Product {
   }
 
   bool add_all(const ex& polynomial, int sign) {
-    const ex product = factored(polynomial);
+    const ex product = factored(polynomial, phases);
     const auto one = [&](const ex& f) {
       const bool raised = is_a<GiNaC::power>(f) && is_a<numeric>(f.op(1));
       return raised ? add(f.op(0), ex_to<numeric>(f.op(1)) * sign) : add(f, sign);

@@ -126,9 +126,9 @@ std::string operator_between(const Relation& relation, std::size_t from, std::si
 /// Whether nothing that it divides by may be 0 in these ranges.
 bool has_values(const Relation& relation, const Symbols& symbols) {
   return std::all_of(relation.sides.begin(), relation.sides.end(), [&](const Tree& side) {
-    const auto conditions = side_conditions(side, symbols);
+    const auto conditions = conditions_of(side, symbols);
     return std::none_of(conditions.begin(), conditions.end(),
-                        [](const std::string& text) { return text.find("!=") != std::string::npos; });
+                        [](const Condition& c) { return c.relation == "!="; });
   });
 }
 
@@ -137,12 +137,9 @@ Intervals where_it_has_values(const Relation& relation, const Question& question
   const Symbols& symbols = question.symbols;
   Intervals intervals;
   for (const Tree& side : relation.sides)
-    for (const std::string& text : side_conditions(side, symbols)) {
-      if (text.find("!=") != std::string::npos) continue;
-      const Relation condition = parse_statement(text, symbols);
-      const ex value = put_in(lower(condition.sides[0], symbols), question.given);
-      narrow_by(value, claim_of(condition.operators[0]), symbols, intervals);
-    }
+    for (const Condition& c : conditions_of(side, symbols))
+      if (c.relation != "!=")
+        narrow_by(put_in(c.value, question.given), claim_of(c.relation), symbols, intervals);
   return intervals;
 }
 

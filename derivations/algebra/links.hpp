@@ -13,7 +13,7 @@ struct Question {
   const Symbols& symbols;
   const std::vector<Given>& given;
 
-  /// Two texts with the givens put in: as they are written, before GiNaC has touched them, for witnesses; and
+  /// Two trees with the givens put in: as they are written, before GiNaC has touched them, for witnesses; and
   /// as GiNaC has them.
   Pair pair(const Tree& left, const Tree& right) const;
 };
@@ -31,8 +31,8 @@ bool is_of_numbers(const Relation& relation);
 /// where a statement divides by what may be 0 there.
 std::optional<Symbols> where_one_may_hold(const Question& question);
 
-/// The symbols with the ranges outside of which a side of one of the statements has no value, as far as single
-/// symbols say so. Nothing where the declared ranges say as much.
+/// The symbols with the ranges outside of which a side of one of the statements has no value, as far as
+/// single symbols say so. Nothing where the declared ranges say as much.
 std::optional<Symbols> where_both_have_values(const Question& question);
 
 /// One relation of a statement.

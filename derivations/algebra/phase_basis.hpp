@@ -20,6 +20,7 @@ class PhaseBasis {
   /// The coefficients of the phases in a combination of them. Throws std::out_of_range where it is none.
   std::vector<GiNaC::numeric> coefficients(const Monomials& monomials) const;
 
+  /// Those that were added and are independent, in that order: the order of coefficients(), too.
   const std::vector<GiNaC::ex>& phases() const { return phases_; }
 
  private:

@@ -66,13 +66,13 @@ void Phases::collect(const ex& e) {
 
 void Phases::make_generators() {
   const auto add = [&](Kind kind, const std::string& name, const ex& meaning) -> Generator& {
-    generators_.push_back({kind, GiNaC::symbol(name), meaning, 1, 0, 0, false, true});
+    generators_.push_back({kind, GiNaC::symbol(name), meaning, 1, 0, 0});
     return generators_.back();
   };
   Generator& imaginary = add(Kind::imaginary, "$i", GiNaC::I);
   imaginary.degree = 2;
   imaginary.value = -1;
-  generators_.push_back({Kind::pi, pi_symbol(), GiNaC::Pi, 1, 0, 0, false, true});
+  generators_.push_back({Kind::pi, pi_symbol(), GiNaC::Pi, 1, 0, 0});
 
   find_denominator();
   find_units();
@@ -106,17 +106,12 @@ void Phases::make_generators() {
       generator.degree = 0;
     else if (is_a<numeric>(base))
       generator.value = base;
-    generator.has_branches = !free && !is_a<numeric>(base);
-    generator.analytic = sign_of(base, symbols_) > 0;
   }
-  const bool defined =
-      denominator_.is_equal(1) || sign_of(denominator_.subs(pi_symbol() == GiNaC::Pi), symbols_) != 0;
   for (const int circular : {1, 0})
     for (const auto& [phase, n] : divisors[circular]) {
       Generator& generator = add(circular == 1 ? Kind::circular : Kind::real,
                                  (circular == 1 ? "$z" : "$h") + std::to_string(generators_.size()), phase);
       generator.divisor = static_cast<int>(n);
-      generator.analytic = defined;
     }
   for (const ex& value : opaques_)
     if (find(Kind::opaque, value) == nullptr)
@@ -124,17 +119,15 @@ void Phases::make_generators() {
 
   for (std::size_t k = 0; k < generators_.size(); ++k) {  // relations, now that all generators are there
     Generator& generator = generators_[k];
-    if (generator.kind == Kind::root && generator.has_branches) generator.value = rewrite(generator.meaning);
+    const bool is_tied = !is_a<GiNaC::symbol>(generator.meaning) && !is_a<numeric>(generator.meaning);
+    if (generator.kind == Kind::root && is_tied) generator.value = rewrite(generator.meaning);
     if (generator.kind == Kind::opaque && name_of(generator.meaning) == "abs") {
       generator.degree = 2;
       generator.value = GiNaC::pow(rewrite(generator.meaning.op(0)), 2);
-      generator.has_branches = true;
-      generator.analytic = false;
     }
     if (generator.kind == Kind::real && name_of(generator.meaning) == "log") {
       generator.degree = generator.divisor;
       generator.value = rewrite(generator.meaning.op(0));
-      generator.has_branches = true;
     }
     if (generator.kind == Kind::circular || generator.kind == Kind::real) relate_inverse(generator);
   }

@@ -33,9 +33,9 @@ const GiNaC::symbol& pi_symbol();
 /// One generator of the ring, and what it stands for.
 struct Generator {
   enum class Kind {
-    circular,   ///< e^{i meaning/degree_of_phase}
-    real,       ///< e^{meaning/degree_of_phase}
-    root,       ///< the positive root meaning^{1/root}
+    circular,   ///< e^{i meaning/divisor}
+    real,       ///< e^{meaning/divisor}
+    root,       ///< the positive root meaning^{1/divisor}
     imaginary,  ///< i
     pi,         ///< π
     opaque      ///< a function value that is only equal to itself: meaning
@@ -46,9 +46,6 @@ struct Generator {
   int divisor = 1;       ///< n in e^{iφ/n}, or the degree of the root
   int degree = 0;        ///< symbol^degree = value holds; 0: no relation
   GiNaC::ex value;       ///< in the generators before it
-  bool has_branches =
-      false;             ///< a root of something that may be a perfect power: the relation may be reducible
-  bool analytic = true;  ///< over the declared ranges: the meaning has no pole or branch point there
 };
 
 /// The rewriting of a set of expressions that belong together: build it from all of them, then apply it to
@@ -76,9 +73,8 @@ class Phases {
   /// e^{iqπ} for a q that `combination` gives.
   GiNaC::ex turn(const GiNaC::numeric& q) const;
 
+  /// i first, then in the order in which their values need each other.
   const std::vector<Generator>& generators() const { return generators_; }
-  /// Numerator of the statement's phases' common denominator: must not vanish.
-  const GiNaC::ex& denominator() const { return denominator_; }
 
  private:
   struct Argument {

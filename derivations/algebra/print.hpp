@@ -13,6 +13,7 @@ Tree to_tree(const GiNaC::ex& expression, const Symbols& symbols = paper_symbols
 
 /// A tree as text, in the form it has.
 std::string print(const Tree& tree, Notation notation = Notation::plain, const Symbols& = paper_symbols());
+/// Its sides and the operators between them: "a <= b", "a ≤ b", "a \\le b".
 std::string print(const Relation& relation, Notation = Notation::plain, const Symbols& = paper_symbols());
 /// print(to_tree(expression)).
 std::string print(const GiNaC::ex& expression, Notation = Notation::plain, const Symbols& = paper_symbols());

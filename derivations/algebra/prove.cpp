@@ -8,6 +8,8 @@
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/prove.hpp>
 #include <derivations/algebra/vanish.hpp>
+#include <functional>
+#include <set>
 
 namespace rederive {
 
@@ -44,7 +46,8 @@ ex put_in(ex e, const std::vector<Given>& given) {
 
 namespace {
 
-/// Of y = A and y = B, with y as one of them says, if that is in the range of y.
+/// For y = A against y = B the witness gives y, too: what A is there, if that is in the range of y and the
+/// left statement is no chain, else what B is. Then one equation holds and the other one fails.
 Witness witness_at(const Pair& pair, const Point& point, const Symbols& symbols) {
   Witness witness = make_witness(pair, point);
   if (pair.name.empty()) return witness;
@@ -119,7 +122,8 @@ Proof prove_where_defined(const Link& left, const Link& right, const Question& q
     pair.name = symbols.find(value(left.left))->name, pair.right_counts = of_chain;
     const Proof proof = prove_identity(pair, symbols);
     if (proof.verdict != Verdict::undecided) return proof;
-    const Proof other = prove_residuals(residuals_of(left, right, question), symbols);  // neither may hold
+    // both values may lie outside of the range of y: then neither ever holds
+    const Proof other = prove_residuals(residuals_of(left, right, question), symbols);
     return other.verdict == Verdict::proved ? other : proof;
   }
   const ex difference = put_in(value(right.left) - value(right.right), question.given);
@@ -136,7 +140,7 @@ Proof lost(const ex& divisor, const Symbols& symbols) {
                    " = 0, one of the two holds and the other has no value");
 }
 
-/// What is the same where both have values is not, if one holds where the other has none.
+/// Proved where both have values; withdrawn, if one holds where the other one divides by 0.
 Proof prove_link(const Link& left, const Link& right, const Question& question, bool of_chain) {
   const Proof proof = prove_where_defined(left, right, question, of_chain);
   const bool may_lose =
@@ -146,28 +150,32 @@ Proof prove_link(const Link& left, const Link& right, const Question& question, 
   return divisor ? lost(*divisor, question.symbols) : proof;
 }
 
-/// K = a = b against one equation. That one link differs from it shows nothing where the others may fail
-/// there, too; of what a symbol is said to be each may be looked at alone, where the right one holds.
+/// K = a = b against one equation. A link K = a that differs from it does not refute the chain: at the
+/// witness K = b may fail as well, so all links are asked together then. Unless all say what one free symbol
+/// is: that can be given the value of the right one, which holds then, while the link fails.
 Proof prove_links(const Question& question) {
   const Link right = links_of(question.right)[0];
   const std::vector<Link> links = links_of(question.left);
   Proof proof;
+  std::set<std::string> factors;
   for (const Link& link : links) {
     proof = prove_link(link, right, question, links.size() > 1);
+    factors.insert(proof.factor);
     if (proof.verdict == Verdict::proved) continue;
     const bool is_enough = links.size() == 1 || name_the_same(link, right, question);
     return is_enough ? proof : prove_conjunctions(question);
   }
+  if (factors.size() > 1) proof.factor.clear();
   return proof;
 }
 
 /// For all of these sides to have values.
-std::vector<std::string> conditions_of(const std::vector<Tree>& sides, const Symbols& symbols,
-                                       const std::vector<Given>& given) {
-  std::vector<std::string> result;
+std::vector<std::string> side_conditions(const std::vector<Tree>& sides, const Symbols& symbols,
+                                         const std::vector<Given>& given) {
+  std::vector<Condition> all;
   for (const Tree& side : sides)
-    for (const std::string& condition : side_conditions(side, symbols, given)) result.push_back(condition);
-  return said_once(result);
+    for (const Condition& condition : conditions_of(side, symbols, given)) all.push_back(condition);
+  return in_words(all, symbols);
 }
 
 bool has_inequality(const Relation& relation) {
@@ -188,26 +196,39 @@ Proof decide(const Question& question) {
   return proved("", "each follows from the other");
 }
 
-/// What is not decided over the declared ranges may be over the part of them where one may hold.
-Proof decide_where_one_may_hold(const Question& question) {
-  Proof proof;
-  try {
-    proof = decide(question);
-  } catch (const Undecidable& error) {
-    proof = undecided(error.what());
+/// The first answer that decides; the first reason, if none does. What a way throws leaves it undecided.
+Proof first_decided(const std::vector<std::function<std::optional<Proof>()>>& ways) {
+  std::optional<Proof> first;
+  for (const auto& way : ways) {
+    std::optional<Proof> proof;
+    try {
+      proof = way();
+    } catch (const std::exception& error) {
+      proof = undecided(in_plain_words(error));
+    }
+    if (proof && proof->verdict != Verdict::undecided) return *proof;
+    if (!first) first = proof;
   }
-  const auto narrower = proof.verdict == Verdict::undecided ? where_one_may_hold(question) : std::nullopt;
-  if (!narrower) return proof;
-  const Proof there = decide({question.left, question.right, *narrower, question.given});
-  return there.verdict == Verdict::undecided ? proof : there;
+  return first.value_or(Proof{});
+}
+
+/// What is not decided over the declared ranges may be over the part of them where one may hold.
+std::optional<Proof> decide_where_one_may_hold(const Question& question) {
+  const auto narrower = where_one_may_hold(question);
+  if (!narrower) return std::nullopt;
+  return decide({question.left, question.right, *narrower, question.given});
+}
+
+Proof decide_as_a_whole(const Question& question) {
+  Proof proof =
+      first_decided({[&] { return decide(question); }, [&] { return decide_where_one_may_hold(question); }});
+  if (proof.verdict == Verdict::proved && !question.left.operators.empty())
+    if (const auto divisor = lost_at_a_zero(question)) return lost(*divisor, question.symbols);
+  return proof;
 }
 
 /// On every piece of the range of the one symbol, and at the points between.
-std::optional<Proof> decide_in_cells(const Question& question) {
-  if (question.left.operators.empty() != question.right.operators.empty()) return std::nullopt;
-  if (!question.left.operators.empty())
-    if (auto proof = differ_at_one_of(places_of(question), question)) return proof;
-  const auto cells = cells_of(question);
+std::optional<Proof> decide_in(const std::optional<Cells>& cells, const Question& question) {
   if (!cells) return std::nullopt;
   bool is_seen = !is_of_numbers(question.left) && !is_of_numbers(question.right);
   for (const Symbols& piece : cells->pieces) {
@@ -225,25 +246,29 @@ std::optional<Proof> decide_in_cells(const Question& question) {
   return proved("", "on every piece of the range, and at the points between, the two say the same");
 }
 
+/// Of one symbol: at places where two statements are likely to differ, then piece by piece.
+std::optional<Proof> decide_in_cells(const Question& question) {
+  if (question.left.operators.empty() != question.right.operators.empty()) return std::nullopt;
+  if (!question.left.operators.empty())
+    if (auto proof = differ_at_one_of(places_of(question), question)) return proof;
+  if (auto proof = decide_in(cells_of(question), question)) return proof;
+  return decide_in(cells_beside_turns(question), question);
+}
+
 }  // namespace
 
 Proof prove(const Relation& left, const Relation& right, const Symbols& symbols,
             const std::vector<Given>& given) {
   try {
     const Symbols with_ranges = with_ranges_of(given, symbols);
-    Proof proof = decide_where_one_may_hold({left, right, with_ranges, given});
-    if (proof.verdict == Verdict::proved && !left.operators.empty())
-      if (const auto divisor = lost_at_a_zero({left, right, with_ranges, given}))
-        proof = lost(*divisor, symbols);
-    if (proof.verdict == Verdict::undecided)
-      if (auto in_cells = decide_in_cells({left, right, with_ranges, given})) proof = *in_cells;
+    const Question question{left, right, with_ranges, given};
+    Proof proof = first_decided(
+        {[&] { return decide_as_a_whole(question); }, [&] { return decide_in_cells(question); }});
     std::vector<Tree> sides = left.sides;
     sides.insert(sides.end(), right.sides.begin(), right.sides.end());
-    if (proof.verdict == Verdict::proved) proof.side_conditions = conditions_of(sides, with_ranges, given);
+    if (proof.verdict == Verdict::proved) proof.side_conditions = side_conditions(sides, with_ranges, given);
     if (proof.witness) complete(*proof.witness, sides, given, symbols);
     return proof;
-  } catch (const Undecidable& error) {
-    return undecided(error.what());
   } catch (const std::exception& error) {
     return undecided(in_plain_words(error));
   }

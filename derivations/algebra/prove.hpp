@@ -1,12 +1,19 @@
 // Decides whether two expressions, equations or inequalities are the same.
 //
+// Expressions are the same if they are equal at every point of the declared ranges at which both have a
+// value. Relations are the same if, wherever both have values, one holds where and only where the other one
+// does. The side conditions say where that is. Not called the same: relations of which one holds where the
+// other one divides by 0, x = 0 and x^2/x = 0.
+//
 // 1. Both sides are evaluated at rational points inside the declared ranges. Where they differ beyond all
 //    doubt, that point is the witness: refuted.
 // 2. Else both become rational functions of independent generators (phases.hpp). If the numerator of the
 //    difference vanishes modulo the generators' relations: proved.
 // 3. Equations are compared as residuals, left minus right, up to a factor that provably cannot vanish;
 //    inequalities up to one that is provably positive: by its range, another form, or its slope (slopes.hpp).
-// 4. Statements in one symbol are looked at on every piece of its range (cells.hpp).
+//    Chains are compared link by link, or as what follows from all links of the other one (consequences.hpp).
+// 4. What is undecided is asked once more where one of the two may hold, and, of one symbol, on every
+//    piece of its range (cells.hpp).
 // What is left is undecided. Nothing is ever proved by agreement at points.
 #pragma once
 
@@ -18,7 +25,10 @@
 
 namespace rederive {
 
+/// `prove` says proved, refuted or undecided, `prove_approximation` also approximation; who puts a candidate
+/// assumption in calls what is proved then proved_under, and the ledger has definitions.
 enum class Verdict { proved, proved_under, approximation, refuted, definition, undecided };
+/// "proved", "proved_under" …
 std::string to_string(Verdict verdict);
 
 /// A point at which the two sides differ, to check by hand. `printed` is the left statement's value,
@@ -39,9 +49,10 @@ std::vector<std::string> in_words(const Witness& witness);
 
 struct Proof {
   Verdict verdict = Verdict::undecided;
-  std::string factor;                        ///< left = factor * right; empty where there is none
+  std::string factor;                        ///< left = factor * right, of relations of what must be 0 or
+                                             ///< positive; empty where there is none, or several
   std::vector<std::string> side_conditions;  ///< "w != 0", in our syntax
-  std::optional<Witness> witness;            ///< with refuted, but for a relation of another kind
+  std::optional<Witness> witness;            ///< with refuted, and only then
   std::string reason;                        ///< one line for a reader; why, where undecided
 };
 
@@ -57,8 +68,8 @@ GiNaC::ex put_in(GiNaC::ex expression, const std::vector<Given>& given);
 
 /// Decides left against right: two expressions, two equations or two inequalities. A chain says that all its
 /// links hold: K = a = b that K = a and K = b, a < b < c that a < b and b < c. Against a relation of numbers,
-/// 0 < 1, the other one is asked wherever it has a value. Never throws for a statement that parses; what
-/// cannot be decided is undecided.
+/// 0 < 1, the other one is asked wherever it has a value. Throws std::bad_alloc alone for a
+/// statement that parses; what cannot be decided is undecided.
 Proof prove(const Relation& left, const Relation& right, const Symbols& symbols = paper_symbols(),
             const std::vector<Given>& given = {});
 

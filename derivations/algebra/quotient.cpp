@@ -184,14 +184,8 @@ bool is_alive_without(const ex& symbol, const ex& other, const Symbols& symbols)
   if (!GiNaC::is_a<GiNaC::symbol>(symbol)) return false;
   try {
     const ex rest = other.subs(symbol == 0);
-    std::set<std::string> names;
-    for (auto e = rest.preorder_begin(); e != rest.preorder_end(); ++e)
-      if (GiNaC::is_a<GiNaC::symbol>(*e)) names.insert(GiNaC::ex_to<GiNaC::symbol>(*e).get_name());
-    GiNaC::exmap at;
-    for (const auto& [name, value] : Points(names, symbols).at(0)) at[symbols[name]] = GiNaC::numeric(value);
-    const ex number = rest.subs(at, GiNaC::subs_options::no_pattern).evalf();
-    return GiNaC::is_a<GiNaC::numeric>(number) &&
-           GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(number)) > GiNaC::numeric(1, 1000);
+    const auto value = evaluate(to_tree(rest, symbols), Points(names_in(rest), symbols).at(0), 3);
+    return value && !cln::zerop(*value);
   } catch (const std::exception&) {  // it has no value there
     return false;
   }

@@ -38,18 +38,22 @@ struct Quotient {
   std::vector<GiNaC::ex> divisors;  ///< those that the statement divides by: not zero where it has a meaning
 };
 
-/// `divisors`: what the statement as written divides by.
+/// The product of `parts`, which are those of quotient(), and what the declared ranges and slopes show of its
+/// sign and its zeros. `divisors` is what the statement as written divides by: a part that may be 0 goes to
+/// Quotient::divisors if it is seen to be 0 only where one of these is, else to Quotient::zeros. Throws
+/// Undecidable, and std::invalid_argument for a part that our syntax cannot write.
 Quotient assess(const std::vector<Part>& parts, const std::vector<GiNaC::ex>& divisors,
                 const Symbols& symbols);
 
-/// The first way, and left = right * the product of the parts is proved.
+/// quotient() by Way::real_denominator alone, and left = right * the product of the parts is proved. Nothing
+/// where there is none, or that is not shown. Throws Undecidable; what GiNaC throws in the proof passes, too.
 std::optional<std::vector<Part>> checked_quotient(const GiNaC::ex& left, const GiNaC::ex& right,
                                                   const Symbols& symbols);
 
 /// Whether `other` is 0 wherever this part is: it has it among its parts, or the only zero of the part is one
-/// of its own.
+/// of its own. False says only that this was not seen. Throws Undecidable.
 bool vanishes_with(const GiNaC::ex& part, const GiNaC::ex& other, const Symbols& symbols);
-/// Whether other/part has no pole.
+/// Whether other/part has no pole. False says only that this was not seen. Throws Undecidable.
 bool is_factor(const GiNaC::ex& part, const GiNaC::ex& other, const Symbols& symbols);
 
 }  // namespace rederive

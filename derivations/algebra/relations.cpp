@@ -92,7 +92,7 @@ void Phases::make_turns(const std::vector<numeric>& turns) {
   const ex polynomial = cyclotomic(2 * divisor.to_int(), z);
   const int degree = polynomial.degree(z);
   const ex value = (GiNaC::pow(z, degree) - polynomial).expand();
-  generators_.push_back({Kind::circular, z, GiNaC::Pi, divisor.to_int(), degree, value, false, true});
+  generators_.push_back({Kind::circular, z, GiNaC::Pi, divisor.to_int(), degree, value});
   generators_.front().degree = 1;
   generators_.front().value = GiNaC::pow(z, divisor / 2);
 }
@@ -115,7 +115,6 @@ void Phases::relate_inverse(Generator& generator) {
   const ex i = generators_.front().symbol, u = rewrite(generator.meaning.op(0));
   const ex root = rewrite(prepare(GiNaC::pow(under, numeric(1, 2)), symbols_));
   generator.degree = generator.divisor;
-  generator.has_branches = true;
   if (name == "asin") generator.value = root + i * u;
   if (name == "atan") generator.value = (1 + i * u) / root;
   if (name == "asinh" || name == "acosh") generator.value = u + root;

@@ -28,9 +28,11 @@ Proof prove_by_some_factor(const Residuals& residuals, const Symbols& symbols);
 
 /// A polynomial that one statement divides by and that is a factor of the other: its zeros solve that one. It
 /// may have cancelled: (x^2 - 1)/(x - 1) = 2 has no solution, and x = 1 has one. Not of two strict ones.
+/// Throws Undecidable.
 std::optional<GiNaC::ex> lost_to(const Residuals& residuals, const Symbols& symbols);
 
-/// A number that two residuals may differ by: their quotient at points, if that is one of few digits.
+/// A number that two residuals may differ by: left/right at three points, if it is one and the same multiple
+/// of 1/12 at all of them, to about 35 decimal places, and not 0. That proves nothing.
 std::optional<GiNaC::numeric> number_between(const GiNaC::ex& left, const GiNaC::ex& right,
                                              const Symbols& symbols);
 
@@ -45,6 +47,7 @@ std::optional<bool> settled(const GiNaC::ex& residual, Claim claim, const Symbol
 std::optional<bool> settled(const GiNaC::ex& inner, const GiNaC::ex& whole, Claim claim,
                             const Symbols& symbols);
 
+/// Proofs with these verdicts, and nothing in them but what is given here. `factor` may be empty.
 Proof proved(std::string factor, std::string reason);
 Proof refuted(Witness witness, std::string reason);
 Proof undecided(std::string reason);

@@ -9,9 +9,11 @@ namespace rederive {
 /// Which roots are looked for: where the sign changes, or where it does not, too; or those of single factors.
 enum class Roots { crossings, all, of_factors };
 
-/// The zeros, near some Points::at, of what is linear in one symbol, however far away; with that symbol:
-/// those that are rational, or 45 decimal places of the others. `count` of the points are looked at.
+/// Which zeros are given: those that are rational alone; or the others, too, to 45 decimal places.
 enum class Zeros { rational, irrational };
+/// The zeros, however far away, in every symbol of the points in which the expression is linear, each with
+/// the name of that symbol. The other symbols are as in the first `count` of the points. Zeros outside of the
+/// declared range are left out.
 std::vector<std::pair<std::string, Point>> linear_zeros(const GiNaC::ex& expression, const Points& points,
                                                         const Symbols& symbols, Zeros which = Zeros::rational,
                                                         int count = 3);

@@ -11,7 +11,7 @@ struct Pair {
   Tree left, right;
   GiNaC::ex left_value, right_value;
   std::vector<std::pair<std::string, Tree>> bound;  ///< a name that was replaced → what stands for it
-  std::vector<Tree> never_zero = {};                ///< what was declared so
+  std::vector<Tree> never_zero = {};                ///< what was declared so, and Symbols::no_witness()
   std::string name = "";      ///< where the two are what one symbol is said to be: that symbol
   bool right_counts = false;  ///< it must be what the right one says
 };
@@ -25,7 +25,9 @@ std::vector<Tree> trees_of(const Pair& pair);
 /// too large to be found. Empty where there is no such part, or where it is too long to be repeated.
 std::string without_value(const Pair& pair);
 
-/// Neither at an end of the range nor near a pole, as far as a value of many digits can tell.
+/// Whether a value is in the range; a closed end belongs to it. What is no rational number with a denominator
+/// below 10^20 may be rounded, and may stand for an end or a pole: it must be more than 1e-30 away from the
+/// ends (times its size, where that is above 1), and smaller than 1e30 in size.
 bool is_well_inside(const std::string& range, const cln::cl_R& value);
 
 /// Whether the point keeps every name that was replaced inside its declared range, and nothing is 0 that was

@@ -81,7 +81,7 @@ class Slopes {
     return sign;
   }
   bool has_values(const ex& f, const Symbols& where) const {
-    return side_conditions(to_tree(f, where), where).empty();
+    return conditions_of(to_tree(f, where), where).empty();
   }
   /// That of its value at an end of the range, to which it is continuous.
   std::optional<int> sign_at(const ex& f, const End& end) const {
@@ -94,9 +94,8 @@ class Slopes {
       if (!has_values(f, closed)) return std::nullopt;
       const ex value = f.subs(x_ == end.value);
       if (has_nested_roots(value)) return std::nullopt;  // a certificate has no exact values of these
-      if (vanishes(value, symbols_)) return 0;
-      const int sign = sign_of(value, symbols_);
-      return sign != 0 ? std::optional(sign) : std::nullopt;
+      if (const int sign = sign_of(value, symbols_); sign != 0) return sign;
+      return vanishes(value, symbols_) ? std::optional(0) : std::nullopt;
     } catch (const std::exception&) {  // a pole, or outside of the class
       return std::nullopt;
     }

@@ -55,15 +55,18 @@ class Symbols {
   void narrow(std::string_view name, std::string range);
   /// Declares that an expression in the symbols is never 0, as in "x != y".
   void exclude_zero(const GiNaC::ex& expression) { never_zero_.push_back(expression), forget_signs(); }
+  /// What exclude_zero() was given, in that order.
   const std::vector<GiNaC::ex>& never_zero() const { return never_zero_; }
   /// Declares that an expression is not 0 where an assumption has a value: no witness may be there, and no
   /// proof may use it.
   void exclude_witnesses(const GiNaC::ex& zero) { no_witness_.push_back(zero); }
+  /// What exclude_witnesses() was given, in that order.
   const std::vector<GiNaC::ex>& no_witness() const { return no_witness_; }
   /// Says a symbol in others, of which the ranges say more: the difference of y and x, as y - x.
   void say_otherwise(const GiNaC::ex& symbol, const GiNaC::ex& words) {
     otherwise_.push_back({symbol, words}), forget_signs();
   }
+  /// What say_otherwise() was given, in that order: a symbol → what it is in others.
   const std::vector<std::pair<GiNaC::ex, GiNaC::ex>>& otherwise() const { return otherwise_; }
   const Symbol* find(std::string_view name) const;    ///< nullptr if there is none
   const Symbol* find(const GiNaC::ex& symbol) const;  ///< by its GiNaC symbol

@@ -197,9 +197,10 @@ class Parser {
     while (take_if(",")) arguments.push_back(sum());
     close(opened);
     check_arguments(function, arguments.size());
-    if (function.text == "pow") return make(Node::Kind::power, "", std::move(arguments), function.position);
+    const bool is_power = function.text == "pow";
     Tree value =
-        make(Node::Kind::call, canonical_function(function.text), std::move(arguments), function.position);
+        make(is_power ? Node::Kind::power : Node::Kind::call,
+             is_power ? "" : canonical_function(function.text), std::move(arguments), function.position);
     return raised ? make(Node::Kind::power, "", {value, exponent}, function.position) : value;
   }
 

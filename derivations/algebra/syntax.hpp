@@ -1,11 +1,23 @@
 // Text → a small tree that keeps the form as written → a GiNaC expression.
 //
-// The grammar, the loosest binding first: sums, whose first term may have a minus before it (-a*b is -(a*b));
-// products and quotients, from left to right; a minus before a factor; powers (right-associative, and -x^2 is
-// -(x^2)); numbers, names, calls f(x), parentheses. Functions as in C (sin, asin, sinh, sqrt, exp, log, fabs
-// …) and cot, sec, csc, coth, sech, csch; pow(a, b) is a^b; pi is π. Greek letters, dots over letters,
-// superscripts, √, ·, ×, −, ≤ and ≥ may be typed in Unicode. No implicit multiplication. Decimal numbers are
-// exact rationals.
+// The grammar:
+//
+//   statement = sum { relation sum }
+//   sum       = ["+"|"-"] product { ("+"|"-") product }
+//   product   = factor { ("*"|"/") factor }
+//   factor    = ("+"|"-") factor | power
+//   power     = primary [ superscript | "^" exponent ]
+//   exponent  = ("+"|"-") exponent | power
+//   primary   = number | name | function [superscript] "(" sum {"," sum} ")" | "(" sum ")" | "√" primary
+//
+// So -a*b is -(a*b), -x^2 is -(x^2), a/b*c is (a/b)*c, a^b^c is a^(b^c), and √x² is (√x)². A relation is =,
+// <, <=, > or >=. A name is a declared symbol, or pi, which is π. Functions are those of C (sin, asin, sinh,
+// sqrt, exp, log, fabs …), abs, cot, sec, csc, coth, sech and csch, of one argument each; pow(a, b) is a^b,
+// and sin²(x) is sin(x)^2. Greek letters, dots over letters, superscripts, √, ·, ×, −, ≤ and ≥ may be typed
+// in Unicode. Decimal numbers are exact rationals.
+//
+// No implicit multiplication: 2x, x(y + z) and sin x are refused, with what is to be written instead. So are
+// sin⁻¹(x), which may mean two things, and x²^3.
 #pragma once
 
 #include <cln/rational.h>
@@ -57,6 +69,7 @@ struct Limits {
 
 /// A text that could not be read: a stable word for it, where, why, and what would be right.
 struct SyntaxError : std::runtime_error {
+  /// `note` is one of the words below, `message` a sentence that what() gives.
   SyntaxError(std::string note, std::size_t position, const std::string& message);
   /// "syntax", "character", "empty", "unknown_symbol", "unknown_function", "arguments",
   /// "implicit_multiplication", "relation", "too_long", "too_deep", "too_large", "undefined"
@@ -67,11 +80,13 @@ struct SyntaxError : std::runtime_error {
 /// The message, the line and a caret under the character at fault: three lines for a terminal.
 std::string explain(const SyntaxError& error, std::string_view text);
 
-/// Reads one expression. Names that `symbols` does not have are refused with the nearest known one.
+/// Reads one expression. Names that `symbols` does not have are refused with the nearest known one, here and
+/// below. Throws SyntaxError, "relation" where the text is a relation.
 Tree parse(std::string_view text, const Symbols& symbols = paper_symbols(), const Limits& limits = {});
-/// Reads a relation or a chain of them ("K = a = b"); at least one operator.
+/// Reads a relation or a chain of them ("K = a = b"); at least one operator. Throws SyntaxError, "relation"
+/// where there is none.
 Relation parse_relation(std::string_view text, const Symbols& symbols = paper_symbols(), const Limits& = {});
-/// Reads either: an expression comes back as a Relation with one side and no operator.
+/// Reads either: an expression comes back as a Relation with one side and no operator. Throws SyntaxError.
 Relation parse_statement(std::string_view text, const Symbols& symbols = paper_symbols(), const Limits& = {});
 
 /// The GiNaC expression a tree stands for. GiNaC simplifies as it builds: ask the tree about form.
@@ -79,7 +94,10 @@ Relation parse_statement(std::string_view text, const Symbols& symbols = paper_s
 /// where a power would make a number of more digits than anybody wants.
 GiNaC::ex lower(const Tree& tree, const Symbols& symbols = paper_symbols(), const Limits& limits = {});
 
-/// The exact value of a number as written: "0.25" is 1/4, "1e-3" is 1/1000.
+/// The exact value of a number as written: "0.25" is 1/4, "1e-3" is 1/1000. It must be the text of a number
+/// node: digits, perhaps with a point, perhaps with an exponent. Limits bound its size in parse(), not here.
+/// Of any other text it may give some number, or throw std::invalid_argument, std::out_of_range (both of the
+/// exponent) or cln::runtime_exception.
 cln::cl_RA exact(const std::string& number);
 
 }  // namespace rederive

@@ -27,6 +27,7 @@ struct Term {
 /// The order in which a person writes terms and factors. It follows the table of symbols and nothing else.
 class TermOrder {
  public:
+  /// Keeps a reference to the symbols, which must outlive it.
   explicit TermOrder(const Symbols& symbols) : symbols_(symbols) {}
 
   /// Terms without functions first; then as in a dictionary, by the powers of the symbols, the highest first.
@@ -48,6 +49,7 @@ bool asks_to_turn(const std::vector<Term>& parts);
 /// Changes the sign of every term.
 void turn(std::vector<Term>& parts);
 
+/// A node of these parts, at position 0. `inverse` has an entry for every child of a sum or a product.
 Tree make_tree(Node::Kind kind, std::string text, std::vector<Tree> children = {},
                std::vector<bool> inverse = {});
 /// `present`: sums inside are turned where that saves a minus, -x*(y - z) being x*(z - y).

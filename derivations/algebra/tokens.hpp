@@ -21,6 +21,7 @@ struct Token {
   std::string text;
   std::size_t position, end;  ///< bytes
 
+  /// Whether it is this mark: "(", or "sqrt", which is √; a name that is typed as sqrt is none.
   bool is(std::string_view mark) const { return kind == Kind::mark && text == mark; }
 };
 

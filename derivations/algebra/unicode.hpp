@@ -19,6 +19,7 @@ constexpr char32_t dot_above = 0x307, diaeresis = 0x308, macron = 0x304;
 /// Letters with dots come back as the letter and its combining mark (ü is u and U+0308), other spaces as ' '.
 /// Throws SyntaxError "character" for bytes that are not UTF-8 and for control characters.
 std::vector<Character> decode(std::string_view text);
+/// The code point in UTF-8; nothing is checked.
 std::string encode(char32_t code);
 
 /// "theta" for θ; empty if it is no Greek letter.

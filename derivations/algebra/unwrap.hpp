@@ -22,10 +22,13 @@ struct Sides {
 /// "of" is any function that grows or falls over the ranges of the two symbols: f(x) < f(y), f(x) = f(y).
 /// "*" rearranges: left - right was factor*(left - right); it turns an inequality round if factor < 0.
 struct Layer {
-  std::string function;  ///< "exp"; "^3" or "^1/2" for a power; "sin(atan)"; "*"
+  std::string function;  ///< "exp"; "^3" or "^1/2" for a power; "sin(atan)"; "*"; "of"
   GiNaC::ex left, right;
-  GiNaC::ex factor = 1;      ///< of "*": never 0, and of one sign where the relation is an inequality: there
-  bool turns = false;        ///< a negative one turns it round, and a function that falls
+  /// Of "*": the factor. It is never 0, and has one sign where the relation is an inequality.
+  GiNaC::ex factor = 1;
+  /// Of "*" and "of" alone: whether an inequality is turned round. Then the factor is negative, or `of`
+  /// falls.
+  bool turns = false;
   GiNaC::ex of = 0, in = 0;  ///< of "of": the function, and the one of both symbols that it is written in
 };
 

@@ -115,7 +115,8 @@ std::optional<std::complex<double>> value_at(const ex& e, const Point& point, co
   return std::isfinite(std::abs(result)) ? std::optional(result) : std::nullopt;
 }
 
-/// Whether a polynomial in generators is certainly not 0 at some point of the declared ranges.
+/// Whether a polynomial in generators is not 0 at some point of the declared ranges, as far as doubles show
+/// it: far above what their rounding leaves of its terms.
 bool is_alive(const ex& polynomial, const Phases& phases, const Points& points, const Symbols& symbols) {
   for (int index = 0; index < 12; ++index) {
     std::complex<double> sum = 0;

@@ -64,9 +64,10 @@ std::vector<Inequality> parts_of(const Assumed& link, const Symbols& symbols) {
 /// Nothing in it fails, but for what it divides by.
 void needs_values(const Assumed& link, const Symbols& symbols) {
   for (const Tree& side : link.relation.sides)
-    for (const std::string& condition : side_conditions(side, symbols))
-      if (condition.find("!=") == std::string::npos)
-        refuse(link.text, "it has a value for " + condition + " only: assume that as well");
+    for (const Condition& condition : conditions_of(side, symbols))
+      if (condition.relation != "!=")
+        refuse(link.text,
+               "it has a value for " + in_words(condition, symbols) + " only: assume that as well");
 }
 
 }  // namespace

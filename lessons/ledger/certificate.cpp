@@ -272,27 +272,24 @@ Json certificate_over(const Symbols& ranges, const Relation& left, const Relatio
 }
 
 /// As sqrt(x-1) = sqrt(1-x) at 1.
-bool has_values_at_points_only(const Question& question) {
-  const auto cells = cells_of(question);
+bool has_values_at_points_only(const std::optional<Cells>& cells, const Question& question) {
   return cells && std::all_of(cells->pieces.begin(), cells->pieces.end(),
                               [&](const Symbols& piece) { return look_at(question, piece) == Cell::empty; });
 }
 
 /// Piece by piece of the range of one symbol. Throws Undecidable.
-Json certificate_in_cells(const Question& question) {
+Json certificate_in(const Cells& cells, const Question& question) {
   const auto& [left, right, symbols, given] = question;
-  const auto cells = cells_of(question);
-  if (!cells) throw Undecidable("there are no pieces to look at");
   const CertifiedStatement statement{left, right, symbols, given, {}, symbols};
   Json json{{"format", "rederive certificate 9"},
             {"left", statement_json(left, statement)},
             {"right", statement_json(right, statement)},
-            {"in", symbols.find(cells->symbol)->name},
-            {"range", symbols.find(cells->symbol)->range},
+            {"in", symbols.find(cells.symbol)->name},
+            {"range", symbols.find(cells.symbol)->range},
             {"never zero", never_zero_json(symbols)},
             {"cells", Json::array()}};
-  for (const Symbols& piece : cells->pieces) {
-    json["cells"].push_back({{"range", piece.find(cells->symbol)->range}});
+  for (const Symbols& piece : cells.pieces) {
+    json["cells"].push_back({{"range", piece.find(cells.symbol)->range}});
     if (look_at(question, piece) == Cell::compared)
       json["cells"].back()["certificate"] = certificate_over(piece, left, right, given, piece);
   }
@@ -308,7 +305,8 @@ Json certificate(const Relation& left, const Relation& right, const Symbols& sym
     for (Tree& side : relation->sides) side = exact(side, symbols);
   const std::vector<Given> in_it = needed(left, right, given, symbols);
   const Question question{exact_left, exact_right, symbols, in_it};
-  if (has_values_at_points_only(question)) return certificate_in_cells(question);
+  const auto cells = cells_of(question);
+  if (has_values_at_points_only(cells, question)) return certificate_in(*cells, question);
   std::string why;
   for (const std::optional<Symbols>& ranges :
        {where_both_have_values(question), std::optional(symbols), where_one_may_hold(question)})
@@ -317,8 +315,14 @@ Json certificate(const Relation& left, const Relation& right, const Symbols& sym
     } catch (const Undecidable& error) {  // then over other ranges, or piece by piece
       why = error.what();
     }
-  if (!cells_of(question)) throw Undecidable(why);
-  return certificate_in_cells(question);
+  const auto beside_turns = cells_beside_turns(question);
+  if (cells) try {
+      return certificate_in(*cells, question);
+    } catch (const Undecidable& error) {
+      if (!beside_turns) throw;
+    }
+  if (!beside_turns) throw Undecidable(why);
+  return certificate_in(*beside_turns, question);
 }
 
 }  // namespace rederive

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
@@ -12,12 +13,9 @@ using GiNaC::ex;
 
 namespace {
 
-bool never_holds(const std::string& condition, const std::vector<Given>& given, const Symbols& symbols) {
-  if (condition.find("!=") != std::string::npos) return false;
-  const Relation relation = parse_statement(condition, symbols);
-  const auto value = [&](std::size_t k) { return put_in(lower(relation.sides[k], symbols), given); };
-  const Sides sides{value(0), relation.operators[0], value(1)};
-  return settled(residual_of(sides), claim_of(sides.op), symbols) == std::optional(false);
+bool never_holds(const Condition& condition, const std::vector<Given>& given, const Symbols& symbols) {
+  return condition.relation != "!=" && settled(put_in(condition.value, given), claim_of(condition.relation),
+                                               symbols) == std::optional(false);
 }
 
 /// A base that may be negative, with an exponent that is no number.
@@ -33,9 +31,12 @@ std::optional<ex> doubtful_base(const ex& e, const Symbols& symbols) {
 Proof with_domain(Proof proof, const Relation& left, const Relation& right, const std::vector<Given>& given,
                   const Symbols& symbols) {
   if (proof.verdict == Verdict::refuted || proof.verdict == Verdict::undecided) return proof;
-  for (const std::string& condition : proof.side_conditions)
-    if (never_holds(condition, given, symbols))
-      return undecided("it needs " + condition + ", which holds nowhere in the declared ranges");
+  for (const Relation* relation : {&left, &right})
+    for (const Tree& side : relation->sides)
+      for (const Condition& condition : conditions_of(side, symbols))
+        if (never_holds(condition, given, symbols))
+          return undecided("it needs " + in_words(condition, symbols) +
+                           ", which holds nowhere in the declared ranges");
   if (left.operators.empty()) return proof;
   for (const Relation* relation : {&left, &right})
     for (const Tree& side : relation->sides)
