@@ -28,7 +28,7 @@ inline Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   for (const auto& [m, c] : a)
     for (const auto& [n, d] : b) {
       Monomial both = m;
-      for (const auto& [name, k] : n) both[name] += k;
+      for (const auto& [name, k] : n) require((both[name] += k) < 1'000'000, "too large an exponent");
       result = std::move(result) + Polynomial{{both, c * d}};
     }
   return result;
@@ -57,7 +57,7 @@ class Reader {
   virtual Value raised(const Value& base, const Value& exponent) = 0;
   virtual Value divisor(const Value& d) = 0;  ///< told of all that must not be 0
   Value power(const Value& a, long n) {
-    require(std::abs(n) < 10000, "too large an exponent");
+    require(-10'000 < n && n < 10'000, "too large an exponent");
     return n == 0 ? number(1) : n > 0 ? a * power(a, n - 1) : number(1) / power(a, -n);
   }
   /// What functions of #x are made of; #u is e^x and #v is e^-x, for sin and cos e^(ix) and e^(-ix).
@@ -145,7 +145,7 @@ class Replay : public Reader<Fraction> {
     if (is_named) require(text[0] == '$', "a statement may have that name: " + text), name(text);
     if (is_named && n > 0) relations_.insert(relations_.begin(), {text, n, nth_power});
     const Fraction is = value(text), exponent = f == "log" || f.ends_with('h') ? is : value("$i") * is;
-    if (has_unit) facts_.emplace_back("exp", exponent, value(step.at("unit")));
+    if (has_unit) require(n == 0, "a unit"), facts_.emplace_back("exp", exponent, value(step.at("unit")));
     if (n > 0 || !is_named || has_unit)
       require(n > 0 ? same(c * power(is, n), c * nth_power)
                     : f != "exp" && same(c * call(f == "log" ? "exp" : f.substr(1), is), c * of),
@@ -171,7 +171,7 @@ class Replay : public Reader<Fraction> {
   /// n, and what function(of)^n is: for a root a power of its base, for a power of e others; or 0 for n.
   std::pair<long, Fraction> power_of(const std::string& f, const Fraction& of, const Json& step) {
     const auto [p, q] = ratio(value(f[0] == '^' ? f.substr(1) : "0"));
-    if (f[0] == '^') return {q, power(of, p)};
+    if (f[0] == '^') return {q, power(p < 0 ? divisor(of) : of, p)};
     const long n = f == "exp" && step.contains("from") ? step.value("power", 1) : 0;
     Fraction sum = number(0), product = number(1);
     for (const Json from = step.value("from", Json::object()); const auto& [text, k] : from.items())

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <random>
+#include <regex>
 #include <tests/certificate_checker.hpp>
 #include <tests/certificate_ranges.hpp>
 
@@ -172,6 +173,9 @@ class Look : public Reader<Seen> {
   /// A name that lives in a range such as "(0, pi/2]"; with points of one side of 0, too: < or >.
   void draw(const std::string& name, const std::string& range, char side) {
     Bounds bounds = read_bounds(range);
+    const bool has_zero =
+        (!bounds.low || cln::minusp(*bounds.low)) && (!bounds.high || cln::plusp(*bounds.high));
+    require(side == ' ' || has_zero, "cut at 0, which is not in it: " + range);
     if (side != ' ') (side == '>' ? bounds.low : bounds.high) = 0;
     names_[name] = {drawn(bounds.low, bounds.high, random_), bounds.whole};
   }
@@ -216,6 +220,8 @@ class Look : public Reader<Seen> {
     std::optional<cln::cl_R> low, high;
   };
   Bounds read_bounds(const std::string& range) {
+    static const std::regex form("[[(][^,]+, [^,]+[\\])]");
+    require(range.size() < 1000 && std::regex_match(range, form), "no range: " + range);
     const std::size_t comma = range.find(',');
     const std::string from = range.substr(1, comma - 1),
                       to = range.substr(comma + 2, range.size() - comma - 3);

@@ -2,6 +2,7 @@
 // not take on trust. Two true ones beside them show that the form is right.
 #include <doctest/doctest.h>
 
+#include <fstream>
 #include <tests/certificate_by_hand.hpp>
 
 using namespace by_hand;
@@ -342,4 +343,14 @@ TEST_CASE("a part that is at least a share of a residual is 0 only where that is
   CHECK(bounded(-1, "x^2+y^2", "-2*x^2-2*y^2-x*y") == refusal);
   CHECK(bounded(2, "2*x^2+2*x*y+2*y^2", "0") == refusal);  // another residual
   CHECK(bounded(0, "x^2+y^2", "-x^2-y^2") == refusal);
+}
+
+TEST_CASE("certificates that once passed for false statements") {
+  const auto forged =
+      Json::parse(std::ifstream(std::string(REDERIVE_SOURCE) + "/tests/forged_certificates.json"));
+  CHECK(forged.size() >= 25);
+  for (const Json& one : forged) {
+    INFO(one["why"].get<std::string>());
+    CHECK_THROWS_AS(certificate_checker::check(one["certificate"]), std::exception);
+  }
 }

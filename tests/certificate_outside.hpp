@@ -37,21 +37,40 @@ inline bool is_of_numbers(const Json& statement) {
   return result;
 }
 
+/// Whether a statement has an equation that may hold where names are in their ranges: points hardly ever meet
+/// it.
+inline bool has_open_equation(const Json& statement, Look& look) {
+  bool is_open = false;
+  for (std::size_t k = 0; 2 * k + 2 < statement.size(); ++k) {
+    const std::string a = statement.at(2 * k), b = statement.at(2 * k + 2);
+    const Range difference = look.value("(" + a + ")-(" + b + ")").range;
+    if (statement.at(2 * k + 1) != "=") continue;
+    if (difference.is_positive() || difference.is_negative()) return false;
+    is_open = true;
+  }
+  return is_open;
+}
+
 /// Whether there is nothing to compare at any point that counts: one has no value; or neither holds, where
-/// both say something of a symbol.
+/// both say something of a symbol; or, at an end, both hold or neither does.
 template <class Counts>
-bool is_nothing(const Json& c, Look& look, const Counts& counts) {
+bool is_nothing(const Json& c, Look& look, const Counts& counts, bool may_agree = false) {
   const std::vector<Held> left = holds(c.at("left"), look), right = holds(c.at("right"), look);
-  const bool is_asked = is_of_numbers(c.at("left")) || is_of_numbers(c.at("right"));
+  const bool is_asked = is_of_numbers(c.at("left")) || is_of_numbers(c.at("right")) ||
+                        has_open_equation(c.at("left"), look) || has_open_equation(c.at("right"), look);
   for (std::size_t p = 0; p < points; ++p)
-    if (counts(p) && left[p] && right[p] && (is_asked || *left[p] || *right[p])) return false;
+    if (counts(p) && left[p] && right[p] && (is_asked || *left[p] || *right[p]) &&
+        !(may_agree && *left[p] == *right[p]))
+      return false;
   return true;
 }
 /// The same, where also a statement alone must not hold.
 inline bool neither_holds(const Json& c, Look& look) {
   const auto never = [&](const char* side) {
     const std::vector<Held> held = holds(c.at(side), look);
-    return std::find(held.begin(), held.end(), true) == held.end();
+    const bool has_value = std::find(held.begin(), held.end(), false) != held.end();
+    return std::find(held.begin(), held.end(), true) == held.end() &&
+           (!has_value || !has_open_equation(c.at(side), look));
   };
   const bool is_asked = is_of_numbers(c.at("left")) || is_of_numbers(c.at("right"));
   return is_asked ? is_nothing(c, look, [](std::size_t) { return true; }) : never("left") && never("right");
@@ -61,12 +80,16 @@ inline std::string low_end(const std::string& range) { return range.substr(1, ra
 inline std::string high_end(const std::string& range) {
   return range.substr(range.find(',') + 2, range.size() - range.find(',') - 3);
 }
-/// What is left of a range beside another one, on either side; nothing where that has its end.
+/// What is left of a range beside another one, on either side, and the ends that the other one leaves out.
 inline std::vector<std::string> beside(const std::string& range, const std::string& inner) {
   const std::string low = low_end(inner), high = high_end(inner);
   std::vector<std::string> result;
   if (low != low_end(range)) result.push_back(range.front() + low_end(range) + ", " + low + ")");
   if (high != high_end(range)) result.push_back("(" + high + ", " + high_end(range) + range.back());
+  if (low != "-inf" && inner.front() == '(' && (low != low_end(range) || range.front() == '['))
+    result.push_back("[" + low + ", " + low + "]");
+  if (high != "inf" && inner.back() == ')' && (high != high_end(range) || range.back() == ']'))
+    result.push_back("[" + high + ", " + high + "]");
   return result;
 }
 
@@ -88,7 +111,9 @@ inline void check_outside(const Json& c) {
           look.narrow(other, other == name ? range : declared(other)).is_empty())
         return;
     }
-    require(is_nothing(c, look, [&](std::size_t p) { return look.is_admitted(p); }),
+    const bool is_end = low_end(range) == high_end(range);
+    require(is_nothing(
+                c, look, [&](std::size_t p) { return look.is_admitted(p); }, is_end),
             "it holds outside of the ranges: " + name);
     require(look.is_any_admitted(), "nothing is seen outside of the ranges: " + name);
   };
@@ -129,6 +154,7 @@ void check_cells(const Json& c, const Check& check) {
       continue;
     }
     const Json& there = cell.at("certificate");
+    require(!there.contains("cells"), "cells in cells");
     require(there.at("left") == c.at("left") && there.at("right") == c.at("right") &&
                 there.at("given").empty() && there.at("never zero") == c.at("never zero") &&
                 there.at("ranges") == Json{{name, range}},

@@ -106,7 +106,7 @@ class Checker {
     if (statement.size() == 1) return {stated(statement[0]), "", ""};
     const std::size_t k = link.at("link");
     bool is_first = true;
-    for (std::size_t j = 0; j <= k; ++j) is_first = is_first && statement.at(2 * j + 1) == "=";
+    for (std::size_t j = 0; j <= k; ++j) is_first = statement.at(2 * j + 1) == "=" && is_first;
     Said s{stated(statement.at(is_first ? 0 : 2 * k)), statement.at(2 * k + 1),
            stated(statement.at(2 * k + 2))};
     for (const Json& layer : link.value("layers", Json::array())) take_off(layer, s);
@@ -119,6 +119,7 @@ class Checker {
     const std::string f = layer.at("function"), x = stated(layer.at("left")), y = stated(layer.at("right"));
     const bool falls = layer.at("falls");
     if (f == "*") {
+      replay_.value(x), replay_.value(y);  // each by itself
       const std::string by = product(layer.at("factor"), [](auto&&...) { return false; });
       require(same(s.residual(), "(" + by + ")*((" + x + ")-(" + y + "))"), "another layer");
       require(s.op == "=" || sign(layer.at("factor")) == (falls ? -1 : 1), "a layer of unknown sign");
@@ -145,7 +146,11 @@ class Checker {
   /// Even functions grow with x^2, and f(x) = f(0) is x = 0.
   void take_off(const std::string& f, bool falls, std::pair<const std::string*, std::string*> left,
                 std::pair<const std::string*, std::string*> right, const std::string& op) {
+    static const std::regex exponent_of("\\^-?[1-9]\\d*(/[2-9]\\d*)?");
+    require(f[0] != '^' || std::regex_match(f, exponent_of), "no such layer: " + f);
     const long p = f[0] == '^' ? std::stol(f.substr(1)) : 1;
+    const std::size_t slash = f.find('/');
+    require(slash == f.npos || p % std::stol(f.substr(slash + 1)) != 0, "no such layer: " + f);
     const bool is_even = f == "cosh" || f == "fabs" || (p > 0 && p % 2 == 0 && f.find('/') == f.npos);
     require(is_even ? !falls : is_monotonic(f, falls, range(*left.first), range(*right.first)),
             f + " does not " + (falls ? "fall" : "increase"));
@@ -283,7 +288,8 @@ class Checker {
   }
 
   /// Of a text that has a value everywhere: it divides by numbers, and has no functions that may have none.
-  std::string whole(const std::string& text) {
+  std::string whole(std::string text) {
+    std::erase(text, ' ');
     static const std::regex number("sqrt\\(\\d+\\)"),
         partial("\\^[^0-9]|\\b(?!(sin|cos|exp|sinh|cosh|fabs)\\()\\w+\\(");
     require(!std::regex_search(std::regex_replace(text, number, "1"), partial), "it may have no value");
@@ -342,8 +348,19 @@ class Checker {
 inline void check(const Json& certificate) {
   require(certificate.at("format") == "rederive certificate 9", "another format");
   require(certificate.dump().find('#') == std::string::npos, "names with # are the checker's own");
+  static const std::regex symbol("[A-Za-z]\\w*"), generator("\\$\\w+");
+  for (const char* part : {"ranges", "declared", "given"})
+    for (const Json named = certificate.value(part, Json::object()); const auto& [name, text] : named.items())
+      require(name.size() < 100 && std::regex_match(name, symbol), "no name: " + name);
+  for (const char* part : {"ranges", "declared", "slopes", "divisors", "never zero", "parts of divisors"})
+    require(certificate.value(part, Json()).dump().find('$') == std::string::npos,
+            "a statement has no generators");
   if (certificate.contains("cells")) return check_cells(certificate, [](const Json& c) { check(c); });
   require(certificate.at("cut").size() < 10, "too many pieces");
+  for (const Json& piece : certificate.at("pieces"))
+    for (const Json& step : piece.at("steps"))
+      require(!step.contains("name") || std::regex_match(step.at("name").get<std::string>(), generator),
+              "a statement may have that name: " + step.dump());
   check_outside(certificate);
   for (std::size_t piece = 0; piece < std::size_t{1} << certificate.at("cut").size(); ++piece)
     Checker(certificate, piece);

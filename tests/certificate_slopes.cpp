@@ -225,7 +225,7 @@ TEST_CASE("what is compared with a relation of numbers is so wherever it has a v
   CHECK(verdict_of(part) == "accepted");
   part["declared"] = {{"x", "(0, inf)"}};
   CHECK(verdict_of(part) == "it holds outside of the ranges: x");
-  part["left"] = {"sqrt(x-1)", ">", "0"}, part["declared"] = {{"x", "(-inf, inf)"}};
+  part["left"] = {"sqrt(x-1)", ">=", "0"}, part["declared"] = {{"x", "(-inf, inf)"}};
   CHECK(verdict_of(part) != "it holds outside of the ranges: x");  // without a value below 1
   Json nowhere = log;
   nowhere["in"] = "x", nowhere["range"] = "(-inf, 0)", nowhere["cells"] = {{{"range", "(-inf, 0)"}}};

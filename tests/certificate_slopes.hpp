@@ -73,6 +73,7 @@ class Slopes : public Reader<Sloped> {
   Sloped divisor(const Sloped& d) override { return d; }
   Sloped raised(const Sloped& base, const Sloped& exponent) override {
     if (!replay_.same(exponent.slope, replay_.value("0"))) return call("exp", exponent * call("log", base));
+    require(!replay_.same(base.at, replay_.value("0")), "no slope of a power of 0");
     const Fraction power = replay_.raised(base.at, exponent.at);
     return {power, exponent.at * power / base.at * base.slope};
   }
@@ -157,6 +158,7 @@ class SlopeCheck {
   Range shown(const std::string& text, int sign) {
     const auto whole = look_.whole_range(text, name_, inside_);
     require(whole.has_value(), "it may have no value: " + text);
+    require(text.find("fabs") == std::string::npos, "a slope may be 0 on one side of bars: " + text);
     if (sign == 0) return *whole;
     const Range known = c_.at("slopes").contains(text) ? both(*whole, range_(text)) : *whole;
     require(sign > 0 ? known.is_not_negative() : known.is_not_positive(), "a slope of unknown sign: " + text);

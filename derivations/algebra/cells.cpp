@@ -238,9 +238,51 @@ std::optional<Cells> cells_beside_turns(const Question& question) {
   return cells_between(points, *symbol, question);
 }
 
+namespace {
+
+/// Of two to four symbols: small whole numbers, and all of them one part of a turn; and more of the points
+/// that are seldom needed.
+std::vector<Root> places_of_several(const Question& question) {
+  std::set<std::string> names;
+  for (const Relation* relation : {&question.left, &question.right})
+    for (const Tree& side : relation->sides) collect_names(side, names);
+  if (names.size() < 2 || names.size() > 4 || !question.given.empty()) return {};
+  const auto range_of = [&](const std::string& name) { return question.symbols.find(name)->range; };
+  std::vector<Root> result;
+  const auto add = [&](const Root& place) {
+    if (std::all_of(place.at.begin(), place.at.end(), [&](const auto& name_and_value) {
+          return is_strictly_inside(range_of(name_and_value.first), name_and_value.second);
+        }))
+      result.push_back(place);
+  };
+  const std::vector<cln::cl_RA> values{1, -1, 2};
+  std::size_t count = 1;
+  for (std::size_t k = 0; k < names.size(); ++k) count *= values.size();
+  for (std::size_t choice = 0; choice < count; ++choice) {
+    Root place{{}, true};
+    std::size_t rest = choice;
+    for (const std::string& name : names) place.at[name] = values[rest % 3], rest /= 3;
+    add(place);
+  }
+  for (const int parts : {4, 2, 1}) {
+    Root all{{}, true};
+    for (const std::string& name : names)
+      if (const auto one = place_of(name, GiNaC::Pi / parts, question.symbols))
+        all.exact = one->exact, all.at.insert(one->at.begin(), one->at.end()),
+        all.meant.insert(one->meant.begin(), one->meant.end()),
+        all.box.insert(one->box.begin(), one->box.end());
+    add(all);
+  }
+  const Points points(names, question.symbols);
+  for (int k = Points::count; k < 3 * Points::count; ++k) add({points.at(k), true});
+  return result;
+}
+
+}  // namespace
+
 std::vector<Root> places_of(const Question& question) {
   const Symbol* symbol = only_symbol(question);
-  if (symbol == nullptr) return {};
+  if (symbol == nullptr) return places_of_several(question);
   const Interval range = parse_range(symbol->range);
   std::vector<Root> exact, beside;
   const auto add_beside = [&](const cln::cl_RA& at) {

@@ -24,8 +24,9 @@ std::optional<Cells> cells_of(const Question& question);
 /// being 0: between them its range shows its sign, beyond them it grows or falls. Nothing where none turns.
 std::optional<Cells> cells_beside_turns(const Question& question);
 
-/// Where two statements in one symbol may differ, and few other points show it: where they may be cut, at
-/// ends of the range, and closely beside these; and far out.
+/// Where two statements may differ, and few other points show it. In one symbol: where they may be cut, at
+/// ends of the range, and closely beside these; and far out. In up to four: at small whole numbers, and where
+/// all are pi, or a half or a quarter of it.
 std::vector<Root> places_of(const Question& question);
 
 /// What is known of both statements on one piece.
