@@ -158,11 +158,12 @@ class SlopeCheck {
   Range shown(const std::string& text, int sign) {
     const auto whole = look_.whole_range(text, name_, inside_);
     require(whole.has_value(), "it may have no value: " + text);
-    require(text.find("fabs") == std::string::npos, "a slope may be 0 on one side of bars: " + text);
     if (sign == 0) return *whole;
     const Range known = c_.at("slopes").contains(text) ? both(*whole, range_(text)) : *whole;
     require(sign > 0 ? known.is_not_negative() : known.is_not_positive(), "a slope of unknown sign: " + text);
     require(!replay_.same(replay_.value(text), replay_.value("0")), "no slope: " + text);
+    require(text.find("fabs") == std::string::npos || known.is_positive() || known.is_negative(),
+            "a slope may be 0 on one side of bars: " + text);
     require(is_alone(text_) || known.is_positive() || known.is_negative(),
             "a slope that may be 0 for some values of others: " + text);
     return known;
