@@ -1,13 +1,16 @@
-// Checks a certificate of `ledger prove`: replays its steps in every piece of the domain, reads the statement
-// itself, and sees that its sides are the same, or that both relations hold at the same points: they differ
-// by a factor that is never 0 (or positive, for inequalities), without functions that grow around their
-// sides; or both always hold, or never.
+// Checks a certificate of `ledger prove`: has its identities replayed (certificate_checker.hpp, which alone
+// is enough for two expressions and for equations, but for their side conditions) in every piece, reads the
+// statement itself, and sees that its sides are the same, or that both relations hold at the same points:
+// they differ by a factor that is never 0 (or positive, for inequalities), without functions that grow around
+// their sides; or both always hold, or never.
 //
 // What is left to believe: at the points that are looked at (up to 10 from 0, or from an end; not where the
 // statement's own value is lost in rounding) everything holds exactly, for polynomials leave only finitely
 // many values of a root or an inverse function, far from each other. That it holds all over the domain rests
 // on both sides being analytic there, piece by piece: the engine sees to that, the checker does not. Factors,
-// forms and layers are not looked at: their ranges are computed.
+// forms and layers are not looked at: their ranges are computed. Who makes certificates up may still pass
+// with branches that differ by less than a millionth, with digits that are lost on purpose (10^98 times a
+// difference of 0), and with a logarithm or root in a form that has no value at single points.
 #pragma once
 
 #include <regex>
