@@ -236,7 +236,8 @@ class Checker {
   }
   /// In left = part·right a part may be 0 where right is, too: it is ±right, or right^2 or a quarter of it
   /// and more that is not negative, or a share of right that is not negative, and more; or right is the part
-  /// times what divides by nothing else.
+  /// times what divides by nothing else; or the part
+  /// is a name, and right is 0 where that is.
   std::string factor(const Json& link, const std::string& left, const std::string& right) {
     return product(link.at("factor"), [&](const std::string& part, int n) {
       const std::string residual = n > 0 ? right : left, other = "(" + residual + ")^2";
@@ -246,8 +247,13 @@ class Checker {
               (same(part, other + "+" + more) || same(part, other + "/4+" + more))) ||
              (link.contains("bounds") && link.at("bounds").contains(part) &&
               is_bounded_by(part, link.at("bounds").at(part), residual)) ||
-             (link.contains("divides") && divides(part, link.at("divides").value(part, "0"), residual));
+             (link.contains("divides") && divides(part, link.at("divides").value(part, "0"), residual)) ||
+             (link.contains("zeros") && is_zero_with(part, residual));
     });
+  }
+  bool is_zero_with(const std::string& name, const std::string& residual) {
+    require(c_.at("ranges").contains(name) && !c_.at("given").contains(name), "no name: " + name);
+    return replay_.same(replay_.at(residual, name, replay_.value("0")), replay_.value("0"));
   }
   bool is_bounded_by(const std::string& part, const Json& why, const std::string& residual) {
     const int times = why.at("times");
@@ -349,7 +355,7 @@ class Checker {
 /// Throws std::exception saying what is wrong with a certificate. It is checked on all pieces of the domain:
 /// on either side of 0 for each name that is cut there.
 inline void check(const Json& certificate) {
-  require(certificate.at("format") == "rederive certificate 9", "another format");
+  require(certificate.at("format") == "rederive certificate 10", "another format");
   require(certificate.dump().find('#') == std::string::npos, "names with # are the checker's own");
   static const std::regex symbol("[A-Za-z]\\w*"), generator("\\$\\w+");
   for (const char* part : {"ranges", "declared", "given"})

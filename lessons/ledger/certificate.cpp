@@ -132,6 +132,7 @@ Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Pha
     json["bounds"][q.text(b.part)] = {
         {"times", b.times}, {"residual", q.text(b.residual)}, {"more", q.text(b.more)}};
   for (const auto& [part, times] : link.divides) json["divides"][q.text(part)] = q.text(times);
+  for (const Tree& part : link.zeros) json["zeros"].push_back(q.text(part));
   json["cofactor"] = polynomial_text(steps.out_cofactor(*c));
   return json;
 }
@@ -244,7 +245,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
         for (const CertifiedLayer& layer : layers) add_trees(layer, q, trees);
     }
   }
-  Json json{{"format", "rederive certificate 9"},
+  Json json{{"format", "rederive certificate 10"},
             {"left", statement_json(q.left, q)},
             {"right", statement_json(q.right, q)},
             {"given", given},
@@ -281,7 +282,7 @@ bool has_values_at_points_only(const std::optional<Cells>& cells, const Question
 Json certificate_in(const Cells& cells, const Question& question) {
   const auto& [left, right, symbols, given] = question;
   const CertifiedStatement statement{left, right, symbols, given, {}, symbols};
-  Json json{{"format", "rederive certificate 9"},
+  Json json{{"format", "rederive certificate 10"},
             {"left", statement_json(left, statement)},
             {"right", statement_json(right, statement)},
             {"in", symbols.find(cells.symbol)->name},

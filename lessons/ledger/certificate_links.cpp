@@ -90,10 +90,23 @@ struct Finder : Forms {
       link.factor.emplace_back(written, n), link.more.emplace_back(written, tree(form(more)));
       return true;
     }
-    if (put_down_bound(part, n, link)) return true;
+    if (put_down_bound(part, n, link) || put_down_zero(part, n, link)) return true;
     const auto other = other_factor(part, n > 0 ? link.right.residual : link.left.residual, divisors);
     if (!other) return false;
     link.factor.emplace_back(written, n), link.divides.emplace_back(written, tree(*other));
+    return true;
+  }
+  /// part^n of a symbol, if right (or left) is 0 where that is.
+  bool put_down_zero(const ex& part, int n, CertifiedLink& link) const {
+    const ex residual = n > 0 ? link.right.residual : link.left.residual;
+    if (!is_a<GiNaC::symbol>(part)) return false;
+    try {
+      if (!vanishes(residual.subs(part == 0), q.symbols)) return false;
+    } catch (const std::exception&) {  // it has no value there, or is outside of the class
+      return false;
+    }
+    link.factor.emplace_back(to_tree(part, q.symbols), n);
+    link.zeros.push_back(link.factor.back().part);
     return true;
   }
   /// part^n, if a few times the part are not less than right (or left), and that is not negative.

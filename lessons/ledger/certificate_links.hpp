@@ -77,6 +77,8 @@ struct CertifiedLink {
   std::vector<CertifiedBound> bounds = {};
   /// … or that one is the part times something that divides by nothing else.
   std::vector<std::pair<Tree, Tree>> divides = {};
+  /// … or the part is a symbol, and that one is 0 where the symbol is.
+  std::vector<Tree> zeros = {};
   /// … or what there is of the two always holds, or never, as the form of its residual shows.
   std::optional<bool> holds = std::nullopt;
   /// … or one of them follows from the links of the other one, all together.
