@@ -362,6 +362,27 @@ TEST_CASE("a name that is a factor, and 0 only where the other side is") {
         "a factor may vanish: x");
 }
 
+TEST_CASE("the square of what is not 0, and more") {
+  Json link = linked("(x^2+y^2)*z", "z", "1", {{"x^2+y^2", 1}});
+  Json c = certificate({"(x^2+y^2)*z", ">", "0"}, {"z", ">", "0"}, {{"x", real}, {"y", real}, {"z", real}},
+                       Json::array({link}));
+  const auto with = [&](const std::string& of, const std::string& more) {
+    c["parts of divisors"] = {{"x^2+y^2", {{"square of", of}, {"more", more}}}};
+    try {
+      certificate_checker::check(c);
+      return std::string("accepted");
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+  };
+  CHECK(with("y", "x^2") == "a factor may vanish: x^2+y^2");
+  c["never zero"] = {"y"};
+  CHECK(with("y", "x^2") == "accepted");
+  CHECK(with("x", "y^2") == "a factor may vanish: x^2+y^2");
+  CHECK(with("y", "x^2+1") == "another square: x^2+y^2");
+  CHECK(with("2*y", "x^2-3*y^2") == "a factor may vanish: x^2+y^2");
+}
+
 TEST_CASE("certificates that once passed for false statements") {
   const auto forged =
       Json::parse(std::ifstream(std::string(REDERIVE_SOURCE) + "/tests/forged_certificates.json"));

@@ -60,6 +60,11 @@ class Checker {
   static std::string stated(const std::string& text) {
     return require(text.find('$') == std::string::npos, "a statement has no generators"), text;
   }
+  /// Never 0, for so is what it divides by, or excludes.
+  bool is_more_than_square(const std::string& text, const std::string& of, const std::string& more) {
+    require(same(text, "(" + of + ")^2+(" + more + ")"), "another square: " + text);
+    return range(more).is_not_negative() && is_divisor(replay_.value(of));
+  }
   /// Where the statement has a value: what may be 0 elsewhere is nothing to divide by. With what is said of
   /// its slope.
   Range range(const std::string& text) {
@@ -81,7 +86,9 @@ class Checker {
     });
   }
   bool is_in_divisor(const std::string& text) {
-    const std::string times = c_.at("parts of divisors").value(text, "1");
+    const Json why = c_.at("parts of divisors").value(text, Json("1"));
+    if (why.is_object()) return is_more_than_square(text, why.at("square of"), why.at("more"));
+    const std::string times = why;
     range(times);
     return is_divisor(replay_.value("(" + text + ")*(" + times + ")"));
   }

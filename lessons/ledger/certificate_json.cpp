@@ -83,7 +83,10 @@ Json parts_of_divisors(const std::vector<CertifiedLink>& links, const CertifiedS
   Json json = Json::object();
   const auto add = [&](const CertifiedFactor& factor) {
     for (const CertifiedPart& p : factor)
-      if (p.times) json[q.text(p.part)] = q.text(p.times);
+      if (p.times)
+        json[q.text(p.part)] = q.text(p.times);
+      else if (p.square_of)
+        json[q.text(p.part)] = {{"square of", q.text(p.square_of)}, {"more", q.text(p.more)}};
   };
   for (const CertifiedLink& link : links) {
     add(link.factor);

@@ -62,7 +62,8 @@ struct Finder : Forms {
     numeric number = 1;
     ex rest = 1;
     const auto is_put_down = [&](const ex& part, int n) {
-      return put_down_divisor(part, n, number, factor) || (link != nullptr && put_down_sum(part, n, *link));
+      return put_down_divisor(part, n, number, factor) || put_down_square(part, n, factor) ||
+             (link != nullptr && put_down_sum(part, n, *link));
     };
     for (const auto& [part, n] : parts)
       if (is_a<numeric>(part))
@@ -150,6 +151,17 @@ struct Finder : Forms {
     for (const CertifiedDivisor& d : divisors)
       if (const auto other = other_factor(part, d.value, divisors))
         return factor.emplace_back(tree(part), n, tree(*other)), true;
+    return false;
+  }
+  /// part^n, if it is the square of something that the statement divides by, or that is assumed not to be 0,
+  /// and more that is not negative.
+  bool put_down_square(const ex& part, int n, CertifiedFactor& factor) const {
+    for (const CertifiedDivisor& d : divisors) {
+      const ex more = (part - GiNaC::pow(d.value, 2)).expand();
+      if (!is_nonnegative(more, q.symbols)) continue;
+      factor.push_back({tree(form(part)), n, nullptr, d.tree, tree(form(more))});
+      return true;
+    }
     return false;
   }
   /// value/part, if that divides by nothing but what is allowed.

@@ -15,11 +15,12 @@ struct CertifiedDivisor {
 };
 
 /// A power in a product; with what it is times to be something that the statement divides by, if that shows
-/// that it is never 0.
+/// that it is never 0; or with that whose square it is, and `more` that is not negative.
 struct CertifiedPart {
   Tree part;
   int exponent;
   Tree times = nullptr;
+  Tree square_of = nullptr, more = nullptr;
 };
 using CertifiedFactor = std::vector<CertifiedPart>;
 
