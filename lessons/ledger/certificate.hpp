@@ -12,7 +12,8 @@ namespace rederive {
 ///   given         what names in it stand for
 ///   divisors      everything that it divides by, but for numbers: must not vanish
 ///   never zero    what was declared so, "x - y" for x != y
-///   parts of divisors  of which factors are made, each with what it is times to be one of those
+///   parts of divisors  of which factors are made, each with what it is times to be one of those; or with that
+///                 of them it is the `square of`, and `more` that is not negative
 ///   slopes        expressions whose range does not show their sign: its `sign`, `in` one name, whatever the
 ///                 others are, and `how` it is seen: not of the other sign at the low (or high) end, with a
 ///                 `slope` that grows or falls from there; at both ends, with a `bend`, the slope of the
@@ -37,7 +38,8 @@ namespace rederive {
 ///                 what is left, as a quotient of polynomials in generators
 ///   factor        of parts that are never 0, with their exponents; `more` of a part that is 0 only where one
 ///                 of the residuals is; `bounds`, where `times` the part is that `residual`, not negative,
-///                 and `more`; so is one that `divides` it, with what it is times
+///                 and `more`; so is one that `divides` it, with what it is times;
+///                 so is a name among the `zeros`: one of the residuals is 0 where the name is
 ///   cofactor      not 0 itself: left·cofactor = factor·right·cofactor modulo the relations of the generators
 /// or, of a link that follows from those of the other side, left or right alone and what it
 ///   follows       from: times·residual = Σ factor·(product of the residuals of links) + more, where terms
