@@ -12,8 +12,8 @@ namespace rederive {
 ///   given         what names in it stand for
 ///   divisors      everything that it divides by, but for numbers: must not vanish
 ///   never zero    what was declared so, "x - y" for x != y
-///   parts of divisors  of which factors are made, each with what it is times to be one of those; or with that
-///                 of them it is the `square of`, and `more` that is not negative
+///   parts of divisors  of which factors are made, each with what it is times to be one of those; or with
+///                 which of them it is the `square of`, and `more` that is not negative
 ///   slopes        expressions whose range does not show their sign: its `sign`, `in` one name, whatever the
 ///                 others are, and `how` it is seen: not of the other sign at the low (or high) end, with a
 ///                 `slope` that grows or falls from there; at both ends, with a `bend`, the slope of the
