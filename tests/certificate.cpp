@@ -236,11 +236,11 @@ TEST_CASE("only increasing functions are taken off both sides of a relation") {
   auto [size, bars] = layers({"fabs(x) < 1", "x^2 < 1", {}, {}, {}});
   size["right"] = {"x", "<", "1"};  // of both signs: |x| < 1 is not x < 1
   CHECK(verdict(size) == "the right side is another one");
-  auto [fourth, power] = layers({"x^4 < y^4", "x^2 < y^2", {}, {}, {}});
-  fourth["right"] = {"x", "<", "y"}, fourth["pieces"][0]["links"][0]["right"]["residual"] = "y - x";
-  CHECK(verdict(fourth) == "something remains");
+  auto [sixth, power] = layers({"x^6 < y^6", "x^2 < y^2", {}, {}, {}});
+  sixth["right"] = {"x", "<", "y"}, sixth["pieces"][0]["links"][0]["right"]["residual"] = "y - x";
+  CHECK(verdict(sixth) == "something remains");
   power["function"] = "^3";
-  CHECK(spoiled(fourth, power) == "another layer");
+  CHECK(spoiled(sixth, power) == "another layer");
 }
 
 TEST_CASE("ranges show that a factor is never 0") {

@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 inline Json certificate(const Json& left, const Json& right, const Json& ranges, const Json& links,
                         const Json& steps = Json::array(), const Json& cut = Json::array()) {
   const Json piece{{"steps", steps}, {"links", links}};
-  return {{"format", "rederive certificate 10"},
+  return {{"format", "rederive certificate 11"},
           {"left", left},
           {"right", right},
           {"given", Json::object()},

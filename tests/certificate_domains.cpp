@@ -14,7 +14,7 @@ Json settled(const char* where, int link, const std::string& form, bool holds) {
 /// What the checker says of two statements about x in a range.
 std::string verdict_over(const std::string& range, const std::string& declared, const Json& left,
                          const Json& right, const Json& given, const Json& steps, const Json& links) {
-  Json c{{"format", "rederive certificate 10"},
+  Json c{{"format", "rederive certificate 11"},
          {"left", left},
          {"right", right},
          {"given", given},

@@ -151,7 +151,7 @@ TEST_CASE("chains of which a part is passed over") {
 }
 
 TEST_CASE("what is never 0 is what the certificate says, and no more") {
-  Json c{{"format", "rederive certificate 10"},
+  Json c{{"format", "rederive certificate 11"},
          {"left", {"x*a", "=", "0"}},
          {"right", {"a", "=", "0"}},
          {"given", Json::object()},
@@ -350,7 +350,7 @@ TEST_CASE("a name that is a factor, and 0 only where the other side is") {
   const Json wave = Json::array({{{"function", "exp"}, {"of", "$i*x"}, {"name", "$z"}}});
   const auto times_x = [](const std::string& residual) {
     Json link = linked("x*(" + residual + ")", residual, "1", {{"x", 1}});
-    link["zeros"] = {"x"};
+    link["zeros"]["x"]["x"] = {{"at", "0"}, {"power", 1}, {"share", "1"}, {"more", "0"}};
     return link;
   };
   CHECK(verdict({"x*sin(x)", "=", "0"}, {"sin(x)", "=", "0"}, ranges, wave, times_x("($z-1/$z)*$i/(-2)")) ==
@@ -360,6 +360,29 @@ TEST_CASE("a name that is a factor, and 0 only where the other side is") {
   CHECK(verdict({"x*y", "=", "0"}, {"y", "=", "0"}, ranges, none, times_x("y")) == "a factor may vanish: x");
   CHECK(verdict({"x*(x+y)", "=", "0"}, {"x+y", "=", "0"}, ranges, none, times_x("x+y")) ==
         "a factor may vanish: x");
+}
+
+TEST_CASE("sums of even powers, and what is 0 where all of them are") {
+  const Json ranges{{"x", real}, {"y", real}};
+  const std::string part = "x^2-2*x+1+y^4";
+  const auto at = [&](const std::string& x, int power, const std::string& share, const std::string& more) {
+    const std::string other = "(x-1)^4+y^2";
+    Json link = linked(part, other, "1", {{part, 1}, {other, -1}});
+    const auto place = [](const std::string& where, int n, const std::string& s, const std::string& m) {
+      return Json{{"at", where}, {"power", n}, {"share", s}, {"more", m}};
+    };
+    link["zeros"] = {{part, {{"x", place(x, power, share, more)}, {"y", place("0", 4, "1", "(x-1)^2")}}},
+                     {other, {{"x", place("1", 4, "1", "y^2")}, {"y", place("0", 2, "1", "(x-1)^4")}}}};
+    return verdict({part, "=", "0"}, {other, "=", "0"}, ranges, Json::array(), link);
+  };
+  CHECK(at("1", 2, "1", "y^4") == "accepted");
+  CHECK(at("1", 2, "1/2", "1/2*(x-1)^2+y^4") == "accepted");
+  CHECK(at("0", 2, "1", "1-2*x+y^4") == "more may be negative");
+  CHECK(at("1", 2, "2", "y^4-(x-1)^2") == "more may be negative");
+  CHECK(at("1", 2, "1", "2*y^4") == "another power of x");
+  CHECK(at("1", 1, "1", "y^4") == "more may be negative");
+  CHECK(at("1", 2, "0", "(x-1)^2+y^4") == "no such power");
+  CHECK(at("x", 2, "1", "(x-1)^2+y^4") == "a factor may vanish: " + part);
 }
 
 TEST_CASE("the square of what is not 0, and more") {

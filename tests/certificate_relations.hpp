@@ -72,7 +72,8 @@ class Checker {
     const Range result = look_.value(stated(text)).range;
     if (!look_.divisors_are_clear) {
       replay_.value(text);
-      for (const Fraction& d : replay_.divisors) require(is_divisor(d), "divides by something else: " + text);
+      for (const Fraction& d : replay_.divisors)  // |cos x| is 0 only where its square is
+        require(is_divisor(d) || is_divisor(d * d), "divides by something else: " + text);
     }
     if (!c_.at("slopes").contains(text) || c_.at("slopes").at(text).at("how") == "grows") return result;
     require(++slopes_ < 100, "too many slopes");
@@ -243,8 +244,8 @@ class Checker {
   }
   /// In left = part·right a part may be 0 where right is, too: it is ±right, or right^2 or a quarter of it
   /// and more that is not negative, or a share of right that is not negative, and more; or right is the part
-  /// times what divides by nothing else; or the part
-  /// is a name, and right is 0 where that is.
+  /// times what divides by nothing else; or the part is 0 only where some names have values for which right
+  /// is.
   std::string factor(const Json& link, const std::string& left, const std::string& right) {
     return product(link.at("factor"), [&](const std::string& part, int n) {
       const std::string residual = n > 0 ? right : left, other = "(" + residual + ")^2";
@@ -255,12 +256,26 @@ class Checker {
              (link.contains("bounds") && link.at("bounds").contains(part) &&
               is_bounded_by(part, link.at("bounds").at(part), residual)) ||
              (link.contains("divides") && divides(part, link.at("divides").value(part, "0"), residual)) ||
-             (link.contains("zeros") && is_zero_with(part, residual));
+             (link.contains("zeros") && link.at("zeros").contains(part) &&
+              is_zero_at(part, link.at("zeros").at(part), residual));
     });
   }
-  bool is_zero_with(const std::string& name, const std::string& residual) {
-    require(c_.at("ranges").contains(name) && !c_.at("given").contains(name), "no name: " + name);
-    return replay_.same(replay_.at(residual, name, replay_.value("0")), replay_.value("0"));
+  /// With part = share·(name - at)^n + more for each of some names: an even power and more that is not
+  /// negative, or nothing more. Where the part is 0, all names are what is said, all at once.
+  bool is_zero_at(const std::string& part, const Json& places, const std::string& residual) {
+    std::map<std::string, Fraction> zero;
+    for (const auto& [name, place] : places.items()) {
+      require(c_.at("ranges").contains(name) && !c_.at("given").contains(name), "no name: " + name);
+      const std::string at = stated(place.at("at")), share = stated(place.at("share")),
+                        more = place.at("more");
+      const int n = place.at("power");
+      require(n > 0 && n < 100 && range(share).is_positive(), "no such power");
+      require(same(more, "0") || (n % 2 == 0 && range(more).is_not_negative()), "more may be negative");
+      require(same(part, share + "*(" + name + "-(" + at + "))^" + std::to_string(n) + "+" + more),
+              "another power of " + name);
+      zero.emplace(name, replay_.value(at));
+    }
+    return replay_.same(replay_.at(residual, zero), replay_.value("0"));
   }
   bool is_bounded_by(const std::string& part, const Json& why, const std::string& residual) {
     const int times = why.at("times");
@@ -362,7 +377,7 @@ class Checker {
 /// Throws std::exception saying what is wrong with a certificate. It is checked on all pieces of the domain:
 /// on either side of 0 for each name that is cut there.
 inline void check(const Json& certificate) {
-  require(certificate.at("format") == "rederive certificate 10", "another format");
+  require(certificate.at("format") == "rederive certificate 11", "another format");
   require(certificate.dump().find('#') == std::string::npos, "names with # are the checker's own");
   static const std::regex symbol("[A-Za-z]\\w*"), generator("\\$\\w+");
   for (const char* part : {"ranges", "declared", "given"})

@@ -2,6 +2,8 @@
 // sums, products and functions, and compared as polynomials.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <regex>
 #include <tests/certificate_outside.hpp>
 
@@ -15,15 +17,25 @@ class Statement : public Replay {
   Fraction at(const std::string& text, const Fraction& x) { return names_["#x"] = x, value(text); }
   /// A text where a name has this value.
   Fraction at(const std::string& text, const std::string& name, const Fraction& is) {
-    const Fraction before = std::exchange(names_.at(name), is), result = value(text);
-    return names_.at(name) = before, result;
+    return at(text, std::map<std::string, Fraction>{{name, is}});
+  }
+  Fraction at(const std::string& text, const std::map<std::string, Fraction>& is) {
+    const auto before = names_;
+    for (const auto& [name, fraction] : is) names_.at(name) = fraction;
+    const Fraction result = value(text);
+    return names_ = before, result;
   }
   std::vector<Fraction> divisors;  ///< of the texts that were read, but for numbers
 
-  /// But for a number, too, and the sign.
+  /// But for a number, too, and the sign. The number in |cos x| or in its square is not seen: there it is a
+  /// power of 2.
   bool is_multiple(const Fraction& a, const Fraction& b) const {
     const Fraction c = without_number(a), d = without_number(b);
-    return same(c * c, d * d);
+    if (same(c * c, d * d)) return true;
+    const auto times = [](int n, const Fraction& f) { return Fraction{{{{}, n}}, {{{}, 1}}} * f; };
+    return std::ranges::any_of(std::array{1, 4, 16}, [&](int n) {
+      return same(times(n, a * a), b * b) || same(a * a, times(n, b * b));
+    });
   }
 
  private:

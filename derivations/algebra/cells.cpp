@@ -4,6 +4,7 @@
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/factor_roots.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/turns.hpp>
 #include <derivations/algebra/vanish.hpp>
@@ -32,7 +33,7 @@ std::vector<ex> cutting(const Question& question, const GiNaC::symbol& x) {
     for (const Condition& c : conditions_of(*relation, question)) result.push_back(c.value);
     for (const Link& link : links_of(*relation)) {
       const ex residual = residual_of(sides_of(link, question));
-      result.push_back(residual), result.push_back(residual.diff(x));
+      result.push_back(residual), result.push_back(derivative(residual, x));
     }
     for (const Tree& side : relation->sides) {
       const ex value = lower(side, question.symbols);

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <derivations/algebra/factor_roots.hpp>
+#include <derivations/algebra/forms.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quadratic.hpp>
 #include <derivations/algebra/quotient.hpp>
+#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/residuals.hpp>
 #include <derivations/algebra/roots.hpp>
@@ -172,7 +174,7 @@ struct Search {
   bool descend(const Target& part) {
     std::map<std::string, Tree> slopes;
     for (const std::string& name : part.line.names())
-      slopes[name] = to_tree(part.written.value.diff(symbols[name]), symbols);
+      slopes[name] = to_tree(derivative(part.written.value, symbols[name]), symbols);
     const bool has_one_line = slopes.size() == 1;
     const int starts = has_one_line ? 1 : 3, rounds = has_one_line ? 1 : 2;
     for (int start = 0; start < starts; ++start) {
@@ -189,9 +191,14 @@ struct Search {
   }
 };
 
-/// Those that may be 0, and are no factors of the other one.
+/// Those that may be 0, and are no factors of the other one. What has no factors by itself may have some in
+/// the form that shows its sign: 9 - 8 sin x - 8 cos 2x is (4 sin x - 1)².
 std::vector<Target> parts_of(const ex& e, const ex& other, const Symbols& symbols) {
-  const std::vector<ex> factors = factors_of(e, symbols), others = factors_of(other, symbols);
+  std::vector<ex> factors = factors_of(e, symbols);
+  const std::vector<ex> others = factors_of(other, symbols);
+  if (const auto form = factors.size() == 1 ? form_of_one_sign(e, symbols) : std::nullopt;
+      form && GiNaC::is_a<GiNaC::mul>(*form))
+    factors = factors_of(*form, symbols);
   std::vector<Target> parts;
   for (const ex& f : factors) {
     const bool is_common =

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/algebra/binomial_squares.hpp>
 #include <derivations/algebra/forms.hpp>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/positive.hpp>
@@ -33,7 +34,8 @@ void collect(const ex& e, Atoms& atoms) {
   ++atoms.parts;
   if (is_a<GiNaC::symbol>(e)) return add(atoms.symbols, e);
   if (is_a<GiNaC::function>(e)) return add(atoms.functions, e);
-  if (is_a<GiNaC::power>(e) && e.op(1).is_equal(numeric(1, 2))) return add(atoms.roots, e);
+  if (is_a<GiNaC::power>(e) && e.op(1).is_equal(numeric(1, 2)))
+    return is_a<numeric>(e.op(0)) ? void() : add(atoms.roots, e);
   for (const ex& part : e) collect(part, atoms);
 }
 
@@ -262,8 +264,10 @@ Mixed in_one(const ex& polynomial, const GiNaC::symbol& u, const GiNaC::symbol& 
 std::optional<ex> positive_trigonometric(const ex& e, const ex& polynomial, const GiNaC::symbol& u,
                                          const ex& function, const GiNaC::symbol& v, const Symbols& symbols) {
   const Mixed mixed = in_one(polynomial, u, v);
-  const auto alone = positive_in(mixed.p, u, function, symbols);
+  const auto alone = mixed.p.info(GiNaC::info_flags::positive) ? std::optional(mixed.p)
+                                                               : positive_in(mixed.p, u, function, symbols);
   if (!alone || mixed.q.is_zero()) return alone;
+  if (sign_of(*alone, symbols) <= 0) return std::nullopt;  // it divides
   const ex rest = (mixed.p * mixed.p - (1 - u * u) * mixed.q * mixed.q).expand();
   const auto shown = positive_in(rest, u, function, symbols);
   return shown ? std::optional<ex>((GiNaC::pow(e, 2) + *shown) / (2 * *alone)) : std::nullopt;
@@ -279,12 +283,14 @@ std::optional<ex> form_in_angle(const ex& e, const std::vector<ex>& functions, c
   const ex p = e.subs(in, GiNaC::subs_options::no_pattern).expand();
   if (!p.is_polynomial(GiNaC::lst{c, s}) || p.degree(c) + p.degree(s) > 2 * highest_multiple)
     return std::nullopt;
-  for (const int sign : {1, -1}) {
-    auto form = positive_trigonometric(sign * e, (sign * p).expand(), c, GiNaC::cos(all->x), s, symbols);
-    if (!form)
-      form = positive_trigonometric(sign * e, (sign * p).expand(), s, GiNaC::sin(all->x), c, symbols);
-    if (form) return sign * *form;
-  }
+  const ex cosine = GiNaC::cos(all->x), sine = GiNaC::sin(all->x);
+  const bool is_in_sine = in_one(p, s, c).q.is_zero();  // alone, if it can be
+  for (const int sign : {1, -1})
+    for (const bool sine_first : {is_in_sine, !is_in_sine})
+      if (const auto form =
+              sine_first ? positive_trigonometric(sign * e, (sign * p).expand(), s, sine, c, symbols)
+                         : positive_trigonometric(sign * e, (sign * p).expand(), c, cosine, s, symbols))
+        return sign * *form;
   return std::nullopt;
 }
 
@@ -342,6 +348,7 @@ std::optional<ex> form_of_one_sign(const ex& sum, const Symbols& symbols) {
     if (const auto form = form_of_pair(sum, atoms)) return form;
     if (const auto form = form_of_difference(sum, atoms, symbols)) return form;
     if (const auto form = form_of_root(sum, atoms, symbols)) return form;
+    if (const auto form = form_of_binomial_squares(sum, symbols)) return form;
     return form_of_groups(sum, atoms);
   } catch (const std::exception&) {  // no polynomial, after all, or ends of a range too large for a double
     return std::nullopt;

@@ -14,7 +14,8 @@ namespace rederive {
 ///   m g - m g cos x + ...     m g (1 - cos x) + ...: the terms with the same symbols together;
 ///   sqrt(A) - B               with A >= B^2: ((sqrt(A) - B)^2 + A - B^2)/(2 sqrt(A));
 ///   A log(u) - A log(v)       A log(1 + (u - v)/v); and the same for atan;
-///   a polynomial in one symbol, or in sin x and cos x, or exp(x): positive.hpp; in several: two_squares.hpp.
+///   a polynomial in one symbol, or in sin x and cos x, or exp(x): positive.hpp; in several: two_squares.hpp,
+///   and in several symbols or functions binomial_squares.hpp.
 /// Nothing for anything else, and where no such form is found.
 std::optional<GiNaC::ex> form_of_one_sign(const GiNaC::ex& sum, const Symbols& symbols);
 

@@ -4,6 +4,7 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/links.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/rearrange.hpp>
 
 namespace rederive {
@@ -184,7 +185,7 @@ Symbols with_ranges_of(const std::vector<Given>& given, const Symbols& symbols) 
     if (symbols.find(g.name) == nullptr || symbols.find(g.name)->range == "(-inf, inf)") continue;
     for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part) {
       if (!GiNaC::is_a<GiNaC::symbol>(*part) || !value.is_polynomial(*part)) continue;
-      const ex slope = value.diff(GiNaC::ex_to<GiNaC::symbol>(*part));
+      const ex slope = derivative(value, *part);
       if (!GiNaC::is_a<GiNaC::numeric>(slope) || slope.is_zero()) continue;
       const ex words = *part + ((g.name - value) / slope).expand();
       result.say_otherwise(*part, words);

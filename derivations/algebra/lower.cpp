@@ -3,6 +3,7 @@
 #include <cln/integer_io.h>
 
 #include <derivations/algebra/ball.hpp>
+#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/syntax.hpp>
 #include <functional>
 #include <optional>
@@ -210,34 +211,16 @@ class Lowering {
   BallArithmetic arithmetic_{40};
 };
 
-/// All values are real here: what GiNaC thinks may be complex is its own conjugate. And i is none of ours.
-class Real : public GiNaC::map_function {
- public:
-  explicit Real(const Node& node) : node_(node) {}
-
-  GiNaC::ex operator()(const GiNaC::ex& e) override {
-    if (GiNaC::is_a<GiNaC::numeric>(e) && !e.info(GiNaC::info_flags::real)) {
-      throw SyntaxError("undefined", node_.position, "this has no real value");
-    }
-    if (!GiNaC::is_a<GiNaC::function>(e)) return e.map(*this);
-    const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-    if (name == "imag_part" || name == "atan2")
-      return 0;  // the angle of a real power is that of its positive base
-    return name == "conjugate" || name == "real_part" ? (*this)(e.op(0)) : e.map(*this);
-  }
-
- private:
-  const Node& node_;
-};
-
 }  // namespace
 
 GiNaC::ex lower(const Tree& tree, const Symbols& symbols, const Limits& limits) {
   const GiNaC::ex value = Lowering(symbols, limits).lower(tree).value;
   try {
-    return Real(*tree)(value);
+    return as_real(value);
   } catch (const GiNaC::pole_error&) {
     throw SyntaxError("undefined", tree->position, "this has no value");
+  } catch (const std::domain_error& error) {
+    throw SyntaxError("undefined", tree->position, error.what());
   }
 }
 

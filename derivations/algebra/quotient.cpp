@@ -238,10 +238,40 @@ Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors,
   return result;
 }
 
+std::optional<EvenPower> even_power_in(const ex& e, const ex& x, const ex& at, const Symbols& symbols) {
+  if (!e.is_polynomial(x)) return std::nullopt;
+  const int n = e.degree(x);
+  const ex leading = e.coeff(x, n);
+  if (n < 2 || n % 2 != 0 || !leading.info(GiNaC::info_flags::positive)) return std::nullopt;
+  for (const GiNaC::numeric& part : {GiNaC::numeric(1), GiNaC::numeric(3, 4), GiNaC::numeric(1, 2),
+                                     GiNaC::numeric(1, 4), GiNaC::numeric(1, 8)}) {
+    const ex share = part * leading, more = (e - share * GiNaC::pow(x - at, n)).expand();
+    if (more.is_zero() || is_nonnegative(more, symbols)) return EvenPower{n, share, more};
+  }
+  return std::nullopt;
+}
+
 namespace {
 
-/// The only point at which an expression is 0, where that is easily seen: x², sinh(x), A x² + B x + C with
-/// 4AC >= B².
+/// Of even powers of several symbols.
+std::optional<GiNaC::exmap> zero_of_even_powers(const ex& polynomial, const Symbols& symbols) {
+  const ex e = polynomial.expand();
+  constexpr std::size_t most_terms = 20;
+  if (!GiNaC::is_a<GiNaC::add>(e) || e.nops() > most_terms) return std::nullopt;
+  GiNaC::exmap zero;
+  for (const std::string& name : names_in(e)) {
+    const ex& x = symbols[name];
+    const int n = e.is_polynomial(x) ? e.degree(x) : 0;
+    if (n < 2 || n % 2 != 0) return std::nullopt;
+    const ex at = -e.coeff(x, n - 1) / (n * e.coeff(x, n));
+    if (!GiNaC::is_a<GiNaC::numeric>(at) || !even_power_in(e, x, at, symbols)) return std::nullopt;
+    zero[x] = at;
+  }
+  return zero;
+}
+
+}  // namespace
+
 std::optional<GiNaC::exmap> only_zero(const ex& e, const Symbols& symbols) {
   if (GiNaC::is_a<GiNaC::symbol>(e)) return GiNaC::exmap{{e, 0}};
   const bool power = GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::positive);
@@ -249,14 +279,13 @@ std::optional<GiNaC::exmap> only_zero(const ex& e, const Symbols& symbols) {
   if (GiNaC::is_a<GiNaC::mul>(e) && e.nops() == 2 && GiNaC::is_a<GiNaC::numeric>(e.op(1)))
     return only_zero(e.op(0), symbols);
   const auto quadratic = as_quadratic(e, symbols);
-  if (!quadratic || !GiNaC::is_a<GiNaC::symbol>(quadratic->x) || weak_sign(e, symbols) == 0)
-    return std::nullopt;
-  auto zero = only_zero(quadratic->discriminant(), symbols);
-  if (zero) (*zero)[quadratic->x] = (-quadratic->b / (2 * quadratic->a)).subs(*zero);
-  return zero;
+  if (quadratic && GiNaC::is_a<GiNaC::symbol>(quadratic->x) && weak_sign(e, symbols) != 0)
+    if (auto zero = only_zero(quadratic->discriminant(), symbols)) {
+      (*zero)[quadratic->x] = (-quadratic->b / (2 * quadratic->a)).subs(*zero);
+      return zero;
+    }
+  return zero_of_even_powers(e, symbols);
 }
-
-}  // namespace
 
 std::optional<std::vector<Part>> checked_quotient(const ex& left, const ex& right, const Symbols& symbols) {
   const auto parts = quotient(left, right, symbols, Way::real_denominator);

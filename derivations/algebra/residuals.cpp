@@ -132,15 +132,23 @@ std::optional<ex> doubtful_part(const Quotient& factor, const ex& left, const ex
 }
 
 /// A divisor of one statement that is a factor of the other: its zeros solve that one, and the first has no
-/// value there. Where both are divided by it, neither has.
+/// value there. Where both are divided by it, neither has; and what is 0 only where an assumption says that
+/// nothing is asked loses nothing.
 std::optional<ex> losing_divisor(const Quotient& factor, const Residuals& r, const ex& left, const ex& right,
                                  const Symbols& symbols) {
   const auto is_among = [](const ex& divisor, const std::vector<ex>& others) {
     return std::any_of(others.begin(), others.end(),
                        [&](const ex& other) { return is_multiple(divisor, other); });
   };
+  const auto is_excluded = [&](const ex& divisor) {
+    const auto& never = symbols.never_zero();
+    return std::any_of(never.begin(), never.end(), [&](const ex& e) {
+      return is_multiple(divisor, e) || vanishes_with(divisor, e, symbols);
+    });
+  };
   for (const ex& divisor : factor.divisors)
-    if (!(is_among(divisor, r.left_divisors) && is_among(divisor, r.right_divisors)) &&
+    if (!is_excluded(divisor) &&
+        !(is_among(divisor, r.left_divisors) && is_among(divisor, r.right_divisors)) &&
         (is_factor(divisor, left, symbols) || is_factor(divisor, right, symbols)))
       return divisor;
   return std::nullopt;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
+#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/roots.hpp>
 #include <derivations/algebra/walk.hpp>
 
@@ -119,7 +120,7 @@ std::optional<Root> find_root(const Written& e, const Points& points, int most, 
     if (search({to_tree(part, symbols), part}, most) || search_beside(part)) return found;
   for (const std::string& name : points.names()) {  // where it touches 0 its derivatives cross it
     try {
-      const ex slope = e.value.diff(symbols[name]);
+      const ex slope = derivative(e.value, symbols[name]);
       if (slope.is_zero()) continue;
       (void)walk(to_tree(slope, symbols), points, 3 * most, is_root_of(e));
       if (found) return found;

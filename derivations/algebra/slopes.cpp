@@ -5,6 +5,7 @@
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
+#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/sample.hpp>
 #include <derivations/algebra/slopes.hpp>
@@ -115,7 +116,7 @@ class Slopes {
   /// first for which `shown` says why, of a sign that may do.
   template <class Shown>
   std::optional<Slope> by_slope_of(const ex& f, bool may_grow, bool may_fall, const Shown& shown) const {
-    const ex plain = f.diff(GiNaC::ex_to<GiNaC::symbol>(x_));
+    const ex plain = derivative(f, x_);
     const int sign = is_short(plain) ? sign_seen(plain) : 0;
     if (sign == 0 || !(sign > 0 ? may_grow : may_fall)) return std::nullopt;
     std::vector<ex> tried;
@@ -159,7 +160,7 @@ class Slopes {
     auto result =
         by_slope_of(f, is_positive ? from_low : from_high, is_positive ? from_high : from_low, from_an_end);
     if (result || !from_low || !from_high) return result;
-    const ex slope = f.diff(GiNaC::ex_to<GiNaC::symbol>(x_));
+    const ex slope = derivative(f, x_);
     if (!is_short(slope) || !has_values(slope, symbols_)) return std::nullopt;
     return by_slope_of(slope, !is_positive, is_positive, [&](const ex& bend, int) -> std::optional<Slope> {
       auto why = weak(bend, -sign, left - 2);

@@ -2,6 +2,7 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/turns.hpp>
 #include <derivations/algebra/witness.hpp>
 
@@ -14,7 +15,7 @@ namespace {
 
 /// Where the slope of an expression changes its sign, between -12 and 12, to a hundred thousandth.
 std::vector<cln::cl_RA> turns_of(const ex& e, const Symbol& symbol, const Symbols& symbols) {
-  const Tree slope = to_tree(e.diff(symbol.ginac), symbols);
+  const Tree slope = to_tree(derivative(e, symbol.ginac), symbols);
   const auto sign_at = [&](const cln::cl_RA& x) {
     const auto value =
         is_strictly_inside(symbol.range, x) ? evaluate(slope, {{symbol.name, x}}, 20) : std::nullopt;
@@ -61,7 +62,7 @@ std::vector<ex> points_beside_turns(const Question& question, const Symbol& symb
   for (const Relation* relation : {&question.left, &question.right})
     for (const Link& link : links_of(*relation)) {
       const ex residual = prepare(residual_of(sides_of(link, question)), question.symbols);
-      for (const ex& e : {residual, residual.diff(symbol.ginac)}) {
+      for (const ex& e : {residual, derivative(residual, symbol.ginac)}) {
         const auto turns = turns_of(e, symbol, question.symbols);
         if (turns.size() > 3) continue;
         for (const cln::cl_RA& turn : turns)

@@ -132,7 +132,10 @@ Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Pha
     json["bounds"][q.text(b.part)] = {
         {"times", b.times}, {"residual", q.text(b.residual)}, {"more", q.text(b.more)}};
   for (const auto& [part, times] : link.divides) json["divides"][q.text(part)] = q.text(times);
-  for (const Tree& part : link.zeros) json["zeros"].push_back(q.text(part));
+  for (const auto& [part, places] : link.zeros)
+    for (const CertifiedZero::Place& p : places)
+      json["zeros"][q.text(part)][p.name] = {
+          {"at", q.text(p.at)}, {"power", p.power}, {"share", q.text(p.share)}, {"more", q.text(p.more)}};
   json["cofactor"] = polynomial_text(steps.out_cofactor(*c));
   return json;
 }
@@ -227,6 +230,8 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
     add_trees(link.factor, trees);
     for (const auto* list : {&link.more, &link.divides})
       for (const auto& [part, other] : *list) trees.push_back(other);
+    for (const CertifiedZero& zero : link.zeros)
+      for (const auto& place : zero.places) trees.push_back(place.more);
     for (const CertifiedBound& b : link.bounds) trees.insert(trees.end(), {b.residual, b.more});
     for (const CertifiedSlope& s : link.slopes)
       for (const Tree& tree : {s.slope, s.bend, s.at_low, s.at_high, s.by})
@@ -245,7 +250,7 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
         for (const CertifiedLayer& layer : layers) add_trees(layer, q, trees);
     }
   }
-  Json json{{"format", "rederive certificate 10"},
+  Json json{{"format", "rederive certificate 11"},
             {"left", statement_json(q.left, q)},
             {"right", statement_json(q.right, q)},
             {"given", given},
@@ -282,7 +287,7 @@ bool has_values_at_points_only(const std::optional<Cells>& cells, const Question
 Json certificate_in(const Cells& cells, const Question& question) {
   const auto& [left, right, symbols, given] = question;
   const CertifiedStatement statement{left, right, symbols, given, {}, symbols};
-  Json json{{"format", "rederive certificate 10"},
+  Json json{{"format", "rederive certificate 11"},
             {"left", statement_json(left, statement)},
             {"right", statement_json(right, statement)},
             {"in", symbols.find(cells.symbol)->name},

@@ -97,17 +97,27 @@ struct Finder : Forms {
     link.factor.emplace_back(written, n), link.divides.emplace_back(written, tree(*other));
     return true;
   }
-  /// part^n of a symbol, if right (or left) is 0 where that is.
+  /// part^n, if the part is 0 only where right (or left) is, for some symbols have certain values there.
   bool put_down_zero(const ex& part, int n, CertifiedLink& link) const {
     const ex residual = n > 0 ? link.right.residual : link.left.residual;
-    if (!is_a<GiNaC::symbol>(part)) return false;
+    const auto zero = only_zero(part, q.symbols);
     try {
-      if (!vanishes(residual.subs(part == 0), q.symbols)) return false;
+      if (!zero || !vanishes(residual.subs(*zero), q.symbols)) return false;
     } catch (const std::exception&) {  // it has no value there, or is outside of the class
       return false;
     }
-    link.factor.emplace_back(to_tree(part, q.symbols), n);
-    link.zeros.push_back(link.factor.back().part);
+    CertifiedZero found{to_tree(part, q.symbols), {}};
+    for (const auto& [symbol, at] : *zero) {
+      const auto power = part.is_equal(symbol) ? std::optional(EvenPower{1, 1, 0})
+                                               : even_power_in(part, symbol, at, q.symbols);
+      if (!power) return false;
+      const ex more = power->more.is_zero() ? power->more : form(power->more);
+      found.places.push_back({ex_to<GiNaC::symbol>(symbol).get_name(), to_tree(at, q.symbols),
+                              power->exponent, to_tree(power->share, q.symbols), tree(more)});
+    }
+    std::sort(found.places.begin(), found.places.end(),
+              [](const auto& a, const auto& b) { return a.name < b.name; });
+    link.factor.emplace_back(found.part, n), link.zeros.push_back(found);
     return true;
   }
   /// part^n, if a few times the part are not less than right (or left), and that is not negative.
@@ -131,10 +141,12 @@ struct Finder : Forms {
       return std::includes(others.begin(), others.end(), names.begin(), names.end());
     };
     if (std::none_of(divisors.begin(), divisors.end(), has_them)) return false;
+    const bool has_sign = is_nonnegative(part, q.symbols) || is_nonnegative(-part, q.symbols);
+    const Tree written = tree(has_sign ? form(part) : part);
     for (const CertifiedDivisor& d : divisors)
       for (const int exponent : {1, -1}) {
         if (vanishes(GiNaC::pow(part, 2) - GiNaC::pow(d.value, 2), q.symbols))
-          return factor.emplace_back(tree(part), n), true;
+          return factor.emplace_back(written, n), true;
         const auto parts = quotient(part, GiNaC::pow(d.value, exponent), q.symbols, Way::real_denominator);
         const auto is_clear = [&](const Part& p) {
           return is_a<numeric>(p.first) || sign_of(p.first, q.symbols) != 0;
@@ -150,7 +162,7 @@ struct Finder : Forms {
       }
     for (const CertifiedDivisor& d : divisors)
       if (const auto other = other_factor(part, d.value, divisors))
-        return factor.emplace_back(tree(part), n, tree(*other)), true;
+        return factor.emplace_back(written, n, tree(*other)), true;
     return false;
   }
   /// part^n, if it is the square of something that the statement divides by, or that is assumed not to be 0,
@@ -191,6 +203,9 @@ struct Finder : Forms {
              sign_by_slope(value, q.symbols);
     });
   }
+  static void forget(CertifiedLink& link) {
+    link.factor.clear(), link.more.clear(), link.bounds.clear(), link.divides.clear(), link.zeros.clear();
+  }
   bool find_factor(CertifiedLink& link, const std::string& op) const {
     std::vector<ex> values;
     for (const CertifiedDivisor& d : divisors) values.push_back(d.value);
@@ -200,7 +215,7 @@ struct Finder : Forms {
         const auto parts = quotient(left, right, q.symbols, way);
         if (!parts) continue;
         const Quotient factor = assess(*parts, values, q.symbols);
-        link.factor.clear(), link.more.clear(), link.bounds.clear(), link.divides.clear();
+        forget(link);
         const bool fits = !factor.value.is_zero() && (op == "=" || factor.sign > 0);
         if (fits && vanishes(left - factor.value * right, q.symbols) &&
             put_down(*parts, link.factor, &link) && (op == "=" || shows_sign(link.factor)))
@@ -208,7 +223,7 @@ struct Finder : Forms {
       } catch (const Undecidable&) {  // then another way
       }
     }
-    link.factor.clear(), link.more.clear(), link.bounds.clear(), link.divides.clear();
+    forget(link);
     const numeric number = number_between(left, right, q.symbols).value_or(1);
     if (number != 1) link.factor.emplace_back(tree(number), 1);
     return (op == "=" || number.is_positive()) && vanishes(left - number * right, q.symbols);

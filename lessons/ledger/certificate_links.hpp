@@ -66,6 +66,19 @@ struct CertifiedBound {
   Tree residual, more;
 };
 
+/// part = share·(name - at)^power + more for each of some names, where more is not negative and the power
+/// even, or more is 0: the part is 0 only where all of them are what `at` says.
+struct CertifiedZero {
+  struct Place {
+    std::string name;
+    Tree at;
+    int power;
+    Tree share, more;
+  };
+  Tree part;
+  std::vector<Place> places;
+};
+
 /// Two expressions (no layers, their values for residuals), or what links of two statements say.
 struct CertifiedLink {
   CertifiedSide left, right;
@@ -78,8 +91,8 @@ struct CertifiedLink {
   std::vector<CertifiedBound> bounds = {};
   /// … or that one is the part times something that divides by nothing else.
   std::vector<std::pair<Tree, Tree>> divides = {};
-  /// … or the part is a symbol, and that one is 0 where the symbol is.
-  std::vector<Tree> zeros = {};
+  /// … or the part is 0 only where some symbols have certain values, and that one is 0 there.
+  std::vector<CertifiedZero> zeros = {};
   /// … or what there is of the two always holds, or never, as the form of its residual shows.
   std::optional<bool> holds = std::nullopt;
   /// … or one of them follows from the links of the other one, all together.

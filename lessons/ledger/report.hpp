@@ -2,7 +2,6 @@
 #pragma once
 
 #include <derivations/paper/ledger.hpp>
-
 #include <nlohmann/json.hpp>
 
 namespace rederive {
