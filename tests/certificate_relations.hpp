@@ -137,6 +137,8 @@ class Checker {
       s.a = x, s.b = y;
     } else if (f == "of") {
       take_off_of(layer.at("of"), falls, x, y, s);
+    } else if (f == "even of") {
+      take_off_even(layer.at("of"), falls, x, y, s);
     } else {
       take_off(f, falls, {&x, &s.a}, {&y, &s.b}, s.op);
     }
@@ -152,6 +154,26 @@ class Checker {
               "not in the range of " + in + ": " + name);
       require(replay_.same(replay_.value(*whole), replay_.at(of, in, replay_.value(name))), "another layer");
       *whole = name;
+    }
+  }
+  /// One that is the same for x and -x, and has a value at 0, grows with x^2 where it does over the range of
+  /// one name, which is not negative, if the other one keeps to that range, but for 0 and its sign.
+  void take_off_even(const std::string& of, bool falls, const std::string& x, const std::string& y, Said& s) {
+    const std::string in = c_.at("slopes").at(of).at("in");
+    const auto range_of = [this](const std::string& text) { return range(text); };
+    require(SlopeCheck(of, c_, replay_, look_, range_of).growth() == (falls ? -1 : 1), "no such growth");
+    require(look_.range(in).is_not_negative(), "of either sign: " + in);
+    replay_.at(of, in, replay_.value("0"));
+    for (const auto& [name, whole] : {std::pair(x, &s.a), {y, &s.b}}) {
+      require(c_.at("ranges").contains(name), "no name: " + name);
+      const Range r = look_.range(name);
+      Range size = not_negative(r * r);
+      size.has_low = size.has_low && size.is_positive();
+      const auto at = [&](const std::string& text) { return replay_.at(of, in, replay_.value(text)); };
+      require(name == in || replay_.same(at(name), at("-(" + name + ")")), "not even: " + of);
+      require(is_within(size, look_.range(in) * look_.range(in)), "not in the range of " + in + ": " + name);
+      require(replay_.same(replay_.value(*whole), at(name)), "another layer");
+      *whole = "(" + name + ")^2";
     }
   }
   /// Even functions grow with x^2, and f(x) = f(0) is x = 0.

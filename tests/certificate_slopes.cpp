@@ -170,6 +170,39 @@ TEST_CASE("a function that grows is a layer") {
   CHECK(layered("-1/y", pole, from("grows", 1, "1/x^2"), "-1/x") == "it may have no value: -1/x");
 }
 
+TEST_CASE("an even function is a layer, up to the sign of a name") {
+  const auto layered = [](const std::string& f, const std::string& of_y, const std::string& slope,
+                          const Json& ranges, bool falls = false) {
+    const auto side = [](const Json& layers) -> Json {
+      return {{"links", Json::array({{{"link", 0}, {"layers", layers}}})}, {"residual", "x^2-y^2"}};
+    };
+    const Json layer{{"function", "even of"}, {"falls", falls}, {"left", "x"}, {"right", "y"}, {"of", f}};
+    const Json link{{"left", side(Json::array({layer}))},
+                    {"right", side(Json::array())},
+                    {"factor", Json::object()},
+                    {"cofactor", "1"}};
+    Json c =
+        by_hand::certificate({f, falls ? "<" : ">", of_y}, {"x^2", ">", "y^2"}, ranges, Json::array({link}));
+    c["slopes"] = {{f, from("grows", falls ? -1 : 1, slope)}};
+    if (f == "-1/x^2") c["divisors"] = {"x^2", "y^2"};
+    return verdict_of(c);
+  };
+  const Json ranges{{"x", "(0, inf)"}, {"y", "(-inf, inf)"}};
+  CHECK(layered("x^4+x^2", "y^4+y^2", "4*x^3+2*x", ranges) == "accepted");
+  CHECK(layered("-x^2", "-y^2", "-2*x", ranges, true) == "accepted");
+  CHECK(layered("-x^2", "-y^2", "-2*x", ranges) == "a slope of unknown sign: -2*x");
+  CHECK(layered("x^3+x", "y^3+y", "3*x^2+1", ranges) == "not even: x^3+x");
+  CHECK(layered("x^4+x^2", "y^4+2*y^2", "4*x^3+2*x", ranges) == "another layer");
+  CHECK(layered("x^4+x^2", "y^4+y^2", "4*x^3+2*x", {{"x", "(0, 1)"}, {"y", "(-1, 1)"}}) == "accepted");
+  CHECK(layered("x^4+x^2", "y^4+y^2", "4*x^3+2*x", {{"x", "(0, 1)"}, {"y", "[-1, 1)"}}) ==
+        "not in the range of x: y");
+  CHECK(layered("x^4+x^2", "y^4+y^2", "4*x^3+2*x", {{"x", "(0, 1)"}, {"y", "(-2, 1)"}}) ==
+        "not in the range of x: y");
+  CHECK(layered("x^3+x", "y^3+y", "3*x^2+1", {{"x", "(-inf, inf)"}, {"y", "(-inf, inf)"}}) ==
+        "of either sign: x");
+  CHECK(layered("-1/x^2", "-1/y^2", "2/x^3", ranges) == "a divisor is 0");  // it has no value at 0
+}
+
 TEST_CASE("a slope says nothing across a pole or a kink") {
   const Json divisor{"x"};
   CHECK(sloped("x-1/x", "(-1/2, inf)", from("low", 1, "1+1/x^2"), ">", divisor) ==

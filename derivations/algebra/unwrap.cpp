@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <array>
 #include <derivations/algebra/branches.hpp>
+#include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
+#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/slopes.hpp>
 #include <derivations/algebra/unwrap.hpp>
+#include <derivations/algebra/vanish.hpp>
 #include <optional>
 #include <set>
 
@@ -68,7 +71,8 @@ std::string layer_name(const ex& e) {
 /// Of layers: "^4".
 bool is_even(const std::string& function) {
   const bool is_power = function[0] == '^' && function.find('/') == std::string::npos;
-  return function == "cosh" || function == "fabs" || (is_power && (function.back() - '0') % 2 == 0);
+  return function == "cosh" || function == "fabs" || function == "even of" ||
+         (is_power && (function.back() - '0') % 2 == 0);
 }
 bool falls(const std::string& function) {
   return function == "acos" || function == "cos" || function == "cot";
@@ -181,8 +185,22 @@ bool is_within(const Interval& inner, const Interval& outer) {
   return is_end(both.low, inner.low) && is_end(both.high, inner.high);
 }
 
+/// f(x) op f(y), where f is even and grows, or falls, over the range of y, to which |x| keeps: as x² op y².
+std::optional<Layer> of_even(const ex& f, const ex& x, const ex& y, const Symbols& symbols) {
+  const Interval of_x = interval_of(x, symbols), of_y = interval_of(y, symbols);
+  const Interval size{{0, 0, false}, of_x.high};
+  const bool is_symmetric = of_x.low.closed == of_x.high.closed && of_x.low.infinite == -of_x.high.infinite &&
+                            compare(of_x.low.value, -of_x.high.value) == 0;
+  if (!is_symmetric || !is_within(size, of_y) || !is_nonnegative(y, symbols)) return std::nullopt;
+  const ex mirrored = f.subs(y == -x, GiNaC::subs_options::no_pattern), of_size = f.subs(y == x);
+  if (!vanishes(mirrored - of_size, symbols)) return std::nullopt;
+  if (!conditions_of(to_tree(of_size, symbols), symbols).empty()) return std::nullopt;  // as 1/x² at 0
+  const auto growth = growth_by_slope(f, y, symbols);
+  return growth ? std::optional(Layer{"even of", x, y, 1, growth->sign < 0, f, y}) : std::nullopt;
+}
+
 /// f(x) op f(y) of two symbols, beside the same others, where f grows, or falls, over the wider range of
-/// both, as its slope shows.
+/// both, as its slope shows; or is even.
 std::optional<Layer> of_two_symbols(const Sides& s, const Symbols& symbols) {
   auto one = names_in(s.left), other = names_in(s.right);
   for (const std::string& name : names_in(s.left))
@@ -191,9 +209,11 @@ std::optional<Layer> of_two_symbols(const Sides& s, const Symbols& symbols) {
   const ex &x = symbols[*one.begin()], &y = symbols[*other.begin()];
   if (s.left.is_polynomial(x) && s.left.degree(x) == 1) return std::nullopt;  // nothing to take off
   const Interval of_x = interval_of(x, symbols), of_y = interval_of(y, symbols);
+  if (!(s.left.subs(x == y) - s.right).expand().is_zero()) return std::nullopt;
+  if (const auto even = of_even(s.right, x, y, symbols)) return even;
+  if (auto even = of_even(s.left, y, x, symbols)) return std::swap(even->left, even->right), even;
   const bool is_wider = is_within(of_y, of_x);
-  if ((!is_wider && !is_within(of_x, of_y)) || !(s.left.subs(x == y) - s.right).expand().is_zero())
-    return std::nullopt;
+  if (!is_wider && !is_within(of_x, of_y)) return std::nullopt;
   const ex &of = is_wider ? s.left : s.right, &in = is_wider ? x : y;
   const auto growth = growth_by_slope(of, in, symbols);
   return growth ? std::optional(Layer{"of", x, y, 1, growth->sign < 0, of, in}) : std::nullopt;

@@ -20,16 +20,18 @@ struct Sides {
 /// there, turned if need be, pi - x for x; a sine may have become a cosine then. "sin(atan)" is
 /// x/sqrt(1+x^2), which increases; "cos(atan)" is 1/sqrt(1+x^2), for x >= 0, and falls.
 /// "of" is any function that grows or falls over the ranges of the two symbols: f(x) < f(y), f(x) = f(y).
+/// "even of" is one that does so over the range of one of them, which is not negative, and is the same for x
+/// and -x: then x² and y² are left, or y² and x².
 /// "*" rearranges: left - right was factor*(left - right); it turns an inequality round if factor < 0.
 struct Layer {
-  std::string function;  ///< "exp"; "^3" or "^1/2" for a power; "sin(atan)"; "*"; "of"
+  std::string function;  ///< "exp"; "^3" or "^1/2" for a power; "sin(atan)"; "*"; "of"; "even of"
   GiNaC::ex left, right;
   /// Of "*": the factor. It is never 0, and has one sign where the relation is an inequality.
   GiNaC::ex factor = 1;
-  /// Of "*" and "of" alone: whether an inequality is turned round. Then the factor is negative, or `of`
+  /// Of "*", "of" and "even of" alone: whether an inequality is turned round. Then the factor is negative, or `of`
   /// falls.
   bool turns = false;
-  GiNaC::ex of = 0, in = 0;  ///< of "of": the function, and the one of both symbols that it is written in
+  GiNaC::ex of = 0, in = 0;  ///< of these two: the function, and the one of both symbols that it is written in
 };
 
 /// < for >, <= for >=; = stays.

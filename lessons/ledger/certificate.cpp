@@ -196,7 +196,10 @@ void add_trees(const CertifiedFactor& factor, std::vector<Tree>& trees) {
 void add_trees(const CertifiedLayer& written, const CertifiedStatement& q, std::vector<Tree>& trees) {
   const auto& [layer, factor] = written;
   add_trees(factor, trees);
-  if (layer.function == "of") return trees.push_back(to_tree(layer.of, q.symbols));
+  if (layer.function == "even of")  // the same for x and -x
+    for (const ex& side : {layer.left, layer.right})
+      trees.push_back(to_tree(layer.of.subs(layer.in == -side, GiNaC::subs_options::no_pattern), q.symbols));
+  if (layer.function.ends_with("of")) return trees.push_back(to_tree(layer.of, q.symbols));
   for (const ex& inner : {layer.left, layer.right}) {
     const std::string text = "(" + q.text(Forms(q).short_tree(inner)) + ")", f = layer.function;
     const std::string whole = f == "*"                ? text

@@ -32,7 +32,9 @@ namespace rederive {
 ///   left, right   the `links` of that statement that are taken together, one mostly, by their numbers, and
 ///                 the `layers` taken off their sides, the outermost first: functions that grow, or `falls`,
 ///                 where function(left) and function(right) are the sides; "of", where it is a text in one
-///                 name, over the range of which it grows, at two names within that range; "*", where the
+///                 name, over the range of which it grows, at two names within that range; "even of", where it is
+///                 the same for x and -x: then it grows with the squares of names, of which the sizes are
+///                 within that range; "*", where the
 ///                 sides differ by factor·(left - right) of a `factor` like the one below; of two
 ///                 inequalities a positive `sum`: one of them holds; the expression, or the `residual` of
 ///                 what is left, as a quotient of polynomials in generators

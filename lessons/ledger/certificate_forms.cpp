@@ -145,7 +145,7 @@ void Forms::add_slopes(const Tree& tree, std::vector<CertifiedSlope>& slopes) co
 CertifiedLink Forms::with_slopes(CertifiedLink link) const {
   for (const CertifiedPart& p : link.factor) add_slopes(p.part, link.slopes);
   const auto add_growth = [&](const Layer& layer) {
-    if (layer.function == "of")
+    if (layer.function.ends_with("of"))
       add_slopes(to_tree(layer.of, q.symbols), *growth_by_slope(layer.of, layer.in, q.symbols), link.slopes);
   };
   for (const CertifiedSide& side : {link.left, link.right}) {

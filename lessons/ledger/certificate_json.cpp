@@ -38,7 +38,7 @@ namespace {
 
 bool falls(const Layer& layer) {
   static const std::set<std::string> falling{"acos", "cos", "cot", "cos(atan)"};
-  return layer.function == "*" || layer.function == "of" ? layer.turns : falling.contains(layer.function);
+  return layer.function == "*" || layer.function.ends_with("of") ? layer.turns : falling.contains(layer.function);
 }
 
 Json layers_json(const std::vector<CertifiedLayer>& layers, const CertifiedStatement& q) {
@@ -49,7 +49,7 @@ Json layers_json(const std::vector<CertifiedLayer>& layers, const CertifiedState
                     {"left", q.text(Forms(q).short_tree(layer.left))},
                     {"right", q.text(Forms(q).short_tree(layer.right))}});
     if (layer.function == "*") list.back()["factor"] = factor_json(factor, q);
-    if (layer.function == "of") list.back()["of"] = q.text(to_tree(layer.of, q.symbols));
+    if (layer.function.ends_with("of")) list.back()["of"] = q.text(to_tree(layer.of, q.symbols));
   }
   return list;
 }
