@@ -94,13 +94,14 @@ inline std::vector<std::string> beside(const std::string& range, const std::stri
 }
 
 /// Throws where a statement holds in the declared ranges, outside of those of the certificate. There is
-/// nothing to hold where what is given in a name cannot be in its own range.
+/// nothing to hold where what is given in a name cannot be in its own range, or has no value.
 inline void check_outside(const Json& c) {
   const auto declared = [&](const std::string& name) -> std::string {
     return c.at("declared").contains(name) ? c.at("declared").at(name) : c.at("ranges").at(name);
   };
   const auto check_beside = [&](const std::string& name, const std::string& range) {
     Look look;
+    std::vector<bool> has_given(points, true);  // what is given has a value there
     for (const auto& [other, its_range] : c.at("ranges").items())
       if (!c.at("given").contains(other)) look.draw(other, other == name ? range : declared(other), ' ');
     for (const Json& step : c.at("pieces").at(0).at("steps")) {
@@ -110,10 +111,13 @@ inline void check_outside(const Json& c) {
       if (c.at("ranges").contains(other) &&
           look.narrow(other, other == name ? range : declared(other)).is_empty())
         return;
+      const Seen seen = look.value(other);
+      for (std::size_t p = 0; p < points; ++p) has_given[p] = has_given[p] && seen.at[p].is_known;
     }
     const bool is_end = low_end(range) == high_end(range);
+    if (is_end && std::find(has_given.begin(), has_given.end(), true) == has_given.end()) return;
     require(is_nothing(
-                c, look, [&](std::size_t p) { return look.is_admitted(p); }, is_end),
+                c, look, [&](std::size_t p) { return look.is_admitted(p) && has_given[p]; }, is_end),
             "it holds outside of the ranges: " + name);
     require(look.is_any_admitted(), "nothing is seen outside of the ranges: " + name);
   };

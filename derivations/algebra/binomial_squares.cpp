@@ -29,7 +29,7 @@ using Polynomial = std::map<Exponents, cl_RA>;
 /// sign.
 struct Unit {
   ex value;
-  bool may_be_negative;
+  bool may_be_negative, may_be_zero;
 };
 
 struct Written {
@@ -72,7 +72,8 @@ std::optional<Written> written(const ex& sum, const Symbols& symbols) {
     if (common.denom() > 2) return std::nullopt;
     const bool is_positive = is_nonnegative(bases[k], symbols);
     const numeric power = common.is_even() && common.is_integer() ? numeric(2) : 1 / common.denom();
-    result.units.push_back({GiNaC::pow(bases[k], power), !is_positive && power == 1});
+    result.units.push_back(
+        {GiNaC::pow(bases[k], power), !is_positive && power == 1, sign_of(bases[k], symbols) == 0});
     for (auto& [exponents, factor] : terms)
       if (exponents.contains(k)) exponents[k] = exponents[k] / power;
   }
@@ -199,6 +200,12 @@ bool is_positive(const Exponents& e, const std::vector<Unit>& units) {
   return true;
 }
 
+bool is_never_zero(const Exponents& e, const std::vector<Unit>& units) {
+  for (std::size_t k = 0; k < e.size(); ++k)
+    if (units[k].may_be_zero && e[k] != 0) return false;
+  return true;
+}
+
 ex product(const Exponents& e, const std::vector<Unit>& units) {
   ex result = 1;
   for (std::size_t k = 0; k < e.size(); ++k) result *= GiNaC::pow(units[k].value, e[k]);
@@ -209,7 +216,7 @@ ex product(const Exponents& e, const std::vector<Unit>& units) {
 struct Part {
   ex value;
   Polynomial polynomial;
-  bool is_monomial;
+  bool is_never_zero = false;
 };
 
 /// m (u - r v)² of first = m u² and second = m v².
@@ -220,8 +227,7 @@ Part square(const Exponents& first, const Exponents& second, const cl_RA& r, con
     u[k] = (first[k] - common[k]) / 2, v[k] = (second[k] - common[k]) / 2;
   }
   return {product(common, units) * GiNaC::pow(product(u, units) - numeric(r) * product(v, units), 2),
-          {{first, 1}, {second, r * r}, {middle, -2 * r}},
-          false};
+          {{first, 1}, {second, r * r}, {middle, -2 * r}}};
 }
 
 void add_squares(std::vector<Part>& parts, const std::vector<Exponents>& positive,
@@ -248,13 +254,13 @@ void add_bounds(std::vector<Part>& parts, const std::vector<Exponents>& monomial
   for (const Exponents& e : monomials) {
     const Polynomial monomial{{e, 1}};
     for (const Bound& b : bounds.zero)
-      for (const int sign : {1, -1}) parts.push_back({0, times({{e, sign}}, b.polynomial), false});
+      for (const int sign : {1, -1}) parts.push_back({0, times({{e, sign}}, b.polynomial)});
     if (!is_positive(e, units)) continue;
     for (std::size_t j = 0; j < bounds.not_negative.size(); ++j) {
       const Bound& b = bounds.not_negative[j];
       const Polynomial once = times(monomial, b.polynomial);
       const ex value = product(e, units) * b.value;
-      parts.push_back({value, once, false});
+      parts.push_back({value, once});
       for (std::size_t k = j; k < bounds.not_negative.size(); ++k)
         parts.push_back(
             {value * bounds.not_negative[k].value, times(once, bounds.not_negative[k].polynomial), false});
@@ -271,7 +277,8 @@ std::optional<ex> form(const Polynomial& polynomial, const std::vector<Unit>& un
   std::vector<Exponents> positive;
   std::vector<Part> parts;
   for (const Exponents& e : monomials)
-    if (is_positive(e, units)) positive.push_back(e), parts.push_back({product(e, units), {{e, 1}}, true});
+    if (is_positive(e, units))
+      positive.push_back(e), parts.push_back({product(e, units), {{e, 1}}, is_never_zero(e, units)});
   add_squares(parts, positive, units, ratios);
   add_bounds(parts, monomials, bounds, units);
   std::erase_if(parts, [&](const Part& part) {
@@ -285,7 +292,7 @@ std::optional<ex> form(const Polynomial& polynomial, const std::vector<Unit>& un
   for (const Part& part : parts) {
     std::vector<cl_RA>& column = program.columns.emplace_back(monomials.size(), 0);
     for (const auto& [e, factor] : part.polynomial) column[row.at(e)] = factor;
-    program.gains.emplace_back(part.is_monomial ? 1 : 0);
+    program.gains.emplace_back(part.is_never_zero ? 1 : 0);
   }
   const auto solution = largest_solution(program);
   if (!solution) return std::nullopt;
@@ -297,11 +304,7 @@ std::optional<ex> form(const Polynomial& polynomial, const std::vector<Unit>& un
 /// The sum of the units; and 1, where the terms of the polynomial are not all of one degree.
 Polynomial sum_of_units(const Written& w) {
   Polynomial result;
-  for (std::size_t k = 0; k < w.units.size(); ++k) {
-    Exponents e(w.units.size(), 0);
-    e[k] = 1;
-    result[e] = 1;
-  }
+  for (std::size_t k = 0; k < w.units.size(); ++k) result[only(k, 1, w.units.size())] = 1;
   const int n = degree(w.polynomial.begin()->first);
   if (std::any_of(w.polynomial.begin(), w.polynomial.end(),
                   [n](const auto& t) { return degree(t.first) != n; }))
@@ -309,23 +312,33 @@ Polynomial sum_of_units(const Written& w) {
   return result;
 }
 
-/// Of what is not negative.
-std::optional<ex> form_of(const ex& sum, const Symbols& symbols) {
-  const auto w = written(sum, symbols);
-  if (!w) return std::nullopt;
-  if (const auto found = form(w->polynomial, w->units, {}, {1})) return found;
-  if (const auto found = form(w->polynomial, w->units, bounds_of(w->units, symbols), {1})) return found;
-  if (const auto found = form(w->polynomial, w->units, {}, {1, 2, cl_RA(1) / 2, 3, cl_RA(1) / 3}))
-    return found;
-  if (std::any_of(w->units.begin(), w->units.end(), [](const Unit& u) { return u.may_be_negative; }))
-    return std::nullopt;
-  const Polynomial factor = sum_of_units(*w);
+/// Whether the range shows that it is positive, not just not negative.
+bool is_shown_positive(const ex& form, const Symbols& symbols) {
+  const End low = interval_of(form, symbols).low;
+  return low.infinite == 0 && (!low.closed || compare(low.value, 0) > 0);
+}
+
+/// Of what is not negative: the first form that shows that it is positive, if one does.
+std::optional<ex> form_of(const Written& w, const Symbols& symbols) {
+  std::optional<ex> weak;
+  const auto is_enough = [&](const std::optional<ex>& found) {
+    if (found && !weak) weak = found;
+    return found && is_shown_positive(*found, symbols);
+  };
+  const cl_RA one = 1;
+  const std::vector<cl_RA> ratios{1, 2, one / 2, 3, one / 3, 4, one / 4};
+  for (const auto& [bounds, of_squares] :
+       {std::pair<Bounds, std::vector<cl_RA>>{{}, {1}}, {bounds_of(w.units, symbols), {1}}, {{}, ratios}})
+    if (const auto found = form(w.polynomial, w.units, bounds, of_squares); is_enough(found)) return found;
+  if (weak || std::any_of(w.units.begin(), w.units.end(), [](const Unit& u) { return u.may_be_negative; }))
+    return weak;
+  const Polynomial factor = sum_of_units(w);
   ex divisor = 0;
-  for (const auto& [e, one] : factor) divisor += product(e, w->units);
-  Polynomial raised = w->polynomial;
+  for (const auto& [e, one_more] : factor) divisor += product(e, w.units);
+  Polynomial raised = w.polynomial;
   for (int n = 1; n <= 2; ++n) {
     raised = times(raised, factor);
-    if (const auto found = form(raised, w->units, {}, {1})) return *found / GiNaC::pow(divisor, n);
+    if (const auto found = form(raised, w.units, {}, {1})) return *found / GiNaC::pow(divisor, n);
   }
   return std::nullopt;
 }
@@ -334,10 +347,11 @@ std::optional<ex> form_of(const ex& sum, const Symbols& symbols) {
 
 std::optional<ex> form_of_binomial_squares(const ex& polynomial, const Symbols& symbols) {
   const ex sum = polynomial.expand();
-  if (!is_a<GiNaC::add>(sum) || !written(sum, symbols)) return std::nullopt;
-  const int sign = seen_sign(sum, symbols);
+  auto w = is_a<GiNaC::add>(sum) ? written(sum, symbols) : std::nullopt;
+  const int sign = w ? seen_sign(sum, symbols) : 0;
   if (sign == 0) return std::nullopt;
-  const auto found = form_of((sign * sum).expand(), symbols);
+  for (auto& [exponents, factor] : w->polynomial) factor = sign * factor;
+  const auto found = form_of(*w, symbols);
   return found ? std::optional<ex>(sign * *found) : std::nullopt;
 }
 

@@ -264,8 +264,8 @@ Mixed in_one(const ex& polynomial, const GiNaC::symbol& u, const GiNaC::symbol& 
 std::optional<ex> positive_trigonometric(const ex& e, const ex& polynomial, const GiNaC::symbol& u,
                                          const ex& function, const GiNaC::symbol& v, const Symbols& symbols) {
   const Mixed mixed = in_one(polynomial, u, v);
-  const auto alone = mixed.p.info(GiNaC::info_flags::positive) ? std::optional(mixed.p)
-                                                               : positive_in(mixed.p, u, function, symbols);
+  const bool is_number = is_a<numeric>(mixed.p) && mixed.p.info(GiNaC::info_flags::positive);
+  const auto alone = is_number ? std::optional(mixed.p) : positive_in(mixed.p, u, function, symbols);
   if (!alone || mixed.q.is_zero()) return alone;
   if (sign_of(*alone, symbols) <= 0) return std::nullopt;  // it divides
   const ex rest = (mixed.p * mixed.p - (1 - u * u) * mixed.q * mixed.q).expand();

@@ -1,4 +1,4 @@
-// Linear equations with a solution of which no part is negative: the simplex method, in exact numbers.
+// Linear equations with a solution of which no part is negative: the simplex method, and exact numbers.
 #pragma once
 
 #include <cln/rational.h>
@@ -15,8 +15,9 @@ struct LinearProgram {
   std::vector<cln::cl_RA> sum, gains;
 };
 
-/// The parts of a solution, one for each column; nothing if there is none, or if it takes more than a few
-/// hundred steps. Where the gain has no largest value, the solution is one of those that were met.
+/// The parts of a solution, one for each column, exactly. Which columns it is made of is found with doubles,
+/// so that there may be a solution where nothing is found, and the gain is the largest one but for rounding;
+/// or, of one without bound or found only after some hundred steps, that of a solution which was met.
 /// Dantzig's method with Bland's rule, which never goes round in a circle.
 std::optional<std::vector<cln::cl_RA>> largest_solution(const LinearProgram& program);
 

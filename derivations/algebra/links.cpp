@@ -178,11 +178,30 @@ Pair Question::pair(const Tree& left_side, const Tree& right_side) const {
   return pair;
 }
 
+namespace {
+
+/// The signs of symbols of which an odd power is a factor, beside others of known sign: w > 0 where p = 1/w >
+/// 0.
+void narrow_by_sign(const Given& g, const ex& value, Symbols& symbols) {
+  const int sign = sign_of(g.name, symbols);
+  const ex factors = GiNaC::is_a<GiNaC::mul>(value) ? value : ex(GiNaC::lst{value});
+  for (const ex& factor : factors) {
+    const bool is_power = GiNaC::is_a<GiNaC::power>(factor);
+    const ex &x = is_power ? factor.op(0) : factor, exponent = is_power ? factor.op(1) : ex(1);
+    if (sign == 0 || !GiNaC::is_a<GiNaC::symbol>(x) || !exponent.info(GiNaC::info_flags::odd)) continue;
+    const int of_x = sign * sign_of(value / factor, symbols);
+    if (of_x != 0) narrow_to(of_x > 0 ? Interval{{0, 0}, {0, 1}} : Interval{{0, -1}, {0, 0}}, x, symbols);
+  }
+}
+
+}  // namespace
+
 Symbols with_ranges_of(const std::vector<Given>& given, const Symbols& symbols) {
   Symbols result = symbols;
   for (const Given& g : given) {
     const ex value = put_in(g.value, given);
     if (symbols.find(g.name) == nullptr || symbols.find(g.name)->range == "(-inf, inf)") continue;
+    narrow_by_sign(g, value, result);
     for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part) {
       if (!GiNaC::is_a<GiNaC::symbol>(*part) || !value.is_polynomial(*part)) continue;
       const ex slope = derivative(value, *part);

@@ -6,8 +6,9 @@
 
 namespace rederive {
 
-/// A polynomial in `x` with rational coefficients (in x/sqrt(n) for a small n, and but for a number), of which
-/// the range shows that it is positive (or not negative) while x keeps to the range: squares of factors, times
+/// A polynomial in `x` with rational coefficients (in x/sqrt(n) for a small n, and but for a number), of
+/// which the range shows that it is positive (or not negative) while x keeps to the range: squares of
+/// factors, times
 ///   on [a, inf)    sum of c_k s^k/(1 + s)^n, with s = x - a and no negative c_k (Polya);
 ///   on [a, b]      d + sum of c_k s^k r^(n-k), with s = x - a and r = b - x (Bernstein);
 ///   everywhere     (p^2 + D)/(2 E), with p = E(x^2) + x O(x^2) and D = E^2 - x^2 O^2, both in x^2 >= 0;

@@ -4,6 +4,7 @@
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/conjunction.hpp>
 #include <derivations/algebra/failure.hpp>
+#include <derivations/algebra/lost.hpp>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/prove.hpp>

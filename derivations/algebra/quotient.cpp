@@ -242,7 +242,8 @@ std::optional<EvenPower> even_power_in(const ex& e, const ex& x, const ex& at, c
   if (!e.is_polynomial(x)) return std::nullopt;
   const int n = e.degree(x);
   const ex leading = e.coeff(x, n);
-  if (n < 2 || n % 2 != 0 || !leading.info(GiNaC::info_flags::positive)) return std::nullopt;
+  const bool is_number = GiNaC::is_a<GiNaC::numeric>(leading) && leading.info(GiNaC::info_flags::positive);
+  if (n < 2 || n % 2 != 0 || !is_number) return std::nullopt;
   for (const GiNaC::numeric& part : {GiNaC::numeric(1), GiNaC::numeric(3, 4), GiNaC::numeric(1, 2),
                                      GiNaC::numeric(1, 4), GiNaC::numeric(1, 8)}) {
     const ex share = part * leading, more = (e - share * GiNaC::pow(x - at, n)).expand();
@@ -267,7 +268,7 @@ std::optional<GiNaC::exmap> zero_of_even_powers(const ex& polynomial, const Symb
     if (!GiNaC::is_a<GiNaC::numeric>(at) || !even_power_in(e, x, at, symbols)) return std::nullopt;
     zero[x] = at;
   }
-  return zero;
+  return zero.empty() ? std::nullopt : std::optional(zero);
 }
 
 }  // namespace
@@ -279,7 +280,8 @@ std::optional<GiNaC::exmap> only_zero(const ex& e, const Symbols& symbols) {
   if (GiNaC::is_a<GiNaC::mul>(e) && e.nops() == 2 && GiNaC::is_a<GiNaC::numeric>(e.op(1)))
     return only_zero(e.op(0), symbols);
   const auto quadratic = as_quadratic(e, symbols);
-  if (quadratic && GiNaC::is_a<GiNaC::symbol>(quadratic->x) && weak_sign(e, symbols) != 0)
+  if (quadratic && GiNaC::is_a<GiNaC::symbol>(quadratic->x) && sign_of(quadratic->a, symbols) != 0 &&
+      is_nonnegative(quadratic->discriminant(), symbols))
     if (auto zero = only_zero(quadratic->discriminant(), symbols)) {
       (*zero)[quadratic->x] = (-quadratic->b / (2 * quadratic->a)).subs(*zero);
       return zero;

@@ -50,12 +50,12 @@ Quotient assess(const std::vector<Part>& parts, const std::vector<GiNaC::ex>& di
 std::optional<std::vector<Part>> checked_quotient(const GiNaC::ex& left, const GiNaC::ex& right,
                                                   const Symbols& symbols);
 
-/// What some symbols are wherever an expression is 0, where that is easily seen: x², sinh(x), A x² + B x + C with
-/// 4AC >= B², and sums of even powers of several symbols that are not negative without a share of any one of
-/// them. Nothing for anything else.
+/// What some symbols are wherever an expression is 0, where that is easily seen: x², sinh(x), A x² + B x + C
+/// with 4AC >= B², and sums of even powers of several symbols that are not negative without a share of any
+/// one of them. Nothing for anything else.
 std::optional<GiNaC::exmap> only_zero(const GiNaC::ex& expression, const Symbols& symbols);
-/// n and c for which e - c (x - at)^n is not negative, for an even n and c > 0: then e is 0 only where x is what
-/// `at` says.
+/// e = share·(x - at)^exponent + more for an even exponent, a positive number and more that is not negative:
+/// then e is 0 only where x is what `at` says.
 struct EvenPower {
   int exponent;
   GiNaC::ex share, more;

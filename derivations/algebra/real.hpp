@@ -5,8 +5,8 @@
 
 namespace rederive {
 
-/// The same for real values of all symbols and functions: what GiNaC thinks may be complex is its own conjugate
-/// and its own real part. Throws std::domain_error where there is a number that is not real.
+/// The same for real values of all symbols and functions: what GiNaC thinks may be complex is its own
+/// conjugate and its own real part. Throws std::domain_error where there is a number that is not real.
 GiNaC::ex as_real(const GiNaC::ex& expression);
 
 /// The derivative by a symbol, as_real(): that of |f| has conjugates of f.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/algebra/factor_roots.hpp>
 #include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/lost.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/rearrange.hpp>
@@ -8,6 +9,7 @@
 #include <derivations/algebra/root_witness.hpp>
 #include <derivations/algebra/roots.hpp>
 #include <derivations/algebra/vanish.hpp>
+#include <derivations/algebra/walk.hpp>
 
 namespace rederive {
 
@@ -131,36 +133,6 @@ std::optional<ex> doubtful_part(const Quotient& factor, const ex& left, const ex
   return std::nullopt;
 }
 
-/// A divisor of one statement that is a factor of the other: its zeros solve that one, and the first has no
-/// value there. Where both are divided by it, neither has; and what is 0 only where an assumption says that
-/// nothing is asked loses nothing.
-std::optional<ex> losing_divisor(const Quotient& factor, const Residuals& r, const ex& left, const ex& right,
-                                 const Symbols& symbols) {
-  const auto is_among = [](const ex& divisor, const std::vector<ex>& others) {
-    return std::any_of(others.begin(), others.end(),
-                       [&](const ex& other) { return is_multiple(divisor, other); });
-  };
-  const auto is_excluded = [&](const ex& divisor) {
-    const auto& never = symbols.never_zero();
-    return std::any_of(never.begin(), never.end(), [&](const ex& e) {
-      return is_multiple(divisor, e) || vanishes_with(divisor, e, symbols);
-    });
-  };
-  for (const ex& divisor : factor.divisors)
-    if (!is_excluded(divisor) &&
-        !(is_among(divisor, r.left_divisors) && is_among(divisor, r.right_divisors)) &&
-        (is_factor(divisor, left, symbols) || is_factor(divisor, right, symbols)))
-      return divisor;
-  return std::nullopt;
-}
-
-bool is_polynomial(const ex& e) {
-  return std::all_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) {
-    return !GiNaC::is_a<GiNaC::function>(part) &&
-           (!GiNaC::is_a<GiNaC::power>(part) || part.op(1).info(GiNaC::info_flags::posint));
-  });
-}
-
 /// asin(3/5) and acos(4/5) are one number, and no factor shows it.
 bool are_equal(const ex& left, const ex& right, const Symbols& symbols) {
   try {
@@ -187,7 +159,8 @@ Proof prove_by_factor(const ex& left, const ex& right, const Residuals& r, const
         why = "the sign of the factor between the two is not known";
       else if (const auto part = doubtful_part(factor, left, right, symbols))
         why = "the factor " + print(*part, Notation::plain, symbols) + " may vanish";
-      else if (const auto divisor = strict ? std::nullopt : losing_divisor(factor, r, left, right, symbols))
+      else if (const auto divisor =
+                   strict ? std::nullopt : losing_divisor(factor.divisors, r, left, right, symbols))
         why = "where " + print(*divisor, Notation::plain, symbols) +
               " = 0, one of the two holds and the other has no value";
       else if (vanishes(left - factor.value * right, symbols))
@@ -248,25 +221,6 @@ std::optional<GiNaC::numeric> number_between(const ex& left, const ex& right, co
   }
   if (seen < 3) return std::nullopt;
   return GiNaC::numeric(*number / 12);
-}
-
-std::optional<ex> lost_to(const Residuals& r, const Symbols& symbols) {
-  const auto is_known = [&](const ex& divisor) {  // not to be 0
-    const auto& known = symbols.never_zero();
-    return std::any_of(known.begin(), known.end(), [&](const ex& e) { return is_multiple(divisor, e); });
-  };
-  const auto own = [&](const std::vector<ex>& divisors, const std::vector<ex>& others,
-                       const ex& residual) -> std::optional<ex> {
-    for (const ex& divisor : divisors)
-      if (is_polynomial(divisor) && sign_of(divisor, symbols) == 0 && !is_known(divisor) &&
-          std::none_of(others.begin(), others.end(), [&](const ex& o) { return is_multiple(divisor, o); }) &&
-          is_factor(divisor, residual, symbols))
-        return divisor;
-    return std::nullopt;
-  };
-  if (r.left == Claim::positive && r.right == Claim::positive) return std::nullopt;
-  const auto found = own(r.left_divisors, r.right_divisors, r.pair.right_value);
-  return found ? found : own(r.right_divisors, r.left_divisors, r.pair.left_value);
 }
 
 Proof prove_by_some_factor(const Residuals& r, const Symbols& symbols) {
@@ -337,6 +291,9 @@ Proof prove_residuals(const Residuals& r, const Symbols& symbols) {
     for (const bool of_right : {false, true})
       if (auto refutation = differ_at_a_root(r, points, of_right, which, symbols)) return *refutation;
   if (auto refutation = differ_at_a_point(r, mirrored_points(points, symbols), symbols)) return *refutation;
+  for (const Tree& residual : {r.pair.left, r.pair.right})
+    if (const auto point = r.left != Claim::zero ? across_zero(residual, points, symbols) : std::nullopt)
+      if (auto refutation = differ_at_a_point(r, {*point}, symbols)) return *refutation;
   return undecided(proof.reason + advice(r.pair.left_value - r.pair.right_value, symbols));
 }
 

@@ -26,11 +26,6 @@ Proof prove_residuals(const Residuals& residuals, const Symbols& symbols);
 /// The same by a factor alone: as the residuals stand, or without functions around both sides.
 Proof prove_by_some_factor(const Residuals& residuals, const Symbols& symbols);
 
-/// A polynomial that one statement divides by and that is a factor of the other: its zeros solve that one. It
-/// may have cancelled: (x^2 - 1)/(x - 1) = 2 has no solution, and x = 1 has one. Not of two strict ones.
-/// Throws Undecidable.
-std::optional<GiNaC::ex> lost_to(const Residuals& residuals, const Symbols& symbols);
-
 /// A number that two residuals may differ by: left/right at three points, if it is one and the same multiple
 /// of 1/12 at all of them, to about 35 decimal places, and not 0. That proves nothing.
 std::optional<GiNaC::numeric> number_between(const GiNaC::ex& left, const GiNaC::ex& right,

@@ -107,6 +107,23 @@ std::optional<Layer> of_exponentials(const Sides& s, const Symbols& symbols) {
 
 // ---- one function off
 
+/// sin(a) op cos(b), or -cos(b), where each is on one branch: as sin(a) op sin(pi/2 - b).
+std::optional<Layer> sine_and_cosine(const Sides& s, const Symbols& symbols) {
+  for (const bool turned : {false, true}) {
+    const ex &sine = turned ? s.right : s.left, &other = turned ? s.left : s.right;
+    const bool negative = kind_of(-other) == "cos";
+    if (kind_of(sine) != "sin" || (!negative && kind_of(other) != "cos")) continue;
+    const ex b = argument_of(negative ? -other : other);
+    auto first = on_one_branch("sin", argument_of(sine), symbols),
+         second = on_one_branch("cos", negative ? GiNaC::Pi - b : b, symbols);
+    if (!first || !second) return std::nullopt;
+    if (first->kind == "sin") second->angle = GiNaC::Pi / 2 - second->angle;
+    if (turned) std::swap(first->angle, second->angle);
+    return Layer{first->kind, first->angle, second->angle};
+  }
+  return std::nullopt;
+}
+
 /// f(a) op f(b), where f is one and the same; -f(b) is f(-b) where f is odd.
 std::optional<Layer> the_same(const Sides& s, const Symbols& symbols) {
   static const std::set<std::string> odd{"sin",   "tan",  "sinh", "asinh", "tanh",
@@ -246,6 +263,7 @@ std::optional<Layer> peel(Sides& sides, const Symbols& symbols) {
   auto layer = of_exponentials(sides, symbols);
   if (!layer) layer = common_power(sides);
   if (!layer) layer = the_same(sides, symbols);
+  if (!layer) layer = sine_and_cosine(sides, symbols);
   const bool right_first = rank_of(sides.right).value_or(3) < rank_of(sides.left).value_or(3);
   for (const bool right : {right_first, !right_first}) {
     if (layer) break;

@@ -28,10 +28,11 @@ struct Layer {
   GiNaC::ex left, right;
   /// Of "*": the factor. It is never 0, and has one sign where the relation is an inequality.
   GiNaC::ex factor = 1;
-  /// Of "*", "of" and "even of" alone: whether an inequality is turned round. Then the factor is negative, or `of`
-  /// falls.
+  /// Of "*", "of" and "even of" alone: whether an inequality is turned round. Then the factor is negative, or
+  /// `of` falls.
   bool turns = false;
-  GiNaC::ex of = 0, in = 0;  ///< of these two: the function, and the one of both symbols that it is written in
+  GiNaC::ex of = 0,
+            in = 0;  ///< of these two: the function, and the one of both symbols that it is written in
 };
 
 /// < for >, <= for >=; = stays.

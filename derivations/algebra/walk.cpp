@@ -88,4 +88,35 @@ std::optional<Point> walk(const Tree& tree, const Points& points, int most,
   return std::nullopt;
 }
 
+std::optional<Point> across_zero(const Tree& tree, const Points& points, const Symbols& symbols) {
+  constexpr int looked_at = 24, halvings = 16, most_steps = 300;
+  const auto names = points.names();
+  if (names.empty() || names.size() > 4) return std::nullopt;
+  std::optional<cln::cl_R> best;
+  Point at;
+  for (int k = 0; k < looked_at; ++k)
+    if (const auto value = value_of(tree, points.at(k));
+        value && (!best || cln::abs(*value) < cln::abs(*best)))
+      best = value, at = points.at(k);
+  if (!best || cln::zerop(*best)) return std::nullopt;
+  const int sign = cln::plusp(*best) ? 1 : -1;
+  cln::cl_RA step = cln::cl_RA(1) / 2;
+  for (int halved = 0, steps = 0; halved < halvings && steps < most_steps;) {
+    bool is_lower = false;
+    for (const std::string& name : names)
+      for (const int side : {1, -1}) {
+        Point next = at;
+        next[name] = at[name] + side * step;
+        if (!is_strictly_inside(symbols.find(name)->range, next[name])) continue;
+        const auto value = value_of(tree, next);
+        ++steps;
+        if (!value || sign * *value >= sign * *best) continue;
+        best = value, at = next, is_lower = true;
+        if (cln::minusp(sign * *value)) return at;
+      }
+    if (!is_lower) step = step / 2, ++halved;
+  }
+  return std::nullopt;
+}
+
 }  // namespace rederive

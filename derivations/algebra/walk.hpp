@@ -20,4 +20,9 @@ std::vector<cln::cl_RA> values_of(const std::string& name, const Points& points)
 std::optional<Point> walk(const Tree& tree, const Points& points, int most,
                           const std::function<bool(const Point&)>& wanted, int places = 45);
 
+/// A point inside of the ranges at which the expression has the other sign, found by going down (or up, where
+/// it is negative) from the one of the points at which it is smallest in size, along one symbol at a time, in
+/// steps that are halved where none helps. Nothing where none is found, or there are more than four symbols.
+std::optional<Point> across_zero(const Tree& tree, const Points& points, const Symbols& symbols);
+
 }  // namespace rederive

@@ -29,10 +29,16 @@ std::vector<Given> needed(const Relation& left, const Relation& right, const std
   for (std::size_t round = 0; round <= given.size(); ++round) {
     result.clear();
     for (const Given& g : given) {
-      const auto said = with_ranges_of({{g.name, put_in(g.value, given)}}, symbols).otherwise();
-      const bool is_said = std::any_of(said.begin(), said.end(), [&](const auto& symbol_and_words) {
-        return names.contains(symbols.find(symbol_and_words.first)->name);
-      });
+      const Symbols there = with_ranges_of({{g.name, put_in(g.value, given)}}, symbols);
+      const bool is_said =
+          std::any_of(names.begin(), names.end(),
+                      [&](const std::string& name) {
+                        return there.find(name) != nullptr &&
+                               there.find(name)->range != symbols.find(name)->range;
+                      }) ||
+          std::any_of(there.otherwise().begin(), there.otherwise().end(), [&](const auto& symbol_and_words) {
+            return names.contains(symbols.find(symbol_and_words.first)->name);
+          });
       if (!names.contains(symbols.find(g.name)->name) && !is_said) continue;
       result.push_back(g);
       collect_names(to_tree(g.value, symbols), names);

@@ -236,6 +236,8 @@ int main(int argc, char** argv) {
 
   proving->footer(
       "To ask whether an inequality holds wherever it has a value, compare it with 0 < 1.\n\n"
+      "proved holds without the equations that are assumed, proved_under needs them; approximation: with\n"
+      "--small, where the two themselves are not the same, but their Taylor polynomials are.\n\n"
       "A witness shows the values of two expressions, or of A and B for y = A and y = B; for other equations "
       "and\n"
       "inequalities the differences of their sides, of an inequality the one that it asks to be positive.\n"

@@ -69,6 +69,10 @@ Proof decide_in(const Context& context, const ProveRequest& request) {
   if (proof.verdict != Verdict::proved && request.order)
     proof = prove_approximation(left, right, request.small, *request.order, symbols,
                                 context.put_in_at_once(true));
+  if (proof.verdict == Verdict::approximation)
+    proof.reason = fmt::format("the Taylor polynomials in {} up to order {} are the same: {}",
+                               fmt::join(request.small, ", "), *request.order, proof.reason);
+  if (proof.verdict == Verdict::proved_under) proof.reason += ", with the equations that are assumed";
   proof = with_domain(std::move(proof), left, right, context.put_in_at_once(true), symbols);
   std::vector<Tree> sides = left.sides;
   sides.insert(sides.end(), right.sides.begin(), right.sides.end());

@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <derivations/algebra/elimination.hpp>
+#include <derivations/algebra/factor_roots.hpp>
+#include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/lost.hpp>
+#include <derivations/algebra/print.hpp>
+#include <derivations/algebra/quotient.hpp>
+#include <derivations/algebra/roots.hpp>
+#include <derivations/algebra/sample.hpp>
+
+namespace rederive {
+
+using GiNaC::ex;
+
+namespace {
+
+bool is_among(const ex& divisor, const std::vector<ex>& others) {
+  return std::any_of(others.begin(), others.end(),
+                     [&](const ex& other) { return is_multiple(divisor, other); });
+}
+
+/// An assumption says that nothing is asked where it is 0.
+bool is_excluded(const ex& divisor, const Symbols& symbols) {
+  const auto& never = symbols.never_zero();
+  return std::any_of(never.begin(), never.end(), [&](const ex& e) {
+    return is_multiple(divisor, e) || vanishes_with(divisor, e, symbols);
+  });
+}
+
+bool is_polynomial(const ex& e) {
+  return std::all_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) {
+    return !GiNaC::is_a<GiNaC::function>(part) &&
+           (!GiNaC::is_a<GiNaC::power>(part) || part.op(1).info(GiNaC::info_flags::posint));
+  });
+}
+
+/// Whether the residual is 0 at zeros of the part that differ, whatever the symbols are that only it has.
+bool is_zero_along(const ex& part, const Tree& residual, const Symbols& symbols) {
+  constexpr int most = 10, beside = 3, enough = 3;
+  const Written written{to_tree(part, symbols), part};
+  const Points points = points_for(std::vector<Tree>{written.tree, residual}, symbols);
+  const auto own = names_in(part);
+  int zeros = 0, others = 0;
+  const auto look = [&](const Root& root) {
+    int seen = 0, is_zero = 0;
+    for (int k = 0; k < beside; ++k) {
+      Point at = points.at(k);
+      for (const std::string& name : own) at[name] = root.at.at(name);
+      if (const auto value = value_of(residual, at)) ++seen, is_zero += is_nearly_zero(*value) ? 1 : 0;
+    }
+    if (seen > 0) ++(is_zero == seen ? zeros : others);
+    return false;  // go on
+  };
+  (void)find_root(written, points, most, Roots::all, symbols, look);
+  return zeros > 0 && (own.size() == 1 || zeros >= enough || others == 0);
+}
+
+bool is_zero_along_a_part(const ex& divisor, const ex& residual, const Symbols& symbols) {
+  const Tree tree = to_tree(residual, symbols);
+  std::vector<ex> parts = factors_of(divisor, symbols);
+  if (parts.empty()) parts.push_back(divisor);
+  return std::any_of(parts.begin(), parts.end(), [&](const ex& part) {
+    return sign_of(part, symbols) == 0 && is_zero_along(part, tree, symbols);
+  });
+}
+
+}  // namespace
+
+std::optional<ex> lost_to(const Residuals& r, const Symbols& symbols) {
+  const auto own = [&](const std::vector<ex>& divisors, const std::vector<ex>& others, const ex& residual,
+                       Claim claim) -> std::optional<ex> {
+    if (claim == Claim::positive) return std::nullopt;  // it does not hold where its residual is 0
+    for (const ex& divisor : divisors)
+      if (sign_of(divisor, symbols) == 0 && !is_among(divisor, others) && !is_excluded(divisor, symbols) &&
+          ((is_polynomial(divisor) && is_factor(divisor, residual, symbols)) ||
+           is_zero_along_a_part(divisor, residual, symbols)))
+        return divisor;
+    return std::nullopt;
+  };
+  const auto found = own(r.left_divisors, r.right_divisors, r.pair.right_value, r.right);
+  return found ? found : own(r.right_divisors, r.left_divisors, r.pair.left_value, r.left);
+}
+
+std::optional<ex> losing_divisor(const std::vector<ex>& divisors, const Residuals& r, const ex& left,
+                                 const ex& right, const Symbols& symbols) {
+  for (const ex& divisor : divisors)
+    if (!is_excluded(divisor, symbols) &&
+        !(is_among(divisor, r.left_divisors) && is_among(divisor, r.right_divisors)) &&
+        (is_factor(divisor, left, symbols) || is_factor(divisor, right, symbols)))
+      return divisor;
+  return std::nullopt;
+}
+
+}  // namespace rederive
