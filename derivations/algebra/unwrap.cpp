@@ -116,7 +116,8 @@ std::optional<Layer> sine_and_cosine(const Sides& s, const Symbols& symbols) {
     const ex b = argument_of(negative ? -other : other);
     auto first = on_one_branch("sin", argument_of(sine), symbols),
          second = on_one_branch("cos", negative ? GiNaC::Pi - b : b, symbols);
-    if (!first || !second) return std::nullopt;
+    if (!first || !second || name_of(first->angle) == "abs" || name_of(second->angle) == "abs")
+      return std::nullopt;
     if (first->kind == "sin") second->angle = GiNaC::Pi / 2 - second->angle;
     if (turned) std::swap(first->angle, second->angle);
     return Layer{first->kind, first->angle, second->angle};
