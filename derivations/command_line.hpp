@@ -121,7 +121,10 @@ inline void write_whole(const std::filesystem::path& path, std::string_view text
 
 /// For options that take the name of a file to be written.
 inline const CLI::Validator file_name(
-    [](std::string& name) { return name.empty() ? "a file needs a name" : ""; }, "");
+    [](std::string& name) {
+      return name.empty() ? "a file needs a name" : name.starts_with("--") ? "'" + name + "' is an option" : "";
+    },
+    "");
 
 /// Whether colour and progress may be shown on this stream (1 or 2): a terminal, and no NO_COLOR.
 inline bool is_lively(int stream) { return ::isatty(stream) != 0 && std::getenv("NO_COLOR") == nullptr; }

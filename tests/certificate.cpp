@@ -16,12 +16,13 @@ using Json = nlohmann::json;
 namespace {
 
 std::optional<Json> certificate_of(const ProveRequest& request) {
-  const Context context = make_context(request);
+  std::vector<nlohmann::ordered_json> each;
   try {
-    return Json::parse(certificate(parse_statement(request.left, context.symbols),
-                                   parse_statement(request.right, context.symbols), context.symbols,
-                                   context.put_in_at_once(true))
-                           .dump());
+    for (const auto& [one, context] : cases_of(request))
+      each.push_back(certificate(parse_statement(one.left, context.symbols),
+                                 parse_statement(one.right, context.symbols), context.symbols,
+                                 context.put_in_at_once(true)));
+    return Json::parse((each.size() == 1 ? each[0] : certificate_of_cases(each)).dump());
   } catch (const Undecidable&) {
     return std::nullopt;
   }
@@ -42,7 +43,8 @@ bool is_identity(const Json& certificate) {
     return link.contains("factor") && !link["left"]["links"][0].contains("layers") &&
            !link["right"]["links"][0].contains("layers");
   };
-  if (certificate.contains("cells") || certificate["left"].size() > 3 || certificate["right"].size() > 3)
+  if (certificate.contains("cells") || certificate.contains("cases") || certificate["left"].size() > 3 ||
+      certificate["right"].size() > 3)
     return false;
   for (const Json& piece : certificate["pieces"])
     if (!std::all_of(piece["links"].begin(), piece["links"].end(), is_plain)) return false;
@@ -109,6 +111,24 @@ TEST_CASE("proved statements of the table have certificates, and the checker acc
   std::cout << proved << " certificates, " << identities << " of them identities\n";
   CHECK(proved > 500);
   CHECK(identities > 400);
+}
+
+TEST_CASE("of several solutions of what is assumed each has a certificate of its own") {
+  const Json whole = *certificate_of({"1-x^2", "y^2", {"x^2+y^2 = 1"}, {}, {}});
+  CHECK(verdict(whole) == "accepted");
+  REQUIRE(whole["cases"].size() == 2);
+  CHECK(whole["cases"][0]["given"]["x"] == "sqrt(1 - y^2)");
+  CHECK(whole["cases"][1]["given"]["x"] == "-sqrt(1 - y^2)");
+  const auto rejects = [&](const auto& spoil) {
+    Json broken = whole;
+    spoil(broken);
+    CHECK(verdict(broken) != "accepted");
+  };
+  rejects([](Json& c) { c["right"][0] = "y^2 + 1"; });
+  rejects([](Json& c) { c["cases"][1]["right"][0] = "-(-y^2)"; });  // the same, but another statement
+  rejects([](Json& c) { c["cases"][1]["given"]["x"] = "-sqrt(2 - y^2)"; });
+  rejects([](Json& c) { c["cases"].erase(1); });
+  rejects([](Json& c) { c["cases"][1] = c; });
 }
 
 TEST_CASE("spoiled certificates are rejected") {

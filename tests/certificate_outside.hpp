@@ -170,4 +170,16 @@ void check_cells(const Json& c, const Check& check) {
   require(end == high_end(whole), "the cells end at " + end);
 }
 
+/// One certificate of the same statement for each of several solutions of what is assumed.
+template <class Check>
+void check_cases(const Json& c, const Check& check) {
+  require(c.at("cases").size() > 1, "several cases are two at least");
+  for (const Json& one : c.at("cases")) {
+    require(!one.contains("cases"), "cases in cases");
+    require(one.at("left") == c.at("left") && one.at("right") == c.at("right"),
+            "another statement in a case");
+    check(one);
+  }
+}
+
 }  // namespace certificate_checker

@@ -62,7 +62,10 @@ class Checker {
   }
   /// Never 0, for so is what it divides by, or excludes.
   bool is_more_than_square(const std::string& text, const std::string& of, const std::string& more) {
-    require(same(text, "(" + of + ")^2+(" + more + ")"), "another square: " + text);
+    const auto is_it = [&](const char* share) {
+      return same(text, "(" + of + ")^2" + share + "+(" + more + ")");
+    };
+    require(is_it("") || is_it("/2") || is_it("/4"), "another square: " + text);
     return range(more).is_not_negative() && is_divisor(replay_.value(of));
   }
   /// Where the statement has a value: what may be 0 elsewhere is nothing to divide by. With what is said of
@@ -408,6 +411,7 @@ inline void check(const Json& certificate) {
   for (const char* part : {"ranges", "declared", "slopes", "divisors", "never zero", "parts of divisors"})
     require(certificate.value(part, Json()).dump().find('$') == std::string::npos,
             "a statement has no generators");
+  if (certificate.contains("cases")) return check_cases(certificate, [](const Json& c) { check(c); });
   if (certificate.contains("cells")) return check_cells(certificate, [](const Json& c) { check(c); });
   require(certificate.at("cut").size() < 10, "too many pieces");
   for (const Json& piece : certificate.at("pieces"))

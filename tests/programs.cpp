@@ -42,6 +42,7 @@ const std::vector<Call> bad{
     {"ledger", {"prove", "x"}, "two statements"},
     {"ledger", {"prove", "2x", "x"}, "2*x"},
     {"ledger", {"prove", "x", "x", "--certificate", ""}, "a file needs a name"},
+    {"ledger", {"prove", "x", "x", "--certificate", "--json"}, "'--json' is an option"},
     {"ledger", {"prove", "x", "x", "--certificate", "/"}, "it is a folder"},
     {"emit", {"--target", "cpp", "--out", ""}, "a file needs a name"},
     {"ledger", {"frobnicate"}, "frobnicate"},

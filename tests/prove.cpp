@@ -44,6 +44,13 @@ TEST_CASE("every row of the table has the verdict that it should have") {
   }
 }
 
+bool is_inside(const Witness& witness, const Symbols& symbols) {
+  return std::all_of(witness.at.begin(), witness.at.end(), [&](const auto& name_and_value) {
+    const Symbol* symbol = symbols.find(name_and_value.first);
+    return symbol != nullptr && is_inside(symbol->range, cln::cl_RA(name_and_value.second.c_str()));
+  });
+}
+
 TEST_CASE("every refuted row has a witness inside the declared ranges, of which both sides are shown") {
   for (const TableRow& row : read_table(table_file)) {
     if (row.expected != "refuted") continue;
@@ -53,12 +60,9 @@ TEST_CASE("every refuted row has a witness inside the declared ranges, of which 
     const bool relation =
         row.request.left.find_first_of("=<>") != std::string::npos;  // there both may be 0: x < y, x <= y
     CHECK((relation || proof.witness->printed != proof.witness->derived));
-    const Context context = make_context(row.request);
-    for (const auto& [name, value] : proof.witness->at) {
-      const Symbol* symbol = context.symbols.find(name);
-      REQUIRE(symbol != nullptr);
-      CHECK(is_inside(symbol->range, cln::cl_RA(value.c_str())));
-    }
+    const std::vector<Case> cases = cases_of(row.request);
+    CHECK(std::any_of(cases.begin(), cases.end(),
+                      [&](const Case& one) { return is_inside(*proof.witness, one.context.symbols); }));
   }
 }
 
@@ -166,8 +170,8 @@ TEST_CASE("an assumption that cannot be taken says why, or what would decide it"
     INFO(text);
     CHECK(text.find(part) != std::string::npos);
   };
-  has(error({"x^2 = 4"}), "assume \"x > 0\" or \"x < 0\"");
-  has(error({"sin(psi) = 1/2"}), "\"psi = pi/6\", or \"psi = 5*pi/6\"");
+  has(error({"x^2 = 4", "y^2 = x^2", "z^2 = x^2", "q^2 = x^2"}), "assume \"x > 0\" or \"x < 0\"");
+  has(error({"sin(x) = 1/2"}), "if it holds for one value of x only, say that one");
   has(error({"x < 0", "y = log(x)"}), "contradict each other");
   has(error({"x < 1", "x = y^2+1"}), "contradicts its range (-inf, 1)");
   has(error({"b < h", "b = h"}), "contradict each other");

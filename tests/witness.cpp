@@ -163,10 +163,23 @@ Witness read(const nlohmann::ordered_json& json) {
   return witness;
 }
 
+/// The symbols of that case of what is assumed that the witness is in; of the first one, if it is in none.
+Symbols symbols_of(const Witness& witness, const ProveRequest& request) {
+  const std::vector<Case> cases = cases_of(request);
+  const auto is_in = [&](const Case& one) {
+    return std::all_of(witness.at.begin(), witness.at.end(), [&](const auto& name_and_value) {
+      return is_inside(one.context.symbols.find(name_and_value.first)->range,
+                       cln::cl_RA(name_and_value.second.c_str()));
+    });
+  };
+  const auto found = std::find_if(cases.begin(), cases.end(), is_in);
+  return (found == cases.end() ? cases.front() : *found).context.symbols;
+}
+
 /// All that can be asked of a witness: that it is complete, in all ranges, keeps to what is assumed, and
 /// tells the two apart. Of an approximation polynomials are compared.
 void check(const Witness& witness, const ProveRequest& request) {
-  const Symbols symbols = make_context(request).symbols;
+  const Symbols symbols = symbols_of(witness, request);
   std::set<std::string> names;
   for (const std::string* text : {&request.left, &request.right}) names_in(*text, symbols, names);
   for (const std::string& text : request.assumptions)

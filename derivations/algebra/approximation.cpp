@@ -3,6 +3,7 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/prove.hpp>
+#include <derivations/algebra/vanish.hpp>
 
 namespace rederive {
 
@@ -63,16 +64,35 @@ std::optional<Relation> solved_for(const std::string& name, const Relation& rela
   return Relation{{expansion.tree(x), expansion.tree(expansion.polynomial(-rest / slope))}, {op}};
 }
 
+/// Whether the Taylor polynomials of two neighbouring sides are the same: of that order nothing is left that
+/// says anything.
+bool says_nothing(const Relation& polynomials, const Symbols& symbols) {
+  for (std::size_t k = 0; k + 1 < polynomials.sides.size(); ++k)
+    if (vanishes(lower(polynomials.sides[k], symbols) - lower(polynomials.sides[k + 1], symbols), symbols))
+      return true;
+  return false;
+}
+
+Proof compared_side_by_side(const Relation& left, const Relation& right, const Symbols& symbols,
+                            const std::vector<Given>& given) {
+  if (!says_nothing(left, symbols) && !says_nothing(right, symbols))
+    return prove(left, right, symbols, given);
+  Proof proof;
+  proof.reason = "to that order nothing is left of the one or the other";
+  return proof;
+}
+
 Proof compared(const Relation& left, const Relation& right, const Expansion& expansion,
                const Symbols& symbols, const std::vector<Given>& given) {
   if (left.sides.size() != 2 || right.sides.size() != 2)
-    return prove(expansion.side_by_side(left), expansion.side_by_side(right), symbols, given);
+    return compared_side_by_side(expansion.side_by_side(left), expansion.side_by_side(right), symbols, given);
   for (const std::string& name : symbols.names()) {
     const auto l = solved_for(name, left, expansion, symbols);
     const auto r = l ? solved_for(name, right, expansion, symbols) : std::nullopt;
     if (r) return prove(*l, *r, symbols, given);
   }
-  Proof proof = prove(expansion.side_by_side(left), expansion.side_by_side(right), symbols, given);
+  Proof proof =
+      compared_side_by_side(expansion.side_by_side(left), expansion.side_by_side(right), symbols, given);
   if (proof.verdict != Verdict::refuted) return proof;
   proof = {};  // the factor between the two may be 1 to that order
   proof.reason = "there is no symbol for which both can be solved";

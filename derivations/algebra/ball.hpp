@@ -33,6 +33,7 @@ class BallArithmetic {
   /// `digits`: decimal ones, more than 0.
   explicit BallArithmetic(int digits);
 
+  /// What these are of all numbers in the balls.
   Ball pi() const;
   Ball negative(const Ball& x) const;
   Ball plus(const Ball& x, const Ball& y) const;

@@ -63,15 +63,14 @@ std::optional<Written> written(const ex& sum, const Symbols& symbols) {
   if (bases.size() < 2 || bases.size() > most_units) return std::nullopt;
   Written result;
   for (std::size_t k = 0; k < bases.size(); ++k) {
-    numeric common = 0;  // what all exponents are multiples of
+    bool has_root = false, is_even = true;
     for (const auto& [exponents, factor] : terms)
       if (const auto found = exponents.find(k); found != exponents.end()) {
-        const numeric scale = GiNaC::lcm(common.denom(), found->second.denom());
-        common = GiNaC::gcd(common * scale, found->second * scale) / scale;
+        if (found->second.denom() > 2) return std::nullopt;
+        has_root = has_root || !found->second.is_integer(), is_even = is_even && found->second.is_even();
       }
-    if (common.denom() > 2) return std::nullopt;
     const bool is_positive = is_nonnegative(bases[k], symbols);
-    const numeric power = common.is_even() && common.is_integer() ? numeric(2) : 1 / common.denom();
+    const numeric power = has_root ? numeric(1, 2) : is_even ? numeric(2) : numeric(1);
     result.units.push_back(
         {GiNaC::pow(bases[k], power), !is_positive && power == 1, sign_of(bases[k], symbols) == 0});
     for (auto& [exponents, factor] : terms)

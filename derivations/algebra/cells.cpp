@@ -77,7 +77,7 @@ bool is_small(const ex& value, const Symbols& symbols) {
   const auto digits = evaluate(to_tree(value, symbols), {}, 20);
   return digits && cln::abs(*digits) < cln::cl_RA(1) / power_of_ten(15);
 }
-/// And not all around it.
+/// And not at both of two points beside it: then it is 0 all over.
 bool is_zero_at(const ex& e, const ex& x, const ex& point, const Symbols& symbols) {
   try {
     const ex value = e.subs(x == point);
@@ -90,17 +90,6 @@ bool is_zero_at(const ex& e, const ex& x, const ex& point, const Symbols& symbol
     };
     return at && !(is_small_beside(-1) && is_small_beside(1));
   } catch (const std::exception&) {  // a pole, or outside of the class
-    return false;
-  }
-}
-
-bool is_inside(const ex& point, const Interval& range, bool with_ends) {
-  try {
-    const int low = range.low.infinite != 0 ? 1 : compare(point, range.low.value),
-              high = range.high.infinite != 0 ? 1 : compare(range.high.value, point);
-    return (low > 0 || (with_ends && low == 0 && range.low.closed)) &&
-           (high > 0 || (with_ends && high == 0 && range.high.closed));
-  } catch (const std::exception&) {  // too close to tell
     return false;
   }
 }
@@ -241,41 +230,43 @@ std::optional<Cells> cells_beside_turns(const Question& question) {
 
 namespace {
 
-/// Of two to four symbols: small whole numbers, and all of them one part of a turn; and more of the points
-/// that are seldom needed.
+/// Of two to four symbols: small whole numbers; quarter turns, of three and four 0 and one; all of them one
+/// part of a turn; and more of the points that are seldom needed.
 std::vector<Root> places_of_several(const Question& question) {
   std::set<std::string> names;
   for (const Relation* relation : {&question.left, &question.right})
     for (const Tree& side : relation->sides) collect_names(side, names);
   if (names.size() < 2 || names.size() > 4 || !question.given.empty()) return {};
-  const auto range_of = [&](const std::string& name) { return question.symbols.find(name)->range; };
   std::vector<Root> result;
-  const auto add = [&](const Root& place) {
-    if (std::all_of(place.at.begin(), place.at.end(), [&](const auto& name_and_value) {
-          return is_strictly_inside(range_of(name_and_value.first), name_and_value.second);
-        }))
-      result.push_back(place);
-  };
-  const std::vector<cln::cl_RA> values{1, -1, 2};
-  std::size_t count = 1;
-  for (std::size_t k = 0; k < names.size(); ++k) count *= values.size();
-  for (std::size_t choice = 0; choice < count; ++choice) {
+  const auto add = [&](const std::vector<ex>& values) {
     Root place{{}, true};
-    std::size_t rest = choice;
-    for (const std::string& name : names) place.at[name] = values[rest % 3], rest /= 3;
-    add(place);
+    for (auto name = names.begin(); const ex& value : values) {
+      const auto one = place_of(*name, value, question.symbols);
+      if (!one || !is_inside(value, parse_range(question.symbols.find(*name)->range), true)) return;
+      place.exact = place.exact && one->exact;
+      place.at.insert(one->at.begin(), one->at.end());
+      place.meant.insert(one->meant.begin(), one->meant.end());
+      place.box.insert(one->box.begin(), one->box.end());
+      ++name;
+    }
+    result.push_back(place);
+  };
+  const std::vector<ex> numbers{1, -1, 2};
+  std::vector<ex> turns{0, GiNaC::Pi / 2};
+  if (names.size() == 2) turns.insert(turns.end(), {-GiNaC::Pi / 2, GiNaC::Pi});
+  for (const std::vector<ex>& values : {numbers, turns}) {
+    std::size_t count = 1;
+    for (std::size_t k = 0; k < names.size(); ++k) count *= values.size();
+    for (std::size_t choice = 0; choice < count; ++choice) {
+      std::vector<ex> chosen;
+      for (std::size_t rest = choice; chosen.size() < names.size(); rest /= values.size())
+        chosen.push_back(values[rest % values.size()]);
+      add(chosen);
+    }
   }
-  for (const int parts : {4, 2, 1}) {
-    Root all{{}, true};
-    for (const std::string& name : names)
-      if (const auto one = place_of(name, GiNaC::Pi / parts, question.symbols))
-        all.exact = one->exact, all.at.insert(one->at.begin(), one->at.end()),
-        all.meant.insert(one->meant.begin(), one->meant.end()),
-        all.box.insert(one->box.begin(), one->box.end());
-    add(all);
-  }
+  for (const int parts : {4, 1}) add(std::vector<ex>(names.size(), GiNaC::Pi / parts));
   const Points points(names, question.symbols);
-  for (int k = Points::count; k < 3 * Points::count; ++k) add({points.at(k), true});
+  for (int k = Points::count; k < 3 * Points::count; ++k) result.push_back({points.at(k), true});
   return result;
 }
 
@@ -337,7 +328,8 @@ std::optional<ex> lost_at_a_zero(const Question& question) {
   if (is_of_numbers(question.left) || is_of_numbers(question.right)) return std::nullopt;
   const Symbol* symbol = only_symbol(question);
   const auto is_strict = [](const Relation& relation) {
-    return relation.operators.front().size() == 1 && relation.operators.front() != "=";
+    return std::all_of(relation.operators.begin(), relation.operators.end(),
+                       [](const std::string& op) { return op.size() == 1 && op != "="; });
   };
   if (symbol == nullptr || (is_strict(question.left) && is_strict(question.right))) return std::nullopt;
   const ex& x = symbol->ginac;

@@ -26,7 +26,7 @@ std::optional<Cells> cells_beside_turns(const Question& question);
 
 /// Where two statements may differ, and few other points show it. In one symbol: where they may be cut, at
 /// ends of the range, and closely beside these; and far out. In up to four: at small whole numbers, and where
-/// all are pi, or a half or a quarter of it.
+/// all are pi, or a half or a quarter of it; and at more of the points that samples are taken at.
 std::vector<Root> places_of(const Question& question);
 
 /// What is known of both statements on one piece.

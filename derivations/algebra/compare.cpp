@@ -16,14 +16,29 @@ using GiNaC::numeric;
 
 namespace {
 
-/// Numbers, multiples of π and square roots: what GiNaC calculates to 17 digits. Of π^60 these leave too few.
-bool is_plain(const ex& e) {
-  return std::none_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) {
-    const bool is_high = is_a<GiNaC::power>(part) &&
-                         !(is_a<numeric>(part.op(1)) && GiNaC::abs(ex_to<numeric>(part.op(1))) <= 2);
-    return is_high || is_a<GiNaC::function>(part) ||
-           (is_a<numeric>(part) && !(GiNaC::abs(ex_to<numeric>(part)) < 1e6));
-  });
+/// Products of numbers, π and their low powers, which GiNaC calculates to 17 digits, all but one or two of
+/// them right.
+bool is_plain(const ex& product) {
+  const auto is_constant = [](const ex& e) { return is_a<numeric>(e) || is_a<GiNaC::constant>(e); };
+  const auto is_low_power = [&](const ex& e) {
+    return is_a<GiNaC::power>(e) && is_constant(e.op(0)) && is_a<numeric>(e.op(1)) &&
+           GiNaC::abs(ex_to<numeric>(e.op(1))) <= 2;
+  };
+  const auto is_simple = [&](const ex& e) { return is_constant(e) || is_low_power(e); };
+  return is_simple(product) ||
+         (is_a<GiNaC::mul>(product) && std::all_of(product.begin(), product.end(), is_simple));
+}
+
+/// The sign of a sum of such products, if it is not small beside these; else 0.
+int sign_in_double(const ex& sum) {
+  double value = 0, sizes = 0;
+  for (const ex& term : is_a<GiNaC::add>(sum) ? sum : ex(GiNaC::lst{sum})) {
+    const ex digits = is_plain(term) ? term.evalf() : term;
+    if (!is_a<numeric>(digits) || !ex_to<numeric>(digits).is_real()) return 0;
+    const double d = ex_to<numeric>(digits).to_double();
+    value += d, sizes += std::fabs(d);
+  }
+  return std::isfinite(sizes) && std::fabs(value) > 1e-9 * sizes ? (value > 0 ? 1 : -1) : 0;
 }
 
 /// A sum, the powers of e in each term as one.
@@ -46,7 +61,7 @@ ex with_one_power_of_e(const ex& sum) {
 
 /// The same few constants are asked for again and again.
 int sign_in_digits(const ex& constant) {
-  static std::map<ex, int, GiNaC::ex_is_less> known;
+  thread_local std::map<ex, int, GiNaC::ex_is_less> known;
   if (const auto found = known.find(constant); found != known.end()) return found->second;
   const auto value = evaluate(to_tree(constant), {}, 5);
   if (!value) throw std::domain_error("not a real constant");
@@ -63,13 +78,8 @@ int compare(const ex& a, const ex& b) {
   if (difference.is_zero()) return 0;
   if (is_a<numeric>(difference) && ex_to<numeric>(difference).is_real())
     return ex_to<numeric>(difference).is_positive() ? 1 : -1;
-  if (is_plain(difference)) {
-    const ex value = difference.evalf();
-    const bool is_real = is_a<numeric>(value) && ex_to<numeric>(value).is_real();
-    const double d = is_real ? ex_to<numeric>(value).to_double() : 0;
-    if (std::fabs(d) > 1e-6) return d > 0 ? 1 : -1;
-  }
-  return sign_in_digits(difference);
+  const int sign = sign_in_double(difference);
+  return sign != 0 ? sign : sign_in_digits(difference);
 }
 
 }  // namespace rederive

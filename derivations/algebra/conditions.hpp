@@ -5,6 +5,7 @@
 
 namespace rederive {
 
+/// A value that is not 0, positive, or not negative.
 struct Condition {
   GiNaC::ex value;
   std::string relation;  ///< to 0: "!=", ">" or ">="

@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <derivations/algebra/cofactors.hpp>
 #include <derivations/algebra/conjunction.hpp>
 #include <derivations/algebra/exact_points.hpp>
 #include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/lost.hpp>
 #include <derivations/algebra/phases.hpp>
+#include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/root_witness.hpp>
 #include <derivations/algebra/roots.hpp>
 #include <exception>
@@ -70,6 +73,22 @@ class Matching {
       : parts_(parts), symbols_(question.symbols), points_(points_for(parts, question.symbols)) {}
 
   std::optional<std::vector<Match>> find() {
+    auto found = find_matches();
+    const Residuals& r = parts_.first;
+    const bool is_lost = found && !found->front().never &&
+                         (loses_all(r.left_divisors, r.right_divisors, parts_.right) ||
+                          loses_all(r.right_divisors, r.left_divisors, parts_.left));
+    return is_lost ? std::nullopt : found;
+  }
+
+  bool all_follow() {
+    Numbers left(parts_.left.size()), right(parts_.right.size());
+    std::iota(left.begin(), left.end(), 0), std::iota(right.begin(), right.end(), 0);
+    return follow(left, right);
+  }
+
+ private:
+  std::optional<std::vector<Match>> find_matches() {
     Numbers left = open(parts_.left, true), right = open(parts_.right, false);
     if (never_.left.size() == 1 && never_.right.size() == 1) return std::vector{never_};
     Numbers other_left = left, other_right = right;  // what no other link alone says
@@ -90,13 +109,16 @@ class Matching {
     return matches_;
   }
 
-  bool all_follow() {
-    Numbers left(parts_.left.size()), right(parts_.right.size());
-    std::iota(left.begin(), left.end(), 0), std::iota(right.begin(), right.end(), 0);
-    return follow(left, right);
+  /// Whether something that one statement divides by, and the other one does not, is 0 wherever the equations
+  /// of the other one hold.
+  bool loses_all(const std::vector<ex>& divisors, const std::vector<ex>& others, const Parts& parts) const {
+    const std::vector<Asked> links = asked(parts);
+    return std::any_of(divisors.begin(), divisors.end(), [&](const ex& divisor) {
+      const auto is_it = [&](const ex& other) { return is_multiple(divisor, other); };
+      return sign_of(divisor, symbols_) == 0 && std::none_of(others.begin(), others.end(), is_it) &&
+             by_elimination({divisor, Claim::zero}, links, {}, symbols_);
+    });
   }
-
- private:
   static bool among(std::size_t k, const Numbers& numbers) {
     return std::find(numbers.begin(), numbers.end(), k) != numbers.end();
   }
@@ -157,7 +179,7 @@ class Matching {
     r.pair.left_value = a.residual, r.pair.right_value = b.residual;
     r.inner_left = a.inner, r.inner_right = b.inner, r.left = r.right = a.claim;
     r.squared_left = a.squared, r.squared_right = b.squared;
-    return prove_by_some_factor(r, symbols_).verdict == Verdict::proved;
+    return prove_by_some_factor(r, symbols_).verdict == Verdict::proved && !lost_to(r, symbols_);
   }
 
   const Parted& parts_;
@@ -183,12 +205,15 @@ std::optional<int> sign_of_part(const Part& part, const Place& place, const Symb
   if (!place.values.empty() && is_zero_at({part.written, part.residual}, {at, place.values}, symbols))
     return 0;
   if (at.exact && differ(*value, 0)) return cln::plusp(*value) ? 1 : -1;
-  if (!place.root_of.is_zero() && GiNaC::is_a<GiNaC::numeric>((part.residual / place.root_of).normal()))
+  if (!place.root_of.is_zero() && GiNaC::is_a<GiNaC::numeric>((part.residual / place.root_of).normal()) &&
+      (at.exact || enclosure(part.written, at.at, at.box)))
     return 0;
   const auto sign = at.exact ? std::nullopt : sign_at(part.written, at);
   if (sign) return sign;
   const auto root = zero_near({part.written, part.residual}, at.at, symbols);
-  const bool is_certain = root && (at.exact ? root->exact : !at.meant.empty() && root->meant == at.meant);
+  const bool is_certain = root && (at.exact ? root->exact
+                                            : !at.meant.empty() && root->meant == at.meant &&
+                                                  enclosure(part.written, at.at, at.box));
   return is_certain ? std::optional(0) : std::nullopt;
 }
 

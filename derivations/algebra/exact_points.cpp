@@ -76,14 +76,6 @@ void solve(Residuals residuals, const Solution& so_far, const Symbols& symbols,
     }
 }
 
-/// To 45 decimal places.
-std::optional<Between> bounds_of(const ex& constant, const Symbols& symbols) {
-  const auto value = evaluate(to_tree(constant, symbols), {}, 70);
-  if (!value || cln::abs(*value) > power_of_ten(20)) return std::nullopt;
-  const cln::cl_I scale = power_of_ten(45), below = cln::floor1(*value * scale);
-  return Between{(below - 1) / cln::cl_RA(scale), (below + 2) / cln::cl_RA(scale)};
-}
-
 /// Says what a symbol is; false where that is outside of its range, or long.
 bool put(ExactPoint& point, const std::string& name, const ex& value, const Symbols& symbols) {
   const std::string& range = symbols.find(name)->range;

@@ -19,10 +19,10 @@ namespace {
 
 /// The largest whole number of half turns in a constant angle; nothing beyond 50 digits.
 std::optional<numeric> half_turns_in(const ex& angle) {
-  const double turns = ex_to<numeric>((angle / GiNaC::Pi).evalf()).to_double();
-  if (std::fabs(turns) < 1e6) return numeric(static_cast<long>(std::floor(turns)));
-  const auto value =
-      evaluate(to_tree(angle / GiNaC::Pi), {}, 60);  // a double of that size has no digits left
+  const ex turns = (angle / GiNaC::Pi).expand();
+  if (turns.info(GiNaC::info_flags::rational))
+    return numeric(cln::floor1(cln::the<cln::cl_RA>(ex_to<numeric>(turns).to_cl_N())));
+  const auto value = evaluate(to_tree(turns), {}, 60);
   const bool is_known = value && cln::abs(*value) < cln::expt_pos(cln::cl_I(10), 50);
   return is_known ? std::optional(numeric(cln::floor1(*value))) : std::nullopt;
 }
@@ -323,6 +323,17 @@ Interval interval_of(const ex& expression, const Symbols& symbols) {
     return enclose(expression, symbols);
   } catch (const std::exception&) {  // a pole of GiNaC, or constants too close to tell: nothing is known
     return {};
+  }
+}
+
+bool is_inside(const ex& point, const Interval& range, bool with_ends) {
+  try {
+    const int low = range.low.infinite != 0 ? 1 : compare(point, range.low.value),
+              high = range.high.infinite != 0 ? 1 : compare(range.high.value, point);
+    return (low > 0 || (with_ends && low == 0 && range.low.closed)) &&
+           (high > 0 || (with_ends && high == 0 && range.high.closed));
+  } catch (const std::exception&) {  // too close to tell
+    return false;
   }
 }
 

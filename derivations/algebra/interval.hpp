@@ -27,6 +27,10 @@ Interval parse_range(std::string_view range);
 Interval overlap(const Interval& a, const Interval& b);
 Interval hull(const Interval& a, const Interval& b);
 
+/// Whether a constant is in the range, or at a closed end of it, if these count; no, if it is too close to
+/// an end to tell.
+bool is_inside(const GiNaC::ex& point, const Interval& range, bool with_ends);
+
 /// An enclosure of the values of `expression` over the declared ranges (not always the tightest one).
 Interval interval_of(const GiNaC::ex& expression, const Symbols& symbols);
 
@@ -36,7 +40,7 @@ int sign_of(const GiNaC::ex& expression, const Symbols& symbols);
 /// Whether the expression provably never becomes negative.
 bool is_nonnegative(const GiNaC::ex& expression, const Symbols& symbols);
 
-/// An exact comparison of two constants: -1, 0, +1. Throws std::domain_error if they are too close to tell.
+/// A comparison of two constants, with as many digits as are certain: -1, 0, +1. Throws std::domain_error if they are too close to tell.
 int compare(const GiNaC::ex& a, const GiNaC::ex& b);
 
 }  // namespace rederive

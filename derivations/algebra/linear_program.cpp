@@ -1,3 +1,4 @@
+#include <type_traits>
 #include <cln/float.h>
 #include <cln/real.h>
 
@@ -12,12 +13,12 @@ namespace {
 
 constexpr int most_steps = 400;
 
-/// What the method asks of numbers; a double is 0 within what it loses by rounding.
-constexpr double lost = 1e-9;
+/// What the method asks of numbers; a double is 0 within this.
+constexpr double rounding = 1e-9;
 bool is_positive(const cl_RA& x) { return cln::plusp(x); }
-bool is_positive(double x) { return x > lost; }
+bool is_positive(double x) { return x > rounding; }
 bool is_zero(const cl_RA& x) { return cln::zerop(x); }
-bool is_zero(double x) { return x < lost && x > -lost; }
+bool is_zero(double x) { return x < rounding && x > -rounding; }
 template <class Number>
 Number as(const cl_RA& x) {
   if constexpr (std::is_same_v<Number, double>)
@@ -70,7 +71,7 @@ class Tableau {
   }
 
  private:
-  /// Whether it came to an end.
+  /// As large as it can be, or without bound. False where there were too many steps.
   bool maximize(std::vector<Number> left) {  // what one more of a column would gain
     left.resize(width_ + 1, 0);
     for (std::size_t row = 0; row < rows_.size(); ++row)

@@ -22,8 +22,9 @@ bool is_among(const ex& divisor, const std::vector<ex>& others) {
 /// An assumption says that nothing is asked where it is 0.
 bool is_excluded(const ex& divisor, const Symbols& symbols) {
   const auto& never = symbols.never_zero();
+  const ex inside = GiNaC::is_the_function<GiNaC::abs_SERIAL>(divisor) ? divisor.op(0) : divisor;
   return std::any_of(never.begin(), never.end(), [&](const ex& e) {
-    return is_multiple(divisor, e) || vanishes_with(divisor, e, symbols);
+    return is_multiple(inside, e) || vanishes_with(inside, e, symbols);
   });
 }
 
@@ -34,33 +35,59 @@ bool is_polynomial(const ex& e) {
   });
 }
 
-/// Whether the residual is 0 at zeros of the part that differ, whatever the symbols are that only it has.
-bool is_zero_along(const ex& part, const Tree& residual, const Symbols& symbols) {
-  constexpr int most = 10, beside = 3, enough = 3;
+/// Of polynomials in symbols; in functions, where these are taken as symbols: phases would take too long.
+bool is_plain_factor(const ex& divisor, const ex& residual, const Symbols& symbols) {
+  if (is_polynomial(divisor)) return is_factor(divisor, residual, symbols);
+  return !names_in(divisor.normal().numer()).empty() &&
+         names_in((residual / divisor).normal().denom()).empty();
+}
+
+/// Whether the relation holds at zeros of the part that differ, whatever the symbols are that only its
+/// residual has.
+bool holds_along(const ex& part, const Tree& residual, Claim claim, const Symbols& symbols) {
+  constexpr int most = 10, beside = 3;
   const Written written{to_tree(part, symbols), part};
   const Points points = points_for(std::vector<Tree>{written.tree, residual}, symbols);
   const auto own = names_in(part);
-  int zeros = 0, others = 0;
+  std::vector<Point> holding;  // each place once: y (x + z) = x holds at x = z = 0, not along x + z = 0
   const auto look = [&](const Root& root) {
-    int seen = 0, is_zero = 0;
+    int seen = 0, holds = 0;
     for (int k = 0; k < beside; ++k) {
       Point at = points.at(k);
       for (const std::string& name : own) at[name] = root.at.at(name);
-      if (const auto value = value_of(residual, at)) ++seen, is_zero += is_nearly_zero(*value) ? 1 : 0;
+      const auto value = value_of(residual, at);
+      const bool is_held =
+          value && (is_nearly_zero(*value) || (claim == Claim::not_negative && cln::plusp(*value)));
+      seen += value ? 1 : 0, holds += is_held ? 1 : 0;
     }
-    if (seen > 0) ++(is_zero == seen ? zeros : others);
+    Point place;
+    for (const std::string& name : own) place[name] = root.at.at(name);
+    if (seen > 0 && holds == seen && std::find(holding.begin(), holding.end(), place) == holding.end())
+      holding.push_back(place);
     return false;  // go on
   };
   (void)find_root(written, points, most, Roots::all, symbols, look);
-  return zeros > 0 && (own.size() == 1 || zeros >= enough || others == 0);
+  return holding.size() >= (own.size() == 1 ? 1 : 2);
 }
 
-bool is_zero_along_a_part(const ex& divisor, const ex& residual, const Symbols& symbols) {
+/// Of sin(u) and the like, u: some of what they are 0 at, which all of them are at u = 0.
+ex inside_odd(const ex& part) {
+  static const std::set<std::string> odd{"sin", "tan", "sinh", "tanh", "asin", "atan", "asinh", "atanh"};
+  const bool is_odd =
+      GiNaC::is_a<GiNaC::function>(part) && odd.contains(GiNaC::ex_to<GiNaC::function>(part).get_name());
+  return is_odd ? part.op(0) : part;
+}
+
+bool holds_along_a_part(const ex& divisor, const ex& residual, Claim claim, const Symbols& symbols) {
   const Tree tree = to_tree(residual, symbols);
   std::vector<ex> parts = factors_of(divisor, symbols);
   if (parts.empty()) parts.push_back(divisor);
   return std::any_of(parts.begin(), parts.end(), [&](const ex& part) {
-    return sign_of(part, symbols) == 0 && is_zero_along(part, tree, symbols);
+    if (sign_of(part, symbols) != 0) return false;
+    const ex inside = inside_odd(part);
+    return holds_along(part, tree, claim, symbols) ||
+           (!inside.is_equal(part) && names_in(inside).size() > 1 &&
+            holds_along(inside, tree, claim, symbols));
   });
 }
 
@@ -72,8 +99,8 @@ std::optional<ex> lost_to(const Residuals& r, const Symbols& symbols) {
     if (claim == Claim::positive) return std::nullopt;  // it does not hold where its residual is 0
     for (const ex& divisor : divisors)
       if (sign_of(divisor, symbols) == 0 && !is_among(divisor, others) && !is_excluded(divisor, symbols) &&
-          ((is_polynomial(divisor) && is_factor(divisor, residual, symbols)) ||
-           is_zero_along_a_part(divisor, residual, symbols)))
+          (is_plain_factor(divisor, residual, symbols) ||
+           holds_along_a_part(divisor, residual, claim, symbols)))
         return divisor;
     return std::nullopt;
   };

@@ -7,11 +7,11 @@
 
 namespace rederive {
 
-/// What one statement divides by while the residual of the other one is 0 all along where that is 0, whatever
-/// the other symbols are: (x^2 - 1)/(x - 1) = 2 has no solution, and x = 1 has one; x*sin(y)^2/sin(y) = 0
+/// What one statement divides by while the other one holds all along where that is 0, whatever the other
+/// symbols are: (x^2 - 1)/(x - 1) = 2 has no solution, and x = 1 has one; x*sin(y)^2/sin(y) = 0
 /// loses all of y = 0. It may have cancelled. Not of a strict one, nor what an assumption says is never 0.
-/// A factor is found as such; what is none, by looking at zeros of the divisor, of which some may not be
-/// found. Throws Undecidable.
+/// A factor of the other residual is found as such, and taken to be 0 somewhere; what is none, by looking at
+/// zeros of the divisor, of which some may not be found. Throws Undecidable.
 std::optional<GiNaC::ex> lost_to(const Residuals& residuals, const Symbols& symbols);
 
 /// One of these divisors that is a factor of `left` or `right`, the residuals as they are compared; where

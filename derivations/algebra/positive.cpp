@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <derivations/algebra/evaluate.hpp>
 #include <derivations/algebra/positive.hpp>
+#include <derivations/algebra/print.hpp>
 #include <vector>
 
 namespace rederive {
@@ -120,9 +122,9 @@ std::optional<ex> everywhere(const Coefficients& c, const ex& x) {
 /// A rational number at the end of a range, or a bit outside of it.
 numeric rational_end(const End& end, int outward) {
   if (is_a<numeric>(end.value) && ex_to<numeric>(end.value).is_rational()) return ex_to<numeric>(end.value);
-  const double value = ex_to<numeric>(end.value.evalf()).to_double() * 1e6;
-  if (!(std::fabs(value) < 1e12)) throw std::domain_error("no end to calculate with");
-  return numeric(std::lround(value) + 2 * outward, 1'000'000);
+  const auto value = evaluate(to_tree(end.value), {}, 10);
+  if (!value || cln::abs(*value) > 1'000'000) throw std::domain_error("no end to calculate with");
+  return numeric(cln::round1(*value * 1'000'000) + 2 * outward) / 1'000'000;
 }
 
 /// By one of the three theorems.

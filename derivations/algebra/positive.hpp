@@ -13,7 +13,7 @@ namespace rederive {
 ///   on [a, b]      d + sum of c_k s^k r^(n-k), with s = x - a and r = b - x (Bernstein);
 ///   everywhere     (p^2 + D)/(2 E), with p = E(x^2) + x O(x^2) and D = E^2 - x^2 O^2, both in x^2 >= 0;
 ///   near 0 at r    (x - r)^2 q + a square + a positive number, with such a form of q.
-/// Nothing where it is not positive, or where that needs more than 40 terms.
+/// Nothing where it is not positive, where that needs more than 40 terms, and above the twelfth degree.
 std::optional<GiNaC::ex> positive_form(const GiNaC::ex& polynomial, const GiNaC::symbol& x,
                                        const Interval& range);
 

@@ -2,9 +2,9 @@
 //
 // Expressions are the same if they are equal at every point of the declared ranges at which both have a
 // value. Relations are the same if, wherever both have values, one holds where and only where the other one
-// does. The side conditions say where that is. Not called the same: relations of which one holds all along
-// where something is 0 that the other one divides by, as x = 0 and x^2/x = 0; but y/x = 2 and y = 2*x are, if
-// x != 0.
+// does. The side conditions say where that is. Not called the same: relations of which one, that is not
+// strict, holds all along where something is 0 that the other one divides by, as x = 0 and x^2/x = 0; but
+// y/x = 2 and y = 2*x are, if x != 0, and so are x^2/x > -1 and x > -1.
 //
 // 1. Both sides are evaluated at rational points inside the declared ranges. Where they differ beyond all
 //    doubt, that point is the witness: refuted.

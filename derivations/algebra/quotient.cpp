@@ -3,6 +3,7 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
+#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/slopes.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/witness.hpp>
@@ -12,12 +13,6 @@ namespace rederive {
 using GiNaC::ex;
 
 namespace {
-
-bool is_real(const ex& e) {
-  for (auto i = e.preorder_begin(); i != e.preorder_end(); ++i)
-    if (GiNaC::is_a<GiNaC::numeric>(*i) && !GiNaC::ex_to<GiNaC::numeric>(*i).is_real()) return false;
-  return true;
-}
 
 /// Cancels what is common over the complex numbers, where a factor i of all terms of one side is a unit.
 ex cancelled_with_complex_numbers(const ex& quotient, const Phases& phases) {
@@ -227,8 +222,12 @@ Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors,
     if (is_clear || (slope && slope->is_strict)) continue;
     const bool divides = std::any_of(divisors.begin(), divisors.end(), [&p = part, &symbols](const ex& d) {
       const bool is_root = GiNaC::is_a<GiNaC::power>(p) && p.op(1).is_equal(GiNaC::numeric(1, 2));
-      if (is_multiple(p, d) || (is_root && is_multiple(p.op(0), d))) return true;
-      return is_short(p) && is_short(d) && (vanishes_with(p, d, symbols) || is_factor(p, d, symbols));
+      const bool is_size = GiNaC::is_the_function<GiNaC::abs_SERIAL>(p);
+      if (is_multiple(p, d) || is_multiple(p, d.normal().numer())) return true;
+      if ((is_root || is_size) && is_multiple(p.op(0), d)) return true;
+      return is_short(p) && is_short(d) &&
+             (vanishes_with(p, d, symbols) || is_factor(p, d, symbols) ||
+              is_factor(p, GiNaC::pow(d, 2), symbols));
     });
     if (divides)
       result.divisors.push_back(part);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <derivations/algebra/real.hpp>
 
 namespace rederive {
@@ -20,6 +21,12 @@ class Real : public GiNaC::map_function {
 };
 
 }  // namespace
+
+bool is_real(const ex& expression) {
+  return std::all_of(expression.preorder_begin(), expression.preorder_end(), [](const ex& part) {
+    return !GiNaC::is_a<GiNaC::numeric>(part) || part.info(GiNaC::info_flags::real);
+  });
+}
 
 ex as_real(const ex& expression) { return Real()(expression); }
 

@@ -5,6 +5,9 @@
 
 namespace rederive {
 
+/// Whether all numbers in it are real.
+bool is_real(const GiNaC::ex& expression);
+
 /// The same for real values of all symbols and functions: what GiNaC thinks may be complex is its own
 /// conjugate and its own real part. Throws std::domain_error where there is a number that is not real.
 GiNaC::ex as_real(const GiNaC::ex& expression);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/real.hpp>
@@ -12,13 +13,6 @@ using GiNaC::ex;
 namespace {
 
 using Wanted = std::function<bool(const Point&)>;
-
-std::vector<std::string> names_in(const ex& e) {
-  std::set<std::string> names;
-  for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
-    if (GiNaC::is_a<GiNaC::symbol>(*part)) names.insert(GiNaC::ex_to<GiNaC::symbol>(*part).get_name());
-  return {names.begin(), names.end()};
-}
 
 /// What a zero of a part of even power is one of, though the sign does not change there.
 std::vector<ex> even_parts(const ex& e, const Symbols& symbols) {
@@ -91,17 +85,17 @@ std::optional<Root> find_root(const Written& e, const Points& points, int most, 
   };
   /// A root of what has one symbol only is one whatever the others are.
   const auto search_beside = [&](const ex& part) {
-    const std::vector<std::string> names = names_in(part);
-    const Points line({names.begin(), names.end()}, symbols);
+    const std::set<std::string> names = names_in(part);
+    const Points line(names, symbols);
     std::optional<cln::cl_RA> value;
     if (names.size() == 1)
       (void)walk(to_tree(part, symbols), line, most, [&](const Point& point) {
-        if (zero_near({to_tree(part, symbols), part}, point, symbols)) value = point.at(names[0]);
+        if (zero_near({to_tree(part, symbols), part}, point, symbols)) value = point.at(*names.begin());
         return value.has_value();
       });
     for (int k = 0; value && k < Points::count && !found; ++k) {
       Point point = points.at(k);
-      point[names[0]] = *value;
+      point[*names.begin()] = *value;
       (void)is_root_of({to_tree(part, symbols), part})(point);
     }
     return found.has_value();

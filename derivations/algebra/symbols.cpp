@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <derivations/algebra/dimension.hpp>
+#include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/symbols.hpp>
 #include <stdexcept>
 
@@ -53,7 +54,7 @@ const Symbol& Symbols::declare(std::string name, std::string latex, std::string 
     refuse(error.what(), name);
   }
   // GiNaC simplifies sqrt(x^2) to x where it knows that x is not negative.
-  const bool positive = ends.lower.front() != '-';
+  const bool positive = ends.lower != "-inf" && compare(parse_range(range).low.value, 0) >= 0;
   const SymbolExpression symbol = positive ? SymbolExpression(GiNaC::possymbol(name, latex))
                                            : SymbolExpression(GiNaC::realsymbol(name, latex));
   forget_signs();

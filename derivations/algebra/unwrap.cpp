@@ -80,19 +80,33 @@ bool falls(const std::string& function) {
 
 // ---- exponentials
 
-/// The logarithm of a product of exponentials, of powers of positive constants, and of such constants.
-std::optional<ex> logarithm_of(const ex& e, const Symbols& symbols) {
+using Bases = std::set<ex, GiNaC::ex_is_less>;
+
+/// Of powers with an exponent that is not a number: the positive b of b^x.
+Bases bases_in(const Sides& s, const Symbols& symbols) {
+  Bases bases;
+  for (const ex& side : {s.left, s.right})
+    for (auto part = side.preorder_begin(); part != side.preorder_end(); ++part)
+      if (is_a<GiNaC::power>(*part) && has_symbol(part->op(1)) && sign_of(part->op(0), symbols) > 0)
+        bases.insert(part->op(0));
+  return bases;
+}
+
+/// The logarithm of a product of exponentials, of powers of positive constants, of such constants, and of
+/// powers of these bases.
+std::optional<ex> logarithm_of(const ex& e, const Bases& bases, const Symbols& symbols) {
+  if (bases.contains(e)) return GiNaC::log(e);
   if (!has_symbol(e)) return sign_of(e, symbols) > 0 ? std::optional<ex>(GiNaC::log(e)) : std::nullopt;
   if (kind_of(e) == "exp") return e.op(0);
   if (is_a<GiNaC::power>(e)) {
     if (has_symbol(e.op(1)) && sign_of(e.op(0), symbols) > 0) return e.op(1) * GiNaC::log(e.op(0));
-    const auto base = logarithm_of(e.op(0), symbols);
+    const auto base = logarithm_of(e.op(0), bases, symbols);
     return base ? std::optional<ex>(*base * e.op(1)) : std::nullopt;
   }
   if (!is_a<GiNaC::mul>(e)) return std::nullopt;
   ex sum = 0;
   for (const ex& factor : e) {
-    const auto part = logarithm_of(factor, symbols);
+    const auto part = logarithm_of(factor, bases, symbols);
     if (!part) return std::nullopt;
     sum += *part;
   }
@@ -100,7 +114,8 @@ std::optional<ex> logarithm_of(const ex& e, const Symbols& symbols) {
 }
 
 std::optional<Layer> of_exponentials(const Sides& s, const Symbols& symbols) {
-  const auto left = logarithm_of(s.left, symbols), right = logarithm_of(s.right, symbols);
+  const Bases bases = bases_in(s, symbols);
+  const auto left = logarithm_of(s.left, bases, symbols), right = logarithm_of(s.right, bases, symbols);
   if (!left || !right || (!has_symbol(s.left) && !has_symbol(s.right))) return std::nullopt;
   return Layer{"exp", *left, *right};
 }
@@ -170,7 +185,8 @@ std::optional<Layer> of_the_left(const Sides& s, const Symbols& symbols) {
     return is_nonnegative(b - low, symbols) && is_nonnegative(high - b, symbols);
   };
   const auto with = [&](const ex& right) { return Layer{layer_name(s.left), argument_of(s.left), right}; };
-  if (kind == "log") return with(GiNaC::exp(b));
+  if (kind == "log")  // not of x*log(b) = log(b), which is from b^x = b
+    return b.has(s.left) ? std::nullopt : std::optional(with(GiNaC::exp(b)));
   if (kind == "asinh") return with(GiNaC::sinh(b));
   if (kind == "atanh") return with(GiNaC::tanh(b));
   if (kind == "asin" && between(-half, half)) return with(GiNaC::sin(b));

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <complex>
+#include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/print.hpp>
+#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/witness.hpp>
 
@@ -94,21 +97,18 @@ Symbols narrowed(const ex& e, Symbols symbols) {
   return symbols;
 }
 
-std::set<std::string> names_in(const ex& e) {
-  std::set<std::string> names;
-  for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
-    if (is_a<GiNaC::symbol>(*part)) names.insert(ex_to<GiNaC::symbol>(*part).get_name());
-  return names;
-}
-
 Points points_for(const ex& expression, const Symbols& symbols) {
   return Points(names_in(expression), symbols);
 }
 
+/// Calculated with 60 digits, so that what is small because it cancels inside has some, too.
 std::optional<std::complex<double>> value_at(const ex& e, const Point& point, const Symbols& symbols) {
   GiNaC::exmap values;
   for (const auto& [name, value] : point) values[symbols[name]] = numeric(value);
+  const long before = GiNaC::Digits;
+  GiNaC::Digits = 60;
   const ex number = e.subs(values, GiNaC::subs_options::no_pattern).evalf();
+  GiNaC::Digits = before;
   if (!is_a<numeric>(number)) return std::nullopt;
   const std::complex<double> result(ex_to<numeric>(number.real_part()).to_double(),
                                     ex_to<numeric>(number.imag_part()).to_double());
@@ -178,26 +178,27 @@ ex with_small_multiples(const ex& sum) {
   return common.is_pos_integer() ? (terms / common).expand() : terms;
 }
 
-/// A sum E of inverse functions and angles: e^E = 1 makes it 0, where it has logarithms and area functions;
+/// A real sum E of inverse functions and angles: e^E = 1 makes it 0, where it has logarithms and area functions;
 /// e^{2iE} = 1 makes it a multiple of π, the same one all over a connected domain, where it has arcs: which
 /// one is seen at one point.
 bool vanishes_by_its_exponential(const ex& multiple, const Symbols& given, int depth) {
+  if (!is_real(multiple)) return false;
   const ex sum = with_small_multiples(multiple);
+  const Symbols symbols = narrowed(sum, given);
   bool arcs = false, areas = false;
   for (auto part = sum.preorder_begin(); part != sum.preorder_end(); ++part) {
     const std::string name = name_of(*part);
     arcs = arcs || name == "asin" || name == "atan" || name == "acos";
-    if (name == "log" && !is_positive_where_defined(part->op(0), given)) return false;
+    if (name == "log" && !is_positive_where_defined(part->op(0), symbols)) return false;
     areas = areas || name == "log" || name == "asinh" || name == "acosh" || name == "atanh";
   }
   if (areas == arcs) return false;
   if (areas && vanishes(GiNaC::exp(sum) - 1, given, depth + 1)) return true;
-  const Symbols symbols = narrowed(sum, given);
   if (!is_analytic(sum, symbols)) return false;
   if (areas) return vanishes(GiNaC::exp(sum) - 1, symbols, depth + 1);
   const Points points = points_for(sum, symbols);
-  const auto value = value_at(sum, points.at(0), symbols);
-  if (!value || std::abs(*value) > 0.1) return false;
+  const auto value = value_of(to_tree(sum, symbols), points.at(0));
+  if (!value || cln::abs(*value) > cln::cl_RA("1/10")) return false;
   return vanishes(GiNaC::sin((2 * sum).expand()), symbols, depth + 1) &&
          vanishes(GiNaC::cos((2 * sum).expand()) - 1, symbols, depth + 1);
 }

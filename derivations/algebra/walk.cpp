@@ -22,8 +22,13 @@ std::optional<Point> polish(const Tree& tree, Point point, const std::string& na
   // Illinois' variant of false position
   const cln::cl_R larger = cln::max(cln::abs(fa), cln::abs(fb));
   const cln::cl_I scale = power_of_ten(places);
+  cln::cl_R at_a = fa, at_b = fb;
+  const cln::cl_RA short_way = cln::abs(b - a) / power_of_ten(12);
+  const auto is_jump = [&] {
+    return cln::abs(b - a) < short_way && cln::min(cln::abs(at_a), cln::abs(at_b)) * 1000 > larger;
+  };
   int side = 0;
-  for (int step = 0; step < 200; ++step) {
+  for (int step = 0; step < 200 && !is_jump(); ++step) {
     const cln::cl_RA weight = cln::rational(fa / (fa - fb));
     cln::cl_RA c = cln::round1((a + (b - a) * weight) * scale) / cln::cl_RA(scale);
     if (step % 3 == 2 || c <= cln::min(a, b) || c >= cln::max(a, b))
@@ -37,11 +42,11 @@ std::optional<Point> polish(const Tree& tree, Point point, const std::string& na
       return point;
     }
     if (cln::minusp(*fc) == cln::minusp(fb)) {
-      b = c, fb = *fc;
+      b = c, fb = at_b = *fc;
       if (side == 1) fa = fa / 2;
       side = 1;
     } else {
-      a = c, fa = *fc;
+      a = c, fa = at_a = *fc;
       if (side == -1) fb = fb / 2;
       side = -1;
     }
@@ -77,7 +82,8 @@ std::optional<Point> walk(const Tree& tree, const Points& points, int most,
         if (now && before && cln::minusp(*now) != cln::minusp(*before)) {
           const auto root = polish(tree, base, name, at_before, value, *before, *now, places);
           if (root && wanted(*root)) return root;
-          if (++found == most) return std::nullopt;
+          found += root ? 4 : 1;  // a jump is soon seen
+          if (found >= 4 * most) return std::nullopt;
           if (++found_here > most / 4) break;
         }
         before = now && cln::zerop(*now) ? std::nullopt : now;  // a root that was not wanted is no crossing

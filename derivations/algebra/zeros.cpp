@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/vanish.hpp>
@@ -10,6 +11,13 @@ namespace rederive {
 using GiNaC::ex;
 
 cln::cl_I power_of_ten(int exponent) { return cln::expt_pos(cln::cl_I(10), exponent); }
+
+std::optional<Between> bounds_of(const ex& constant, const Symbols& symbols) {
+  const auto value = evaluate(to_tree(constant, symbols), {}, 70);
+  if (!value || cln::abs(*value) > power_of_ten(20)) return std::nullopt;
+  const cln::cl_I scale = power_of_ten(45), below = cln::floor1(*value * scale);
+  return Between{(below - 1) / cln::cl_RA(scale), (below + 2) / cln::cl_RA(scale)};
+}
 
 bool is_tiny(const cln::cl_R& value) { return cln::abs(value) * power_of_ten(35) < 1; }
 
@@ -75,14 +83,6 @@ std::optional<ex> meant_by(const cln::cl_RA& value) {
   return simple ? std::optional(GiNaC::atan(ex(GiNaC::numeric(*simple)))) : std::nullopt;
 }
 
-/// What a constant is, to 45 decimal places.
-std::optional<Between> bounds_of(const ex& constant, const Symbols& symbols) {
-  const auto value = evaluate(to_tree(constant, symbols), {}, 70);
-  if (!value || cln::abs(*value) > power_of_ten(20)) return std::nullopt;
-  const cln::cl_I scale = power_of_ten(45), below = cln::floor1(*value * scale);
-  return Between{(below - 1) / cln::cl_RA(scale), (below + 2) / cln::cl_RA(scale)};
-}
-
 /// Where symbols stand for multiples of π or roots of rationals: the zero that is there.
 std::optional<Root> zero_meant(const ex& e, const Point& point, const Symbols& symbols) {
   GiNaC::exmap values = values_at(point, symbols);
@@ -90,7 +90,7 @@ std::optional<Root> zero_meant(const ex& e, const Point& point, const Symbols& s
   for (const auto& [name, value] : point)
     if (const auto meant = meant_by(value)) {
       const auto bounds = bounds_of(*meant, symbols);
-      if (!bounds) continue;
+      if (!bounds || !is_inside(*meant, parse_range(symbols.find(name)->range), true)) continue;
       values[symbols[name]] = *meant;
       root.meant[name] = print(*meant, Notation::plain, symbols);
       root.box[name] = *bounds;
@@ -165,6 +165,7 @@ std::optional<Root> place_of(const std::string& name, const ex& constant, const 
   const auto bounds = bounds_of(constant, symbols);
   if (!bounds) return std::nullopt;
   const std::string& range = symbols.find(name)->range;
+  if (!is_inside(constant, parse_range(range), true)) return std::nullopt;
   cln::cl_RA at = (bounds->low + bounds->high) / 2;  // or on the side of an end on which the range is
   for (const cln::cl_RA& end : {bounds->low, bounds->high})
     if (!is_inside(range, at)) at = end;

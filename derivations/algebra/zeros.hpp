@@ -17,7 +17,7 @@ struct Written {
 struct Root {
   Point at;
   bool exact;
-  std::map<std::string, std::string> meant = {};
+  std::map<std::string, std::string> meant = {};  ///< "x" → "pi/2", where `at` has digits of it
   Box box = {};             ///< so narrow that 30 digits can be told; empty where the point is exact
   Box around = {};          ///< with `solves`: the same, or a wider one with shorter bounds
   std::string solves = {};  ///< "y-cos(y) = 0": what changes its sign in either box, if that is what is known
@@ -29,7 +29,11 @@ struct Root {
 /// proves nothing.
 std::optional<Root> zero_near(const Written& expression, const Point& point, const Symbols& symbols);
 
-/// The point at which the one symbol is a constant, rational or not.
+/// What a constant is, to 45 decimal places; nothing of one above 1e20 in size.
+std::optional<Between> bounds_of(const GiNaC::ex& constant, const Symbols& symbols);
+
+/// The point at which the one symbol is a constant, rational or not; nothing where that is not in its range,
+/// of which closed ends are a part.
 std::optional<Root> place_of(const std::string& name, const GiNaC::ex& constant, const Symbols& symbols);
 
 /// The root that is known by a change of sign, with the shortest bounds that `wanted` accepts around it.

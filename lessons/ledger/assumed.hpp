@@ -13,6 +13,19 @@ struct Assumed {
   std::string text;
 };
 
+/// An assumption that has several solutions: one of these holds. What it says otherwise is for a user who has
+/// too many of them.
+struct SeveralSolutions : BadInput {
+  SeveralSolutions(const std::string& what, std::vector<std::string> solutions)
+      : BadInput(what), each(std::move(solutions)) {}
+  std::vector<std::string> each;  ///< "x > 0" and "x < 0", or "x = pi/6" and "x = 5*pi/6"
+};
+
+/// An assumption that never holds with the others.
+struct Contradiction : BadInput {
+  using BadInput::BadInput;
+};
+
 /// Narrows the range of a symbol by "x > 0", "2*x < 3" or "abs(x) < 1". False where the link is no bound of
 /// one symbol, or one that a range cannot hold. Throws BadInput where no room is left.
 bool narrow(const Assumed& link, Symbols& symbols);
@@ -22,16 +35,21 @@ bool narrow(const Assumed& link, Symbols& symbols);
 void compare_symbols(const Assumed& link, Context& context);
 
 /// Adds what the equations say of symbols. Those that say what a symbol is come first; what the others leave
-/// is solved, for no symbol that is small. Throws BadInput.
+/// is solved, for no symbol that is small. Throws BadInput, SeveralSolutions and Contradiction among them.
 void read_equations(const std::vector<Assumed>& equations, Context& context,
                     const std::vector<std::string>& small);
 
 /// What an assumption divides by is not 0, though the computer algebra may have cancelled it.
 void avoid_divisors(const Relation& relation, Symbols& symbols);
 
+/// Refuses an assumption whose sides have values for x >= 0 and the like only, if none of what is kept of it
+/// says so: sqrt(x)^2 = y is kept as y = x.
+void keep_values(const std::string& text, const std::vector<Tree>& sides, const std::vector<GiNaC::ex>& kept,
+                 const Context& context);
+
 /// Throws BadInput: what can be assumed, and why not this.
 [[noreturn]] void refuse(const std::string& text, const std::string& why = "");
-/// Throws BadInput.
+/// Throws Contradiction.
 [[noreturn]] void contradicts(const std::string& text);
 
 }  // namespace rederive

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/elimination.hpp>
@@ -40,12 +42,51 @@ std::optional<Given> read_given(const Tree& a, const Tree& b, const std::string&
   return {};
 }
 
+/// Whether a factor is nowhere 0 where the equation has a value and its rest is 0, so that one may divide by
+/// it.
+bool may_divide(const ex& factor, const ex& rest, const std::vector<ex>& divided_by, const Symbols& symbols) {
+  const auto is_apart = [&](const ex& part) {
+    const ex f = GiNaC::is_a<GiNaC::power>(part) ? part.op(0) : part;
+    if (sign_of(f, symbols) != 0) return true;
+    for (const ex& divisor : divided_by)
+      if ((divisor / f).normal().denom().is_equal(1)) return true;
+    for (const std::string& name : names_in(f)) {  // f = 0 says what that one is
+      const ex &symbol = symbols[name], polynomial = f.expand();
+      if (!polynomial.is_polynomial(symbol) || polynomial.degree(symbol) != 1) continue;
+      const ex slope = polynomial.coeff(symbol, 1);
+      if (GiNaC::is_a<GiNaC::numeric>(slope))
+        return sign_of(rest.subs(symbol == -polynomial.coeff(symbol, 0) / slope), symbols) != 0;
+    }
+    return false;
+  };
+  if (sign_of(factor, symbols) != 0 || sign_of(rest, symbols) != 0) return true;
+  const ex parts = GiNaC::factor(factor);
+  if (!GiNaC::is_a<GiNaC::mul>(parts)) return is_apart(parts);
+  return std::all_of(parts.begin(), parts.end(), is_apart);
+}
+
+/// "x = ..." of a x^2 + b x + c = 0; nothing where that would take names that no user may type.
+std::vector<std::string> quadratic_roots(const std::string& name, const ex& a, const ex& b, const ex& c,
+                                         const Symbols& symbols) {
+  for (const std::string& other : names_in(a + b + c))
+    if (other.starts_with("excess_")) return {};
+  std::vector<std::string> result;
+  for (const int sign : {1, -1}) {
+    const ex root = (-b + sign * GiNaC::sqrt((b * b - 4 * a * c).expand())) / (2 * a);
+    result.push_back(name + " = " + print(root, Notation::plain, symbols));
+  }
+  return result;
+}
+
 /// An equation that has no symbol alone: solved for one that is not small, in which it is linear, or the
-/// power of a positive one; better for one that may be anything. The factor of that one is not 0, or cannot
-/// be 0 because the rest is not.
-std::optional<Given> solved_for_one(const ex& residual, const Symbols& symbols,
+/// power of one; better for one that may be anything. Of a square there are two solutions, if that one may be
+/// positive and negative; and of a quadratic equation.
+std::optional<Given> solved_for_one(const ex& residual, const std::vector<ex>& divided_by,
+                                    const std::string& text, const Symbols& symbols,
                                     const std::vector<std::string>& small) {
   const ex polynomial = residual.normal().numer().expand();
+  std::string of_either_sign;
+  std::vector<std::string> roots;
   for (const bool is_free : {true, false})
     for (const std::string& name : names_in(polynomial)) {
       const ex& symbol = symbols[name];
@@ -56,21 +97,33 @@ std::optional<Given> solved_for_one(const ex& residual, const Symbols& symbols,
       const int n = polynomial.degree(symbol);
       const ex slope = polynomial.coeff(symbol, n), rest = polynomial.coeff(symbol, 0);
       const bool is_power = (polynomial - slope * GiNaC::pow(symbol, n) - rest).expand().is_zero();
-      const bool has_slope = sign_of(slope, symbols) != 0 || (n == 1 && sign_of(rest, symbols) != 0);
-      if (!is_power || !has_slope || (n > 1 && sign_of(symbol, symbols) <= 0)) continue;
-      return Given{symbol, GiNaC::pow(-rest / slope, GiNaC::numeric(1) / n)};
+      if (!is_power && n == 2 && sign_of(slope, symbols) != 0 && roots.empty())
+        roots = quadratic_roots(name, slope, polynomial.coeff(symbol, 1), rest, symbols);
+      if (!is_power || !may_divide(slope, rest, divided_by, symbols)) continue;
+      const ex root = GiNaC::pow(-rest / slope, GiNaC::numeric(1) / n);
+      if (n == 1 || is_nonnegative(symbol, symbols)) return Given{symbol, root};
+      if (n % 2 == 0 && is_nonnegative(-symbol, symbols)) return Given{symbol, -root};
+      if (n % 2 == 0 && of_either_sign.empty()) of_either_sign = name;
     }
-  return std::nullopt;
+  if (of_either_sign.empty() && roots.empty()) return std::nullopt;
+  if (of_either_sign.empty())
+    throw SeveralSolutions(fmt::format("the assumption '{}' has two solutions: assume \"{}\" as well", text,
+                                       fmt::join(roots, "\" or \"")),
+                           roots);
+  throw SeveralSolutions("the assumption '" + text + "' says what " + of_either_sign +
+                             " is, but for its sign: assume \"" + of_either_sign + " > 0\" or \"" +
+                             of_either_sign + " < 0\" as well",
+                         {of_either_sign + " >= 0", of_either_sign + " <= 0"});
 }
 
-/// Which assumption would leave one of the solutions.
-std::string choice(const std::string& name, const std::vector<ex>& values, const Symbols& symbols) {
-  const bool by_sign = values.size() == 2 && compare(values[0], 0) < 0 && compare(values[1], 0) > 0;
-  std::string result;
-  for (const ex& value : values)
-    result +=
-        (result.empty() ? "\"" : ", or \"") + name + " = " + print(value, Notation::plain, symbols) + "\"";
-  return by_sign ? "assume \"" + name + " > 0\" or \"" + name + " < 0\" as well" : "say " + result;
+/// Assumptions of which each leaves one of the solutions.
+std::vector<std::string> choices(const std::string& name, const std::vector<ex>& values,
+                                 const Symbols& symbols) {
+  if (values.size() == 2 && compare(values[0], 0) < 0 && compare(values[1], 0) > 0)
+    return {name + " > 0", name + " < 0"};
+  std::vector<std::string> result;
+  for (const ex& value : values) result.push_back(name + " = " + print(value, Notation::plain, symbols));
+  return result;
 }
 
 /// An equation of one symbol that holds for one of its values only.
@@ -81,9 +134,13 @@ std::optional<Given> only_solution(const ex& residual, const std::string& text, 
   if (values->empty()) contradicts(text);
   const std::string& name = *names.begin();
   if (values->size() > 1 && name.starts_with("excess_")) refuse(text);
-  if (values->size() > 1)
-    throw BadInput("the assumption '" + text + "' holds for more than one value of " + name +
-                   " in its range " + symbols.find(name)->range + ": " + choice(name, *values, symbols));
+  if (values->size() > 1) {
+    const auto each = choices(name, *values, symbols);
+    throw SeveralSolutions(fmt::format("the assumption '{}' holds for more than one value of {} in its range "
+                                       "{}: assume \"{}\" as well",
+                                       text, name, symbols.find(name)->range, fmt::join(each, "\" or \"")),
+                           each);
+  }
   return Given{symbols[name], values->front()};
 }
 
@@ -110,8 +167,9 @@ void check_range(const Given& given, const std::vector<Given>& all, const Symbol
     return end.closed ? sign_of(outside, symbols) > 0 : is_nonnegative(outside, symbols);
   };
   if (is_beyond(range.low, -1) || is_beyond(range.high, 1))
-    throw BadInput("the assumption on " + print(given.name, Notation::plain, symbols) +
-                   " contradicts its range " + symbols.find(given.name)->range + ", as declared or assumed");
+    throw Contradiction("the assumption on " + print(given.name, Notation::plain, symbols) +
+                        " contradicts its range " + symbols.find(given.name)->range +
+                        ", as declared or assumed");
 }
 
 /// What can be seen never to hold: without a value, or with one side always greater.
@@ -137,7 +195,11 @@ void solve(const Assumed& equation, Context& context, const std::vector<std::str
   if (names_in(left.normal()).empty() && vanishes(left, symbols)) return;
   if (sign_of(left, symbols) != 0) contradicts(equation.text);
   auto given = only_solution(left, equation.text, symbols);
-  if (!given) given = solved_for_one(left, symbols, small);
+  std::vector<ex> divided_by;
+  for (const Tree& side : equation.relation.sides)
+    for (const ex& divisor : divisors(side, symbols))
+      divided_by.push_back(put_in(divisor, context.put_in_at_once(true)));
+  if (!given) given = solved_for_one(left, divided_by, equation.text, symbols, small);
   if (!given) refuse_equation(left, equation);
   context.given.push_back(*given);
 }
@@ -148,6 +210,26 @@ void avoid_divisors(const Relation& relation, Symbols& symbols) {
   for (const Tree& side : relation.sides)
     for (const ex& divisor : divisors(side, symbols))
       if (sign_of(divisor, symbols) == 0) symbols.exclude_witnesses(divisor);
+}
+
+void keep_values(const std::string& text, const std::vector<Tree>& sides, const std::vector<ex>& kept,
+                 const Context& context) {
+  const Symbols& symbols = context.symbols;
+  const auto all = context.put_in_at_once(true);
+  std::vector<ex> needed;
+  for (const ex& value : kept)
+    for (const Condition& c : conditions_of(to_tree(value, symbols), symbols)) needed.push_back(c.value);
+  for (const Tree& side : sides)
+    for (const Condition& c : conditions_of(side, symbols, all)) {
+      const ex value = put_in(c.value, all);
+      if (c.relation == "!=" || value.is_zero()) continue;
+      const auto says_it = [&](const ex& e) {
+        return (e / value).normal().info(GiNaC::info_flags::positive);
+      };
+      if (std::none_of(needed.begin(), needed.end(), says_it))
+        throw BadInput("the assumption '" + text + "' has a value for " + in_words(c, symbols) +
+                       " only, which what is left of it no longer says: assume that as well");
+    }
 }
 
 void read_equations(const std::vector<Assumed>& equations, Context& context,
@@ -167,6 +249,10 @@ void read_equations(const std::vector<Assumed>& equations, Context& context,
   const auto all = context.put_in_at_once(true);
   for (const Given& given : all) check_range(given, all, symbols);
   for (const Assumed& equation : equations) check_equation(equation, context);
+  std::vector<ex> values;
+  for (const Given& given : all) values.push_back(given.value);
+  for (const Assumed& equation : equations)
+    keep_values(equation.text, equation.relation.sides, values, context);
 }
 
 }  // namespace rederive

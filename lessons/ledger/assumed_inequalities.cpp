@@ -82,8 +82,8 @@ void refuse(const std::string& text, const std::string& why) {
 }
 
 void contradicts(const std::string& text) {
-  throw BadInput("the assumptions contradict each other: '" + text +
-                 "' never holds with the declared ranges and what else is assumed");
+  throw Contradiction("the assumptions contradict each other: '" + text +
+                      "' never holds with the declared ranges and what else is assumed");
 }
 
 bool narrow(const Assumed& link, Symbols& symbols) {

@@ -58,14 +58,17 @@ bool is_bound_as_it_stands(const Assumed& link, const Symbols& symbols) {
 }
 
 /// What is not 0 where "x != y": the right side is read where it stands, so that an error is shown there.
-GiNaC::ex difference_in(const std::string& text, const Symbols& symbols) {
+GiNaC::ex difference_in(const std::string& text, const Context& context) {
+  const Symbols& symbols = context.symbols;
   const auto at = text.find("!=");
+  std::vector<Tree> sides;
   const auto value = [&](const std::string& side) {
-    return reading(text, [&] { return lower(parse(side, symbols), symbols); });
+    return reading(text, [&] { return lower(sides.emplace_back(parse(side, symbols)), symbols); });
   };
   const GiNaC::ex left = value(text.substr(0, at)),
                   right = value(std::string(at + 2, ' ') + text.substr(at + 2)),
                   difference = (left - right).expand();
+  keep_values(text, sides, {difference}, context);
   if (GiNaC::is_a<GiNaC::numeric>(difference.evalf()))
     throw BadInput("the assumption '" + text + "' says nothing of a symbol");
   return difference;
@@ -155,7 +158,7 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
   for (const Assumed& link : texts.inequalities)
     reading(link.text, [&] { avoid_divisors(link.relation, symbols); });
   for (const std::string& text : texts.differences) {
-    const GiNaC::ex difference = difference_in(text, symbols);
+    const GiNaC::ex difference = difference_in(text, context);
     if (!without.contains(context.inequalities.size())) symbols.exclude_zero(difference);
     context.inequalities.push_back(print(difference, Notation::plain, symbols) + " != 0");
   }

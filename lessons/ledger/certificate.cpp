@@ -242,9 +242,11 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
     for (const CertifiedZero& zero : link.zeros)
       for (const auto& place : zero.places) trees.push_back(place.more);
     for (const CertifiedBound& b : link.bounds) trees.insert(trees.end(), {b.residual, b.more});
-    for (const CertifiedSlope& s : link.slopes)
+    for (const CertifiedSlope& s : link.slopes) {
+      trees.insert(trees.end(), s.put_in.begin(), s.put_in.end());
       for (const Tree& tree : {s.slope, s.bend, s.at_low, s.at_high, s.by})
         if (tree) trees.push_back(tree);
+    }
     if (link.follows) {
       trees.insert(trees.end(), {link.follows->more, link.follows->times});
       add_trees(link.follows->product, trees);
@@ -338,6 +340,13 @@ Json certificate(const Relation& left, const Relation& right, const Symbols& sym
     }
   if (!beside_turns) throw Undecidable(why);
   return certificate_in(*beside_turns, question);
+}
+
+Json certificate_of_cases(const std::vector<Json>& cases) {
+  Json json{{"format", cases.at(0).at("format")}};
+  for (const char* side : {"left", "right"}) json[side] = cases[0].at(side);
+  json["cases"] = cases;
+  return json;
 }
 
 }  // namespace rederive

@@ -13,7 +13,8 @@ namespace rederive {
 ///   divisors      everything that it divides by, but for numbers: must not vanish
 ///   never zero    what was declared so, "x - y" for x != y
 ///   parts of divisors  of which factors are made, each with what it is times to be one of those; or with
-///                 which of them it is the `square of`, and `more` that is not negative
+///                 which of them it is the `square of`, or a half or a quarter of that, and `more` that is
+///                 not negative
 ///   slopes        expressions whose range does not show their sign: its `sign`, `in` one name, whatever the
 ///                 others are, and `how` it is seen: not of the other sign at the low (or high) end, with a
 ///                 `slope` that grows or falls from there; at both ends, with a `bend`, the slope of the
@@ -32,12 +33,11 @@ namespace rederive {
 ///   left, right   the `links` of that statement that are taken together, one mostly, by their numbers, and
 ///                 the `layers` taken off their sides, the outermost first: functions that grow, or `falls`,
 ///                 where function(left) and function(right) are the sides; "of", where it is a text in one
-///                 name, over the range of which it grows, at two names within that range; "even of", where it is
-///                 the same for x and -x: then it grows with the squares of names, of which the sizes are
-///                 within that range; "*", where the
-///                 sides differ by factor·(left - right) of a `factor` like the one below; of two
-///                 inequalities a positive `sum`: one of them holds; the expression, or the `residual` of
-///                 what is left, as a quotient of polynomials in generators
+///                 name, over the range of which it grows, at two names within that range; "even of", where
+///                 it is the same for x and -x: then it grows with the squares of names, of which the sizes
+///                 are within that range; "*", where the sides differ by factor·(left - right) of a `factor`
+///                 like the one below; of two inequalities a positive `sum`: one of them holds; the
+///                 expression, or the `residual` of what is left, as a quotient of polynomials in generators
 ///   factor        of parts that are never 0, with their exponents; `more` of a part that is 0 only where one
 ///                 of the residuals is; `bounds`, where `times` the part is that `residual`, not negative,
 ///                 and `more`; so is one that `divides` it, with what it is times;
@@ -57,5 +57,9 @@ namespace rederive {
 /// where nothing like this is found.
 nlohmann::ordered_json certificate(const Relation& left, const Relation& right, const Symbols& symbols,
                                    const std::vector<Given>& given);
+
+/// Of a statement that was proved under one of several assumptions each, of which one holds: its `left`,
+/// `right` and `cases`, a certificate for each, in which `given` is another.
+nlohmann::ordered_json certificate_of_cases(const std::vector<nlohmann::ordered_json>& cases);
 
 }  // namespace rederive

@@ -11,11 +11,29 @@ namespace rederive {
 using GiNaC::ex;
 using GiNaC::is_a;
 
+namespace {
+
+/// f(1 - x/y), of which the range shows more than that of f((y - x)/y).
+ex with_open_arguments(const ex& e) {
+  struct : GiNaC::map_function {
+    ex operator()(const ex& part) override {
+      const ex inner = part.map(*this);
+      return is_a<GiNaC::function>(inner) && has_symbol(inner.op(0).denom())
+                 ? GiNaC::function(GiNaC::ex_to<GiNaC::function>(inner).get_serial(), inner.op(0).expand())
+                 : inner;
+    }
+  } open;
+  return open(e);
+}
+
+}  // namespace
+
 std::optional<ex> Forms::plain_words(const ex& e) const {
   constexpr std::size_t most = 40;
   std::vector<ex> ways{e};
   for (std::size_t k = 0; k < ways.size(); ++k) {
-    if (shows_sign_in(ways[k], q.ranges)) return ways[k];
+    for (const ex& way : {with_open_arguments(ways[k]), ways[k]})
+      if (shows_sign_in(way, q.ranges)) return way;
     for (const auto& [symbol, words] : q.symbols.otherwise())
       for (const bool expands : {false, true}) {
         ex way = ways[k].subs(symbol == words, GiNaC::subs_options::no_pattern);
@@ -44,7 +62,7 @@ ex Forms::shortest(const ex& e) const {
   ex shorter = e;
   for (const auto& [symbol, words] : q.symbols.otherwise())
     if (const ex other = shorter.subs(symbol == words, GiNaC::subs_options::no_pattern);
-        names_in(other).size() <= names_in(shorter).size())
+        names_in(other).size() < names_in(shorter).size())
       shorter = other;
   return shorter;
 }
@@ -126,6 +144,8 @@ void Forms::add_ends(CertifiedSlope& slope, std::vector<CertifiedSlope>& slopes)
   const Interval range = parse_range(q.symbols.find(slope.why.in)->range);
   const auto value_at = [&](const End& end) {
     const ex value = slope.why.value.subs(slope.why.in == end.value).expand();
+    const ex as_written = lower(slope.value, q.symbols).subs(slope.why.in == end.value);
+    slope.put_in.push_back(to_tree(as_written, q.symbols));
     const Tree written = to_tree(vanishes(value, q.symbols) ? ex(0) : form(value), q.symbols);
     add_slopes(written, slopes);
     return written;

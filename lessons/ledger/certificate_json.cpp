@@ -38,7 +38,8 @@ namespace {
 
 bool falls(const Layer& layer) {
   static const std::set<std::string> falling{"acos", "cos", "cot", "cos(atan)"};
-  return layer.function == "*" || layer.function.ends_with("of") ? layer.turns : falling.contains(layer.function);
+  return layer.function == "*" || layer.function.ends_with("of") ? layer.turns
+                                                                 : falling.contains(layer.function);
 }
 
 Json layers_json(const std::vector<CertifiedLayer>& layers, const CertifiedStatement& q) {

@@ -166,14 +166,15 @@ struct Finder : Forms {
     return false;
   }
   /// part^n, if it is the square of something that the statement divides by, or that is assumed not to be 0,
-  /// and more that is not negative.
+  /// or a half or a quarter of that square, and more that is not negative.
   bool put_down_square(const ex& part, int n, CertifiedFactor& factor) const {
-    for (const CertifiedDivisor& d : divisors) {
-      const ex more = (part - GiNaC::pow(d.value, 2)).expand();
-      if (!is_nonnegative(more, q.symbols)) continue;
-      factor.push_back({tree(form(part)), n, nullptr, d.tree, tree(form(more))});
-      return true;
-    }
+    for (const CertifiedDivisor& d : divisors)
+      for (const int share : {1, 2, 4}) {
+        const ex more = (part - GiNaC::pow(d.value, 2) / share).expand();
+        if (!is_nonnegative(more, q.symbols)) continue;
+        factor.push_back({tree(form(part)), n, nullptr, d.tree, tree(form(more))});
+        return true;
+      }
     return false;
   }
   /// value/part, if that divides by nothing but what is allowed.
@@ -187,7 +188,7 @@ struct Finder : Forms {
     ex product = 1;
     for (const auto& [p, k] : *parts) {
       const auto is_it = [&, square = GiNaC::pow(p, 2)](const CertifiedDivisor& d) {
-        return vanishes(square - GiNaC::pow(d.value, 2), q.symbols);
+        return !has_symbol((d.value / p).normal()) || vanishes(square - GiNaC::pow(d.value, 2), q.symbols);
       };
       if (k.is_negative() && !is_a<numeric>(p) && std::none_of(allowed.begin(), allowed.end(), is_it))
         return std::nullopt;

@@ -56,6 +56,7 @@ struct CertifiedSlope {
   Slope why;
   Tree bend = nullptr;                       ///< the slope of the slope, where that is what shows it
   Tree at_low = nullptr, at_high = nullptr;  ///< its values at ends, where other symbols are in them
+  std::vector<Tree> put_in = {};             ///< these with the ends put in, as they stand
   Tree by = nullptr;                         ///< positive, by which the last slope is taken times
 };
 

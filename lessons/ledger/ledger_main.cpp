@@ -224,7 +224,7 @@ int main(int argc, char** argv) {
   proving
       ->add_option("--assume", options.request.assumptions,
                    "\"x > 0\", \"0 < x < 1\", \"b < h\", \"mu > tan(alpha)\", \"x != y\", "
-                   "\"h = R*cos(alpha)\", \"p^2 = 3*g/(4*R)\"; more of them by more options")
+                   "\"h = R*cos(alpha)\", \"p^2 = 3*g/(4*R)\", \"x^2+y^2 = 1\"; more of them by more options")
       ->take_all()
       ->allow_extra_args(false)
       ->option_text("TEXT");
@@ -237,7 +237,9 @@ int main(int argc, char** argv) {
   proving->footer(
       "To ask whether an inequality holds wherever it has a value, compare it with 0 < 1.\n\n"
       "proved holds without the equations that are assumed, proved_under needs them; approximation: with\n"
-      "--small, where the two themselves are not the same, but their Taylor polynomials are.\n\n"
+      "--small, where the two themselves are not the same, but their Taylor polynomials are. An equation "
+      "that\n"
+      "leaves a sign open, or several angles, is assumed in every way; what is proved holds for all.\n\n"
       "A witness shows the values of two expressions, or of A and B for y = A and y = B; for other equations "
       "and\n"
       "inequalities the differences of their sides, of an inequality the one that it asks to be positive.\n"

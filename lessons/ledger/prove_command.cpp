@@ -6,6 +6,7 @@
 #include <derivations/algebra/witness.hpp>
 #include <derivations/bounded.hpp>
 #include <functional>
+#include <lessons/ledger/assumed.hpp>
 #include <lessons/ledger/certificate.hpp>
 #include <lessons/ledger/domain.hpp>
 #include <lessons/ledger/prove_command.hpp>
@@ -211,16 +212,105 @@ Proof or_undecided(Work work) {
   }
 }
 
+/// What tells a case from the others.
+std::vector<std::string> added_in(const Case& one, const ProveRequest& request) {
+  return {one.request.assumptions.begin() + static_cast<std::ptrdiff_t>(request.assumptions.size()),
+          one.request.assumptions.end()};
+}
+
+void add_new(const std::vector<std::string>& some, std::vector<std::string>& all) {
+  for (const std::string& one : some)
+    if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+}
+
+/// What is said of each case, once, but for what tells them apart.
+std::vector<std::string> of_each(const std::vector<Case>& cases, const ProveRequest& request,
+                                 const std::function<std::vector<std::string>(const Case&)>& said) {
+  std::vector<std::string> all, added;
+  for (const Case& one : cases) add_new(said(one), all), add_new(added_in(one, request), added);
+  std::erase_if(all, [&](const std::string& text) {
+    return std::find(added.begin(), added.end(), text) != added.end();
+  });
+  return all;
+}
+
+bool is_equation(const std::string& assumption) {
+  const auto at = assumption.find('=');
+  return at != std::string::npos &&
+         (at == 0 || std::string("<>!").find(assumption[at - 1]) == std::string::npos);
+}
+
+/// Whether it holds with none of the equations that are assumed, of which the cases are.
+bool is_proved_without_equations(ProveRequest request) {
+  std::erase_if(request.assumptions, is_equation);
+  try {
+    return decide_but_for_ranges(make_context(request), request).verdict == Verdict::proved;
+  } catch (const BadInput&) {  // an assumption means something with an equation only
+    return false;
+  }
+}
+
+/// Proved where all cases are, refuted where one is. What tells the cases apart follows from equations.
+Proof decide_each(const std::vector<Case>& cases, const ProveRequest& request) {
+  std::optional<Proof> all, open;
+  std::vector<std::string> names;
+  for (const Case& one : cases) {
+    Proof proof = decide_but_for_ranges(one.context, one.request);
+    const std::vector<std::string> added = added_in(one, request);
+    if (added.empty() || proof.verdict == Verdict::refuted) return proof;
+    names.push_back(fmt::format("{}", fmt::join(added, ", ")));
+    if (proof.verdict == Verdict::undecided) {
+      proof.reason = "for " + names.back() + ": " + proof.reason;
+      if (!open) open = proof;
+      continue;
+    }
+    if (!all) all = proof;
+    if (proof.verdict != Verdict::proved) all->verdict = proof.verdict;
+    if (proof.factor != all->factor) all->factor.clear();
+    add_new(proof.side_conditions, all->side_conditions);
+  }
+  if (open) return *open;
+  if (all->verdict == Verdict::proved && !is_proved_without_equations(request))
+    all->verdict = Verdict::proved_under;
+  all->reason += fmt::format(", for {}{}", fmt::join(names, " and for "), names.size() > 1 ? " alike" : "");
+  return *all;
+}
+
+std::vector<std::string> conditions_of_each(const std::vector<Case>& cases, Verdict verdict,
+                                            const ProveRequest& request) {
+  return of_each(cases, request,
+                 [&](const Case& one) { return conditions_used(verdict, one.context, one.request); });
+}
+
 }  // namespace
+
+std::vector<Case> cases_of(const ProveRequest& request) {
+  constexpr std::size_t most = 8;
+  try {
+    return {{request, make_context(request)}};
+  } catch (const SeveralSolutions& solutions) {
+    std::vector<Case> result;
+    std::exception_ptr contradiction;
+    for (const std::string& one : solutions.each) {
+      ProveRequest next = request;
+      next.assumptions.push_back(one);
+      try {
+        for (Case& further : cases_of(next)) result.push_back(std::move(further));
+      } catch (const Contradiction&) {
+        contradiction = std::current_exception();
+      }
+      if (result.size() > most) throw;
+    }
+    if (result.empty()) std::rethrow_exception(contradiction);
+    return result;
+  }
+}
 
 Proof decide(const ProveRequest& request) {
   return or_undecided([&] {
-    const Context context = make_context(request);
-    Proof proof = decide_but_for_ranges(context, request);
-    if (!is_proved(proof)) return proof;
-    for (const std::string& condition : conditions_used(proof.verdict, context, request))
-      if (std::count(proof.side_conditions.begin(), proof.side_conditions.end(), condition) == 0)
-        proof.side_conditions.push_back(condition);
+    const std::vector<Case> cases = cases_of(request);
+    Proof proof = decide_each(cases, request);
+    if (is_proved(proof)) add_new(conditions_of_each(cases, proof.verdict, request), proof.side_conditions);
     return proof;
   });
 }
@@ -253,9 +343,12 @@ using Json = nlohmann::ordered_json;
 std::string decision(const ProveRequest& request) {
   Json conditions = Json::array();
   const Proof proof = or_undecided([&] {
-    const Context context = make_context(request);
-    Proof found = decide_but_for_ranges(context, request);
-    if (is_proved(found)) conditions = as_conditions(grounds(context, request), context);
+    const std::vector<Case> cases = cases_of(request);
+    Proof found = decide_each(cases, request);
+    if (is_proved(found))
+      conditions = of_each(cases, request, [](const Case& one) {
+        return as_conditions(grounds(one.context, one.request), one.context);
+      });
     return found;
   });
   return Json{to_json(proof), conditions}.dump();
@@ -265,7 +358,7 @@ std::string decision(const ProveRequest& request) {
 Json conditions_within(double seconds, const Json& all, const Json& verdict, const ProveRequest& request) {
   const auto work = [&] {
     const Verdict proved = verdict == "proved" ? Verdict::proved : Verdict::proved_under;
-    return Json(conditions_used(proved, make_context(request), request)).dump();
+    return Json(conditions_of_each(cases_of(request), proved, request)).dump();
   };
   const Bounded outcome = all.empty() ? Bounded{} : bounded(work, seconds);
   return outcome.result ? Json::parse(*outcome.result) : all;
@@ -290,12 +383,16 @@ Json decide_bounded(const ProveRequest& request) {
 }
 
 nlohmann::ordered_json certificate_bounded(const ProveRequest& request, bool with_equations) {
+  const auto one_certificate = [&](const Case& one) {
+    const Symbols& symbols = one.context.symbols;
+    return certificate(read(one.request.left, symbols), read(one.request.right, symbols), symbols,
+                       one.context.put_in_at_once(with_equations));
+  };
   const auto work = [&]() -> std::string {
-    const Context context = make_context(request);
+    std::vector<Json> each;
     try {
-      return certificate(read(request.left, context.symbols), read(request.right, context.symbols),
-                         context.symbols, context.put_in_at_once(with_equations))
-          .dump();
+      for (const Case& one : cases_of(request)) each.push_back(one_certificate(one));
+      return (each.size() == 1 ? each[0] : certificate_of_cases(each)).dump();
     } catch (const Undecidable& error) {
       return Json(error.what()).dump();
     }

@@ -38,8 +38,17 @@ struct Context {
 Context make_context(const ProveRequest& request, const std::vector<std::string>& freed = {},
                      const std::set<std::size_t>& without = {});
 
-/// Decides. The declared ranges that a proof rests on are among its side conditions. Throws BadInput (with a
-/// caret) for what cannot be read. No bounds on time or memory.
+/// What was asked, and all that stands for something in it.
+struct Case {
+  ProveRequest request;
+  Context context;
+};
+/// The request; or the same with one more assumption each, of which one always holds, where an assumption has
+/// several solutions: x^2 = 4 with x > 0, and with x < 0. Throws BadInput as make_context().
+std::vector<Case> cases_of(const ProveRequest& request);
+
+/// Decides, in every case. The declared ranges that a proof rests on are among its side conditions. Throws
+/// BadInput (with a caret) for what cannot be read. No bounds on time or memory.
 Proof decide(const ProveRequest& request);
 
 /// Decides within two seconds and 500 MB. Throws BadInput (with a caret) for what cannot be read.
