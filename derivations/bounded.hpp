@@ -4,8 +4,10 @@
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -19,11 +21,26 @@ namespace rederive {
 /// What bounded work came to.
 struct Bounded {
   std::optional<std::string> result;  ///< what the work returned, if it ended well
-  std::string why;                    ///< else: "more than 2 seconds", "more memory than 500 MB", what it threw
+  std::string why;     ///< else: "it took longer than it may", "more memory than it may have", what it threw
+  double seconds = 0;  ///< what it took, as the limit counts it
 };
 
-/// Runs `work` in a child process and brings its text back. At most `seconds` of wall-clock time and `megabytes` of
-/// address space beyond what the parent has. Throws std::runtime_error if no child can be made.
+inline double in_seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/// The processor time of a process, in seconds; 0 where it cannot be told.
+inline double processor_seconds(pid_t process) {
+  clockid_t clock;
+  timespec time{};
+  if (::clock_getcpuclockid(process, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// Runs `work` in a child process and brings its text back. At most `seconds` and `megabytes` of address
+/// space. The seconds are wall-clock time, but at most twice the processor time: work that only waits for its
+/// turn on a busy machine is not given up, so that what is decided does not depend on the others. (After 20
+/// times the seconds it is, whatever it waits for.) Throws std::runtime_error if no child can be made.
 inline Bounded run_bounded(const std::function<std::string()>& work, double seconds, long megabytes) {
   int ends[2];
   if (::pipe(ends) != 0) throw std::runtime_error("no pipe to be had");
@@ -54,29 +71,34 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
     ::_exit(0);
   }
   ::close(ends[1]);
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const auto counted = [&](double processor) {
+    const double wall = std::chrono::duration<double>(Clock::now() - start).count();
+    return wall > 20 * seconds ? wall : std::min(wall, 2 * processor);
+  };
   std::string text;
-  bool late = false;
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  bool is_late = false;
   for (char buffer[4096];;) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
+    const double taken = counted(processor_seconds(child));
+    is_late = taken >= seconds;
+    if (is_late) break;
     pollfd ready{ends[0], POLLIN, 0};
-    const int count = left.count() > 0 ? ::poll(&ready, 1, static_cast<int>(left.count())) : 0;
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) {
-      late = true;
-      ::kill(child, SIGKILL);
-      break;
-    }
-    const ssize_t n = ::read(ends[0], buffer, sizeof buffer);
+    const int count = ::poll(&ready, 1, 1 + static_cast<int>(500 * (seconds - taken)));
+    if (count == 0 || (count < 0 && errno == EINTR)) continue;
+    const ssize_t n = count > 0 ? ::read(ends[0], buffer, sizeof buffer) : 0;
     if (n <= 0) break;
     text.append(buffer, static_cast<std::size_t>(n));
   }
+  if (is_late) ::kill(child, SIGKILL);
   ::close(ends[0]);
-  ::waitpid(child, nullptr, 0);
-  if (late) return {std::nullopt, "it took longer than it may"};
-  if (text.empty()) return {std::nullopt, "it ran out of memory or stack"};
-  if (text[0] == '-') return {std::nullopt, text.substr(1)};
-  return {text.substr(1), ""};
+  rusage used{};
+  ::wait4(child, nullptr, 0, &used);
+  const double taken = counted(in_seconds(used.ru_utime) + in_seconds(used.ru_stime));
+  if (is_late) return {std::nullopt, "it took longer than it may", taken};
+  if (text.empty()) return {std::nullopt, "it ran out of memory or stack", taken};
+  if (text[0] == '-') return {std::nullopt, text.substr(1), taken};
+  return {text.substr(1), "", taken};
 }
 
 }  // namespace rederive

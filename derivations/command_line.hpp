@@ -122,7 +122,9 @@ inline void write_whole(const std::filesystem::path& path, std::string_view text
 /// For options that take the name of a file to be written.
 inline const CLI::Validator file_name(
     [](std::string& name) {
-      return name.empty() ? "a file needs a name" : name.starts_with("--") ? "'" + name + "' is an option" : "";
+      return name.empty()             ? "a file needs a name"
+             : name.starts_with("--") ? "'" + name + "' is an option"
+                                      : "";
     },
     "");
 

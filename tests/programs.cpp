@@ -1,6 +1,5 @@
 // What holds for every program: the same bytes twice, help, a version, and a clear refusal of bad input.
 #include <doctest/doctest.h>
-
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -14,7 +13,8 @@ namespace {
 
 std::set<std::string> programs() {
   std::set<std::string> names;
-  for (const auto& file : std::filesystem::directory_iterator(REDERIVE_PROGRAMS)) names.insert(file.path().filename());
+  for (const auto& file : std::filesystem::directory_iterator(REDERIVE_PROGRAMS))
+    names.insert(file.path().filename());
   return names;
 }
 
@@ -55,7 +55,9 @@ const std::vector<Call> bad{
     {"rocking", {"threshold", "--omega", "2", "--restitution", "1.5"}, "1.5"},
     {"rocking", {"response", "--omega", "2", "--amplitude", "lots"}, "lots"},
     {"rocking", {"response", "--omega", "2"}, "amplitude"},
-    {"rocking", {"response", "--omega", "2", "--amplitude", "3", "--csv", "/no/such/folder/file"}, "/no/such/folder/file"},
+    {"rocking",
+     {"response", "--omega", "2", "--amplitude", "3", "--csv", "/no/such/folder/file"},
+     "/no/such/folder/file"},
     {"exercises", {"check", "no-such-exercise", "x"}, "no-such-exercise"},
     {"lesson-01-the-block-and-its-motion", {"--step", "99"}, "99"},
     {"lesson-01-the-block-and-its-motion", {"--format", "papyrus"}, "papyrus"},
@@ -87,7 +89,8 @@ TEST_CASE("every program explains itself") {
 TEST_CASE("two runs give the same bytes") {
   for (const Call& call : good) {
     INFO(command(call));
-    const Result first = run_program(call.program, call.arguments), second = run_program(call.program, call.arguments);
+    const Result first = run_program(call.program, call.arguments),
+                 second = run_program(call.program, call.arguments);
     CHECK(first.exit_code == 0);
     CHECK(first.out == second.out);
     CHECK(first.err == second.err);

@@ -74,17 +74,13 @@ class Matching {
 
   std::optional<std::vector<Match>> find() {
     auto found = find_matches();
-    const Residuals& r = parts_.first;
-    const bool is_lost = found && !found->front().never &&
-                         (loses_all(r.left_divisors, r.right_divisors, parts_.right) ||
-                          loses_all(r.right_divisors, r.left_divisors, parts_.left));
-    return is_lost ? std::nullopt : found;
+    return found && !found->front().never && is_lost() ? std::nullopt : found;
   }
 
   bool all_follow() {
     Numbers left(parts_.left.size()), right(parts_.right.size());
     std::iota(left.begin(), left.end(), 0), std::iota(right.begin(), right.end(), 0);
-    return follow(left, right);
+    return follow(left, right) && !is_lost();
   }
 
  private:
@@ -109,15 +105,20 @@ class Matching {
     return matches_;
   }
 
-  /// Whether something that one statement divides by, and the other one does not, is 0 wherever the equations
-  /// of the other one hold.
-  bool loses_all(const std::vector<ex>& divisors, const std::vector<ex>& others, const Parts& parts) const {
-    const std::vector<Asked> links = asked(parts);
-    return std::any_of(divisors.begin(), divisors.end(), [&](const ex& divisor) {
-      const auto is_it = [&](const ex& other) { return is_multiple(divisor, other); };
-      return sign_of(divisor, symbols_) == 0 && std::none_of(others.begin(), others.end(), is_it) &&
-             by_elimination({divisor, Claim::zero}, links, {}, symbols_);
-    });
+  /// Whether a statement divides by something that is 0 wherever the equations of the other one hold, or of
+  /// which that is 0 the other one holds all along.
+  bool is_lost() const {
+    const Residuals& r = parts_.first;
+    return loses(r.left_divisors, r.right_divisors, asked(parts_.right)) ||
+           loses(r.right_divisors, r.left_divisors, asked(parts_.left));
+  }
+  bool loses(const std::vector<ex>& divisors, const std::vector<ex>& others,
+             const std::vector<Asked>& links) const {
+    const auto follows = [&](const ex& divisor) {
+      return by_elimination({divisor, Claim::zero}, links, {}, symbols_).has_value();
+    };
+    const std::vector<ex> own = own_divisors(divisors, others, symbols_);
+    return std::any_of(own.begin(), own.end(), follows) || lost_along(own, links, symbols_);
   }
   static bool among(std::size_t k, const Numbers& numbers) {
     return std::find(numbers.begin(), numbers.end(), k) != numbers.end();

@@ -40,7 +40,8 @@ int sign_of(const GiNaC::ex& expression, const Symbols& symbols);
 /// Whether the expression provably never becomes negative.
 bool is_nonnegative(const GiNaC::ex& expression, const Symbols& symbols);
 
-/// A comparison of two constants, with as many digits as are certain: -1, 0, +1. Throws std::domain_error if they are too close to tell.
+/// A comparison of two constants, with as many digits as are certain: -1, 0, +1. Throws std::domain_error if
+/// they are too close to tell.
 int compare(const GiNaC::ex& a, const GiNaC::ex& b);
 
 }  // namespace rederive

@@ -1,9 +1,9 @@
-#include <type_traits>
 #include <cln/float.h>
 #include <cln/real.h>
 
 #include <cstddef>
 #include <derivations/algebra/linear_program.hpp>
+#include <type_traits>
 
 namespace rederive {
 

@@ -93,19 +93,34 @@ bool holds_along_a_part(const ex& divisor, const ex& residual, Claim claim, cons
 
 }  // namespace
 
+std::vector<ex> own_divisors(const std::vector<ex>& divisors, const std::vector<ex>& others,
+                             const Symbols& symbols) {
+  std::vector<ex> own;
+  for (const ex& divisor : divisors)
+    if (sign_of(divisor, symbols) == 0 && !is_among(divisor, others) && !is_excluded(divisor, symbols))
+      own.push_back(divisor);
+  return own;
+}
+
+std::optional<ex> lost_along(const std::vector<ex>& divisors, const std::vector<Asked>& links,
+                             const Symbols& symbols) {
+  const auto is_strict = [](const Asked& link) { return link.claim == Claim::positive; };
+  if (std::any_of(links.begin(), links.end(), is_strict)) return std::nullopt;
+  for (const ex& divisor : divisors)
+    if (std::all_of(links.begin(), links.end(), [&](const Asked& link) {
+          return is_plain_factor(divisor, link.residual, symbols) ||
+                 holds_along_a_part(divisor, link.residual, link.claim, symbols);
+        }))
+      return divisor;
+  return std::nullopt;
+}
+
 std::optional<ex> lost_to(const Residuals& r, const Symbols& symbols) {
-  const auto own = [&](const std::vector<ex>& divisors, const std::vector<ex>& others, const ex& residual,
-                       Claim claim) -> std::optional<ex> {
-    if (claim == Claim::positive) return std::nullopt;  // it does not hold where its residual is 0
-    for (const ex& divisor : divisors)
-      if (sign_of(divisor, symbols) == 0 && !is_among(divisor, others) && !is_excluded(divisor, symbols) &&
-          (is_plain_factor(divisor, residual, symbols) ||
-           holds_along_a_part(divisor, residual, claim, symbols)))
-        return divisor;
-    return std::nullopt;
+  const auto own = [&](const std::vector<ex>& divisors, const std::vector<ex>& others, const Asked& asked) {
+    return lost_along(own_divisors(divisors, others, symbols), {asked}, symbols);
   };
-  const auto found = own(r.left_divisors, r.right_divisors, r.pair.right_value, r.right);
-  return found ? found : own(r.right_divisors, r.left_divisors, r.pair.left_value, r.left);
+  const auto found = own(r.left_divisors, r.right_divisors, {r.pair.right_value, r.right});
+  return found ? found : own(r.right_divisors, r.left_divisors, {r.pair.left_value, r.left});
 }
 
 std::optional<ex> losing_divisor(const std::vector<ex>& divisors, const Residuals& r, const ex& left,

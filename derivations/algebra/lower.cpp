@@ -190,7 +190,7 @@ class Lowering {
         {"exp", [](const ex& x) { return GiNaC::exp(x); }},
         {"log", [](const ex& x) { return GiNaC::log(x); }},
         {"sqrt", [](const ex& x) { return GiNaC::sqrt(x); }},
-        {"fabs", [](const ex& x) { return GiNaC::abs(x); }}};
+        {"fabs", size_of}};
     const auto function = functions.find(node.text);
     if (function == functions.end())
       refuse(node, "unknown_function", "there is no function '" + node.text + "'");

@@ -8,6 +8,7 @@
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/prove.hpp>
+#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <functional>
 #include <set>
@@ -34,11 +35,29 @@ std::string to_string(Verdict verdict) {
   return "undecided";
 }
 
+namespace {
+
+/// Values in place of names.
+class PutIn : public GiNaC::map_function {
+ public:
+  explicit PutIn(const std::vector<Given>& given) {
+    for (const Given& g : given) values_[g.name] = g.value;
+  }
+  ex operator()(const ex& e) override {
+    if (const auto value = values_.find(e); value != values_.end()) return value->second;
+    return GiNaC::is_the_function<GiNaC::abs_SERIAL>(e) ? size_of((*this)(e.op(0))) : e.map(*this);
+  }
+
+ private:
+  GiNaC::exmap values_;
+};
+
+}  // namespace
+
 ex put_in(ex e, const std::vector<Given>& given) {
-  GiNaC::exmap map;
-  for (const Given& g : given) map[g.name] = g.value;
+  PutIn all(given);
   for (std::size_t round = 0; round <= given.size(); ++round) {  // givens may mention each other
-    const ex next = e.subs(map, GiNaC::subs_options::no_pattern);
+    const ex next = all(e);
     if (next.is_equal(e)) return e;
     e = next;
   }

@@ -30,6 +30,12 @@ bool is_real(const ex& expression) {
 
 ex as_real(const ex& expression) { return Real()(expression); }
 
+ex size_of(const ex& x) {
+  const bool is_root = GiNaC::is_a<GiNaC::power>(x) && x.op(1).info(GiNaC::info_flags::rational) &&
+                       !x.op(1).info(GiNaC::info_flags::integer);
+  return is_root ? x : GiNaC::abs(x);
+}
+
 ex derivative(const ex& expression, const ex& symbol) {
   return as_real(expression.diff(GiNaC::ex_to<GiNaC::symbol>(symbol)));
 }

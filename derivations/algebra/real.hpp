@@ -12,6 +12,9 @@ bool is_real(const GiNaC::ex& expression);
 /// conjugate and its own real part. Throws std::domain_error where there is a number that is not real.
 GiNaC::ex as_real(const GiNaC::ex& expression);
 
+/// |x|, which is x for a root: GiNaC makes sqrt(|u|) of |sqrt(u)|, and forgets that u is not negative.
+GiNaC::ex size_of(const GiNaC::ex& x);
+
 /// The derivative by a symbol, as_real(): that of |f| has conjugates of f.
 GiNaC::ex derivative(const GiNaC::ex& expression, const GiNaC::ex& symbol);
 

@@ -31,8 +31,8 @@ Proof prove_by_some_factor(const Residuals& residuals, const Symbols& symbols);
 std::optional<GiNaC::numeric> number_between(const GiNaC::ex& left, const GiNaC::ex& right,
                                              const Symbols& symbols);
 
-/// Whether a whole exponent is above 8 in size. x^64 - y^64 has a factor that takes long to find, and is not needed where x^2 - y^2 does: with such powers
-/// functions are taken off first.
+/// Whether a whole exponent is above 8 in size. x^64 - y^64 has a factor that takes long to find, and is not
+/// needed where x^2 - y^2 does: with such powers functions are taken off first.
 bool has_high_power(const GiNaC::ex& residual);
 
 /// Whether what a residual asks for holds at all points of the declared ranges, or at none; nothing where

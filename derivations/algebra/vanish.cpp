@@ -178,9 +178,9 @@ ex with_small_multiples(const ex& sum) {
   return common.is_pos_integer() ? (terms / common).expand() : terms;
 }
 
-/// A real sum E of inverse functions and angles: e^E = 1 makes it 0, where it has logarithms and area functions;
-/// e^{2iE} = 1 makes it a multiple of π, the same one all over a connected domain, where it has arcs: which
-/// one is seen at one point.
+/// A real sum E of inverse functions and angles: e^E = 1 makes it 0, where it has logarithms and area
+/// functions; e^{2iE} = 1 makes it a multiple of π, the same one all over a connected domain, where it has
+/// arcs: which one is seen at one point.
 bool vanishes_by_its_exponential(const ex& multiple, const Symbols& given, int depth) {
   if (!is_real(multiple)) return false;
   const ex sum = with_small_multiples(multiple);
