@@ -74,7 +74,7 @@ Ball BallArithmetic::times(const Ball& x, const Ball& y) const {
 
 Ball BallArithmetic::over(const Ball& x, const Ball& y) const {
   const cl_R nearest = Ball{cln::abs(y.middle), y.radius}.least();  // to zero
-  if (!cln::plusp(nearest)) throw NoValue{};
+  if (!cln::plusp(nearest)) throw NoValue{is_zero(y)};
   if (x.is_of_pi() && y.is_of_pi()) return exactly(x.of_pi / y.of_pi);
   const cl_R quotient = x.middle / y.middle;
   Ball result = rounded(quotient, (x.radius + cln::abs(quotient) * y.radius) / nearest);
@@ -112,7 +112,7 @@ Ball BallArithmetic::absolute(const Ball& x) const {
 
 Ball BallArithmetic::sqrt(const Ball& x) const {
   if (is_zero(x)) return exactly(0);
-  if (!is_positive(x)) throw NoValue{};
+  if (!is_positive(x)) throw NoValue{is_negative(x)};
   cl_RA root;
   if (x.exact() && cln::sqrtp(rational(x), &root)) return exactly(root);
   return rounded(cln::sqrt(fine(x.middle)), x.radius / cln::sqrt(rough(x.least())));
@@ -127,7 +127,7 @@ Ball BallArithmetic::exp(const Ball& x) const {
 
 Ball BallArithmetic::log(const Ball& x) const {
   if (x.exact() && x.middle == 1) return exactly(0);
-  if (!is_positive(x)) throw NoValue{};
+  if (!is_positive(x)) throw NoValue{is_zero(x) || is_negative(x)};
   Ball result = rounded(cln::ln(fine(x.middle)), x.radius / x.least());
   result.radius = result.radius + unit_;  // near 1, the rounding of x counts
   return result;

@@ -24,7 +24,9 @@ struct Ball {
 };
 
 /// Thrown where an operation has no real value, or where the ball is too wide to tell.
-struct NoValue {};
+struct NoValue {
+  bool is_certain = false;  ///< else more digits may give one
+};
 
 /// The operations at one working precision. What is said of NoValue is so for narrow balls; wide ones may be
 /// refused elsewhere, too. Where numbers grow too large for CLN, its cln::runtime_exception passes.

@@ -37,6 +37,7 @@ Ball BallArithmetic::call(const std::string& name, const Ball& x) const {
       {"fabs", &A::absolute}};
   const auto function = functions.find(name);
   if (function == functions.end()) throw std::out_of_range("there is no function '" + name + "'");
+  if (is_outside_domain(name, x)) throw NoValue{true};
   return function->second(*this, x);
 }
 

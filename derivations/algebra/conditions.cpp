@@ -42,7 +42,7 @@ struct Collector {
     }
   }
 
-  bool may_be_negative(const Tree& exponent) const { return sign_of(lower(exponent, symbols), symbols) <= 0; }
+  bool may_be_negative(const GiNaC::ex& exponent) const { return sign_of(exponent, symbols) <= 0; }
 
   void visit(const Tree& tree) {
     for (const Tree& child : tree->children) visit(child);
@@ -53,12 +53,12 @@ struct Collector {
           if (tree->inverse[k]) nonzero(value(k));
         break;
       case Node::Kind::power: {
-        const GiNaC::ex exponent = value(1);
+        const GiNaC::ex exponent = put_in(value(1), given);
         const bool whole =
             GiNaC::is_a<GiNaC::numeric>(exponent) && GiNaC::ex_to<GiNaC::numeric>(exponent).is_integer();
         if (!whole)
-          note(value(0), may_be_negative(tree->children[1]) ? ">" : ">=");
-        else if (may_be_negative(tree->children[1]))
+          note(value(0), may_be_negative(exponent) ? ">" : ">=");
+        else if (may_be_negative(exponent))
           nonzero(value(0));
         break;
       }

@@ -95,7 +95,8 @@ std::optional<cln::cl_R> evaluate(const Tree& tree, const Point& point, int digi
     try {
       const Ball ball = Evaluation(point, {}, precision).value(*tree);
       if (is_certain(ball, digits)) return ball.middle;
-    } catch (const NoValue&) {                 // too wide, or undefined: more digits will tell
+    } catch (const NoValue& why) {  // else too wide, or undefined: more digits will tell
+      if (why.is_certain) return std::nullopt;
     } catch (const cln::runtime_exception&) {  // overflow and the like
     }
     if (precision == most) return std::nullopt;

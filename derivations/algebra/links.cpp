@@ -125,9 +125,9 @@ std::string operator_between(const Relation& relation, std::size_t from, std::si
 }
 
 /// Whether nothing that it divides by may be 0 in these ranges.
-bool has_values(const Relation& relation, const Symbols& symbols) {
+bool has_values(const Relation& relation, const Symbols& symbols, const std::vector<Given>& given) {
   return std::all_of(relation.sides.begin(), relation.sides.end(), [&](const Tree& side) {
-    const auto conditions = conditions_of(side, symbols);
+    const auto conditions = conditions_of(side, symbols, given);
     return std::none_of(conditions.begin(), conditions.end(),
                         [](const Condition& c) { return c.relation == "!="; });
   });
@@ -138,7 +138,7 @@ Intervals where_it_has_values(const Relation& relation, const Question& question
   const Symbols& symbols = question.symbols;
   Intervals intervals;
   for (const Tree& side : relation.sides)
-    for (const Condition& c : conditions_of(side, symbols))
+    for (const Condition& c : conditions_of(side, symbols, question.given))
       if (c.relation != "!=")
         narrow_by(put_in(c.value, question.given), claim_of(c.relation), symbols, intervals);
   return intervals;
@@ -254,7 +254,8 @@ std::optional<Symbols> where_one_may_hold(const Question& question) {
       } catch (const std::domain_error&) {  // ends too close to tell
       }
   const auto result = narrowed(either, question);
-  const bool is_clear = result && has_values(question.left, *result) && has_values(question.right, *result);
+  const bool is_clear = result && has_values(question.left, *result, question.given) &&
+                        has_values(question.right, *result, question.given);
   return is_clear ? result : std::nullopt;
 }
 

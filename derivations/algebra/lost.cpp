@@ -4,9 +4,11 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/lost.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/quick_value.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/roots.hpp>
 #include <derivations/algebra/sample.hpp>
+#include <derivations/algebra/walk.hpp>
 
 namespace rederive {
 
@@ -55,6 +57,9 @@ bool holds_along(const ex& part, const Tree& residual, Claim claim, const Symbol
     for (int k = 0; k < beside; ++k) {
       Point at = points.at(k);
       for (const std::string& name : own) at[name] = root.at.at(name);
+      const auto quick = quick_value(residual, at);
+      const bool is_clear = quick && (claim == Claim::zero || *quick < 0);
+      if (is_clear) return false;  // it fails there
       const auto value = value_of(residual, at);
       const bool is_held =
           value && (is_nearly_zero(*value) || (claim == Claim::not_negative && cln::plusp(*value)));
@@ -123,12 +128,28 @@ std::optional<ex> lost_to(const Residuals& r, const Symbols& symbols) {
   return found ? found : own(r.right_divisors, r.left_divisors, {r.pair.left_value, r.left});
 }
 
+namespace {
+
+/// Whether the expression is certainly not 0 at a zero of the divisor, which is no factor of it then: cheaper
+/// than algebra, which would have to divide.
+bool is_alive_at_a_zero(const ex& divisor, const ex& expression, const Symbols& symbols) {
+  constexpr int most = 2;
+  const Tree zero = to_tree(divisor, symbols), above = to_tree(expression.normal().numer(), symbols);
+  const auto is_alive = [&](const Point& point) { return quick_value(above, point).has_value(); };
+  return walk(zero, points_for(std::vector<Tree>{zero, above}, symbols), most, is_alive).has_value();
+}
+
+}  // namespace
+
 std::optional<ex> losing_divisor(const std::vector<ex>& divisors, const Residuals& r, const ex& left,
                                  const ex& right, const Symbols& symbols) {
+  const auto divides = [&](const ex& divisor, const ex& e) {
+    return !is_alive_at_a_zero(divisor, e, symbols) && is_factor(divisor, e, symbols);
+  };
   for (const ex& divisor : divisors)
     if (!is_excluded(divisor, symbols) &&
         !(is_among(divisor, r.left_divisors) && is_among(divisor, r.right_divisors)) &&
-        (is_factor(divisor, left, symbols) || is_factor(divisor, right, symbols)))
+        (divides(divisor, left) || divides(divisor, right)))
       return divisor;
   return std::nullopt;
 }

@@ -78,7 +78,7 @@ std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, 
   const auto root =
       which == Roots::of_factors
           ? find_root_of_factor(zero, other_value, points, symbols, tells_apart)
-          : find_root(zero, points, which == Roots::crossings ? 1 : 10, which, symbols, tells_apart);
+          : find_root(zero, points, which == Roots::crossings ? 4 : 10, which, symbols, tells_apart);
   if (!root) return std::nullopt;
   return refuted(make_witness(r.pair, *root, {zero.tree}),
                  std::string(of_right != holds_at_zero(here)
@@ -163,7 +163,8 @@ Proof prove_by_factor(const ex& left, const ex& right, const Residuals& r, const
                    strict ? std::nullopt : losing_divisor(factor.divisors, r, left, right, symbols))
         why = "where " + print(*divisor, Notation::plain, symbols) +
               " = 0, one of the two holds and the other has no value";
-      else if (vanishes(left - factor.value * right, symbols))
+      else if (const ex rest = left - factor.value * right;
+               way == Way::functions_as_symbols ? rest.normal().is_zero() : vanishes(rest, symbols))
         return proved(print(factor.value, Notation::plain, symbols),
                       factor.zeros.empty()
                           ? "the residuals differ by a factor that cannot vanish"
@@ -283,8 +284,9 @@ Proof prove_residuals(const Residuals& r, const Symbols& symbols) {
   if (seen.both == 0)
     return undecided("no point was found at which both residuals have a value" + without_value(r.pair));
   if (auto proof = differ_at_a_point(r, points_to_look_at(r, points, symbols), symbols)) return *proof;
-  if (auto proof = differ_at_a_root(r, points, true, Roots::crossings, symbols))
-    return *proof;  // cheaper than algebra: most slips end here
+  for (const bool of_right : {true, false})  // cheaper than algebra: most slips end here
+    if (of_right || r.left != Claim::zero)
+      if (auto proof = differ_at_a_root(r, points, of_right, Roots::crossings, symbols)) return *proof;
   const Proof proof = prove_by_algebra(r, points, symbols);
   if (proof.verdict != Verdict::undecided) return proof;
   for (const Roots which : {Roots::of_factors, Roots::all})

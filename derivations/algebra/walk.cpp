@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/algebra/quick_value.hpp>
 #include <derivations/algebra/walk.hpp>
 #include <derivations/algebra/zeros.hpp>
 
@@ -13,6 +14,13 @@ cln::cl_RA simplest(const Tree& tree, Point point, const std::string& name, cons
   point[name] = *fraction;
   const auto there = value_of(tree, point);
   return there && is_tiny(*there) ? *fraction : value;
+}
+
+/// Good enough to see a sign, and a 0. What is quick is given as a fraction: a float of few digits would cut
+/// off the digits of those that it meets.
+std::optional<cln::cl_R> rough_value(const Tree& tree, const Point& point) {
+  const auto quick = quick_value(tree, point);
+  return quick ? std::optional<cln::cl_R>(cln::rational(cln::cl_DF(*quick))) : value_of(tree, point);
 }
 
 }  // namespace
@@ -34,7 +42,7 @@ std::optional<Point> polish(const Tree& tree, Point point, const std::string& na
     if (step % 3 == 2 || c <= cln::min(a, b) || c >= cln::max(a, b))
       c = cln::round1((a + b) / 2 * scale) / cln::cl_RA(scale);
     point[name] = c;
-    const auto fc = value_of(tree, point);
+    const auto fc = rough_value(tree, point);
     if (!fc) return std::nullopt;
     if (cln::zerop(*fc) || cln::abs(b - a) * scale <= 4) {
       if (cln::abs(*fc) * power_of_ten(20) > larger) return std::nullopt;  // a jump, not a root
@@ -77,7 +85,7 @@ std::optional<Point> walk(const Tree& tree, const Points& points, int most,
       for (const cln::cl_RA& value : values_of(name, points)) {
         Point here = base;
         here[name] = value;
-        const auto now = value_of(tree, here);
+        const auto now = rough_value(tree, here);
         if (now && is_tiny(*now) && wanted(here)) return here;
         if (now && before && cln::minusp(*now) != cln::minusp(*before)) {
           const auto root = polish(tree, base, name, at_before, value, *before, *now, places);
@@ -101,7 +109,7 @@ std::optional<Point> across_zero(const Tree& tree, const Points& points, const S
   std::optional<cln::cl_R> best;
   Point at;
   for (int k = 0; k < looked_at; ++k)
-    if (const auto value = value_of(tree, points.at(k));
+    if (const auto value = rough_value(tree, points.at(k));
         value && (!best || cln::abs(*value) < cln::abs(*best)))
       best = value, at = points.at(k);
   if (!best || cln::zerop(*best)) return std::nullopt;
@@ -114,7 +122,7 @@ std::optional<Point> across_zero(const Tree& tree, const Points& points, const S
         Point next = at;
         next[name] = at[name] + side * step;
         if (!is_strictly_inside(symbols.find(name)->range, next[name])) continue;
-        const auto value = value_of(tree, next);
+        const auto value = rough_value(tree, next);
         ++steps;
         if (!value || sign * *value >= sign * *best) continue;
         best = value, at = next, is_lower = true;

@@ -33,7 +33,7 @@ Proof with_domain(Proof proof, const Relation& left, const Relation& right, cons
   if (proof.verdict == Verdict::refuted || proof.verdict == Verdict::undecided) return proof;
   for (const Relation* relation : {&left, &right})
     for (const Tree& side : relation->sides)
-      for (const Condition& condition : conditions_of(side, symbols))
+      for (const Condition& condition : conditions_of(side, symbols, given))
         if (never_holds(condition, given, symbols))
           return undecided("it needs " + in_words(condition, symbols) +
                            ", which holds nowhere in the declared ranges");

@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <lessons/ledger/assumed.hpp>
+#include <lessons/ledger/cases.hpp>
+#include <lessons/ledger/decide_one.hpp>
+
+namespace rederive {
+
+std::vector<Case> cases_of(const ProveRequest& request) {
+  constexpr std::size_t most = 8;
+  try {
+    return {{request, make_context(request)}};
+  } catch (const SeveralSolutions& solutions) {
+    std::vector<Case> result;
+    std::exception_ptr contradiction;
+    for (const std::string& one : solutions.each) {
+      ProveRequest next = request;
+      next.assumptions.push_back(one);
+      try {
+        for (Case& further : cases_of(next)) result.push_back(std::move(further));
+      } catch (const Contradiction&) {
+        contradiction = std::current_exception();
+      }
+      if (result.size() > most) throw;
+    }
+    if (result.empty()) std::rethrow_exception(contradiction);
+    return result;
+  }
+}
+
+namespace {
+
+/// What tells a case from the others.
+std::vector<std::string> added_in(const Case& one, const ProveRequest& request) {
+  return {one.request.assumptions.begin() + static_cast<std::ptrdiff_t>(request.assumptions.size()),
+          one.request.assumptions.end()};
+}
+
+bool is_equation(const std::string& assumption) {
+  const auto at = assumption.find('=');
+  return at != std::string::npos &&
+         (at == 0 || std::string("<>!").find(assumption[at - 1]) == std::string::npos);
+}
+
+/// Whether it holds with none of the equations that are assumed, of which the cases are.
+bool is_proved_without_equations(ProveRequest request) {
+  std::erase_if(request.assumptions, is_equation);
+  try {
+    return decide_one(make_context(request), request).verdict == Verdict::proved;
+  } catch (const BadInput&) {  // an assumption means something with an equation only
+    return false;
+  }
+}
+
+}  // namespace
+
+void add_new(const std::vector<std::string>& some, std::vector<std::string>& all) {
+  for (const std::string& one : some)
+    if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+}
+
+Proof decide_each(const std::vector<Case>& cases, const ProveRequest& request) {
+  std::optional<Proof> all, open;
+  std::vector<std::string> names;
+  for (const Case& one : cases) {
+    Proof proof = decide_one(one.context, one.request);
+    const std::vector<std::string> added = added_in(one, request);
+    if (added.empty() || proof.verdict == Verdict::refuted) return proof;
+    names.push_back(fmt::format("{}", fmt::join(added, ", ")));
+    if (proof.verdict == Verdict::undecided) {
+      proof.reason = "for " + names.back() + ": " + proof.reason;
+      if (!open) open = proof;
+      continue;
+    }
+    if (!all) all = proof;
+    if (proof.verdict != Verdict::proved) all->verdict = proof.verdict;
+    if (proof.factor != all->factor) all->factor.clear();
+    add_new(proof.side_conditions, all->side_conditions);
+  }
+  if (open) return *open;
+  if (all->verdict == Verdict::proved && !is_proved_without_equations(request))
+    all->verdict = Verdict::proved_under;
+  all->reason += fmt::format(", for {}{}", fmt::join(names, " and for "), names.size() > 1 ? " alike" : "");
+  return *all;
+}
+
+std::vector<std::string> of_each(const std::vector<Case>& cases, const ProveRequest& request,
+                                 const std::function<std::vector<std::string>(const Case&)>& said) {
+  std::vector<std::string> all, added;
+  for (const Case& one : cases) add_new(said(one), all), add_new(added_in(one, request), added);
+  std::erase_if(all, [&](const std::string& text) {
+    return std::find(added.begin(), added.end(), text) != added.end();
+  });
+  return all;
+}
+
+}  // namespace rederive
