@@ -83,33 +83,9 @@ std::optional<std::pair<ex, ex>> coefficients(const ex& left, const ex& right) {
   return shortest;
 }
 
-/// The factors of the quotient where functions are symbols that know nothing of each other, if it is much
-/// shorter than the two.
-std::optional<std::vector<Part>> quotient_of_symbols(const ex& left, const ex& right) {
-  if (length(left) + length(right) < long_from) return std::nullopt;
-  const ex w = GiNaC::wild(0);
-  const GiNaC::exmap quotients{{GiNaC::tan(w), GiNaC::sin(w) / GiNaC::cos(w)},
-                               {GiNaC::tanh(w), GiNaC::sinh(w) / GiNaC::cosh(w)}};
-  GiNaC::exmap names;
-  const ex ratio = left.subs(quotients).to_rational(names) / right.subs(quotients).to_rational(names);
-  const ex parts = ratio.normal().numer_denom();
-  if (2 * length(parts) > length(left) + length(right)) return std::nullopt;
-  std::vector<Part> result;
-  for (const int sign : {1, -1}) {
-    const ex product = GiNaC::factor(parts.op(sign > 0 ? 0 : 1));
-    for (const ex& factor : GiNaC::is_a<GiNaC::mul>(product) ? product : ex(GiNaC::lst{product})) {
-      const bool is_power = GiNaC::is_a<GiNaC::power>(factor) && GiNaC::is_a<GiNaC::numeric>(factor.op(1));
-      const ex base = (is_power ? factor.op(0) : factor).subs(names, GiNaC::subs_options::no_pattern);
-      result.emplace_back(base, sign * (is_power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)) : 1));
-    }
-  }
-  return result;
-}
-
 std::optional<std::vector<Part>> quotient_unless_pole(const ex& left, const ex& right, const Symbols& symbols,
                                                       Way way) {
   if (right.is_zero()) return std::nullopt;
-  if (way == Way::functions_as_symbols) return quotient_of_symbols(left, right);
   if (way == Way::of_coefficients) {
     const auto of = coefficients(left, right);
     return of ? quotient_unless_pole(of->first, of->second, symbols, Way::real_denominator) : std::nullopt;

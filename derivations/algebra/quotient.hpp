@@ -8,8 +8,7 @@ namespace rederive {
 
 /// How a quotient is brought into lowest terms: no way finds everything that cancels.
 enum class Way {
-  functions_as_symbols,  ///< for long ones alone, where that cancels most of them
-  of_coefficients,       ///< of a symbol in which both are linear: a guess, for long ones alone
+  of_coefficients,  ///< of a symbol in which both are linear: a guess, for long ones alone
   real_denominator,
   real_numerator,
   complex_numbers,
@@ -17,9 +16,9 @@ enum class Way {
   no_roots_below,
   as_it_stands
 };
-inline constexpr std::array all_ways{Way::functions_as_symbols, Way::of_coefficients, Way::real_denominator,
-                                     Way::real_numerator,       Way::complex_numbers, Way::no_roots_above,
-                                     Way::no_roots_below,       Way::as_it_stands};
+inline constexpr std::array all_ways{Way::of_coefficients, Way::real_denominator, Way::real_numerator,
+                                     Way::complex_numbers, Way::no_roots_above,   Way::no_roots_below,
+                                     Way::as_it_stands};
 
 /// e or -e, whichever is printed with fewer minus signs, or else comes first in the alphabet: which of them a
 /// factorisation finds depends on GiNaC's order of terms, which is another one in each run.

@@ -163,8 +163,7 @@ Proof prove_by_factor(const ex& left, const ex& right, const Residuals& r, const
                    strict ? std::nullopt : losing_divisor(factor.divisors, r, left, right, symbols))
         why = "where " + print(*divisor, Notation::plain, symbols) +
               " = 0, one of the two holds and the other has no value";
-      else if (const ex rest = left - factor.value * right;
-               way == Way::functions_as_symbols ? rest.normal().is_zero() : vanishes(rest, symbols))
+      else if (vanishes(left - factor.value * right, symbols))
         return proved(print(factor.value, Notation::plain, symbols),
                       factor.zeros.empty()
                           ? "the residuals differ by a factor that cannot vanish"
