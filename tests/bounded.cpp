@@ -1,0 +1,40 @@
+// Work in a child process: what counts against its limit, and what it may not take with it.
+#include <doctest/doctest.h>
+
+#include <derivations/bounded.hpp>
+#include <vector>
+
+using namespace rederive;
+
+namespace {
+
+constexpr long megabytes = 480;
+
+void spin(double seconds) {
+  const double start = processor_seconds(::getpid());
+  while (processor_seconds(::getpid()) - start < seconds) {
+  }
+}
+
+}  // namespace
+
+TEST_CASE("work that only waits for its turn is not given up") {
+  const Bounded waited = run_bounded([] { return ::usleep(600'000), std::string("done"); }, 0.2, megabytes);
+  CHECK(waited.result == "done");
+  CHECK(waited.seconds < 0.2);
+}
+
+TEST_CASE("work that takes the processor for longer than it may is given up") {
+  const Bounded spun = run_bounded([] { return spin(5), std::string("done"); }, 0.2, megabytes);
+  CHECK_FALSE(spun.result);
+  CHECK(spun.why == "it took longer than it may");
+  CHECK(spun.seconds >= 0.2);
+}
+
+TEST_CASE("what work took is said, and what it threw") {
+  const Bounded short_one = run_bounded([] { return spin(0.1), std::string("done"); }, 5, megabytes);
+  CHECK(short_one.result == "done");
+  CHECK(short_one.seconds >= 0.1);
+  CHECK(short_one.seconds < 5);
+  CHECK(run_bounded([]() -> std::string { throw std::runtime_error("no"); }, 5, megabytes).why == "no");
+}
