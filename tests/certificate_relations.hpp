@@ -285,22 +285,36 @@ class Checker {
               is_zero_at(part, link.at("zeros").at(part), residual));
     });
   }
-  /// With part = share·(name - at)^n + more for each of some names: an even power and more that is not
-  /// negative, or nothing more. Where the part is 0, all names are what is said, all at once.
+  /// With part, or part^2, = share·(name - at)^n + more for each of some names: an even power and more that is not
+  /// negative, or nothing more; or growing from 0 there. Where the part is 0, all names are what is said, all
+  /// at once.
   bool is_zero_at(const std::string& part, const Json& places, const std::string& residual) {
     std::map<std::string, Fraction> zero;
     for (const auto& [name, place] : places.items()) {
       require(c_.at("ranges").contains(name) && !c_.at("given").contains(name), "no name: " + name);
-      const std::string at = stated(place.at("at")), share = stated(place.at("share")),
-                        more = place.at("more");
+      const std::string at = stated(place.at("at"));
+      zero.emplace(name, replay_.value(at));
+      if (!place.contains("power")) {
+        require(grows_from_zero(part, name, at), "no growth in " + name + " from 0: " + part);
+        continue;
+      }
+      const std::string share = stated(place.at("share")), more = place.at("more");
       const int n = place.at("power");
       require(n > 0 && n < 100 && range(share).is_positive(), "no such power");
       require(same(more, "0") || (n % 2 == 0 && range(more).is_not_negative()), "more may be negative");
-      require(same(part, share + "*(" + name + "-(" + at + "))^" + std::to_string(n) + "+" + more),
+      const std::string sum = share + "*(" + name + "-(" + at + "))^" + std::to_string(n) + "+" + more;
+      require(same(part, sum) || same("(" + part + ")^2", sum),
               "another power of " + name);
-      zero.emplace(name, replay_.value(at));
     }
     return replay_.same(replay_.at(residual, zero), replay_.value("0"));
+  }
+  /// Whether it grows, or falls, over the range of a name, and is 0 at that place in the range.
+  bool grows_from_zero(const std::string& part, const std::string& name, const std::string& at) {
+    const auto range_of = [this](const std::string& text) { return range(text); };
+    return c_.at("slopes").contains(part) && c_.at("slopes").at(part).at("in") == name &&
+           SlopeCheck(part, c_, replay_, look_, range_of).growth() != 0 &&
+           is_within(range(at), look_.range(name)) &&
+           replay_.same(replay_.at(part, name, replay_.value(at)), replay_.value("0"));
   }
   bool is_bounded_by(const std::string& part, const Json& why, const std::string& residual) {
     const int times = why.at("times");

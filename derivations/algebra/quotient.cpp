@@ -5,6 +5,7 @@
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/real.hpp>
 #include <derivations/algebra/slopes.hpp>
+#include <derivations/algebra/solutions.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/witness.hpp>
 
@@ -275,7 +276,7 @@ std::optional<GiNaC::exmap> zero_of_even_powers(const ex& polynomial, const Symb
 std::optional<GiNaC::exmap> only_zero(const ex& e, const Symbols& symbols) {
   if (GiNaC::is_a<GiNaC::symbol>(e)) return GiNaC::exmap{{e, 0}};
   const bool power = GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::positive);
-  if (power || name_of(e) == "sinh") return only_zero(e.op(0), symbols);
+  if (power || name_of(e) == "sinh" || name_of(e) == "abs") return only_zero(e.op(0), symbols);
   if (GiNaC::is_a<GiNaC::mul>(e) && e.nops() == 2 && GiNaC::is_a<GiNaC::numeric>(e.op(1)))
     return only_zero(e.op(0), symbols);
   const auto quadratic = as_quadratic(e, symbols);
@@ -285,7 +286,10 @@ std::optional<GiNaC::exmap> only_zero(const ex& e, const Symbols& symbols) {
       (*zero)[quadratic->x] = (-quadratic->b / (2 * quadratic->a)).subs(*zero);
       return zero;
     }
-  return zero_of_even_powers(e, symbols);
+  if (auto zero = zero_of_even_powers(e, symbols)) return zero;
+  const auto values = is_short(e) ? solutions(e, symbols) : std::nullopt;
+  if (!values || values->size() != 1) return std::nullopt;
+  return GiNaC::exmap{{symbols[*names_in(e).begin()], values->front()}};
 }
 
 std::optional<std::vector<Part>> checked_quotient(const ex& left, const ex& right, const Symbols& symbols) {

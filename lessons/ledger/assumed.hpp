@@ -16,15 +16,19 @@ struct Assumed {
 /// An assumption that has several solutions: one of these holds. What it says otherwise is for a user who has
 /// too many of them.
 struct SeveralSolutions : BadInput {
-  SeveralSolutions(const std::string& what, std::vector<std::string> solutions)
-      : BadInput(what), each(std::move(solutions)) {}
+  SeveralSolutions(const std::string& what, std::vector<std::string> solutions, std::string of = "")
+      : BadInput(what), each(std::move(solutions)), inequality(std::move(of)) {}
   std::vector<std::string> each;  ///< "x > 0" and "x < 0", or "x = pi/6" and "x = 5*pi/6"
+  std::string inequality;         ///< the assumption, if it is one
 };
 
 /// An assumption that never holds with the others.
 struct Contradiction : BadInput {
   using BadInput::BadInput;
 };
+
+/// "a_p > alpha*g"
+std::string in_words(const Assumed& link, const Symbols& symbols);
 
 /// Narrows the range of a symbol by "x > 0", "2*x < 3" or "abs(x) < 1". False where the link is no bound of
 /// one symbol, or one that a range cannot hold. Throws BadInput where no room is left.

@@ -5,9 +5,12 @@
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/solutions.hpp>
+#include <derivations/algebra/unwrap.hpp>
 #include <derivations/algebra/vanish.hpp>
+#include <derivations/algebra/witness.hpp>
 #include <lessons/ledger/assumed.hpp>
-#include <lessons/ledger/solutions.hpp>
+#include <lessons/ledger/periods.hpp>
 
 namespace rederive {
 
@@ -34,8 +37,7 @@ std::optional<Given> read_given(const Tree& a, const Tree& b, const std::string&
   for (const auto& [name, value] : {turn ? std::pair{b, a} : std::pair{a, b}, std::pair{b, a}}) {
     if (!is_name(name)) continue;
     const Given given = reading(text, [&] { return Given{lower(name, symbols), lower(value, symbols)}; });
-    if (given.value.has(given.name))
-      throw BadInput("the assumption '" + text + "' has its symbol on both sides");
+    if (given.value.has(given.name)) continue;
     const bool is_new = put_in(given.name, before).is_equal(given.name);
     if (is_new && !put_in(given.value, before).has(given.name)) return given;
   }
@@ -119,7 +121,9 @@ std::optional<Given> solved_for_one(const ex& residual, const std::vector<ex>& d
 /// Assumptions of which each leaves one of the solutions.
 std::vector<std::string> choices(const std::string& name, const std::vector<ex>& values,
                                  const Symbols& symbols) {
-  if (values.size() == 2 && compare(values[0], 0) < 0 && compare(values[1], 0) > 0)
+  const Interval range = parse_range(symbols.find(name)->range);
+  const bool is_whole = range.low.infinite != 0 && range.high.infinite != 0;
+  if (is_whole && values.size() == 2 && compare(values[0], 0) < 0 && compare(values[1], 0) > 0)
     return {name + " > 0", name + " < 0"};
   std::vector<std::string> result;
   for (const ex& value : values) result.push_back(name + " = " + print(value, Notation::plain, symbols));
@@ -144,9 +148,68 @@ std::optional<Given> only_solution(const ex& residual, const std::string& text, 
   return Given{symbols[name], values->front()};
 }
 
+/// Of each factor what it says of one symbol: "x = 0" and "y = 1" of x*y = x. Nothing where one says nothing.
+std::vector<std::string> solved_by_factors(const ex& residual, const std::vector<ex>& divided_by,
+                                           const std::string& text, const Symbols& symbols,
+                                           const std::vector<std::string>& small) {
+  const ex product = GiNaC::factor(residual.normal().numer());
+  std::vector<std::string> result;
+  if (!GiNaC::is_a<GiNaC::mul>(product)) return result;
+  for (const ex& part : product) {
+    const ex factor = GiNaC::is_a<GiNaC::power>(part) ? part.op(0) : part;
+    if (sign_of(factor, symbols) != 0) continue;
+    try {
+      auto given = only_solution(factor, text, symbols);
+      if (!given) given = solved_for_one(factor, divided_by, text, symbols, small);
+      if (!given || symbols.find(given->name)->name.starts_with("excess_")) return {};
+      result.push_back(print(given->name, Notation::plain, symbols) + " = " +
+                       print(given->value, Notation::plain, symbols));
+    } catch (const SeveralSolutions& solutions) {
+      for (const std::string& one : solutions.each)
+        if (one.find(" = ") == std::string::npos) return {};  // no more than a sign
+      result.insert(result.end(), solutions.each.begin(), solutions.each.end());
+    } catch (const Contradiction&) {  // it is never 0
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// Of an equation whose sides are this, with what else is assumed put in: solved for one symbol; or without
+/// the functions around its sides, as x^3 = y^3 or exp(x) = exp(y); or factor by factor.
+std::optional<Given> solved(const Sides& sides, const Assumed& equation, const Context& context,
+                            const std::vector<std::string>& small) {
+  const Symbols& symbols = context.symbols;
+  std::vector<ex> divided_by;
+  for (const Tree& side : equation.relation.sides)
+    for (const ex& divisor : divisors(side, symbols))
+      divided_by.push_back(put_in(divisor, context.put_in_at_once(true)));
+  const Sides inner = unwrapped(sides, symbols);
+  const ex residual = sides.left - sides.right;
+  auto each = same_turns(sides, context);
+  for (const ex& way : {residual, inner.left - inner.right}) {
+    if (!each.empty()) break;
+    if (auto given = only_solution(way, equation.text, symbols)) return given;
+    if (auto given = solved_for_one(way, divided_by, equation.text, symbols, small)) return given;
+  }
+  if (each.empty()) each = solved_by_factors(residual, divided_by, equation.text, symbols, small);
+  if (each.empty()) return std::nullopt;
+  throw SeveralSolutions(fmt::format("the assumption '{}' has several solutions: assume \"{}\" "
+                                     "as well",
+                                     equation.text, fmt::join(each, "\" or \"")),
+                         each);
+}
+
 /// What is solved for none, with what would help.
 [[noreturn]] void refuse_equation(const ex& residual, const Assumed& equation) {
   const auto& sides = equation.relation.sides;
+  const auto has = [](const Tree& side, const std::string& name) {
+    std::set<std::string> names;
+    return collect_names(side, names), names.contains(name);
+  };
+  for (const int k : {0, 1})
+    if (is_name(sides[k]) && has(sides[1 - k], sides[k]->text))
+      refuse(equation.text, sides[k]->text + " is on both sides");
   if (std::any_of(sides.begin(), sides.end(), is_name))
     throw BadInput(
         "the assumption '" + equation.text +
@@ -184,24 +247,39 @@ void check_equation(const Assumed& equation, const Context& context) {
   if (sign_of(put_in(residual, compared), context.symbols) != 0) contradicts(equation.text);
 }
 
+bool is_always_zero(const ex& e, const Symbols& symbols) {
+  try {
+    return vanishes(e, symbols);
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
 void solve(const Assumed& equation, Context& context, const std::vector<std::string>& small) {
   Symbols& symbols = context.symbols;
-  const auto value = [&](const Tree& side) {
-    return reading(equation.text, [&] { return lower(side, symbols); });
+  const auto value = [&](std::size_t side) {
+    return put_in(reading(equation.text, [&] { return lower(equation.relation.sides[side], symbols); }),
+                  context.put_in_at_once(true));
   };
-  const ex residual = value(equation.relation.sides[0]) - value(equation.relation.sides[1]);
-  const ex left = put_in(residual, context.put_in_at_once(true));
+  const Sides sides{value(0), "=", value(1)};
+  const ex left = sides.left - sides.right;
   if (left.normal().is_zero()) return;  // it says nothing new
-  if (names_in(left.normal()).empty() && vanishes(left, symbols)) return;
+  if (is_always_zero(left, symbols)) return;
   if (sign_of(left, symbols) != 0) contradicts(equation.text);
-  auto given = only_solution(left, equation.text, symbols);
-  std::vector<ex> divided_by;
-  for (const Tree& side : equation.relation.sides)
-    for (const ex& divisor : divisors(side, symbols))
-      divided_by.push_back(put_in(divisor, context.put_in_at_once(true)));
-  if (!given) given = solved_for_one(left, divided_by, equation.text, symbols, small);
+  const auto given = solved(sides, equation, context, small);
   if (!given) refuse_equation(left, equation);
   context.given.push_back(*given);
+}
+
+/// In all symbols together: these say most simply what one is.
+bool is_linear(const Assumed& equation, const Symbols& symbols) {
+  const auto& sides = equation.relation.sides;
+  const ex residual =
+      reading(equation.text, [&] { return (lower(sides[0], symbols) - lower(sides[1], symbols)).expand(); });
+  const auto names = names_in(residual);
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return GiNaC::is_a<GiNaC::numeric>(residual.diff(GiNaC::ex_to<GiNaC::symbol>(symbols[name])));
+  });
 }
 
 }  // namespace
@@ -227,8 +305,9 @@ void keep_values(const std::string& text, const std::vector<Tree>& sides, const 
         return (e / value).normal().info(GiNaC::info_flags::positive);
       };
       if (std::none_of(needed.begin(), needed.end(), says_it))
-        throw BadInput("the assumption '" + text + "' has a value for " + in_words(c, symbols) +
-                       " only, which what is left of it no longer says: assume that as well");
+        throw SeveralSolutions("the assumption '" + text + "' has a value for " + in_words(c, symbols) +
+                                   " only, which what is left of it no longer says: assume that as well",
+                               {in_words(c, symbols)});
     }
 }
 
@@ -245,6 +324,8 @@ void read_equations(const std::vector<Assumed>& equations, Context& context,
     else
       others.push_back(equation);
   }
+  std::stable_partition(others.begin(), others.end(),
+                        [&](const Assumed& e) { return is_linear(e, symbols); });
   for (const Assumed& other : others) solve(other, context, small);
   const auto all = context.put_in_at_once(true);
   for (const Given& given : all) check_range(given, all, symbols);

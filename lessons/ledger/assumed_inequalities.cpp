@@ -61,25 +61,28 @@ std::vector<Inequality> parts_of(const Assumed& link, const Symbols& symbols) {
   return without_bars(reading(link.text, [&] { return inequality(link.relation, symbols); }), symbols);
 }
 
-/// Nothing in it fails, but for what it divides by.
+std::string refusal(const std::string& text, const std::string& why) {
+  return "the assumption '" + text +
+         "' neither compares one symbol with numbers or other symbols, nor says what one symbol is or can be "
+         "solved for one" +
+         (why.empty() ? "" : " (" + why + ")") +
+         "; right is, for example, \"x > 0\", \"0 < x < pi/2\", \"b < h\", \"x != y\" or \"h = "
+         "R*cos(alpha)\"";
+}
+
+/// Nothing in it fails, but for what it divides by; else what it needs is assumed as well.
 void needs_values(const Assumed& link, const Symbols& symbols) {
   for (const Tree& side : link.relation.sides)
     for (const Condition& condition : conditions_of(side, symbols))
-      if (condition.relation != "!=")
-        refuse(link.text,
-               "it has a value for " + in_words(condition, symbols) + " only: assume that as well");
+      if (const std::string text = in_words(condition, symbols); condition.relation != "!=")
+        throw SeveralSolutions(
+            refusal(link.text, "it has a value for " + text + " only: assume that as well"), {text},
+            in_words(link, symbols));
 }
 
 }  // namespace
 
-void refuse(const std::string& text, const std::string& why) {
-  throw BadInput(
-      "the assumption '" + text +
-      "' neither compares one symbol with numbers or other symbols, nor says what one symbol is or can be "
-      "solved for one" +
-      (why.empty() ? "" : " (" + why + ")") +
-      "; right is, for example, \"x > 0\", \"0 < x < pi/2\", \"b < h\", \"x != y\" or \"h = R*cos(alpha)\"");
-}
+void refuse(const std::string& text, const std::string& why) { throw BadInput(refusal(text, why)); }
 
 void contradicts(const std::string& text) {
   throw Contradiction("the assumptions contradict each other: '" + text +
@@ -114,6 +117,13 @@ void compare_symbols(const Assumed& link, Context& context) {
     if (settled < 0) contradicts(link.text);
     if (settled > 0) continue;
     const auto found = compared(part, context.comparisons, symbols);
+    const auto each = found || parts_of(link, symbols).size() > 1 ? std::nullopt : pieces(part, symbols);
+    if (each && each->empty()) contradicts(link.text);
+    if (each && each->front().empty()) continue;
+    if (each)
+      throw SeveralSolutions(fmt::format("the assumption '{}' holds on several pieces: assume \"{}\" as well",
+                                         link.text, fmt::join(*each, "\" or \"")),
+                             *each, in_words(link, symbols));
     if (!found && !context.comparisons.empty())
       refuse(link.text,
              "after the comparisons before it, no symbol stands in it linearly, with a factor of known sign; "

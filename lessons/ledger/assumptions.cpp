@@ -4,6 +4,7 @@
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
 #include <lessons/ledger/assumed.hpp>
+#include <lessons/ledger/periods.hpp>
 #include <numeric>
 #include <regex>
 
@@ -95,14 +96,6 @@ Texts sorted(const std::vector<std::string>& assumptions, const Symbols& symbols
   return texts;
 }
 
-/// "a_p > alpha*g"
-std::string in_words(const Assumed& link, const Symbols& symbols) {
-  const auto side = [&](std::size_t k) {
-    return print(lower(link.relation.sides[k], symbols), Notation::plain, symbols);
-  };
-  return side(0) + " " + link.relation.operators[0] + " " + side(1);
-}
-
 /// In the order in which they were said, or else in another one of few: of x > y, x > z and y > z the last is
 /// about symbols of which each is said by another one already.
 void compare_in_some_order(const std::vector<Assumed>& links, Context& context) {
@@ -125,9 +118,16 @@ void compare_in_some_order(const std::vector<Assumed>& links, Context& context) 
 
 }  // namespace
 
+std::string in_words(const Assumed& link, const Symbols& symbols) {
+  const auto side = [&](std::size_t k) {
+    return print(lower(link.relation.sides[k], symbols), Notation::plain, symbols);
+  };
+  return side(0) + " " + link.relation.operators[0] + " " + side(1);
+}
+
 Context make_context(const ProveRequest& request, const std::vector<std::string>& freed,
                      const std::set<std::size_t>& without) {
-  Context context{paper_symbols(), {}, {}, {}, {}};
+  Context context{paper_symbols(), {}, {}, {}, {}, {}};
   Symbols& symbols = context.symbols;
   for (const std::string& name : freed) {
     const Symbol old = *symbols.find(name);
@@ -146,6 +146,7 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
   for (const auto* relations : {&texts.inequalities, &texts.equations})
     for (const Assumed& link : *relations)
       context.assumed.insert(context.assumed.end(), link.relation.sides.begin(), link.relation.sides.end());
+  keep_to_one_period(request, context);
   std::vector<Assumed> inequalities = texts.inequalities;
   std::stable_partition(inequalities.begin(), inequalities.end(),
                         [&](const Assumed& link) { return is_bound_as_it_stands(link, symbols); });

@@ -7,20 +7,29 @@
 
 namespace rederive {
 
-std::vector<Case> cases_of(const ProveRequest& request) {
+namespace {
+
+std::vector<Case> cases_of(const ProveRequest& request, int depth) {
   constexpr std::size_t most = 8;
+  constexpr int deepest = 6;
   try {
     return {{request, make_context(request)}};
   } catch (const SeveralSolutions& solutions) {
+    if (depth == deepest) throw;
     std::vector<Case> result;
     std::exception_ptr contradiction;
     for (const std::string& one : solutions.each) {
       ProveRequest next = request;
       next.assumptions.push_back(one);
       try {
-        for (Case& further : cases_of(next)) result.push_back(std::move(further));
+        for (Case& further : cases_of(next, depth + 1)) {
+          if (!solutions.inequality.empty()) further.in_pieces.insert(solutions.inequality);
+          result.push_back(std::move(further));
+        }
       } catch (const Contradiction&) {
         contradiction = std::current_exception();
+      } catch (const BadInput&) {  // of what the user did not say
+        throw SeveralSolutions(solutions);
       }
       if (result.size() > most) throw;
     }
@@ -28,8 +37,6 @@ std::vector<Case> cases_of(const ProveRequest& request) {
     return result;
   }
 }
-
-namespace {
 
 /// What tells a case from the others.
 std::vector<std::string> added_in(const Case& one, const ProveRequest& request) {
@@ -47,13 +54,18 @@ bool is_equation(const std::string& assumption) {
 bool is_proved_without_equations(ProveRequest request) {
   std::erase_if(request.assumptions, is_equation);
   try {
-    return decide_one(make_context(request), request).verdict == Verdict::proved;
+    const std::vector<Case> cases = cases_of(request);
+    return std::all_of(cases.begin(), cases.end(), [](const Case& one) {
+      return decide_one(one.context, one.request).verdict == Verdict::proved;
+    });
   } catch (const BadInput&) {  // an assumption means something with an equation only
     return false;
   }
 }
 
 }  // namespace
+
+std::vector<Case> cases_of(const ProveRequest& request) { return cases_of(request, 0); }
 
 void add_new(const std::vector<std::string>& some, std::vector<std::string>& all) {
   for (const std::string& one : some)
@@ -79,7 +91,8 @@ Proof decide_each(const std::vector<Case>& cases, const ProveRequest& request) {
     add_new(proof.side_conditions, all->side_conditions);
   }
   if (open) return *open;
-  if (all->verdict == Verdict::proved && !is_proved_without_equations(request))
+  const bool has_equations = std::any_of(request.assumptions.begin(), request.assumptions.end(), is_equation);
+  if (has_equations && all->verdict == Verdict::proved && !is_proved_without_equations(request))
     all->verdict = Verdict::proved_under;
   all->reason += fmt::format(", for {}{}", fmt::join(names, " and for "), names.size() > 1 ? " alike" : "");
   return *all;
@@ -88,10 +101,22 @@ Proof decide_each(const std::vector<Case>& cases, const ProveRequest& request) {
 std::vector<std::string> of_each(const std::vector<Case>& cases, const ProveRequest& request,
                                  const std::function<std::vector<std::string>(const Case&)>& said) {
   std::vector<std::string> all, added;
-  for (const Case& one : cases) add_new(said(one), all), add_new(added_in(one, request), added);
-  std::erase_if(all, [&](const std::string& text) {
-    return std::find(added.begin(), added.end(), text) != added.end();
-  });
+  for (const Case& one : cases)
+    for (const std::string& text : added_in(one, request)) {
+      const Relation relation = parse_relation(text, one.context.symbols);
+      for (std::size_t k = 0; k < relation.operators.size(); ++k)
+        added.push_back(
+            in_words({{{relation.sides[k], relation.sides[k + 1]}, {relation.operators[k]}}, text},
+                     one.context.symbols));
+    }
+  for (const Case& one : cases) {
+    std::vector<std::string> of_this = said(one);
+    const auto erased = std::erase_if(of_this, [&](const std::string& text) {
+      return std::find(added.begin(), added.end(), text) != added.end();
+    });
+    if (erased > 0) add_new({one.in_pieces.begin(), one.in_pieces.end()}, all);
+    add_new(of_this, all);
+  }
   return all;
 }
 

@@ -139,9 +139,12 @@ Json link_json(const CertifiedLink& link, const CertifiedStatement& q, const Pha
         {"times", b.times}, {"residual", q.text(b.residual)}, {"more", q.text(b.more)}};
   for (const auto& [part, times] : link.divides) json["divides"][q.text(part)] = q.text(times);
   for (const auto& [part, places] : link.zeros)
-    for (const CertifiedZero::Place& p : places)
-      json["zeros"][q.text(part)][p.name] = {
-          {"at", q.text(p.at)}, {"power", p.power}, {"share", q.text(p.share)}, {"more", q.text(p.more)}};
+    for (const CertifiedZero::Place& p : places) {
+      Json& place = json["zeros"][q.text(part)][p.name];
+      place = {{"at", q.text(p.at)}};
+      if (p.power > 0)
+        place["power"] = p.power, place["share"] = q.text(p.share), place["more"] = q.text(p.more);
+    }
   json["cofactor"] = polynomial_text(steps.out_cofactor(*c));
   return json;
 }
@@ -216,6 +219,15 @@ void add_trees(const CertifiedLayer& written, const CertifiedStatement& q, std::
   }
 }
 
+/// As it is written, with what the names are where a part is 0.
+Tree at_zero(const Tree& tree, const CertifiedZero& zero) {
+  for (const auto& place : zero.places)
+    if (tree->kind == Node::Kind::symbol && tree->text == place.name) return place.at;
+  auto copy = std::make_shared<Node>(*tree);
+  for (Tree& child : copy->children) child = at_zero(child, zero);
+  return copy;
+}
+
 Json never_zero_json(const Symbols& symbols) {
   Json texts = Json::array();
   for (const ex& e : symbols.never_zero()) texts.push_back(print(e, Notation::plain, symbols));
@@ -239,8 +251,12 @@ Json write(const CertifiedStatement& q, const std::vector<CertifiedLink>& links)
     add_trees(link.factor, trees);
     for (const auto* list : {&link.more, &link.divides})
       for (const auto& [part, other] : *list) trees.push_back(other);
-    for (const CertifiedZero& zero : link.zeros)
-      for (const auto& place : zero.places) trees.push_back(place.more);
+    for (const CertifiedZero& zero : link.zeros) {
+      trees.push_back(at_zero(zero.part, zero));
+      for (const auto& place : zero.places) trees.push_back(place.power > 0 ? place.more : place.at);
+      for (const Relation* relation : {&q.left, &q.right})
+        for (const Tree& side : relation->sides) trees.push_back(at_zero(side, zero));
+    }
     for (const CertifiedBound& b : link.bounds) trees.insert(trees.end(), {b.residual, b.more});
     for (const CertifiedSlope& s : link.slopes) {
       trees.insert(trees.end(), s.put_in.begin(), s.put_in.end());

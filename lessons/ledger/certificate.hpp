@@ -42,7 +42,7 @@ namespace rederive {
 ///                 of the residuals is; `bounds`, where `times` the part is that `residual`, not negative,
 ///                 and `more`; so is one that `divides` it, with what it is times;
 ///                 so is one that is 0 only where some names are what its `zeros` say, for it is share·
-///                 (name - at)^power + more, and one of the residuals is 0 there
+///                 (name - at)^power + more, or is 0 there and grows, and one of the residuals is 0 there
 ///   cofactor      not 0 itself: left·cofactor = factor·right·cofactor modulo the relations of the generators
 /// or, of a link that follows from those of the other side, left or right alone and what it
 ///   follows       from: times·residual = Σ factor·(product of the residuals of links) + more, where terms

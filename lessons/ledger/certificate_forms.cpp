@@ -164,6 +164,11 @@ void Forms::add_slopes(const Tree& tree, std::vector<CertifiedSlope>& slopes) co
 
 CertifiedLink Forms::with_slopes(CertifiedLink link) const {
   for (const CertifiedPart& p : link.factor) add_slopes(p.part, link.slopes);
+  for (const auto& [part, places] : link.zeros)
+    for (const auto& place : places)
+      if (place.power == 0)
+        add_slopes(part, *growth_by_slope(lower(part, q.symbols), q.symbols[place.name], q.symbols),
+                   link.slopes);
   const auto add_growth = [&](const Layer& layer) {
     if (layer.function.ends_with("of"))
       add_slopes(to_tree(layer.of, q.symbols), *growth_by_slope(layer.of, layer.in, q.symbols), link.slopes);

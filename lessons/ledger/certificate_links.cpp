@@ -4,6 +4,7 @@
 #include <derivations/algebra/in_square.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/rearrange.hpp>
+#include <derivations/algebra/solutions.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <lessons/ledger/certificate_forms.hpp>
 
@@ -100,16 +101,27 @@ struct Finder : Forms {
   /// part^n, if the part is 0 only where right (or left) is, for some symbols have certain values there.
   bool put_down_zero(const ex& part, int n, CertifiedLink& link) const {
     const ex residual = n > 0 ? link.right.residual : link.left.residual;
-    const auto zero = only_zero(part, q.symbols);
-    try {
-      if (!zero || !vanishes(residual.subs(*zero), q.symbols)) return false;
-    } catch (const std::exception&) {  // it has no value there, or is outside of the class
-      return false;
+    const auto is_zero_there = [&](const GiNaC::exmap& zero) {
+      try {
+        return vanishes(residual.subs(zero), q.symbols);
+      } catch (const std::exception&) {  // it has no value there, or is outside of the class
+        return false;
+      }
+    };
+    if (const auto place = zero_of_growth(part); place && is_zero_there({*place})) {
+      const auto& [symbol, at] = *place;
+      const Tree written = to_tree(part, q.symbols);
+      link.factor.emplace_back(written, n);
+      link.zeros.push_back({written, {{ex_to<GiNaC::symbol>(symbol).get_name(), to_tree(at, q.symbols)}}});
+      return true;
     }
+    const auto zero = only_zero(part, q.symbols);
+    if (!zero || !is_zero_there(*zero)) return false;
     CertifiedZero found{to_tree(part, q.symbols), {}};
     for (const auto& [symbol, at] : *zero) {
+      const ex size = is_a<GiNaC::function>(part) ? GiNaC::pow(part, 2).expand() : part;  // of fabs(x)
       const auto power = part.is_equal(symbol) ? std::optional(EvenPower{1, 1, 0})
-                                               : even_power_in(part, symbol, at, q.symbols);
+                                               : even_power_in(size, symbol, at, q.symbols);
       if (!power) return false;
       const ex more = power->more.is_zero() ? power->more : form(power->more);
       found.places.push_back({ex_to<GiNaC::symbol>(symbol).get_name(), to_tree(at, q.symbols),
@@ -119,6 +131,15 @@ struct Finder : Forms {
               [](const auto& a, const auto& b) { return a.name < b.name; });
     link.factor.emplace_back(found.part, n), link.zeros.push_back(found);
     return true;
+  }
+  /// Where a part of one symbol is 0, if it grows or falls with that all over its range.
+  std::optional<std::pair<ex, ex>> zero_of_growth(const ex& part) const {
+    const auto names = names_in(part);
+    if (names.size() != 1 || is_a<GiNaC::symbol>(part)) return std::nullopt;
+    const ex& symbol = q.symbols[*names.begin()];
+    const auto values = solutions(part, q.symbols);
+    if (!values || values->size() != 1 || !growth_by_slope(part, symbol, q.symbols)) return std::nullopt;
+    return std::pair{symbol, values->front()};
   }
   /// part^n, if a few times the part are not less than right (or left), and that is not negative.
   bool put_down_bound(const ex& part, int n, CertifiedLink& link) const {

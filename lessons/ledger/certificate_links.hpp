@@ -68,13 +68,14 @@ struct CertifiedBound {
 };
 
 /// part = share·(name - at)^power + more for each of some names, where more is not negative and the power
-/// even, or more is 0: the part is 0 only where all of them are what `at` says.
+/// even, or more is 0; or the part is 0 at one name's `at` and grows, or falls, with that one (power 0): the
+/// part is 0 only where all of them are what `at` says.
 struct CertifiedZero {
   struct Place {
     std::string name;
     Tree at;
-    int power;
-    Tree share, more;
+    int power = 0;
+    Tree share = nullptr, more = nullptr;
   };
   Tree part;
   std::vector<Place> places;

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/solutions.hpp>
 #include <lessons/ledger/inequalities.hpp>
 
 namespace rederive {
@@ -80,6 +82,95 @@ std::vector<Inequality> without_bars(const Inequality& inequality, const Symbols
   for (const Inequality& part : *parts)
     for (const Inequality& one : without_bars(part, symbols)) result.push_back(one);
   return result;
+}
+
+namespace {
+
+/// A quotient that is positive where e is: of numerator and denominator, with tan as sin/cos.
+ex with_poles(const ex& e) {
+  struct : GiNaC::map_function {
+    ex operator()(const ex& part) override {
+      const ex inner = part.map(*this);
+      return name_of(inner) == "tan" ? GiNaC::sin(inner.op(0)) / GiNaC::cos(inner.op(0)) : inner;
+    }
+  } opened;
+  return opened(e).normal().numer_denom();
+}
+
+/// An open piece of the range of a symbol, or what is added of its ends.
+std::string as_text(const std::string& name, const Interval& piece, const Symbols& symbols) {
+  const auto number = [&](const End& end) { return print(end.value, Notation::plain, symbols); };
+  const End &low = piece.low, &high = piece.high;
+  if (low.infinite == 0 && high.infinite == 0)
+    return number(low) + (low.closed ? " <= " : " < ") + name + (high.closed ? " <= " : " < ") + number(high);
+  if (low.infinite == 0) return name + (low.closed ? " >= " : " > ") + number(low);
+  return name + (high.closed ? " <= " : " < ") + number(high);
+}
+
+ex inside(const Interval& piece) {
+  if (piece.low.infinite != 0) return piece.high.infinite != 0 ? ex(0) : piece.high.value - 1;
+  return piece.high.infinite != 0 ? piece.low.value + 1 : (piece.low.value + piece.high.value) / 2;
+}
+
+/// Between the zeros, of which those are in it where equality is allowed, and the poles.
+std::optional<std::vector<std::string>> pieces_of_one(const Inequality& i, const std::string& name,
+                                                      const Symbols& symbols) {
+  const ex symbol = symbols[name], quotient = with_poles(i.difference());
+  const auto zeros = solutions(quotient.op(0), symbols);
+  const auto poles = quotient.op(1).has(symbol) ? solutions(quotient.op(1), symbols) : std::vector<ex>{};
+  if (!zeros || !poles) return std::nullopt;
+  std::vector<ex> cuts = *zeros;
+  cuts.insert(cuts.end(), poles->begin(), poles->end());
+  std::sort(cuts.begin(), cuts.end(), [](const ex& a, const ex& b) { return compare(a, b) < 0; });
+  const auto is_pole = [&](const ex& at) {
+    return std::any_of(poles->begin(), poles->end(), [&](const ex& p) { return compare(p, at) == 0; });
+  };
+  const Interval range = parse_range(symbols.find(name)->range);
+  std::vector<std::string> result;
+  End low = range.low;
+  bool is_alone = false;  // a zero without a piece beside it
+  for (std::size_t k = 0; k <= cuts.size(); ++k) {
+    End high = range.high;
+    if (k < cuts.size()) high.infinite = 0, high.value = cuts[k], high.closed = i.weak && !is_pole(cuts[k]);
+    const bool is_empty = low.infinite == 0 && high.infinite == 0 && compare(low.value, high.value) >= 0;
+    const ex at = inside({low, high});
+    const bool holds = !is_empty && compare(i.difference().subs(symbol == at), 0) > 0;
+    if (holds) result.push_back(cuts.empty() ? "" : as_text(name, {low, high}, symbols));
+    if (!holds && is_alone) return std::nullopt;
+    is_alone = !holds && high.closed && k < cuts.size();
+    low = high;
+  }
+  return is_alone ? std::nullopt : std::optional(result);
+}
+
+/// The sign of a symbol that a product needs to be solved for another one.
+std::optional<std::vector<std::string>> signs_of_one(const Inequality& i, const Symbols& symbols) {
+  const ex difference = i.difference().expand();
+  for (const std::string& name : names_in(difference)) {
+    const ex& symbol = symbols[name];
+    if (i.weak || !difference.is_polynomial(symbol) || difference.degree(symbol) != 1) continue;
+    const ex slope = difference.coeff(symbol, 1), rest = difference.coeff(symbol, 0);
+    const auto names = names_in(slope);
+    if (names.size() != 1 || names.begin()->starts_with("excess_") || !is_nonnegative(-rest, symbols))
+      continue;
+    const ex& other = symbols[*names.begin()];
+    if (GiNaC::is_a<GiNaC::numeric>(slope / other) || GiNaC::is_a<GiNaC::numeric>((slope * other).normal()))
+      return {{*names.begin() + " > 0", *names.begin() + " < 0"}};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::string>> pieces(const Inequality& inequality, const Symbols& symbols) {
+  const auto names = names_in(inequality.difference());
+  if (names.size() != 1) return signs_of_one(inequality, symbols);
+  if (names.begin()->starts_with("excess_")) return std::nullopt;
+  try {
+    return pieces_of_one(inequality, *names.begin(), symbols);
+  } catch (const std::exception&) {  // constants that are too close to tell, or poles of GiNaC
+    return std::nullopt;
+  }
 }
 
 }  // namespace rederive

@@ -29,6 +29,7 @@ struct Context {
   std::vector<Comparison> comparisons;    ///< of symbols with each other: a part of the ranges, as it were
   std::vector<std::string> inequalities;  ///< that are assumed: "b < h", "x > 0", "x - y != 0"
   std::vector<Tree> assumed = {};         ///< the sides of all inequalities and equations that are assumed
+  std::set<std::string> periodic = {};    ///< symbols that are declared over one period, (-pi, pi]
 
   /// The comparisons, or the equations as well.
   std::vector<Given> put_in_at_once(bool equations_too) const;
@@ -42,9 +43,11 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
 struct Case {
   ProveRequest request;
   Context context;
+  std::set<std::string> in_pieces = {};  ///< inequalities that are assumed, and say what is assumed besides
 };
 /// The request; or the same with one more assumption each, of which one always holds, where an assumption has
-/// several solutions: x^2 = 4 with x > 0, and with x < 0. Throws BadInput as make_context().
+/// several solutions: x^2 = 4 with x > 0, and with x < 0; sin(x) > 0 with 0 < x < pi. Throws BadInput as
+/// make_context().
 std::vector<Case> cases_of(const ProveRequest& request);
 
 /// Decides, in every case. The declared ranges that a proof rests on are among its side conditions. Throws

@@ -4,7 +4,8 @@
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <lessons/ledger/solutions.hpp>
+#include <derivations/algebra/solutions.hpp>
+#include <derivations/algebra/vanish.hpp>
 
 namespace rederive {
 
@@ -81,8 +82,17 @@ std::optional<Values> arguments(const std::string& name, const ex& v, const Inte
   if (name == "tanh") return compare(v * v, 1) < 0 ? Values{GiNaC::atanh(v)} : Values{};
   if (name == "atanh") return Values{GiNaC::tanh(v)};
   if (name == "atan") return if_between(-Pi / 2, Pi / 2, GiNaC::tan(v));
-  if (name == "cosh" && compare(v, 1) > 0) return Values{GiNaC::acosh(v), -GiNaC::acosh(v)};
-  if (name == "abs" && compare(v, 0) >= 0) return Values{v, -v};
+  const auto if_not_beyond = [&](const ex& low, const ex& high, const ex& value) {
+    return compare(v, low) >= 0 && compare(v, high) <= 0 ? Values{value} : Values{};
+  };
+  if (name == "asin") return if_not_beyond(-Pi / 2, Pi / 2, GiNaC::sin(v));
+  if (name == "acos") return if_not_beyond(0, Pi, GiNaC::cos(v));
+  if (name == "acosh") return compare(v, 0) >= 0 ? Values{GiNaC::cosh(v)} : Values{};
+  if (name == "cosh" || name == "abs") {
+    const int order = compare(v, name == "abs" ? 0 : 1);
+    const ex size = name == "abs" ? v : order == 0 ? ex(0) : GiNaC::acosh(v);
+    return order > 0 ? Values{size, -size} : order == 0 ? Values{0} : Values{};
+  }
   return std::nullopt;
 }
 
@@ -102,6 +112,10 @@ std::optional<Values> inverted(const ex& f, const ex& value, const ex& symbol, c
   const ex u = f.nops() > 0 ? f.op(0) : ex(0);
   if (is_a<GiNaC::power>(f) && is_a<numeric>(f.op(1)))
     inner = bases(ex_to<numeric>(f.op(1)), value);
+  else if (is_a<GiNaC::power>(f) && is_a<numeric>(f.op(0)))  // 2^x = 4
+    return compare(f.op(0), 0) > 0 && compare(value, 0) > 0
+               ? inverted(f.op(1), GiNaC::log(value) / GiNaC::log(f.op(0)), symbol, symbols)
+               : std::nullopt;
   else if (is_a<GiNaC::function>(f) && f.nops() == 1)
     inner = arguments(name_of(f), value, interval_of(u, symbols), symbols);
   if (!inner) return std::nullopt;
@@ -112,6 +126,62 @@ std::optional<Values> inverted(const ex& f, const ex& value, const ex& symbol, c
     result.insert(result.end(), values->begin(), values->end());
   }
   return result;
+}
+
+/// All real zeros of what has factors of degree 1 and 2 only.
+std::optional<Values> zeros_of_polynomial(const ex& polynomial, const ex& symbol) {
+  if (!polynomial.is_polynomial(symbol)) return std::nullopt;
+  const ex product = GiNaC::factor(polynomial);
+  Values result;
+  for (const ex& part :
+       is_a<GiNaC::mul>(product) ? Values(product.begin(), product.end()) : Values{product}) {
+    const ex f = (is_a<GiNaC::power>(part) ? part.op(0) : part).expand();
+    const int n = f.degree(symbol);
+    const ex a = f.coeff(symbol, 2), b = f.coeff(symbol, 1), c = f.coeff(symbol, 0);
+    if (n > 2 || compare(f.lcoeff(symbol), 0) == 0) return std::nullopt;
+    if (n == 1) result.push_back((-c / b).normal());
+    const ex discriminant = (b * b - 4 * a * c).expand();
+    const int order = n == 2 ? compare(discriminant, 0) : -1;
+    if (order == 0) result.push_back((-b / (2 * a)).normal());
+    if (order > 0)
+      for (const int sign : {-1, 1})
+        result.push_back(((-b + sign * GiNaC::sqrt(discriminant)) / (2 * a)).expand());
+  }
+  return result;
+}
+
+/// sin kx, cos kx and tan kx in t = tan(x/2), for whole numbers k up to 4.
+class InHalfTangent : public GiNaC::map_function {
+ public:
+  InHalfTangent(const ex& x, const ex& t) : x_(x), t_(t) {}
+  ex operator()(const ex& e) override {
+    const std::string name = name_of(e);
+    const ex k = name.empty() ? ex(0) : e.op(0) / x_;
+    if ((name != "sin" && name != "cos" && name != "tan") || !k.info(GiNaC::info_flags::integer))
+      return e.map(*this);
+    if (GiNaC::abs(k) > 4) throw Undecidable("too many turns");
+    const ex turned = GiNaC::pow((1 + GiNaC::I * t_) / (1 - GiNaC::I * t_), k),  // e^{ikx}
+        sum = turned + 1 / turned, difference = (turned - 1 / turned) / GiNaC::I;
+    return (name == "sin" ? difference / 2 : name == "cos" ? sum / 2 : difference / sum).normal();
+  }
+
+ private:
+  ex x_, t_;
+};
+
+/// All angles x in their interval, of what is a rational function of waves of x.
+std::optional<Values> zeros_of_waves(const ex& residual, const ex& x, const Interval& within,
+                                     const Symbols& symbols) {
+  const GiNaC::realsymbol t("t");
+  const ex in_tangent = InHalfTangent(x, t)(residual);
+  if (in_tangent.has(x)) return std::nullopt;
+  const auto tangents = zeros_of_polynomial(in_tangent.normal().numer().expand(), t);
+  if (!tangents) return std::nullopt;
+  Values bases{Pi};  // where t has no value
+  for (const ex& tangent : *tangents)
+    bases.push_back(2 * arc("atan", tangent, GiNaC::atan(tangent), symbols));
+  if (!vanishes(residual.subs(x == Pi), symbols)) bases.erase(bases.begin());
+  return repeated(bases, 2 * Pi, within);
 }
 
 bool is_in_range(const ex& value, const Interval& range) {
@@ -129,7 +199,10 @@ std::optional<Values> solutions(const ex& residual, const Symbols& symbols) {
   if (names.size() != 1) return std::nullopt;
   const Interval range = parse_range(symbols.find(*names.begin())->range);
   try {
-    const auto values = inverted(residual, 0, symbols[*names.begin()], symbols);
+    const ex& symbol = symbols[*names.begin()];
+    auto values = inverted(residual, 0, symbol, symbols);
+    if (!values) values = zeros_of_polynomial(residual.normal().numer().expand(), symbol);
+    if (!values) values = zeros_of_waves(residual, symbol, range, symbols);
     if (!values) return std::nullopt;
     Values result;
     for (const ex& value : *values) {
