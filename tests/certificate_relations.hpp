@@ -75,8 +75,8 @@ class Checker {
     const Range result = look_.value(stated(text)).range;
     if (!look_.divisors_are_clear) {
       replay_.value(text);
-      for (const Fraction& d : replay_.divisors)  // |cos x| is 0 only where its square is
-        require(is_divisor(d) || is_divisor(d * d), "divides by something else: " + text);
+      for (const Fraction& d : replay_.divisors)  // |cos x| is 0 only where its square is, and its cube
+        require(is_divisor(d) || is_divisor(d * d) || is_divisor(d * d * d), "divides by something else: " + text);
     }
     if (!c_.at("slopes").contains(text) || c_.at("slopes").at(text).at("how") == "grows") return result;
     require(++slopes_ < 100, "too many slopes");
@@ -285,9 +285,9 @@ class Checker {
               is_zero_at(part, link.at("zeros").at(part), residual));
     });
   }
-  /// With part, or part^2, = share·(name - at)^n + more for each of some names: an even power and more that is not
-  /// negative, or nothing more; or growing from 0 there. Where the part is 0, all names are what is said, all
-  /// at once.
+  /// With part, or part^2, = share·(name - at)^n + more for each of some names: an even power and more that
+  /// is not negative, or nothing more; or growing from 0 there. Where the part is 0, all names are what is
+  /// said, all at once.
   bool is_zero_at(const std::string& part, const Json& places, const std::string& residual) {
     std::map<std::string, Fraction> zero;
     for (const auto& [name, place] : places.items()) {
@@ -303,10 +303,14 @@ class Checker {
       require(n > 0 && n < 100 && range(share).is_positive(), "no such power");
       require(same(more, "0") || (n % 2 == 0 && range(more).is_not_negative()), "more may be negative");
       const std::string sum = share + "*(" + name + "-(" + at + "))^" + std::to_string(n) + "+" + more;
-      require(same(part, sum) || same("(" + part + ")^2", sum),
-              "another power of " + name);
+      require(same(part, sum) || same("(" + part + ")^2", sum), "another power of " + name);
     }
-    return replay_.same(replay_.at(residual, zero), replay_.value("0"));
+    const auto is_zero = [&](const std::string& text) {
+      return replay_.same(replay_.at(text, zero), replay_.value("0"));
+    };
+    for (const Json& text : c_.at("divisors"))  // it has no value there
+      if (is_zero(text) && is_divisor(replay_.value(stated(text)))) return true;
+    return is_zero(residual);
   }
   /// Whether it grows, or falls, over the range of a name, and is 0 at that place in the range.
   bool grows_from_zero(const std::string& part, const std::string& name, const std::string& at) {

@@ -268,3 +268,51 @@ TEST_CASE("what is compared with a relation of numbers is so wherever it has a v
   nowhere["left"] = log["left"], nowhere["right"] = {"x", "<", "1"};
   CHECK(verdict_of(nowhere) == "it holds in (-inf, 0)");
 }
+
+TEST_CASE("a factor that grows is 0 at one place, which is in the range") {
+  Json good = certificate_of("sin(x)*y = 0", "x*y = 0", {"-1 < x < 1"});
+  CHECK(verdict_of(good) == "accepted");
+  const auto spoiled = [&](const auto& spoil) {
+    Json c = good;
+    spoil(c);
+    return verdict_of(c);
+  };
+  const auto zero_of = [](Json& c) -> Json& { return c["pieces"][0]["links"][0]["zeros"]["sin(x)"]; };
+  const std::string refusal = "no growth in x from 0: sin(x)";
+  CHECK(spoiled([&](Json& c) { zero_of(c)["x"]["at"] = "x"; }) == refusal);
+  CHECK(spoiled([&](Json& c) { zero_of(c)["x"]["at"] = "1/2"; }) == "nothing is said of exp");
+  CHECK(spoiled([&](Json& c) { zero_of(c) = {{"y", {{"at", "0"}}}}; }) == "no growth in y from 0: sin(x)");
+  CHECK(spoiled([&](Json& c) { c["slopes"] = Json::object(); }) == refusal);
+  CHECK(spoiled([&](Json& c) { c["slopes"]["sin(x)"]["slope"] = "1"; }) == "another slope of sin(x)");
+  CHECK(spoiled([&](Json& c) { c["slopes"]["sin(x)"]["how"] = "low"; }) ==
+        "of another sign at an end: sin(x)");
+  CHECK(spoiled([&](Json& c) { c["ranges"]["x"] = "(-4, 4)"; }) == "a slope of unknown sign: cos(x)");
+  // it falls there, and is 0 at pi, not at 0
+  CHECK(spoiled([&](Json& c) { c["ranges"]["x"] = "(2, 4)", c["slopes"]["sin(x)"]["sign"] = -1; }) ==
+        refusal);
+  // what is listed as a divisor, but is none
+  CHECK(spoiled([&](Json& c) {
+          c["right"] = {"(x-1)*y", "=", "0"}, c["divisors"] = {"x"};
+          c["pieces"][0]["links"][0]["right"]["residual"] = "(x-1)*y";
+          c["pieces"][0]["links"][0]["factor"] = {{"sin(x)", 1}, {"x-1", -1}};
+        }) == "a factor may vanish: sin(x)");
+  // the other side has no zero there
+  Json other = certificate_of("sinh(x)*y = 0", "x*y = 0");
+  CHECK(verdict_of(other) == "accepted");
+  other["right"] = {"(x+1)*y", "=", "0"};
+  CHECK(verdict_of(other) != "accepted");
+}
+
+TEST_CASE("bars are 0 where what is between them is") {
+  Json c = certificate_of("fabs(x)*y = 0", "x*y = 0");
+  CHECK(verdict_of(c) == "accepted");
+  Json& place = c["pieces"][0]["links"][0]["zeros"]["fabs(x)"]["x"];
+  place["at"] = "1";
+  CHECK(verdict_of(c) == "another power of x");
+  place["at"] = "0", place["share"] = "2";
+  CHECK(verdict_of(c) == "another power of x");
+  place["share"] = "1/2", place["more"] = "1/2*x^2";
+  CHECK(verdict_of(c) == "accepted");
+  place["more"] = "x-1/2*x^2";
+  CHECK(verdict_of(c) == "more may be negative");
+}

@@ -323,7 +323,9 @@ Json certificate_in(const Cells& cells, const Question& question) {
             {"cells", Json::array()}};
   for (const Symbols& piece : cells.pieces) {
     json["cells"].push_back({{"range", piece.find(cells.symbol)->range}});
-    if (look_at(question, piece) == Cell::compared)
+    const Cell seen = look_at(question, piece);
+    if (seen == Cell::unknown) throw Undecidable("it is not known where the sides have values");
+    if (seen == Cell::compared)
       json["cells"].back()["certificate"] = certificate_over(piece, left, right, given, piece);
   }
   return json;
@@ -351,8 +353,8 @@ Json certificate(const Relation& left, const Relation& right, const Symbols& sym
   const auto beside_turns = cells_beside_turns(question);
   if (cells) try {
       return certificate_in(*cells, question);
-    } catch (const Undecidable& error) {
-      if (!beside_turns) throw;
+    } catch (const Undecidable&) {
+      if (!beside_turns) throw Undecidable(why);
     }
   if (!beside_turns) throw Undecidable(why);
   return certificate_in(*beside_turns, question);

@@ -2,6 +2,7 @@
 #include <derivations/algebra/conjunction.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/in_square.hpp>
+#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/solutions.hpp>
@@ -28,6 +29,13 @@ Tree with_functions(const Tree& tree, const Symbols& symbols, const Symbols& dom
   auto copy = std::make_shared<Node>(*tree);
   for (Tree& child : copy->children) child = with_functions(child, symbols, domain);
   return copy;
+}
+
+/// Whether it divides by anything but numbers, under a root, say.
+bool divides(const ex& e) {
+  return std::any_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) {
+    return is_a<GiNaC::power>(part) && part.op(1).info(GiNaC::info_flags::negative) && has_symbol(part.op(0));
+  });
 }
 
 /// Finds what makes one link hold.
@@ -57,6 +65,25 @@ struct Finder : Forms {
 
   // ---- factors
 
+  /// With sin(x)^6 as sin(x) six times, and sqrt(1/u) to the power -n in place of sqrt(u) to the power n,
+  /// where u divides by what the statement does not divide by.
+  std::vector<Part> tidy(std::vector<Part> parts) const {
+    const auto is_allowed = [&](const ex& below) {
+      const auto is_it = [&](const CertifiedDivisor& d) { return !has_symbol((d.value / below).normal()); };
+      return sign_of(below, q.symbols) != 0 || std::any_of(divisors.begin(), divisors.end(), is_it);
+    };
+    for (auto& [part, n] : parts) {
+      if (!is_a<GiNaC::power>(part) || !part.op(1).info(GiNaC::info_flags::rational)) continue;
+      const numeric k = ex_to<numeric>(part.op(1));
+      if (k.is_integer() && sign_of(part.op(0), q.symbols) == 0)
+        part = part.op(0), n = n * k;
+      else if (k.is_negative())
+        part = 1 / part, n = -n;
+      if (!k.is_integer() && !is_allowed(part.op(0).denom()))
+        part = GiNaC::pow(1 / part.op(0), part.op(1)), n = -n;
+    }
+    return parts;
+  }
   /// Every part is a number, has one sign, or is what the statement divides by; what is none of these may be
   /// that all together, or 0 with one of the residuals of the link, if there is one.
   bool put_down(const std::vector<Part>& parts, CertifiedFactor& factor, CertifiedLink* link) const {
@@ -66,7 +93,7 @@ struct Finder : Forms {
       return put_down_divisor(part, n, number, factor) || put_down_square(part, n, factor) ||
              (link != nullptr && put_down_sum(part, n, *link));
     };
-    for (const auto& [part, n] : parts)
+    for (const auto& [part, n] : tidy(parts))
       if (is_a<numeric>(part))
         number *= ex_to<numeric>(part).power(n);
       else if (sign_of(part, q.symbols) != 0)
@@ -98,15 +125,19 @@ struct Finder : Forms {
     link.factor.emplace_back(written, n), link.divides.emplace_back(written, tree(*other));
     return true;
   }
-  /// part^n, if the part is 0 only where right (or left) is, for some symbols have certain values there.
+  /// part^n, if the part is 0 only where right (or left) is, or what the statement divides by, for some
+  /// symbols have certain values there.
   bool put_down_zero(const ex& part, int n, CertifiedLink& link) const {
-    const ex residual = n > 0 ? link.right.residual : link.left.residual;
+    std::vector<ex> others{n > 0 ? link.right.residual : link.left.residual};
+    for (const CertifiedDivisor& d : divisors) others.push_back(d.value);
     const auto is_zero_there = [&](const GiNaC::exmap& zero) {
-      try {
-        return vanishes(residual.subs(zero), q.symbols);
-      } catch (const std::exception&) {  // it has no value there, or is outside of the class
-        return false;
-      }
+      return std::any_of(others.begin(), others.end(), [&](const ex& other) {
+        try {
+          return vanishes(other.subs(zero), q.symbols);
+        } catch (const std::exception&) {  // it has no value there, or is outside of the class
+          return false;
+        }
+      });
     };
     if (const auto place = zero_of_growth(part); place && is_zero_there({*place})) {
       const auto& [symbol, at] = *place;
@@ -203,7 +234,10 @@ struct Finder : Forms {
                                  const std::vector<CertifiedDivisor>& allowed) const {
     if (has_symbol(part.denom())) return std::nullopt;
     const ex simple = (value / part).normal();
-    if (!has_symbol(simple.denom())) return simple;
+    if (!divides(simple)) return simple;
+    if (is_a<GiNaC::power>(part) && part.op(1).info(GiNaC::info_flags::positive))  // of a root of the value
+      if (const ex rest = (value / part.op(0)).normal(); !divides(rest))
+        return rest * GiNaC::pow(part.op(0), 1 - part.op(1));
     const auto parts = checked_quotient(value, part, q.symbols);
     if (!parts) return std::nullopt;
     ex product = 1;
@@ -313,6 +347,20 @@ struct Finder : Forms {
       return has_high_power(residual_of(sides_of(rederive::links_of(relation)[k], question)));
     });
   }
+  /// Whether a factor has arcs, or logarithms, that the statement has not: atan(u) - atan(v) as one of them.
+  bool has_new_arcs(const CertifiedFactor& factor) const {
+    std::set<std::string> known;
+    for (const Relation* relation : {&q.left, &q.right})
+      for (const Tree& side : relation->sides) collect_arcs(side, known);
+    std::set<std::string> all = known;
+    for (const CertifiedPart& p : factor) collect_arcs(p.part, all);
+    return all.size() > known.size();
+  }
+  void collect_arcs(const Tree& tree, std::set<std::string>& texts) const {
+    if (tree->kind == Node::Kind::call && (tree->text[0] == 'a' || tree->text == "log"))
+      texts.insert(print(lower(tree, q.symbols), Notation::plain, q.symbols));
+    for (const Tree& child : tree->children) collect_arcs(child, texts);
+  }
   std::optional<CertifiedLink> find_same(const Match& match) const {
     std::vector<std::pair<Taken, Taken>> ways{{Taken::as_they_stand, Taken::as_they_stand},
                                               {Taken::unwrapped, Taken::unwrapped},
@@ -320,20 +368,30 @@ struct Finder : Forms {
                                               {Taken::unwrapped, Taken::squared}};
     if (is_high(q.left, match.left) || is_high(q.right, match.right))
       std::rotate(ways.begin(), ways.begin() + 1, ways.end());
+    std::optional<CertifiedLink> found;
     for (const auto& [of_left, of_right] : ways) {
       const auto left = side(q.left, match.left, of_left), right = side(q.right, match.right, of_right);
       if (!left || !right || left->second != right->second) continue;
       CertifiedLink link{left->first, right->first, {}, {}, {}};
-      if (find_factor(link, left->second)) return link;
+      if (!find_factor(link, left->second)) continue;
+      if (!has_new_arcs(link.factor)) return link;
+      if (!found) found = link;
     }
-    return std::nullopt;
+    return found;
   }
   /// A link that always holds, or never.
   CertifiedLink find_settled(const std::vector<std::size_t>& number, bool is_left) const {
-    for (const Taken taken : {Taken::as_they_stand, Taken::unwrapped})
-      if (const auto found = side(is_left ? q.left : q.right, number, taken))
-        if (const auto link = settle(found->first, found->second, is_left)) return *link;
-    throw Undecidable("no form shows that a link always holds, or never");
+    std::optional<CertifiedLink> found;
+    for (const Taken taken : {Taken::as_they_stand, Taken::unwrapped}) {
+      const auto taken_so = side(is_left ? q.left : q.right, number, taken);
+      const auto link = taken_so ? settle(taken_so->first, taken_so->second, is_left) : std::nullopt;
+      if (!link) continue;
+      const CertifiedSide& shown = is_left ? link->left : link->right;
+      if (!shown.form || !has_new_arcs({{shown.form, 1}})) return *link;
+      if (!found) found = link;
+    }
+    if (!found) throw Undecidable("no form shows that a link always holds, or never");
+    return *found;
   }
   /// A link that follows from those of the other side.
   CertifiedLink find_consequence(const Match& match) const {
