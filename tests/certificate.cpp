@@ -18,7 +18,7 @@ namespace {
 std::optional<Json> certificate_of(const ProveRequest& request) {
   std::vector<nlohmann::ordered_json> each;
   try {
-    for (const auto& [one, context, in_pieces] : cases_of(request))
+    for (const auto& [one, context, in_pieces] : cases_with_values(request))
       each.push_back(certificate(parse_statement(one.left, context.symbols),
                                  parse_statement(one.right, context.symbols), context.symbols,
                                  context.put_in_at_once(true)));

@@ -147,6 +147,28 @@ TEST_CASE("a comparison of symbols that a proof rests on is among its side condi
   CHECK(conditions("b/h < 1", "sqrt((h-b)^2)", "h-b") == nlohmann::json{"b/h < 1", "h > 0"});
 }
 
+TEST_CASE("what picks one of several solutions is a condition, and so is what leaves out a piece") {
+  using Texts = std::vector<std::string>;
+  const auto conditions = [](const Texts& assumptions, const std::string& left, const std::string& right) {
+    Texts arguments{left, right};
+    for (const std::string& assumption : assumptions)
+      arguments.push_back("--assume"), arguments.push_back(assumption);
+    return prove_json(arguments, 0)["side_conditions"];
+  };
+  CHECK(conditions({"sin(x) = 0", "1 < x < 10"}, "(x-3*pi)*(x-pi)*(x-2*pi)", "0") ==
+        Texts{"1 < x", "x < 10"});
+  CHECK(conditions({"x^4-5*x^2+4 = 0", "x >= 1"}, "(x-1)*(x-2)", "0") == Texts{"x >= 1"});
+  CHECK(conditions({"y*cos(x) = 0", "y > 0"}, "sin(x)^2", "1") == Texts{"y > 0"});
+  CHECK(conditions({"R*sin(x) = 0"}, "sin(x)", "0") == Texts{"R > 0"});
+  CHECK(conditions({"sin(2*alpha) = 1/2"}, "(alpha-pi/12)*(alpha-5*pi/12)", "0") ==
+        Texts{"alpha > 0", "alpha < pi/2"});
+  CHECK(conditions({"x^2 = x", "x != 0"}, "x", "1") == Texts{"x != 0"});
+  CHECK(conditions({"sin(x) > 0", "0 < x < 4"}, "x < pi", "0 < 1") == Texts{"sin(x) > 0", "0 < x", "x < 4"});
+  CHECK(conditions({"x*y > 0", "x+y > 0"}, "x > 0", "0 < 1") == Texts{"x*y > 0", "x + y > 0"});
+  CHECK(conditions({"sin(x) > 0", "y > 0"}, "fabs(sin(x))", "sin(x)") == Texts{"sin(x) > 0"});
+  CHECK(conditions({"sin(x) = 0", "y > 0"}, "cos(x)^2", "1") == Texts{});
+}
+
 TEST_CASE("a witness has every symbol that the assumptions name") {
   const auto j = prove_json({"y", "0", "--assume", "x*b > h", "--assume", "z > 2"}, 1);
   for (const char* name : {"x", "b", "h", "y", "z"}) CHECK(j["witness"]["at"].contains(name));

@@ -192,6 +192,7 @@ std::optional<Ratio> ratio_of(const ex& left, const ex& right, const Symbols& sy
     const int sign = sign_of(part, symbols);
     if (exponent.is_positive()) ratio.above *= GiNaC::pow(part, exponent);
     if (exponent.is_negative() && sign == 0) return std::nullopt;
+    if (sign_of(hidden_divisor(part), symbols) == 0) return std::nullopt;
     if (exponent.is_negative()) ratio.below *= GiNaC::pow(sign * part, -exponent);
     if (exponent.is_negative() && exponent.is_odd()) ratio.above *= sign;
   }

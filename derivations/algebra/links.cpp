@@ -167,6 +167,8 @@ Pair Question::pair(const Tree& left_side, const Tree& right_side) const {
     const Symbol* symbol = symbols.find(g.name);
     const ex value = rederive::put_in(g.value, given);
     const Tree tree = meanings[symbol->name] = to_tree(value, symbols);
+    // of a number it is known exactly, at the end pi of (0, pi], too
+    if (names_in(value).empty() && is_inside(value, parse_range(symbol->range), true)) continue;
     if (symbol->range != "(-inf, inf)" || !value.info(GiNaC::info_flags::polynomial))  // it may fail
       pair.bound.push_back({symbol->name, tree});
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/real.hpp>
@@ -147,12 +148,71 @@ std::vector<Part> with_roots_apart(const std::vector<Part>& parts, const Symbols
   return result;
 }
 
+bool is_root_of_quotient(const ex& e) { return !hidden_divisor(e).is_equal(1); }
+
+/// Of sqrt(u) and u to some powers, in the parts of a product: sqrt(u) to one power.
+void take_in(std::vector<Part>& parts, std::size_t k) {
+  const ex u = parts[k].first.op(0).normal().numer_denom();
+  const auto place_of = [&](const ex& e) {
+    return std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.first.is_equal(e); });
+  };
+  const auto above = place_of(u.op(0)), below = place_of(u.op(1));
+  if (above == parts.end() || below == parts.end() || above->second != -below->second) return;
+  parts[k].second += above->second / GiNaC::ex_to<GiNaC::numeric>(parts[k].first.op(1));
+  for (auto gone : {above, below}) gone->second = 0;
+}
+
+/// tan u as sin u/cos u, and tanh u likewise, and nothing else changed.
+ex with_open_tangents(const ex& e) {
+  struct : GiNaC::map_function {
+    ex operator()(const ex& part) override {
+      const ex inner = part.map(*this);
+      const std::string name = name_of(inner);
+      if (name == "tan") return GiNaC::sin(inner.op(0)) / GiNaC::cos(inner.op(0));
+      return name == "tanh" ? GiNaC::sinh(inner.op(0)) / GiNaC::cosh(inner.op(0)) : inner;
+    }
+  } opened;
+  return opened(e);
+}
+
+/// With sqrt(u) where normal forms took 1/sqrt(1/u), as it stands in the two: elsewhere that is 0, or has no
+/// value.
+std::vector<Part> with_roots_as_written(std::vector<Part> parts, const ex& left, const ex& right,
+                                        const Symbols& symbols) {
+  if (std::none_of(parts.begin(), parts.end(), [](const Part& p) { return is_root_of_quotient(p.first); }))
+    return parts;
+  const GiNaC::realsymbol beside("beside");
+  const ex as_given = left + beside * right, opened = with_open_tangents(as_given),
+           prepared = prepare(left, symbols) + beside * prepare(right, symbols);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    auto& [part, n] = parts[k];
+    if (!is_root_of_quotient(part) || !GiNaC::is_a<GiNaC::power>(part)) continue;
+    const ex turned = GiNaC::pow(1 / part.op(0), part.op(1));
+    for (const ex& where : {as_given, opened, prepared}) {
+      const auto stands = [&](const ex& root) { return where.has(root) || where.has(1 / root); };
+      if (stands(part)) break;
+      if (!stands(turned)) continue;
+      part = turned, n = -n;
+      break;
+    }
+    take_in(parts, k);
+  }
+  std::erase_if(parts, [](const Part& p) { return p.second.is_zero(); });
+  return parts;
+}
+
 }  // namespace
+
+ex hidden_divisor(const ex& part) {
+  const bool is_root = GiNaC::is_a<GiNaC::power>(part) && !part.op(1).info(GiNaC::info_flags::integer);
+  return is_root || name_of(part) == "abs" ? part.op(0).normal().denom() : ex(1);
+}
 
 std::optional<std::vector<Part>> quotient(const ex& left, const ex& right, const Symbols& symbols, Way way) {
   try {
     const auto parts = quotient_unless_pole(left, right, symbols, way);
-    return parts ? std::optional(with_roots_apart(*parts, symbols)) : std::nullopt;
+    if (!parts) return std::nullopt;
+    return with_roots_as_written(with_roots_apart(*parts, symbols), left, right, symbols);
   } catch (const std::logic_error&) {  // GiNaC divides by what it finds to be 0, in some orders of the terms
   } catch (const std::overflow_error&) {
   }
@@ -220,17 +280,21 @@ Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors,
     const bool is_clear = sign_of(part, symbols) != 0;  // its range says that it cannot vanish
     const auto slope = is_clear ? std::nullopt : sign_by_slope(part, symbols);
     if (!exponent.is_even()) result.sign *= slope ? slope->sign : weak_sign(part, symbols);
+    const auto is_divided_by = [&](const ex& p) {
+      return std::any_of(divisors.begin(), divisors.end(), [&](const ex& d) {
+        const bool is_root = GiNaC::is_a<GiNaC::power>(p) && p.op(1).is_equal(GiNaC::numeric(1, 2));
+        const bool is_size = GiNaC::is_the_function<GiNaC::abs_SERIAL>(p);
+        if (is_multiple(p, d) || is_multiple(p, d.normal().numer())) return true;
+        if ((is_root || is_size) && is_multiple(p.op(0), d)) return true;
+        return is_short(p) && is_short(d) &&
+               (vanishes_with(p, d, symbols) || is_factor(p, d, symbols) ||
+                is_factor(p, GiNaC::pow(d, 2), symbols));
+      });
+    };
+    const ex below = hidden_divisor(part);  // where that is 0, the part has a pole
+    if (sign_of(below, symbols) == 0 && !is_divided_by(below)) result.zeros.push_back({below, -exponent});
     if (is_clear || (slope && slope->is_strict)) continue;
-    const bool divides = std::any_of(divisors.begin(), divisors.end(), [&p = part, &symbols](const ex& d) {
-      const bool is_root = GiNaC::is_a<GiNaC::power>(p) && p.op(1).is_equal(GiNaC::numeric(1, 2));
-      const bool is_size = GiNaC::is_the_function<GiNaC::abs_SERIAL>(p);
-      if (is_multiple(p, d) || is_multiple(p, d.normal().numer())) return true;
-      if ((is_root || is_size) && is_multiple(p.op(0), d)) return true;
-      return is_short(p) && is_short(d) &&
-             (vanishes_with(p, d, symbols) || is_factor(p, d, symbols) ||
-              is_factor(p, GiNaC::pow(d, 2), symbols));
-    });
-    if (divides)
+    if (is_divided_by(part))
       result.divisors.push_back(part);
     else
       result.zeros.push_back({part, exponent});
@@ -320,7 +384,8 @@ bool is_factor(const ex& part, const ex& other, const Symbols& symbols) {
     return false;  // it would stay below
   const auto rest = checked_quotient(other, part, symbols);
   return rest && std::none_of(rest->begin(), rest->end(), [&](const Part& f) {
-           return f.second.is_negative() && sign_of(f.first, symbols) == 0;
+           return (f.second.is_negative() && sign_of(f.first, symbols) == 0) ||
+                  sign_of(hidden_divisor(f.first), symbols) == 0;
          });
 }
 

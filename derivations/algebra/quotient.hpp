@@ -30,6 +30,9 @@ bool is_multiple(const GiNaC::ex& part, const GiNaC::ex& other);
 std::optional<std::vector<Part>> quotient(const GiNaC::ex& left, const GiNaC::ex& right,
                                           const Symbols& symbols, Way way);
 
+/// What sqrt(u) or |u| divides by, and has a pole where that is 0; 1 for anything else.
+GiNaC::ex hidden_divisor(const GiNaC::ex& part);
+
 /// A product of parts, and what is known of it.
 struct Quotient {
   GiNaC::ex value = 1;

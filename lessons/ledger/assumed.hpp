@@ -51,6 +51,9 @@ void avoid_divisors(const Relation& relation, Symbols& symbols);
 void keep_values(const std::string& text, const std::vector<Tree>& sides, const std::vector<GiNaC::ex>& kept,
                  const Context& context);
 
+/// Whether it has a power such as x^n, of which conditions_of() says more than is needed: x > 0.
+bool has_symbol_in_exponent(const Tree& tree, const Symbols& symbols);
+
 /// Throws BadInput: what can be assumed, and why not this.
 [[noreturn]] void refuse(const std::string& text, const std::string& why = "");
 /// Throws Contradiction.

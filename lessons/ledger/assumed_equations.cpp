@@ -145,10 +145,11 @@ void keep_values(const std::string& text, const std::vector<Tree>& sides, const 
       const auto says_it = [&](const ex& e) {
         return (e / value).normal().info(GiNaC::info_flags::positive);
       };
-      if (std::none_of(needed.begin(), needed.end(), says_it))
-        throw SeveralSolutions("the assumption '" + text + "' has a value for " + in_words(c, symbols) +
-                                   " only, which what is left of it no longer says: assume that as well",
-                               {in_words(c, symbols)});
+      if (std::any_of(needed.begin(), needed.end(), says_it)) continue;
+      const std::string message = "the assumption '" + text + "' has a value for " + in_words(c, symbols) +
+                                  " only, which what is left of it no longer says: assume that as well";
+      if (has_symbol_in_exponent(side, symbols)) throw BadInput(message);
+      throw SeveralSolutions(message, {in_words(c, symbols)});
     }
 }
 
@@ -171,6 +172,8 @@ void read_equations(const std::vector<Assumed>& equations, Context& context,
   const auto all = context.put_in_at_once(true);
   for (const Given& given : all) check_range(given, all, symbols);
   for (const Assumed& equation : equations) check_equation(equation, context);
+  for (const ex& e : symbols.never_zero())
+    if (is_always_zero(put_in(e, all), symbols)) contradicts(print(e, Notation::plain, symbols) + " != 0");
   std::vector<ex> values;
   for (const Given& given : all) values.push_back(given.value);
   for (const Assumed& equation : equations)

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
@@ -73,14 +74,23 @@ std::string refusal(const std::string& text, const std::string& why) {
 /// Nothing in it fails, but for what it divides by; else what it needs is assumed as well.
 void needs_values(const Assumed& link, const Symbols& symbols) {
   for (const Tree& side : link.relation.sides)
-    for (const Condition& condition : conditions_of(side, symbols))
-      if (const std::string text = in_words(condition, symbols); condition.relation != "!=")
-        throw SeveralSolutions(
-            refusal(link.text, "it has a value for " + text + " only: assume that as well"), {text},
-            in_words(link, symbols));
+    for (const Condition& condition : conditions_of(side, symbols)) {
+      if (condition.relation == "!=") continue;
+      const std::string text = in_words(condition, symbols);
+      if (has_symbol_in_exponent(side, symbols))  // x^n has values for negative x, too, where n is whole
+        refuse(link.text, "it has a value for " + text + ", and maybe elsewhere: assume that as well");
+      throw SeveralSolutions(refusal(link.text, "it has a value for " + text + " only: assume that as well"),
+                             {text}, in_words(link, symbols));
+    }
 }
 
 }  // namespace
+
+bool has_symbol_in_exponent(const Tree& tree, const Symbols& symbols) {
+  if (tree->kind == Node::Kind::power && !names_in(lower(tree->children[1], symbols)).empty()) return true;
+  return std::any_of(tree->children.begin(), tree->children.end(),
+                     [&](const Tree& child) { return has_symbol_in_exponent(child, symbols); });
+}
 
 void refuse(const std::string& text, const std::string& why) { throw BadInput(refusal(text, why)); }
 

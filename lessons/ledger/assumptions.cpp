@@ -169,7 +169,7 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
   } catch (const Undecidable& error) {
     throw BadInput(error.what());
   } catch (const std::domain_error&) {  // GiNaC's pole_error among them
-    throw BadInput(
+    throw Contradiction(
         "the equations that are assumed divide by zero, or meet a pole, once each is put into the others");
   }
   return context;

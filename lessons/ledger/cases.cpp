@@ -1,19 +1,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <derivations/algebra/print.hpp>
 #include <lessons/ledger/assumed.hpp>
 #include <lessons/ledger/cases.hpp>
 #include <lessons/ledger/decide_one.hpp>
+#include <utility>
 
 namespace rederive {
 
 namespace {
 
-std::vector<Case> cases_of(const ProveRequest& request, int depth) {
+std::vector<Case> cases_of(const ProveRequest& request, const std::vector<std::string>& freed, int depth) {
   constexpr std::size_t most = 8;
   constexpr int deepest = 6;
   try {
-    return {{request, make_context(request)}};
+    return {{request, make_context(request, freed)}};
   } catch (const SeveralSolutions& solutions) {
     if (depth == deepest) throw;
     std::vector<Case> result;
@@ -22,7 +24,7 @@ std::vector<Case> cases_of(const ProveRequest& request, int depth) {
       ProveRequest next = request;
       next.assumptions.push_back(one);
       try {
-        for (Case& further : cases_of(next, depth + 1)) {
+        for (Case& further : cases_of(next, freed, depth + 1)) {
           if (!solutions.inequality.empty()) further.in_pieces.insert(solutions.inequality);
           result.push_back(std::move(further));
         }
@@ -65,7 +67,13 @@ bool is_proved_without_equations(ProveRequest request) {
 
 }  // namespace
 
-std::vector<Case> cases_of(const ProveRequest& request) { return cases_of(request, 0); }
+std::vector<Case> cases_of(const ProveRequest& request) { return cases_of(request, {}, 0); }
+
+std::vector<Case> cases_with_values(const ProveRequest& request) {
+  std::vector<Case> cases = cases_of(request);
+  std::erase_if(cases, [](const Case& one) { return !has_values(one.context, one.request); });
+  return cases;
+}
 
 void add_new(const std::vector<std::string>& some, std::vector<std::string>& all) {
   for (const std::string& one : some)
@@ -75,8 +83,15 @@ void add_new(const std::vector<std::string>& some, std::vector<std::string>& all
 Proof decide_each(const std::vector<Case>& cases, const ProveRequest& request) {
   std::optional<Proof> all, open;
   std::vector<std::string> names;
+  std::exception_ptr without_value;
   for (const Case& one : cases) {
-    Proof proof = decide_one(one.context, one.request);
+    Proof proof;
+    try {
+      proof = decide_one(one.context, one.request);
+    } catch (const WithoutValue&) {  // nothing is said of it
+      without_value = std::current_exception();
+      continue;
+    }
     const std::vector<std::string> added = added_in(one, request);
     if (added.empty() || proof.verdict == Verdict::refuted) return proof;
     names.push_back(fmt::format("{}", fmt::join(added, ", ")));
@@ -91,6 +106,7 @@ Proof decide_each(const std::vector<Case>& cases, const ProveRequest& request) {
     add_new(proof.side_conditions, all->side_conditions);
   }
   if (open) return *open;
+  if (!all) std::rethrow_exception(without_value);
   const bool has_equations = std::any_of(request.assumptions.begin(), request.assumptions.end(), is_equation);
   if (has_equations && all->verdict == Verdict::proved && !is_proved_without_equations(request))
     all->verdict = Verdict::proved_under;
@@ -118,6 +134,59 @@ std::vector<std::string> of_each(const std::vector<Case>& cases, const ProveRequ
     add_new(of_this, all);
   }
   return all;
+}
+
+namespace {
+
+/// What an assumption says besides equations: "x > 0", "x - y != 0".
+std::vector<std::string> inequalities_in(const std::string& text, const Symbols& symbols) {
+  if (const auto at = text.find("!="); at != std::string::npos) {
+    const GiNaC::ex left = lower(parse(text.substr(0, at), symbols), symbols),
+                    right = lower(parse(text.substr(at + 2), symbols), symbols);
+    return {print((left - right).expand(), Notation::plain, symbols) + " != 0"};
+  }
+  std::vector<std::string> result;
+  const Relation relation = parse_relation(text, symbols);
+  for (std::size_t k = 0; k < relation.operators.size(); ++k)
+    if (relation.operators[k] != "=")
+      result.push_back(
+          in_words({{{relation.sides[k], relation.sides[k + 1]}, {relation.operators[k]}}, text}, symbols));
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> conditions_used(Verdict verdict, const std::vector<Case>& cases,
+                                         const ProveRequest& request) {
+  const Case& first = cases.front();
+  if (cases.size() == 1 && added_in(first, request).empty())
+    return conditions_used(verdict, first.context, request);
+  std::vector<std::string> kept = request.assumptions, freed, used;
+  const auto is_same = [&] {
+    ProveRequest rest = request;
+    rest.assumptions = kept;
+    std::erase(rest.assumptions, "");
+    try {
+      return decide_each(cases_of(rest, freed, 0), rest).verdict == verdict;
+    } catch (const BadInput&) {  // an assumption means something with another one only
+      return false;
+    }
+  };
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const auto said = inequalities_in(kept[k], first.context.symbols);
+    if (said.empty()) continue;
+    const std::string text = std::exchange(kept[k], "");
+    if (is_same()) continue;
+    kept[k] = text;
+    add_new(said, used);
+  }
+  for (const std::string& name : ranged_names(first.context, request)) {
+    freed.push_back(name);
+    if (is_same()) continue;
+    freed.pop_back();
+    add_new(ranges_as_conditions({name}, first.context.symbols), used);
+  }
+  return used;
 }
 
 }  // namespace rederive

@@ -10,6 +10,11 @@ namespace rederive {
 /// Throws BadInput.
 Proof decide_each(const std::vector<Case>& cases, const ProveRequest& request);
 
+/// The inequalities that are assumed, and declared ranges, without which not the same is decided of all
+/// cases.
+std::vector<std::string> conditions_used(Verdict verdict, const std::vector<Case>& cases,
+                                         const ProveRequest& request);
+
 /// Adds those that are not among `all`.
 void add_new(const std::vector<std::string>& some, std::vector<std::string>& all);
 

@@ -200,13 +200,17 @@ std::optional<ex> Factors::other_factor(const ex& part, const ex& value,
       return rest * GiNaC::pow(part.op(0), 1 - part.op(1));
   const auto parts = checked_quotient(value, part, q.symbols);
   if (!parts) return std::nullopt;
+  const auto may_divide = [&](const ex& p) {
+    return std::any_of(
+        allowed.begin(), allowed.end(), [&, square = GiNaC::pow(p, 2)](const CertifiedDivisor& d) {
+          return !has_symbol((d.value / p).normal()) || vanishes(square - GiNaC::pow(d.value, 2), q.symbols);
+        });
+  };
   ex product = 1;
   for (const auto& [p, k] : *parts) {
-    const auto is_it = [&, square = GiNaC::pow(p, 2)](const CertifiedDivisor& d) {
-      return !has_symbol((d.value / p).normal()) || vanishes(square - GiNaC::pow(d.value, 2), q.symbols);
-    };
-    if (k.is_negative() && !is_a<numeric>(p) && std::none_of(allowed.begin(), allowed.end(), is_it))
-      return std::nullopt;
+    const ex below = hidden_divisor(p);
+    if (has_symbol(below) && !may_divide(below)) return std::nullopt;
+    if (k.is_negative() && !is_a<numeric>(p) && !may_divide(p)) return std::nullopt;
     product *= GiNaC::pow(p, k);
   }
   return product;

@@ -28,10 +28,24 @@ void check_values(const std::string& text, const Relation& relation, const Conte
   for (const Tree& side : relation.sides) try {
       (void)put_in(lower(side, context.symbols), context.put_in_at_once(true));
     } catch (const std::domain_error&) {  // GiNaC's pole_error among them
-      throw BadInput("'" + text +
-                     "' has no value where the assumptions hold: it divides by zero, or is a pole");
+      throw WithoutValue("'" + text +
+                         "' has no value where the assumptions hold: it divides by zero, or is a pole");
     }
 }
+
+}  // namespace
+
+bool has_values(const Context& context, const ProveRequest& request) {
+  try {
+    for (const std::string* text : {&request.left, &request.right})
+      check_values(*text, read(*text, context.symbols), context);
+    return true;
+  } catch (const WithoutValue&) {
+    return false;
+  }
+}
+
+namespace {
 
 /// With the equations that are given: proved_under, unless it holds without them, too. Most that need them
 /// are not worth a search for a witness without them.
@@ -92,9 +106,6 @@ Proof decide_one(const Context& context, const ProveRequest& request) {
   return decide_in(context, request);
 }
 
-namespace {
-
-/// The symbols of the statement and the assumptions that the paper gives a range.
 std::vector<std::string> ranged_names(const Context& context, const ProveRequest& request) {
   std::set<std::string> names;
   for (const std::string* text : {&request.left, &request.right})
@@ -107,7 +118,6 @@ std::vector<std::string> ranged_names(const Context& context, const ProveRequest
   return {names.begin(), names.end()};
 }
 
-/// "alpha > 0", "alpha < pi/2"
 std::vector<std::string> ranges_as_conditions(const std::vector<std::string>& names, const Symbols& symbols) {
   std::vector<std::string> conditions;
   for (const std::string& name : names) {
@@ -119,6 +129,8 @@ std::vector<std::string> ranges_as_conditions(const std::vector<std::string>& na
   }
   return conditions;
 }
+
+namespace {
 
 /// Whether algebra alone proves it once more, with the givens that the proof had.
 bool goes_through_in(const Context& context, const ProveRequest& request, Verdict verdict) {

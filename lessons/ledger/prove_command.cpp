@@ -29,19 +29,13 @@ Proof or_undecided(Work work) {
   }
 }
 
-std::vector<std::string> conditions_of_each(const std::vector<Case>& cases, Verdict verdict,
-                                            const ProveRequest& request) {
-  return of_each(cases, request,
-                 [&](const Case& one) { return conditions_used(verdict, one.context, one.request); });
-}
-
 }  // namespace
 
 Proof decide(const ProveRequest& request) {
   return or_undecided([&] {
     const std::vector<Case> cases = cases_of(request);
     Proof proof = decide_each(cases, request);
-    if (is_proved(proof)) add_new(conditions_of_each(cases, proof.verdict, request), proof.side_conditions);
+    if (is_proved(proof)) add_new(conditions_used(proof.verdict, cases, request), proof.side_conditions);
     return proof;
   });
 }
@@ -84,7 +78,7 @@ std::string decision(const ProveRequest& request) {
 Json conditions_within(double seconds, const Json& all, const Json& verdict, const ProveRequest& request) {
   const auto work = [&] {
     const Verdict proved = verdict == "proved" ? Verdict::proved : Verdict::proved_under;
-    return Json(conditions_of_each(cases_of(request), proved, request)).dump();
+    return Json(conditions_used(proved, cases_of(request), request)).dump();
   };
   const Bounded outcome = all.empty() ? Bounded{} : bounded(work, seconds);
   return outcome.result ? Json::parse(*outcome.result) : all;
@@ -115,7 +109,7 @@ nlohmann::ordered_json certificate_bounded(const ProveRequest& request, bool wit
   const auto work = [&]() -> std::string {
     std::vector<Json> each;
     try {
-      for (const Case& one : cases_of(request)) each.push_back(one_certificate(one));
+      for (const Case& one : cases_with_values(request)) each.push_back(one_certificate(one));
       return (each.size() == 1 ? each[0] : certificate_of_cases(each)).dump();
     } catch (const Undecidable& error) {
       return Json(error.what()).dump();

@@ -50,6 +50,9 @@ struct Case {
 /// make_context().
 std::vector<Case> cases_of(const ProveRequest& request);
 
+/// Those of them in which the statement has values; nothing is said of the others.
+std::vector<Case> cases_with_values(const ProveRequest& request);
+
 /// Decides, in every case. The declared ranges that a proof rests on are among its side conditions. Throws
 /// BadInput (with a caret) for what cannot be read. No bounds on time or memory.
 Proof decide(const ProveRequest& request);
