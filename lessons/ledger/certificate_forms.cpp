@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/forms.hpp>
+#include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/vanish.hpp>
@@ -103,6 +104,7 @@ ex Forms::form(const ex& e) const {
 
 std::optional<ex> Forms::form_of_one_sign(const ex& e) const {
   if (e.is_zero() || is_nonnegative(e, q.symbols) || is_nonnegative(-e, q.symbols)) return form(e);
+  if (const ex other = prepare(e, q.symbols); !shows_sign(e) && shows_sign(other)) return other;
   if (sign_by_slope(e, q.symbols)) return e;
   const auto parts = checked_quotient(e, 1, q.symbols);
   if (!parts) return std::nullopt;
