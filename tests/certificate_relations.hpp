@@ -76,7 +76,8 @@ class Checker {
     if (!look_.divisors_are_clear) {
       replay_.value(text);
       for (const Fraction& d : replay_.divisors)  // |cos x| is 0 only where its square is, and its cube
-        require(is_divisor(d) || is_divisor(d * d) || is_divisor(d * d * d), "divides by something else: " + text);
+        require(is_divisor(d) || is_divisor(d * d) || is_divisor(d * d * d),
+                "divides by something else: " + text);
     }
     if (!c_.at("slopes").contains(text) || c_.at("slopes").at(text).at("how") == "grows") return result;
     require(++slopes_ < 100, "too many slopes");

@@ -162,19 +162,6 @@ void take_in(std::vector<Part>& parts, std::size_t k) {
   for (auto gone : {above, below}) gone->second = 0;
 }
 
-/// tan u as sin u/cos u, and tanh u likewise, and nothing else changed.
-ex with_open_tangents(const ex& e) {
-  struct : GiNaC::map_function {
-    ex operator()(const ex& part) override {
-      const ex inner = part.map(*this);
-      const std::string name = name_of(inner);
-      if (name == "tan") return GiNaC::sin(inner.op(0)) / GiNaC::cos(inner.op(0));
-      return name == "tanh" ? GiNaC::sinh(inner.op(0)) / GiNaC::cosh(inner.op(0)) : inner;
-    }
-  } opened;
-  return opened(e);
-}
-
 /// With sqrt(u) where normal forms took 1/sqrt(1/u), as it stands in the two: elsewhere that is 0, or has no
 /// value.
 std::vector<Part> with_roots_as_written(std::vector<Part> parts, const ex& left, const ex& right,
@@ -202,6 +189,18 @@ std::vector<Part> with_roots_as_written(std::vector<Part> parts, const ex& left,
 }
 
 }  // namespace
+
+ex with_open_tangents(const ex& e) {
+  struct : GiNaC::map_function {
+    ex operator()(const ex& part) override {
+      const ex inner = part.map(*this);
+      const std::string name = name_of(inner);
+      if (name == "tan") return GiNaC::sin(inner.op(0)) / GiNaC::cos(inner.op(0));
+      return name == "tanh" ? GiNaC::sinh(inner.op(0)) / GiNaC::cosh(inner.op(0)) : inner;
+    }
+  } opened;
+  return opened(e);
+}
 
 ex hidden_divisor(const ex& part) {
   const bool is_root = GiNaC::is_a<GiNaC::power>(part) && !part.op(1).info(GiNaC::info_flags::integer);

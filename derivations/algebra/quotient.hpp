@@ -30,6 +30,8 @@ bool is_multiple(const GiNaC::ex& part, const GiNaC::ex& other);
 std::optional<std::vector<Part>> quotient(const GiNaC::ex& left, const GiNaC::ex& right,
                                           const Symbols& symbols, Way way);
 
+/// tan u as sin u/cos u, and tanh u likewise, and nothing else changed.
+GiNaC::ex with_open_tangents(const GiNaC::ex& e);
 /// What sqrt(u) or |u| divides by, and has a pole where that is 0; 1 for anything else.
 GiNaC::ex hidden_divisor(const GiNaC::ex& part);
 

@@ -169,6 +169,15 @@ class InHalfTangent : public GiNaC::map_function {
   ex x_, t_;
 };
 
+/// Not at a pole.
+bool is_zero_at(const ex& e, const ex& place, const Symbols& symbols) {
+  try {
+    return vanishes(e.subs(place), symbols);
+  } catch (const std::domain_error&) {  // GiNaC's pole_error among them
+    return false;
+  }
+}
+
 /// All angles x in their interval, of what is a rational function of waves of x.
 std::optional<Values> zeros_of_waves(const ex& residual, const ex& x, const Interval& within,
                                      const Symbols& symbols) {
@@ -180,7 +189,7 @@ std::optional<Values> zeros_of_waves(const ex& residual, const ex& x, const Inte
   Values bases{Pi};  // where t has no value
   for (const ex& tangent : *tangents)
     bases.push_back(2 * arc("atan", tangent, GiNaC::atan(tangent), symbols));
-  if (!vanishes(residual.subs(x == Pi), symbols)) bases.erase(bases.begin());
+  if (!is_zero_at(residual, x == Pi, symbols)) bases.erase(bases.begin());
   return repeated(bases, 2 * Pi, within);
 }
 

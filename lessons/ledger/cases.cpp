@@ -52,6 +52,22 @@ bool is_equation(const std::string& assumption) {
          (at == 0 || std::string("<>!").find(assumption[at - 1]) == std::string::npos);
 }
 
+/// What an assumption says besides equations: "x > 0", "x - y != 0".
+std::vector<std::string> inequalities_in(const std::string& text, const Symbols& symbols) {
+  if (const auto at = text.find("!="); at != std::string::npos) {
+    const GiNaC::ex left = lower(parse(text.substr(0, at), symbols), symbols),
+                    right = lower(parse(text.substr(at + 2), symbols), symbols);
+    return {print((left - right).expand(), Notation::plain, symbols) + " != 0"};
+  }
+  std::vector<std::string> result;
+  const Relation relation = parse_relation(text, symbols);
+  for (std::size_t k = 0; k < relation.operators.size(); ++k)
+    if (relation.operators[k] != "=")
+      result.push_back(
+          in_words({{{relation.sides[k], relation.sides[k + 1]}, {relation.operators[k]}}, text}, symbols));
+  return result;
+}
+
 /// Whether it holds with none of the equations that are assumed, of which the cases are.
 bool is_proved_without_equations(ProveRequest request) {
   std::erase_if(request.assumptions, is_equation);
@@ -118,13 +134,8 @@ std::vector<std::string> of_each(const std::vector<Case>& cases, const ProveRequ
                                  const std::function<std::vector<std::string>(const Case&)>& said) {
   std::vector<std::string> all, added;
   for (const Case& one : cases)
-    for (const std::string& text : added_in(one, request)) {
-      const Relation relation = parse_relation(text, one.context.symbols);
-      for (std::size_t k = 0; k < relation.operators.size(); ++k)
-        added.push_back(
-            in_words({{{relation.sides[k], relation.sides[k + 1]}, {relation.operators[k]}}, text},
-                     one.context.symbols));
-    }
+    for (const std::string& text : added_in(one, request))
+      add_new(inequalities_in(text, one.context.symbols), added);
   for (const Case& one : cases) {
     std::vector<std::string> of_this = said(one);
     const auto erased = std::erase_if(of_this, [&](const std::string& text) {
@@ -135,26 +146,6 @@ std::vector<std::string> of_each(const std::vector<Case>& cases, const ProveRequ
   }
   return all;
 }
-
-namespace {
-
-/// What an assumption says besides equations: "x > 0", "x - y != 0".
-std::vector<std::string> inequalities_in(const std::string& text, const Symbols& symbols) {
-  if (const auto at = text.find("!="); at != std::string::npos) {
-    const GiNaC::ex left = lower(parse(text.substr(0, at), symbols), symbols),
-                    right = lower(parse(text.substr(at + 2), symbols), symbols);
-    return {print((left - right).expand(), Notation::plain, symbols) + " != 0"};
-  }
-  std::vector<std::string> result;
-  const Relation relation = parse_relation(text, symbols);
-  for (std::size_t k = 0; k < relation.operators.size(); ++k)
-    if (relation.operators[k] != "=")
-      result.push_back(
-          in_words({{{relation.sides[k], relation.sides[k + 1]}, {relation.operators[k]}}, text}, symbols));
-  return result;
-}
-
-}  // namespace
 
 std::vector<std::string> conditions_used(Verdict verdict, const std::vector<Case>& cases,
                                          const ProveRequest& request) {

@@ -3,6 +3,7 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/solutions.hpp>
 #include <lessons/ledger/inequalities.hpp>
 
@@ -86,17 +87,6 @@ std::vector<Inequality> without_bars(const Inequality& inequality, const Symbols
 
 namespace {
 
-/// A quotient that is positive where e is: of numerator and denominator, with tan as sin/cos.
-ex with_poles(const ex& e) {
-  struct : GiNaC::map_function {
-    ex operator()(const ex& part) override {
-      const ex inner = part.map(*this);
-      return name_of(inner) == "tan" ? GiNaC::sin(inner.op(0)) / GiNaC::cos(inner.op(0)) : inner;
-    }
-  } opened;
-  return opened(e).normal().numer_denom();
-}
-
 /// An open piece of the range of a symbol, or what is added of its ends.
 std::string as_text(const std::string& name, const Interval& piece, const Symbols& symbols) {
   const auto number = [&](const End& end) { return print(end.value, Notation::plain, symbols); };
@@ -115,7 +105,7 @@ ex inside(const Interval& piece) {
 /// Between the zeros, of which those are in it where equality is allowed, and the poles.
 std::optional<std::vector<std::string>> pieces_of_one(const Inequality& i, const std::string& name,
                                                       const Symbols& symbols) {
-  const ex symbol = symbols[name], quotient = with_poles(i.difference());
+  const ex symbol = symbols[name], quotient = with_open_tangents(i.difference()).normal().numer_denom();
   const auto zeros = solutions(quotient.op(0), symbols);
   const auto poles = quotient.op(1).has(symbol) ? solutions(quotient.op(1), symbols) : std::vector<ex>{};
   if (!zeros || !poles) return std::nullopt;
