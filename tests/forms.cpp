@@ -5,6 +5,7 @@
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/linear_program.hpp>
 #include <derivations/algebra/positive.hpp>
+#include <derivations/algebra/quotient.hpp>
 #include <random>
 
 using namespace rederive;
@@ -99,4 +100,19 @@ TEST_CASE("polynomials in one variable, with squares, near 0, and in multiples o
   CHECK_FALSE(form(pow(t - ex(1) / 3, 2) * (t + 2) - ex(1) / 1000, "(-1, 1)"));
   CHECK_FALSE(form(pow(t, 3) - t + ex(38) / 100, "[0, inf)"));
   CHECK_FALSE(form(1 - t, "(-inf, 2)"));
+}
+
+TEST_CASE("a root of a quotient is 0 where that is, and has a pole where what divides it is 0") {
+  const Symbols known = symbols();
+  const ex x = known["x"], root = GiNaC::sqrt(x / (x - 1));
+  const auto exponent_of = [](const Quotient& q, const ex& e) {
+    for (const auto& [part, n] : q.zeros)
+      if (is_multiple(part, e)) return n.to_int();
+    return 0;
+  };
+  const Quotient open = assess({{root, 1}}, {}, known), divided = assess({{root, 1}}, {x - 1}, known);
+  CHECK(exponent_of(open, root) == 1);
+  CHECK(exponent_of(open, x - 1) == -1);
+  CHECK(exponent_of(divided, x - 1) == 0);
+  CHECK(exponent_of(assess({{root, -2}}, {}, known), x - 1) == 2);
 }
