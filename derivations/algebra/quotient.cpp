@@ -208,14 +208,17 @@ ex hidden_divisor(const ex& part) {
 }
 
 std::optional<std::vector<Part>> quotient(const ex& left, const ex& right, const Symbols& symbols, Way way) {
-  try {
-    const auto parts = quotient_unless_pole(left, right, symbols, way);
-    if (!parts) return std::nullopt;
-    return with_roots_as_written(with_roots_apart(*parts, symbols), left, right, symbols);
-  } catch (const std::logic_error&) {  // GiNaC divides by what it finds to be 0, in some orders of the terms
-  } catch (const std::overflow_error&) {
-  }
-  return std::nullopt;
+  const auto find = [&]() -> std::optional<std::vector<Part>> {
+    try {
+      const auto parts = quotient_unless_pole(left, right, symbols, way);
+      if (!parts) return std::nullopt;
+      return with_roots_as_written(with_roots_apart(*parts, symbols), left, right, symbols);
+    } catch (const std::logic_error&) {  // GiNaC divides by what it finds to be 0, in some orders of terms
+    } catch (const std::overflow_error&) {
+    }
+    return std::nullopt;
+  };
+  return remembered(symbols.findings().quotients, GiNaC::lst{left, right, static_cast<int>(way)}, find);
 }
 
 namespace {

@@ -27,13 +27,7 @@ int find_sign(const ex& e, const Symbols& symbols);
 
 /// The same, remembered.
 int sign(const ex& e, const Symbols& symbols) {
-  constexpr std::size_t most = 2000;
-  if (const auto found = symbols.known_signs().find(e); found != symbols.known_signs().end())
-    return found->second;
-  const int result = find_sign(e, symbols);
-  if (symbols.known_signs().size() == most) symbols.known_signs().clear();
-  symbols.known_signs()[e] = result;
-  return result;
+  return remembered(symbols.findings().signs, e, [&] { return find_sign(e, symbols); });
 }
 
 int find_sign(const ex& e, const Symbols& symbols) {

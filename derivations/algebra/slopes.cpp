@@ -195,9 +195,7 @@ bool has_roots_at_ends(const std::set<std::string>& names, const Symbols& symbol
   });
 }
 
-}  // namespace
-
-std::optional<Slope> sign_by_slope(const ex& expression, const Symbols& symbols) {
+std::optional<Slope> find_slope(const ex& expression, const Symbols& symbols) {
   const auto names = names_in(expression);
   if (names.empty() || names.size() > most_names) return std::nullopt;
   try {
@@ -209,6 +207,16 @@ std::optional<Slope> sign_by_slope(const ex& expression, const Symbols& symbols)
   } catch (const std::exception&) {  // outside of the class, or ends that are too close to tell
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Slope> sign_by_slope(const ex& expression, const Symbols& symbols) {
+  const auto found = remembered(symbols.findings().slopes, expression, [&] {
+    const auto slope = find_slope(expression, symbols);
+    return slope ? std::make_shared<const Slope>(*slope) : nullptr;
+  });
+  return found ? std::optional(*found) : std::nullopt;
 }
 
 std::optional<Slope> growth_by_slope(const ex& expression, const ex& symbol, const Symbols& symbols) {

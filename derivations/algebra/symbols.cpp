@@ -2,6 +2,7 @@
 #include <derivations/algebra/dimension.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/symbols.hpp>
+#include <sstream>
 #include <stdexcept>
 
 namespace rederive {
@@ -57,7 +58,7 @@ const Symbol& Symbols::declare(std::string name, std::string latex, std::string 
   const bool positive = ends.lower != "-inf" && compare(parse_range(range).low.value, 0) >= 0;
   const SymbolExpression symbol = positive ? SymbolExpression(GiNaC::possymbol(name, latex))
                                            : SymbolExpression(GiNaC::realsymbol(name, latex));
-  forget_signs();
+  findings_.reset();
   if (!table_.contains(name)) order_.push_back(name);
   Symbol entry{name,
                std::move(latex),
@@ -70,12 +71,27 @@ const Symbol& Symbols::declare(std::string name, std::string latex, std::string 
   return table_.insert_or_assign(std::move(name), std::move(entry)).first->second;
 }
 
+Findings& Symbols::findings() const {
+  constexpr std::size_t most = 200;
+  thread_local std::map<std::string, std::shared_ptr<Findings>> all;
+  if (findings_) return *findings_;
+  std::ostringstream said;
+  for (const auto& [name, symbol] : table_) said << name << symbol.range << ';';
+  for (const auto& [symbol, words] : otherwise_) said << symbol << '=' << words << ';';
+  for (const GiNaC::ex& e : never_zero_) said << e << ';';
+  if (all.size() == most) all.clear();
+  std::shared_ptr<Findings>& found = all[said.str()];
+  if (!found) found = std::make_shared<Findings>();
+  findings_ = found;
+  return *findings_;
+}
+
 void Symbols::narrow(std::string_view name, std::string range) {
   const auto found = table_.find(name);
   if (found == table_.end()) throw std::out_of_range("no symbol '" + std::string(name) + "' is declared");
   (void)read_range(range);
   found->second.range = std::move(range);
-  forget_signs();
+  findings_.reset();
 }
 
 const Symbol* Symbols::find(std::string_view name) const {

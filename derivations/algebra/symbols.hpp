@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,29 @@ struct Range {
 /// Reads "(0, pi/2]". Throws std::invalid_argument.
 Range read_range(std::string_view text);
 
+struct Slope;
+
+/// What was found of expressions already, over some ranges.
+struct Findings {
+  template <class What>
+  using Of = std::map<GiNaC::ex, What, GiNaC::ex_is_less>;
+  Of<int> signs;                            ///< for sign_of() and is_nonnegative()
+  Of<std::shared_ptr<const Slope>> slopes;  ///< for sign_by_slope(); null where it has nothing to say
+  Of<bool> vanishing;                       ///< for vanishes()
+  /// For quotient(), of {left, right, way}.
+  Of<std::optional<std::vector<std::pair<GiNaC::ex, GiNaC::numeric>>>> quotients;
+};
+
+/// What was found of it already, or is found now.
+template <class What, class Find>
+What remembered(Findings::Of<What>& known, const GiNaC::ex& of, const Find& find) {
+  constexpr std::size_t most = 2000;
+  if (const auto found = known.find(of); found != known.end()) return found->second;
+  const What result = find();
+  if (known.size() == most) known.clear();
+  return known.emplace(of, result).first->second;
+}
+
 /// A set of declared symbols. Copies share the GiNaC symbols, except those that are declared again.
 class Symbols {
  public:
@@ -54,7 +78,7 @@ class Symbols {
   /// Throws std::out_of_range or std::invalid_argument.
   void narrow(std::string_view name, std::string range);
   /// Declares that an expression in the symbols is never 0, as in "x != y".
-  void exclude_zero(const GiNaC::ex& expression) { never_zero_.push_back(expression), forget_signs(); }
+  void exclude_zero(const GiNaC::ex& expression) { never_zero_.push_back(expression), findings_.reset(); }
   /// What exclude_zero() was given, in that order.
   const std::vector<GiNaC::ex>& never_zero() const { return never_zero_; }
   /// Declares that an expression is not 0 where an assumption has a value: no witness may be there, and no
@@ -64,7 +88,7 @@ class Symbols {
   const std::vector<GiNaC::ex>& no_witness() const { return no_witness_; }
   /// Says a symbol in others, of which the ranges say more: the difference of y and x, as y - x.
   void say_otherwise(const GiNaC::ex& symbol, const GiNaC::ex& words) {
-    otherwise_.push_back({symbol, words}), forget_signs();
+    otherwise_.push_back({symbol, words}), findings_.reset();
   }
   /// What say_otherwise() was given, in that order: a symbol → what it is in others.
   const std::vector<std::pair<GiNaC::ex, GiNaC::ex>>& otherwise() const { return otherwise_; }
@@ -74,19 +98,15 @@ class Symbols {
   const SymbolExpression& operator[](std::string_view name) const;
   std::vector<std::string> names() const;         ///< in the order of declaration
   std::size_t rank(std::string_view name) const;  ///< place in that order: the printing order
-  /// The signs of expressions over these ranges that were found already, for sign_of() and is_nonnegative().
-  std::map<GiNaC::ex, int, GiNaC::ex_is_less>& known_signs() const { return *known_signs_; }
+  /// Shared by all that say the same.
+  Findings& findings() const;
 
  private:
-  void forget_signs() { known_signs_ = std::make_shared<std::map<GiNaC::ex, int, GiNaC::ex_is_less>>(); }
-
   std::vector<std::string> order_;
   std::map<std::string, Symbol, std::less<>> table_;
   std::vector<GiNaC::ex> never_zero_, no_witness_;
   std::vector<std::pair<GiNaC::ex, GiNaC::ex>> otherwise_;
-  /// Copies share it until one of them changes.
-  std::shared_ptr<std::map<GiNaC::ex, int, GiNaC::ex_is_less>> known_signs_ =
-      std::make_shared<std::map<GiNaC::ex, int, GiNaC::ex_is_less>>();
+  mutable std::shared_ptr<Findings> findings_;  ///< null where something was said since
 };
 
 /// The symbols of the paper, with their meanings: the one table that everything else reads.

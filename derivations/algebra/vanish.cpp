@@ -309,10 +309,13 @@ std::vector<Symbols> analytic_pieces(const ex& expression, const Symbols& symbol
 }
 
 bool vanishes(const ex& expression, const Symbols& symbols) {
-  if (vanishes(expression, symbols, 0)) return true;
-  const auto pieces = analytic_pieces(expression, symbols);
-  return !pieces.empty() && std::all_of(pieces.begin(), pieces.end(),
-                                        [&](const Symbols& piece) { return vanishes(expression, piece, 0); });
+  return remembered(symbols.findings().vanishing, expression, [&] {
+    if (vanishes(expression, symbols, 0)) return true;
+    const auto pieces = analytic_pieces(expression, symbols);
+    return !pieces.empty() && std::all_of(pieces.begin(), pieces.end(), [&](const Symbols& piece) {
+      return vanishes(expression, piece, 0);
+    });
+  });
 }
 
 }  // namespace rederive
