@@ -71,19 +71,6 @@ std::string refusal(const std::string& text, const std::string& why) {
          "R*cos(alpha)\"";
 }
 
-/// Nothing in it fails, but for what it divides by; else what it needs is assumed as well.
-void needs_values(const Assumed& link, const Symbols& symbols) {
-  for (const Tree& side : link.relation.sides)
-    for (const Condition& condition : conditions_of(side, symbols)) {
-      if (condition.relation == "!=") continue;
-      const std::string text = in_words(condition, symbols);
-      if (has_symbol_in_exponent(side, symbols))  // x^n has values for negative x, too, where n is whole
-        refuse(link.text, "it has a value for " + text + ", and maybe elsewhere: assume that as well");
-      throw SeveralSolutions(refusal(link.text, "it has a value for " + text + " only: assume that as well"),
-                             {text}, in_words(link, symbols));
-    }
-}
-
 }  // namespace
 
 bool has_symbol_in_exponent(const Tree& tree, const Symbols& symbols) {
@@ -93,6 +80,20 @@ bool has_symbol_in_exponent(const Tree& tree, const Symbols& symbols) {
 }
 
 void refuse(const std::string& text, const std::string& why) { throw BadInput(refusal(text, why)); }
+
+void needs_values(const Assumed& link, const Symbols& symbols, const std::vector<Comparison>& comparisons) {
+  for (const Tree& side : link.relation.sides)
+    for (const Condition& condition : conditions_of(side, symbols)) {
+      if (condition.relation == "!=") continue;
+      const std::string text = in_words(condition, symbols);
+      const Inequality needed = inequality(parse_relation(text, symbols), symbols);
+      if (settled_by(comparisons, needed, symbols) > 0) continue;
+      if (has_symbol_in_exponent(side, symbols))  // x^n has values for negative x, too, where n is whole
+        refuse(link.text, "it has a value for " + text + ", and maybe elsewhere: assume that as well");
+      throw SeveralSolutions(refusal(link.text, "it has a value for " + text + " only: assume that as well"),
+                             {text}, in_words(link, symbols));
+    }
+}
 
 void contradicts(const std::string& text) {
   throw Contradiction("the assumptions contradict each other: '" + text +
@@ -112,7 +113,7 @@ bool narrow(const Assumed& link, Symbols& symbols) {
     }
     bounds.push_back({*bound, part.weak});
   }
-  needs_values(link, symbols);
+  needs_values(link, symbols, {});
   for (const auto& [bound, weak] : bounds)  // each time the symbol itself is declared anew
     set_end(symbols, *names_in(bound.symbol).begin(), bound, weak);
   return true;
@@ -120,7 +121,7 @@ bool narrow(const Assumed& link, Symbols& symbols) {
 
 void compare_symbols(const Assumed& link, Context& context) {
   Symbols& symbols = context.symbols;
-  needs_values(link, symbols);
+  needs_values(link, symbols, context.comparisons);
   avoid_divisors(link.relation, symbols);
   for (const Inequality& part : parts_of(link, symbols)) {
     const int settled = settled_by(context.comparisons, part, symbols);

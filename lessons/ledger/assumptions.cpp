@@ -58,18 +58,21 @@ bool is_bound_as_it_stands(const Assumed& link, const Symbols& symbols) {
   return (is_name(a) && is_number(b)) || (is_name(b) && is_number(a));
 }
 
-/// What is not 0 where "x != y": the right side is read where it stands, so that an error is shown there.
-GiNaC::ex difference_in(const std::string& text, const Context& context) {
-  const Symbols& symbols = context.symbols;
+/// "x != y": the right side is read where it stands, so that an error is shown there.
+Assumed unequal(const std::string& text, const Symbols& symbols) {
   const auto at = text.find("!=");
-  std::vector<Tree> sides;
-  const auto value = [&](const std::string& side) {
-    return reading(text, [&] { return lower(sides.emplace_back(parse(side, symbols)), symbols); });
+  const auto side = [&](const std::string& it) { return reading(text, [&] { return parse(it, symbols); }); };
+  return {{{side(text.substr(0, at)), side(std::string(at + 2, ' ') + text.substr(at + 2))}, {"!="}}, text};
+}
+
+/// What is not 0 then.
+GiNaC::ex difference_in(const Assumed& link, const Context& context) {
+  const auto& [relation, text] = link;
+  const auto value = [&](const Tree& side) {
+    return reading(text, [&] { return lower(side, context.symbols); });
   };
-  const GiNaC::ex left = value(text.substr(0, at)),
-                  right = value(std::string(at + 2, ' ') + text.substr(at + 2)),
-                  difference = (left - right).expand();
-  keep_values(text, sides, {difference}, context);
+  const GiNaC::ex difference = (value(relation.sides[0]) - value(relation.sides[1])).expand();
+  keep_values(text, relation.sides, {difference}, context);
   if (GiNaC::is_a<GiNaC::numeric>(difference.evalf()))
     throw BadInput("the assumption '" + text + "' says nothing of a symbol");
   return difference;
@@ -77,15 +80,14 @@ GiNaC::ex difference_in(const std::string& text, const Context& context) {
 
 /// The assumptions by what they are.
 struct Texts {
-  std::vector<Assumed> inequalities, equations;
-  std::vector<std::string> differences;
+  std::vector<Assumed> inequalities, equations, differences;
 };
 
 Texts sorted(const std::vector<std::string>& assumptions, const Symbols& symbols) {
   Texts texts;
   for (const std::string& text : assumptions) {
     if (text.find("!=") != std::string::npos) {
-      texts.differences.push_back(text);
+      texts.differences.push_back(unequal(text, symbols));
       continue;
     }
     const Relation relation = reading(text, [&] { return parse_relation(text, symbols); });
@@ -158,12 +160,13 @@ Context make_context(const ProveRequest& request, const std::vector<std::string>
   }
   for (const Assumed& link : texts.inequalities)
     reading(link.text, [&] { avoid_divisors(link.relation, symbols); });
-  for (const std::string& text : texts.differences) {
-    const GiNaC::ex difference = difference_in(text, context);
+  for (const Assumed& link : texts.differences) {
+    const GiNaC::ex difference = difference_in(link, context);
     if (!without.contains(context.inequalities.size())) symbols.exclude_zero(difference);
     context.inequalities.push_back(print(difference, Notation::plain, symbols) + " != 0");
   }
   compare_in_some_order(comparisons, context);
+  for (const Assumed& link : texts.differences) needs_values(link, symbols, context.comparisons);
   try {
     read_equations(texts.equations, context, request.small);
   } catch (const Undecidable& error) {
