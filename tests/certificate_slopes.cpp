@@ -45,11 +45,7 @@ Json from(const std::string& how, int sign, const std::string& slope, const std:
 
 Json certificate_of(const std::string& left, const std::string& right,
                     const std::vector<std::string>& assumptions = {}) {
-  const Context context = make_context({left, right, assumptions, {}, {}});
-  return Json::parse(certificate(parse_statement(left, context.symbols),
-                                 parse_statement(right, context.symbols), context.symbols,
-                                 context.put_in_at_once(true))
-                         .dump());
+  return Json::parse(decide({left, right, assumptions, {}, {}}).certificate.dump());
 }
 
 }  // namespace

@@ -208,7 +208,7 @@ TEST_CASE("at every witness of the table one statement holds and the other does 
   for (const TableRow& row : read_table(std::string(REDERIVE_SOURCE) + "/tests/prove_table.toml")) {
     if (row.expected != "refuted") continue;
     INFO(row.request.left << "  |  " << row.request.right);
-    const Proof proof = decide(row.request);
+    const Proof proof = decide(row.request).proof;
     REQUIRE(proof.witness);
     check(*proof.witness, row.request);
     ++looked_at;
@@ -239,7 +239,7 @@ TEST_CASE("so it is where statements that have roots without a name are put agai
   for (int k = 0; k < 400; ++k) {
     const ProveRequest request{one_of(statements), one_of(statements), one_of(assumptions), {}, {}};
     INFO(request.left << "  |  " << request.right);
-    const auto json = decide_bounded(request);
+    const auto json = decide_bounded(request).proof;
     if (json["verdict"] != "refuted") continue;
     check(read(json["witness"]), request);
     ++refuted, between += json["witness"].contains("between");

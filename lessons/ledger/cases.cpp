@@ -85,12 +85,6 @@ bool is_proved_without_equations(ProveRequest request) {
 
 std::vector<Case> cases_of(const ProveRequest& request) { return cases_of(request, {}, 0); }
 
-std::vector<Case> cases_with_values(const ProveRequest& request) {
-  std::vector<Case> cases = cases_of(request);
-  std::erase_if(cases, [](const Case& one) { return !has_values(one.context, one.request); });
-  return cases;
-}
-
 void add_new(const std::vector<std::string>& some, std::vector<std::string>& all) {
   for (const std::string& one : some)
     if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);

@@ -24,6 +24,14 @@ bool divides(const ex& e) {
   });
 }
 
+auto is_same(const std::vector<Part>& parts) {
+  return [&](const std::vector<Part>& others) {
+    return std::equal(
+        parts.begin(), parts.end(), others.begin(), others.end(),
+        [](const Part& a, const Part& b) { return a.first.is_equal(b.first) && a.second == b.second; });
+  };
+}
+
 void forget(CertifiedLink& link) {
   link.factor.clear(), link.more.clear(), link.bounds.clear(), link.divides.clear(), link.zeros.clear();
 }
@@ -228,10 +236,12 @@ bool Factors::find_factor(CertifiedLink& link, const std::string& op) const {
   std::vector<ex> values;
   for (const CertifiedDivisor& d : divisors) values.push_back(d.value);
   const ex &left = link.left.residual, &right = link.right.residual;
+  std::vector<std::vector<Part>> tried;
   for (const Way way : all_ways) {
     try {
       const auto parts = quotient(left, right, q.symbols, way);
-      if (!parts) continue;
+      if (!parts || std::any_of(tried.begin(), tried.end(), is_same(*parts))) continue;
+      tried.push_back(*parts);
       const Quotient factor = assess(*parts, values, q.symbols);
       forget(link);
       const bool fits = !factor.value.is_zero() && (op == "=" || factor.sign > 0);

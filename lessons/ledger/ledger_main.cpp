@@ -128,20 +128,13 @@ int show_mutation(const Options& options) {
   return total.survived == 0 ? as_expected : not_as_expected;
 }
 
-void write_certificate(const Options& options, const std::string& verdict) {
-  nlohmann::ordered_json certificate = "nothing is proved";
-  if (verdict.starts_with("proved"))
-    certificate = certificate_bounded(options.request, verdict == "proved_under");
-  if (certificate.is_object())
-    write_whole(options.certificate, certificate.dump(1) + "\n");
-  else
-    fmt::print(stderr, "no certificate: {}\n", certificate.get<std::string>());
-}
-
 int show_proof(const Options& options) {
-  const auto json = decide_bounded(options.request);
+  const auto [json, certificate] = decide_bounded(options.request);
   const std::string verdict = json["verdict"];
-  if (!options.certificate.empty()) write_certificate(options, verdict);
+  if (!options.certificate.empty() && certificate.is_object())
+    write_whole(options.certificate, certificate.dump(1) + "\n");
+  else if (!options.certificate.empty())
+    fmt::print(stderr, "no certificate: nothing is proved\n");
   if (options.json) {
     put(json);
   } else {

@@ -3,6 +3,7 @@
 #include <derivations/bounded.hpp>
 #include <lessons/ledger/cases.hpp>
 #include <lessons/ledger/certificate.hpp>
+#include <lessons/ledger/checked.hpp>
 #include <lessons/ledger/decide_one.hpp>
 #include <lessons/ledger/reading.hpp>
 #include <lessons/ledger/report.hpp>
@@ -11,13 +12,15 @@ namespace rederive {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 bool is_proved(const Proof& proof) {
   return proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
 }
 
 /// What the computer algebra throws, overflows and poles, leaves a statement undecided.
 template <class Work>
-Proof or_undecided(Work work) {
+Certified<Proof> or_undecided(Work work) {
   try {
     return work();
   } catch (const BadInput&) {
@@ -25,18 +28,46 @@ Proof or_undecided(Work work) {
   } catch (const std::exception& error) {
     Proof proof;
     proof.reason = in_plain_words(error);
-    return proof;
+    return {proof, nullptr};
   }
+}
+
+Json certificate_of(const Proof& proof, const std::vector<Case>& cases) {
+  const bool with_equations = proof.verdict == Verdict::proved_under;
+  std::vector<Json> each;
+  for (const auto& [request, context, in_pieces] : cases)
+    if (has_values(context, request))
+      each.push_back(certificate(read(request.left, context.symbols), read(request.right, context.symbols),
+                                 context.symbols, context.put_in_at_once(with_equations)));
+  return each.size() == 1 ? each[0] : certificate_of_cases(each);
+}
+
+/// Decides in all cases. Nothing is proved but what has a certificate that its checker accepts.
+Certified<Proof> decide_and_check(const std::vector<Case>& cases, const ProveRequest& request) {
+  Certified<Proof> found{decide_each(cases, request), nullptr};
+  if (!is_proved(found.proof)) return found;
+  std::string why;
+  try {
+    found.certificate = certificate_of(found.proof, cases);
+    why = objection_to(found.certificate);
+  } catch (const Undecidable& error) {
+    why = error.what();
+  }
+  if (why.empty()) return found;
+  Proof undecided;
+  undecided.reason = "it seems to hold (" + found.proof.reason + "), but the proof was not confirmed: " + why;
+  return {undecided, nullptr};
 }
 
 }  // namespace
 
-Proof decide(const ProveRequest& request) {
+Certified<Proof> decide(const ProveRequest& request) {
   return or_undecided([&] {
     const std::vector<Case> cases = cases_of(request);
-    Proof proof = decide_each(cases, request);
+    auto found = decide_and_check(cases, request);
+    Proof& proof = found.proof;
     if (is_proved(proof)) add_new(conditions_used(proof.verdict, cases, request), proof.side_conditions);
-    return proof;
+    return found;
   });
 }
 
@@ -58,20 +89,18 @@ Bounded bounded(const std::function<std::string()>& work, double seconds) {
   return outcome;
 }
 
-using Json = nlohmann::ordered_json;
-
-/// The proof, and as conditions all that it may rest on.
+/// The proof, as conditions all that it may rest on, and the certificate.
 std::string decision(const ProveRequest& request) {
   Json conditions = Json::array();
-  const Proof proof = or_undecided([&] {
+  const auto [proof, certificate] = or_undecided([&] {
     const std::vector<Case> cases = cases_of(request);
-    Proof found = decide_each(cases, request);
-    if (is_proved(found))
+    auto found = decide_and_check(cases, request);
+    if (is_proved(found.proof))
       conditions =
           of_each(cases, request, [](const Case& one) { return conditions_of(one.context, one.request); });
     return found;
   });
-  return Json{to_json(proof), conditions}.dump();
+  return Json{to_json(proof), conditions, certificate}.dump();
 }
 
 /// Those among them that it does rest on; all of them, if there is no time to find out.
@@ -86,37 +115,18 @@ Json conditions_within(double seconds, const Json& all, const Json& verdict, con
 
 }  // namespace
 
-Json decide_bounded(const ProveRequest& request) {
+Certified<Json> decide_bounded(const ProveRequest& request) {
   const Bounded outcome = bounded([&] { return decision(request); }, 1.7);
   if (!outcome.result) {
     Proof proof;
     proof.reason = "given up: " + outcome.why;
-    return to_json(proof);
+    return {to_json(proof), nullptr};
   }
   Json parts = Json::parse(*outcome.result), &proof = parts[0];
   Json& said = proof["side_conditions"];
   for (const Json& condition : conditions_within(1.75 - outcome.seconds, parts[1], proof["verdict"], request))
     if (std::count(said.begin(), said.end(), condition) == 0) said.push_back(condition);
-  return proof;
-}
-
-nlohmann::ordered_json certificate_bounded(const ProveRequest& request, bool with_equations) {
-  const auto one_certificate = [&](const Case& one) {
-    const Symbols& symbols = one.context.symbols;
-    return certificate(read(one.request.left, symbols), read(one.request.right, symbols), symbols,
-                       one.context.put_in_at_once(with_equations));
-  };
-  const auto work = [&]() -> std::string {
-    std::vector<Json> each;
-    try {
-      for (const Case& one : cases_with_values(request)) each.push_back(one_certificate(one));
-      return (each.size() == 1 ? each[0] : certificate_of_cases(each)).dump();
-    } catch (const Undecidable& error) {
-      return Json(error.what()).dump();
-    }
-  };
-  const Bounded outcome = bounded(work, 20);
-  return outcome.result ? Json::parse(*outcome.result) : Json("given up: " + outcome.why);
+  return {proof, parts[2]};
 }
 
 }  // namespace rederive

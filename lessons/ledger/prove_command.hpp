@@ -50,18 +50,20 @@ struct Case {
 /// make_context().
 std::vector<Case> cases_of(const ProveRequest& request);
 
-/// Those of them in which the statement has values; nothing is said of the others.
-std::vector<Case> cases_with_values(const ProveRequest& request);
+/// A proof, and the certificate of what is proved (certificate.hpp), null of all else.
+template <class AProof>
+struct Certified {
+  AProof proof;
+  nlohmann::ordered_json certificate;
+};
 
-/// Decides, in every case. The declared ranges that a proof rests on are among its side conditions. Throws
-/// BadInput (with a caret) for what cannot be read. No bounds on time or memory.
-Proof decide(const ProveRequest& request);
+/// Decides, in every case. Nothing is proved but what has a certificate that the checker of certificates
+/// accepts. The declared ranges that a proof rests on are among its side conditions. Throws BadInput (with a
+/// caret) for what cannot be read. No bounds on time or memory.
+Certified<Proof> decide(const ProveRequest& request);
 
-/// Decides within two seconds and 500 MB. Throws BadInput (with a caret) for what cannot be read.
-nlohmann::ordered_json decide_bounded(const ProveRequest& request);
-
-/// The certificate of what was proved, with the equations among the assumptions where it took those; a text
-/// that says why where there is none, or none within 20 seconds and 500 MB.
-nlohmann::ordered_json certificate_bounded(const ProveRequest& request, bool with_equations);
+/// Decides within two seconds and 500 MB; the proof as `ledger prove --json` has it. Throws BadInput (with a
+/// caret) for what cannot be read.
+Certified<nlohmann::ordered_json> decide_bounded(const ProveRequest& request);
 
 }  // namespace rederive

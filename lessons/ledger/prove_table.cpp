@@ -70,7 +70,7 @@ std::vector<TableRow> read_table(const std::filesystem::path& file) {
 
 std::string verdict_of(const TableRow& row) {
   try {
-    return to_string(decide(row.request).verdict);
+    return to_string(decide(row.request).proof.verdict);
   } catch (const BadInput&) {
     return "refused";
   }
