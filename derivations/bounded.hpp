@@ -37,6 +37,13 @@ inline double processor_seconds(pid_t process) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+/// In words, of a child that said nothing.
+inline std::string why_it_ended(int status) {
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGXCPU) return "it took longer than it may";
+  return signal == SIGKILL ? "it was ended from outside" : "it ran out of memory or stack";
+}
+
 /// Runs `work` in a child process and brings its text back. At most `seconds` and `megabytes` of address
 /// space. The seconds are wall-clock time, but at most twice the processor time: work that only waits for its
 /// turn on a busy machine is not given up, so that what is decided does not depend on the others. (After 20
@@ -93,10 +100,11 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
   if (is_late) ::kill(child, SIGKILL);
   ::close(ends[0]);
   rusage used{};
-  ::wait4(child, nullptr, 0, &used);
+  int status = 0;
+  ::wait4(child, &status, 0, &used);
   const double taken = counted(in_seconds(used.ru_utime) + in_seconds(used.ru_stime));
   if (is_late) return {std::nullopt, "it took longer than it may", taken};
-  if (text.empty()) return {std::nullopt, "it ran out of memory or stack", taken};
+  if (text.empty()) return {std::nullopt, why_it_ended(status), taken};
   if (text[0] == '-') return {std::nullopt, text.substr(1), taken};
   return {text.substr(1), "", taken};
 }

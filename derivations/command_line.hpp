@@ -6,14 +6,18 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <derivations/utf8.hpp>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace rederive {
@@ -40,28 +44,23 @@ inline std::vector<std::string> arguments_of(int argc, char** argv) {
   return arguments;
 }
 
-/// What a user typed, fit for a terminal: control characters (but for line ends) and bytes that are no UTF-8
-/// come out as '?', so that nothing that is quoted can move the cursor or change colours.
+/// What a user typed, fit for a terminal: control characters (but for line ends), invisible ones and bytes
+/// that are no UTF-8 come out as '?', so that nothing that is quoted can move the cursor or change colours.
 inline std::string printable(std::string_view text) {
   std::string result;
-  for (std::size_t at = 0; at < text.size();) {
-    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-    const unsigned char first = byte(at);
-    const std::size_t length = first < 0x80                    ? 1
-                               : first >= 0xC2 && first < 0xE0 ? 2
-                               : first >= 0xE0 && first < 0xF0 ? 3
-                               : first >= 0xF0 && first < 0xF5 ? 4
-                                                               : 0;
-    bool is_whole = length > 0 && at + length <= text.size();
-    for (std::size_t k = 1; is_whole && k < length; ++k) is_whole = (byte(at + k) & 0xC0) == 0x80;
-    const bool is_control = (first < 0x20 && first != '\n') || first == 0x7F ||
-                            (is_whole && first == 0xC2 && byte(at + 1) < 0xA0) ||
-                            (is_whole && first == 0xE2 && byte(at + 1) == 0x80 && byte(at + 2) >= 0xA8 &&
-                             byte(at + 2) <= 0xAE);  // U+2028 to U+202E: lines and directions
-    result += is_whole && !is_control ? std::string(text.substr(at, length)) : "?";
-    at += is_whole ? length : 1;
+  while (!text.empty()) {
+    const auto [code, bytes] = first_character(text);
+    const bool is_shown = bytes > 0 && (code == '\n' || !is_control(code)) && !is_invisible(code);
+    result += is_shown ? std::string(text.substr(0, bytes)) : "?";
+    text.remove_prefix(std::max<std::size_t>(bytes, 1));
   }
   return result;
+}
+
+/// The same on one line.
+inline std::string printable_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', '?');
+  return printable(text);
 }
 
 /// Parses the arguments and runs `body`. Usage errors and BadInput end with 2 and a message on standard
@@ -74,18 +73,24 @@ inline int run_command(CLI::App& app, int argc, char** argv, const std::function
   try {
     app.parse(arguments_of(argc, argv));
     const int code = body();
-    if (std::fflush(stdout) != 0) throw std::runtime_error("standard output could not be written");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      throw std::runtime_error("standard output could not be written");
     return code;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    if (error.get_exit_code() == 0) {  // --help, --version
+      const int code = app.exit(error);
+      return std::cout.flush() ? code : undecided_or_failed;
+    }
     std::string
         unread;  // CLI11 may complain of something missing before it comes to what it did not understand
     for (const std::string& argument : app.remaining(true))
       if (argument != "--" && std::string_view(error.what()).find(argument) == std::string_view::npos)
         unread += " '" + argument + "'";
     if (!unread.empty()) unread = " (not understood:" + unread + ")";
-    std::fprintf(stderr, "%s: %s%s\nTry '%s --help'.\n", name.c_str(), printable(error.what()).c_str(),
-                 printable(unread).c_str(), name.c_str());
+    std::string command = name;
+    for (const CLI::App* part : app.get_subcommands()) command += " " + part->get_name();
+    std::fprintf(stderr, "%s: %s%s\nTry '%s --help'.\n", name.c_str(), printable_line(error.what()).c_str(),
+                 printable_line(unread).c_str(), command.c_str());
     return bad_input;
   } catch (const BadInput& error) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), printable(error.what()).c_str());
@@ -105,17 +110,20 @@ inline void write_whole(const std::filesystem::path& path, std::string_view text
   if (path.empty()) throw BadInput("cannot write to a file without a name");
   if (fs::is_directory(status)) throw BadInput("cannot write '" + path.string() + "': it is a folder");
   const bool in_place = fs::exists(status) && !fs::is_regular_file(status);
-  const fs::path target = fs::is_symlink(fs::symlink_status(path, error)) ? fs::weakly_canonical(path) : path,
+  const bool is_link = !in_place && fs::is_symlink(fs::symlink_status(path, error));
+  const fs::path target = is_link ? fs::weakly_canonical(path, error) : path,
                  written = in_place ? path : fs::path(target.string() + ".part" + std::to_string(::getpid()));
+  if (target.empty()) throw BadInput("cannot write '" + path.string() + "': " + error.message());
+  errno = 0;
   std::ofstream file(written, std::ios::binary);
   file.write(text.data(), static_cast<std::streamsize>(text.size()));
   file.close();
-  error.clear();
-  if (file && !in_place) fs::rename(written, target, error);
-  if (!file || error) {
+  error = file ? std::error_code() : std::error_code(errno == 0 ? EIO : errno, std::generic_category());
+  if (!error && !in_place) fs::rename(written, target, error);
+  if (error) {
     std::error_code ignored;
     if (!in_place) fs::remove(written, ignored);
-    throw BadInput("cannot write '" + path.string() + "'" + (error ? ": " + error.message() : std::string()));
+    throw BadInput("cannot write '" + path.string() + "': " + error.message());
   }
 }
 

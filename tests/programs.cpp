@@ -140,3 +140,19 @@ TEST_CASE("a link stays a link, a pipe stays a pipe, and what is behind them is 
   ::close(reader);
   CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 3);
 }
+
+TEST_CASE("what cannot be written is not passed over in silence") {
+  const auto code = [](const std::string& arguments) {
+    const int status = std::system((REDERIVE_PROGRAMS "/" + arguments + " >/dev/full 2>/dev/null").c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  };
+  std::string sum = "x";
+  for (int k = 0; k < 900; ++k) sum += "+x";
+  for (const std::string& arguments :
+       {std::string("ledger prove x x"), std::string("ledger prove --help"),
+        "ledger prove --json " + sum + " 1", std::string("emit --target c"),
+        std::string("rocking threshold --omega 5"), std::string("ledger --version")}) {
+    INFO(arguments);
+    CHECK(code(arguments) == 3);
+  }
+}

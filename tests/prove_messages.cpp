@@ -155,7 +155,8 @@ TEST_CASE("ten comparisons and more are told apart") {
 TEST_CASE("what is quoted in a message cannot steer a terminal") {
   for (const std::string& typed :
        {std::string("\x1b[31mx"), std::string("\x1b]0;title\x07x"), std::string("\xff\xfe"),
-        std::string("\xc0\xaf"), std::string("\xc2\x9b"), std::string("\u202ex")}) {
+        std::string("\xc0\xaf"), std::string("\xc2\x9b"), std::string("\u202ex"),
+        std::string("\xe0\x80\x9bx"), std::string("\xed\xa0\x80x"), std::string("x\nproved")}) {
     for (const Result& r :
          {run_program("ledger", {"prove", "x", "x", "--small", typed, "--order", "2"}),
           run_program("ledger", {"show", typed}), run_program("ledger", {"prove", typed, "x"}),
@@ -163,7 +164,8 @@ TEST_CASE("what is quoted in a message cannot steer a terminal") {
       INFO(r.err);
       CHECK(r.exit_code == 2);
       CHECK_FALSE(r.err.empty());
-      for (const char* bytes : {"\x1b", "\x07", "\xff", "\xc0", "\xc2\x9b", "\u202e"})
+      for (const char* bytes :
+           {"\x1b", "\x07", "\xff", "\xc0", "\xc2\x9b", "\u202e", "\x80\x9b", "\xed\xa0", "\nproved"})
         CHECK(r.err.find(bytes) == std::string::npos);
     }
   }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <derivations/algebra/syntax.hpp>
 #include <derivations/algebra/unicode.hpp>
 
@@ -35,36 +34,6 @@ constexpr Composed composed[] = {
     {U'Ä', 'A', diaeresis}, {U'Ö', 'O', diaeresis}, {U'Ü', 'U', diaeresis}, {U'Ā', 'A', macron},
     {U'ā', 'a', macron},    {U'Ē', 'E', macron},    {U'ē', 'e', macron},    {U'ū', 'u', macron}};
 
-[[noreturn]] void refuse_bytes(std::size_t position) {
-  throw SyntaxError("character", position, "these bytes are not UTF-8 text");
-}
-
-/// How many bytes the code point that begins with this byte takes; 0 if none can.
-int length_of(unsigned char first) {
-  if (first < 0x80) return 1;
-  if (first >= 0xC2 && first < 0xE0) return 2;
-  if (first >= 0xE0 && first < 0xF0) return 3;
-  return first >= 0xF0 && first < 0xF5 ? 4 : 0;
-}
-
-char32_t decode_one(std::string_view text, std::size_t& at) {
-  const std::size_t start = at;
-  const auto first = static_cast<unsigned char>(text[at]);
-  const int length = length_of(first);
-  if (length == 0 || at + static_cast<std::size_t>(length) > text.size()) refuse_bytes(start);
-  char32_t code = length == 1 ? first : first & (0xFF >> (length + 1));
-  for (++at; at < start + static_cast<std::size_t>(length); ++at) {
-    const auto next = static_cast<unsigned char>(text[at]);
-    if ((next & 0xC0) != 0x80) refuse_bytes(start);
-    code = (code << 6) | (next & 0x3F);
-  }
-  constexpr std::array<char32_t, 5> smallest = {0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = code >= 0xD800 && code < 0xE000;
-  if (code < smallest.at(static_cast<std::size_t>(length)) || surrogate || code > 0x10FFFF)
-    refuse_bytes(start);
-  return code;
-}
-
 bool is_space(char32_t code) {
   return code == ' ' || code == '\t' || code == '\n' || code == '\r' || code == 0xA0 || code == 0x202F ||
          (code >= 0x2000 && code <= 0x200A);
@@ -75,18 +44,18 @@ bool is_space(char32_t code) {
 std::vector<Character> decode(std::string_view text) {
   std::vector<Character> characters;
   characters.reserve(text.size());
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t position = at;
-    const char32_t code = decode_one(text, at);
+  for (std::size_t position = 0, next = 0; position < text.size(); position = next) {
+    const auto [code, bytes] = first_character(text.substr(position));
+    if (bytes == 0) throw SyntaxError("character", position, "these bytes are not UTF-8 text");
+    next = position + bytes;
     if (is_space(code)) {
       characters.push_back({' ', position});
       continue;
     }
-    if (code < 0x20 || (code >= 0x7F && code < 0xA0)) {
+    if (is_control(code))
       throw SyntaxError("character", position, "there is an invisible control character here");
-    }
     const auto* pair = std::find_if(std::begin(composed), std::end(composed),
-                                    [&](const Composed& entry) { return entry.code == code; });
+                                    [code = code](const Composed& entry) { return entry.code == code; });
     if (pair == std::end(composed)) {
       characters.push_back({code, position});
     } else {
@@ -137,18 +106,6 @@ int superscript_digit(char32_t code) {
 
 int subscript_digit(char32_t code) {
   return code >= U'₀' && code <= U'₉' ? static_cast<int>(code - U'₀') : -1;
-}
-
-bool is_invisible(char32_t code) {
-  constexpr std::array<std::array<char32_t, 2>, 7> ranges{{{0xAD, 0xAD},
-                                                           {0x200B, 0x200F},
-                                                           {0x2028, 0x202E},
-                                                           {0x2060, 0x206F},
-                                                           {0xFEFF, 0xFEFF},
-                                                           {0xFFF0, 0xFFFB},
-                                                           {0xE0000, 0xE0FFF}}};
-  return std::any_of(ranges.begin(), ranges.end(),
-                     [&](const auto& range) { return code >= range[0] && code <= range[1]; });
 }
 
 std::string number_of(char32_t code) {

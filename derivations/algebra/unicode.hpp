@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <derivations/utf8.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,8 +28,6 @@ std::string_view greek_name(char32_t code);
 /// The digit of a superscript or subscript, or -1.
 int superscript_digit(char32_t code);
 int subscript_digit(char32_t code);
-/// Marks that show nothing, or turn the direction of what follows: a reader would not see what is wrong.
-bool is_invisible(char32_t code);
 /// "U+202E"
 std::string number_of(char32_t code);
 /// Columns of a terminal that it takes: 0 for combining marks.

@@ -98,7 +98,7 @@ Proof decide_one(const Context& context, const ProveRequest& request) {
     throw BadInput(fmt::format("the order of an approximation is 0 to 12, not {}", *request.order));
   for (const std::string& name : request.small)
     if (context.symbols.find(name) == nullptr)
-      throw BadInput("--small names '" + name + "', which is no symbol here");
+      throw BadInput("--small names '" + printable_line(name) + "', which is no symbol here");
   for (const Given& g : context.put_in_at_once(true))
     if (const std::string name = context.symbols.find(g.name)->name;
         std::count(request.small.begin(), request.small.end(), name) > 0)

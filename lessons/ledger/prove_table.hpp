@@ -17,11 +17,20 @@ struct TableRow {
 /// Reads a table such as tests/prove_table.toml. Throws BadInput naming what is wrong and where.
 std::vector<TableRow> read_table(const std::filesystem::path& file);
 
-/// The verdict, computed now: "proved", …, or "refused".
-std::string verdict_of(const TableRow& row);
+struct DecidedRow {
+  TableRow row;
+  std::string verdict, reason;  ///< computed now; of what is "refused" the reason is what is wrong with it
+};
 
-/// The table as a Markdown page: a section a group, with the verdicts computed now; `unexpected` counts rows
-/// whose verdict is not the expected one (they are marked).
-std::string table_page(const std::vector<TableRow>& rows, int& unexpected);
+/// Decides every row, each within the bounds of decide_bounded(). Shows progress on a terminal.
+std::vector<DecidedRow> decide_table(const std::vector<TableRow>& rows);
+
+/// {"rows": [{"group", "left", "right", "assume", "small", "order", "verdict", "expected", "limit",
+/// "reason"}], "counts": {verdict: rows}}
+nlohmann::ordered_json to_json(const std::vector<DecidedRow>& rows);
+
+/// The table as a Markdown page: a section a group; rows of which the verdict is not the expected one are
+/// marked.
+std::string table_page(const std::vector<DecidedRow>& rows);
 
 }  // namespace rederive
