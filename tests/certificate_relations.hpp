@@ -85,10 +85,18 @@ class Checker {
     return both(result, SlopeCheck(text, c_, replay_, look_, range_of).range());
   }
   /// Whether the statement divides by it, but for a number; or by all of a few of which it is the product.
-  bool is_divisor(const Fraction& part, int factors = 4) const {
-    return std::any_of(divisors_.begin(), divisors_.end(), [&](const Fraction& d) {
-      return replay_.is_multiple(d, part) || (factors > 1 && is_divisor(part / d, factors - 1));
-    });
+  bool is_divisor(const Fraction& part) const {
+    for (int factors = 1; factors <= 4; ++factors)
+      if (is_product(part, factors, 0)) return true;
+    return false;
+  }
+  /// Of so many divisors, from a first one on.
+  bool is_product(const Fraction& part, int factors, std::size_t first) const {
+    for (std::size_t k = first; k < divisors_.size(); ++k)
+      if (factors == 1 ? replay_.is_multiple(divisors_[k], part)
+                       : is_product(part / divisors_[k], factors - 1, k))
+        return true;
+    return false;
   }
   bool is_in_divisor(const std::string& text) {
     const Json why = c_.at("parts of divisors").value(text, Json("1"));

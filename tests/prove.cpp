@@ -119,7 +119,7 @@ TEST_CASE("side conditions say nothing twice, nor what is assumed") {
   CHECK(conditions({"log(x)/sqrt(x)", "2*log(sqrt(x))/sqrt(x)"}) == nlohmann::json{"x > 0"});
   CHECK(conditions({"sqrt(1-x^2)/(1-x^2)", "1/sqrt(1-x^2)"}) == nlohmann::json{"1 - x^2 > 0"});
   CHECK(conditions({"tan(x) < tan(y)", "0 < 1", "--assume", "0 < x < y < pi/2"}) ==
-        nlohmann::json{"0 < x", "y < pi/2", "x < y"});  // no cosine is 0 there
+        nlohmann::json{"x > 0", "y < pi/2", "x < y"});  // no cosine is 0 there
 }
 
 TEST_CASE(
@@ -197,14 +197,14 @@ TEST_CASE("what picks one of several solutions is a condition, and so is what le
     return prove_json(arguments, 0)["side_conditions"];
   };
   CHECK(conditions({"sin(x) = 0", "1 < x < 10"}, "(x-3*pi)*(x-pi)*(x-2*pi)", "0") ==
-        Texts{"1 < x", "x < 10"});
+        Texts{"x > 1", "x < 10"});
   CHECK(conditions({"x^4-5*x^2+4 = 0", "x >= 1"}, "(x-1)*(x-2)", "0") == Texts{"x >= 1"});
   CHECK(conditions({"y*cos(x) = 0", "y > 0"}, "sin(x)^2", "1") == Texts{"y > 0"});
   CHECK(conditions({"R*sin(x) = 0"}, "sin(x)", "0") == Texts{"R > 0"});
   CHECK(conditions({"sin(2*alpha) = 1/2"}, "(alpha-pi/12)*(alpha-5*pi/12)", "0") ==
         Texts{"alpha > 0", "alpha < pi/2"});
   CHECK(conditions({"x^2 = x", "x != 0"}, "x", "1") == Texts{"x != 0"});
-  CHECK(conditions({"sin(x) > 0", "0 < x < 4"}, "x < pi", "0 < 1") == Texts{"sin(x) > 0", "0 < x", "x < 4"});
+  CHECK(conditions({"sin(x) > 0", "0 < x < 4"}, "x < pi", "0 < 1") == Texts{"sin(x) > 0", "x > 0", "x < 4"});
   CHECK(conditions({"x*y > 0", "x+y > 0"}, "x > 0", "0 < 1") == Texts{"x*y > 0", "x + y > 0"});
   CHECK(conditions({"sin(x) > 0", "y > 0"}, "fabs(sin(x))", "sin(x)") == Texts{"sin(x) > 0"});
   CHECK(conditions({"sin(x) = 0", "y > 0"}, "cos(x)^2", "1") == Texts{});

@@ -128,8 +128,10 @@ std::optional<Proof> differ_at_a_point(const Residuals& r, const std::vector<Poi
 /// A part of the factor that may be 0 where not both residuals are: left = … * part^n * … * right.
 std::optional<ex> doubtful_part(const Quotient& factor, const ex& left, const ex& right,
                                 const Symbols& symbols) {
-  for (const auto& [part, exponent] : factor.zeros)
-    if (!vanishes_with(part, exponent.is_positive() ? right : left, symbols)) return part;
+  for (const auto& [part, exponent] : factor.zeros) {
+    const ex& other = exponent.is_positive() ? right : left;
+    if (!vanishes_with(part, other, symbols) && !is_factor(part, other, symbols)) return part;
+  }
   return std::nullopt;
 }
 

@@ -1,7 +1,10 @@
 // The sign of an expression over the declared ranges: what its range shows, or that of another form of it.
 #include <cstdlib>
 #include <derivations/algebra/forms.hpp>
+#include <derivations/algebra/print.hpp>
+#include <derivations/algebra/quick_value.hpp>
 #include <derivations/algebra/rearrange.hpp>
+#include <derivations/algebra/sample.hpp>
 
 namespace rederive {
 
@@ -30,10 +33,22 @@ int sign(const ex& e, const Symbols& symbols) {
   return remembered(symbols.findings().signs, e, [&] { return find_sign(e, symbols); });
 }
 
+/// Whether both signs are seen at some points, as far as double precision tells: then no form shows one.
+bool seems_to_change(const ex& e, const Symbols& symbols) {
+  constexpr int most = 8;
+  const Tree tree = to_tree(e, symbols);
+  const Points points = points_for(std::vector<Tree>{tree}, symbols);
+  bool is_seen[2] = {false, false};
+  for (int k = 0; k < most && !(is_seen[0] && is_seen[1]); ++k)
+    if (const auto value = quick_value(tree, points.at(k))) is_seen[*value > 0 ? 1 : 0] = true;
+  return is_seen[0] && is_seen[1];
+}
+
 int find_sign(const ex& e, const Symbols& symbols) {
   if (!has_symbol(e)) return shown_sign({{e, 0, true}, {e, 0, true}});
   const int plain = shown_sign(interval_of(e, symbols));
   if (std::abs(plain) == 2) return plain;
+  if (plain == 0 && seems_to_change(e, symbols)) return 0;
   if (GiNaC::is_a<GiNaC::power>(e) && sign_of(e.op(0), symbols) > 0) return 2;
   const auto quadratic = as_quadratic(e, symbols);
   if (quadratic && !quadratic->b.is_zero()) {

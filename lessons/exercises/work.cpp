@@ -72,7 +72,7 @@ const Exercise& find_exercise(const Classroom& room, const std::string& id) {
   for (const auto& exercise : room.exercises)
     if (!id.empty() && (exercise.id.find(id) != std::string::npos || exercise.id[0] == id[0]))
       like += (like.empty() ? "" : ", ") + exercise.id;
-  throw BadInput(fmt::format("there is no exercise '{}'. {}", id,
+  throw BadInput(fmt::format("there is no exercise '{}'. {}", printable_line(id),
                              like.empty() ? "See: exercises list" : "Did you mean one of: " + like + "?"));
 }
 

@@ -137,7 +137,8 @@ void keep_values(const std::string& text, const std::vector<Tree>& sides, const 
   const auto all = context.put_in_at_once(true);
   std::vector<ex> needed;
   for (const ex& value : kept)
-    for (const Condition& c : conditions_of(to_tree(value, symbols), symbols)) needed.push_back(put_in(c.value, all));
+    for (const Condition& c : conditions_of(to_tree(value, symbols), symbols))
+      needed.push_back(put_in(c.value, all));
   for (const Tree& side : sides)
     for (const Condition& c : conditions_of(side, symbols, all)) {
       const ex value = put_in(c.value, all);

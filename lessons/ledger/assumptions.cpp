@@ -124,7 +124,13 @@ std::string in_words(const Assumed& link, const Symbols& symbols) {
   const auto side = [&](std::size_t k) {
     return print(lower(link.relation.sides[k], symbols), Notation::plain, symbols);
   };
-  return side(0) + " " + link.relation.operators[0] + " " + side(1);
+  const auto is_symbol = [&](std::size_t k) {
+    return symbols.find(lower(link.relation.sides[k], symbols)) != nullptr;
+  };
+  std::string op = link.relation.operators[0];
+  const bool turn = op != "=" && is_symbol(1) && !is_symbol(0);  // 0 < x is said as x > 0
+  if (turn) op[0] = op[0] == '<' ? '>' : '<';
+  return side(turn ? 1 : 0) + " " + op + " " + side(turn ? 0 : 1);
 }
 
 Context make_context(const ProveRequest& request, const std::vector<std::string>& freed,

@@ -118,17 +118,6 @@ void say_by_symbol(Witness& witness, const Comparison& c, const std::vector<Comp
                    symbols);
 }
 
-/// An expression, or an equation "… = 0", in the symbols that the user knows.
-std::string without_excess(std::string text, const std::vector<Comparison>& comparisons,
-                           const Symbols& symbols) {
-  const std::string before = text;
-  for (const Comparison& c : comparisons) replace_all(text, c.excess, "(" + c.meaning + ")");
-  if (text == before) return text;
-  const Relation relation = parse_statement(text, symbols);
-  return print(lower(relation.sides[0], symbols), Notation::plain, symbols) +
-         (relation.operators.empty() ? "" : " = 0");
-}
-
 /// Says the witness in the symbols that the user knows.
 void forget_excess(Witness& witness, const std::vector<Comparison>& comparisons, const Symbols& symbols) {
   for (const Comparison& c : comparisons) say_by_symbol(witness, c, comparisons, symbols);
@@ -140,6 +129,16 @@ void forget_excess(Witness& witness, const std::vector<Comparison>& comparisons,
 }
 
 }  // namespace
+
+std::string without_excess(std::string text, const std::vector<Comparison>& comparisons,
+                           const Symbols& symbols) {
+  const std::string before = text;
+  for (const Comparison& c : comparisons) replace_all(text, c.excess, "(" + c.meaning + ")");
+  if (text == before) return text;
+  const Relation relation = parse_statement(text, symbols);
+  return print(lower(relation.sides[0], symbols), Notation::plain, symbols) +
+         (relation.operators.empty() ? "" : " = 0");
+}
 
 int settled_by(const std::vector<Comparison>& before, const Inequality& inequality, const Symbols& symbols) {
   const ex excess = put_in(inequality.difference(), givens(before)).normal().expand();

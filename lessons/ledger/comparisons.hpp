@@ -24,6 +24,10 @@ int settled_by(const std::vector<Comparison>& before, const Inequality& inequali
 std::optional<Comparison> compared(const Inequality& inequality, const std::vector<Comparison>& before,
                                    Symbols& symbols);
 
+/// An expression, or an equation "… = 0", in the symbols that the user knows.
+std::string without_excess(std::string text, const std::vector<Comparison>& comparisons,
+                           const Symbols& symbols);
+
 /// The same proof in the symbols that the user knows; the witness with all of them.
 Proof without_excess(Proof proof, const std::vector<Comparison>& comparisons, const Symbols& symbols);
 

@@ -64,6 +64,42 @@ Proof decide_with_equations(const Relation& left, const Relation& right, const S
   return without.verdict == Verdict::proved ? without : proof;
 }
 
+/// A symbol that an equation with what is small in it was solved for: what is small could also change while
+/// that symbol keeps its value, and another one changes with it.
+std::optional<std::string> changes_with_small(const Context& context, const ProveRequest& request) {
+  for (const Given& g : context.given) {
+    const std::string name = context.symbols.find(g.name)->name;
+    const bool is_said = std::any_of(context.assumed.begin(), context.assumed.end(),
+                                     [&](const Tree& side) { return side->text == name; });
+    const bool has_small =
+        std::any_of(request.small.begin(), request.small.end(),
+                    [&](const std::string& small) { return g.value.has(context.symbols[small]); });
+    if (has_small && !is_said) return name;
+  }
+  return std::nullopt;
+}
+
+Proof decide_to_order(const Relation& left, const Relation& right, const Context& context,
+                      const ProveRequest& request) {
+  Proof proof = prove_approximation(left, right, request.small, *request.order, context.symbols,
+                                    context.put_in_at_once(true));
+  const std::string polynomials = fmt::format("the Taylor polynomials in {} up to order {}",
+                                              fmt::join(request.small, ", "), *request.order);
+  if (proof.verdict == Verdict::approximation)
+    proof.reason = fmt::format("{} are the same: {}", polynomials, proof.reason);
+  if (proof.verdict != Verdict::refuted) return proof;
+  proof.reason = polynomials + " differ at the witness, which shows their values";
+  const auto name = changes_with_small(context, request);
+  if (!name) return proof;
+  Proof open;
+  open.reason = fmt::format(
+      "{0} would differ if {1} changes with {2} as the assumptions ask; say what changes: assume \"{1} = "
+      "...\", or "
+      "the same of another symbol",
+      polynomials, *name, fmt::join(request.small, ", "));
+  return open;
+}
+
 Proof decide_in(const Context& context, const ProveRequest& request) {
   const Symbols& symbols = context.symbols;
   const Relation left = read(request.left, symbols), right = read(request.right, symbols);
@@ -75,11 +111,7 @@ Proof decide_in(const Context& context, const ProveRequest& request) {
   Proof proof = has_equations ? decide_with_equations(left, right, symbols, compared, all)
                               : prove(left, right, symbols, needed);
   if (proof.verdict != Verdict::proved && request.order)
-    proof = prove_approximation(left, right, request.small, *request.order, symbols,
-                                context.put_in_at_once(true));
-  if (proof.verdict == Verdict::approximation)
-    proof.reason = fmt::format("the Taylor polynomials in {} up to order {} are the same: {}",
-                               fmt::join(request.small, ", "), *request.order, proof.reason);
+    proof = decide_to_order(left, right, context, request);
   if (proof.verdict == Verdict::proved_under) proof.reason += ", with the equations that are assumed";
   proof = with_domain(std::move(proof), left, right, context.put_in_at_once(true), symbols);
   std::vector<Tree> sides = left.sides;

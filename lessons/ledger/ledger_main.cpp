@@ -63,7 +63,7 @@ const Row& row_of(const std::string& id, const std::vector<Row>& rows) {
     if (row.id == id) return row;
     if (!id.empty() && row.id.starts_with(id)) known += " " + row.id;
   }
-  throw BadInput("there is no equation '" + id + "'" +
+  throw BadInput("there is no equation '" + printable_line(id) + "'" +
                  (known.empty() ? "; 'ledger' lists them all" : "; there is" + known));
 }
 

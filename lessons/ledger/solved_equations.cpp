@@ -41,16 +41,34 @@ bool may_divide(const ex& factor, const ex& rest, const std::vector<ex>& divided
   return std::all_of(parts.begin(), parts.end(), is_apart);
 }
 
+/// Its root up to a sign: without the sign of a root where it is a square.
+ex root_of(const ex& square) {
+  const GiNaC::symbol number("pi");
+  ex root = 1, rest = 1;
+  const ex product = GiNaC::factor(square.subs(GiNaC::Pi == number));
+  const auto take = [&](const ex& part) {
+    const bool is_even = GiNaC::is_a<GiNaC::power>(part) && part.op(1).info(GiNaC::info_flags::even);
+    (is_even ? root : rest) *= is_even ? GiNaC::pow(part.op(0), part.op(1) / 2) : part;
+  };
+  if (GiNaC::is_a<GiNaC::mul>(product))
+    std::for_each(product.begin(), product.end(), take);
+  else
+    take(product);
+  return (root * GiNaC::sqrt(rest.expand())).subs(number == GiNaC::Pi);
+}
+
 /// "x = ..." of a x^2 + b x + c = 0; nothing where that would take names that no user may type.
 std::vector<std::string> quadratic_roots(const std::string& name, const ex& a, const ex& b, const ex& c,
                                          const Symbols& symbols) {
   for (const std::string& other : names_in(a + b + c))
     if (other.starts_with("excess_")) return {};
   std::vector<std::string> result;
+  const ex root = root_of((b * b - 4 * a * c).expand());
   for (const int sign : {1, -1}) {
-    const ex root = (-b + sign * GiNaC::sqrt((b * b - 4 * a * c).expand())) / (2 * a);
-    result.push_back(name + " = " + print(root, Notation::plain, symbols));
+    const ex value = ((-b + sign * root) / (2 * a)).expand();
+    result.push_back(name + " = " + print(value, Notation::plain, symbols));
   }
+  if (result[0] == result[1]) result.pop_back();
   return result;
 }
 
@@ -124,8 +142,9 @@ std::optional<Given> only_solution(const ex& residual, const std::string& text, 
 
 /// Of each factor what it says of one symbol: "x = 0" and "y = 1" of x*y = x. Nothing where one says nothing.
 std::vector<std::string> solved_by_factors(const ex& residual, const std::vector<ex>& divided_by,
-                                           const std::string& text, const Symbols& symbols,
+                                           const std::string& text, const Context& context,
                                            const std::vector<std::string>& small) {
+  const Symbols& symbols = context.symbols;
   const ex product = GiNaC::factor(residual.normal().numer());
   std::vector<std::string> result;
   if (!GiNaC::is_a<GiNaC::mul>(product)) return result;
@@ -136,8 +155,10 @@ std::vector<std::string> solved_by_factors(const ex& residual, const std::vector
       auto given = only_solution(factor, text, symbols);
       if (!given) given = solved_for_one(factor, divided_by, text, symbols, small);
       if (!given || symbols.find(given->name)->name.starts_with("excess_")) return {};
-      result.push_back(print(given->name, Notation::plain, symbols) + " = " +
-                       print(given->value, Notation::plain, symbols));
+      const auto words = [&](const ex& e) { return print(e, Notation::plain, symbols); };
+      const std::string known = without_excess(words(factor) + " = 0", context.comparisons, symbols);
+      result.push_back(known == words(factor) + " = 0" ? words(given->name) + " = " + words(given->value)
+                                                       : known);
     } catch (const SeveralSolutions& solutions) {
       for (const std::string& one : solutions.each)
         if (one.find(" = ") == std::string::npos) return {};  // no more than a sign
@@ -166,7 +187,7 @@ std::optional<Given> solved(const Sides& sides, const Assumed& equation, const C
     if (auto given = only_solution(way, equation.text, symbols)) return given;
     if (auto given = solved_for_one(way, divided_by, equation.text, symbols, small)) return given;
   }
-  if (each.empty()) each = solved_by_factors(residual, divided_by, equation.text, symbols, small);
+  if (each.empty()) each = solved_by_factors(residual, divided_by, equation.text, context, small);
   if (each.empty()) return std::nullopt;
   throw SeveralSolutions(fmt::format("the assumption '{}' has several solutions: assume \"{}\" "
                                      "as well",
