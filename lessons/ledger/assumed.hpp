@@ -54,10 +54,10 @@ void keep_values(const std::string& text, const std::vector<Tree>& sides, const 
 /// Whether it has a power such as x^n, of which conditions_of() says more than is needed: x > 0.
 bool has_symbol_in_exponent(const Tree& tree, const Symbols& symbols);
 
-/// Throws BadInput: what can be assumed, and why not this.
 /// Nothing in an assumption fails, but for what it divides by; else throws SeveralSolutions with what it
 /// needs, to be assumed as well.
 void needs_values(const Assumed& link, const Symbols& symbols, const std::vector<Comparison>& comparisons);
+/// Throws BadInput: what can be assumed, and why not this.
 [[noreturn]] void refuse(const std::string& text, const std::string& why = "");
 /// Throws Contradiction.
 [[noreturn]] void contradicts(const std::string& text);

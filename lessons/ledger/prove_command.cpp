@@ -5,6 +5,7 @@
 #include <lessons/ledger/certificate.hpp>
 #include <lessons/ledger/checked.hpp>
 #include <lessons/ledger/decide_one.hpp>
+#include <lessons/ledger/one_phase.hpp>
 #include <lessons/ledger/reading.hpp>
 #include <lessons/ledger/report.hpp>
 
@@ -43,7 +44,7 @@ Json certificate_of(const Proof& proof, const std::vector<Case>& cases) {
 }
 
 /// Decides in all cases. Nothing is proved but what has a certificate that its checker accepts.
-Certified<Proof> decide_and_check(const std::vector<Case>& cases, const ProveRequest& request) {
+Certified<Proof> decide_as_they_stand(const std::vector<Case>& cases, const ProveRequest& request) {
   Certified<Proof> found{decide_each(cases, request), nullptr};
   if (!is_proved(found.proof)) return found;
   std::string why;
@@ -57,6 +58,27 @@ Certified<Proof> decide_and_check(const std::vector<Case>& cases, const ProveReq
   Proof undecided;
   undecided.reason = "it seems to hold (" + found.proof.reason + "), but the proof was not confirmed: " + why;
   return {undecided, nullptr};
+}
+
+/// The same; and what that leaves open with symbols that stand together taken for one.
+Certified<Proof> decide_and_check(const std::vector<Case>& cases, const ProveRequest& request) {
+  auto found = decide_as_they_stand(cases, request);
+  if (found.proof.verdict != Verdict::undecided || request.order) return found;
+  std::vector<Case> taken;
+  bool is_other = false;
+  for (const Case& one : cases) {
+    auto parts = with_one_phase(one);
+    is_other = is_other || !parts.empty();
+    if (parts.empty()) parts.push_back(one);
+    std::move(parts.begin(), parts.end(), std::back_inserter(taken));
+  }
+  if (!is_other) return found;
+  try {
+    auto as_one = decide_as_they_stand(taken, request);
+    if (is_proved(as_one.proof)) return as_one;
+  } catch (const BadInput&) {  // of what the user did not say
+  }
+  return found;
 }
 
 }  // namespace
