@@ -1,4 +1,5 @@
 // Statements that hold to an order in symbols that are small.
+#include <algorithm>
 #include <derivations/algebra/failure.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
@@ -82,11 +83,12 @@ Proof compared_side_by_side(const Relation& left, const Relation& right, const S
   return proof;
 }
 
-Proof compared(const Relation& left, const Relation& right, const Expansion& expansion,
-               const Symbols& symbols, const std::vector<Given>& given) {
+Proof compared(const Relation& left, const Relation& right, const std::vector<std::string>& small,
+               const Expansion& expansion, const Symbols& symbols, const std::vector<Given>& given) {
   if (left.sides.size() != 2 || right.sides.size() != 2)
     return compared_side_by_side(expansion.side_by_side(left), expansion.side_by_side(right), symbols, given);
   for (const std::string& name : symbols.names()) {
+    if (std::count(small.begin(), small.end(), name) > 0) continue;  // what is left out may be of its size
     const auto l = solved_for(name, left, expansion, symbols);
     const auto r = l ? solved_for(name, right, expansion, symbols) : std::nullopt;
     if (r) return prove(*l, *r, symbols, given);
@@ -95,7 +97,7 @@ Proof compared(const Relation& left, const Relation& right, const Expansion& exp
       compared_side_by_side(expansion.side_by_side(left), expansion.side_by_side(right), symbols, given);
   if (proof.verdict != Verdict::refuted) return proof;
   proof = {};  // the factor between the two may be 1 to that order
-  proof.reason = "there is no symbol for which both can be solved";
+  proof.reason = "there is no symbol that is not small for which both can be solved";
   return proof;
 }
 
@@ -104,7 +106,7 @@ Proof compared(const Relation& left, const Relation& right, const Expansion& exp
 Proof prove_approximation(const Relation& left, const Relation& right, const std::vector<std::string>& small,
                           int order, const Symbols& symbols, const std::vector<Given>& given) {
   try {
-    Proof proof = compared(left, right, Expansion(small, order, symbols, given), symbols, given);
+    Proof proof = compared(left, right, small, Expansion(small, order, symbols, given), symbols, given);
     if (proof.verdict == Verdict::proved) proof.verdict = Verdict::approximation;
     return proof;
   } catch (const std::domain_error&) {  // GiNaC: a pole, in the expression or in one of its derivatives

@@ -36,6 +36,7 @@ enum class Cell {
   empty      ///< neither holds, for at least one has no value anywhere on it; or the only one that counts has
              ///< none
 };
+/// Looks at one of `Cells::pieces`. Throws Undecidable.
 Cell look_at(const Question& question, const Symbols& piece);
 
 /// Something that one of two statements in one symbol divides by, and at a zero of which the other one holds:

@@ -17,7 +17,8 @@ struct DimensionReport {
   std::string explanation;  ///< "term 3 is kg·m²/s, the others kg·m²/s²"; empty where consistent
 };
 
-/// Angles count as pure numbers; arguments of sin, exp … must be pure numbers.
+/// Angles count as pure numbers; arguments of sin, exp … must be pure numbers. Throws SyntaxError for an
+/// exponent without a value, and std::invalid_argument for the unit of a symbol that cannot be read.
 DimensionReport dimension(const Tree& tree, const Symbols& symbols = paper_symbols());
 DimensionReport dimension(const Relation& relation, const Symbols& symbols = paper_symbols());
 /// "kg·m²/s²"; "1" for a pure number.

@@ -169,7 +169,7 @@ Pair Question::pair(const Tree& left_side, const Tree& right_side) const {
     const Tree tree = meanings[symbol->name] = to_tree(value, symbols);
     // of a number it is known exactly, at the end pi of (0, pi], too
     if (names_in(value).empty() && is_inside(value, parse_range(symbol->range), true)) continue;
-    if (symbol->range != "(-inf, inf)" || !value.info(GiNaC::info_flags::polynomial))  // it may fail
+    if (symbol->range != all_numbers || !value.info(GiNaC::info_flags::polynomial))  // it may fail
       pair.bound.push_back({symbol->name, tree});
   }
   pair.left = put_in(left_side, meanings), pair.right = put_in(right_side, meanings);
@@ -202,7 +202,7 @@ Symbols with_ranges_of(const std::vector<Given>& given, const Symbols& symbols) 
   Symbols result = symbols;
   for (const Given& g : given) {
     const ex value = put_in(g.value, given);
-    if (symbols.find(g.name) == nullptr || symbols.find(g.name)->range == "(-inf, inf)") continue;
+    if (symbols.find(g.name) == nullptr || symbols.find(g.name)->range == all_numbers) continue;
     narrow_by_sign(g, value, result);
     for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part) {
       if (!GiNaC::is_a<GiNaC::symbol>(*part) || !value.is_polynomial(*part)) continue;

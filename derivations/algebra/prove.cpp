@@ -66,13 +66,13 @@ ex put_in(ex e, const std::vector<Given>& given) {
 
 namespace {
 
-/// For y = A against y = B the witness gives y, too: what A is there, if that is in the range of y and the
-/// left statement is no chain, else what B is. Then one equation holds and the other one fails.
+/// For y = A against y = B the witness gives y, too: what A is there, if that is in the range of y, else what
+/// B is. Then one equation holds and the other one fails.
 Witness witness_at(const Pair& pair, const Point& point, const Symbols& symbols) {
   Witness witness = make_witness(pair, point);
   if (pair.name.empty()) return witness;
   const auto left = value_of(pair.left, point);
-  const bool as_left = !pair.right_counts && left && is_well_inside(symbols.find(pair.name)->range, *left);
+  const bool as_left = left && is_well_inside(symbols.find(pair.name)->range, *left);
   put(witness, pair.name, as_left ? pair.left_value : pair.right_value, symbols);
   return witness;
 }
@@ -95,9 +95,9 @@ Proof prove_identity(const Pair& pair, const Symbols& symbols) {
   try {
     if (vanishes(pair.left_value - pair.right_value, symbols))
       return proved("1", "the numerator of the difference vanishes identically");
-    why += advice(pair.left_value - pair.right_value, symbols);
+    why += sign_that_may_decide(pair.left_value - pair.right_value, symbols);
   } catch (const Undecidable& error) {
-    why = error.what() + advice(pair.left_value - pair.right_value, symbols);
+    why = error.what() + sign_that_may_decide(pair.left_value - pair.right_value, symbols);
   }
   if (const Sample more = look(Points::many); more.differs)
     return refuted(witness_at(pair, *more.differs, symbols), "the two sides differ at the witness");
@@ -134,12 +134,12 @@ bool name_the_same(const Link& left, const Link& right, const Question& question
          !is_assumed_of(y, question);
 }
 
-Proof prove_where_defined(const Link& left, const Link& right, const Question& question, bool of_chain) {
+Proof prove_where_defined(const Link& left, const Link& right, const Question& question) {
   const Symbols& symbols = question.symbols;
   const auto value = [&](const Tree& tree) { return lower(tree, symbols); };
   if (name_the_same(left, right, question)) {
     Pair pair = question.pair(left.right, right.right);
-    pair.name = symbols.find(value(left.left))->name, pair.right_counts = of_chain;
+    pair.name = symbols.find(value(left.left))->name;
     const Proof proof = prove_identity(pair, symbols);
     if (proof.verdict != Verdict::undecided) return proof;
     // both values may lie outside of the range of y: then neither ever holds
@@ -161,8 +161,8 @@ Proof lost(const ex& divisor, const Symbols& symbols) {
 }
 
 /// Proved where both have values; withdrawn, if one holds where the other one divides by 0.
-Proof prove_link(const Link& left, const Link& right, const Question& question, bool of_chain) {
-  const Proof proof = prove_where_defined(left, right, question, of_chain);
+Proof prove_link(const Link& left, const Link& right, const Question& question) {
+  const Proof proof = prove_where_defined(left, right, question);
   const bool may_lose =
       proof.verdict == Verdict::proved && !is_of_numbers(question.left) && !is_of_numbers(question.right);
   const auto divisor =
@@ -171,19 +171,17 @@ Proof prove_link(const Link& left, const Link& right, const Question& question, 
 }
 
 /// K = a = b against one equation. A link K = a that differs from it does not refute the chain: at the
-/// witness K = b may fail as well, so all links are asked together then. Unless all say what one free symbol
-/// is: that can be given the value of the right one, which holds then, while the link fails.
+/// witness K = b may fail as well, or have no value, so all links are asked together then.
 Proof prove_links(const Question& question) {
   const Link right = links_of(question.right)[0];
   const std::vector<Link> links = links_of(question.left);
   Proof proof;
   std::set<std::string> factors;
   for (const Link& link : links) {
-    proof = prove_link(link, right, question, links.size() > 1);
+    proof = prove_link(link, right, question);
     factors.insert(proof.factor);
     if (proof.verdict == Verdict::proved) continue;
-    const bool is_enough = links.size() == 1 || name_the_same(link, right, question);
-    return is_enough ? proof : prove_conjunctions(question);
+    return links.size() == 1 ? proof : prove_conjunctions(question);
   }
   if (factors.size() > 1) proof.factor.clear();
   return proof;

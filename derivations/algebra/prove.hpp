@@ -75,8 +75,8 @@ Proof prove(const Relation& left, const Relation& right, const Symbols& symbols 
             const std::vector<Given>& given = {});
 
 /// Whether two expressions have the same Taylor polynomial of `order` in the small symbols, all of one size;
-/// two relations, whether they say the same, to that order, of a symbol for which both can be solved. A chain
-/// is taken side by side. The givens are put in first.
+/// two relations, whether they say the same, to that order, of a symbol that is not small, for which both can
+/// be solved. A chain is taken side by side. The givens are put in first.
 Proof prove_approximation(const Relation& left, const Relation& right, const std::vector<std::string>& small,
                           int order, const Symbols& symbols = paper_symbols(),
                           const std::vector<Given>& given = {});

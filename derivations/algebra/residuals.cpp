@@ -37,7 +37,7 @@ Proof undecided(std::string reason) {
   return proof;
 }
 
-std::string advice(const ex& e, const Symbols& symbols) {
+std::string sign_that_may_decide(const ex& e, const Symbols& symbols) {
   std::set<std::string> names;
   for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
     const bool call = GiNaC::is_a<GiNaC::function>(*part), power = GiNaC::is_a<GiNaC::power>(*part);
@@ -297,7 +297,7 @@ Proof prove_residuals(const Residuals& r, const Symbols& symbols) {
   for (const Tree& residual : {r.pair.left, r.pair.right})
     if (const auto point = r.left != Claim::zero ? across_zero(residual, points, symbols) : std::nullopt)
       if (auto refutation = differ_at_a_point(r, {*point}, symbols)) return *refutation;
-  return undecided(proof.reason + advice(r.pair.left_value - r.pair.right_value, symbols));
+  return undecided(proof.reason + sign_that_may_decide(r.pair.left_value - r.pair.right_value, symbols));
 }
 
 }  // namespace rederive

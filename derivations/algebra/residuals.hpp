@@ -48,6 +48,6 @@ Proof refuted(Witness witness, std::string reason);
 Proof undecided(std::string reason);
 /// "; an assumption on the sign of x may decide it": symbols under roots, in logarithms and between bars that
 /// may be of either sign; empty if there are none.
-std::string advice(const GiNaC::ex& expression, const Symbols& symbols);
+std::string sign_that_may_decide(const GiNaC::ex& expression, const Symbols& symbols);
 
 }  // namespace rederive

@@ -103,7 +103,7 @@ bool is_admitted(const Pair& pair, const Point& point, const Symbols& symbols) {
 bool is_claimed(const Pair& pair, const cln::cl_R& left, const cln::cl_R& right, const Symbols& symbols) {
   if (pair.name.empty()) return true;
   const std::string& range = symbols.find(pair.name)->range;
-  return (!pair.right_counts && is_well_inside(range, left)) || is_well_inside(range, right);
+  return is_well_inside(range, left) || is_well_inside(range, right);
 }
 
 bool differ(const cln::cl_R& a, const cln::cl_R& b) {

@@ -13,7 +13,6 @@ struct Pair {
   std::vector<std::pair<std::string, Tree>> bound;  ///< a name that was replaced → what stands for it
   std::vector<Tree> never_zero = {};                ///< what was declared so, and Symbols::no_witness()
   std::string name = "";      ///< where the two are what one symbol is said to be: that symbol
-  bool right_counts = false;  ///< it must be what the right one says
 };
 
 /// The points at which the two are compared.

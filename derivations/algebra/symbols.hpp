@@ -23,6 +23,9 @@ class SymbolExpression : public GiNaC::ex {
   operator GiNaC::symbol() const = delete;
 };
 
+/// The range of a symbol that may be any real number.
+inline constexpr const char* all_numbers = "(-inf, inf)";
+
 /// What is declared about one symbol. A range is an open interval in our syntax: "(0, inf)", "(0, pi/2)",
 /// "(-inf, inf)"; a closed end is written with a bracket: "(0, 1]".
 struct Symbol {

@@ -27,6 +27,9 @@ struct Contradiction : BadInput {
   using BadInput::BadInput;
 };
 
+/// A symbol alone.
+inline bool is_name(const Tree& tree) { return tree->kind == Node::Kind::symbol && tree->text != "pi"; }
+
 /// "a_p > alpha*g"
 std::string in_words(const Assumed& link, const Symbols& symbols);
 

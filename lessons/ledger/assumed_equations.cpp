@@ -15,10 +15,6 @@ using GiNaC::ex;
 
 namespace {
 
-const std::string any = "(-inf, inf)";
-
-bool is_name(const Tree& tree) { return tree->kind == Node::Kind::symbol && tree->text != "pi"; }
-
 /// The symbol that an equation says the value of, if any: alone on a side and not on the other, and nothing
 /// stands for it yet. Of two symbols the one that is not small, or that may be anything, so that the range of
 /// the other one stays.
@@ -30,7 +26,7 @@ std::optional<Given> read_given(const Tree& a, const Tree& b, const std::string&
     return std::count(small.begin(), small.end(), tree->text) > 0;
   };
   const bool turn =
-      is_name(a) && is_name(b) && (is_small(a) || (symbols.find(b->text)->range == any && !is_small(b)));
+      is_name(a) && is_name(b) && (is_small(a) || (symbols.find(b->text)->range == all_numbers && !is_small(b)));
   for (const auto& [name, value] : {turn ? std::pair{b, a} : std::pair{a, b}, std::pair{b, a}}) {
     if (!is_name(name)) continue;
     const Given given = reading(text, [&] { return Given{lower(name, symbols), lower(value, symbols)}; });
@@ -135,16 +131,17 @@ void keep_values(const std::string& text, const std::vector<Tree>& sides, const 
                  const Context& context) {
   const Symbols& symbols = context.symbols;
   const auto all = context.put_in_at_once(true);
-  std::vector<ex> needed;
+  std::vector<Condition> needed;
   for (const ex& value : kept)
     for (const Condition& c : conditions_of(to_tree(value, symbols), symbols))
-      needed.push_back(put_in(c.value, all));
+      needed.push_back({put_in(c.value, all), c.relation});
   for (const Tree& side : sides)
     for (const Condition& c : conditions_of(side, symbols, all)) {
       const ex value = put_in(c.value, all);
       if (c.relation == "!=" || value.is_zero()) continue;
-      const auto says_it = [&](const ex& e) {
-        return (e / value).normal().info(GiNaC::info_flags::positive);
+      const auto says_it = [&](const Condition& other) {
+        return (other.relation == ">" || other.relation == c.relation) &&
+               (other.value / value).normal().info(GiNaC::info_flags::positive);
       };
       if (std::any_of(needed.begin(), needed.end(), says_it)) continue;
       const std::string message = "the assumption '" + text + "' has a value for " + in_words(c, symbols) +

@@ -32,7 +32,9 @@ void set_end(Symbols& symbols, const std::string& name, const Bound& bound, bool
     throw BadInput(
         fmt::format("the assumptions leave one value for {0}: say \"{0} = {1}\"", name, range.lower));
   if (now.low.infinite == 0 && now.high.infinite == 0 && compare(now.low.value, now.high.value) >= 0)
-    throw BadInput("the assumptions and the declared range " + old.range + " leave no room for " + name);
+    throw BadInput(fmt::format("the assumptions leave no room for {0}: it is in {1}, and '{0} {2} {3}'", name,
+                               old.range, std::string(lower_end ? ">" : "<") + (closed ? "=" : ""),
+                               print(value, Notation::plain, symbols)));
   symbols.declare(name, old.latex, old.unicode, old.unit, text, old.meaning, old.introduced);
 }
 

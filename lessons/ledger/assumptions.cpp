@@ -12,14 +12,13 @@ namespace rederive {
 
 namespace {
 
-const std::string any = "(-inf, inf)";
 const std::vector<std::string> greek{
     "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta",   "theta", "iota", "kappa", "lambda",
     "mu",    "nu",   "xi",    "rho",   "sigma",   "tau",  "phi",   "chi",   "psi",  "omega", "upsilon",
     "Gamma", "Xi",   "Delta", "Theta", "Lambda",  "Pi",   "Sigma", "Phi",   "Psi",  "Omega"};
 
 void declare_free(Symbols& symbols, const std::string& name) {
-  if (symbols.find(name) == nullptr) symbols.declare(name, name, name, "1", any, "a real number", "");
+  if (symbols.find(name) == nullptr) symbols.declare(name, name, name, "1", all_numbers, "a real number", "");
 }
 
 /// Letters stand for real numbers, alone or with an index or dots: x, x1, k_2, omega_0, betadot.
@@ -46,8 +45,6 @@ void declare_names_in(const std::string& text, Symbols& symbols) {
     if (stem > 0 && std::regex_match(name.substr(stem), tail)) declare_free(symbols, name);
   }
 }
-
-bool is_name(const Tree& tree) { return tree->kind == Node::Kind::symbol && tree->text != "pi"; }
 
 /// "x > 0": these come first, so that all signs are known when the others are solved.
 bool is_bound_as_it_stands(const Assumed& link, const Symbols& symbols) {
@@ -133,23 +130,27 @@ std::string in_words(const Assumed& link, const Symbols& symbols) {
   return side(turn ? 1 : 0) + " " + op + " " + side(turn ? 0 : 1);
 }
 
-Context make_context(const ProveRequest& request, const std::vector<std::string>& freed,
-                     const std::set<std::size_t>& without) {
-  Context context{paper_symbols(), {}, {}, {}, {}, {}};
-  Symbols& symbols = context.symbols;
+Symbols declared_symbols(const ProveRequest& request, const std::vector<std::string>& freed) {
+  Symbols symbols = paper_symbols();
   for (const std::string& name : freed) {
     const Symbol old = *symbols.find(name);
-    symbols.declare(name, old.latex, old.unicode, old.unit, any, old.meaning, old.introduced);
+    symbols.declare(name, old.latex, old.unicode, old.unit, all_numbers, old.meaning, old.introduced);
   }
   for (const char* name : {"t", "r", "d"})
-    symbols.declare(name, name, name, symbols.find(name)->unit, any, "a real number", "");
+    symbols.declare(name, name, name, symbols.find(name)->unit, all_numbers, "a real number", "");
   for (char c = 'a'; c <= 'z'; ++c) declare_free(symbols, std::string(1, c));
   for (char c = 'A'; c <= 'Z'; ++c) declare_free(symbols, std::string(1, c));
   for (const std::string& letter : greek) declare_free(symbols, letter);
   declare_names_in(request.left, symbols);
   declare_names_in(request.right, symbols);
   for (const std::string& text : request.assumptions) declare_names_in(text, symbols);
+  return symbols;
+}
 
+Context make_context(const ProveRequest& request, const std::vector<std::string>& freed,
+                     const std::set<std::size_t>& without) {
+  Context context{declared_symbols(request, freed), {}, {}, {}, {}, {}};
+  Symbols& symbols = context.symbols;
   const Texts texts = sorted(request.assumptions, symbols);
   for (const auto* relations : {&texts.inequalities, &texts.equations})
     for (const Assumed& link : *relations)

@@ -17,7 +17,7 @@ Json ranges_json(const std::vector<Tree>& trees, const CertifiedStatement& q) {
   std::set<std::string> names;
   for (const Tree& tree : trees) collect_names(tree, names);
   for (const Given& g : q.given)
-    if (q.ranges.find(g.name)->range == "(-inf, inf)") names.erase(q.ranges.find(g.name)->name);
+    if (q.ranges.find(g.name)->range == all_numbers) names.erase(q.ranges.find(g.name)->name);
   Json ranges = Json::object();
   for (const std::string& name : names)
     if (const Symbol* symbol = q.ranges.find(name); symbol != nullptr && name != "pi")

@@ -145,7 +145,7 @@ std::vector<std::string> ranged_names(const Context& context, const ProveRequest
   for (const Tree& side : context.assumed) collect_names(side, names);
   std::erase_if(names, [&](const std::string& name) {
     const Symbol *here = context.symbols.find(name), *paper = paper_symbols().find(name);
-    return paper == nullptr || paper->range == "(-inf, inf)" || here->range == "(-inf, inf)";
+    return paper == nullptr || paper->range == all_numbers || here->range == all_numbers;
   });
   return {names.begin(), names.end()};
 }

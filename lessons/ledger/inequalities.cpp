@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
@@ -102,29 +103,65 @@ ex inside(const Interval& piece) {
   return piece.high.infinite != 0 ? piece.low.value + 1 : (piece.low.value + piece.high.value) / 2;
 }
 
-/// Between the zeros, of which those are in it where equality is allowed, and the poles.
+/// An inequality of one symbol: where it can change, and whether it holds at a place. Between its zeros and
+/// those of all that it needs to have a value, as x in atan(2/x), it keeps its sign.
+class OfOne {
+ public:
+  OfOne(const Inequality& i, ex symbol, const Symbols& symbols)
+      : difference_(with_open_tangents(i.difference())), symbol_(std::move(symbol)), weak_(i.weak) {
+    zeros_ = known_zeros(difference_.normal().numer(), symbols);
+    for (const Condition& c : conditions_of(to_tree(difference_, symbols), symbols))
+      if (c.value.has(symbol_)) needed_.emplace_back(c, known_zeros(c.value, symbols));
+  }
+
+  std::vector<ex> cuts() const {
+    std::vector<ex> all = zeros_;
+    for (const auto& [condition, zeros] : needed_) all.insert(all.end(), zeros.begin(), zeros.end());
+    std::sort(all.begin(), all.end(), [](const ex& a, const ex& b) { return compare(a, b) < 0; });
+    return all;
+  }
+
+  bool holds_at(const ex& place) const {
+    for (const auto& [condition, zeros] : needed_) {
+      const int sign = sign_at(place, condition.value, zeros);
+      if (condition.relation == "!=" ? sign == 0 : condition.relation == ">" ? sign <= 0 : sign < 0)
+        return false;
+    }
+    const int sign = sign_at(place, difference_, zeros_);
+    return sign > 0 || (sign == 0 && weak_);
+  }
+
+ private:
+  static std::vector<ex> known_zeros(const ex& e, const Symbols& symbols) {
+    if (const auto zeros = solutions(e.normal().numer(), symbols)) return *zeros;
+    throw Undecidable("its zeros are not known");
+  }
+  int sign_at(const ex& place, const ex& e, const std::vector<ex>& zeros) const {
+    for (const ex& zero : zeros)
+      if (compare(zero, place) == 0) return 0;
+    return compare(e.subs(symbol_ == place), 0);
+  }
+
+  ex difference_, symbol_;
+  bool weak_;
+  std::vector<ex> zeros_;
+  std::vector<std::pair<Condition, std::vector<ex>>> needed_;
+};
+
+/// Throws std::exception where zeros are not known, and constants that are too close to tell.
 std::optional<std::vector<std::string>> pieces_of_one(const Inequality& i, const std::string& name,
                                                       const Symbols& symbols) {
-  const ex symbol = symbols[name], quotient = with_open_tangents(i.difference()).normal().numer_denom();
-  const auto zeros = solutions(quotient.op(0), symbols);
-  const auto poles = quotient.op(1).has(symbol) ? solutions(quotient.op(1), symbols) : std::vector<ex>{};
-  if (!zeros || !poles) return std::nullopt;
-  std::vector<ex> cuts = *zeros;
-  cuts.insert(cuts.end(), poles->begin(), poles->end());
-  std::sort(cuts.begin(), cuts.end(), [](const ex& a, const ex& b) { return compare(a, b) < 0; });
-  const auto is_pole = [&](const ex& at) {
-    return std::any_of(poles->begin(), poles->end(), [&](const ex& p) { return compare(p, at) == 0; });
-  };
+  const OfOne inequality(i, symbols[name], symbols);
+  const std::vector<ex> cuts = inequality.cuts();
   const Interval range = parse_range(symbols.find(name)->range);
   std::vector<std::string> result;
   End low = range.low;
-  bool is_alone = false;  // a zero without a piece beside it
+  bool is_alone = false;  // a point without a piece beside it
   for (std::size_t k = 0; k <= cuts.size(); ++k) {
     End high = range.high;
-    if (k < cuts.size()) high.infinite = 0, high.value = cuts[k], high.closed = i.weak && !is_pole(cuts[k]);
+    if (k < cuts.size()) high.infinite = 0, high.value = cuts[k], high.closed = inequality.holds_at(cuts[k]);
     const bool is_empty = low.infinite == 0 && high.infinite == 0 && compare(low.value, high.value) >= 0;
-    const ex at = inside({low, high});
-    const bool holds = !is_empty && compare(i.difference().subs(symbol == at), 0) > 0;
+    const bool holds = !is_empty && inequality.holds_at(inside({low, high}));
     if (holds) result.push_back(cuts.empty() ? "" : as_text(name, {low, high}, symbols));
     if (!holds && is_alone) return std::nullopt;
     is_alone = !holds && high.closed && k < cuts.size();

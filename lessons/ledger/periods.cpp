@@ -47,7 +47,7 @@ void keep_to_one_period(const ProveRequest& request, Context& context) {
   for (const Tree& side : context.assumed) collect_names(side, names);
   std::erase_if(names, [&](const std::string& name) {
     const Symbol* symbol = symbols.find(name);
-    return symbol == nullptr || symbol->range != "(-inf, inf)" || is_mentioned(name, request.small);
+    return symbol == nullptr || symbol->range != all_numbers || is_mentioned(name, request.small);
   });
   if (names.empty()) return;
   std::vector<Tree> trees = context.assumed;

@@ -19,10 +19,12 @@ struct ProveRequest {
   std::optional<int> order;              ///< compare Taylor polynomials of this order
 };
 
-/// The symbols of the paper, every letter and Greek letter (with an index or dots) that the texts use, and
-/// what the assumptions say of them; assumptions that are equations become givens. The names in `freed` are
-/// any real numbers but for what the assumptions say, and so are t, r and d, which everybody uses for
-/// something else than the paper does.
+/// The symbols of the paper, and every letter and Greek letter (with an index or dots) that the texts use. The
+/// names in `freed` are any real numbers, and so are t, r and d, which everybody uses for something else than
+/// the paper does.
+Symbols declared_symbols(const ProveRequest& request, const std::vector<std::string>& freed = {});
+
+/// The declared symbols, and what the assumptions say of them; assumptions that are equations become givens.
 struct Context {
   Symbols symbols;
   std::vector<Given> given;

@@ -16,7 +16,6 @@ using GiNaC::ex;
 
 namespace {
 
-const std::string any = "(-inf, inf)";
 
 /// Whether a factor is nowhere 0 where the equation has a value and its rest is 0, so that one may divide by
 /// it.
@@ -62,6 +61,7 @@ std::vector<std::string> quadratic_roots(const std::string& name, const ex& a, c
                                          const Symbols& symbols) {
   for (const std::string& other : names_in(a + b + c))
     if (other.starts_with("excess_")) return {};
+  if (is_nonnegative((4 * a * c - b * b).expand(), symbols)) return {};  // no real root, or one at a few points
   std::vector<std::string> result;
   const ex root = root_of((b * b - 4 * a * c).expand());
   for (const int sign : {1, -1}) {
@@ -85,7 +85,7 @@ std::optional<Given> solved_for_one(const ex& residual, const std::vector<ex>& d
     for (const std::string& name : names_in(polynomial)) {
       const ex& symbol = symbols[name];
       const std::string& range = symbols.find(name)->range;
-      const bool is_wanted = (range == any) == is_free && !name.starts_with("excess_") &&
+      const bool is_wanted = (range == all_numbers) == is_free && !name.starts_with("excess_") &&
                              std::count(small.begin(), small.end(), name) == 0;
       if (!is_wanted || !polynomial.is_polynomial(symbol)) continue;
       const int n = polynomial.degree(symbol);

@@ -1,0 +1,20 @@
+// What was typed, at places where all that is assumed holds: read again from the texts, and put to the
+// evaluator alone. What the assumptions were taken to say has no part in it.
+#pragma once
+
+#include <derivations/algebra/evaluate.hpp>
+#include <lessons/ledger/prove_command.hpp>
+
+namespace rederive {
+
+/// Whether the witness shows what it is for: all that is assumed holds there, as far as it names the
+/// symbols, and of two statements one holds and the other does not, or two expressions have two values. Of
+/// Taylor polynomials only the assumptions are looked at. `symbols` has all names of the request.
+bool is_confirmed(const Witness& witness, const ProveRequest& request, const Symbols& symbols);
+
+/// A point inside the declared ranges, if one of some hundreds shows it, where all that is assumed holds, and
+/// the statements do not say the same: no proof can be right then. Symbols that an equation names may have
+/// values there that are rounded, to 90 digits.
+std::optional<Point> counterexample(const ProveRequest& request, const Symbols& symbols);
+
+}  // namespace rederive

@@ -1,0 +1,81 @@
+// What is typed at places where the assumptions hold: what no proof, and no refutation, may go against.
+#include <doctest/doctest.h>
+
+#include <lessons/ledger/counterexample.hpp>
+
+using namespace rederive;
+
+namespace {
+
+std::optional<Point> found(const std::string& left, const std::string& right,
+                           const std::vector<std::string>& assumptions) {
+  const ProveRequest request{left, right, assumptions, {}, {}};
+  return counterexample(request, declared_symbols(request));
+}
+
+bool confirmed(const std::map<std::string, std::string>& at, const std::string& left,
+               const std::string& right, const std::vector<std::string>& assumptions = {}) {
+  const ProveRequest request{left, right, assumptions, {}, {}};
+  return is_confirmed(Witness{at, "", ""}, request, declared_symbols(request));
+}
+
+}  // namespace
+
+TEST_CASE("a point where what is assumed holds, and the statements do not say the same, is found") {
+  const auto point = found("x < 0", "0 < 1", {"atan(2/x) > -pi/4"});
+  REQUIRE(point);
+  CHECK(point->at("x") >= 0);
+  CHECK(found("x > 0", "0 < 1", {"exp(1/x) < exp(1/2)"}));
+  CHECK(found("sin(x) = x", "x < 1/2", {"0 < x < 1"}));
+  CHECK(found("abs(x)", "x", {"x^2 > 4"}));
+  CHECK(found("x < 10", "0 < 1", {"x > 9"}));
+}
+
+TEST_CASE("so it is under equations that say what a symbol is") {
+  CHECK(found("y < 1", "0 < 1", {"y = x^2+1/2"}));
+  CHECK(found("y = 2*x", "y = x^2", {"z = y+1"}));
+  CHECK(found("sin(y)", "x", {"y = asin(x)+1/1000"}));
+  CHECK_FALSE(found("sin(y)", "x", {"y = asin(x)"}));
+  CHECK_FALSE(found("y >= 1/2", "0 < 1", {"y = x^2+1/2"}));
+}
+
+TEST_CASE("where they do say the same, none is found") {
+  CHECK_FALSE(found("x*(x+2) > 0", "0 < 1", {"atan(2/x) > -pi/4"}));
+  CHECK_FALSE(found("x > 0", "0 < 1", {"exp(1/x) > exp(1/2)"}));
+  CHECK_FALSE(found("abs(x)", "x", {"x >= 0"}));
+  CHECK_FALSE(found("x/x = 1", "0 < 1", {"x >= 0"}));
+  CHECK_FALSE(found("h > 0", "0 < 1", {"b < h"}));  // in the range that the paper gives it
+}
+
+TEST_CASE("a witness shows that what is assumed holds, and the two are not the same") {
+  CHECK(confirmed({{"x", "-1/4"}}, "x > 0", "0 < 1"));
+  CHECK_FALSE(confirmed({{"x", "1/4"}}, "x > 0", "0 < 1"));
+  CHECK_FALSE(confirmed({{"x", "-1/4"}}, "x > 0", "0 < 1", {"exp(1/x) > exp(1/2)"}));
+  CHECK(confirmed({{"x", "-1/4"}}, "x > 0", "0 < 1", {"exp(1/x) < exp(1/2)"}));
+  CHECK_FALSE(confirmed({{"x", "1"}}, "x", "1", {"x > 0"}));
+  CHECK_FALSE(confirmed({{"x", "1"}}, "x", "2", {"x > 1"}));
+  CHECK(confirmed({{"x", "1"}}, "x", "2", {"x >= 1"}));
+  CHECK_FALSE(confirmed({{"x", "1"}}, "x", "2", {"x != 1"}));
+  CHECK_FALSE(confirmed({{"x", "1"}}, "x", "2", {"x = 3"}));
+}
+
+TEST_CASE("what has no value shows nothing") {
+  CHECK_FALSE(confirmed({{"x", "-33/20"}, {"y", "33/20"}}, "y = x = exp(log(x))", "y = abs(x)"));
+  CHECK_FALSE(confirmed({{"x", "0"}, {"y", "0"}}, "y > 0", "0 < 1", {"y = x*x^(-1/2)"}));
+  CHECK_FALSE(confirmed({{"x", "0"}}, "x/x", "2"));
+}
+
+TEST_CASE("values that differ by very little do differ, where the point is exact") {
+  CHECK(confirmed({{"x", "1"}}, "x", "x+1/10^40*1/10^40"));
+  const Witness half_turn{{{"x", "157/50"}}, "", "", {{"x", "pi"}}};
+  const ProveRequest request{"sin(x)", "1", {"x = pi"}, {}, {}};
+  CHECK(is_confirmed(half_turn, request, declared_symbols(request)));
+}
+
+TEST_CASE("a root between bounds is looked at where it is") {
+  Witness witness{{{"x", "739/1000"}, {"y", "1"}}, "", "", {}, {{"x", {cln::cl_RA(7) / 10, cln::cl_RA(8) / 10}}}, "x-cos(x) = 0"};
+  const ProveRequest request{"cos(x) = x", "x = 1", {"x < 739086/1000000"}, {}, {}};
+  CHECK(is_confirmed(witness, request, declared_symbols(request)));
+  const ProveRequest beyond{"cos(x) = x", "x = 1", {"x < 739085/1000000"}, {}, {}};
+  CHECK_FALSE(is_confirmed(witness, beyond, declared_symbols(beyond)));
+}
