@@ -35,6 +35,8 @@ TEST_CASE("so it is under equations that say what a symbol is") {
   CHECK(found("y < 1", "0 < 1", {"y = x^2+1/2"}));
   CHECK(found("y = 2*x", "y = x^2", {"z = y+1"}));
   CHECK(found("sin(y)", "x", {"y = asin(x)+1/1000"}));
+  CHECK(found("y = sqrt(x)", "y = x", {"x > 0"}));
+  CHECK(found("z < 10", "0 < 1", {"z = y+9", "y = 2"}));  // the one that is needed comes after
   CHECK_FALSE(found("sin(y)", "x", {"y = asin(x)"}));
   CHECK_FALSE(found("y >= 1/2", "0 < 1", {"y = x^2+1/2"}));
 }
@@ -44,7 +46,11 @@ TEST_CASE("where they do say the same, none is found") {
   CHECK_FALSE(found("x > 0", "0 < 1", {"exp(1/x) > exp(1/2)"}));
   CHECK_FALSE(found("abs(x)", "x", {"x >= 0"}));
   CHECK_FALSE(found("x/x = 1", "0 < 1", {"x >= 0"}));
-  CHECK_FALSE(found("h > 0", "0 < 1", {"b < h"}));  // in the range that the paper gives it
+  CHECK_FALSE(found("h > 0", "0 < 1", {"b < h"}));       // in the range that the paper gives it
+  CHECK_FALSE(found("y > 0", "0 < 1", {"y = exp(x)"}));  // for x = -150, too
+  CHECK_FALSE(found("y = 0", "1 < 0", {"y = exp(-x^2)"}));
+  CHECK_FALSE(found("exp(x)-10^60*10^60 = 0", "0 < 1", {"x = 120*log(10)"}));
+  CHECK_FALSE(found("alpha < 3", "3 < 2", {"alpha = acos(0)"}));  // which is outside of its range
 }
 
 TEST_CASE("a witness shows that what is assumed holds, and the two are not the same") {
@@ -73,7 +79,8 @@ TEST_CASE("values that differ by very little do differ, where the point is exact
 }
 
 TEST_CASE("a root between bounds is looked at where it is") {
-  Witness witness{{{"x", "739/1000"}, {"y", "1"}}, "", "", {}, {{"x", {cln::cl_RA(7) / 10, cln::cl_RA(8) / 10}}}, "x-cos(x) = 0"};
+  const Box between{{"x", {cln::cl_RA(7) / 10, cln::cl_RA(8) / 10}}};
+  const Witness witness{{{"x", "739/1000"}}, "", "", {}, between, "x-cos(x) = 0"};
   const ProveRequest request{"cos(x) = x", "x = 1", {"x < 739086/1000000"}, {}, {}};
   CHECK(is_confirmed(witness, request, declared_symbols(request)));
   const ProveRequest beyond{"cos(x) = x", "x = 1", {"x < 739085/1000000"}, {}, {}};

@@ -1,5 +1,5 @@
-// The second opinion: the value of a tree at a rational point, to many digits, by CLN alone. Shares no code
-// with the rewriting in prove.
+// The second opinion: the value of a tree at a rational point, to many digits, by CLN alone. Uses nothing of
+// the rewriting in prove, which asks it for the signs of constants.
 #pragma once
 
 #include <cln/cln.h>

@@ -12,7 +12,7 @@ struct Pair {
   GiNaC::ex left_value, right_value;
   std::vector<std::pair<std::string, Tree>> bound;  ///< a name that was replaced → what stands for it
   std::vector<Tree> never_zero = {};                ///< what was declared so, and Symbols::no_witness()
-  std::string name = "";      ///< where the two are what one symbol is said to be: that symbol
+  std::string name = "";  ///< where the two are what one symbol is said to be: that symbol
 };
 
 /// The points at which the two are compared.

@@ -59,10 +59,11 @@ struct Relation {
   std::vector<std::string> operators;
 };
 
-/// Bounds on what is read, checked before anything expensive is done.
+/// Bounds on what is read, checked before anything expensive is done. What decides, as prove(), lowers trees
+/// with the bounds as they are here.
 struct Limits {
   std::size_t characters = 10'000;
-  std::size_t depth = 200;
+  std::size_t depth = 200;  ///< not beyond 500, whatever is asked: the stack bears no more
   std::size_t digits = 40;  ///< in one number, its decimal exponent included
   long exponent = 64;       ///< the largest integer exponent
 };

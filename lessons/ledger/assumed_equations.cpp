@@ -25,8 +25,8 @@ std::optional<Given> read_given(const Tree& a, const Tree& b, const std::string&
   const auto is_small = [&](const Tree& tree) {
     return std::count(small.begin(), small.end(), tree->text) > 0;
   };
-  const bool turn =
-      is_name(a) && is_name(b) && (is_small(a) || (symbols.find(b->text)->range == all_numbers && !is_small(b)));
+  const bool turn = is_name(a) && is_name(b) &&
+                    (is_small(a) || (symbols.find(b->text)->range == all_numbers && !is_small(b)));
   for (const auto& [name, value] : {turn ? std::pair{b, a} : std::pair{a, b}, std::pair{b, a}}) {
     if (!is_name(name)) continue;
     const Given given = reading(text, [&] { return Given{lower(name, symbols), lower(value, symbols)}; });

@@ -53,8 +53,9 @@ namespace rederive {
 /// (a - residual)^2 is the form, for a = `roots`, not negative, one after another; and `holds`. One of each
 /// side that never holds is enough. Or of a statement in one name, `in` which the whole `range` is cut
 /// into cells: each has an open range, and a certificate over it; or none, where neither statement holds, or
-/// one has no value. All is text in our own syntax. Throws Undecidable where the statement is not proved, or
-/// where nothing like this is found.
+/// one has no value. All is text in our own syntax. What was assumed is not in it, but what that was taken
+/// to say: `given`, `ranges`, `never zero` and the cases. Throws Undecidable where the statement is not
+/// proved, or where nothing like this is found.
 nlohmann::ordered_json certificate(const Relation& left, const Relation& right, const Symbols& symbols,
                                    const std::vector<Given>& given);
 

@@ -15,57 +15,39 @@ Tree with(const Tree& tree, const std::string& name, const Tree& value) {
   return std::make_shared<const Node>(std::move(node));
 }
 
-int sign_of(const cln::cl_R& value) { return cln::zerop(value) ? 0 : cln::minusp(value) ? -1 : 1; }
-
-/// The zero of the tree between the bounds, to 110 places.
-cln::cl_RA zero_between(const Tree& tree, Point point, const std::string& name, Between bounds) {
-  const auto sign_at = [&](const cln::cl_RA& place) {
-    point[name] = place;
-    const auto value = evaluate(tree, point, 3);
-    return value ? sign_of(*value) : 0;
-  };
-  const int below = sign_at(bounds.low);
-  while ((bounds.high - bounds.low) * power_of_ten(110) > 1) {
-    const cln::cl_RA middle = (bounds.low + bounds.high) / 2;
-    (sign_at(middle) == below ? bounds.low : bounds.high) = middle;
-  }
-  return bounds.low;
-}
-
-/// Values for some names: rational, given by constants, or rounded.
+/// Values for some names: rational, given by constants, or in boxes.
 class Place {
  public:
-  Place(Point point, bool is_exact) : point_(std::move(point)), is_exact_(is_exact) {}
-  Place(const Witness& witness, const Symbols& symbols) : is_exact_(witness.between.empty()) {
+  Place(Point point, Box box) : point_(std::move(point)), box_(std::move(box)) {}
+  /// Between bounds that nothing tells apart there is a zero: what is open there is 0.
+  Place(const Witness& witness, const Symbols& symbols) : open_(0) {
     for (const auto& [name, text] : witness.at)
       if (const auto exactly = witness.exactly.find(name); exactly != witness.exactly.end())
         constants_.emplace_back(name, parse(exactly->second, symbols));
       else
         point_[name] = cln::cl_RA(text.c_str());
     for (const auto& [name, bounds] : witness.between)
-      point_[name] = zero_between(put_in(parse_relation(witness.solves, symbols).sides[0]), point_, name, bounds);
+      box_[name] = around_zero(put_in(parse_relation(witness.solves, symbols).sides[0]), name, bounds);
+    for (const auto& [name, bounds] : box_) point_[name] = bounds.low;
   }
 
   bool has(const std::string& name) const {
     return point_.contains(name) || std::any_of(constants_.begin(), constants_.end(),
                                                 [&](const auto& known) { return known.first == name; });
   }
-  /// -1, 0 or 1 for a < b, a = b and a > b; nothing where one has no value.
-  std::optional<int> order(const Tree& a, const Tree& b) const {
-    const auto left = value_of(put_in(a), point_), right = value_of(put_in(b), point_);
-    if (!left || !right) return std::nullopt;
-    const cln::cl_R size = cln::max(cln::cl_R(1), cln::max(cln::abs(*left), cln::abs(*right)));
-    if (cln::abs(*left - *right) * power_of_ten(60) >= size) return sign_of(*left - *right);
-    const auto less = is_exact_ ? evaluate(put_in(difference(a, b)), point_, 3) : std::nullopt;
-    return less ? sign_of(*less) : 0;
-  }
-  /// "!=" among the operators; nothing where a side has no value.
-  std::optional<bool> holds(const Relation& relation) const {
+  /// -1, 0 or 1 for a < b, a = b and a > b; nothing where a box leaves that open, or where one of the two has
+  /// no value.
+  std::optional<int> order(const Tree& a, const Tree& b) const { return order(a, b, open_); }
+  /// "!=" among the operators; nothing where an order is not known. Equations that are assumed hold where
+  /// they may.
+  std::optional<bool> holds(const Relation& relation, bool is_assumed = false) const {
     bool all = true;
     for (std::size_t k = 0; k < relation.operators.size(); ++k) {
-      const auto found = order(relation.sides[k], relation.sides[k + 1]);
+      const std::string& op = relation.operators[k];
+      const auto found =
+          order(relation.sides[k], relation.sides[k + 1], is_assumed && op == "=" ? std::optional(0) : open_);
       if (!found) return std::nullopt;
-      all = all && is_met(relation.operators[k], *found);
+      all = all && is_met(op, *found);
     }
     return all;
   }
@@ -75,14 +57,40 @@ class Place {
   }
 
  private:
+  std::optional<int> order(const Tree& a, const Tree& b, std::optional<int> open) const {
+    const Tree excess = put_in(difference(a, b));
+    if (!box_.empty()) {
+      const auto ball = enclosure(excess, point_, box_);
+      if (!ball) return std::nullopt;
+      return is_positive(*ball) ? 1 : is_negative(*ball) ? -1 : ball->exact() ? 0 : open;
+    }
+    if (!value_of(put_in(a), point_) || !value_of(put_in(b), point_)) return std::nullopt;
+    const auto value = evaluate(excess, point_, 3);
+    return value && !cln::zerop(*value) ? cln::minusp(*value) ? -1 : 1 : 0;
+  }
   Tree put_in(Tree tree) const {
     for (const auto& [name, value] : constants_) tree = with(tree, name, value);
     return tree;
   }
+  /// The bounds of the zero, to 110 places.
+  Between around_zero(const Tree& tree, const std::string& name, Between bounds) {
+    const auto sign_at = [&](const cln::cl_RA& place) {
+      point_[name] = place;
+      const auto value = evaluate(tree, point_, 3);
+      return !value || cln::zerop(*value) ? 0 : cln::minusp(*value) ? -1 : 1;
+    };
+    const int below = sign_at(bounds.low);
+    while ((bounds.high - bounds.low) * power_of_ten(110) > 1) {
+      const cln::cl_RA middle = (bounds.low + bounds.high) / 2;
+      (sign_at(middle) == below ? bounds.low : bounds.high) = middle;
+    }
+    return bounds;
+  }
 
   Point point_;
+  Box box_;
   std::vector<std::pair<std::string, Tree>> constants_;
-  bool is_exact_;
+  std::optional<int> open_;
 };
 
 /// What was asked, as it is typed.
@@ -103,9 +111,11 @@ Typed typed(const ProveRequest& request, const Symbols& symbols) {
   return result;
 }
 
-bool tell_apart(const Relation& left, const Relation& right, const Place& at) {
-  if (left.operators.empty()) return at.order(left.sides[0], right.sides[0]).value_or(0) != 0;
-  const auto first = at.holds(left), second = at.holds(right);
+/// `held`: the one of the two, if any, that holds because values were chosen so.
+bool tell_apart(const Typed& what, const Place& at, const Relation* held = nullptr) {
+  if (what.left.operators.empty()) return at.order(what.left.sides[0], what.right.sides[0]).value_or(0) != 0;
+  const auto first = at.holds(what.left, held == &what.left),
+             second = at.holds(what.right, held == &what.right);
   return first && second && *first != *second;
 }
 
@@ -119,25 +129,29 @@ std::optional<bool> quickly_holds(const Relation& relation, const Point& point) 
   return true;
 }
 
-/// What equations "name = ..." say, one after another; what cannot be had is left as it is.
-bool put_values(const std::vector<const Relation*>& equations, Point& point) {
-  bool is_rounded = false;
-  for (const Relation* relation : equations)
-    for (std::size_t k = 0; k + 1 < relation->sides.size(); ++k) {
-      if (relation->operators[k] != "=") continue;
-      for (const auto& [name, value] : {std::pair{relation->sides[k], relation->sides[k + 1]},
-                                        {relation->sides[k + 1], relation->sides[k]}}) {
-        std::set<std::string> others;
-        collect_names(value, others);
-        if (!point.contains(name->text) || name->kind != Node::Kind::symbol || others.contains(name->text))
-          continue;
-        const auto digits = evaluate(value, point, 90);
-        if (!digits) continue;
-        point[name->text] = cln::rational(*digits), is_rounded = true;
-        break;
-      }
-    }
-  return is_rounded;
+/// Gives names the values that equations "name = ..." say, or bounds of them; what cannot be had is left as
+/// it is.
+void put_values(const std::vector<const Relation*>& equations, Point& point, Box& box) {
+  const auto put = [&](const Tree& name, const Tree& value) {
+    std::set<std::string> others;
+    collect_names(value, others);
+    const bool is_name = name->kind == Node::Kind::symbol && point.contains(name->text);
+    const auto ball = is_name && !others.contains(name->text) ? enclosure(value, point, box) : std::nullopt;
+    if (!ball) return false;
+    point[name->text] = cln::rational(ball->middle), box.erase(name->text);
+    if (!ball->exact()) box[name->text] = {ball->least(), ball->most()};
+    return true;
+  };
+  for (int round = 0; round < 2; ++round)  // one may need another one that is said after it
+    for (const Relation* relation : equations)
+      for (std::size_t k = 0; k < relation->operators.size(); ++k)
+        if (relation->operators[k] == "=" && !put(relation->sides[k], relation->sides[k + 1]))
+          put(relation->sides[k + 1], relation->sides[k]);
+}
+
+bool is_in_range(const std::string& name, const cln::cl_RA& value, const Symbols& symbols) {
+  const Symbol* symbol = symbols.find(name);
+  return symbol == nullptr || is_inside(symbol->range, value);
 }
 
 }  // namespace
@@ -152,42 +166,50 @@ bool is_confirmed(const Witness& witness, const ProveRequest& request, const Sym
         std::any_of(names.begin(), names.end(), [&](const std::string& name) { return at.has(name); });
     if (says_something && !at.holds(relation).value_or(false)) return false;
   }
-  return request.order || tell_apart(what.left, what.right, at);
+  return request.order || tell_apart(what, at);
 }
 
 std::optional<Point> counterexample(const ProveRequest& request, const Symbols& symbols) {
   constexpr int most = 200, most_looked_at = 24;
   const Typed what = typed(request, symbols);
-  std::vector<Tree> trees = what.left.sides;
-  trees.insert(trees.end(), what.right.sides.begin(), what.right.sides.end());
-  std::vector<const Relation*> equations;
+  std::vector<Tree> trees;
+  for (const Relation* relation : {&what.left, &what.right})
+    trees.insert(trees.end(), relation->sides.begin(), relation->sides.end());
+  std::vector<const Relation*> assumed;
   for (const Relation& relation : what.assumed)
-    trees.insert(trees.end(), relation.sides.begin(), relation.sides.end()), equations.push_back(&relation);
+    trees.insert(trees.end(), relation.sides.begin(), relation.sides.end()), assumed.push_back(&relation);
+  const auto says_a_value = [](const Relation& r) {
+    return std::count(r.operators.begin(), r.operators.end(), "=") > 0;
+  };
+  std::vector<const Relation*> ways{nullptr};
+  for (const Relation* relation : {&what.left, &what.right})
+    if (says_a_value(*relation)) ways.push_back(relation);
   const Points points = points_for(trees, symbols);
-  const bool are_relations = !what.left.operators.empty();
   int looked_at = 0;
   for (int k = 0; k < most; ++k)
-    for (const Relation* held : {static_cast<const Relation*>(nullptr), &what.left, &what.right}) {
-      if (held != nullptr && std::count(held->operators.begin(), held->operators.end(), "=") == 0) continue;
+    for (const Relation* held : ways) {
       Point point = points.at(k);
-      auto all = equations;
-      if (held != nullptr) all.push_back(held);
-      const bool is_rounded = put_values(all, point);
+      Box box;
+      auto equations = assumed;
+      if (held != nullptr) equations.push_back(held);
+      put_values(equations, point, box);
       const auto fails = [&](const Relation& r) { return quickly_holds(r, point) == false; };
-      if (std::any_of(what.assumed.begin(), what.assumed.end(), fails)) continue;
-      const auto left = are_relations ? quickly_holds(what.left, point) : std::nullopt;
-      if (left && left == quickly_holds(what.right, point)) continue;
-      const bool is_inside_all = std::all_of(point.begin(), point.end(), [&](const auto& value) {
-        const Symbol* symbol = symbols.find(value.first);
-        return symbol == nullptr || is_inside(symbol->range, value.second);
+      const auto left = what.left.operators.empty() ? std::nullopt : quickly_holds(what.left, point);
+      const bool is_of_no_use = std::any_of(what.assumed.begin(), what.assumed.end(), fails) ||
+                                (left && left == quickly_holds(what.right, point));
+      const bool is_in_all = std::all_of(point.begin(), point.end(), [&](const auto& value) {
+        const auto bounds = box.find(value.first);
+        return bounds == box.end() ? is_in_range(value.first, value.second, symbols)
+                                   : is_in_range(value.first, bounds->second.low, symbols) &&
+                                         is_in_range(value.first, bounds->second.high, symbols);
       });
-      if (!is_inside_all) continue;
+      if (is_of_no_use || !is_in_all) continue;
       if (++looked_at > most_looked_at) return std::nullopt;
-      const Place there(point, !is_rounded);
+      const Place at(point, box);
       const bool is_assumed = std::all_of(what.assumed.begin(), what.assumed.end(), [&](const Relation& r) {
-        return there.holds(r).value_or(false);
+        return at.holds(r, true).value_or(false);
       });
-      if (is_assumed && tell_apart(what.left, what.right, there)) return point;
+      if (is_assumed && tell_apart(what, at, held)) return point;
     }
   return std::nullopt;
 }

@@ -13,8 +13,8 @@ namespace rederive {
 bool is_confirmed(const Witness& witness, const ProveRequest& request, const Symbols& symbols);
 
 /// A point inside the declared ranges, if one of some hundreds shows it, where all that is assumed holds, and
-/// the statements do not say the same: no proof can be right then. Symbols that an equation names may have
-/// values there that are rounded, to 90 digits.
+/// the statements do not say the same: no proof can be right then. Of symbols that an equation
+/// names it may be rounded.
 std::optional<Point> counterexample(const ProveRequest& request, const Symbols& symbols);
 
 }  // namespace rederive

@@ -34,9 +34,9 @@ std::optional<Bound> solved_for(const GiNaC::ex& symbol, const GiNaC::ex& differ
 std::vector<Inequality> without_bars(const Inequality& inequality, const Symbols& symbols);
 
 /// Where an inequality holds, if it is one of one symbol, and all its zeros are known, and those of what it
-/// needs to have a value, as assumptions of which one holds then: "0 < x < pi" of sin(x) > 0 with -pi < x <= pi; or "x > 0" and "x < 0"
-/// of x*y > 0, after which that can be solved for y. Nothing where that is not known; an empty list where it
-/// never holds.
+/// needs to have a value, as assumptions of which one holds then: "0 < x < pi" of sin(x) > 0 with -pi < x <=
+/// pi; or "x > 0" and "x < 0" of x*y > 0, after which that can be solved for y. Nothing where that is not
+/// known; an empty list where it never holds.
 std::optional<std::vector<std::string>> pieces(const Inequality& inequality, const Symbols& symbols);
 
 }  // namespace rederive

@@ -87,7 +87,9 @@ Certified<Proof> decide_also_with_one_phase(const std::vector<Case>& cases, cons
 
 std::string in_words(const Point& point) {
   std::vector<std::string> values;
-  for (const auto& [name, value] : point) values.push_back(name + " = " + (rational_text(value).size() < 12 ? rational_text(value) : decimal(value, 6)));
+  for (const auto& [name, value] : point)
+    values.push_back(name + " = " +
+                     (rational_text(value).size() < 12 ? rational_text(value) : decimal(value, 6)));
   return fmt::format("{}", fmt::join(values, ", "));
 }
 
@@ -98,8 +100,9 @@ Certified<Proof> decide_and_check(const std::vector<Case>& cases, const ProveReq
   const Symbols symbols = declared_symbols(request);
   Proof undecided;
   if (found.proof.verdict == Verdict::refuted && !is_confirmed(*found.proof.witness, request, symbols)) {
-    undecided.reason = "it seems not to hold, but no witness was found at which all has a value, and what is "
-                       "assumed holds";
+    undecided.reason =
+        "it seems not to hold, but no witness was found at which all has a value, and what is "
+        "assumed holds";
     return {undecided, nullptr};
   }
   if (!is_proved(found.proof) || request.assumptions.empty()) return found;

@@ -19,9 +19,9 @@ struct ProveRequest {
   std::optional<int> order;              ///< compare Taylor polynomials of this order
 };
 
-/// The symbols of the paper, and every letter and Greek letter (with an index or dots) that the texts use. The
-/// names in `freed` are any real numbers, and so are t, r and d, which everybody uses for something else than
-/// the paper does.
+/// The symbols of the paper, and every letter and Greek letter (with an index or dots) that the texts use.
+/// The names in `freed` are any real numbers, and so are t, r and d, which everybody uses for something else
+/// than the paper does.
 Symbols declared_symbols(const ProveRequest& request, const std::vector<std::string>& freed = {});
 
 /// The declared symbols, and what the assumptions say of them; assumptions that are equations become givens.
@@ -60,12 +60,13 @@ struct Certified {
 };
 
 /// Decides, in every case. Nothing is proved but what has a certificate that the checker of certificates
-/// accepts. The declared ranges that a proof rests on are among its side conditions. Throws BadInput (with a
-/// caret) for what cannot be read. No bounds on time or memory.
+/// accepts; and nothing, proved or refuted, that goes against the texts where the evaluator finds their
+/// values (counterexample.hpp). The declared ranges that a proof rests on are among its side conditions.
+/// Throws BadInput (with a caret) for what cannot be read. No bounds on time or memory.
 Certified<Proof> decide(const ProveRequest& request);
 
-/// Decides within two seconds and 500 MB; the proof as `ledger prove --json` has it. Throws BadInput (with a
-/// caret) for what cannot be read.
+/// Decides within two seconds, and more where the machine has less than half a processor for it, and 500 MB;
+/// the proof as `ledger prove --json` has it. Throws BadInput (with a caret) for what cannot be read.
 Certified<nlohmann::ordered_json> decide_bounded(const ProveRequest& request);
 
 }  // namespace rederive

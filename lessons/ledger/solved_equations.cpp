@@ -16,7 +16,6 @@ using GiNaC::ex;
 
 namespace {
 
-
 /// Whether a factor is nowhere 0 where the equation has a value and its rest is 0, so that one may divide by
 /// it.
 bool may_divide(const ex& factor, const ex& rest, const std::vector<ex>& divided_by, const Symbols& symbols) {
@@ -61,7 +60,8 @@ std::vector<std::string> quadratic_roots(const std::string& name, const ex& a, c
                                          const Symbols& symbols) {
   for (const std::string& other : names_in(a + b + c))
     if (other.starts_with("excess_")) return {};
-  if (is_nonnegative((4 * a * c - b * b).expand(), symbols)) return {};  // no real root, or one at a few points
+  if (is_nonnegative((4 * a * c - b * b).expand(), symbols))
+    return {};  // no real root, or one at a few points
   std::vector<std::string> result;
   const ex root = root_of((b * b - 4 * a * c).expand());
   for (const int sign : {1, -1}) {
