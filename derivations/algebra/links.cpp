@@ -203,6 +203,7 @@ Symbols with_ranges_of(const std::vector<Given>& given, const Symbols& symbols) 
   for (const Given& g : given) {
     const ex value = put_in(g.value, given);
     if (symbols.find(g.name) == nullptr || symbols.find(g.name)->range == all_numbers) continue;
+    narrow_to(interval_of(value, symbols), g.name, result);  // of x < y < 1, with x > 0: y > 0
     narrow_by_sign(g, value, result);
     for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part) {
       if (!GiNaC::is_a<GiNaC::symbol>(*part) || !value.is_polynomial(*part)) continue;

@@ -119,23 +119,37 @@ std::optional<ex> everywhere(const Coefficients& c, const ex& x) {
   return rest ? std::optional<ex>((GiNaC::pow(in(c, x), 2) + *rest) / (2 * *e)) : std::nullopt;
 }
 
-/// A rational number at the end of a range, or a bit outside of it.
-numeric rational_end(const End& end, int outward) {
-  if (is_a<numeric>(end.value) && ex_to<numeric>(end.value).is_rational()) return ex_to<numeric>(end.value);
+bool is_rational(const ex& e) { return is_a<numeric>(e) && ex_to<numeric>(e).is_rational(); }
+
+/// A rational number at the end of a range, or up to two parts of 1 outside of it.
+numeric rational_end(const End& end, int outward, int parts) {
+  if (is_rational(end.value)) return ex_to<numeric>(end.value);
   const auto value = evaluate(to_tree(end.value), {}, 10);
   if (!value || cln::abs(*value) > 1'000'000) throw std::domain_error("no end to calculate with");
-  return numeric(cln::round1(*value * 1'000'000) + 2 * outward) / 1'000'000;
+  return numeric(cln::round1(*value * parts) + outward) / parts;
 }
 
 /// By one of the three theorems.
-std::optional<ex> form_at_once(const Coefficients& c, const GiNaC::symbol& x, const Interval& range) {
-  const bool below = range.low.infinite == 0, above = range.high.infinite == 0;
-  if (below && above) return between(in(c, x), x, rational_end(range.low, -1), rational_end(range.high, +1));
+std::optional<ex> form_between(const End& low, const End& high, const Coefficients& c, const GiNaC::symbol& x,
+                               int parts) {
+  const bool below = low.infinite == 0, above = high.infinite == 0;
+  if (below && above)
+    return between(in(c, x), x, rational_end(low, -1, parts), rational_end(high, +1, parts));
   if (!below && !above) return everywhere(c, x);
   const GiNaC::realsymbol t("t");
-  const ex end = below ? rational_end(range.low, -1) : rational_end(range.high, +1);
+  const ex end = below ? rational_end(low, -1, parts) : rational_end(high, +1, parts);
   const auto moved = coefficients(in(c, below ? end + t : end - t), t);
   return moved ? on_ray(*moved, below ? x - end : end - x) : std::nullopt;
+}
+
+/// Where ends are not rational, first with rational ones far outside: next to the ends their powers are too
+/// close to 0 to be seen.
+std::optional<ex> form_at_once(const Coefficients& c, const GiNaC::symbol& x, const Interval& range) {
+  const bool is_exact = is_rational(range.low.value) && is_rational(range.high.value);
+  if (const auto form = is_exact ? std::nullopt : everywhere(c, x)) return form;
+  for (const int parts : {8, 1000, 1'000'000})
+    if (const auto form = form_between(range.low, range.high, c, x, parts); form || is_exact) return form;
+  return std::nullopt;
 }
 
 double value_at(const Coefficients& c, double x) {
@@ -147,8 +161,9 @@ double value_at(const Coefficients& c, double x) {
 /// About where it is smallest, away from the ends: those are no trouble.
 double lowest(const Coefficients& c, const Interval& range) {
   constexpr int points = 400;
-  const double low = range.low.infinite == 0 ? rational_end(range.low, 0).to_double() : -HUGE_VAL,
-               high = range.high.infinite == 0 ? rational_end(range.high, 0).to_double() : HUGE_VAL;
+  const double low = range.low.infinite == 0 ? rational_end(range.low, 0, 1'000'000).to_double() : -HUGE_VAL,
+               high =
+                   range.high.infinite == 0 ? rational_end(range.high, 0, 1'000'000).to_double() : HUGE_VAL;
   const auto place = [&](double u) {  // 0 < u < 1
     if (std::isfinite(low) && std::isfinite(high)) return low + u * (high - low);
     return std::isfinite(low)    ? low + u / (1 - u)

@@ -27,6 +27,17 @@ ex with_open_arguments(const ex& e) {
   return open(e);
 }
 
+/// a (x + b/(2a))², as n (s x + b/(2ns))² for a = n s² where that divides by nothing: (x y - 1/2)².
+ex square_in(const Quadratic& quadratic) {
+  const auto& [x, a, b, c] = quadratic;
+  ex s = 1;
+  for (const ex& f : is_a<GiNaC::mul>(a) ? a : ex(GiNaC::lst{a}))
+    if (is_a<GiNaC::power>(f) && f.op(1).info(GiNaC::info_flags::even)) s *= GiNaC::pow(f.op(0), f.op(1) / 2);
+  const ex n = a / GiNaC::pow(s, 2), rest = (b / (2 * n * s)).normal();
+  const bool divides = has_symbol(n) || has_symbol(rest.denom());
+  return divides ? a * GiNaC::pow(x + b / (2 * a), 2) : n * GiNaC::pow(s * x + rest, 2);
+}
+
 }  // namespace
 
 std::optional<ex> Forms::plain_words(const ex& e) const {
@@ -97,8 +108,7 @@ ex Forms::form(const ex& e) const {
   if (is_a<GiNaC::power>(e)) return GiNaC::pow(form(e.op(0)), e.op(1));
   const auto quadratic = as_quadratic(e, q.symbols);
   if (quadratic && !quadratic->b.is_zero() && is_nonnegative(quadratic->discriminant(), q.symbols))
-    return quadratic->a * GiNaC::pow(quadratic->x + quadratic->b / (2 * quadratic->a), 2) +
-           form((quadratic->discriminant() / (4 * quadratic->a)).normal());
+    return square_in(*quadratic) + form((quadratic->discriminant() / (4 * quadratic->a)).normal());
   return rederive::form_of_one_sign(e, q.symbols).value_or(e);
 }
 
