@@ -71,6 +71,34 @@ TEST_CASE("what has no value shows nothing") {
   CHECK_FALSE(confirmed({{"x", "0"}}, "x/x", "2"));
 }
 
+TEST_CASE("a proof that a point speaks against is none") {
+  const ProveRequest wrong{"x < 0", "0 < 1", {"atan(2/x) > -pi/4"}, {}, {}},
+      right{"x*(x+2) > 0", "0 < 1", {"atan(2/x) > -pi/4"}, {}, {}};
+  for (const Verdict verdict : {Verdict::proved, Verdict::proved_under}) {
+    Proof proof;
+    proof.verdict = verdict;
+    CHECK(unless_contradicted(proof, right).verdict == verdict);
+    const Proof left = unless_contradicted(proof, wrong);
+    CHECK(left.verdict == Verdict::undecided);
+    CHECK(left.reason.find("does not at x = ") != std::string::npos);
+  }
+}
+
+TEST_CASE("so is a refutation by a point at which the two say the same") {
+  const ProveRequest request{"x > 0", "0 < 1", {"x < 1"}, {}, {}};
+  const auto refuted_at = [&](const std::string& x) {
+    Proof proof;
+    proof.verdict = Verdict::refuted;
+    proof.witness = Witness{{{"x", x}}, "", ""};
+    return unless_contradicted(proof, request);
+  };
+  CHECK(refuted_at("-1/4").verdict == Verdict::refuted);
+  for (const std::string x : {"1/4", "2"}) {
+    CHECK(refuted_at(x).verdict == Verdict::undecided);
+    CHECK_FALSE(refuted_at(x).witness);
+  }
+}
+
 TEST_CASE("values that differ by very little do differ, where the point is exact") {
   CHECK(confirmed({{"x", "1"}}, "x", "x+1/10^40*1/10^40"));
   const Witness half_turn{{{"x", "157/50"}}, "", "", {{"x", "pi"}}};

@@ -180,7 +180,7 @@ class Matching {
     r.pair.left_value = a.residual, r.pair.right_value = b.residual;
     r.inner_left = a.inner, r.inner_right = b.inner, r.left = r.right = a.claim;
     r.squared_left = a.squared, r.squared_right = b.squared;
-    return prove_by_some_factor(r, symbols_).verdict == Verdict::proved && !lost_to(r, symbols_);
+    return differ_by_some_factor(r, symbols_) && !lost_to(r, symbols_);
   }
 
   const Parted& parts_;

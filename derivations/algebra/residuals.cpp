@@ -225,18 +225,42 @@ std::optional<GiNaC::numeric> number_between(const ex& left, const ex& right, co
   return GiNaC::numeric(*number / 12);
 }
 
-Proof prove_by_some_factor(const Residuals& r, const Symbols& symbols) {
-  if ((r.left == Claim::zero) != (r.right == Claim::zero))
-    return undecided("an equation is not compared with an inequality");
-  const bool inside_first = has_high_power(r.pair.left_value) || has_high_power(r.pair.right_value);
-  auto inside = inside_first ? prove_inside(r, symbols) : std::nullopt;
-  if (inside) return *inside;
-  if (inside_first && !has_high_power(r.inner_left) && !has_high_power(r.inner_right))
+namespace {
+
+bool is_of_one_kind(const Residuals& r) { return (r.left == Claim::zero) == (r.right == Claim::zero); }
+
+bool has_high_power_outside(const Residuals& r) {
+  return has_high_power(r.pair.left_value) || has_high_power(r.pair.right_value);
+}
+
+/// Functions around the sides put high powers there: without them is the only way.
+bool has_high_power_outside_only(const Residuals& r) {
+  return has_high_power_outside(r) && !has_high_power(r.inner_left) && !has_high_power(r.inner_right);
+}
+
+Proof prove_by_outer_factor(const Residuals& r, const Symbols& symbols) {
+  if (has_high_power_outside_only(r))
     return undecided(
         "without the high powers, the two residuals do not differ by a factor that cannot vanish");
-  const Proof proof = prove_by_factor(r.pair.left_value, r.pair.right_value, r, symbols);
+  return prove_by_factor(r.pair.left_value, r.pair.right_value, r, symbols);
+}
+
+/// By a factor: as the residuals stand, which shows it, or without functions around both sides.
+Proof prove_by_some_factor(const Residuals& r, const Symbols& symbols) {
+  if (!is_of_one_kind(r)) return undecided("an equation is not compared with an inequality");
+  const bool inside_first = has_high_power_outside(r);
+  auto inside = inside_first ? prove_inside(r, symbols) : std::nullopt;
+  if (inside) return *inside;
+  const Proof proof = prove_by_outer_factor(r, symbols);
   if (proof.verdict != Verdict::proved && !inside_first) inside = prove_inside(r, symbols);
   return inside.value_or(proof);
+}
+
+}  // namespace
+
+bool differ_by_some_factor(const Residuals& r, const Symbols& symbols) {
+  return is_of_one_kind(r) &&
+         (prove_inside(r, symbols) || prove_by_outer_factor(r, symbols).verdict == Verdict::proved);
 }
 
 namespace {

@@ -23,8 +23,9 @@ struct Residuals {
 /// at which one holds and the other fails.
 Proof prove_residuals(const Residuals& residuals, const Symbols& symbols);
 
-/// The same by a factor alone: as the residuals stand, or without functions around both sides.
-Proof prove_by_some_factor(const Residuals& residuals, const Symbols& symbols);
+/// Whether a factor alone proves it: of the residuals without functions around both sides, which are shorter
+/// and are tried first, or as they stand.
+bool differ_by_some_factor(const Residuals& residuals, const Symbols& symbols);
 
 /// A number that two residuals may differ by: left/right at three points, if it is one and the same multiple
 /// of 1/12 at all of them, to about 35 decimal places, and not 0. That proves nothing.

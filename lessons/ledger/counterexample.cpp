@@ -1,5 +1,8 @@
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <derivations/algebra/quick_value.hpp>
+#include <derivations/algebra/residuals.hpp>
 #include <derivations/algebra/sample.hpp>
 #include <derivations/algebra/zeros.hpp>
 #include <lessons/ledger/counterexample.hpp>
@@ -212,6 +215,30 @@ std::optional<Point> counterexample(const ProveRequest& request, const Symbols& 
       if (is_assumed && tell_apart(what, at, held)) return point;
     }
   return std::nullopt;
+}
+
+namespace {
+
+std::string in_words(const Point& point) {
+  std::vector<std::string> values;
+  for (const auto& [name, value] : point)
+    values.push_back(name + " = " +
+                     (rational_text(value).size() < 12 ? rational_text(value) : decimal(value, 6)));
+  return fmt::format("{}", fmt::join(values, ", "));
+}
+
+}  // namespace
+
+Proof unless_contradicted(Proof proof, const ProveRequest& request) {
+  const Symbols symbols = declared_symbols(request);
+  if (proof.verdict == Verdict::refuted && !is_confirmed(*proof.witness, request, symbols))
+    return undecided(
+        "it seems not to hold, but no witness was found at which all has a value, and what is assumed holds");
+  const bool is_proved = proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
+  const auto place =
+      is_proved && !request.assumptions.empty() ? counterexample(request, symbols) : std::nullopt;
+  if (!place) return proof;
+  return undecided("it seems to hold (" + proof.reason + "), but does not at " + in_words(*place));
 }
 
 }  // namespace rederive

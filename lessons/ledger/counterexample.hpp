@@ -12,9 +12,13 @@ namespace rederive {
 /// Taylor polynomials only the assumptions are looked at. `symbols` has all names of the request.
 bool is_confirmed(const Witness& witness, const ProveRequest& request, const Symbols& symbols);
 
-/// A point inside the declared ranges, if one of some hundreds shows it, where all that is assumed holds, and
-/// the statements do not say the same: no proof can be right then. Of symbols that an equation
-/// names it may be rounded.
+/// A point inside the declared ranges, where all that is assumed holds, and the statements do not say the
+/// same: no proof can be right then. Of symbols that an equation names it may be rounded. 200 points are
+/// looked at in doubles, and up to 24 that doubles do not rule out exactly.
 std::optional<Point> counterexample(const ProveRequest& request, const Symbols& symbols);
+
+/// The proof as it is, unless it is refuted by a witness that is not confirmed, or proved under assumptions
+/// in spite of a counterexample: then undecided, and the reason says so.
+Proof unless_contradicted(Proof proof, const ProveRequest& request);
 
 }  // namespace rederive

@@ -1,8 +1,5 @@
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <derivations/algebra/failure.hpp>
-#include <derivations/algebra/witness.hpp>
 #include <derivations/bounded.hpp>
 #include <lessons/ledger/cases.hpp>
 #include <lessons/ledger/certificate.hpp>
@@ -85,31 +82,12 @@ Certified<Proof> decide_also_with_one_phase(const std::vector<Case>& cases, cons
   return found;
 }
 
-std::string in_words(const Point& point) {
-  std::vector<std::string> values;
-  for (const auto& [name, value] : point)
-    values.push_back(name + " = " +
-                     (rational_text(value).size() < 12 ? rational_text(value) : decimal(value, 6)));
-  return fmt::format("{}", fmt::join(values, ", "));
-}
-
-/// The same. Nothing is refuted but where what was typed, read again, is so at the witness; and nothing is
-/// proved under assumptions that one of many points contradicts, whatever they were taken to say.
+/// The same, and nothing that a point speaks against.
 Certified<Proof> decide_and_check(const std::vector<Case>& cases, const ProveRequest& request) {
   auto found = decide_also_with_one_phase(cases, request);
-  const Symbols symbols = declared_symbols(request);
-  Proof undecided;
-  if (found.proof.verdict == Verdict::refuted && !is_confirmed(*found.proof.witness, request, symbols)) {
-    undecided.reason =
-        "it seems not to hold, but no witness was found at which all has a value, and what is "
-        "assumed holds";
-    return {undecided, nullptr};
-  }
-  if (!is_proved(found.proof) || request.assumptions.empty()) return found;
-  const auto place = counterexample(request, symbols);
-  if (!place) return found;
-  undecided.reason = "it seems to hold (" + found.proof.reason + "), but does not at " + in_words(*place);
-  return {undecided, nullptr};
+  found.proof = unless_contradicted(std::move(found.proof), request);
+  if (!is_proved(found.proof)) found.certificate = nullptr;
+  return found;
 }
 
 }  // namespace
