@@ -34,9 +34,24 @@ TEST_CASE("the range of a sum or a product is that of all that it can be") {
         Texts{"x + y in [0, 4)", "x + y in (-2, 0]"});
 }
 
+TEST_CASE("so is that of a quotient, of 1 over a symbol, of squares, and of what a power is of") {
+  CHECK(phases("sin(1/x) < 1/x", {"x > 0"}) == Texts{"1/x in (0, inf)"});
+  CHECK(phases("sin(2/x^2) < 2/x^2", {"x > 0"}) == Texts{"1/x in (0, inf)"});
+  CHECK(phases("sin(b/x) < b/x", {"0 < x < 1"}) == Texts{"b/x in (0, inf)"});
+  CHECK(phases("exp(x^2*y^2) > x*y", {"x > 0", "y > 1"}) == Texts{"x*y in (0, inf)"});
+  CHECK(phases("exp(x^2+y^2) > 1", {"x > 1", "y < -1"}) == Texts{"x^2 + y^2 in (2, inf)"});
+  CHECK(phases("log(b+h) <= b+h-1", {}) == Texts{"b + h in [1, inf)", "b + h in (0, 1]"});
+}
+
+TEST_CASE("where it has no value somewhere, it is not taken for one") {
+  CHECK(phases("sin(1/x) < 1/x", {}).empty());
+  CHECK(phases("tanh(1/x) <= 1/x", {"x >= 0"}).empty());
+  CHECK(phases("sin(x/y^2) < x/y^2", {}).empty());
+}
+
 TEST_CASE("what has a symbol somewhere else, too, is not taken for one") {
-  CHECK(phases("sin(x+y) < x-y", {}).empty());
-  CHECK(phases("sin(x+y) < x+2*y", {}).empty());
+  CHECK(phases("sin(x+y) < cos(x-y)", {}).empty());
+  CHECK(phases("sin(x+y) < exp(x+2*y)", {}).empty());
   CHECK(phases("sin(x^2+y^2) < x+y", {}).empty());
   CHECK(phases("sin(x) < y", {}).empty());
 }

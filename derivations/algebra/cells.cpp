@@ -230,8 +230,8 @@ std::optional<Cells> cells_beside_turns(const Question& question) {
 
 namespace {
 
-/// Of two to four symbols: small whole numbers; quarter turns, of three and four 0 and one; all of them one
-/// part of a turn; and more of the points that are seldom needed.
+/// Of two to four symbols: small whole numbers, and halves of two; quarter turns, of three and four 0 and
+/// one; all of them one part of a turn; and more of the points that are seldom needed.
 std::vector<Root> places_of_several(const Question& question) {
   std::set<std::string> names;
   for (const Relation* relation : {&question.left, &question.right})
@@ -251,9 +251,12 @@ std::vector<Root> places_of_several(const Question& question) {
     }
     result.push_back(place);
   };
-  const std::vector<ex> numbers{1, -1, 2};
-  std::vector<ex> turns{0, GiNaC::Pi / 2};
-  if (names.size() == 2) turns.insert(turns.end(), {-GiNaC::Pi / 2, GiNaC::Pi});
+  std::vector<ex> numbers{1, -1, 2}, turns{0, GiNaC::Pi / 2};
+  if (names.size() == 2) {
+    const ex half = GiNaC::numeric(1, 2);
+    numbers.insert(numbers.end(), {half, -half});
+    turns.insert(turns.end(), {-GiNaC::Pi / 2, GiNaC::Pi});
+  }
   for (const std::vector<ex>& values : {numbers, turns}) {
     std::size_t count = 1;
     for (std::size_t k = 0; k < names.size(); ++k) count *= values.size();

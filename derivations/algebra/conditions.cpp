@@ -116,4 +116,12 @@ std::vector<GiNaC::ex> divisors(const Tree& tree, const Symbols& symbols) {
   return collector.divisors;
 }
 
+std::vector<std::string> side_conditions(const std::vector<Tree>& sides, const Symbols& symbols,
+                                         const std::vector<Given>& given) {
+  std::vector<Condition> all;
+  for (const Tree& side : sides)
+    for (const Condition& condition : conditions_of(side, symbols, given)) all.push_back(condition);
+  return in_words(all, symbols);
+}
+
 }  // namespace rederive

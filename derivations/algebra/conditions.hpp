@@ -22,6 +22,10 @@ std::string in_words(const Condition& condition, const Symbols& symbols);
 /// All of them, with nothing said twice: x >= 0 and x != 0 are x > 0, which says both.
 std::vector<std::string> in_words(const std::vector<Condition>& conditions, const Symbols& symbols);
 
+/// In words, all that must hold for all of these sides to have values.
+std::vector<std::string> side_conditions(const std::vector<Tree>& sides, const Symbols& symbols,
+                                         const std::vector<Given>& given);
+
 /// What the tree divides by, factor by factor: none of it is 0 where the tree has a value.
 std::vector<GiNaC::ex> divisors(const Tree& tree, const Symbols& symbols);
 

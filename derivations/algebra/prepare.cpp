@@ -112,6 +112,11 @@ struct Prepare : GiNaC::map_function {
         unknown.push_back({factor, n});
       }
     }
+    const bool none_is_negative = inside.is_equal(1) && unknown.size() > 1 &&
+                                  std::all_of(unknown.begin(), unknown.end(),
+                                              [&](const Part& f) { return is_nonnegative(f.first, symbols); });
+    if (none_is_negative)
+      for (const auto& [factor, n] : std::exchange(unknown, {})) outside *= GiNaC::pow(factor, n * q);
     // one alone must be positive with its sign, or there is no root; of several, f^n = |f|^{n-1} f
     if (unknown.size() == 1 && unknown[0].second.is_positive()) {
       outside *= GiNaC::pow(inside * unknown[0].first, unknown[0].second * q);

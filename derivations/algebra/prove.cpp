@@ -187,15 +187,6 @@ Proof prove_links(const Question& question) {
   return proof;
 }
 
-/// For all of these sides to have values.
-std::vector<std::string> side_conditions(const std::vector<Tree>& sides, const Symbols& symbols,
-                                         const std::vector<Given>& given) {
-  std::vector<Condition> all;
-  for (const Tree& side : sides)
-    for (const Condition& condition : conditions_of(side, symbols, given)) all.push_back(condition);
-  return in_words(all, symbols);
-}
-
 bool has_inequality(const Relation& relation) {
   return std::any_of(relation.operators.begin(), relation.operators.end(),
                      [](const std::string& op) { return op != "="; });

@@ -265,10 +265,31 @@ bool is_multiple(const ex& part, const ex& other) {
   return !part.is_zero() && !other.is_zero() && GiNaC::is_a<GiNaC::numeric>((part / other).normal());
 }
 
+namespace {
+
+/// sin(2x) as 2 sin(x) cos(x), where statements divide by one of these: each part is seen alone then.
+std::vector<Part> with_open_sines(const std::vector<Part>& parts, const std::vector<ex>& divisors) {
+  std::vector<Part> result;
+  for (const Part& p : parts) {
+    const ex half = name_of(p.first) == "sin" ? (p.first.op(0) / 2).expand() : ex(0);
+    const std::vector<ex> both{GiNaC::sin(half), GiNaC::cos(half)};
+    const bool opens = !half.is_zero() && std::any_of(divisors.begin(), divisors.end(), [&](const ex& d) {
+      return is_multiple(d, both[0]) || is_multiple(d, both[1]);
+    });
+    if (opens)
+      for (const ex& part : {both[0], both[1], ex(2)}) result.push_back({part, p.second});
+    else
+      result.push_back(p);
+  }
+  return result;
+}
+
+}  // namespace
+
 Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors, const Symbols& symbols) {
   Quotient result;
   std::vector<std::pair<std::string, Part>> in_order;  // of the alphabet, which is the same in each run
-  for (const auto& [found, exponent] : parts) {
+  for (const auto& [found, exponent] : with_open_sines(parts, divisors)) {
     const ex part = with_settled_sign(found, symbols);
     if (!part.is_equal(found) && !exponent.is_even())
       result.value = -result.value, result.sign = -result.sign;

@@ -83,6 +83,10 @@ bool is_proved_without_equations(ProveRequest request) {
 
 }  // namespace
 
+bool has_equations(const ProveRequest& request) {
+  return std::any_of(request.assumptions.begin(), request.assumptions.end(), is_equation);
+}
+
 std::vector<Case> cases_of(const ProveRequest& request) { return cases_of(request, {}, 0); }
 
 void add_new(const std::vector<std::string>& some, std::vector<std::string>& all) {
@@ -117,8 +121,9 @@ Proof decide_each(const std::vector<Case>& cases, const ProveRequest& request) {
   }
   if (open) return *open;
   if (!all) std::rethrow_exception(without_value);
-  const bool has_equations = std::any_of(request.assumptions.begin(), request.assumptions.end(), is_equation);
-  if (has_equations && all->verdict == Verdict::proved && !is_proved_without_equations(request))
+  const bool needs_them = has_equations(request);  // else they only tell the cases apart
+  if (all->verdict == Verdict::proved_under && !needs_them) all->verdict = Verdict::proved;
+  if (all->verdict == Verdict::proved && needs_them && !is_proved_without_equations(request))
     all->verdict = Verdict::proved_under;
   all->reason += fmt::format(", for {}{}", fmt::join(names, " and for "), names.size() > 1 ? " alike" : "");
   return *all;

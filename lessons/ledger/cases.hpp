@@ -10,6 +10,9 @@ namespace rederive {
 /// Throws BadInput.
 Proof decide_each(const std::vector<Case>& cases, const ProveRequest& request);
 
+/// Whether an assumption of the request, not of one of its cases, is an equation.
+bool has_equations(const ProveRequest& request);
+
 /// The inequalities that are assumed, and declared ranges, without which not the same is decided of all
 /// cases.
 std::vector<std::string> conditions_used(Verdict verdict, const std::vector<Case>& cases,

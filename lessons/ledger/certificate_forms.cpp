@@ -115,7 +115,8 @@ ex Forms::form(const ex& e) const {
 std::optional<ex> Forms::form_of_one_sign(const ex& e) const {
   if (e.is_zero() || is_nonnegative(e, q.symbols) || is_nonnegative(-e, q.symbols)) return form(e);
   if (const ex other = prepare(e, q.symbols); !shows_sign(e) && shows_sign(other)) return other;
-  if (sign_by_slope(e, q.symbols)) return e;
+  if (const auto slope = sign_by_slope(e, q.symbols))
+    return slope->how == Slope::How::range ? form(slope->value) : e;
   const auto parts = checked_quotient(e, 1, q.symbols);
   if (!parts) return std::nullopt;
   ex product = 1;

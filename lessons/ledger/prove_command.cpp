@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/failure.hpp>
 #include <derivations/bounded.hpp>
 #include <lessons/ledger/cases.hpp>
@@ -7,6 +8,7 @@
 #include <lessons/ledger/counterexample.hpp>
 #include <lessons/ledger/decide_one.hpp>
 #include <lessons/ledger/one_phase.hpp>
+#include <lessons/ledger/parts_by_sign.hpp>
 #include <lessons/ledger/reading.hpp>
 #include <lessons/ledger/report.hpp>
 
@@ -34,8 +36,9 @@ Certified<Proof> or_undecided(Work work) {
   }
 }
 
-Json certificate_of(const Proof& proof, const std::vector<Case>& cases) {
-  const bool with_equations = proof.verdict == Verdict::proved_under;
+/// With the equations that are assumed, where these are needed, and those that only tell the cases apart.
+Json certificate_of(const Proof& proof, const std::vector<Case>& cases, const ProveRequest& request) {
+  const bool with_equations = proof.verdict == Verdict::proved_under || !has_equations(request);
   std::vector<Json> each;
   for (const auto& [request, context, in_pieces] : cases)
     if (has_values(context, request))
@@ -50,7 +53,7 @@ Certified<Proof> decide_as_they_stand(const std::vector<Case>& cases, const Prov
   if (!is_proved(found.proof)) return found;
   std::string why;
   try {
-    found.certificate = certificate_of(found.proof, cases);
+    found.certificate = certificate_of(found.proof, cases, request);
     why = objection_to(found.certificate);
   } catch (const Undecidable& error) {
     why = error.what();
@@ -90,12 +93,46 @@ Certified<Proof> decide_and_check(const std::vector<Case>& cases, const ProveReq
   return found;
 }
 
+/// All that a proof may rest on.
+std::vector<std::string> conditions_of(const std::vector<Case>& cases, const ProveRequest& request) {
+  return of_each(cases, request, [](const Case& one) { return conditions_of(one.context, one.request); });
+}
+
+/// What must hold for both sides to have values.
+std::vector<std::string> side_conditions(const Case& one, Verdict verdict) {
+  const Context& context = one.context;
+  std::vector<Tree> sides;
+  for (const std::string* text : {&one.request.left, &one.request.right})
+    for (const Tree& side : read(*text, context.symbols).sides) sides.push_back(side);
+  return side_conditions(sides, context.symbols, context.put_in_at_once(verdict == Verdict::proved_under));
+}
+
+/// What the whole leaves open, in parts. Nothing where they leave it open, too.
+std::optional<Certified<Proof>> decide_in_parts(const ProveRequest& request) {
+  const auto decide_all = [&](const std::vector<Case>& parts) {
+    return or_undecided([&] { return decide_and_check(parts, request); });
+  };
+  for (const Way& way : parts_by_sign(request)) {
+    const std::vector<Case> parts = way();
+    const auto is_open = [&](const Case& one) { return !is_proved(decide_all({one}).proof); };
+    if (parts.empty() || is_open(parts.back()) || is_open(parts.front())) continue;  // most ways end here
+    auto found = decide_all(parts);
+    if (!is_proved(found.proof)) continue;
+    const std::vector<Case> whole = cases_of(request);
+    found.proof.side_conditions = side_conditions(whole[0], found.proof.verdict);
+    add_new(conditions_of(whole, request), found.proof.side_conditions);
+    return found;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Certified<Proof> decide(const ProveRequest& request) {
   return or_undecided([&] {
     const std::vector<Case> cases = cases_of(request);
     auto found = decide_and_check(cases, request);
+    if (found.proof.verdict == Verdict::undecided) return decide_in_parts(request).value_or(found);
     Proof& proof = found.proof;
     if (is_proved(proof)) add_new(conditions_used(proof.verdict, cases, request), proof.side_conditions);
     return found;
@@ -126,12 +163,16 @@ std::string decision(const ProveRequest& request) {
   const auto [proof, certificate] = or_undecided([&] {
     const std::vector<Case> cases = cases_of(request);
     auto found = decide_and_check(cases, request);
-    if (is_proved(found.proof))
-      conditions =
-          of_each(cases, request, [](const Case& one) { return conditions_of(one.context, one.request); });
+    if (is_proved(found.proof)) conditions = conditions_of(cases, request);
     return found;
   });
   return Json{to_json(proof), conditions, certificate}.dump();
+}
+
+/// The proof and the certificate of what is proved in parts; null if it is not.
+std::string decision_in_parts(const ProveRequest& request) {
+  const auto found = decide_in_parts(request);
+  return found ? Json{to_json(found->proof), found->certificate}.dump() : "null";
 }
 
 /// Those among them that it does rest on; all of them, if there is no time to find out.
@@ -154,6 +195,11 @@ Certified<Json> decide_bounded(const ProveRequest& request) {
     return {to_json(proof), nullptr};
   }
   Json parts = Json::parse(*outcome.result), &proof = parts[0];
+  if (proof["verdict"] == "undecided") {
+    const Bounded again = bounded([&] { return decision_in_parts(request); }, 1.7 - outcome.seconds);
+    const Json found = Json::parse(again.result.value_or("null"));
+    return found.is_null() ? Certified<Json>{proof, nullptr} : Certified<Json>{found[0], found[1]};
+  }
   Json& said = proof["side_conditions"];
   for (const Json& condition : conditions_within(1.75 - outcome.seconds, parts[1], proof["verdict"], request))
     if (std::count(said.begin(), said.end(), condition) == 0) said.push_back(condition);

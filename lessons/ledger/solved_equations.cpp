@@ -5,6 +5,7 @@
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/solutions.hpp>
 #include <lessons/ledger/periods.hpp>
@@ -140,6 +141,23 @@ std::optional<Given> only_solution(const ex& residual, const std::string& text, 
   return Given{symbols[name], values->front()};
 }
 
+/// The angle of a tangent, if it is between -pi/2 and pi/2, and not small.
+std::optional<Given> solved_for_angle(const Sides& sides, const Symbols& symbols,
+                                      const std::vector<std::string>& small) {
+  for (const auto& [tangent, value] :
+       {std::pair(sides.left, sides.right), std::pair(sides.right, sides.left)}) {
+    if (name_of(tangent) != "tan" || !GiNaC::is_a<GiNaC::symbol>(tangent.op(0))) continue;
+    const ex angle = tangent.op(0);
+    const Symbol* symbol = symbols.find(angle);
+    const Interval range = parse_range(symbol->range);
+    if (value.has(angle) || std::count(small.begin(), small.end(), symbol->name) > 0) continue;
+    if (range.low.infinite != 0 || compare(range.low.value, -GiNaC::Pi / 2) < 0) continue;
+    if (range.high.infinite != 0 || compare(range.high.value, GiNaC::Pi / 2) > 0) continue;
+    return Given{angle, GiNaC::atan(value)};
+  }
+  return std::nullopt;
+}
+
 /// Of each factor what it says of one symbol: "x = 0" and "y = 1" of x*y = x. Nothing where one says nothing.
 std::vector<std::string> solved_by_factors(const ex& residual, const std::vector<ex>& divided_by,
                                            const std::string& text, const Context& context,
@@ -182,6 +200,10 @@ std::optional<Given> solved(const Sides& sides, const Assumed& equation, const C
   const Sides inner = unwrapped(sides, symbols);
   const ex residual = sides.left - sides.right;
   auto each = same_turns(sides, context);
+  const auto names = names_in(residual);
+  const auto is_compared = [](const std::string& name) { return name.starts_with("excess_"); };
+  if (std::any_of(names.begin(), names.end(), is_compared))  // what is compared stays free
+    if (auto given = solved_for_angle(sides, symbols, small)) return given;
   for (const ex& way : {residual, inner.left - inner.right}) {
     if (!each.empty()) break;
     if (auto given = only_solution(way, equation.text, symbols)) return given;
