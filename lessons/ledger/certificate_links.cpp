@@ -192,6 +192,8 @@ std::vector<CertifiedLink> links_of(const CertifiedStatement& q) {
       if (!link) throw Undecidable("no factor without zeros was found");
       links.push_back(*link);
     }
+  if (links.empty() && is_pair(q))
+    for (const bool is_left : {true, false}) links.push_back(finder.find_settled({0}, is_left));
   if (links.empty()) throw Undecidable("nothing was found that says it link by link");
   for (CertifiedLink& link : links) link = finder.with_slopes(link);
   return links;

@@ -235,8 +235,7 @@ Proof unless_contradicted(Proof proof, const ProveRequest& request) {
     return undecided(
         "it seems not to hold, but no witness was found at which all has a value, and what is assumed holds");
   const bool is_proved = proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
-  const auto place =
-      is_proved && !request.assumptions.empty() ? counterexample(request, symbols) : std::nullopt;
+  const auto place = is_proved ? counterexample(request, symbols) : std::nullopt;
   if (!place) return proof;
   return undecided("it seems to hold (" + proof.reason + "), but does not at " + in_words(*place));
 }

@@ -17,8 +17,8 @@ bool is_confirmed(const Witness& witness, const ProveRequest& request, const Sym
 /// looked at in doubles, and up to 24 that doubles do not rule out exactly.
 std::optional<Point> counterexample(const ProveRequest& request, const Symbols& symbols);
 
-/// The proof as it is, unless it is refuted by a witness that is not confirmed, or proved under assumptions
-/// in spite of a counterexample: then undecided, and the reason says so.
+/// The proof as it is, unless it is refuted by a witness that is not confirmed, or proved in spite of a
+/// counterexample: then undecided, and the reason says so.
 Proof unless_contradicted(Proof proof, const ProveRequest& request);
 
 }  // namespace rederive

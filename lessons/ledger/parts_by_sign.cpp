@@ -75,6 +75,21 @@ bool has_either_sign(const std::string& name, const Symbols& symbols) {
   return is_beyond(range.low, -1) && is_beyond(range.high, 1);
 }
 
+/// Whether x - y stands somewhere.
+bool has_difference(const Case& one, const std::string& x, const std::string& y) {
+  const Symbols& symbols = one.context.symbols;
+  const GiNaC::ex difference = symbols[x] - symbols[y];
+  const auto has_it = [&](const Tree& side) {
+    const GiNaC::ex value = lower(side, symbols);
+    return value.has(difference) || value.has(-difference);
+  };
+  const auto in = [&](const std::string& text) {
+    const Relation relation = read(text, symbols);
+    return std::any_of(relation.sides.begin(), relation.sides.end(), has_it);
+  };
+  return in(one.request.left) || in(one.request.right);
+}
+
 }  // namespace
 
 std::vector<Way> parts_by_sign(const ProveRequest& request) {
@@ -95,8 +110,11 @@ std::vector<Way> parts_by_sign(const ProveRequest& request) {
   const auto add = [&](const Signs& each, const Signs& of_another) {
     ways.push_back([=] { return cases_with(each, of_another, request); });
   };
+  const auto add_difference = [&] { add(signs(*names.begin(), *names.rbegin()), {}); };
+  const bool is_first = names.size() == 2 && has_difference(whole[0], *names.begin(), *names.rbegin());
+  if (is_first) add_difference();
   for (const std::string& name : of_either_sign) add(signs(name, "0"), {});
-  if (names.size() == 2) add(signs(*names.begin(), *names.rbegin()), {});
+  if (names.size() == 2 && !is_first) add_difference();
   if (of_either_sign.size() == 2) add(signs(of_either_sign[0], "0"), signs(of_either_sign[1], "0"));
   return ways;
 }
