@@ -134,7 +134,7 @@ class Replay : public Reader<Fraction> {
   }
   Fraction divisor(const Fraction& d) override { return require(!same(d, number(0)), "a divisor is 0"), d; }
 
- private:
+ protected:
   /// function(of) is a new name, or what is said: powers of both agree, or the function that it inverts leads
   /// back. A name for an inverse function may come with its power of e, the unit.
   void take(const Json& step) {

@@ -213,6 +213,7 @@ class Look : public Reader<Seen> {
   bool is_any_admitted() const { return looks_.is_any_admitted(); }
   void report() const { looks_.report(); }
   bool divisors_are_clear = true;  ///< the ranges of all that was read show that it is not 0
+  std::vector<bool> roots_exist;   ///< of all that was read, in its order, whether a range shows that
 
  private:
   struct Bounds {
@@ -252,7 +253,8 @@ class Look : public Reader<Seen> {
       return result;
     }
     if (!exponent.range.is_constant()) return call("exp", exponent * call("log", base));
-    is_whole_ = is_whole_ && (cln::minusp(n) ? base.range.is_positive() : base.range.is_not_negative());
+    roots_exist.push_back(cln::minusp(n) ? base.range.is_positive() : base.range.is_not_negative());
+    is_whole_ = is_whole_ && roots_exist.back();
     Seen root = seen("^" + text(cln::numerator(n)) + "/" + text(cln::denominator(n)), base);
     root.range = power_of(n, base.range);
     return root;

@@ -291,6 +291,21 @@ TEST_CASE("numbers with names are compared exactly, and what is rounded lies out
   CHECK(of(longer + "*" + longer + "-1-1/2^705", "[1, 2]") == open);
 }
 
+TEST_CASE("a form with a root that does not exist wherever the statement has a value") {
+  const Json steps{{{"function", "^1/2"}, {"of", "y"}, {"name", "$r1"}},
+                   {{"function", "^1/2"}, {"of", "x^2"}, {"name", "$r2"}},
+                   {{"function", "^1/2"}, {"of", "y*x^2"}, {"is", "$r1*$r2"}}};
+  const auto of = [&](const std::string& statement, const char* range) {
+    const std::string form = "sqrt(y)*(sqrt(y)+fabs(x))";
+    return verdict_of_links({statement, ">=", "0"}, {"0", "<", "1"}, {{"x", real}, {"y", range}}, steps,
+                            {settled("left", 0, form, true), settled("right", 0, "1", true)});
+  };
+  CHECK(of("sqrt(y*x^2)+y", real) ==  // -1 for x = 0 and y = -1
+        "a root that may not exist: sqrt(y)*(sqrt(y)+fabs(x))");
+  CHECK(of("sqrt(y*x^2)+y", "[0, inf)") == "accepted");
+  CHECK(of("sqrt(y)*fabs(x)+y", real) == "accepted");
+}
+
 TEST_CASE("two links as one, though both may fail") {
   const Json ranges{{"x", real}, {"y", real}}, none = Json::array();
   const auto of = [&](const Json& left, const Json& right, const std::string& product,

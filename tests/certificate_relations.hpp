@@ -71,8 +71,9 @@ class Checker {
   /// Where the statement has a value: what may be 0 elsewhere is nothing to divide by. With what is said of
   /// its slope.
   Range range(const std::string& text) {
-    look_.divisors_are_clear = true, replay_.divisors.clear();
+    look_.divisors_are_clear = true, look_.roots_exist.clear(), replay_.divisors.clear();
     const Range result = look_.value(stated(text)).range;
+    if (std::count(look_.roots_exist.begin(), look_.roots_exist.end(), false) > 0) check_roots(text);
     if (!look_.divisors_are_clear) {
       replay_.value(text);
       for (const Fraction& d : replay_.divisors)  // |cos x| is 0 only where its square is, and its cube
@@ -83,6 +84,42 @@ class Checker {
     require(++slopes_ < 100, "too many slopes");
     const auto range_of = [this](const std::string& t) { return range(t); };
     return both(result, SlopeCheck(text, c_, replay_, look_, range_of).range());
+  }
+  /// Roots in a form exist where the statement has a value: of what is not negative, or of what it takes
+  /// roots of itself, but for positive factors.
+  void check_roots(const std::string& text) {
+    replay_.roots.clear(), replay_.value(text);
+    require(replay_.roots.size() == look_.roots_exist.size(), "unknown roots: " + text);
+    for (std::size_t k = 0; k < replay_.roots.size(); ++k) {
+      const auto is_it = [&, root = without_positive(replay_.roots[k])](const Fraction& r) {
+        return replay_.is_positive_multiple(without_positive(r), root);
+      };
+      require(look_.roots_exist[k] || std::any_of(roots_.begin(), roots_.end(), is_it),
+              "a root that may not exist: " + text);
+    }
+  }
+  /// Without the powers of positive names, and squares of what divides, that all terms have in common.
+  Fraction without_positive(Fraction a) const {
+    for (const auto& [name, range] : c_.at("ranges").items()) {
+      const Fraction alone{{{{{name, 1}}, 1}}, {{{}, 1}}};
+      const bool is_positive = look_.range(name).is_positive();
+      if (c_.at("given").contains(name) || (!is_positive && !is_divisor(alone) && !is_divisor(alone * alone)))
+        continue;
+      for (Polynomial* p : {&a.num, &a.den}) {
+        int common = 1000;
+        for (const auto& [monomial, number] : *p)
+          common = std::min(common, monomial.contains(name) ? monomial.at(name) : 0);
+        Polynomial rest;
+        for (const auto& [monomial, number] : *p) {
+          Monomial less = monomial;
+          less[name] -= is_positive ? common : common - common % 2;
+          if (less[name] == 0) less.erase(name);
+          rest[less] = number;
+        }
+        *p = rest;
+      }
+    }
+    return a;
   }
   /// Whether the statement divides by it, but for a number; or by all of a few of which it is the product.
   bool is_divisor(const Fraction& part) const {
@@ -113,8 +150,9 @@ class Checker {
     std::vector<std::string> texts(c_.at("given").begin(), c_.at("given").end()), listed = c_.at("divisors");
     for (const char* part : {"left", "right"})
       for (std::size_t k = 0; k < c_.at(part).size(); k += 2) texts.push_back(c_.at(part).at(k));
-    replay_.divisors.clear();
+    replay_.divisors.clear(), replay_.roots.clear();
     for (const std::string& text : texts) look_.admit(stated(text)), replay_.value(text);
+    roots_ = std::exchange(replay_.roots, {});
     divisors_ = std::exchange(replay_.divisors, {});
     for (const Fraction& d : divisors_)
       require(std::any_of(listed.begin(), listed.end(),
@@ -422,6 +460,7 @@ class Checker {
   Look look_;
   int slopes_ = 0;
   std::vector<Fraction> divisors_;                         // of the statement, but for numbers
+  std::vector<Fraction> roots_;                            // of what the statement takes roots
   std::set<std::pair<std::string, std::size_t>> settled_;  // links: side and number
   std::set<std::string> never_;                            // sides of which a link never holds
 };

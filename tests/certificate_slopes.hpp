@@ -26,6 +26,7 @@ class Statement : public Replay {
     return names_ = before, result;
   }
   std::vector<Fraction> divisors;  ///< of the texts that were read, but for numbers
+  std::vector<Fraction> roots;     ///< what they take roots of
 
   /// But for a number, too, and the sign. The number in |cos x| or in its square is not seen: there it is a
   /// power of 2.
@@ -36,6 +37,16 @@ class Statement : public Replay {
     return std::ranges::any_of(std::array{1, 4, 16}, [&](int n) {
       return same(times(n, a * a), b * b) || same(a * a, times(n, b * b));
     });
+  }
+
+  /// But for a positive number.
+  bool is_positive_multiple(const Fraction& a, const Fraction& b) const {
+    return same(without_number(a), without_number(b));
+  }
+
+  Fraction raised(const Fraction& base, const Fraction& exponent) override {
+    if (ratio(exponent).second > 1) roots.push_back(base);
+    return Replay::raised(base, exponent);
   }
 
  private:

@@ -50,6 +50,8 @@ TEST_CASE("where they do say the same, none is found") {
   CHECK_FALSE(found("y > 0", "0 < 1", {"y = exp(x)"}));  // for x = -150, too
   CHECK_FALSE(found("y = 0", "1 < 0", {"y = exp(-x^2)"}));
   CHECK_FALSE(found("exp(x)-10^60*10^60 = 0", "0 < 1", {"x = 120*log(10)"}));
+  CHECK_FALSE(found("cosh(p*t)-sinh(p*t) < 1", "t > 0", {}));  // for p*t = 500, too
+  CHECK_FALSE(found("1+exp(-p*t) > 1", "0 < 1", {"p*t > 500"}));
   CHECK_FALSE(found("alpha < 3", "3 < 2", {"alpha = acos(0)"}));  // which is outside of its range
 }
 

@@ -92,7 +92,8 @@ struct Prepare : GiNaC::map_function {
       if (const auto [sizes, rest] = squares_taken_out(base, q); !sizes.is_equal(1))
         return rest.is_equal(1) ? sizes : sizes * root(rest, q);
     ex outside = 1, inside = 1;
-    std::vector<Part> unknown;  // odd powers of what may have either sign
+    std::vector<Part> unknown,  // odd powers of what may have either sign
+        even_powers;
     for (auto [factor, n] : factors(base)) {
       const bool even = n.is_even();
       const int sign = sign_of(factor, symbols);
@@ -105,20 +106,24 @@ struct Prepare : GiNaC::map_function {
       } else if (sign < 0) {
         outside *= positive_root(-factor, n * q);
         if (!n.is_even()) inside = -inside;
-      } else if (even) {
-        const ex size = without_bars(factor);
-        outside *= GiNaC::pow(size.is_zero() ? GiNaC::abs(turned_up(factor)) : size, n * q);
       } else {
-        unknown.push_back({factor, n});
+        (even ? even_powers : unknown).push_back({factor, n});
       }
     }
-    const bool none_is_negative = inside.is_equal(1) && unknown.size() > 1 &&
-                                  std::all_of(unknown.begin(), unknown.end(),
-                                              [&](const Part& f) { return is_nonnegative(f.first, symbols); });
+    const bool none_is_negative =
+        inside.is_equal(1) && std::all_of(unknown.begin(), unknown.end(),
+                                          [&](const Part& f) { return is_nonnegative(f.first, symbols); });
+    bool keeps_square = false;  // where that is 0 the rest may be negative, and alone has no root
+    for (const auto& [factor, n] : even_powers) {
+      const bool stays = !none_is_negative && (n * q).is_positive();
+      keeps_square = keeps_square || stays;
+      if (stays) inside *= GiNaC::pow(factor, 2);
+      outside *= size_of_power(factor, (stays ? n - 2 : n) * q);
+    }
     if (none_is_negative)
       for (const auto& [factor, n] : std::exchange(unknown, {})) outside *= GiNaC::pow(factor, n * q);
     // one alone must be positive with its sign, or there is no root; of several, f^n = |f|^{n-1} f
-    if (unknown.size() == 1 && unknown[0].second.is_positive()) {
+    if (unknown.size() == 1 && unknown[0].second.is_positive() && !keeps_square) {
       outside *= GiNaC::pow(inside * unknown[0].first, unknown[0].second * q);
       inside = 1;
     } else {
@@ -137,12 +142,23 @@ struct Prepare : GiNaC::map_function {
   /// (∏ f_k^{n_k})^q without the f_k of known sign that have an even power, and those.
   std::pair<ex, ex> squares_taken_out(const ex& product, const numeric& q) {
     ex sizes = 1, rest = 1;
+    bool may_be_zero = false;
     for (const ex& f : product) {
       const bool is_square = is_a<GiNaC::power>(f) && f.op(1).info(GiNaC::info_flags::even);
       const ex size = is_square ? size_under_root(f, q) : ex(0);
       size.is_zero() ? rest *= f : sizes *= power(size, f.op(1) * q);
+      may_be_zero = may_be_zero || (!size.is_zero() && sign_of(size, symbols) == 0);
     }
+    if (may_be_zero && !is_nonnegative(rest, symbols))
+      return {1, product};  // the rest may have no root there
     return {sizes, rest};
+  }
+
+  /// |x|^n, as x^n or (-x)^n where the sign is known.
+  ex size_of_power(const ex& x, const numeric& n) {
+    if (n.is_zero()) return 1;
+    const ex size = without_bars(x);
+    return GiNaC::pow(size.is_zero() ? GiNaC::abs(turned_up(x)) : size, n);
   }
 
   /// |x| of x^2n, to be taken to the power 2nq; or x where that is even. 0 where its sign is not known.

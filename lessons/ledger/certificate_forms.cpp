@@ -93,6 +93,13 @@ bool Forms::shows_sign_in(const ex& e, const Symbols& symbols) const {
   }
 }
 
+Symbols Forms::without_ends(const ex& name) const {
+  Symbols open = q.symbols;
+  const Range range = read_range(open.find(name)->range);
+  open.narrow(open.find(name)->name, "(" + range.lower + ", " + range.upper + ")");
+  return open;
+}
+
 bool Forms::has_terms_of_one_sign(const ex& e) const {
   const auto all = [&](int sign) {
     return std::all_of(e.begin(), e.end(), [&](const ex& t) { return is_nonnegative(sign * t, q.symbols); });
@@ -106,6 +113,11 @@ ex Forms::form(const ex& e) const {
     return *other;
   if (shows_sign(e)) return e;
   if (is_a<GiNaC::power>(e)) return GiNaC::pow(form(e.op(0)), e.op(1));
+  if (is_a<GiNaC::mul>(e)) {
+    ex product = 1;
+    for (const ex& f : e) product *= form(f);
+    return product;
+  }
   const auto quadratic = as_quadratic(e, q.symbols);
   if (quadratic && !quadratic->b.is_zero() && is_nonnegative(quadratic->discriminant(), q.symbols))
     return square_in(*quadratic) + form((quadratic->discriminant() / (4 * quadratic->a)).normal());
@@ -115,8 +127,11 @@ ex Forms::form(const ex& e) const {
 std::optional<ex> Forms::form_of_one_sign(const ex& e) const {
   if (e.is_zero() || is_nonnegative(e, q.symbols) || is_nonnegative(-e, q.symbols)) return form(e);
   if (const ex other = prepare(e, q.symbols); !shows_sign(e) && shows_sign(other)) return other;
-  if (const auto slope = sign_by_slope(e, q.symbols))
-    return slope->how == Slope::How::range ? form(slope->value) : e;
+  if (const auto slope = sign_by_slope(e, q.symbols)) {
+    if (slope->how != Slope::How::range) return e;
+    for (const ex& way : {e, form(slope->value)})
+      if (shows_sign_in(way, without_ends(slope->in))) return way;
+  }
   const auto parts = checked_quotient(e, 1, q.symbols);
   if (!parts) return std::nullopt;
   ex product = 1;

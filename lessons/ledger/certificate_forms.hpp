@@ -32,6 +32,7 @@ class Forms {
   GiNaC::ex words(const GiNaC::ex& e) const;
   GiNaC::ex shortest(const GiNaC::ex& e) const;
   std::optional<GiNaC::ex> plain_words(const GiNaC::ex& e) const;
+  Symbols without_ends(const GiNaC::ex& name) const;
   bool shows_sign_in(const GiNaC::ex& e, const Symbols& symbols) const;
   bool has_terms_of_one_sign(const GiNaC::ex& e) const;
   void add_slopes(const Tree& tree, const Slope& why, std::vector<CertifiedSlope>& slopes) const;

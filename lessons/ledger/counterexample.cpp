@@ -38,8 +38,8 @@ class Place {
     return point_.contains(name) || std::any_of(constants_.begin(), constants_.end(),
                                                 [&](const auto& known) { return known.first == name; });
   }
-  /// -1, 0 or 1 for a < b, a = b and a > b; nothing where a box leaves that open, or where one of the two has
-  /// no value.
+  /// -1, 0 or 1 for a < b, a = b and a > b; nothing where that cannot be told, or where one of the two has no
+  /// value.
   std::optional<int> order(const Tree& a, const Tree& b) const { return order(a, b, open_); }
   /// "!=" among the operators; nothing where an order is not known. Equations that are assumed hold where
   /// they may.
@@ -67,9 +67,12 @@ class Place {
       if (!ball) return std::nullopt;
       return is_positive(*ball) ? 1 : is_negative(*ball) ? -1 : ball->exact() ? 0 : open;
     }
-    if (!value_of(put_in(a), point_) || !value_of(put_in(b), point_)) return std::nullopt;
+    const auto left = value_of(put_in(a), point_), right = value_of(put_in(b), point_);
+    if (!left || !right) return std::nullopt;
     const auto value = evaluate(excess, point_, 3);
-    return value && !cln::zerop(*value) ? cln::minusp(*value) ? -1 : 1 : 0;
+    if (!value && !differ(*left, *right)) return open;  // by nothing, or by less than can be seen
+    const cln::cl_R found = value ? *value : *left - *right;
+    return cln::zerop(found) ? 0 : cln::minusp(found) ? -1 : 1;
   }
   Tree put_in(Tree tree) const {
     for (const auto& [name, value] : constants_) tree = with(tree, name, value);

@@ -5,6 +5,7 @@
 #include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
+#include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/solutions.hpp>
 #include <lessons/ledger/inequalities.hpp>
 
@@ -133,7 +134,9 @@ class OfOne {
 
  private:
   static std::vector<ex> known_zeros(const ex& e, const Symbols& symbols) {
-    if (const auto zeros = solutions(e.normal().numer(), symbols)) return *zeros;
+    const ex above = e.normal().numer();
+    if (!has_symbol(above)) return {};  // 1/x has none
+    if (const auto zeros = solutions(above, symbols)) return *zeros;
     throw Undecidable("its zeros are not known");
   }
   int sign_at(const ex& place, const ex& e, const std::vector<ex>& zeros) const {
