@@ -10,7 +10,7 @@
 // on both sides being analytic there, piece by piece: the engine sees to that, the checker does not. Factors,
 // forms and layers are not looked at: their ranges are computed. Who makes certificates up may still pass
 // with branches that differ by less than a millionth, with digits that are lost on purpose (10^98 times a
-// difference of 0), and with a logarithm or root in a form that has no value at single points.
+// difference of 0), and with a logarithm in a form that has no value at single points.
 #pragma once
 
 #include <regex>
