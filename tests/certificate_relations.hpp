@@ -86,13 +86,14 @@ class Checker {
     return both(result, SlopeCheck(text, c_, replay_, look_, range_of).range());
   }
   /// Roots in a form exist where the statement has a value: of what is not negative, or of what it takes
-  /// roots of itself, but for positive factors.
+  /// roots of itself, or of its reciprocal, but for positive factors.
   void check_roots(const std::string& text) {
     replay_.roots.clear(), replay_.value(text);
     require(replay_.roots.size() == look_.roots_exist.size(), "unknown roots: " + text);
     for (std::size_t k = 0; k < replay_.roots.size(); ++k) {
       const auto is_it = [&, root = without_positive(replay_.roots[k])](const Fraction& r) {
-        return replay_.is_positive_multiple(without_positive(r), root);
+        return replay_.is_positive_multiple(without_positive(r), root) ||
+               replay_.is_positive_multiple(without_positive(replay_.value("1") / r), root);
       };
       require(look_.roots_exist[k] || std::any_of(roots_.begin(), roots_.end(), is_it),
               "a root that may not exist: " + text);
