@@ -236,10 +236,7 @@ class Look : public Reader<Seen> {
   Seen divisor(const Seen& d) override {
     looks_.is_not_zero(d, "a divisor is 0");
     divisors_are_clear = divisors_are_clear && (d.range.is_positive() || d.range.is_negative());
-    Seen result = d;
-    if (d.range.low.is_zero()) result.range.has_low = false;
-    if (d.range.high.is_zero()) result.range.has_high = false;
-    return result;
+    return {d.at, without_zero(d.range)};
   }
   Seen raised(const Seen& base, const Seen& exponent) override {
     const cln::cl_RA n = exponent.range.is_constant() ? exponent.range.low.number : 0;

@@ -209,6 +209,19 @@ TEST_CASE("a form that has no value where the statement has one shows nothing") 
   CHECK(of({"x^2", ">", "0"}, "x^2", none) == "the form leaves it open");
 }
 
+TEST_CASE("a part that a form divides by is not 0 where the statement divides by it") {
+  const Json left{{"link", 0}, {"parts", {{"x+1", 1}, {"x", -1}}}};
+  const auto of = [&](const Json& statement, const Json& divisors) {
+    return verdict_of_links(statement, {"0", "<", "1"}, {{"x", "[0, inf)"}}, Json::array(),
+                            {{{"left", left}, {"holds", true}}, settled("right", 0, "1", true)},
+                            Json::array(), divisors);
+  };
+  CHECK(of({"(x+1)/x", ">", "0"}, {"x"}) == "accepted");
+  CHECK(of({"(x+1)*x^2/x^3", ">", "0"}, {"x^3"}) == "the form leaves it open");
+  CHECK(of({"(x+1)*x^(-1)", ">", "0"}, {"x"}) == "accepted");
+  CHECK(of({"(x+1)/x", ">", "0"}, Json::array()) != "accepted");
+}
+
 TEST_CASE("an odd power of what has one sign has that sign, a product has theirs") {
   const Json ranges{{"x", "[0, inf)"}, {"y", "(-inf, 0)"}, {"a", real}}, none = Json::array();
   const auto of = [&](const char* product, const Json& factor) {

@@ -57,6 +57,11 @@ inline Range operator/(const Range& a, const Range& b) {
   };
   return a * Range{over(b.high, -1), over(b.low, 1), b.has_high, b.has_low};
 }
+/// Of what is not 0.
+inline Range without_zero(Range x) {
+  x.has_low = x.has_low && !x.low.is_zero(), x.has_high = x.has_high && !x.high.is_zero();
+  return x;
+}
 /// What is known of one number in two ways.
 inline Range both(const Range& a, const Range& b) {
   const int low = compare(a.low, b.low), high = compare(a.high, b.high);
@@ -156,8 +161,7 @@ inline Range range_of(const std::string& name, const Growing& g, const Range& x)
 inline Range power_of(const cln::cl_RA& exponent, Range x) {
   if (cln::minusp(exponent)) {
     Range below = power_of(-exponent, x);
-    if (below.low.is_zero()) below.has_low = false;
-    return point({1}) / below;
+    return point({1}) / without_zero(below);
   }
   if (compare(x.low, {}) < 0) x.low = {}, x.has_low = true;
   const auto at = [&](const End& e, int outward) -> End {

@@ -300,8 +300,8 @@ class Checker {
     for (const auto& [text, exponent] : factors.items()) {
       const int n = exponent.get<int>();
       require(std::abs(n) < 100, "too large an exponent");
-      const Range r = range(text);
-      Range power = point({1});
+      Range r = range(text), power = point({1});
+      if (n < 0 && is_divisor(replay_.value(text))) r = without_zero(r);
       for (int k = 0; k < std::abs(n); ++k) power = n > 0 ? power * r : power / r;
       result = result * (n % 2 == 0 ? not_negative(power) : power);
     }

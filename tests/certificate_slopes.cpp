@@ -86,8 +86,16 @@ TEST_CASE("and what is positive inside, and at the ends of its range") {
   const std::string f = "x+(1-x)^2";
   CHECK(sloped(f, "[0, 1]", from("inside", 1, f)) == "accepted");
   CHECK(sloped(f, "[0, 1]", from("inside", -1, f)) == "of another sign inside: " + f);
-  CHECK(sloped("x*(1-x)", "[0, 1]", from("inside", 1, "x")) == open_form);  // 0 at the ends
-  CHECK(sloped("x*(1-x)", "(0, 1)", from("inside", 1, "x")) == "accepted");
+  const std::string g = "x*(1-x)";
+  CHECK(sloped(g, "[0, 1]", from("inside", 1, g)) == open_form);  // 0 at the ends
+  CHECK(sloped(g, "(0, 1)", from("inside", 1, g)) == "accepted");
+  CHECK(sloped("x-x^2", "(0, 1)", from("inside", 1, "x-x^2")) == "of another sign inside: x-x^2");
+  CHECK(sloped("x-x^2", "(0, 1)", from("inside", 1, g)) == "accepted");
+  CHECK(sloped("x-x^2", "[0, 1]", from("inside", 1, g)) == open_form);
+  CHECK(sloped("x-x^2", "[0, 1]", from("inside", 1, g), ">=") == "accepted");
+  CHECK(sloped("x-x^2", "[0, 1)", from("inside", 1, "x^2*(1/x-1)"), ">=") == "accepted");
+  CHECK(sloped("x-x^2", "[0, 2)", from("inside", 1, "x^2*(1/x-1)"), ">=") == "of another sign inside: x-x^2");
+  CHECK(sloped("x-x^2", "(0, 1)", from("inside", 1, "x")) == "another: x");
 }
 
 TEST_CASE("of several names a slope is positive whatever the others are") {

@@ -149,11 +149,7 @@ class SlopeCheck {
   Range range() {
     require(std::abs(sign_) == 1, "no sign");
     const Range x = range_of_name();
-    if (how_ == "inside")
-      require(sign_ > 0 ? shown(text_, 0).is_positive() : shown(text_, 0).is_negative(),
-              "of another sign inside: " + text_);
-    else
-      check_slopes();
+    how_ == "inside" ? check_inside() : check_slopes();
     const bool is_inside = how_ == "inside";
     const bool low = end(x, true, how_ == "low" || how_ == "ends" || (is_inside && x.has_low)),
                high = end(x, false, how_ == "high" || how_ == "ends" || (is_inside && x.has_high));
@@ -197,6 +193,13 @@ class SlopeCheck {
     for (std::sregex_iterator word(text.begin(), text.end(), name), end; word != end; ++word)
       if (word->str() != name_ && c_.at("ranges").contains(word->str())) return false;
     return true;
+  }
+  /// What it is said to be instead of a slope shows it.
+  void check_inside() {
+    const std::string form = why_.at("slope");
+    shown(text_, 0), require(replay_.same(replay_.value(form), replay_.value(text_)), "another: " + form);
+    require(sign_ > 0 ? shown(form, 0).is_positive() : shown(form, 0).is_negative(),
+            "of another sign inside: " + text_);
   }
   void check_slopes() {
     require(how_ == "low" || how_ == "high" || how_ == "ends", "no such reason: " + how_);

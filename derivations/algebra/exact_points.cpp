@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/algebra/exact_points.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/vanish.hpp>
 
 namespace rederive {
@@ -109,27 +110,27 @@ std::optional<ExactPoint> completed_exactly(const Solution& solution, const Poin
   return point;
 }
 
-/// The symbols in arguments of functions.
-std::set<std::string> angles_in(const Residuals& residuals) {
-  std::set<std::string> names;
+/// Arguments of functions, and the symbols in them, by their texts.
+std::map<std::string, ex> angles_in(const Residuals& residuals, const Symbols& symbols) {
+  std::map<std::string, ex> angles;
   for (const ex& residual : residuals)
-    for (auto part = residual.preorder_begin(); part != residual.preorder_end(); ++part)
-      if (is_a<GiNaC::function>(*part)) names.merge(names_in(*part));
-  return names;
+    for (auto part = residual.preorder_begin(); part != residual.preorder_end(); ++part) {
+      if (!is_a<GiNaC::function>(*part) || !has_symbol(part->op(0))) continue;
+      angles.emplace(print(part->op(0), Notation::plain, symbols), part->op(0));
+      for (const std::string& name : names_in(part->op(0))) angles.emplace(name, symbols[name]);
+    }
+  return angles;
 }
 
 /// With one angle a multiple of pi.
 void solve_at_angles(const Residuals& residuals, const Symbols& symbols, std::vector<Solution>& found) {
-  for (const std::string& name : angles_in(residuals))
-    for (const GiNaC::numeric& turns : {GiNaC::numeric(1, 4), GiNaC::numeric(1, 6), GiNaC::numeric(1, 3),
-                                        GiNaC::numeric(3, 4), GiNaC::numeric(1, 2)}) {
-      const ex angle = turns * GiNaC::Pi;
-      Residuals there;
-      try {
-        for (const ex& residual : residuals) there.push_back(put_in(residual, {{symbols[name], angle}}));
-        solve(there, {{name, angle}}, symbols, found);
-      } catch (const std::exception&) {  // a pole
-      }
+  for (const auto& [text, angle] : angles_in(residuals, symbols))
+    for (const GiNaC::numeric& turns :
+         {GiNaC::numeric(1, 4), GiNaC::numeric(1, 6), GiNaC::numeric(1, 3), GiNaC::numeric(3, 4),
+          GiNaC::numeric(1, 2), GiNaC::numeric(-1, 2), GiNaC::numeric(1)}) {
+      Residuals there{(angle - turns * GiNaC::Pi).numer()};
+      there.insert(there.end(), residuals.begin(), residuals.end());
+      solve(there, {}, symbols, found);
     }
 }
 
@@ -140,7 +141,7 @@ std::vector<ExactPoint> exact_points(const Residuals& residuals, const Points& p
   std::vector<Solution> solutions;
   try {
     solve(residuals, {}, symbols, solutions);
-    if (solutions.empty()) solve_at_angles(residuals, symbols, solutions);
+    solve_at_angles(residuals, symbols, solutions);
   } catch (const std::exception&) {  // what the computer algebra cannot do
   }
   std::vector<ExactPoint> result;

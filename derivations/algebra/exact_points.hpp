@@ -14,7 +14,7 @@ struct ExactPoint {
 };
 
 /// Some points, inside the declared ranges, at which all the residuals are 0: each is solved for a symbol in
-/// which one of its factors is linear, or of which it has but the square; where none is, angles are multiples
+/// which one of its factors is linear, or of which it has but the square; then with angles that are multiples
 /// of pi.
 std::vector<ExactPoint> exact_points(const std::vector<GiNaC::ex>& residuals, const Points& points,
                                      const Symbols& symbols);

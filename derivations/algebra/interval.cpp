@@ -256,8 +256,9 @@ Interval enclose_as_it_stands(const ex& e, const Symbols& symbols) {
   }
   if (is_a<GiNaC::power>(e) && is_a<numeric>(e.op(1)) && ex_to<numeric>(e.op(1)).is_rational())
     return power_interval(e, symbols);
-  if (is_a<GiNaC::power>(e)) {  // a^b with a symbolic exponent is defined for a >= 0, and 0 only where a is
+  if (is_a<GiNaC::power>(e)) {  // a^b with a symbolic exponent is 0 only where a is; or anything, if a < 0
     const Interval base = enclose(e.op(0), symbols);
+    if (sign(base.low) < 0) return {};
     const bool positive = sign(base.low) > 0 || (sign(base.low) == 0 && !base.low.closed);
     return {{0, 0, !positive}, {0, +1, false}};
   }

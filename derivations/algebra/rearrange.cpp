@@ -57,6 +57,23 @@ ex simplified(const ex& e) {
   }
 }
 
+ex with_exponents_together(const ex& e) {
+  struct : GiNaC::map_function {
+    ex operator()(const ex& part) override {
+      const ex inner = part.map(*this);
+      if (!GiNaC::is_a<GiNaC::mul>(inner)) return inner;
+      ex exponent = 0, others = 1;
+      for (const ex& f : inner)
+        if (name_of(f) == "exp")
+          exponent += f.op(0);
+        else
+          others *= f;
+      return others * GiNaC::exp(exponent.expand());
+    }
+  } together;
+  return together(e);
+}
+
 std::optional<int> rank_of(const ex& e) {
   static const std::set<std::string> inverse{"log", "asin", "acos", "atan", "asinh", "acosh", "atanh"},
       direct{"exp", "sin", "cos", "tan", "sinh", "cosh", "tanh"};

@@ -12,6 +12,9 @@ bool has_symbol(const GiNaC::ex& expression);
 /// One fraction in lowest terms, as far as GiNaC can say; long ones stay as they are.
 GiNaC::ex simplified(const GiNaC::ex& expression);
 
+/// With exp(x + y) for exp(x)*exp(y).
+GiNaC::ex with_exponents_together(const GiNaC::ex& expression);
+
 /// Which functions go first. 0: inverse functions, which are always taken off; 1: roots and absolute values,
 /// where the other side is not negative; 2: where the other side is a constant or the same function.
 std::optional<int> rank_of(const GiNaC::ex& expression);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/algebra/exact_points.hpp>
 #include <derivations/algebra/factor_roots.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/lost.hpp>
@@ -60,6 +61,14 @@ namespace {
 bool holds_at_zero(Claim claim) { return claim != Claim::positive; }
 bool holds(Claim claim, const cln::cl_R& value) { return claim != Claim::zero && cln::plusp(value); }
 
+std::optional<Root> exact_root(const Written& zero, const Points& points, const Symbols& symbols,
+                               const std::function<bool(const Root&)>& wanted) {
+  for (const ExactPoint& point : exact_points({zero.value}, points, symbols))
+    if (is_zero_at(zero, point, symbols) && value_of(zero.tree, point.root.at) && wanted(point.root))
+      return point.root;
+  return std::nullopt;
+}
+
 /// A root of one residual at which the other is certainly not 0, and one relation holds and the other fails.
 std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, bool of_right, Roots which,
                                       const Symbols& symbols) {
@@ -76,8 +85,9 @@ std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, 
       of_right ? Written{r.pair.right, r.pair.right_value} : Written{r.pair.left, r.pair.left_value};
   const ex& other_value = of_right ? r.pair.left_value : r.pair.right_value;
   const auto root =
-      which == Roots::of_factors
-          ? find_root_of_factor(zero, other_value, points, symbols, tells_apart)
+      which == Roots::of_factors ? find_root_of_factor(zero, other_value, points, symbols, tells_apart)
+      : which == Roots::exact
+          ? exact_root(zero, points, symbols, tells_apart)
           : find_root(zero, points, which == Roots::crossings ? 4 : 10, which, symbols, tells_apart);
   if (!root) return std::nullopt;
   return refuted(make_witness(r.pair, *root, {zero.tree}),
@@ -314,7 +324,7 @@ Proof prove_residuals(const Residuals& r, const Symbols& symbols) {
       if (auto proof = differ_at_a_root(r, points, of_right, Roots::crossings, symbols)) return *proof;
   const Proof proof = prove_by_algebra(r, points, symbols);
   if (proof.verdict != Verdict::undecided) return proof;
-  for (const Roots which : {Roots::of_factors, Roots::all})
+  for (const Roots which : {Roots::of_factors, Roots::all, Roots::exact})
     for (const bool of_right : {false, true})
       if (auto refutation = differ_at_a_root(r, points, of_right, which, symbols)) return *refutation;
   if (auto refutation = differ_at_a_point(r, mirrored_points(points, symbols), symbols)) return *refutation;

@@ -6,8 +6,9 @@
 
 namespace rederive {
 
-/// Which roots are looked for: where the sign changes, or where it does not, too; or those of single factors.
-enum class Roots { crossings, all, of_factors };
+/// Which roots are looked for: where the sign changes, or where it does not, too; or those of single factors;
+/// or what is found without numbers (exact_points.hpp).
+enum class Roots { crossings, all, of_factors, exact };
 
 /// Which zeros are given: those that are rational alone; or the others, too, to 45 decimal places.
 enum class Zeros { rational, irrational };

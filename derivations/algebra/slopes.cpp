@@ -199,7 +199,8 @@ std::optional<Slope> find_slope(const ex& expression, const Symbols& symbols) {
   const auto names = names_in(expression);
   if (names.empty() || names.size() > most_names) return std::nullopt;
   try {
-    const ex f = has_roots_at_ends(names, symbols) ? expression : prepare(expression, symbols);
+    const ex f = with_exponents_together(has_roots_at_ends(names, symbols) ? expression
+                                                                           : prepare(expression, symbols));
     if (has_bars(f) || !has_symbol(f)) return std::nullopt;
     for (const std::string& name : names)
       if (names.size() == 1 || is_in_function(symbols[name], f))

@@ -18,9 +18,10 @@ namespace rederive {
 ///   slopes        expressions whose range does not show their sign: its `sign`, `in` one name, whatever the
 ///                 others are, and `how` it is seen: not of the other sign at the low (or high) end, with a
 ///                 `slope` that grows or falls from there; at both ends, with a `bend`, the slope of the
-///                 slope; inside the range as it stands, and at the ends. With other names, what it is `at
-///                 low` and `at high`; `by` is positive, and the last slope is taken times that. Of a layer
-///                 "of" it has no sign itself, but `grows`, or falls for a sign of -1
+///                 slope; inside the range as it stands, or in another form that is then its `slope`, and at
+///                 the ends. With other names, what it is `at low` and `at high`; `by` is positive, and the
+///                 last slope is taken times that. Of a layer "of" it has no sign itself, but `grows`, or
+///                 falls for a sign of -1
 ///   ranges        where the other names live; what `declared` has beside them, neither statement holds in,
 ///                 or one has no value there
 ///   cut           the names x whose range is cut at x = 0, mostly none: |x| stands there

@@ -100,6 +100,12 @@ Symbols Forms::without_ends(const ex& name) const {
   return open;
 }
 
+std::optional<ex> Forms::form_inside(const Slope& slope) const {
+  const Symbols open = without_ends(slope.in);
+  const auto form = rederive::form_of_one_sign(slope.value, open);
+  return form && shows_sign_in(*form, open) ? form : std::nullopt;
+}
+
 bool Forms::has_terms_of_one_sign(const ex& e) const {
   const auto all = [&](int sign) {
     return std::all_of(e.begin(), e.end(), [&](const ex& t) { return is_nonnegative(sign * t, q.symbols); });
@@ -128,9 +134,10 @@ std::optional<ex> Forms::form_of_one_sign(const ex& e) const {
   if (e.is_zero() || is_nonnegative(e, q.symbols) || is_nonnegative(-e, q.symbols)) return form(e);
   if (const ex other = prepare(e, q.symbols); !shows_sign(e) && shows_sign(other)) return other;
   if (const auto slope = sign_by_slope(e, q.symbols)) {
-    if (slope->how != Slope::How::range) return e;
+    if (slope->how != Slope::How::range) return with_exponents_together(e);
     for (const ex& way : {e, form(slope->value)})
       if (shows_sign_in(way, without_ends(slope->in))) return way;
+    if (form_inside(*slope)) return e;
   }
   const auto parts = checked_quotient(e, 1, q.symbols);
   if (!parts) return std::nullopt;
@@ -186,7 +193,10 @@ void Forms::add_slopes(const Tree& tree, std::vector<CertifiedSlope>& slopes) co
   const ex value = tree ? lower(tree, q.symbols) : ex(0);
   if (sign_of(value, q.symbols) != 0) return;
   const auto why = sign_by_slope(value, q.symbols);
-  if (why && why->how == Slope::How::range) slopes.push_back({tree, tree, *why});
+  if (why && why->how == Slope::How::range) {
+    const auto other = shows_sign_in(value, without_ends(why->in)) ? std::nullopt : form_inside(*why);
+    slopes.push_back({tree, other ? to_tree(*other, q.symbols) : tree, *why});
+  }
   if (why) add_slopes(tree, *why, slopes);
 }
 

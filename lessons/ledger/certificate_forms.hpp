@@ -34,6 +34,8 @@ class Forms {
   std::optional<GiNaC::ex> plain_words(const GiNaC::ex& e) const;
   Symbols without_ends(const GiNaC::ex& name) const;
   bool shows_sign_in(const GiNaC::ex& e, const Symbols& symbols) const;
+  /// What shows the sign inside the range, and may have no value at its ends.
+  std::optional<GiNaC::ex> form_inside(const Slope& slope) const;
   bool has_terms_of_one_sign(const GiNaC::ex& e) const;
   void add_slopes(const Tree& tree, const Slope& why, std::vector<CertifiedSlope>& slopes) const;
   void add_ends(CertifiedSlope& slope, std::vector<CertifiedSlope>& slopes) const;

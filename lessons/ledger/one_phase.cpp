@@ -4,6 +4,7 @@
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/rearrange.hpp>
 #include <lessons/ledger/decide_one.hpp>
 #include <lessons/ledger/one_phase.hpp>
 #include <numeric>
@@ -18,7 +19,8 @@ namespace {
 std::vector<ex> compared_in(const Relation& relation, const Context& context) {
   std::vector<ex> values;
   for (const Tree& side : relation.sides)
-    values.push_back(put_in(lower(side, context.symbols), context.put_in_at_once(true)));
+    values.push_back(
+        with_exponents_together(put_in(lower(side, context.symbols), context.put_in_at_once(true))));
   if (relation.operators.empty()) return values;
   for (std::size_t k = 0; k + 1 < values.size(); ++k) values[k] -= values[k + 1];
   values.pop_back();
@@ -117,7 +119,7 @@ std::optional<Case> replaced(const ex& phase, const Interval& range, const std::
     if (!value) continue;
     const Given solved{symbols[name], *value};
     std::vector<ex> after;
-    for (const ex& v : values) after.push_back(put_in(v, {solved}).expand());
+    for (const ex& v : values) after.push_back(with_exponents_together(put_in(v, {solved}).expand()));
     if (entanglement(after) >= entanglement(values)) continue;
     comparisons.push_back({solved, excess, meaning});
     return result;
