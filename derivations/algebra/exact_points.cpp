@@ -130,7 +130,9 @@ void solve_at_angles(const Residuals& residuals, const Symbols& symbols, std::ve
           GiNaC::numeric(1, 2), GiNaC::numeric(-1, 2), GiNaC::numeric(1)}) {
       Residuals there{(angle - turns * GiNaC::Pi).numer()};
       there.insert(there.end(), residuals.begin(), residuals.end());
-      solve(there, {}, symbols, found);
+      std::vector<Solution> here;
+      solve(there, {}, symbols, here);
+      found.insert(found.end(), here.begin(), here.end());
     }
 }
 
