@@ -10,8 +10,8 @@
 // on both sides being analytic there, piece by piece: the engine sees to that, the checker does not. Factors,
 // forms and layers are not looked at: their ranges are computed. Who makes certificates up may still pass
 // with branches that differ by less than a millionth, with digits that are lost on purpose (10^98 times a
-// difference of 0), and with a logarithm in a form that has no value at single points. A power with a symbolic
-// exponent is read as exp(y*log(x)); that it has values for whole y where x is negative, the engine sees to.
+// difference of 0), and with a logarithm in a form that has no value at single points. A power with a
+// symbolic exponent is read as exp(y*log(x)): of whole y, and x < 0, the checker knows nothing.
 #pragma once
 
 #include <regex>
