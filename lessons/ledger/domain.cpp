@@ -19,13 +19,18 @@ bool never_holds(const Condition& condition, const std::vector<Given>& given, co
                                                symbols) == std::optional(false);
 }
 
+/// Whether its logarithm is written somewhere: then it is positive wherever all has a value.
+bool is_in_logarithm(const ex& base, const std::vector<ex>& sides) {
+  return std::any_of(sides.begin(), sides.end(), [&](const ex& side) { return side.has(log(base)); });
+}
+
 /// Bases that may be negative, with an exponent that is no number.
 std::vector<ex> doubtful_bases(const std::vector<ex>& sides, const Symbols& symbols) {
   std::vector<ex> bases;
   for (const ex& side : sides)
     for (auto part = side.preorder_begin(); part != side.preorder_end(); ++part)
       if (GiNaC::is_a<GiNaC::power>(*part) && has_symbol(part->op(1)) &&
-          !is_nonnegative(part->op(0), symbols))
+          !is_nonnegative(part->op(0), symbols) && !is_in_logarithm(part->op(0), sides))
         bases.push_back(part->op(0));
   return bases;
 }
