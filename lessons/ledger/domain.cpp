@@ -30,7 +30,7 @@ std::vector<ex> doubtful_bases(const std::vector<ex>& sides, const Symbols& symb
   for (const ex& side : sides)
     for (auto part = side.preorder_begin(); part != side.preorder_end(); ++part)
       if (GiNaC::is_a<GiNaC::power>(*part) && has_symbol(part->op(1)) &&
-          !is_nonnegative(part->op(0), symbols) && !is_in_logarithm(part->op(0), sides))
+          !is_nonnegative(part->op(0), symbols))
         bases.push_back(part->op(0));
   return bases;
 }
@@ -74,8 +74,10 @@ Proof with_domain(Proof proof, const Relation& left, const Relation& right, cons
   std::vector<ex> sides;
   for (const Relation* relation : {&left, &right})
     for (const Tree& side : relation->sides) sides.push_back(put_in(lower(side, symbols), given));
-  const std::vector<ex> bases = doubtful_bases(sides, symbols);
-  const bool is_identity = left.operators.empty() && given.empty() && agrees_for_negative(bases, sides);
+  const bool are_expressions = left.operators.empty();
+  std::vector<ex> bases = doubtful_bases(sides, symbols);
+  if (are_expressions) std::erase_if(bases, [&](const ex& base) { return is_in_logarithm(base, sides); });
+  const bool is_identity = are_expressions && given.empty() && agrees_for_negative(bases, sides);
   if (bases.empty() || is_identity || proof.verdict == Verdict::approximation) return proof;
   return undecided("a power with a symbolic exponent, of " + print(bases.front(), Notation::plain, symbols) +
                    ", which may be negative: that has values for some exponents only");
