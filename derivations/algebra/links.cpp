@@ -208,8 +208,8 @@ Symbols with_ranges_of(const std::vector<Given>& given, const Symbols& symbols) 
     for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part) {
       if (!GiNaC::is_a<GiNaC::symbol>(*part) || !value.is_polynomial(*part)) continue;
       const ex slope = derivative(value, *part);
-      if (!GiNaC::is_a<GiNaC::numeric>(slope) || slope.is_zero()) continue;
-      const ex words = *part + ((g.name - value) / slope).expand();
+      if (slope.has(*part) || sign_of(slope, symbols) == 0) continue;
+      const ex words = (*part + (g.name - value) / slope).expand();
       result.say_otherwise(*part, words);
       narrow_to(interval_of(words, symbols), *part, result);
     }

@@ -292,9 +292,11 @@ std::optional<Layer> factored(const Sides& s, const Symbols& symbols) {
   for (const auto& [part, n] : *parts) {
     const bool is_clear =
         n.is_even() ? sign_of(GiNaC::pow(part, n), symbols) > 0 : sign_of(part, symbols) != 0;
-    if (!is_clear && (!doubtful.is_zero() || n.is_even())) return std::nullopt;
-    if (!is_clear) doubtful = part;
-    factor *= GiNaC::pow(part, is_clear ? n : n - 1);
+    const bool is_square = s.op == "=" && n.is_even();  // that is 0 where its base is
+    if (!is_clear && (!doubtful.is_zero() || (n.is_even() && !is_square))) return std::nullopt;
+    const ex base = is_square ? GiNaC::pow(part, n) : part;
+    if (!is_clear) doubtful = base;
+    factor *= GiNaC::pow(part, n) / (is_clear ? ex(1) : base);
   }
   const int sign = sign_of(factor, symbols);
   if (doubtful.is_zero() || sign == 0) return std::nullopt;

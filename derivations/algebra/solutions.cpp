@@ -178,17 +178,27 @@ bool is_zero_at(const ex& e, const ex& place, const Symbols& symbols) {
   }
 }
 
+/// 2*atan(t): atan(3/4) for t = 1/3.
+ex twice_arc(const ex& t, const Symbols& symbols) {
+  const bool is_one = t.info(GiNaC::info_flags::rational) && abs(ex_to<numeric>(t)) < 1;
+  const ex of = is_one ? 2 * t / (1 - t * t) : t;
+  return (is_one ? 1 : 2) * arc("atan", of, GiNaC::atan(of), symbols);
+}
+
 /// All angles x in their interval, of what is a rational function of waves of x.
 std::optional<Values> zeros_of_waves(const ex& residual, const ex& x, const Interval& within,
                                      const Symbols& symbols) {
   const GiNaC::realsymbol t("t");
   const ex in_tangent = InHalfTangent(x, t)(residual);
   if (in_tangent.has(x)) return std::nullopt;
+  if (const ex sine = residual.coeff(sin(x)), cosine = residual.coeff(cos(x));
+      !sine.has(x) && !cosine.has(x) && (residual - sine * sin(x) - cosine * cos(x)).expand().is_zero() &&
+      compare(sine, 0) != 0)
+    return repeated({arc("atan", -cosine / sine, GiNaC::atan(-cosine / sine), symbols)}, Pi, within);
   const auto tangents = zeros_of_polynomial(in_tangent.normal().numer().expand(), t);
   if (!tangents) return std::nullopt;
   Values bases{Pi};  // where t has no value
-  for (const ex& tangent : *tangents)
-    bases.push_back(2 * arc("atan", tangent, GiNaC::atan(tangent), symbols));
+  for (const ex& tangent : *tangents) bases.push_back(twice_arc(tangent, symbols));
   if (!is_zero_at(residual, x == Pi, symbols)) bases.erase(bases.begin());
   return repeated(bases, 2 * Pi, within);
 }

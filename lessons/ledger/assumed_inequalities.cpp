@@ -11,18 +11,19 @@ namespace rederive {
 
 namespace {
 
-/// Narrows a range by one bound, a number.
-void set_end(Symbols& symbols, const std::string& name, const Bound& bound, bool closed) {
+/// A range that is narrower by one bound, a number; nothing where that says nothing new.
+std::optional<std::string> with_end(const Symbols& symbols, const std::string& name, const Bound& bound,
+                                    bool closed) {
   const GiNaC::ex& value = bound.value;
   const bool lower_end = bound.is_lower;
-  const Symbol old = *symbols.find(name);
-  Range range = read_range(old.range);
-  const Interval present = parse_range(old.range);
+  const std::string& old = symbols.find(name)->range;
+  Range range = read_range(old);
+  const Interval present = parse_range(old);
   const End& end = lower_end ? present.low : present.high;
   const int order = end.infinite != 0 ? -1
                     : lower_end       ? compare(end.value, value)
                                       : compare(value, end.value);
-  if (order > 0 || (order == 0 && !end.closed)) return;  // nothing new
+  if (order > 0 || (order == 0 && !end.closed)) return std::nullopt;
   (lower_end ? range.lower : range.upper) = print(value, Notation::plain, symbols);
   (lower_end ? range.lower_closed : range.upper_closed) = closed;
   const std::string text = fmt::format("{}{}, {}{}", range.lower_closed ? '[' : '(', range.lower, range.upper,
@@ -33,9 +34,9 @@ void set_end(Symbols& symbols, const std::string& name, const Bound& bound, bool
         fmt::format("the assumptions leave one value for {0}: say \"{0} = {1}\"", name, range.lower));
   if (now.low.infinite == 0 && now.high.infinite == 0 && compare(now.low.value, now.high.value) >= 0)
     throw BadInput(fmt::format("the assumptions leave no room for {0}: it is in {1}, and '{0} {2} {3}'", name,
-                               old.range, std::string(lower_end ? ">" : "<") + (closed ? "=" : ""),
+                               old, std::string(lower_end ? ">" : "<") + (closed ? "=" : ""),
                                print(value, Notation::plain, symbols)));
-  symbols.declare(name, old.latex, old.unicode, old.unit, text, old.meaning, old.introduced);
+  return text;
 }
 
 /// Of one symbol on one side and a number on the other, or of what is solved for one.
@@ -116,10 +117,36 @@ bool narrow(const Assumed& link, Symbols& symbols) {
     bounds.push_back({*bound, part.weak});
   }
   needs_values(link, symbols, {});
-  for (const auto& [bound, weak] : bounds)  // each time the symbol itself is declared anew
-    set_end(symbols, *names_in(bound.symbol).begin(), bound, weak);
+  for (const auto& [bound, weak] : bounds) {  // each time the symbol itself is declared anew
+    const Symbol old = *symbols.find(*names_in(bound.symbol).begin());
+    if (const auto range = with_end(symbols, old.name, bound, weak))
+      symbols.declare(old.name, old.latex, old.unicode, old.unit, *range, old.meaning, old.introduced);
+  }
   return true;
 }
+
+namespace {
+
+/// Narrows the range of an excess, where that is all that is left of an inequality: of x < y < x + 1 the
+/// second one bounds y - x.
+bool narrow_excess(const Inequality& part, const std::string& text, Context& context) {
+  Symbols& symbols = context.symbols;
+  const GiNaC::ex difference = put_in(part.difference(), context.put_in_at_once(false));
+  for (const Comparison& c : context.comparisons) {
+    const auto bound = solved_for(symbols[c.excess], difference, symbols);
+    if (!bound || !fits_a_range(bound->value, symbols)) continue;
+    try {
+      if (const auto range = with_end(symbols, c.excess, *bound, part.weak)) symbols.narrow(c.excess, *range);
+    } catch (const BadInput&) {
+      refuse(text, fmt::format("it leaves one value for {0}: say \"{0} = {1}\"", c.meaning,
+                               print(bound->value, Notation::plain, symbols)));
+    }
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 void compare_symbols(const Assumed& link, Context& context) {
   Symbols& symbols = context.symbols;
@@ -128,7 +155,7 @@ void compare_symbols(const Assumed& link, Context& context) {
   for (const Inequality& part : parts_of(link, symbols)) {
     const int settled = settled_by(context.comparisons, part, symbols);
     if (settled < 0) contradicts(link.text);
-    if (settled > 0) continue;
+    if (settled > 0 || narrow_excess(part, link.text, context)) continue;
     const auto found = compared(part, context.comparisons, symbols);
     const auto each = found || parts_of(link, symbols).size() > 1 ? std::nullopt : pieces(part, symbols);
     if (each && each->empty()) contradicts(link.text);

@@ -108,8 +108,12 @@ bool Factors::put_down_zero(const ex& part, int n, CertifiedLink& link) const {
       }
     });
   };
-  if (const auto place = zero_of_growth(part); place && is_zero_there({*place})) {
-    const auto& [symbol, at] = *place;
+  if (auto place = zero_of_growth(part); place && is_zero_there({*place})) {
+    auto& [symbol, at] = *place;
+    if (const ex& other = others.front(); other.is_polynomial(symbol) && !part.is_polynomial(symbol))
+      if (const auto same = solutions(other, q.symbols);
+          same && same->size() == 1 && vanishes(part.subs(symbol == same->front()), q.symbols))
+        at = same->front();  // atan(3/4) of x = atan(3/4), not asin(3/5)
     const Tree written = to_tree(part, q.symbols);
     link.factor.emplace_back(written, n);
     link.zeros.push_back({written, {{ex_to<GiNaC::symbol>(symbol).get_name(), to_tree(at, q.symbols)}}});

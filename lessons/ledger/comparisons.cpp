@@ -151,13 +151,17 @@ std::optional<Comparison> compared(const Inequality& inequality, const std::vect
                                    Symbols& symbols) {
   const auto bound = solved(inequality, put_in(inequality.difference(), givens(before)), symbols);
   if (!bound) return std::nullopt;
-  const ex room = bound->is_lower ? bound->symbol - bound->value : bound->value - bound->symbol;
+  // of t < pi/w the excess is pi - w*t: that is the room which a phase w*t has
+  const ex fraction = bound->value.numer_denom(), by = sign_of(fraction.op(1), symbols) * fraction.op(1);
+  const ex over = by.is_zero() ? ex(1) : by;
+  const ex room =
+      (over * (bound->is_lower ? bound->symbol - bound->value : bound->value - bound->symbol)).normal();
   const std::string name = "excess_" + std::to_string(before.size() + 1);
   const std::string meaning = without_excess(print(room, Notation::plain, symbols), before, symbols);
   const std::string range = (inequality.weak ? "[0, " : "(0, ") + upper_end(room, symbols);
   const std::string unit = symbols.find(bound->symbol)->unit;
   const ex excess = symbols.declare(name, name, name, unit, range, meaning, "").ginac;
-  const ex value = bound->is_lower ? bound->value + excess : bound->value - excess;
+  const ex value = bound->is_lower ? bound->value + excess / over : bound->value - excess / over;
   return Comparison{Given{bound->symbol, value}, name, meaning};
 }
 
