@@ -77,11 +77,31 @@ std::optional<std::pair<ex, ex>> between_roots(const ex& e, const ex& x) {
   return std::pair{(-b + root) / (2 * a), (-b - root) / (2 * a)};
 }
 
+/// To where a residual that is linear in symbols, A*x + B, is positive, or not negative, or 0: x = 1/y > 0
+/// for y > 0.
+void narrow_each_by(const ex& residual, Claim claim, const std::set<std::string>& names,
+                    const Symbols& symbols, Intervals& intervals) {
+  for (const std::string& name : names) {
+    const Symbol* symbol = symbols.find(name);
+    if (symbol == nullptr || !residual.is_polynomial(symbol->ginac) || residual.degree(symbol->ginac) != 1)
+      continue;
+    const ex slope = residual.coeff(symbol->ginac, 1);
+    const int sign = sign_of(slope, symbols);
+    if (sign == 0) continue;
+    const Interval zero = interval_of(-residual.coeff(symbol->ginac, 0) / slope, symbols);
+    const auto end = [&](End at) { return at.closed = at.closed && claim != Claim::positive, at; };
+    Interval& present = intervals[name];
+    if (sign > 0 || claim == Claim::zero) present = overlap(present, {end(zero.low), {0, 1}});
+    if (sign < 0 || claim == Claim::zero) present = overlap(present, {{0, -1}, end(zero.high)});
+  }
+}
+
 /// To where a residual of one symbol is positive, or not negative, or 0: one that is linear in it, or 1/x, or
 /// has a sign between two roots alone, as 1 - x^2 and (1+x)/(1-x).
 void narrow_by(const ex& residual, Claim claim, const Symbols& symbols, Intervals& intervals) {
   const ex value = residual.expand();
   const auto names = names_in(value);
+  if (names.size() > 1) return narrow_each_by(value, claim, names, symbols, intervals);
   const Symbol* symbol = names.size() == 1 ? symbols.find(*names.begin()) : nullptr;
   if (symbol == nullptr) return;
   const ex& x = symbol->ginac;

@@ -94,9 +94,32 @@ void add_new(const std::vector<std::string>& some, std::vector<std::string>& all
     if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
 }
 
+namespace {
+
+/// The reasons why it holds, each with the cases that it is for.
+using Reasons = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+void add_reason(const std::string& reason, const std::string& name, Reasons& reasons) {
+  const auto is_it = [&](const auto& one) { return one.first == reason; };
+  if (const auto found = std::find_if(reasons.begin(), reasons.end(), is_it); found != reasons.end())
+    found->second.push_back(name);
+  else
+    reasons.push_back({reason, {name}});
+}
+
+std::string in_words(const Reasons& reasons) {
+  std::vector<std::string> texts;
+  for (const auto& [reason, names] : reasons)
+    texts.push_back(
+        fmt::format("{}, for {}{}", reason, fmt::join(names, " and for "), names.size() > 1 ? " alike" : ""));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+}  // namespace
+
 Proof decide_each(const std::vector<Case>& cases, const ProveRequest& request) {
   std::optional<Proof> all, open;
-  std::vector<std::string> names;
+  Reasons reasons;
   std::exception_ptr without_value;
   for (const Case& one : cases) {
     Proof proof;
@@ -108,12 +131,13 @@ Proof decide_each(const std::vector<Case>& cases, const ProveRequest& request) {
     }
     const std::vector<std::string> added = added_in(one, request);
     if (added.empty() || proof.verdict == Verdict::refuted) return proof;
-    names.push_back(fmt::format("{}", fmt::join(added, ", ")));
+    const std::string name = fmt::format("{}", fmt::join(added, ", "));
     if (proof.verdict == Verdict::undecided) {
-      proof.reason = "for " + names.back() + ": " + proof.reason;
+      proof.reason = "for " + name + ": " + proof.reason;
       if (!open) open = proof;
       continue;
     }
+    add_reason(proof.reason, name, reasons);
     if (!all) all = proof;
     if (proof.verdict != Verdict::proved) all->verdict = proof.verdict;
     if (proof.factor != all->factor) all->factor.clear();
@@ -125,7 +149,7 @@ Proof decide_each(const std::vector<Case>& cases, const ProveRequest& request) {
   if (all->verdict == Verdict::proved_under && !needs_them) all->verdict = Verdict::proved;
   if (all->verdict == Verdict::proved && needs_them && !is_proved_without_equations(request))
     all->verdict = Verdict::proved_under;
-  all->reason += fmt::format(", for {}{}", fmt::join(names, " and for "), names.size() > 1 ? " alike" : "");
+  all->reason = in_words(reasons);
   return *all;
 }
 
