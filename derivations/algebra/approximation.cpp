@@ -27,6 +27,7 @@ class Expansion {
     if (!series.is_polynomial(size_)) return series.subs(size_ == 1);
     ex result = 0;  // the series of a product of polynomials has more terms than those asked for
     for (int k = 0; k <= order_; ++k) result += series.coeff(size_, k);
+    if (has_corner(result)) throw Undecidable("there is a corner where what is small is 0");
     return result;
   }
   Tree tree(const ex& e) const { return to_tree(e, symbols_); }
@@ -40,6 +41,16 @@ class Expansion {
 
  private:
   ex in_size(const ex& e) const { return e.subs(scaled_, GiNaC::subs_options::no_pattern); }
+
+  /// |x|, or a root of x.
+  bool has_corner(const ex& e) const {
+    return std::any_of(e.preorder_begin(), e.preorder_end(), [&](const ex& part) {
+      const bool is_bent = name_of(part) == "abs" ||
+                           (GiNaC::is_a<GiNaC::power>(part) && !part.op(1).info(GiNaC::info_flags::integer));
+      return is_bent && std::any_of(scaled_.begin(), scaled_.end(),
+                                    [&](const auto& one) { return part.has(one.first); });
+    });
+  }
 
   const GiNaC::symbol size_{"size"};
   GiNaC::exmap scaled_;

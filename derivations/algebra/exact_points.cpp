@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <derivations/algebra/exact_points.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/rearrange.hpp>
@@ -122,18 +123,26 @@ std::map<std::string, ex> angles_in(const Residuals& residuals, const Symbols& s
   return angles;
 }
 
-/// With one angle a multiple of pi.
+/// With one angle a multiple of pi; or with two that are multiples of pi/2, where one alone does not do.
 void solve_at_angles(const Residuals& residuals, const Symbols& symbols, std::vector<Solution>& found) {
-  for (const auto& [text, angle] : angles_in(residuals, symbols))
-    for (const GiNaC::numeric& turns :
-         {GiNaC::numeric(1, 4), GiNaC::numeric(1, 6), GiNaC::numeric(1, 3), GiNaC::numeric(3, 4),
-          GiNaC::numeric(1, 2), GiNaC::numeric(-1, 2), GiNaC::numeric(1)}) {
-      Residuals there{(angle - turns * GiNaC::Pi).numer()};
-      there.insert(there.end(), residuals.begin(), residuals.end());
-      std::vector<Solution> here;
-      solve(there, {}, symbols, here);
-      found.insert(found.end(), here.begin(), here.end());
-    }
+  using GiNaC::numeric;
+  const auto angles = angles_in(residuals, symbols);
+  const auto solve_with = [&](Residuals there) {
+    there.insert(there.end(), residuals.begin(), residuals.end());
+    std::vector<Solution> here;
+    solve(there, {}, symbols, here);
+    found.insert(found.end(), here.begin(), here.end());
+  };
+  const auto at = [](const ex& angle, const numeric& turns) { return (angle - turns * GiNaC::Pi).numer(); };
+  for (const auto& [text, angle] : angles)
+    for (const numeric& turns : {numeric(1, 4), numeric(1, 6), numeric(1, 3), numeric(3, 4), numeric(1, 2),
+                                 numeric(-1, 2), numeric(1)})
+      solve_with({at(angle, turns)});
+  const std::array<numeric, 4> quarters{0, numeric(1, 2), numeric(-1, 2), 1};
+  for (auto one = angles.begin(); angles.size() <= 3 && one != angles.end(); ++one)
+    for (auto other = angles.begin(); other != one; ++other)
+      for (const numeric& m : quarters)
+        for (const numeric& n : quarters) solve_with({at(one->second, m), at(other->second, n)});
 }
 
 }  // namespace

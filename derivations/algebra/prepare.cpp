@@ -1,5 +1,6 @@
 // Identities that need no phases, applied from the inside out. Each is true wherever both its sides are
 // defined.
+#include <algorithm>
 #include <derivations/algebra/constants.hpp>
 #include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
@@ -49,15 +50,24 @@ struct Prepare : GiNaC::map_function {
     return false;
   }
 
-  /// The factors with their exponents: in the ring of phases (1 - sin²x is cos²x there), else with functions
-  /// taken as symbols.
+  /// The factors with their exponents: in the ring of phases (1 - sin²x is cos²x there), or with functions
+  /// taken as symbols, where only that shows a power: (1 - sin x)².
   std::vector<Part> factors(const ex& e) {
+    const auto is_power = [](const Part& part) { return part.second > 1 && has_symbol(part.first); };
+    std::vector<Part> in_symbols = factors_in_symbols(e);
     if (has_phases(e)) {
       try {
-        if (auto parts = factor_form(e, symbols)) return *parts;
+        const auto parts = factor_form(e, symbols);
+        const bool has_power = parts && std::any_of(parts->begin(), parts->end(), is_power);
+        if (parts && (has_power || std::none_of(in_symbols.begin(), in_symbols.end(), is_power)))
+          return *parts;
       } catch (const Undecidable&) {  // then not in that ring
       }
     }
+    return in_symbols;
+  }
+
+  std::vector<Part> factors_in_symbols(const ex& e) {
     GiNaC::exmap atoms;
     const ex fraction = e.to_rational(atoms).numer_denom();
     std::vector<Part> result;

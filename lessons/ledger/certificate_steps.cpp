@@ -149,6 +149,8 @@ void Steps::whole_turns(const numeric& n) {
 }
 /// e^{iqπ}, of which a power is a power of i; whole turns by their digits in thousands.
 void Steps::turn(const numeric& q) {
+  for (numeric unit = 1000; 2 * unit <= q; unit *= 1000)
+    if (q == 2 * unit) return whole_turns(unit);
   if (q.is_zero() || !done_.insert(turn_text(q)).second) return;
   generators(phases_.turn(q));
   if (GiNaC::abs(q) > 100) {

@@ -136,8 +136,8 @@ std::optional<bool> quickly_holds(const Relation& relation, const Point& point) 
 }
 
 /// Gives names the values that equations "name = ..." say, or bounds of them; what cannot be had is left as
-/// it is.
-void put_values(const std::vector<const Relation*>& equations, Point& point, Box& box) {
+/// it is. Those that said a value.
+std::set<const Relation*> put_values(const std::vector<const Relation*>& equations, Point& point, Box& box) {
   const auto put = [&](const Tree& name, const Tree& value) {
     std::set<std::string> others;
     collect_names(value, others);
@@ -148,11 +148,14 @@ void put_values(const std::vector<const Relation*>& equations, Point& point, Box
     if (!ball->exact()) box[name->text] = {ball->least(), ball->most()};
     return true;
   };
+  std::set<const Relation*> used;
   for (int round = 0; round < 2; ++round)  // one may need another one that is said after it
     for (const Relation* relation : equations)
-      for (std::size_t k = 0; k < relation->operators.size(); ++k)
-        if (relation->operators[k] == "=" && !put(relation->sides[k], relation->sides[k + 1]))
-          put(relation->sides[k + 1], relation->sides[k]);
+      for (std::size_t k = 0; k < relation->operators.size(); ++k) {
+        const Tree &a = relation->sides[k], &b = relation->sides[k + 1];
+        if (relation->operators[k] == "=" && (put(a, b) || put(b, a))) used.insert(relation);
+      }
+  return used;
 }
 
 bool is_in_range(const std::string& name, const cln::cl_RA& value, const Symbols& symbols) {
@@ -198,7 +201,8 @@ std::optional<Point> counterexample(const ProveRequest& request, const Symbols& 
       Box box;
       auto equations = assumed;
       if (held != nullptr) equations.push_back(held);
-      put_values(equations, point, box);
+      const auto used = put_values(equations, point, box);
+      if (held != nullptr && !used.contains(held)) continue;
       const auto fails = [&](const Relation& r) { return quickly_holds(r, point) == false; };
       const auto left = what.left.operators.empty() ? std::nullopt : quickly_holds(what.left, point);
       const bool is_of_no_use = std::any_of(what.assumed.begin(), what.assumed.end(), fails) ||

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <derivations/algebra/completion.hpp>
+#include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/witness.hpp>
 #include <lessons/ledger/decide_one.hpp>
 #include <lessons/ledger/domain.hpp>
@@ -131,6 +132,15 @@ Proof decide_one(const Context& context, const ProveRequest& request) {
   for (const std::string& name : request.small)
     if (context.symbols.find(name) == nullptr)
       throw BadInput("--small names '" + printable_line(name) + "', which is no symbol here");
+  for (const std::string& name : request.small) {
+    const std::string& range = context.symbols.find(name)->range;
+    const Interval interval = parse_range(range);
+    const auto is_beyond_zero = [](const End& end, int side) {
+      return end.infinite == 0 && side * compare(end.value, 0) < 0;
+    };
+    if (is_beyond_zero(interval.low, -1) || is_beyond_zero(interval.high, 1))
+      throw BadInput("--small names '" + name + "', which is in " + range + ", away from 0");
+  }
   for (const Given& g : context.put_in_at_once(true))
     if (const std::string name = context.symbols.find(g.name)->name;
         std::count(request.small.begin(), request.small.end(), name) > 0)
