@@ -121,16 +121,29 @@ struct Finder : Factors {
                                               {Taken::unwrapped, Taken::squared}};
     if (is_high(q.left, match.left) || is_high(q.right, match.right))
       std::rotate(ways.begin(), ways.begin() + 1, ways.end());
-    std::optional<CertifiedLink> found;
+    std::vector<std::pair<CertifiedLink, std::string>> links;
     for (const auto& [of_left, of_right] : ways) {
       const auto left = side(q.left, match.left, of_left), right = side(q.right, match.right, of_right);
-      if (!left || !right || left->second != right->second) continue;
-      CertifiedLink link{left->first, right->first, {}, {}, {}};
-      if (!find_factor(link, left->second)) continue;
+      if (left && right && left->second == right->second)
+        links.push_back({{left->first, right->first, {}, {}, {}}, left->second});
+    }
+    std::stable_partition(links.begin(), links.end(),
+                          [](const auto& one) { return differ_by_powers(one.first); });
+    std::optional<CertifiedLink> found;
+    for (auto& [link, op] : links) {
+      if (!find_factor(link, op)) continue;
       if (!has_new_arcs(link.factor)) return link;
       if (!found) found = link;
     }
     return found;
+  }
+  /// Whether one residual is the other times a number and powers of symbols: then no more need be looked for.
+  static bool differ_by_powers(const CertifiedLink& link) {
+    if (link.right.residual.is_zero()) return false;
+    const ex ratio = (link.left.residual / link.right.residual).normal();
+    return std::none_of(ratio.preorder_begin(), ratio.preorder_end(), [](const ex& part) {
+      return GiNaC::is_a<GiNaC::add>(part) || GiNaC::is_a<GiNaC::function>(part);
+    });
   }
   /// A link that always holds, or never.
   CertifiedLink find_settled(const std::vector<std::size_t>& number, bool is_left) const {
