@@ -3,6 +3,7 @@
 #include <derivations/algebra/exact_points.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/rearrange.hpp>
+#include <derivations/algebra/solutions.hpp>
 #include <derivations/algebra/vanish.hpp>
 
 namespace rederive {
@@ -42,11 +43,12 @@ std::vector<ex> factors_of(const ex& residual, const Symbols& symbols) {
   return in_order;
 }
 
-/// The zeros of what is linear in a symbol, or a multiple of its square and a rest.
-std::vector<ex> zeros_of(const ex& factor, const ex& symbol) {
-  if (!factor.is_polynomial(symbol)) return {};
-  const int degree = factor.degree(symbol);
-  if (degree != 1 && (degree != 2 || !factor.coeff(symbol, 1).is_zero())) return {};
+/// The zeros of what is linear in a symbol, or a multiple of its square and a rest; or those that are known
+/// of what has no other symbol: of exp(x) - 2.
+std::vector<ex> zeros_of(const ex& factor, const ex& symbol, const Symbols& symbols) {
+  const int degree = factor.is_polynomial(symbol) ? factor.degree(symbol) : 0;
+  if (degree != 1 && (degree != 2 || !factor.coeff(symbol, 1).is_zero()))
+    return solutions(factor, symbols).value_or(std::vector<ex>{});
   const ex zero = -factor.coeff(symbol, 0) / factor.coeff(symbol, degree);
   if (degree == 1) return {zero};
   return {GiNaC::sqrt(zero), -GiNaC::sqrt(zero)};
@@ -62,7 +64,8 @@ void solve(Residuals residuals, const Solution& so_far, const Symbols& symbols,
   for (const ex& factor : factors_of(residuals.front(), symbols))
     for (const std::string& name : names_in(factor)) {
       const Symbol* symbol = symbols.find(name);
-      for (const ex& zero : symbol != nullptr ? zeros_of(factor, symbol->ginac) : std::vector<ex>{}) {
+      for (const ex& zero :
+           symbol != nullptr ? zeros_of(factor, symbol->ginac, symbols) : std::vector<ex>{}) {
         if (found.size() >= enough) return;
         try {
           const GiNaC::exmap value{{symbol->ginac, zero}};
@@ -150,6 +153,7 @@ void solve_at_angles(const Residuals& residuals, const Symbols& symbols, std::ve
 std::vector<ExactPoint> exact_points(const Residuals& residuals, const Points& points,
                                      const Symbols& symbols) {
   std::vector<Solution> solutions;
+  if (residuals.empty()) return {};
   try {
     solve(residuals, {}, symbols, solutions);
     solve_at_angles(residuals, symbols, solutions);

@@ -61,11 +61,22 @@ namespace {
 bool holds_at_zero(Claim claim) { return claim != Claim::positive; }
 bool holds(Claim claim, const cln::cl_R& value) { return claim != Claim::zero && cln::plusp(value); }
 
+/// What is squared in a sum: where all of it is 0 a sum of squares is.
+std::vector<ex> squared_in(const ex& sum) {
+  std::vector<ex> bases;
+  for (const ex& term : GiNaC::is_a<GiNaC::add>(sum) ? sum : ex(GiNaC::lst{}))
+    for (const ex& factor : GiNaC::is_a<GiNaC::mul>(term) ? term : ex(GiNaC::lst{term}))
+      if (GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::even))
+        bases.push_back(factor.op(0));
+  return bases;
+}
+
 std::optional<Root> exact_root(const Written& zero, const Points& points, const Symbols& symbols,
                                const std::function<bool(const Root&)>& wanted) {
-  for (const ExactPoint& point : exact_points({zero.value}, points, symbols))
-    if (is_zero_at(zero, point, symbols) && value_of(zero.tree, point.root.at) && wanted(point.root))
-      return point.root;
+  for (const auto& residuals : {std::vector<ex>{zero.value}, squared_in(zero.value)})
+    for (const ExactPoint& point : exact_points(residuals, points, symbols))
+      if (is_zero_at(zero, point, symbols) && value_of(zero.tree, point.root.at) && wanted(point.root))
+        return point.root;
   return std::nullopt;
 }
 
@@ -97,6 +108,16 @@ std::optional<Proof> differ_at_a_root(const Residuals& r, const Points& points, 
                      precision_of(*root));
 }
 
+/// Where the base of a square is 0, so that little may be left: of (x*y-1)^2 + y^2 with a small y.
+void add_zeros_of_squares(const ex& residual, const Points& points, const Symbols& symbols,
+                          std::vector<Point>& result) {
+  for (auto part = residual.preorder_begin(); part != residual.preorder_end(); ++part)
+    if (GiNaC::is_a<GiNaC::power>(*part) && part->op(1).info(GiNaC::info_flags::even) &&
+        GiNaC::is_a<GiNaC::add>(part->op(0)))
+      for (auto& [name, zero] : linear_zeros(part->op(0), points, symbols, Zeros::rational, Points::count))
+        result.push_back(std::move(zero));
+}
+
 /// Points of the sequence, and some around the zeros of what is linear, which may be anywhere.
 std::vector<Point> points_to_look_at(const Residuals& r, const Points& points, const Symbols& symbols) {
   std::vector<Point> result;
@@ -108,6 +129,8 @@ std::vector<Point> points_to_look_at(const Residuals& r, const Points& points, c
         beside[name] = value;
         if (is_inside(symbols.find(name)->range, value)) result.push_back(beside);
       }
+  for (const ex& residual : {r.pair.left_value, r.pair.right_value})
+    add_zeros_of_squares(residual, points, symbols, result);
   return result;
 }
 
