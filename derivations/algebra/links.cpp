@@ -3,6 +3,7 @@
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/links.hpp>
+#include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
 #include <derivations/algebra/real.hpp>
 #include <derivations/algebra/rearrange.hpp>
@@ -96,10 +97,24 @@ void narrow_each_by(const ex& residual, Claim claim, const std::set<std::string>
   }
 }
 
+/// What has the sign of a residual, and is 0 with it: without factors of known sign, and without odd
+/// functions that grow; w of atan(w/p) with p > 0.
+ex with_the_sign_of(const ex& residual, const Symbols& symbols) {
+  static const std::set<std::string> odd{"atan", "asin", "sinh", "asinh", "tanh", "atanh"};
+  if (odd.contains(name_of(residual))) return with_the_sign_of(residual.op(0), symbols);
+  if (!GiNaC::is_a<GiNaC::mul>(residual)) return residual;
+  ex rest = 1;
+  for (const ex& factor : residual) {
+    const int sign = sign_of(factor, symbols);
+    rest *= sign != 0 ? ex(sign) : factor;
+  }
+  return GiNaC::is_a<GiNaC::mul>(rest) ? rest : with_the_sign_of(rest, symbols);
+}
+
 /// To where a residual of one symbol is positive, or not negative, or 0: one that is linear in it, or 1/x, or
 /// has a sign between two roots alone, as 1 - x^2 and (1+x)/(1-x).
 void narrow_by(const ex& residual, Claim claim, const Symbols& symbols, Intervals& intervals) {
-  const ex value = residual.expand();
+  const ex value = with_the_sign_of(residual, symbols).expand();
   const auto names = names_in(value);
   if (names.size() > 1) return narrow_each_by(value, claim, names, symbols, intervals);
   const Symbol* symbol = names.size() == 1 ? symbols.find(*names.begin()) : nullptr;
@@ -124,11 +139,15 @@ void narrow_by(const ex& residual, Claim claim, const Symbols& symbols, Interval
 /// something that is not negative is not negative either.
 void narrow_by(const ex& a, const ex& b, Claim claim, const Symbols& symbols, Intervals& intervals) {
   narrow_by(a - b, claim, symbols, intervals);
-  const Claim bound = claim == Claim::zero ? Claim::not_negative : claim;
-  if (is_nonnegative(b, symbols)) narrow_by(a, bound, symbols, intervals);
-  if (is_nonnegative(-a, symbols)) narrow_by(-b, bound, symbols, intervals);
-  if (claim == Claim::zero && is_nonnegative(a, symbols)) narrow_by(b, bound, symbols, intervals);
-  if (claim == Claim::zero && is_nonnegative(-b, symbols)) narrow_by(-a, bound, symbols, intervals);
+  const auto beyond = [&](int sign) {
+    return sign > 0 || claim == Claim::positive ? Claim::positive : Claim::not_negative;
+  };
+  if (is_nonnegative(b, symbols)) narrow_by(a, beyond(sign_of(b, symbols)), symbols, intervals);
+  if (is_nonnegative(-a, symbols)) narrow_by(-b, beyond(sign_of(-a, symbols)), symbols, intervals);
+  if (claim == Claim::zero && is_nonnegative(a, symbols))
+    narrow_by(b, beyond(sign_of(a, symbols)), symbols, intervals);
+  if (claim == Claim::zero && is_nonnegative(-b, symbols))
+    narrow_by(-a, beyond(sign_of(-b, symbols)), symbols, intervals);
 }
 
 /// What a chain says of two of its sides: "<", "<=", "=", … ; nothing where it turns between them.

@@ -230,7 +230,7 @@ std::optional<Proof> decide_where_one_may_hold(const Question& question) {
 
 Proof decide_as_a_whole(const Question& question) {
   Proof proof =
-      first_decided({[&] { return decide(question); }, [&] { return decide_where_one_may_hold(question); }});
+      first_decided({[&] { return decide_where_one_may_hold(question); }, [&] { return decide(question); }});
   if (proof.verdict == Verdict::proved && !question.left.operators.empty())
     if (const auto divisor = lost_at_a_zero(question)) return lost(*divisor, question.symbols);
   return proof;
