@@ -114,6 +114,8 @@ ex with_the_sign_of(const ex& residual, const Symbols& symbols) {
 /// To where a residual of one symbol is positive, or not negative, or 0: one that is linear in it, or 1/x, or
 /// has a sign between two roots alone, as 1 - x^2 and (1+x)/(1-x).
 void narrow_by(const ex& residual, Claim claim, const Symbols& symbols, Intervals& intervals) {
+  constexpr std::ptrdiff_t longest = 25;
+  if (std::distance(residual.preorder_begin(), residual.preorder_end()) > longest) return;
   const ex value = with_the_sign_of(residual, symbols).expand();
   const auto names = names_in(value);
   if (names.size() > 1) return narrow_each_by(value, claim, names, symbols, intervals);

@@ -155,6 +155,31 @@ Proof prove_where_defined(const Link& left, const Link& right, const Question& q
   return prove_residuals(residuals_of(left, right, question), symbols);
 }
 
+/// Whether it says what y is: c*y + d = 0, with a c of one sign. It divides by nothing with y.
+bool says_what_it_is(const ex& y, const Relation& relation, const Question& question) {
+  const auto has_y = [&](const ex& e) { return put_in(e, question.given).has(y); };
+  for (const Tree& side : relation.sides) {
+    const std::vector<ex> below = divisors(side, question.symbols);
+    if (std::any_of(below.begin(), below.end(), has_y)) return false;
+  }
+  const ex residual = residual_of(sides_of(links_of(relation)[0], question)).expand();
+  return residual.is_polynomial(y) && residual.degree(y) == 1 &&
+         sign_of(residual.coeff(y, 1), question.symbols) != 0;
+}
+
+/// Two relations that say what one free symbol is, or give a bound of it, in terms of others: as y = A and y
+/// = B they are compared where both have values.
+bool say_what_one_is(const Question& question) {
+  if (question.left.operators.size() != 1 || question.right.operators.size() != 1) return false;
+  for (const std::string& name : question.symbols.names()) {
+    const ex& y = question.symbols[name];
+    if (says_what_it_is(y, question.left, question) && says_what_it_is(y, question.right, question) &&
+        !is_assumed_of(y, question))
+      return true;
+  }
+  return false;
+}
+
 Proof lost(const ex& divisor, const Symbols& symbols) {
   return undecided("where " + print(divisor, Notation::plain, symbols) +
                    " = 0, one of the two holds and the other has no value");
@@ -163,8 +188,8 @@ Proof lost(const ex& divisor, const Symbols& symbols) {
 /// Proved where both have values; withdrawn, if one holds where the other one divides by 0.
 Proof prove_link(const Link& left, const Link& right, const Question& question) {
   const Proof proof = prove_where_defined(left, right, question);
-  const bool may_lose =
-      proof.verdict == Verdict::proved && !is_of_numbers(question.left) && !is_of_numbers(question.right);
+  const bool may_lose = proof.verdict == Verdict::proved && !is_of_numbers(question.left) &&
+                        !is_of_numbers(question.right) && !say_what_one_is(question);
   const auto divisor =
       may_lose ? lost_to(residuals_of(left, right, question), question.symbols) : std::nullopt;
   return divisor ? lost(*divisor, question.symbols) : proof;
@@ -231,7 +256,7 @@ std::optional<Proof> decide_where_one_may_hold(const Question& question) {
 Proof decide_as_a_whole(const Question& question) {
   Proof proof =
       first_decided({[&] { return decide_where_one_may_hold(question); }, [&] { return decide(question); }});
-  if (proof.verdict == Verdict::proved && !question.left.operators.empty())
+  if (proof.verdict == Verdict::proved && !question.left.operators.empty() && !say_what_one_is(question))
     if (const auto divisor = lost_at_a_zero(question)) return lost(*divisor, question.symbols);
   return proof;
 }
