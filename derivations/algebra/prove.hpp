@@ -4,7 +4,8 @@
 // value. Relations are the same if, wherever both have values, one holds where and only where the other one
 // does. The side conditions say where that is. Not called the same: relations of which one, that is not
 // strict, holds all along where something is 0 that the other one divides by, as x = 0 and x^2/x = 0; but
-// y/x = 2 and y = 2*x are, if x != 0, and so are x^2/x > -1 and x > -1.
+// y/x = 2 and y = 2*x are, if x != 0, and so are x^2/x > -1 and x > -1, and all that say what one symbol is,
+// or bound it, in terms of others: u <= (x^2-1)/(x-1) and 2*u <= 2*x+2.
 //
 // 1. Both sides are evaluated at rational points inside the declared ranges. Where they differ beyond all
 //    doubt, that point is the witness: refuted.
@@ -13,8 +14,8 @@
 // 3. Equations are compared as residuals, left minus right, up to a factor that provably cannot vanish;
 //    inequalities up to one that is provably positive: by its range, another form, or its slope (slopes.hpp).
 //    Chains are compared link by link, or as what follows from all links of the other one (consequences.hpp).
-// 4. What is undecided is asked once more where one of the two may hold, and, of one symbol, on every
-//    piece of its range (cells.hpp).
+// 4. All is asked where one of the two may hold, if that is narrower, then over the declared ranges, and, of
+//    one symbol, on every piece of its range (cells.hpp).
 // What is left is undecided. Nothing is ever proved by agreement at points.
 #pragma once
 
