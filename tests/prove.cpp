@@ -166,6 +166,12 @@ TEST_CASE("given equations and approximations have verdicts of their own") {
                    0)["verdict"] == "proved_under");
   CHECK(prove_json({"sin(theta)", "theta", "--small", "theta", "--order", "1"}, 0)["verdict"] ==
         "approximation");
+  const auto conditions = [](const std::string& left, const std::string& right) {
+    return prove_json({left, right, "--assume", "y >= 0", "--small", "x", "--order", "1"},
+                      0)["side_conditions"];
+  };
+  CHECK(conditions("fabs(y-x)", "y-x") == nlohmann::json{"y != 0"});  // there it has a corner
+  CHECK(conditions("(y-x)^2", "y^2-2*x*y").empty());
 }
 
 TEST_CASE("a text that cannot be read ends with 2 and a caret under the character") {

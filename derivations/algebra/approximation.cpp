@@ -34,6 +34,22 @@ class Expansion {
   /// What is left of an expression where all that is small is 0.
   ex lead(const ex& e) const { return in_size(e).subs(size_ == 0); }
 
+  /// What must not be 0 where all that is small is, so that bars and roots have no corner there.
+  void add_corners(const Relation& relation, std::vector<std::string>& conditions) const {
+    for (const Tree& side : relation.sides) {
+      const ex whole = value(side);
+      for (auto part = whole.preorder_begin(); part != whole.preorder_end(); ++part) {
+        const bool is_bent = name_of(*part) == "abs" || (GiNaC::is_a<GiNaC::power>(*part) &&
+                                                         !part->op(1).info(GiNaC::info_flags::integer));
+        const ex inside = is_bent ? lead(part->op(0)) : ex(1);
+        if (!is_bent || inside.is_equal(part->op(0)) || sign_of(inside, symbols_) != 0) continue;
+        const std::string text = print(inside, Notation::plain, symbols_);
+        const auto is_said = [&](const std::string& c) { return c == text + " != 0" || c == text + " > 0"; };
+        if (std::none_of(conditions.begin(), conditions.end(), is_said)) conditions.push_back(text + " != 0");
+      }
+    }
+  }
+
   Relation side_by_side(Relation relation) const {
     for (Tree& side : relation.sides) side = tree(polynomial(value(side)));
     return relation;
@@ -117,8 +133,11 @@ Proof compared(const Relation& left, const Relation& right, const std::vector<st
 Proof prove_approximation(const Relation& left, const Relation& right, const std::vector<std::string>& small,
                           int order, const Symbols& symbols, const std::vector<Given>& given) {
   try {
-    Proof proof = compared(left, right, small, Expansion(small, order, symbols, given), symbols, given);
-    if (proof.verdict == Verdict::proved) proof.verdict = Verdict::approximation;
+    const Expansion expansion(small, order, symbols, given);
+    Proof proof = compared(left, right, small, expansion, symbols, given);
+    if (proof.verdict != Verdict::proved) return proof;
+    proof.verdict = Verdict::approximation;
+    for (const Relation* relation : {&left, &right}) expansion.add_corners(*relation, proof.side_conditions);
     return proof;
   } catch (const std::domain_error&) {  // GiNaC: a pole, in the expression or in one of its derivatives
     Proof proof;
