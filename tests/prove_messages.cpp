@@ -180,3 +180,25 @@ TEST_CASE("a relation and an expression are not compared, on whichever side") {
       CHECK(r.out.find("an expression cannot be compared with a relation") != std::string::npos);
     }
 }
+
+TEST_CASE("what is proved in several cases has the reason of each") {
+  const Result r = run_program("ledger", {"prove", "log(x+y) < 0", "0 < x+y < 1"});
+  INFO(r.out);
+  CHECK(r.exit_code == 0);
+  CHECK(r.out.find("neither holds for any value in the declared ranges, for x + y >= 1; ") !=
+        std::string::npos);
+}
+
+TEST_CASE("what cannot be small is refused, and at a corner there is no Taylor polynomial") {
+  const Result away =
+      run_program("ledger", {"prove", "log(1+x)", "x", "--assume", "x > 1", "--small", "x", "--order", "1"});
+  INFO(away.err);
+  CHECK(away.exit_code == 2);
+  CHECK(away.err.find("(1, inf), away from 0") != std::string::npos);
+  for (const char* bent : {"sqrt(x^2+x^3)", "sqrt(1-cos(x))", "fabs(x)"}) {
+    const Result r = run_program("ledger", {"prove", bent, "x", "--small", "x", "--order", "1"});
+    INFO(bent);
+    CHECK(r.exit_code == 3);
+    CHECK(r.out.find("no Taylor polynomial") != std::string::npos);
+  }
+}

@@ -39,10 +39,8 @@ class Expansion {
     for (const Tree& side : relation.sides) {
       const ex whole = value(side);
       for (auto part = whole.preorder_begin(); part != whole.preorder_end(); ++part) {
-        const bool is_bent = name_of(*part) == "abs" || (GiNaC::is_a<GiNaC::power>(*part) &&
-                                                         !part->op(1).info(GiNaC::info_flags::integer));
-        const ex inside = is_bent ? lead(part->op(0)) : ex(1);
-        if (!is_bent || inside.is_equal(part->op(0)) || sign_of(inside, symbols_) != 0) continue;
+        const ex inside = is_bent(*part) ? lead(part->op(0)) : ex(1);
+        if (!is_bent(*part) || inside.is_equal(part->op(0)) || sign_of(inside, symbols_) != 0) continue;
         const std::string text = print(inside, Notation::plain, symbols_);
         const auto is_said = [&](const std::string& c) { return c == text + " != 0" || c == text + " > 0"; };
         if (std::none_of(conditions.begin(), conditions.end(), is_said)) conditions.push_back(text + " != 0");
@@ -59,12 +57,14 @@ class Expansion {
   ex in_size(const ex& e) const { return e.subs(scaled_, GiNaC::subs_options::no_pattern); }
 
   /// |x|, or a root of x.
+  static bool is_bent(const ex& e) {
+    return name_of(e) == "abs" || (GiNaC::is_a<GiNaC::power>(e) && !e.op(1).info(GiNaC::info_flags::integer));
+  }
+  /// Whether it is bent where what is small is 0.
   bool has_corner(const ex& e) const {
     return std::any_of(e.preorder_begin(), e.preorder_end(), [&](const ex& part) {
-      const bool is_bent = name_of(part) == "abs" ||
-                           (GiNaC::is_a<GiNaC::power>(part) && !part.op(1).info(GiNaC::info_flags::integer));
-      return is_bent && std::any_of(scaled_.begin(), scaled_.end(),
-                                    [&](const auto& one) { return part.has(one.first); });
+      return is_bent(part) && std::any_of(scaled_.begin(), scaled_.end(),
+                                          [&](const auto& one) { return part.has(one.first); });
     });
   }
 

@@ -126,7 +126,7 @@ std::map<std::string, ex> angles_in(const Residuals& residuals, const Symbols& s
   return angles;
 }
 
-/// With one angle a multiple of pi; or with two that are multiples of pi/2, where one alone does not do.
+/// With one angle a multiple of pi; or, of few angles, with two that are multiples of pi/2.
 void solve_at_angles(const Residuals& residuals, const Symbols& symbols, std::vector<Solution>& found) {
   using GiNaC::numeric;
   const auto angles = angles_in(residuals, symbols);
