@@ -46,9 +46,11 @@ inline std::string why_it_ended(int status) {
 
 /// Runs `work` in a child process and brings its text back. At most `seconds` and `megabytes` of address
 /// space. The seconds are wall-clock time, but at most twice the processor time: work that only waits for its
-/// turn on a busy machine is not given up, so that what is decided does not depend on the others. (After 20
-/// times the seconds it is, whatever it waits for.) Throws std::runtime_error if no child can be made.
-inline Bounded run_bounded(const std::function<std::string()>& work, double seconds, long megabytes) {
+/// turn on a busy machine is not given up, so that what is decided does not depend on the others. After
+/// `patience` seconds of wall-clock time it is, whatever it waits for. Throws std::runtime_error if no child
+/// can be made.
+inline Bounded run_bounded(const std::function<std::string()>& work, double seconds, long megabytes,
+                           double patience = 60) {
   int ends[2];
   if (::pipe(ends) != 0) throw std::runtime_error("no pipe to be had");
   const pid_t child = ::fork();
@@ -80,18 +82,16 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
   ::close(ends[1]);
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  const auto counted = [&](double processor) {
-    const double wall = std::chrono::duration<double>(Clock::now() - start).count();
-    return wall > 20 * seconds ? wall : std::min(wall, 2 * processor);
-  };
+  const auto clock = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const auto counted = [&](double processor) { return std::min(clock(), 2 * processor); };
   std::string text;
   bool is_late = false;
   for (char buffer[4096];;) {
-    const double taken = counted(processor_seconds(child));
-    is_late = taken >= seconds;
+    const double left = std::min((seconds - counted(processor_seconds(child))) / 2, patience - clock());
+    is_late = left <= 0;
     if (is_late) break;
     pollfd ready{ends[0], POLLIN, 0};
-    const int count = ::poll(&ready, 1, 1 + static_cast<int>(500 * (seconds - taken)));
+    const int count = ::poll(&ready, 1, 1 + static_cast<int>(1000 * left));
     if (count == 0 || (count < 0 && errno == EINTR)) continue;
     const ssize_t n = count > 0 ? ::read(ends[0], buffer, sizeof buffer) : 0;
     if (n <= 0) break;

@@ -24,6 +24,12 @@ TEST_CASE("work that only waits for its turn is not given up") {
   CHECK(waited.seconds < 0.2);
 }
 
+TEST_CASE("work that waits for longer than one has patience is given up") {
+  const Bounded waited = run_bounded([] { return ::usleep(5'000'000), std::string("done"); }, 4, megabytes, 0.3);
+  CHECK_FALSE(waited.result);
+  CHECK(waited.why == "it took longer than it may");
+}
+
 TEST_CASE("work that takes the processor for longer than it may is given up") {
   const Bounded spun = run_bounded([] { return spin(5), std::string("done"); }, 0.2, megabytes);
   CHECK_FALSE(spun.result);

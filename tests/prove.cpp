@@ -170,7 +170,8 @@ TEST_CASE("given equations and approximations have verdicts of their own") {
     return prove_json({left, right, "--assume", "y >= 0", "--small", "x", "--order", "1"},
                       0)["side_conditions"];
   };
-  CHECK(conditions("fabs(y-x)", "y-x") == nlohmann::json{"y != 0"});  // there it has a corner
+  CHECK(conditions("fabs(y-x)", "y-x") == nlohmann::json{"y != 0", "y >= 0"});  // at 0 it has a corner
+  CHECK(conditions("sqrt((y+1)^2+x)", "y+1+x/(2*y+2)") == nlohmann::json{"y >= 0"});
   CHECK(conditions("(y-x)^2", "y^2-2*x*y").empty());
 }
 

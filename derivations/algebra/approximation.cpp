@@ -12,7 +12,8 @@ using GiNaC::ex;
 
 namespace {
 
-/// Taylor polynomials in symbols that are all of one size.
+/// Series in symbols that are all of one size: Taylor polynomials, and where there is a pole, negative powers
+/// before them.
 class Expansion {
  public:
   Expansion(const std::vector<std::string>& small, int order, const Symbols& symbols,
@@ -24,11 +25,10 @@ class Expansion {
   ex value(const Tree& tree) const { return put_in(lower(tree, symbols_), given_); }
   ex polynomial(const ex& e) const {
     const ex series = GiNaC::series_to_poly(in_size(e).series(size_ == 0, order_ + 1)).expand();
-    if (!series.is_polynomial(size_)) return series.subs(size_ == 1);
     ex result = 0;  // the series of a product of polynomials has more terms than those asked for
-    for (int k = 0; k <= order_; ++k) result += series.coeff(size_, k);
+    for (int k = series.ldegree(size_); k <= order_; ++k) result += series.coeff(size_, k);
     if (has_corner(result)) throw Undecidable("there is a corner where what is small is 0");
-    return result;
+    return result.subs(size_ == 1);  // of logarithms
   }
   Tree tree(const ex& e) const { return to_tree(e, symbols_); }
   /// What is left of an expression where all that is small is 0.
@@ -40,7 +40,9 @@ class Expansion {
       const ex whole = value(side);
       for (auto part = whole.preorder_begin(); part != whole.preorder_end(); ++part) {
         const ex inside = is_bent(*part) ? lead(part->op(0)) : ex(1);
-        if (!is_bent(*part) || inside.is_equal(part->op(0)) || sign_of(inside, symbols_) != 0) continue;
+        if (!is_bent(*part) || inside.is_equal(part->op(0)) || sign_of(inside, symbols_) != 0 ||
+            vanishes(inside, symbols_))
+          continue;  // has_corner() has looked at what is 0 there
         const std::string text = print(inside, Notation::plain, symbols_);
         const auto is_said = [&](const std::string& c) { return c == text + " != 0" || c == text + " > 0"; };
         if (std::none_of(conditions.begin(), conditions.end(), is_said)) conditions.push_back(text + " != 0");
@@ -76,7 +78,7 @@ class Expansion {
 };
 
 /// A relation a*name + b = 0, or > 0 and so on, in which a does not become 0 with what is small, as one
-/// between the symbol and the Taylor polynomial of -b/a.
+/// between the symbol and the series of -b/a.
 std::optional<Relation> solved_for(const std::string& name, const Relation& relation,
                                    const Expansion& expansion, const Symbols& symbols) {
   const SymbolExpression& x = symbols[name];
@@ -92,7 +94,7 @@ std::optional<Relation> solved_for(const std::string& name, const Relation& rela
   return Relation{{expansion.tree(x), expansion.tree(expansion.polynomial(-rest / slope))}, {op}};
 }
 
-/// Whether the Taylor polynomials of two neighbouring sides are the same: of that order nothing is left that
+/// Whether the series of two neighbouring sides are the same: of that order nothing is left that
 /// says anything.
 bool says_nothing(const Relation& polynomials, const Symbols& symbols) {
   for (std::size_t k = 0; k + 1 < polynomials.sides.size(); ++k)
@@ -141,12 +143,11 @@ Proof prove_approximation(const Relation& left, const Relation& right, const std
     return proof;
   } catch (const std::domain_error&) {  // GiNaC: a pole, in the expression or in one of its derivatives
     Proof proof;
-    proof.reason =
-        "no Taylor polynomial: there is a pole, or a derivative without a value, where what is small is 0";
+    proof.reason = "no series: there is a pole, or a derivative without a value, where what is small is 0";
     return proof;
   } catch (const std::exception& error) {
     Proof proof;
-    proof.reason = "no Taylor polynomial: " + in_plain_words(error);
+    proof.reason = "no series: " + in_plain_words(error);
     return proof;
   }
 }

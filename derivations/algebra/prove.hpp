@@ -75,9 +75,10 @@ GiNaC::ex put_in(GiNaC::ex expression, const std::vector<Given>& given);
 Proof prove(const Relation& left, const Relation& right, const Symbols& symbols = paper_symbols(),
             const std::vector<Given>& given = {});
 
-/// Whether two expressions have the same Taylor polynomial of `order` in the small symbols, all of one size;
-/// two relations, whether they say the same, to that order, of a symbol that is not small, for which both can
-/// be solved. A chain is taken side by side. The givens are put in first.
+/// Whether two expressions have the same series up to `order` in the small symbols, all of one size: Taylor
+/// polynomials, and at a pole negative powers before them. Two relations, whether they say the same, to that
+/// order, of a symbol that is not small, for which both can be solved. A chain is taken side by side. The givens
+/// are put in first.
 Proof prove_approximation(const Relation& left, const Relation& right, const std::vector<std::string>& small,
                           int order, const Symbols& symbols = paper_symbols(),
                           const std::vector<Given>& given = {});

@@ -46,8 +46,8 @@ Opinion judge_bounded(const Exercise& exercise, const std::string& text) {
       return packed(undecided("undecided", in_plain_words(error)));
     }
   };
-  constexpr double seconds = 1.5;  // of the two that an answer may take, with the preparation
-  const Bounded outcome = run_bounded(work, seconds, 480);
+  constexpr double seconds = 1.5, patience = 1.7;  // of the two that an answer may take, with the preparation
+  const Bounded outcome = run_bounded(work, seconds, 480, patience);
   return outcome.result ? unpacked(*outcome.result) : undecided("limits", outcome.why);
 }
 

@@ -9,7 +9,7 @@ namespace rederive {
 
 /// Whether the witness shows what it is for: all that is assumed holds there, as far as it names the
 /// symbols, and of two statements one holds and the other does not, or two expressions have two values. Of
-/// Taylor polynomials only the assumptions are looked at. `symbols` has all names of the request.
+/// series only the assumptions are looked at. `symbols` has all names of the request.
 bool is_confirmed(const Witness& witness, const ProveRequest& request, const Symbols& symbols);
 
 /// A point inside the declared ranges, where all that is assumed holds, and the statements do not say the

@@ -84,12 +84,12 @@ Proof decide_to_order(const Relation& left, const Relation& right, const Context
                       const ProveRequest& request) {
   Proof proof = prove_approximation(left, right, request.small, *request.order, context.symbols,
                                     context.put_in_at_once(true));
-  const std::string polynomials = fmt::format("the Taylor polynomials in {} up to order {}",
-                                              fmt::join(request.small, ", "), *request.order);
+  const std::string series =
+      fmt::format("the series in {} up to order {}", fmt::join(request.small, ", "), *request.order);
   if (proof.verdict == Verdict::approximation)
-    proof.reason = fmt::format("{} are the same: {}", polynomials, proof.reason);
+    proof.reason = fmt::format("{} are the same: {}", series, proof.reason);
   if (proof.verdict != Verdict::refuted) return proof;
-  proof.reason = polynomials + " differ at the witness, which shows their values";
+  proof.reason = series + " differ at the witness, which shows their values";
   const auto name = changes_with_small(context, request);
   if (!name) return proof;
   Proof open;
@@ -97,7 +97,7 @@ Proof decide_to_order(const Relation& left, const Relation& right, const Context
       "{0} would differ if {1} changes with {2} as the assumptions ask; say what changes: assume \"{1} = "
       "...\", or "
       "the same of another symbol",
-      polynomials, *name, fmt::join(request.small, ", "));
+      series, *name, fmt::join(request.small, ", "));
   return open;
 }
 

@@ -132,7 +132,7 @@ int show_mutation(const Options& options) {
 }
 
 int show_proof(const Options& options) {
-  const auto [json, certificate] = decide_bounded(options.request);
+  const auto [json, certificate] = decide_bounded(options.request, 1.85);
   const std::string verdict = json["verdict"];
   if (!options.certificate.empty() && certificate.is_object())
     write_whole(options.certificate, certificate.dump(1) + "\n");
@@ -253,7 +253,7 @@ int main(int argc, char** argv) {
           ->allow_extra_args(false)
           ->option_text("TEXT");
   auto* small =
-      proving->add_option("--small", options.request.small, "Compare Taylor polynomials in these symbols")
+      proving->add_option("--small", options.request.small, "Compare the series in these symbols")
           ->delimiter(',')
           ->allow_extra_args(false)
           ->option_text("NAME[,NAME]");
@@ -262,7 +262,7 @@ int main(int argc, char** argv) {
   proving->footer(
       "To ask whether an inequality holds wherever it has a value, compare it with 0 < 1.\n\n"
       "proved holds without the equations that are assumed, proved_under needs them; approximation: with\n"
-      "--small, where the two themselves are not the same, but their Taylor polynomials are. An equation\n"
+      "--small, where the two themselves are not the same, but their series are. An equation\n"
       "that leaves a sign open, or several angles or factors, and an inequality that holds on several "
       "pieces,\n"
       "are assumed in every way; what is proved holds for all. Where all is the same for x + 2*pi, one turn\n"

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/failure.hpp>
 #include <derivations/bounded.hpp>
@@ -21,6 +22,9 @@ using Json = nlohmann::ordered_json;
 bool is_proved(const Proof& proof) {
   return proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
 }
+
+/// Whether it says that something holds, if only to an order.
+bool is_positive(const Proof& proof) { return is_proved(proof) || proof.verdict == Verdict::approximation; }
 
 /// What the computer algebra throws, overflows and poles, leaves a statement undecided.
 template <class Work>
@@ -134,7 +138,7 @@ Certified<Proof> decide(const ProveRequest& request) {
     auto found = decide_and_check(cases, request);
     if (found.proof.verdict == Verdict::undecided) return decide_in_parts(request).value_or(found);
     Proof& proof = found.proof;
-    if (is_proved(proof)) add_new(conditions_used(proof.verdict, cases, request), proof.side_conditions);
+    if (is_positive(proof)) add_new(conditions_used(proof.verdict, cases, request), proof.side_conditions);
     return found;
   });
 }
@@ -143,7 +147,7 @@ namespace {
 
 /// What the work gives, as text; or why it gave nothing. The child does everything that may be expensive;
 /// what it could not read is said here.
-Bounded bounded(const std::function<std::string()>& work, double seconds) {
+Bounded bounded(const std::function<std::string()>& work, double seconds, double patience) {
   const auto or_error = [&]() -> std::string {
     try {
       return "J" + work();
@@ -151,7 +155,7 @@ Bounded bounded(const std::function<std::string()>& work, double seconds) {
       return std::string("B") + error.what();
     }
   };
-  Bounded outcome = run_bounded(or_error, seconds, 480);
+  Bounded outcome = run_bounded(or_error, seconds, 480, patience);
   if (outcome.result && outcome.result->front() == 'B') throw BadInput(outcome.result->substr(1));
   if (outcome.result) outcome.result->erase(0, 1);
   return outcome;
@@ -163,7 +167,7 @@ std::string decision(const ProveRequest& request) {
   const auto [proof, certificate] = or_undecided([&] {
     const std::vector<Case> cases = cases_of(request);
     auto found = decide_and_check(cases, request);
-    if (is_proved(found.proof)) conditions = conditions_of(cases, request);
+    if (is_positive(found.proof)) conditions = conditions_of(cases, request);
     return found;
   });
   return Json{to_json(proof), conditions, certificate}.dump();
@@ -176,19 +180,25 @@ std::string decision_in_parts(const ProveRequest& request) {
 }
 
 /// Those among them that it does rest on; all of them, if there is no time to find out.
-Json conditions_within(double seconds, const Json& all, const Json& verdict, const ProveRequest& request) {
+Json conditions_within(double seconds, double patience, const Json& all, const Json& verdict,
+                       const ProveRequest& request) {
   const auto work = [&] {
-    const Verdict proved = verdict == "proved" ? Verdict::proved : Verdict::proved_under;
-    return Json(conditions_used(proved, cases_of(request), request)).dump();
+    const Verdict found = verdict == "proved"         ? Verdict::proved
+                          : verdict == "proved_under" ? Verdict::proved_under
+                                                      : Verdict::approximation;
+    return Json(conditions_used(found, cases_of(request), request)).dump();
   };
-  const Bounded outcome = all.empty() ? Bounded{} : bounded(work, seconds);
+  const Bounded outcome = all.empty() ? Bounded{} : bounded(work, seconds, patience);
   return outcome.result ? Json::parse(*outcome.result) : all;
 }
 
 }  // namespace
 
-Certified<Json> decide_bounded(const ProveRequest& request) {
-  const Bounded outcome = bounded([&] { return decision(request); }, 1.7);
+Certified<Json> decide_bounded(const ProveRequest& request, double patience) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const auto left = [&] { return patience - std::chrono::duration<double>(Clock::now() - start).count(); };
+  const Bounded outcome = bounded([&] { return decision(request); }, 1.7, left());
   if (!outcome.result) {
     Proof proof;
     proof.reason = "given up: " + outcome.why;
@@ -196,12 +206,13 @@ Certified<Json> decide_bounded(const ProveRequest& request) {
   }
   Json parts = Json::parse(*outcome.result), &proof = parts[0];
   if (proof["verdict"] == "undecided") {
-    const Bounded again = bounded([&] { return decision_in_parts(request); }, 1.7 - outcome.seconds);
+    const Bounded again = bounded([&] { return decision_in_parts(request); }, 1.7 - outcome.seconds, left());
     const Json found = Json::parse(again.result.value_or("null"));
     return found.is_null() ? Certified<Json>{proof, nullptr} : Certified<Json>{found[0], found[1]};
   }
   Json& said = proof["side_conditions"];
-  for (const Json& condition : conditions_within(1.75 - outcome.seconds, parts[1], proof["verdict"], request))
+  const Json used = conditions_within(1.75 - outcome.seconds, left(), parts[1], proof["verdict"], request);
+  for (const Json& condition : used)
     if (std::count(said.begin(), said.end(), condition) == 0) said.push_back(condition);
   return {proof, parts[2]};
 }

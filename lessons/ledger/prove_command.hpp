@@ -16,7 +16,7 @@ struct ProveRequest {
   std::string left, right;
   std::vector<std::string> assumptions;  ///< "x > 0", "0 < x < 1", "b < h", "x != 0", "theta = 0"
   std::vector<std::string> small;        ///< expansion symbols, with order
-  std::optional<int> order;              ///< compare Taylor polynomials of this order
+  std::optional<int> order;              ///< compare the series up to this order
 };
 
 /// The symbols of the paper, and every letter and Greek letter (with an index or dots) that the texts use.
@@ -65,8 +65,9 @@ struct Certified {
 /// Throws BadInput (with a caret) for what cannot be read. No bounds on time or memory.
 Certified<Proof> decide(const ProveRequest& request);
 
-/// Decides within two seconds, and more where the machine has less than half a processor for it, and 500 MB;
-/// the proof as `ledger prove --json` has it. Throws BadInput (with a caret) for what cannot be read.
-Certified<nlohmann::ordered_json> decide_bounded(const ProveRequest& request);
+/// Decides within two seconds and 500 MB; where the machine has less than half a processor for it, in more, but
+/// not in more than `patience` seconds. The proof as `ledger prove --json` has it. Throws BadInput (with a
+/// caret) for what cannot be read.
+Certified<nlohmann::ordered_json> decide_bounded(const ProveRequest& request, double patience = 60);
 
 }  // namespace rederive
