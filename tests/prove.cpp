@@ -175,6 +175,34 @@ TEST_CASE("given equations and approximations have verdicts of their own") {
   CHECK(conditions("(y-x)^2", "y^2-2*x*y").empty());
 }
 
+TEST_CASE("a series asks that the lowest terms below a bar, in a root or a logarithm are not 0") {
+  using Texts = std::vector<std::string>;
+  const auto conditions = [](const char* order, const char* left, const char* right, Texts assumptions = {},
+                             const char* small = "x") {
+    Texts arguments{left, right, "--small", small, "--order", order};
+    for (const std::string& assumption : assumptions)
+      arguments.push_back("--assume"), arguments.push_back(assumption);
+    const nlohmann::json answer = prove_json(arguments, 0);
+    CHECK(answer["verdict"] == "approximation");
+    return answer["side_conditions"];
+  };
+  CHECK(conditions("0", "x/(a+x)", "0") == Texts{"a != 0"});  // at a = 0 it is 1
+  CHECK(conditions("1", "a^2/(a+x)", "a-x") == Texts{"a != 0"});
+  CHECK(conditions("0", "b/(K+b)", "0", {"K >= 0"}, "b") == Texts{"K != 0"});  // K + b > 0 for all K
+  CHECK(conditions("0", "x/(a+x) = y", "y = 0") == Texts{"a != 0"});
+  CHECK(conditions("0", "K/(K+b) < y", "1 < y", {"K >= 0"}, "b") == Texts{"K != 0"});
+  CHECK(conditions("0", "x/(sin(a)^2*cos(b)+x)", "0") == Texts{"cos(b) != 0", "sin(a) != 0"});
+  CHECK(conditions("0", "x*tan(a+x)", "0") == Texts{"cos(a) != 0"});
+  CHECK(conditions("0", "x/log(a+x)", "0") == Texts{"a > 0", "log(a) != 0"});
+  CHECK(conditions("0", "asin(a+x)", "asin(a)") == Texts{"1 - a^2 > 0"});
+  CHECK(conditions("2", "sqrt(a^2*x^2+x^4)", "fabs(a)*x", {"x > 0"}) == Texts{"a != 0", "x > 0"});
+  CHECK(conditions("1", "sqrt(a*x^2+x^4)", "sqrt(a)*x", {"x > 0"}) == Texts{"a > 0", "x > 0"});
+  CHECK(conditions("0", "a^x", "1") == Texts{"a > 0"});
+  CHECK(conditions("0", "a^x", "1", {"a >= 0"}) == Texts{"a != 0"});
+  CHECK(conditions("0", "(x-y)/sin(x-y)", "1", {}, "x,y") == Texts{"x - y != 0"});
+  CHECK(conditions("1", "sin(x)+q-q", "x", {"q = 1/(a+x)"}) == Texts{"a != 0"});
+}
+
 TEST_CASE("a text that cannot be read ends with 2 and a caret under the character") {
   const Result r = run_program("ledger", {"prove", "2x", "x"});
   CHECK(r.exit_code == 2);

@@ -1,9 +1,9 @@
 // Statements that hold to an order in symbols that are small.
 #include <algorithm>
+#include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/failure.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
-#include <derivations/algebra/prove.hpp>
 #include <derivations/algebra/vanish.hpp>
 
 namespace rederive {
@@ -24,30 +24,33 @@ class Expansion {
 
   ex value(const Tree& tree) const { return put_in(lower(tree, symbols_), given_); }
   ex polynomial(const ex& e) const {
-    const ex series = GiNaC::series_to_poly(in_size(e).series(size_ == 0, order_ + 1)).expand();
+    check_powers(e);
+    const ex all = series(e, order_);
     ex result = 0;  // the series of a product of polynomials has more terms than those asked for
-    for (int k = series.ldegree(size_); k <= order_; ++k) result += series.coeff(size_, k);
+    for (int k = all.ldegree(size_); k <= order_; ++k) result += all.coeff(size_, k);
     if (has_corner(result)) throw Undecidable("there is a corner where what is small is 0");
-    return result.subs(size_ == 1);  // of logarithms
+    return without_size(result);
   }
   Tree tree(const ex& e) const { return to_tree(e, symbols_); }
   /// What is left of an expression where all that is small is 0.
   ex lead(const ex& e) const { return in_size(e).subs(size_ == 0); }
 
-  /// What must not be 0 where all that is small is, so that bars and roots have no corner there.
-  void add_corners(const Relation& relation, std::vector<std::string>& conditions) const {
-    for (const Tree& side : relation.sides) {
-      const ex whole = value(side);
-      for (auto part = whole.preorder_begin(); part != whole.preorder_end(); ++part) {
-        const ex inside = is_bent(*part) ? lead(part->op(0)) : ex(1);
-        if (!is_bent(*part) || inside.is_equal(part->op(0)) || sign_of(inside, symbols_) != 0 ||
-            vanishes(inside, symbols_))
-          continue;  // has_corner() has looked at what is 0 there
-        const std::string text = print(inside, Notation::plain, symbols_);
-        const auto is_said = [&](const std::string& c) { return c == text + " != 0" || c == text + " > 0"; };
-        if (std::none_of(conditions.begin(), conditions.end(), is_said)) conditions.push_back(text + " != 0");
+  /// What must hold so that the sides have their series: where they divide, or have roots, bars, logarithms,
+  /// the leading coefficients of what is in there are not 0.
+  std::vector<Condition> conditions(const Relation& relation) const {
+    std::vector<Condition> result;
+    const auto add = [&](const Tree& tree, bool only_small) {
+      for (Condition condition : conditions_for_series(tree, symbols_, given_)) {
+        condition.value = put_in(condition.value, given_);
+        if (is_small(condition.value))
+          result.push_back(of_leading(condition));
+        else if (!only_small)
+          result.push_back(condition);
       }
-    }
+    };
+    for (const Tree& side : relation.sides) add(side, false);
+    for (const Given& given : given_) add(tree(given.value), true);
+    return not_granted(result, symbols_, given_);
   }
 
   Relation side_by_side(Relation relation) const {
@@ -58,16 +61,112 @@ class Expansion {
  private:
   ex in_size(const ex& e) const { return e.subs(scaled_, GiNaC::subs_options::no_pattern); }
 
+  ex series(const ex& e, int order) const {
+    return GiNaC::series_to_poly(in_size(e).series(size_ == 0, order + 1)).expand();
+  }
+  bool is_small(const ex& e) const {
+    return std::any_of(scaled_.begin(), scaled_.end(), [&](const auto& one) { return e.has(one.first); });
+  }
+
+  bool is_power_of_size(const ex& e) const {
+    return e.is_polynomial(size_) && e.has(size_) && e.ldegree(size_) == e.degree(size_);
+  }
+  /// Logarithms of what is small are let stand beside the powers, but not inside of anything.
+  ex without_size(const ex& coefficient) const {
+    const GiNaC::symbol log_of_size;
+    GiNaC::exmap logs;
+    for (auto part = coefficient.preorder_begin(); part != coefficient.preorder_end(); ++part)
+      if (GiNaC::is_the_function<GiNaC::log_SERIAL>(*part) && is_power_of_size(part->op(0)))
+        logs[*part] = log_of_size;
+    const ex seen = coefficient.subs(logs, GiNaC::subs_options::no_pattern);
+    if (seen.has(size_) || !seen.is_polynomial(log_of_size))
+      throw Undecidable("a logarithm of what is small is inside of something");
+    return coefficient.subs(size_ == 1);
+  }
+
+  /// A power with a symbolic exponent tends to 0, or to no value, as its base tends to 0.
+  void check_powers(const ex& e) const {
+    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+      if (GiNaC::is_a<GiNaC::power>(*part) && !GiNaC::is_a<GiNaC::numeric>(part->op(1)) &&
+          is_small(part->op(0)) && vanishes(lead(part->op(0)), symbols_))
+        throw Undecidable("the base of a power with a symbolic exponent is small");
+  }
+
+  /// c*size^k, what the expression in the size begins with.
+  struct Leading {
+    ex coefficient;
+    int power;
+  };
+  Leading leading(const ex& e) const {
+    if (!is_small(e)) return {e, 0};
+    if (GiNaC::is_a<GiNaC::mul>(e)) {
+      Leading product{1, 0};
+      for (const ex& factor : e) {
+        const Leading l = leading(factor);
+        product = {product.coefficient * l.coefficient, product.power + l.power};
+      }
+      return product;
+    }
+    if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::integer)) {
+      const Leading base = leading(e.op(0));
+      return {GiNaC::pow(base.coefficient, e.op(1)),
+              base.power * GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int()};
+    }
+    return leading_of_series(e);
+  }
+  Leading leading_of_series(const ex& e) const {
+    constexpr int most = 15;
+    for (int order = 0; order <= most; order = 2 * order + 1) {
+      const ex all = series(e, order);
+      for (int k = all.ldegree(size_); k <= order; ++k) {
+        const ex coefficient = all.coeff(size_, k);
+        if (coefficient.is_zero()) continue;
+        if (coefficient.has(size_))
+          throw Undecidable("what is divided by, or in a root, begins with a logarithm of what is small");
+        if (vanishes(coefficient, symbols_)) throw Undecidable("a series begins with what is 0 in disguise");
+        if (k != 0) check_directions(e, coefficient, k);
+        return {coefficient, k};
+      }
+    }
+    throw Undecidable("what is divided by, or in a root, is too small");
+  }
+
+  /// Of several small symbols, the first terms may vanish where the others do not. Not so where all of it is
+  /// of one degree, or it depends on one sum of theirs.
+  void check_directions(const ex& e, const ex& coefficient, int k) const {
+    if ((in_size(e) - coefficient * GiNaC::pow(size_, k)).expand().is_zero()) return;
+    std::vector<GiNaC::symbol> small;
+    for (const auto& [symbol, scaled] : scaled_)
+      if (e.has(symbol)) small.push_back(GiNaC::ex_to<GiNaC::symbol>(symbol));
+    const ex first = coefficient.diff(small.front());
+    for (const GiNaC::symbol& other : small) {
+      const ex ratio = first.is_zero() ? ex(0) : (coefficient.diff(other) / first).normal();
+      if (first.is_zero() || is_small(ratio) ||
+          !(e.diff(other) - ratio * e.diff(small.front())).expand().is_zero())
+        throw Undecidable(
+            "the first terms of what is divided by, or in a root, may be smaller than the rest");
+    }
+  }
+
+  /// What a condition comes to where what is small is nearly 0.
+  Condition of_leading(const Condition& condition) const {
+    const auto [coefficient, power] = leading(condition.value);
+    if (condition.relation == "!=") return {coefficient, "!="};
+    if (sign_of(coefficient, symbols_) < 0)
+      throw Undecidable("there is no value where what is small is nearly 0");
+    return {
+        power % 2 == 0 && scaled_.size() == 1 ? coefficient.subs(scaled_.begin()->first == 1) : coefficient,
+        ">"};
+  }
+
   /// |x|, or a root of x.
   static bool is_bent(const ex& e) {
     return name_of(e) == "abs" || (GiNaC::is_a<GiNaC::power>(e) && !e.op(1).info(GiNaC::info_flags::integer));
   }
   /// Whether it is bent where what is small is 0.
   bool has_corner(const ex& e) const {
-    return std::any_of(e.preorder_begin(), e.preorder_end(), [&](const ex& part) {
-      return is_bent(part) && std::any_of(scaled_.begin(), scaled_.end(),
-                                          [&](const auto& one) { return part.has(one.first); });
-    });
+    return std::any_of(e.preorder_begin(), e.preorder_end(),
+                       [&](const ex& part) { return is_bent(part) && is_small(part); });
   }
 
   const GiNaC::symbol size_{"size"};
@@ -136,10 +235,13 @@ Proof prove_approximation(const Relation& left, const Relation& right, const std
                           int order, const Symbols& symbols, const std::vector<Given>& given) {
   try {
     const Expansion expansion(small, order, symbols, given);
+    std::vector<Condition> conditions;  // throws where there is no series: also before anything is refuted
+    for (const Relation* relation : {&left, &right})
+      for (const Condition& condition : expansion.conditions(*relation)) conditions.push_back(condition);
     Proof proof = compared(left, right, small, expansion, symbols, given);
     if (proof.verdict != Verdict::proved) return proof;
     proof.verdict = Verdict::approximation;
-    for (const Relation* relation : {&left, &right}) expansion.add_corners(*relation, proof.side_conditions);
+    add_in_words(proof.side_conditions, conditions, symbols);
     return proof;
   } catch (const std::domain_error&) {  // GiNaC: a pole, in the expression or in one of its derivatives
     Proof proof;

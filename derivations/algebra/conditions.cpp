@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <derivations/algebra/conditions.hpp>
+#include <derivations/algebra/factor_roots.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <map>
@@ -13,8 +14,10 @@ struct Collector {
   const std::vector<Given>& given;
   std::vector<Condition> found;
   std::vector<GiNaC::ex> divisors;
+  bool for_series = false;  ///< what a range grants may still be 0 to lowest order
 
   bool is_granted(const GiNaC::ex& value, const std::string& relation) const {
+    if (for_series) return false;
     const GiNaC::ex e = put_in(value, given);
     return relation == ">="  ? is_nonnegative(e, symbols)
            : relation == ">" ? sign_of(e, symbols) > 0
@@ -54,10 +57,11 @@ struct Collector {
         break;
       case Node::Kind::power: {
         const GiNaC::ex exponent = put_in(value(1), given);
+        const bool is_symbolic = for_series && !GiNaC::is_a<GiNaC::numeric>(exponent);  // x^y, y small
         const bool whole =
             GiNaC::is_a<GiNaC::numeric>(exponent) && GiNaC::ex_to<GiNaC::numeric>(exponent).is_integer();
         if (!whole)
-          note(value(0), may_be_negative(exponent) ? ">" : ">=");
+          note(value(0), may_be_negative(exponent) || is_symbolic ? ">" : ">=");
         else if (may_be_negative(exponent))
           nonzero(value(0));
         break;
@@ -79,6 +83,7 @@ struct Collector {
     if (name == "acosh") note(x - 1, ">=");
     if (name == "asin" || name == "acos") note(1 - x * x, ">=");
     if (name == "atanh") note(1 - x * x, ">");
+    if (name == "fabs" && for_series) note(x, "!=");
   }
 };
 
@@ -114,6 +119,39 @@ std::vector<GiNaC::ex> divisors(const Tree& tree, const Symbols& symbols) {
   Collector collector{symbols, {}, {}, {}};
   collector.visit(tree);
   return collector.divisors;
+}
+
+std::vector<Condition> conditions_for_series(const Tree& tree, const Symbols& symbols,
+                                             const std::vector<Given>& given) {
+  Collector collector{symbols, given, {}, {}, true};
+  collector.visit(tree);
+  return collector.found;
+}
+
+std::vector<Condition> not_granted(const std::vector<Condition>& conditions, const Symbols& symbols,
+                                   const std::vector<Given>& given) {
+  Collector collector{symbols, given, {}, {}};
+  for (const auto& [value, relation] : conditions) {
+    const bool is_nonzero = relation == "!=" || (relation == ">" && is_nonnegative(value, symbols));
+    const std::vector<GiNaC::ex> factors = is_nonzero ? factors_of(value, symbols) : std::vector<GiNaC::ex>{};
+    for (const GiNaC::ex& factor : factors) collector.nonzero(factor);
+    if (factors.empty()) collector.note(value, is_nonzero ? "!=" : relation);
+  }
+  return collector.found;
+}
+
+void add_in_words(std::vector<std::string>& said, const std::vector<Condition>& conditions,
+                  const Symbols& symbols) {
+  for (const Condition& condition : conditions) {
+    const std::string value = print(condition.value, Notation::plain, symbols);
+    const auto same = std::find_if(said.begin(), said.end(), [&](const std::string& s) {
+      return s == value + " != 0" || s == value + " > 0" || s == value + " >= 0";
+    });
+    if (same == said.end())
+      said.push_back(in_words(condition, symbols));
+    else if (*same != in_words(condition, symbols))
+      *same = value + " > 0";  // two of !=, > and >= are that
+  }
 }
 
 std::vector<std::string> side_conditions(const std::vector<Tree>& sides, const Symbols& symbols,

@@ -26,6 +26,19 @@ std::vector<std::string> in_words(const std::vector<Condition>& conditions, cons
 std::vector<std::string> side_conditions(const std::vector<Tree>& sides, const Symbols& symbols,
                                          const std::vector<Given>& given);
 
+/// All that must not be 0, be positive or not negative for a series in small symbols: also what the ranges grant, for
+/// its lowest terms may be 0 all the same, what stands between bars, and what has a symbolic exponent.
+std::vector<Condition> conditions_for_series(const Tree& tree, const Symbols& symbols,
+                                             const std::vector<Given>& given);
+
+/// Those of them, factor by factor, that the ranges do not grant.
+std::vector<Condition> not_granted(const std::vector<Condition>& conditions, const Symbols& symbols,
+                                   const std::vector<Given>& given);
+
+/// Adds what has not been said.
+void add_in_words(std::vector<std::string>& said, const std::vector<Condition>& conditions,
+                  const Symbols& symbols);
+
 /// What the tree divides by, factor by factor: none of it is 0 where the tree has a value.
 std::vector<GiNaC::ex> divisors(const Tree& tree, const Symbols& symbols);
 
