@@ -26,8 +26,9 @@ std::vector<std::string> in_words(const std::vector<Condition>& conditions, cons
 std::vector<std::string> side_conditions(const std::vector<Tree>& sides, const Symbols& symbols,
                                          const std::vector<Given>& given);
 
-/// All that must not be 0, be positive or not negative for a series in small symbols: also what the ranges grant, for
-/// its lowest terms may be 0 all the same, what stands between bars, and what has a symbolic exponent.
+/// All that must not be 0, be positive or not negative for a series in small symbols: what the ranges grant,
+/// too, for its lowest terms may be 0 all the same; what stands between bars, and what has a symbolic
+/// exponent.
 std::vector<Condition> conditions_for_series(const Tree& tree, const Symbols& symbols,
                                              const std::vector<Given>& given);
 
