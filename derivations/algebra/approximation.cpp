@@ -117,9 +117,9 @@ class Expansion {
   Leading leading_of_series(const ex& e) const {
     constexpr int most = 15;
     for (int order = 0; order <= most; order = 2 * order + 1) {
-      const ex all = series(e, order);
+      const ex all = in_size(e).series(size_ == 0, order + 1);
       for (int k = all.ldegree(size_); k <= order; ++k) {
-        const ex coefficient = all.coeff(size_, k);
+        const ex coefficient = all.coeff(size_, k);  // not expanded: GiNaC divides by it as it is
         if (coefficient.is_zero()) continue;
         if (coefficient.has(size_))
           throw Undecidable("what is divided by, or in a root, begins with a logarithm of what is small");
