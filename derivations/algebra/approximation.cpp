@@ -4,6 +4,7 @@
 #include <derivations/algebra/failure.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/size_series.hpp>
 #include <derivations/algebra/vanish.hpp>
 
 namespace rederive {
@@ -12,32 +13,28 @@ using GiNaC::ex;
 
 namespace {
 
-/// Series in symbols that are all of one size: Taylor polynomials, and where there is a pole, negative powers
-/// before them.
+/// Series in symbols that are all of one size.
 class Expansion {
  public:
   Expansion(const std::vector<std::string>& small, int order, const Symbols& symbols,
             const std::vector<Given>& given)
-      : order_(order), symbols_(symbols), given_(given) {
-    for (const std::string& name : small) scaled_[symbols[name]] = size_ * symbols[name];
+      : series_(symbols), order_(order), symbols_(symbols), given_(given) {
+    for (const std::string& name : small) scaled_[symbols[name]] = series_.size() * symbols[name];
   }
 
   ex value(const Tree& tree) const { return put_in(lower(tree, symbols_), given_); }
-  ex polynomial(const ex& e) const {
-    check_powers(e);
-    const ex all = series(e, order_);
-    ex result = 0;  // the series of a product of polynomials has more terms than those asked for
-    for (int k = all.ldegree(size_); k <= order_; ++k) result += all.coeff(size_, k);
+  ex polynomial(const ex& e) {
+    const ex result = series_.at_one(series_.up_to(in_size(e), order_));
     if (has_corner(result)) throw Undecidable("there is a corner where what is small is 0");
-    return without_size(result);
+    return result;
   }
   Tree tree(const ex& e) const { return to_tree(e, symbols_); }
   /// What is left of an expression where all that is small is 0.
-  ex lead(const ex& e) const { return in_size(e).subs(size_ == 0); }
+  ex lead(const ex& e) const { return in_size(e).subs(series_.size() == 0); }
 
   /// What must hold so that the sides have their series: where they divide, or have roots, bars, logarithms,
   /// the leading coefficients of what is in there are not 0.
-  std::vector<Condition> conditions(const Relation& relation) const {
+  std::vector<Condition> conditions(const Relation& relation) {
     std::vector<Condition> result;
     const auto add = [&](const Tree& tree, bool only_small) {
       for (Condition condition : conditions_for_series(tree, symbols_, given_)) {
@@ -53,7 +50,7 @@ class Expansion {
     return not_granted(result, symbols_, given_);
   }
 
-  Relation side_by_side(Relation relation) const {
+  Relation side_by_side(Relation relation) {
     for (Tree& side : relation.sides) side = tree(polynomial(value(side)));
     return relation;
   }
@@ -61,43 +58,12 @@ class Expansion {
  private:
   ex in_size(const ex& e) const { return e.subs(scaled_, GiNaC::subs_options::no_pattern); }
 
-  ex series(const ex& e, int order) const {
-    return GiNaC::series_to_poly(in_size(e).series(size_ == 0, order + 1)).expand();
-  }
   bool is_small(const ex& e) const {
     return std::any_of(scaled_.begin(), scaled_.end(), [&](const auto& one) { return e.has(one.first); });
   }
 
-  bool is_power_of_size(const ex& e) const {
-    return e.is_polynomial(size_) && e.has(size_) && e.ldegree(size_) == e.degree(size_);
-  }
-  /// Logarithms of what is small are let stand beside the powers, but not inside of anything.
-  ex without_size(const ex& coefficient) const {
-    const GiNaC::symbol log_of_size;
-    GiNaC::exmap logs;
-    for (auto part = coefficient.preorder_begin(); part != coefficient.preorder_end(); ++part)
-      if (GiNaC::is_the_function<GiNaC::log_SERIAL>(*part) && is_power_of_size(part->op(0)))
-        logs[*part] = log_of_size;
-    const ex seen = coefficient.subs(logs, GiNaC::subs_options::no_pattern);
-    if (seen.has(size_) || !seen.is_polynomial(log_of_size))
-      throw Undecidable("a logarithm of what is small is inside of something");
-    return coefficient.subs(size_ == 1);
-  }
-
-  /// A power with a symbolic exponent tends to 0, or to no value, as its base tends to 0.
-  void check_powers(const ex& e) const {
-    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
-      if (GiNaC::is_a<GiNaC::power>(*part) && !GiNaC::is_a<GiNaC::numeric>(part->op(1)) &&
-          is_small(part->op(0)) && vanishes(lead(part->op(0)), symbols_))
-        throw Undecidable("the base of a power with a symbolic exponent is small");
-  }
-
-  /// c*size^k, what the expression in the size begins with.
-  struct Leading {
-    ex coefficient;
-    int power;
-  };
-  Leading leading(const ex& e) const {
+  /// What a divisor, or what is in a root, begins with, factor by factor.
+  Leading leading(const ex& e) {
     if (!is_small(e)) return {e, 0};
     if (GiNaC::is_a<GiNaC::mul>(e)) {
       Leading product{1, 0};
@@ -112,29 +78,16 @@ class Expansion {
       return {GiNaC::pow(base.coefficient, e.op(1)),
               base.power * GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int()};
     }
-    return leading_of_series(e);
-  }
-  Leading leading_of_series(const ex& e) const {
-    constexpr int most = 15;
-    for (int order = 0; order <= most; order = 2 * order + 1) {
-      const ex all = in_size(e).series(size_ == 0, order + 1);
-      for (int k = all.ldegree(size_); k <= order; ++k) {
-        const ex coefficient = all.coeff(size_, k);  // not expanded: GiNaC divides by it as it is
-        if (coefficient.is_zero()) continue;
-        if (coefficient.has(size_))
-          throw Undecidable("what is divided by, or in a root, begins with a logarithm of what is small");
-        if (vanishes(coefficient, symbols_)) throw Undecidable("a series begins with what is 0 in disguise");
-        if (k != 0) check_directions(e, coefficient, k);
-        return {coefficient, k};
-      }
-    }
-    throw Undecidable("what is divided by, or in a root, is too small");
+    const Leading result = series_.divisor(in_size(e));
+    if (result.power != 0) check_directions(e, result);
+    return result;
   }
 
   /// Of several small symbols, the first terms may vanish where the others do not. Not so where all of it is
   /// of one degree, or it depends on one sum of theirs.
-  void check_directions(const ex& e, const ex& coefficient, int k) const {
-    if ((in_size(e) - coefficient * GiNaC::pow(size_, k)).expand().is_zero()) return;
+  void check_directions(const ex& e, const Leading& leading) const {
+    const ex& coefficient = leading.coefficient;
+    if ((in_size(e) - coefficient * GiNaC::pow(series_.size(), leading.power)).expand().is_zero()) return;
     std::vector<GiNaC::symbol> small;
     for (const auto& [symbol, scaled] : scaled_)
       if (e.has(symbol)) small.push_back(GiNaC::ex_to<GiNaC::symbol>(symbol));
@@ -149,7 +102,7 @@ class Expansion {
   }
 
   /// What a condition comes to where what is small is nearly 0.
-  Condition of_leading(const Condition& condition) const {
+  Condition of_leading(const Condition& condition) {
     const auto [coefficient, power] = leading(condition.value);
     if (condition.relation == "!=") return {coefficient, "!="};
     if (sign_of(coefficient, symbols_) < 0)
@@ -169,7 +122,7 @@ class Expansion {
                        [&](const ex& part) { return is_bent(part) && is_small(part); });
   }
 
-  const GiNaC::symbol size_{"size"};
+  SizeSeries series_;
   GiNaC::exmap scaled_;
   int order_;
   const Symbols& symbols_;
@@ -178,8 +131,8 @@ class Expansion {
 
 /// A relation a*name + b = 0, or > 0 and so on, in which a does not become 0 with what is small, as one
 /// between the symbol and the series of -b/a.
-std::optional<Relation> solved_for(const std::string& name, const Relation& relation,
-                                   const Expansion& expansion, const Symbols& symbols) {
+std::optional<Relation> solved_for(const std::string& name, const Relation& relation, Expansion& expansion,
+                                   const Symbols& symbols) {
   const SymbolExpression& x = symbols[name];
   const ex residual = expansion.value(relation.sides[0]) - expansion.value(relation.sides[1]);
   if (!residual.has(x)) return std::nullopt;
@@ -212,7 +165,7 @@ Proof compared_side_by_side(const Relation& left, const Relation& right, const S
 }
 
 Proof compared(const Relation& left, const Relation& right, const std::vector<std::string>& small,
-               const Expansion& expansion, const Symbols& symbols, const std::vector<Given>& given) {
+               Expansion& expansion, const Symbols& symbols, const std::vector<Given>& given) {
   if (left.sides.size() != 2 || right.sides.size() != 2)
     return compared_side_by_side(expansion.side_by_side(left), expansion.side_by_side(right), symbols, given);
   for (const std::string& name : symbols.names()) {
@@ -234,7 +187,7 @@ Proof compared(const Relation& left, const Relation& right, const std::vector<st
 Proof prove_approximation(const Relation& left, const Relation& right, const std::vector<std::string>& small,
                           int order, const Symbols& symbols, const std::vector<Given>& given) {
   try {
-    const Expansion expansion(small, order, symbols, given);
+    Expansion expansion(small, order, symbols, given);
     std::vector<Condition> conditions;  // throws where there is no series: also before anything is refuted
     for (const Relation* relation : {&left, &right})
       for (const Condition& condition : expansion.conditions(*relation)) conditions.push_back(condition);

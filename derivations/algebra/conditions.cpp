@@ -144,6 +144,8 @@ void add_in_words(std::vector<std::string>& said, const std::vector<Condition>& 
                   const Symbols& symbols) {
   for (const Condition& condition : conditions) {
     const std::string value = print(condition.value, Notation::plain, symbols);
+    const std::string negative = print((-condition.value).expand(), Notation::plain, symbols);
+    if (condition.relation == "!=" && std::count(said.begin(), said.end(), negative + " != 0") > 0) continue;
     const auto same = std::find_if(said.begin(), said.end(), [&](const std::string& s) {
       return s == value + " != 0" || s == value + " > 0" || s == value + " >= 0";
     });
