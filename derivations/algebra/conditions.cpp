@@ -4,6 +4,7 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/print.hpp>
 #include <map>
+#include <tuple>
 
 namespace rederive {
 
@@ -28,8 +29,18 @@ struct Collector {
     const bool is_root = GiNaC::is_a<GiNaC::power>(value) && value.op(1).info(GiNaC::info_flags::positive) &&
                          !value.op(1).info(GiNaC::info_flags::integer);
     if (is_root && relation == ">") return note(value.op(0), relation);
-    const auto is_it = [&](const Condition& c) { return c.relation == relation && c.value.is_equal(value); };
-    if (std::none_of(found.begin(), found.end(), is_it)) found.push_back({value, relation});
+    const GiNaC::ex said = relation == "!=" ? with_sign(value) : value;
+    const auto is_it = [&](const Condition& c) { return c.relation == relation && c.value.is_equal(said); };
+    if (std::none_of(found.begin(), found.end(), is_it)) found.push_back({said, relation});
+  }
+  /// Of x - y and y - x, which are not 0 together, the one that comes first in the alphabet.
+  GiNaC::ex with_sign(const GiNaC::ex& value) const {
+    if (!GiNaC::is_a<GiNaC::add>(value)) return value;
+    const auto text = [&](const GiNaC::ex& e) { return print(e, Notation::plain, symbols); };
+    const GiNaC::ex negative = -value;
+    const std::string one = text(value), other = text(negative);
+    const bool is_negative = one[0] == '-', is_other_negative = other[0] == '-';
+    return std::tie(is_other_negative, other) < std::tie(is_negative, one) ? negative : value;
   }
   void nonzero(const GiNaC::ex& value) {
     if (GiNaC::is_a<GiNaC::mul>(value)) {
@@ -144,8 +155,6 @@ void add_in_words(std::vector<std::string>& said, const std::vector<Condition>& 
                   const Symbols& symbols) {
   for (const Condition& condition : conditions) {
     const std::string value = print(condition.value, Notation::plain, symbols);
-    const std::string negative = print((-condition.value).expand(), Notation::plain, symbols);
-    if (condition.relation == "!=" && std::count(said.begin(), said.end(), negative + " != 0") > 0) continue;
     const auto same = std::find_if(said.begin(), said.end(), [&](const std::string& s) {
       return s == value + " != 0" || s == value + " > 0" || s == value + " >= 0";
     });

@@ -79,8 +79,8 @@ Proof prove(const Relation& left, const Relation& right, const Symbols& symbols 
 /// one size: Taylor polynomials, and at a pole negative powers before them. Two relations, whether they say
 /// the same, to that order, of a symbol that is not small, for which both can be solved. A chain is taken
 /// side by side. The givens are put in first. The side conditions say that what is divided by, or is in a
-/// root, between bars, in a logarithm, does not lose its lowest terms: x/(a+x) is 0 to order 0 in x, if a !=
-/// 0.
+/// root, between bars, in a logarithm, does not lose its lowest terms: if a != 0, then x/(a+x) is 0 to
+/// order 0 in x.
 Proof prove_approximation(const Relation& left, const Relation& right, const std::vector<std::string>& small,
                           int order, const Symbols& symbols = paper_symbols(),
                           const std::vector<Given>& given = {});

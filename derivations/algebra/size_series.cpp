@@ -60,11 +60,11 @@ ex SizeSeries::terms(const ex& e, int order) {
 
 ex SizeSeries::product(const ex& e, int order) {
   int total = 0;
-  for (const ex& factor : e) total += leading(factor).power;
+  for (const ex& factor : e) total += lowest(factor);
   ex result = total <= order ? 1 : 0;
   for (const ex& factor : e) {
     if (result.is_zero()) break;
-    const int first = leading(factor).power;
+    const int first = lowest(factor);
     result = cut(result * GiNaC::pow(size_, -first) * up_to(factor, order - total + first), order - total);
   }
   return (result * GiNaC::pow(size_, total)).expand();
@@ -122,25 +122,31 @@ Leading SizeSeries::leading(const ex& e) {
     result = {GiNaC::pow(base.coefficient, e.op(1)),
               base.power * GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int()};
   } else {
-    result = first_of_terms(e);
+    const auto first = first_of_terms(e);
+    if (!first) throw Undecidable("a series begins with a power that is too high");
+    result = *first;
+    const ex& c = result.coefficient;
+    if (vanishes(c.coeff(log_of_size_, c.degree(log_of_size_)), symbols_))
+      throw Undecidable("a series begins with what is 0 in disguise");
   }
   leading_.emplace(e, result);
   return result;
 }
 
-Leading SizeSeries::first_of_terms(const ex& e) {
-  constexpr int most = 15;
-  for (int order = 0; order <= most; order = 2 * order + 1) {
+std::optional<Leading> SizeSeries::first_of_terms(const ex& e) {
+  for (int order = 0; order <= highest; order = 2 * order + 1) {
     const ex all = up_to(e, order);
-    for (int k = all.ldegree(size_); k <= order && !all.is_zero(); ++k) {
-      const ex coefficient = all.coeff(size_, k);
-      if (coefficient.is_zero()) continue;
-      const ex of_logarithm = coefficient.coeff(log_of_size_, coefficient.degree(log_of_size_));
-      if (vanishes(of_logarithm, symbols_)) throw Undecidable("a series begins with what is 0 in disguise");
-      return {coefficient, k};
-    }
+    for (int k = all.ldegree(size_); k <= order && !all.is_zero(); ++k)
+      if (const ex coefficient = all.coeff(size_, k); !coefficient.is_zero()) return Leading{coefficient, k};
   }
-  throw Undecidable("a series begins with a power that is too high");
+  return std::nullopt;
+}
+
+int SizeSeries::lowest(const ex& e) {
+  if (!e.has(size_)) return 0;
+  if (GiNaC::is_a<GiNaC::power>(e)) return leading(e).power;
+  const auto first = first_of_terms(e);
+  return first ? first->power : highest + 1;
 }
 
 }  // namespace rederive

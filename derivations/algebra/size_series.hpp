@@ -3,6 +3,7 @@
 
 #include <derivations/algebra/symbols.hpp>
 #include <map>
+#include <optional>
 
 namespace rederive {
 
@@ -42,7 +43,10 @@ class SizeSeries {
   GiNaC::ex product(const GiNaC::ex& e, int order);
   GiNaC::ex power(const GiNaC::ex& base, const GiNaC::ex& exponent, int order);
   GiNaC::ex function(const GiNaC::ex& e, int order);
-  Leading first_of_terms(const GiNaC::ex& e);
+  static constexpr int highest = 15;  ///< power that a series is searched for its first term
+  std::optional<Leading> first_of_terms(const GiNaC::ex& e);
+  /// The power that a factor begins with, or a lower one: it may be 0 in disguise, or begin with a high power.
+  int lowest(const GiNaC::ex& e);
 
   const Symbols& symbols_;
   const GiNaC::symbol size_{"size"}, log_of_size_{"log_of_size"}, step_{"step"};
