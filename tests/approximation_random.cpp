@@ -1,0 +1,175 @@
+// Random expressions, and the same with something small put to them: what `ledger prove --small x` says of
+// the two is held against their values, to 300 digits, where x is as small as 10^-24 and all side conditions
+// hold. REDERIVE_SEED and REDERIVE_PAIRS choose another run.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <lessons/ledger/decide_one.hpp>
+#include <lessons/ledger/prove_command.hpp>
+#include <random>
+
+using namespace rederive;
+
+namespace {
+
+class Generator {
+ public:
+  explicit Generator(unsigned seed) : random_(seed) {}
+
+  std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
+  template <class T>
+  const T& pick(const std::vector<T>& items) {
+    return items[below(items.size())];
+  }
+
+  std::string expression(int depth) {
+    static const std::vector<std::string> atoms{"x", "x", "x", "a", "a", "y", "1", "2", "1/2"};
+    static const std::vector<std::string> exponents{"2", "2", "3", "(1/2)", "(-1)", "(1/3)"};
+    static const std::vector<std::string> functions{"sin",  "cos",  "tan",  "exp",  "log",  "sqrt",
+                                                    "fabs", "atan", "asin", "sinh", "cosh", "tanh"};
+    if (depth == 0) return pick(atoms);
+    const std::size_t kind = below(25);
+    const std::string one = expression(depth - 1);
+    if (kind < 7) return "(" + one + "+" + expression(depth - 1) + ")";
+    if (kind < 9) return "(" + one + "-" + expression(depth - 1) + ")";
+    if (kind < 14) return one + "*" + expression(depth - 1);
+    if (kind < 18) return one + "/(" + expression(depth - 1) + ")";
+    if (kind < 20) return "(" + one + ")^" + pick(exponents);
+    if (kind < 21) return "(" + one + ")^(" + expression(depth - 1) + ")";
+    return pick(functions) + "(" + one + ")";
+  }
+
+  /// The same with something of a higher order than `order`, or just not.
+  std::string changed(const std::string& text, int order) {
+    const std::string little = "x^" + std::to_string(below(5) > 0 ? order + 1 : std::max(order, 1));
+    std::vector<std::size_t> places;
+    for (std::size_t k = text.find('x'); k != std::string::npos; k = text.find('x', k + 1))
+      if (text.compare(k, 2, "xp") != 0) places.push_back(k);
+    switch (below(4)) {
+      case 0:
+        if (places.empty()) break;
+        return std::string(text).replace(
+            pick(places), 1, pick(std::vector<std::string>{"0", "sin(x)", "(x+" + little + "*a)"}));
+      case 1:
+        return "(" + text + ")*(1+" + little + ")";
+      case 2:
+        return text + "+" + little + "*" + expression(2);
+      default:
+        break;
+    }
+    return text + "+" + little;
+  }
+
+  /// Of a and y, with those among them where something may vanish.
+  cln::cl_RA value() {
+    static const std::vector<cln::cl_RA> special{0, 1, -1, 2, -2, 3, cln::cl_RA(1) / 2, -cln::cl_RA(1) / 2};
+    return below(10) < 7 ? pick(special) : (cln::cl_RA(static_cast<long>(below(601))) - 300) / 77;
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+constexpr int digits = 300;
+
+/// Whether all that was said holds at the point, clearly.
+bool hold(const nlohmann::ordered_json& conditions, const Point& point, const Symbols& symbols) {
+  const cln::cl_R clear = "1e-60_150";
+  return std::all_of(conditions.begin(), conditions.end(), [&](const std::string& text) {
+    const Relation relation = read(text, symbols);
+    for (std::size_t k = 0; k < relation.operators.size(); ++k) {
+      const auto left = evaluate(relation.sides[k], point, digits);
+      const auto right = evaluate(relation.sides[k + 1], point, digits);
+      if (!left || !right) return false;
+      const cln::cl_R excess = relation.operators[k][0] == '<' ? *right - *left : *left - *right;
+      if (relation.operators[k] == "!=" ? cln::abs(excess) < clear : excess < clear) return false;
+    }
+    return true;
+  });
+}
+
+/// Whether the difference is of a higher order, at ±10^-12, 10^-18, 10^-24; nothing where it cannot be seen.
+std::optional<bool> is_of_higher_order(const Tree& left, const Tree& right, int order, int sign,
+                                       Point point) {
+  std::vector<cln::cl_R> ratios;
+  for (const int power : {12, 18, 24}) {
+    const cln::cl_RA size = 1 / cln::cl_RA(cln::expt_pos(cln::cl_I(10), power));
+    point["x"] = sign * size;
+    const auto l = evaluate(left, point, digits), r = evaluate(right, point, digits);
+    if (!l || !r) return std::nullopt;
+    ratios.push_back(cln::abs(*l - *r) / cln::expt(size, order));
+  }
+  const cln::cl_R& last = ratios.back();
+  if (last <= ratios[1] / 2 || cln::zerop(last))
+    return last < cln::cl_R(1) / 1000 ? std::optional(true) : std::nullopt;
+  return last > cln::cl_R(1) / 30 ? std::optional(false) : std::nullopt;
+}
+
+/// How often the difference was seen to be of a higher order, and how often not, where the conditions hold.
+struct Seen {
+  int higher = 0, not_higher = 0;
+};
+
+Seen look(const Tree& left, const Tree& right, int order, const nlohmann::ordered_json& proof,
+          const std::vector<int>& signs, const Symbols& symbols, Generator& generator) {
+  Seen seen;
+  for (int k = 0; k < 14; ++k) {
+    Point point{{"a", generator.value()}, {"y", generator.value()}};
+    for (const int sign : signs) {
+      point["x"] = sign / cln::cl_RA(cln::expt_pos(cln::cl_I(10), 12));
+      if (!hold(proof["side_conditions"], point, symbols)) continue;
+      const auto higher = is_of_higher_order(left, right, order, sign, point);
+      if (higher) ++(*higher ? seen.higher : seen.not_higher);
+    }
+  }
+  return seen;
+}
+
+long from_environment(const char* name, long otherwise) {
+  const char* text = std::getenv(name);
+  return text != nullptr ? std::strtol(text, nullptr, 10) : otherwise;
+}
+
+}  // namespace
+
+TEST_CASE("random approximations hold where x is small, and what is refuted does not") {
+  const auto seed = static_cast<unsigned>(from_environment("REDERIVE_SEED", 20261124));
+  const long pairs = from_environment("REDERIVE_PAIRS", 4'000);
+  std::cout << "seed " << seed << ", " << pairs << " pairs\n";
+  Generator generator(seed);
+  std::map<std::string, long> verdicts;
+  long held_against = 0;
+  for (long done = 0; done < pairs;) {
+    const int order = static_cast<int>(generator.below(3));
+    ProveRequest request;
+    request.left = generator.expression(2 + static_cast<int>(generator.below(2)));
+    request.right = generator.changed(request.left, order);
+    request.small = {"x"};
+    request.order = order;
+    if (generator.below(2) == 0) request.assumptions = {"x > 0"};
+    try {
+      const Symbols symbols = make_context(request).symbols;
+      const Tree left = parse(request.left, symbols), right = parse(request.right, symbols);
+      const auto proof = decide_bounded(request).proof;
+      ++done;
+      const std::string verdict = proof["verdict"];
+      ++verdicts[verdict];
+      if (verdict == "undecided") continue;
+      const std::vector<int> signs = request.assumptions.empty() ? std::vector{1, -1} : std::vector{1};
+      const Seen seen = look(left, right, order, proof, signs, symbols, generator);
+      held_against += seen.higher + seen.not_higher > 0 ? 1 : 0;
+      INFO("seed " << seed << ", pair " << done << "\n"
+                   << request.left << "\n"
+                   << request.right << "\norder " << order << " " << proof.dump());
+      if (verdict == "refuted")
+        CHECK((seen.not_higher > 0 || seen.higher < 5));
+      else
+        CHECK(seen.not_higher == 0);
+    } catch (const BadInput&) {  // a divisor that is 0, a logarithm of it: no statement at all
+    }
+  }
+  for (const auto& [verdict, number] : verdicts) std::cout << number << " " << verdict << ", ";
+  std::cout << held_against << " held against values\n";
+  CHECK(held_against > pairs / 3);
+}
