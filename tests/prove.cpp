@@ -118,6 +118,7 @@ TEST_CASE("side conditions say nothing twice, nor what is assumed") {
   CHECK(conditions({"sqrt(x)*log(x)", "log(x)*x^(1/2)"}) == nlohmann::json{"x > 0"});
   CHECK(conditions({"log(x)/sqrt(x)", "2*log(sqrt(x))/sqrt(x)"}) == nlohmann::json{"x > 0"});
   CHECK(conditions({"sqrt(1-x^2)/(1-x^2)", "1/sqrt(1-x^2)"}) == nlohmann::json{"1 - x^2 > 0"});
+  CHECK(conditions({"x/(y+z/p^2)", "x*p^2/(y*p^2+z)"}) == nlohmann::json{"p^2*y + z != 0"});
   CHECK(conditions({"tan(x) < tan(y)", "0 < 1", "--assume", "0 < x < y < pi/2"}) ==
         nlohmann::json{"x > 0", "y < pi/2", "x < y"});  // no cosine is 0 there
 }

@@ -62,25 +62,16 @@ class Expansion {
     return std::any_of(scaled_.begin(), scaled_.end(), [&](const auto& one) { return e.has(one.first); });
   }
 
-  /// What a divisor, or what is in a root, begins with, factor by factor.
-  Leading leading(const ex& e) {
-    if (!is_small(e)) return {e, 0};
+  /// Whether every factor of what is divided by, or in a root, is as small as its first terms.
+  void check_factors(const ex& e) {
     if (GiNaC::is_a<GiNaC::mul>(e)) {
-      Leading product{1, 0};
-      for (const ex& factor : e) {
-        const Leading l = leading(factor);
-        product = {product.coefficient * l.coefficient, product.power + l.power};
-      }
-      return product;
+      for (const ex& factor : e) check_factors(factor);
+    } else if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::integer)) {
+      check_factors(e.op(0));
+    } else if (is_small(e)) {
+      const Leading first = series_.divisor(in_size(e));
+      if (first.power != 0) check_directions(e, first);
     }
-    if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::integer)) {
-      const Leading base = leading(e.op(0));
-      return {GiNaC::pow(base.coefficient, e.op(1)),
-              base.power * GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int()};
-    }
-    const Leading result = series_.divisor(in_size(e));
-    if (result.power != 0) check_directions(e, result);
-    return result;
   }
 
   /// Of several small symbols, the first terms may vanish where the others do not. Not so where all of it is
@@ -103,7 +94,8 @@ class Expansion {
 
   /// What a condition comes to where what is small is nearly 0.
   Condition of_leading(const Condition& condition) {
-    const auto [coefficient, power] = leading(condition.value);
+    check_factors(condition.value);
+    const auto [coefficient, power] = series_.divisor(in_size(condition.value));
     if (condition.relation == "!=") return {coefficient, "!="};
     if (sign_of(coefficient, symbols_) < 0)
       throw Undecidable("there is no value where what is small is nearly 0");

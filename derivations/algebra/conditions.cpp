@@ -29,9 +29,16 @@ struct Collector {
     const bool is_root = GiNaC::is_a<GiNaC::power>(value) && value.op(1).info(GiNaC::info_flags::positive) &&
                          !value.op(1).info(GiNaC::info_flags::integer);
     if (is_root && relation == ">") return note(value.op(0), relation);
-    const GiNaC::ex said = relation == "!=" ? with_sign(value) : value;
+    const GiNaC::ex said = relation == "!=" ? with_sign(numerator(value)) : value;
     const auto is_it = [&](const Condition& c) { return c.relation == relation && c.value.is_equal(said); };
     if (std::none_of(found.begin(), found.end(), is_it)) found.push_back({said, relation});
+  }
+  /// Of a sum of fractions the numerator, if what they have below is never 0.
+  GiNaC::ex numerator(const GiNaC::ex& value) const {
+    if (!GiNaC::is_a<GiNaC::add>(value)) return value;
+    const GiNaC::ex fraction = value.numer_denom(), below = fraction.op(1);
+    const bool is_whole = GiNaC::is_a<GiNaC::numeric>(below) || sign_of(below, symbols) == 0;
+    return is_whole ? value : fraction.op(0).expand();
   }
   /// Of x - y and y - x, which are not 0 together, the one that comes first in the alphabet.
   GiNaC::ex with_sign(const GiNaC::ex& value) const {
