@@ -29,9 +29,14 @@ struct Collector {
     const bool is_root = GiNaC::is_a<GiNaC::power>(value) && value.op(1).info(GiNaC::info_flags::positive) &&
                          !value.op(1).info(GiNaC::info_flags::integer);
     if (is_root && relation == ">") return note(value.op(0), relation);
-    const GiNaC::ex said = relation == "!=" ? with_sign(numerator(value)) : value;
+    const GiNaC::ex whole = without_content(relation == "!=" ? numerator(value) : value);
+    const GiNaC::ex said = relation == "!=" ? with_sign(whole) : whole;
     const auto is_it = [&](const Condition& c) { return c.relation == relation && c.value.is_equal(said); };
     if (std::none_of(found.begin(), found.end(), is_it)) found.push_back({said, relation});
+  }
+  /// 2*x + 2 as x + 1.
+  static GiNaC::ex without_content(const GiNaC::ex& value) {
+    return GiNaC::is_a<GiNaC::add>(value) ? (value / value.integer_content()).expand() : value;
   }
   /// Of a sum of fractions the numerator, if what they have below is never 0.
   GiNaC::ex numerator(const GiNaC::ex& value) const {
@@ -40,14 +45,17 @@ struct Collector {
     const bool is_whole = GiNaC::is_a<GiNaC::numeric>(below) || sign_of(below, symbols) == 0;
     return is_whole ? value : fraction.op(0).expand();
   }
-  /// Of x - y and y - x, which are not 0 together, the one that comes first in the alphabet.
+  /// Of x - 1 and 1 - x, which are not 0 together, the one that does not begin with a number or a minus; then
+  /// the one whose first name comes first in the alphabet.
   GiNaC::ex with_sign(const GiNaC::ex& value) const {
     if (!GiNaC::is_a<GiNaC::add>(value)) return value;
-    const auto text = [&](const GiNaC::ex& e) { return print(e, Notation::plain, symbols); };
     const GiNaC::ex negative = -value;
-    const std::string one = text(value), other = text(negative);
-    const bool is_negative = one[0] == '-', is_other_negative = other[0] == '-';
-    return std::tie(is_other_negative, other) < std::tie(is_negative, one) ? negative : value;
+    return rank(negative) < rank(value) ? negative : value;
+  }
+  std::tuple<bool, bool, std::string> rank(const GiNaC::ex& sum) const {
+    const std::string text = print(sum, Notation::plain, symbols);
+    const std::size_t name = std::min(text.find_first_not_of("-0123456789*/()"), text.size());
+    return {text[0] == '-', text.find(' ') <= name, text.substr(name)};
   }
   void nonzero(const GiNaC::ex& value) {
     if (GiNaC::is_a<GiNaC::mul>(value)) {
@@ -119,18 +127,9 @@ std::string in_words(const Condition& condition, const Symbols& symbols) {
 }
 
 std::vector<std::string> in_words(const std::vector<Condition>& conditions, const Symbols& symbols) {
-  std::vector<Condition> said;
-  for (const Condition& condition : conditions) {
-    const auto same = std::find_if(said.begin(), said.end(),
-                                   [&](const Condition& c) { return c.value.is_equal(condition.value); });
-    if (same == said.end())
-      said.push_back(condition);
-    else if (same->relation != condition.relation)
-      same->relation = ">";  // two of !=, > and >= are that
-  }
-  std::vector<std::string> result;
-  for (const Condition& condition : said) result.push_back(in_words(condition, symbols));
-  return result;
+  std::vector<std::string> said;
+  add_in_words(said, conditions, symbols);
+  return said;
 }
 
 std::vector<GiNaC::ex> divisors(const Tree& tree, const Symbols& symbols) {
@@ -158,17 +157,33 @@ std::vector<Condition> not_granted(const std::vector<Condition>& conditions, con
   return collector.found;
 }
 
+namespace {
+
+/// "x - 1 != 0" as "x - 1" and "!="; nothing of what is not compared with 0.
+std::pair<std::string, std::string> in_parts(const std::string& said) {
+  const std::size_t zero = said.rfind(" 0");
+  if (zero == std::string::npos || zero + 2 != said.size()) return {};
+  const std::size_t relation = said.rfind(' ', zero - 1);
+  return {said.substr(0, relation), said.substr(relation + 1, zero - relation - 1)};
+}
+
+}  // namespace
+
 void add_in_words(std::vector<std::string>& said, const std::vector<Condition>& conditions,
                   const Symbols& symbols) {
   for (const Condition& condition : conditions) {
     const std::string value = print(condition.value, Notation::plain, symbols);
+    const std::string negative = print((-condition.value).expand(), Notation::plain, symbols);
     const auto same = std::find_if(said.begin(), said.end(), [&](const std::string& s) {
-      return s == value + " != 0" || s == value + " > 0" || s == value + " >= 0";
+      const auto [other, relation] = in_parts(s);
+      const bool has_no_sign = relation == "!=" || condition.relation == "!=";
+      return other == value || (other == negative && has_no_sign);
     });
-    if (same == said.end())
+    if (same == said.end()) {
       said.push_back(in_words(condition, symbols));
-    else if (*same != in_words(condition, symbols))
-      *same = value + " > 0";  // two of !=, > and >= are that
+    } else if (const auto [other, relation] = in_parts(*same); relation != condition.relation) {
+      *same = (relation == "!=" ? value : other) + " > 0";  // two of !=, > and >= are that
+    }
   }
 }
 

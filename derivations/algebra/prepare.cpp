@@ -90,6 +90,12 @@ struct Prepare : GiNaC::map_function {
     return result;
   }
 
+  /// 2 of 2*x + 4*sin(y), and a number itself: GiNaC leaves it in the sum.
+  static numeric content_of(const ex& factor) {
+    GiNaC::exmap atoms;
+    return is_a<numeric>(factor) ? ex_to<numeric>(factor) : factor.to_rational(atoms).integer_content();
+  }
+
   /// (∏ f_k^{n_k})^q: what is positive comes out, the rest stays together under one root.
   ex root(const ex& base, const numeric& q) {
     if (is_a<numeric>(base) && !ex_to<numeric>(base).is_rational())
@@ -105,6 +111,10 @@ struct Prepare : GiNaC::map_function {
     std::vector<Part> unknown,  // odd powers of what may have either sign
         even_powers;
     for (auto [factor, n] : factors(base)) {
+      if (const numeric content = content_of(factor); !is_a<numeric>(factor) && !content.is_equal(1)) {
+        outside *= number_root(content, n * q);
+        factor = (factor / content).expand();
+      }
       const bool even = n.is_even();
       const int sign = sign_of(factor, symbols);
       if (is_a<numeric>(factor)) {
@@ -230,9 +240,7 @@ struct Prepare : GiNaC::map_function {
         sum += n * factor.op(1) * logarithm(factor.op(0));
         continue;
       }
-      GiNaC::exmap atoms;
-      const numeric number =
-          is_a<numeric>(factor) ? ex_to<numeric>(factor) : factor.to_rational(atoms).integer_content();
+      const numeric number = content_of(factor);
       const ex other = (factor / number).expand();
       const int sign = is_a<numeric>(factor) ? 1 : sign_of(other, symbols);
       sum += n * number_logarithm(GiNaC::abs(number));
