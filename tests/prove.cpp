@@ -143,7 +143,7 @@ TEST_CASE("of many ranges those are named that a proof rests on, however long it
               {}})
           .proof;
   CHECK(proof.verdict == Verdict::proved_under);
-  CHECK(proof.side_conditions == std::vector<std::string>{"R > 0", "m > 0"});
+  CHECK(proof.side_conditions == std::vector<std::string>{"g > 0", "m > 0"});  // as p has a value, R > 0 then
 }
 
 TEST_CASE("a refutation can be checked by hand") {
@@ -210,6 +210,9 @@ TEST_CASE("a text that cannot be read ends with 2 and a caret under the characte
   CHECK(r.out.empty());
   CHECK(r.err.find("^") != std::string::npos);
   CHECK(r.err.find("2*x") != std::string::npos);
+  const Result slip = run_program("ledger", {"prove", "alphaa", "alpha"});
+  CHECK(slip.exit_code == 2);
+  CHECK(slip.err.find("did you mean 'alpha'?") != std::string::npos);
   CHECK(run_program("ledger", {"prove", "x"}).exit_code == 2);
   CHECK(run_program("ledger", {"prove", "x", "y", "--assume", "x > 1", "--assume", "x < 0"}).exit_code == 2);
 }

@@ -237,13 +237,23 @@ void narrow_by_sign(const Given& g, const ex& value, Symbols& symbols) {
   }
 }
 
+/// To where a value is one: y in [-1, 1] of sqrt(1 - y^2).
+void narrow_to_values(const ex& value, Symbols& symbols) {
+  Intervals intervals;
+  for (const Condition& c : conditions_of(to_tree(value, symbols), symbols))
+    if (c.relation != "!=") narrow_by(c.value, claim_of(c.relation), symbols, intervals);
+  for (const auto& [name, interval] : intervals) narrow_to(interval, symbols[name], symbols);
+}
+
 }  // namespace
 
 Symbols with_ranges_of(const std::vector<Given>& given, const Symbols& symbols) {
   Symbols result = symbols;
   for (const Given& g : given) {
     const ex value = put_in(g.value, given);
+    narrow_to_values(value, result);
     if (symbols.find(g.name) == nullptr || symbols.find(g.name)->range == all_numbers) continue;
+    if (names_in(value).empty()) continue;  // a number stands for it: there is nothing to narrow
     narrow_to(interval_of(value, symbols), g.name, result);  // of x < y < 1, with x > 0: y > 0
     narrow_by_sign(g, value, result);
     for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part) {
