@@ -32,6 +32,12 @@ class Expansion {
   /// What is left of an expression where all that is small is 0.
   ex lead(const ex& e) const { return in_size(e).subs(series_.size() == 0); }
 
+  /// What it begins with. Throws where it has no first term.
+  Leading first_term(const ex& e) {
+    check_factors(e);
+    return series_.divisor(in_size(e));
+  }
+
   /// What must hold so that the sides have their series: where they divide, or have roots, bars, logarithms,
   /// the leading coefficients of what is in there are not 0.
   std::vector<Condition> conditions(const Relation& relation) {
@@ -94,11 +100,11 @@ class Expansion {
 
   /// What a condition comes to where what is small is nearly 0.
   Condition of_leading(const Condition& condition) {
-    check_factors(condition.value);
-    const auto [coefficient, power] = series_.divisor(in_size(condition.value));
+    const auto [coefficient, power] = first_term(condition.value);
+    const bool is_beyond =
+        condition.relation == "!=" ? vanishes(coefficient, symbols_) : is_nonnegative(-coefficient, symbols_);
+    if (is_beyond) throw Undecidable("there is no value where what is small is nearly 0");
     if (condition.relation == "!=") return {coefficient, "!="};
-    if (sign_of(coefficient, symbols_) < 0)
-      throw Undecidable("there is no value where what is small is nearly 0");
     return {
         power % 2 == 0 && scaled_.size() == 1 ? coefficient.subs(scaled_.begin()->first == 1) : coefficient,
         ">"};
@@ -121,57 +127,83 @@ class Expansion {
   const std::vector<Given>& given_;
 };
 
-/// A relation a*name + b = 0, or > 0 and so on, in which a does not become 0 with what is small, as one
-/// between the symbol and the series of -b/a.
-std::optional<Relation> solved_for(const std::string& name, const Relation& relation, Expansion& expansion,
-                                   const Symbols& symbols) {
+/// A relation slope*x + rest = 0, or > 0 and so on: what is small in the slope begins with size^power, and
+/// that term has one sign.
+struct Linear {
+  ex x, slope, rest;
+  std::string op;
+  int sign, power;
+};
+
+std::optional<Linear> linear_in(const std::string& name, const Relation& relation, Expansion& expansion,
+                                const Symbols& symbols) {
   const SymbolExpression& x = symbols[name];
   const ex residual = expansion.value(relation.sides[0]) - expansion.value(relation.sides[1]);
   if (!residual.has(x)) return std::nullopt;
   const ex slope = residual.diff(x).normal();
   if (slope.has(x)) return std::nullopt;
-  const ex rest = residual.subs(x == 0);
-  const int sign = sign_of(expansion.lead(slope), symbols);
-  if (sign == 0) return std::nullopt;
-  std::string op = relation.operators[0];
-  if (sign < 0 && op[0] != '=') op[0] = op[0] == '<' ? '>' : '<';
-  return Relation{{expansion.tree(x), expansion.tree(expansion.polynomial(-rest / slope))}, {op}};
+  try {
+    const auto [coefficient, power] = expansion.first_term(slope);
+    const int sign = sign_of(coefficient, symbols);
+    if (sign != 0) return Linear{x, slope, residual.subs(x == 0), relation.operators[0], sign, power};
+  } catch (const std::exception&) {  // it has none
+  }
+  return std::nullopt;
 }
 
-/// Whether the series of two neighbouring sides are the same: of that order nothing is left that
-/// says anything.
-bool says_nothing(const Relation& polynomials, const Symbols& symbols) {
+/// As a relation between the symbol and the series of -rest/slope.
+Relation solved(const Linear& relation, Expansion& expansion) {
+  std::string op = relation.op;
+  if (relation.sign < 0 && op[0] != '=') op[0] = op[0] == '<' ? '>' : '<';
+  return {{expansion.tree(relation.x), expansion.tree(expansion.polynomial(-relation.rest / relation.slope))},
+          {op}};
+}
+
+/// Both as they say what one symbol is that is not small: of several the one of which they say most, for it
+/// has the largest slopes.
+std::optional<std::pair<Linear, Linear>> linear_in_one(const Relation& left, const Relation& right,
+                                                       const std::vector<std::string>& small,
+                                                       Expansion& expansion, const Symbols& symbols) {
+  std::optional<std::pair<Linear, Linear>> best;
+  if (left.sides.size() != 2 || right.sides.size() != 2) return best;
+  for (const std::string& name : symbols.names()) {
+    if (std::count(small.begin(), small.end(), name) > 0) continue;  // what is left out may be of its size
+    const auto l = linear_in(name, left, expansion, symbols);
+    const auto r = l ? linear_in(name, right, expansion, symbols) : std::nullopt;
+    if (r && (!best || l->power + r->power < best->first.power + best->second.power)) best = {*l, *r};
+  }
+  return best;
+}
+
+/// Whether two neighbouring sides are the same where what is small is 0: then the relation says something of
+/// what is small alone, to a lower order than its sides are known.
+bool says_nothing(const Relation& polynomials, const Expansion& expansion, const Symbols& symbols) {
+  const auto at_zero = [&](const Tree& side) { return expansion.lead(lower(side, symbols)); };
   for (std::size_t k = 0; k + 1 < polynomials.sides.size(); ++k)
-    if (vanishes(lower(polynomials.sides[k], symbols) - lower(polynomials.sides[k + 1], symbols), symbols))
-      return true;
+    if (vanishes(at_zero(polynomials.sides[k]) - at_zero(polynomials.sides[k + 1]), symbols)) return true;
   return false;
 }
 
-Proof compared_side_by_side(const Relation& left, const Relation& right, const Symbols& symbols,
-                            const std::vector<Given>& given) {
-  if (!says_nothing(left, symbols) && !says_nothing(right, symbols))
-    return prove(left, right, symbols, given);
+Proof compared_side_by_side(const Relation& left, const Relation& right, const Expansion& expansion,
+                            const Symbols& symbols, const std::vector<Given>& given) {
   Proof proof;
-  proof.reason = "to that order nothing is left of the one or the other";
+  if (says_nothing(left, expansion, symbols) || says_nothing(right, expansion, symbols)) {
+    proof.reason = "where what is small is 0 the one or the other says nothing";
+    return proof;
+  }
+  proof = prove(left, right, symbols, given);
+  if (proof.verdict != Verdict::refuted || left.operators.empty()) return proof;
+  proof = {};  // the factor between the two may be 1 to that order
+  proof.reason = "there is no symbol that is not small for which both can be solved";
   return proof;
 }
 
 Proof compared(const Relation& left, const Relation& right, const std::vector<std::string>& small,
                Expansion& expansion, const Symbols& symbols, const std::vector<Given>& given) {
-  if (left.sides.size() != 2 || right.sides.size() != 2)
-    return compared_side_by_side(expansion.side_by_side(left), expansion.side_by_side(right), symbols, given);
-  for (const std::string& name : symbols.names()) {
-    if (std::count(small.begin(), small.end(), name) > 0) continue;  // what is left out may be of its size
-    const auto l = solved_for(name, left, expansion, symbols);
-    const auto r = l ? solved_for(name, right, expansion, symbols) : std::nullopt;
-    if (r) return prove(*l, *r, symbols, given);
-  }
-  Proof proof =
-      compared_side_by_side(expansion.side_by_side(left), expansion.side_by_side(right), symbols, given);
-  if (proof.verdict != Verdict::refuted) return proof;
-  proof = {};  // the factor between the two may be 1 to that order
-  proof.reason = "there is no symbol that is not small for which both can be solved";
-  return proof;
+  if (const auto both = linear_in_one(left, right, small, expansion, symbols))
+    return prove(solved(both->first, expansion), solved(both->second, expansion), symbols, given);
+  return compared_side_by_side(expansion.side_by_side(left), expansion.side_by_side(right), expansion, symbols,
+                               given);
 }
 
 }  // namespace

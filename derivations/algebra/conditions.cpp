@@ -2,7 +2,9 @@
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/factor_roots.hpp>
 #include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/phases.hpp>
 #include <derivations/algebra/print.hpp>
+#include <derivations/algebra/vanish.hpp>
 #include <map>
 #include <tuple>
 
@@ -25,6 +27,7 @@ struct Collector {
                              : sign_of(e, symbols) != 0;
   }
   void note(const GiNaC::ex& value, const std::string& relation) {
+    if (for_series) must_be_possible(value, relation);
     if (GiNaC::is_a<GiNaC::numeric>(value) || is_granted(value, relation)) return;
     const bool is_root = GiNaC::is_a<GiNaC::power>(value) && value.op(1).info(GiNaC::info_flags::positive) &&
                          !value.op(1).info(GiNaC::info_flags::integer);
@@ -34,9 +37,19 @@ struct Collector {
     const auto is_it = [&](const Condition& c) { return c.relation == relation && c.value.is_equal(said); };
     if (std::none_of(found.begin(), found.end(), is_it)) found.push_back({said, relation});
   }
-  /// 2*x + 2 as x + 1.
+  /// A series is asked for where it has values; of a statement the points that are compared tell.
+  void must_be_possible(const GiNaC::ex& value, const std::string& relation) const {
+    const GiNaC::ex e = put_in(value, given);
+    const bool is_beyond = relation == "!="   ? vanishes(e, symbols)
+                           : relation == ">=" ? sign_of(e, symbols) < 0
+                                              : is_nonnegative(-e, symbols);
+    if (is_beyond) throw Undecidable("there is no value where what is small is nearly 0");
+  }
+  /// 2*x + 2 as x + 1, -2*x as -x.
   static GiNaC::ex without_content(const GiNaC::ex& value) {
-    return GiNaC::is_a<GiNaC::add>(value) ? (value / value.integer_content()).expand() : value;
+    if (GiNaC::is_a<GiNaC::add>(value)) return (value / value.integer_content()).expand();
+    const GiNaC::ex number = GiNaC::is_a<GiNaC::mul>(value) ? value.op(value.nops() - 1) : GiNaC::ex(1);
+    return number.info(GiNaC::info_flags::rational) ? value / GiNaC::abs(number) : value;
   }
   /// Of a sum of fractions the numerator, if what they have below is never 0.
   GiNaC::ex numerator(const GiNaC::ex& value) const {

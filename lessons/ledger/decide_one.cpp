@@ -108,10 +108,10 @@ Proof decide_in(const Context& context, const ProveRequest& request) {
   const std::vector<Given> compared = context.put_in_at_once(false),
                            needed = relevant(compared, left, right, symbols),
                            all = relevant(context.put_in_at_once(true), left, right, symbols);
-  const bool has_equations = !request.order && all.size() > needed.size();
+  const bool has_equations = all.size() > needed.size();
   Proof proof = has_equations ? decide_with_equations(left, right, symbols, compared, all)
                               : prove(left, right, symbols, needed);
-  if (proof.verdict != Verdict::proved && request.order)
+  if (proof.verdict != Verdict::proved && proof.verdict != Verdict::proved_under && request.order)
     proof = decide_to_order(left, right, context, request);
   if (proof.verdict == Verdict::proved_under) proof.reason += ", with the equations that are assumed";
   proof = with_domain(std::move(proof), left, right, context.put_in_at_once(true), symbols);
