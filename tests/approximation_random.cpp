@@ -1,6 +1,6 @@
 // Random expressions, and the same with something small put to them: what `ledger prove --small x` says of
-// the two is held against their values, to 300 digits, where x is as small as 10^-24 and all side conditions
-// hold. REDERIVE_SEED and REDERIVE_PAIRS choose another run.
+// the two, or of two equations that say that z is one of them, is held against their values, to 300 digits,
+// where x is as small as 10^-24 and all side conditions hold. REDERIVE_SEED and REDERIVE_PAIRS choose another run.
 #include <doctest/doctest.h>
 
 #include <cstdlib>
@@ -143,14 +143,20 @@ TEST_CASE("random approximations hold where x is small, and what is refuted does
   for (long done = 0; done < pairs;) {
     const int order = static_cast<int>(generator.below(3));
     ProveRequest request;
-    request.left = generator.expression(2 + static_cast<int>(generator.below(2)));
-    request.right = generator.changed(request.left, order);
+    const std::string one = generator.expression(2 + static_cast<int>(generator.below(2)));
+    const std::string other = generator.changed(one, order);
+    request.left = one, request.right = other;
     request.small = {"x"};
     request.order = order;
     if (generator.below(2) == 0) request.assumptions = {"x > 0"};
+    if (!request.assumptions.empty() && generator.below(3) == 0) {  // z as one and as the other
+      static const std::vector<std::string> factors{"x", "x^2", "sin(x)", "(1-cos(x))", "(exp(x)-1)", "(2+x)"};
+      const std::string& factor = generator.pick(factors);
+      request.left = factor + "*z = " + factor + "*(" + one + ")", request.right = "z = " + other;
+    }
     try {
       const Symbols symbols = make_context(request).symbols;
-      const Tree left = parse(request.left, symbols), right = parse(request.right, symbols);
+      const Tree left = parse(one, symbols), right = parse(other, symbols);
       const auto proof = decide_bounded(request).proof;
       ++done;
       const std::string verdict = proof["verdict"];

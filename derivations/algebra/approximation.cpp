@@ -159,18 +159,28 @@ Relation solved(const Linear& relation, Expansion& expansion) {
           {op}};
 }
 
-/// Both as they say what one symbol is that is not small: of several the one of which they say most, for it
-/// has the largest slopes.
+/// In y = A, or A > y.
+bool stands_alone(const std::string& name, const Relation& relation) {
+  return std::any_of(relation.sides.begin(), relation.sides.end(), [&](const Tree& side) {
+    return side->kind == Node::Kind::symbol && side->text == name;
+  });
+}
+
+/// Both as they say what one symbol is that is not small: the one that stands alone on a side; of several the
+/// one of which they say most, for it has the largest slopes.
 std::optional<std::pair<Linear, Linear>> linear_in_one(const Relation& left, const Relation& right,
                                                        const std::vector<std::string>& small,
                                                        Expansion& expansion, const Symbols& symbols) {
   std::optional<std::pair<Linear, Linear>> best;
+  std::pair<int, int> best_rank;
   if (left.sides.size() != 2 || right.sides.size() != 2) return best;
   for (const std::string& name : symbols.names()) {
     if (std::count(small.begin(), small.end(), name) > 0) continue;  // what is left out may be of its size
     const auto l = linear_in(name, left, expansion, symbols);
     const auto r = l ? linear_in(name, right, expansion, symbols) : std::nullopt;
-    if (r && (!best || l->power + r->power < best->first.power + best->second.power)) best = {*l, *r};
+    if (!r) continue;
+    const std::pair rank{-stands_alone(name, left) - stands_alone(name, right), l->power + r->power};
+    if (!best || rank < best_rank) best = {*l, *r}, best_rank = rank;
   }
   return best;
 }

@@ -133,6 +133,8 @@ Proof decide_one(const Context& context, const ProveRequest& request) {
     if (context.symbols.find(name) == nullptr)
       throw BadInput("--small names '" + printable_line(name) + "', which is no symbol here");
   for (const std::string& name : request.small) {
+    if (std::count(request.small.begin(), request.small.end(), name) > 1)
+      throw BadInput("--small names '" + name + "' twice");
     const std::string& range = context.symbols.find(name)->range;
     const Interval interval = parse_range(range);
     const auto is_beyond_zero = [](const End& end, int side) {
