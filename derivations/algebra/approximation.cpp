@@ -166,23 +166,23 @@ bool stands_alone(const std::string& name, const Relation& relation) {
   });
 }
 
-/// Both as they say what one symbol is that is not small: the one that stands alone on a side; of several the
-/// one of which they say most, for it has the largest slopes.
-std::optional<std::pair<Linear, Linear>> linear_in_one(const Relation& left, const Relation& right,
-                                                       const std::vector<std::string>& small,
-                                                       Expansion& expansion, const Symbols& symbols) {
-  std::optional<std::pair<Linear, Linear>> best;
-  std::pair<int, int> best_rank;
-  if (left.sides.size() != 2 || right.sides.size() != 2) return best;
+/// Both as they say what one symbol is that is not small: each that stands alone on a side; or else the one of
+/// which they say most, for it has the largest slopes.
+std::vector<std::pair<Linear, Linear>> linear_in_one(const Relation& left, const Relation& right,
+                                                     const std::vector<std::string>& small,
+                                                     Expansion& expansion, const Symbols& symbols) {
+  std::vector<std::pair<Linear, Linear>> alone, others;
+  if (left.sides.size() != 2 || right.sides.size() != 2) return {};
   for (const std::string& name : symbols.names()) {
     if (std::count(small.begin(), small.end(), name) > 0) continue;  // what is left out may be of its size
     const auto l = linear_in(name, left, expansion, symbols);
     const auto r = l ? linear_in(name, right, expansion, symbols) : std::nullopt;
-    if (!r) continue;
-    const std::pair rank{-stands_alone(name, left) - stands_alone(name, right), l->power + r->power};
-    if (!best || rank < best_rank) best = {*l, *r}, best_rank = rank;
+    if (r) (stands_alone(name, left) || stands_alone(name, right) ? alone : others).push_back({*l, *r});
   }
-  return best;
+  if (!alone.empty() || others.empty()) return alone;
+  const auto power = [](const auto& both) { return both.first.power + both.second.power; };
+  return {*std::min_element(others.begin(), others.end(),
+                            [&](const auto& a, const auto& b) { return power(a) < power(b); })};
 }
 
 /// Whether two neighbouring sides are the same where what is small is 0: then the relation says something of
@@ -210,8 +210,16 @@ Proof compared_side_by_side(const Relation& left, const Relation& right, const E
 
 Proof compared(const Relation& left, const Relation& right, const std::vector<std::string>& small,
                Expansion& expansion, const Symbols& symbols, const std::vector<Given>& given) {
-  if (const auto both = linear_in_one(left, right, small, expansion, symbols))
-    return prove(solved(both->first, expansion), solved(both->second, expansion), symbols, given);
+  std::optional<Proof> found;
+  for (const auto& [l, r] : linear_in_one(left, right, small, expansion, symbols)) {
+    const Proof proof = prove(solved(l, expansion), solved(r, expansion), symbols, given);
+    if (!found) found = proof;
+    if (proof.verdict == found->verdict) continue;
+    Proof open;  // y = x/t and x = 2*t*y say the same of x, to order 0 in t, which is 0 in both
+    open.reason = "to that order they do not say the same of each symbol that stands alone";
+    return open;
+  }
+  if (found) return *found;
   return compared_side_by_side(expansion.side_by_side(left), expansion.side_by_side(right), expansion, symbols,
                                given);
 }

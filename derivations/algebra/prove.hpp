@@ -77,12 +77,12 @@ Proof prove(const Relation& left, const Relation& right, const Symbols& symbols 
 
 /// Whether two expressions have the same series (size_series.hpp) up to `order` in the small symbols, all of
 /// one size: Taylor polynomials, and at a pole negative powers before them. Two relations, whether they say
-/// the same, to that order, of a symbol that is not small, for which both can be solved: the one that stands
-/// alone on a side, or else has the largest coefficients, y of x*a + y = 0. Chains, and what cannot be solved,
-/// are taken side by side, if they say something where all that is small is 0, too: of x*y = x*a + x^2 to
-/// order 1 the sides know y to order 0 only. The givens are put in first. The side conditions say that what
-/// is divided by, or is in a root, between bars, in a logarithm, does not lose its lowest terms: if a != 0,
-/// then x/(a+x) is 0 to order 0 in x.
+/// the same, to that order, of a symbol that is not small, for which both can be solved: of each that stands
+/// alone on a side, or else of the one with the largest coefficients, y of x*a + y = 0. Chains, and what
+/// cannot be solved, are taken side by side, if they say something where all that is small is 0, too: of
+/// x*y = x*a + x^2 to order 1 the sides know y to order 0 only. The givens are put in first. The side
+/// conditions say that what is divided by, or is in a root, between bars, in a logarithm, does not lose its
+/// lowest terms: if a != 0, then x/(a+x) is 0 to order 0 in x.
 Proof prove_approximation(const Relation& left, const Relation& right, const std::vector<std::string>& small,
                           int order, const Symbols& symbols = paper_symbols(),
                           const std::vector<Given>& given = {});
