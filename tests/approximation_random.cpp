@@ -1,6 +1,7 @@
 // Random expressions, and the same with something small put to them: what `ledger prove --small x` says of
 // the two, or of two equations that say that z is one of them, is held against their values, to 300 digits,
-// where x is as small as 10^-24 and all side conditions hold. REDERIVE_SEED and REDERIVE_PAIRS choose another run.
+// where x is as small as 10^-24 and all side conditions hold. REDERIVE_SEED and REDERIVE_PAIRS choose
+// another run.
 #include <doctest/doctest.h>
 
 #include <cstdlib>
@@ -150,7 +151,8 @@ TEST_CASE("random approximations hold where x is small, and what is refuted does
     request.order = order;
     if (generator.below(2) == 0) request.assumptions = {"x > 0"};
     if (!request.assumptions.empty() && generator.below(3) == 0) {  // z as one and as the other
-      static const std::vector<std::string> factors{"x", "x^2", "sin(x)", "(1-cos(x))", "(exp(x)-1)", "(2+x)"};
+      static const std::vector<std::string> factors{"x",          "x^2",        "sin(x)",
+                                                    "(1-cos(x))", "(exp(x)-1)", "(2+x)"};
       const std::string& factor = generator.pick(factors);
       request.left = factor + "*z = " + factor + "*(" + one + ")", request.right = "z = " + other;
     }

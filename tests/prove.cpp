@@ -305,6 +305,8 @@ TEST_CASE("the page of what can be decided is written from the table") {
   CHECK(good.out.find("## Double angles") != std::string::npos);
   CHECK(good.out.find("| `sin(2*x)` | `2*sin(x)*cos(x)` |") != std::string::npos);
   CHECK(good.out.find("**expected") == std::string::npos);
+  const Result small = of_table(row_that_expects("proved", "assume = [\"y > 0\"]\nsmall = [\"x\"]\norder = 1"));
+  CHECK(small.out.find("| `y > 0`, `x` small, order 1 | proved |") != std::string::npos);
   CHECK(bad.exit_code == 1);
   CHECK(bad.out.find("proved (**expected refuted**)") != std::string::npos);
   const auto json = nlohmann::json::parse(of_table(row_that_expects("refuted"), {"--json"}).out);

@@ -166,8 +166,8 @@ bool stands_alone(const std::string& name, const Relation& relation) {
   });
 }
 
-/// Both as they say what one symbol is that is not small: each that stands alone on a side; or else the one of
-/// which they say most, for it has the largest slopes.
+/// Both as they say what one symbol is that is not small: each that stands alone on a side; or else the one
+/// of which they say most, for it has the largest slopes.
 std::vector<std::pair<Linear, Linear>> linear_in_one(const Relation& left, const Relation& right,
                                                      const std::vector<std::string>& small,
                                                      Expansion& expansion, const Symbols& symbols) {
@@ -220,8 +220,8 @@ Proof compared(const Relation& left, const Relation& right, const std::vector<st
     return open;
   }
   if (found) return *found;
-  return compared_side_by_side(expansion.side_by_side(left), expansion.side_by_side(right), expansion, symbols,
-                               given);
+  return compared_side_by_side(expansion.side_by_side(left), expansion.side_by_side(right), expansion,
+                               symbols, given);
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ void declare_free(Symbols& symbols, const std::string& name) {
   if (symbols.find(name) == nullptr) symbols.declare(name, name, name, "1", all_numbers, "a real number", "");
 }
 
-/// Letters stand for real numbers, alone or with an index or dots: x, x1, k_2, omega_0, betadot. Not so alphaa, a
-/// slip of the pen.
+/// Letters stand for real numbers, alone or with an index or dots: x, x1, k_2, omega_0, betadot. Not so
+/// alphaa, a slip of the pen.
 void declare_names_in(const std::string& text, Symbols& symbols) {
   static const std::regex tail("([0-9]{0,3}|_[A-Za-z0-9]{1,3}|d?dot)(_[A-Za-z0-9]{1,3})?");
   if (text.size() > Limits{}.characters) return;  // the parser says so

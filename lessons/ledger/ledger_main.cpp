@@ -262,7 +262,7 @@ int main(int argc, char** argv) {
   proving->footer(
       "To ask whether an inequality holds wherever it has a value, compare it with 0 < 1.\n\n"
       "proved holds without the equations that are assumed, proved_under needs them; approximation: with\n"
-      "--small, where the two themselves are not the same, but their series are; of relations, the series of\n"
+      "--small, where the two themselves are not the same, but their series are; of relations, those of\n"
       "each symbol that stands alone on a side, or of one for which both can be solved. An equation\n"
       "that leaves a sign open, or several angles or factors, and an inequality that holds on several "
       "pieces,\n"

@@ -100,7 +100,7 @@ std::string assumptions(const ProveRequest& request) {
   if (request.order) {
     std::string small;
     for (const std::string& name : request.small) small += (small.empty() ? "" : ", ") + name;
-    result += fmt::format("{} small, order {}", cell(small), *request.order);
+    result += fmt::format("{}{} small, order {}", result.empty() ? "" : ", ", cell(small), *request.order);
   }
   return result;
 }
