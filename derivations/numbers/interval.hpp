@@ -1,0 +1,55 @@
+// Which values can be taken while symbols stay in their ranges: ends that know whether they are attained.
+#pragma once
+
+#include <derivations/numbers/value.hpp>
+#include <string_view>
+
+namespace rederive::inline numbers {
+
+/// One end of an interval: a + b*pi, or infinite (-1, +1). A closed end belongs to it.
+struct End : Constant {
+  int infinite = 0;
+  bool closed = false;
+};
+/// -1, 0, +1: the order of two ends, whether closed or not.
+int compare(const End& x, const End& y);
+
+/// A connected set of real numbers; empty where the ends are crossed. What the operations below give holds
+/// every value that the operation has on the operands; an end that is not again a + b*pi is a rational number
+/// a little further out, and open.
+struct Interval {
+  End low{{}, -1}, high{{}, +1};
+
+  bool is_empty() const;
+  bool contains(const Constant& x) const;
+  bool contains_zero() const { return contains({}); }
+  bool is_positive() const { return sign(low) > 0 || (sign(low) == 0 && !low.closed); }
+  bool is_negative() const { return sign(high) < 0 || (sign(high) == 0 && !high.closed); }
+  bool is_nonnegative() const { return sign(low) >= 0; }
+  bool is_nonpositive() const { return sign(high) <= 0; }
+  bool is_nonzero() const { return is_positive() || is_negative(); }
+
+ private:
+  static int sign(const End& end) { return compare(end, {}); }
+};
+
+/// The one number.
+Interval point(const Constant& x);
+/// Reads a declared range: "(0, pi/2]", "(-inf, inf)"; an end is a constant expression of our syntax. Throws
+/// std::invalid_argument.
+Interval parse_range(std::string_view range);
+
+Interval hull(const Interval& x, const Interval& y);     ///< the smallest that holds both
+Interval overlap(const Interval& x, const Interval& y);  ///< what lies in both; perhaps empty
+
+Interval operator+(const Interval& x, const Interval& y);
+Interval operator-(const Interval& x);
+Interval operator-(const Interval& x, const Interval& y);
+Interval operator*(const Interval& x, const Interval& y);
+Interval reciprocal(const Interval& x);  ///< of those that are not 0
+Interval power(const Interval& x, long n);
+/// The values of a function of our syntax, by its name, where it has values. Throws std::out_of_range for an
+/// unknown one.
+Interval call(const std::string& function, const Interval& x);
+
+}  // namespace rederive::inline numbers

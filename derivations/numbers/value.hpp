@@ -1,0 +1,69 @@
+// What an expression is worth: exactly a + b*pi, or a ball, or nothing.
+#pragma once
+
+#include <derivations/numbers/ball.hpp>
+
+namespace rederive::inline numbers {
+
+/// The number a + b*pi with rational a and b. Only 0 + 0*pi is 0, for pi is irrational (Lambert 1768).
+struct Constant {
+  cln::cl_RA a = 0, b = 0;
+
+  bool is_rational() const { return cln::zerop(b); }
+  bool is_zero() const { return cln::zerop(a) && cln::zerop(b); }
+  Ball ball(long bits) const;
+  int sign() const;
+  friend Constant operator+(const Constant& x, const Constant& y) { return {x.a + y.a, x.b + y.b}; }
+  friend Constant operator-(const Constant& x, const Constant& y) { return {x.a - y.a, x.b - y.b}; }
+  friend Constant operator*(const cln::cl_RA& q, const Constant& x) { return {q * x.a, q * x.b}; }
+};
+
+/// The value of an expression where its symbols are given.
+struct Value {
+  enum class Is {
+    certain,  ///< it has a value
+    nowhere,  ///< it certainly has no real value: 1/0, sqrt(-1), log(0)
+    unknown   ///< these bits do not tell
+  };
+  Is is = Is::unknown;
+  std::optional<cln::cl_RA> exact = {};   ///< where only rational arithmetic led to it
+  std::optional<Constant> constant = {};  ///< where it is known to be a + b*pi
+  Ball ball = {};                         ///< where it is certain
+
+  /// -1, 0 (exactly), +1, where that is certain.
+  std::optional<int> sign() const;
+};
+
+/// Operations on values. They are exact as long as values are a + b*pi of moderate length; then come balls.
+/// A result's ball is set only where it is not exact: complete() sets it.
+struct Arithmetic {
+  long bits;
+
+  Value known(const Constant& c) const;  ///< exact, or its ball where the numbers are too long
+  Value known(const Ball& x) const;      ///< exact where the ball is; unknown where the ball is not moderate
+  Ball ball(const Value& x) const;
+  Value complete(Value x) const;
+
+  Value plus(const Value& x, const Value& y) const;
+  Value minus(const Value& x, const Value& y) const { return plus(x, times(known(Constant{-1}), y)); }
+  Value times(const Value& x, const Value& y) const;
+  Value over(const Value& x, const Value& y) const;
+  /// As a real function: x^n for each whole n, with 0^0 = 1; x^y for other y and x > 0; 0^y = 0 for y > 0.
+  Value power(const Value& x, const Value& y) const;
+  /// A function of our syntax by its name. Throws std::out_of_range for an unknown one.
+  Value call(const std::string& function, const Value& x) const;
+
+ private:
+  Value whole_power(const Value& x, const cln::cl_I& n) const;
+};
+
+/// What is known of a function of our syntax of one argument.
+struct Function {
+  Ball::ArbFunction of;
+  int slope = 0;                                  ///< +1, -1 where it is monotone on its whole domain
+  std::optional<long> least = {}, greatest = {};  ///< the ends of the domain, where it has such
+};
+/// Throws std::out_of_range for an unknown name.
+const Function& function(const std::string& name);
+
+}  // namespace rederive::inline numbers
