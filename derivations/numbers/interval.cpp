@@ -31,8 +31,7 @@ const End& further(int side, const End& x, const End& y, bool closed) {
 Interval enclosing(const Value& value) {
   if (value.constant) return point(*value.constant);
   const cl_RA low = value.ball.lower(), high = value.ball.upper(), margin = high - low;
-  const bool closed = cln::zerop(margin);
-  return {{{low - margin}, 0, closed}, {{high + margin}, 0, closed}};
+  return {{{low - margin}}, {{high + margin}}};
 }
 
 /// What f makes of an end; `otherwise` where that is infinite, or has no value that can be told.
@@ -96,7 +95,8 @@ std::vector<cl_I> periods(const End& x, const Constant& from, const Constant& pe
 
 Interval sine(const Interval& x) {
   const Interval all = {{{-1}, 0, true}, {{1}, 0, true}};
-  Interval result = between(x, all.low, all.high, [](const Value& v) { return arithmetic.call("sin", v); });
+  const auto f = [](const Value& v) { return arithmetic.call("sin", v); };
+  Interval result = hull(image(x.low, all, f), image(x.high, all, f));
   for (int side : {-1, 1}) {
     const Constant peak = turn(cl_RA(side) / 2);
     const auto counts = periods(x.low, peak, turn(2));
