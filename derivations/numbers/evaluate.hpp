@@ -1,7 +1,7 @@
 // The value of a tree at a point.
 #pragma once
 
-#include <derivations/algebra/syntax.hpp>
+#include <derivations/language/syntax.hpp>
 #include <derivations/numbers/value.hpp>
 #include <map>
 #include <memory>

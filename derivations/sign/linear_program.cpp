@@ -2,7 +2,7 @@
 #include <cln/real.h>
 
 #include <cstddef>
-#include <derivations/algebra/linear_program.hpp>
+#include <derivations/sign/linear_program.hpp>
 #include <type_traits>
 
 namespace rederive {

@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <derivations/decide/compare.hpp>
+
+namespace rederive {
+
+namespace {
+
+bool is_definite(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p, Certificate& certificate) {
+  for (const auto& [factor, exponent] : factors(p).second) {
+    const auto found = prove_signs(ring, facts, Fraction(factor), Signs::nonzero());
+    const auto positive = found ? found : prove_signs(ring, facts, Fraction(factor), Signs::positive());
+    const auto either = positive ? positive : prove_signs(ring, facts, Fraction(factor), Signs::negative());
+    if (!either) return false;
+    certificate.parts.insert(certificate.parts.end(), either->parts.begin(), either->parts.end());
+  }
+  return true;
+}
+
+void append(Certificate& to, const Certificate& from) {
+  to.parts.insert(to.parts.end(), from.parts.begin(), from.parts.end());
+}
+
+/// left = factor · right, by a factor without zero or pole, positive for inequalities.
+std::optional<Sameness> same_up_to_a_factor(const Setting& setting, const Atom& left, const Atom& right) {
+  const Ring& ring = setting.ring;
+  if (left.signs != right.signs) return std::nullopt;
+  if (left.value.is_zero() && right.value.is_zero()) return Sameness{"identity", 1, true};
+  if (left.value.is_zero() || right.value.is_zero()) return std::nullopt;
+  Sameness result{"identity", ring.normal(left.value / right.value), true};
+  const Fraction& q = result.factor;
+  if (q.is_constant())
+    return left.signs == Signs::zero() || cln::plusp(q.constant()) ? std::optional(result) : std::nullopt;
+  if (left.signs == Signs::zero()) {
+    if (!is_definite(ring, setting.facts, q.numerator * q.denominator, result.certificate)) return std::nullopt;
+  } else {
+    const auto positive = prove_signs(ring, setting.facts, q, Signs::positive());
+    if (!positive) return std::nullopt;
+    result.certificate = *positive;
+  }
+  if (!result.certificate.parts.empty()) result.by = "sign";
+  return result;
+}
+
+/// The ring with y = value put in for an equation c·y + d = 0 with a c that has a sign.
+std::optional<Ring> with_solution(const Setting& setting, const Atom& equation) {
+  const Polynomial& p = equation.value.numerator;
+  for (const int k : p.used()) {
+    const Generator& g = setting.ring.generators()[k];
+    if (p.degree(k) != 1 || g.degree != 0 || g.kind != Generator::Kind::symbol) continue;
+    const auto c = p.coefficients(k);
+    Certificate unused;
+    const auto occurs_in = [&](const Generator& other) {
+      return other.of.numerator.degree(k) > 0 || other.of.denominator.degree(k) > 0 || other.value.numerator.degree(k) > 0 ||
+             other.value.denominator.degree(k) > 0;
+    };
+    const auto& all = setting.ring.generators();
+    if (std::any_of(all.begin(), all.end(), occurs_in) || !is_definite(setting.ring, setting.facts, c[1], unused)) continue;
+    Ring ring = setting.ring;
+    ring.relate(k, 1, Fraction(-c[0], c[1]));
+    return ring;
+  }
+  return std::nullopt;
+}
+
+/// One relation follows from others.
+std::optional<Certificate> follows(const Setting& setting, const std::vector<Atom>& from, const Atom& claim) {
+  const Ring& ring = setting.ring;
+  std::vector<Fact> facts = setting.facts;
+  for (const Atom& atom : from) {
+    for (Fact& fact : facts_of(ring, atom.value, atom.signs)) facts.push_back(std::move(fact));
+    const bool fits = atom.signs == claim.signs && !atom.value.is_zero();
+    if (!fits) continue;
+    const Fraction q = ring.normal(claim.value / atom.value);
+    Certificate certificate;
+    if (atom.signs == Signs::zero() && is_definite(ring, setting.facts, q.denominator, certificate)) return certificate;
+    const Fraction square = ring.normal(claim.value * claim.value / atom.value);
+    if (atom.signs == Signs::zero() && is_definite(ring, setting.facts, square.denominator, certificate)) return certificate;
+  }
+  for (const Atom& atom : from) {
+    if (atom.signs != Signs::zero()) continue;
+    const auto solved = with_solution(setting, atom);
+    if (!solved) continue;
+    const Fraction rest = solved->normal(claim.value);
+    if (rest.is_zero()) return claim.signs == Signs::positive() ? std::nullopt : std::optional(Certificate{});
+    std::vector<Fact> reduced;
+    for (const Fact& f : setting.facts)
+      for (Fact& fact : facts_of(*solved, Fraction(f.value), f.signs)) reduced.push_back(std::move(fact));
+    if (auto found = prove_signs(*solved, reduced, rest, claim.signs)) return found;
+  }
+  if (auto found = prove_signs(ring, facts, claim.value, claim.signs)) return found;
+  return prove_signs(ring, facts, claim.value.is_zero() ? Fraction(1) : Fraction(0), Signs::zero() & Signs::positive());
+}
+
+std::optional<Certificate> all_follow(const Setting& setting, const std::vector<Atom>& from,
+                                      const std::vector<Atom>& claims) {
+  Certificate all;
+  for (const Atom& claim : claims) {
+    const auto found = follows(setting, from, claim);
+    if (!found) return std::nullopt;
+    append(all, *found);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::optional<Sameness> same(const Setting& setting) {
+  const Translated &left = setting.left, &right = setting.right;
+  if (left.expression) {
+    const Fraction difference = setting.ring.normal(*left.expression - *right.expression);
+    if (difference.is_zero()) return Sameness{"identity"};
+    const auto found = prove_signs(setting.ring, setting.facts, difference, Signs::zero());
+    return found ? std::optional(Sameness{"sign", 1, false, *found}) : std::nullopt;
+  }
+  if (left.atoms.size() == right.atoms.size()) {  // link by link
+    std::optional<Sameness> all;
+    for (std::size_t k = 0; k < left.atoms.size(); ++k) {
+      const auto one = same_up_to_a_factor(setting, left.atoms[k], right.atoms[k]);
+      if (!one) {
+        all.reset();
+        break;
+      }
+      if (!all) all = one;
+      else append(all->certificate, one->certificate), all->has_factor = false;
+      if (one->by == "sign") all->by = "sign";
+    }
+    if (all) return all;
+  }
+  auto forth = all_follow(setting, left.atoms, right.atoms);
+  const auto back = forth ? all_follow(setting, right.atoms, left.atoms) : std::nullopt;
+  if (!back) return std::nullopt;
+  append(*forth, *back);
+  return Sameness{"sign", 1, false, *forth};
+}
+
+}  // namespace rederive

@@ -1,0 +1,19 @@
+// Whether two statements say the same wherever both have values.
+#pragma once
+
+#include <derivations/decide/setting.hpp>
+
+namespace rederive {
+
+struct Sameness {
+  std::string by;       ///< "identity" or "sign"
+  Fraction factor = 1;  ///< of two equations or inequalities: left = factor * right
+  bool has_factor = false;
+  Certificate certificate = {};
+};
+
+/// Two expressions: the difference is 0. Two relations: the ratio of what is 0, or positive, has no zero and no pole
+/// (for inequalities: is positive), or each follows from the other one. A certificate where signs were needed.
+std::optional<Sameness> same(const Setting& setting);
+
+}  // namespace rederive

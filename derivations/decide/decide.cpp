@@ -1,0 +1,123 @@
+#include <derivations/decide/compare.hpp>
+#include <derivations/decide/decide.hpp>
+#include <derivations/decide/domain.hpp>
+#include <derivations/decide/test_points.hpp>
+#include <derivations/language/print.hpp>
+#include <derivations/language/syntax.hpp>
+
+namespace rederive {
+
+std::string to_string(Verdict verdict) {
+  constexpr const char* words[] = {"proved", "proved_under", "approximation", "refuted", "definition", "undecided"};
+  return words[static_cast<int>(verdict)];
+}
+
+namespace {
+
+constexpr int few_points = 6, many_points = 220;
+
+Proof undecided(std::string reason) {
+  Proof proof;
+  proof.reason = std::move(reason);
+  return proof;
+}
+
+Proof refuted(const Witness& witness) {
+  Proof proof;
+  proof.verdict = Verdict::refuted, proof.witness = witness;
+  proof.reason = "the two sides differ at the witness", proof.by = "points";
+  return proof;
+}
+
+std::string text_of(const Polynomial& p, const Ring& ring, const Symbols& symbols) {
+  return print(ring.meaning_of(Fraction(p)), Notation::plain, symbols);
+}
+
+Grounds grounds_of(const Setting& setting, const Certificate& certificate, const Symbols& symbols) {
+  Grounds grounds;
+  for (const Generator& g : setting.ring.generators())
+    if (g.kind != Generator::Kind::symbol && g.kind != Generator::Kind::pi)
+      grounds.phases.push_back(print(g.meaning, Notation::plain, symbols));
+  for (const Translated* side : {&setting.left, &setting.right})
+    for (std::string& divisor : in_words(side->conditions, setting.ring, symbols))
+      grounds.divisors.push_back(std::move(divisor));
+  for (const Certificate::Part& part : certificate.parts) {
+    std::string text = print(GiNaC::ex(GiNaC::numeric(part.coefficient)), Notation::plain, symbols);
+    for (const Polynomial& f : part.factors) text += " * (" + text_of(f, setting.ring, symbols) + ")";
+    grounds.certificate.push_back(std::move(text));
+  }
+  return grounds;
+}
+
+Proof proved(const Setting& setting, const Sameness& found, const Symbols& symbols) {
+  Proof proof;
+  proof.verdict = Verdict::proved, proof.by = found.by;
+  const bool is_expression = setting.left.expression.has_value();
+  if (found.has_factor) proof.factor = print(setting.ring.meaning_of(found.factor), Notation::plain, symbols);
+  if (is_expression && found.by == "identity") proof.factor = "1";
+  proof.side_conditions = in_words(setting.conditions, setting.ring, symbols);
+  proof.grounds = grounds_of(setting, found.certificate, symbols);
+  proof.reason = found.by == "sign"   ? "each follows from the other one by the signs of products"
+                 : is_expression      ? "the numerator of the difference vanishes identically"
+                 : proof.factor == "1" ? "the two are the same, identically"
+                                       : "the two differ by a factor that is neither 0 nor infinite";
+  return proof;
+}
+
+Proof decide_problem(const Problem& problem) {
+  const Search few = search(problem, few_points);
+  if (few.witness) return refuted(*few.witness);
+  std::string why;
+  try {
+    const Setting setting = setting_of(problem);
+    if (const auto found = same(setting)) {
+      const int agreed = few.agreed > 0 ? few.agreed : search(problem, many_points).agreed;
+      if (agreed == 0) return undecided("no point was found at which both sides have a value");
+      if (!setting.left.expression && hides_a_solution(setting))
+        return undecided("a divisor of one side vanishes where the other side holds");
+      return proved(setting, *found, problem.symbols);
+    }
+    why = "the sides agree wherever they were compared, but neither the difference vanishes identically nor a "
+          "certificate of signs was found";
+  } catch (const Undecidable& error) {
+    why = error.what();
+  }
+  const Search many = search(problem, many_points);
+  if (many.witness) return refuted(*many.witness);
+  if (many.agreed == 0) return undecided("no point was found at which both sides have a value");
+  return undecided(why);
+}
+
+}  // namespace
+
+Proof decide(const Relation& left, const Relation& right, const Symbols& symbols, const std::vector<Given>& given,
+             const std::vector<Relation>& assumptions) {
+  if (left.operators.empty() != right.operators.empty())
+    return undecided("an expression cannot be compared with a relation");
+  try {
+    return decide_problem(with_values({left, right, assumptions, symbols}, given));
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {  // of GiNaC, which meets poles while it builds
+    return undecided(error.what());
+  }
+}
+
+bool contradict(const std::vector<Relation>& assumptions, const Symbols& symbols) {
+  const Tree one = make_tree(Node::Kind::number, "1");
+  try {
+    const Problem problem = with_values({{{one}, {}}, {{one}, {}}, assumptions, symbols}, {});
+    const Setting setting = setting_of(problem);
+    for (const Generator& g : setting.ring.generators())
+      if (g.range.is_empty()) return true;
+    for (const Fact& f : setting.facts)
+      if ((setting.ring.signs_of(f.value) & f.signs).is_none()) return true;
+    return prove_signs(setting.ring, setting.facts, 0, Signs::zero() & Signs::positive()).has_value();
+  } catch (const NoValue&) {
+    return true;
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
+}  // namespace rederive

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <derivations/decide/domain.hpp>
+#include <derivations/language/print.hpp>
+#include <derivations/language/lower.hpp>
+
+namespace rederive {
+
+namespace {
+
+struct Said {
+  std::string text;
+  Signs signs;
+};
+
+bool has_symbols_only(const Ring& ring, const Polynomial& p) {
+  const auto used = p.used();
+  return std::all_of(used.begin(), used.end(), [&](int k) {
+    const auto kind = ring.generators()[k].kind;
+    return kind == Generator::Kind::symbol || kind == Generator::Kind::pi;
+  });
+}
+
+/// The factors of a divisor as it is written.
+void divide_up(const Tree& tree, std::vector<Tree>& parts) {
+  const bool is_power = tree->kind == Node::Kind::power && tree->children[1]->kind == Node::Kind::number;
+  if (tree->kind == Node::Kind::product || tree->kind == Node::Kind::negative) {
+    for (const Tree& child : tree->children) divide_up(child, parts);
+  } else if (is_power) {
+    divide_up(tree->children[0], parts);
+  } else if (tree->kind != Node::Kind::number) {
+    parts.push_back(tree);
+  }
+}
+
+/// Of plain symbols: the factors that matter; of anything else: what is written.
+std::vector<Said> say(const DomainCondition& c, const Ring& ring, const Symbols& symbols) {
+  std::vector<Said> result;
+  const auto text = [&](const Polynomial& p) { return print(ring.meaning_of(Fraction(p)), Notation::plain, symbols); };
+  const Polynomial product = c.value.numerator * c.value.denominator;
+  if (!has_symbols_only(ring, product)) {
+    std::vector<Tree> parts{c.tree};
+    if (c.allowed == Signs::nonzero()) parts.clear(), divide_up(c.tree, parts);
+    for (const Tree& part : parts)
+      result.push_back({print(lower(part, symbols), Notation::plain, symbols), c.allowed});
+    return result;
+  }
+  const auto [number, list] = factors(product);
+  if (c.allowed == Signs::nonzero()) {
+    for (const auto& [factor, exponent] : list) result.push_back({text(factor), c.allowed});
+    return result;
+  }
+  Polynomial rest = cln::minusp(number) ? -1 : 1;
+  for (const auto& [factor, exponent] : list) {
+    if (exponent % 2 != 0) rest = rest * factor;
+    else if (c.allowed == Signs::positive()) result.push_back({text(factor), Signs::nonzero()});
+  }
+  if (!rest.is_constant()) result.push_back({text(rest), c.allowed});
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> in_words(const std::vector<DomainCondition>& conditions, const Ring& ring,
+                                  const Symbols& symbols) {
+  std::vector<Said> all;
+  for (const DomainCondition& c : conditions)
+    for (const Said& said : say(c, ring, symbols)) {
+      const auto same = std::find_if(all.begin(), all.end(), [&](const Said& s) { return s.text == said.text; });
+      if (same == all.end()) all.push_back(said);
+      else same->signs = same->signs & said.signs;
+    }
+  std::vector<std::string> words;
+  for (const Said& s : all)
+    words.push_back(s.text + (s.signs == Signs::nonzero()       ? " != 0"
+                              : s.signs == Signs::nonnegative() ? " >= 0"
+                              : s.signs == Signs::positive()    ? " > 0"
+                                                                : " < 0"));
+  return words;
+}
+
+bool hides_a_solution(const Setting& setting) {
+  const auto hidden = [&](const Translated& divided, const Translated& other) {
+    for (const DomainCondition& c : divided.conditions) {
+      const auto is_same = [&](const DomainCondition& d) { return d.value == c.value; };
+      const auto& granted = setting.conditions;
+      if (c.allowed != Signs::nonzero() || std::none_of(granted.begin(), granted.end(), is_same) ||
+          std::any_of(other.conditions.begin(), other.conditions.end(), is_same))
+        continue;
+      for (const Atom& atom : other.atoms)
+        if (atom.signs != Signs::positive() &&
+            (atom.value.is_zero() || !gcd(atom.value.numerator, setting.ring.normal(c.value).numerator).is_constant()))
+          return true;
+    }
+    return false;
+  };
+  return hidden(setting.left, setting.right) || hidden(setting.right, setting.left);
+}
+
+}  // namespace rederive

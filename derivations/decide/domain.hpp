@@ -1,0 +1,16 @@
+// Where a statement has values, in words.
+#pragma once
+
+#include <derivations/decide/setting.hpp>
+
+namespace rederive {
+
+/// "x - 1 > 0", "cos(theta) != 0": the conditions in our syntax, nothing said twice; x >= 0 and x != 0 are x > 0.
+std::vector<std::string> in_words(const std::vector<DomainCondition>& conditions, const Ring& ring,
+                                  const Symbols& symbols);
+
+/// A divisor of one statement that may be 0 where the other one holds: a condition that would hide a solution.
+/// Compared are the irreducible factors of both.
+bool hides_a_solution(const Setting& setting);
+
+}  // namespace rederive

@@ -1,0 +1,134 @@
+#include <cln/integer_io.h>
+
+#include <algorithm>
+#include <derivations/decide/problem.hpp>
+#include <derivations/identity/polynomial.hpp>
+#include <derivations/language/print.hpp>
+#include <sstream>
+
+namespace rederive {
+
+void collect_names(const Tree& tree, std::set<std::string>& names) {
+  if (tree->kind == Node::Kind::symbol && tree->text != "pi") names.insert(tree->text);
+  for (const Tree& child : tree->children) collect_names(child, names);
+}
+
+std::set<std::string> names_of(const Relation& relation) {
+  std::set<std::string> names;
+  for (const Tree& side : relation.sides) collect_names(side, names);
+  return names;
+}
+
+Tree put_in(const Tree& tree, const std::string& symbol, const Tree& value) {
+  if (tree->kind == Node::Kind::symbol) return tree->text == symbol ? value : tree;
+  std::vector<Tree> children;
+  bool is_same = true;
+  for (const Tree& child : tree->children) {
+    children.push_back(put_in(child, symbol, value));
+    is_same = is_same && children.back() == child;
+  }
+  return is_same ? tree : make_tree(tree->kind, tree->text, std::move(children), tree->inverse);
+}
+
+Relation put_in(Relation relation, const std::string& symbol, const Tree& value) {
+  for (Tree& side : relation.sides) side = put_in(side, symbol, value);
+  return relation;
+}
+
+namespace {
+
+std::string digits(const cln::cl_I& n) {
+  std::ostringstream text;
+  text << n;
+  return text.str();
+}
+
+Tree tree_of_rational(const cln::cl_RA& q) {
+  const auto number = [](const cln::cl_I& n) { return make_tree(Node::Kind::number, digits(n)); };
+  const Tree above = number(cln::abs(cln::numerator(q)));
+  const Tree size = cln::denominator(q) == 1 ? above
+                                             : make_tree(Node::Kind::product, "", {above, number(cln::denominator(q))},
+                                                         {false, true});
+  return cln::minusp(q) ? make_tree(Node::Kind::negative, "", {size}) : size;
+}
+
+}  // namespace
+
+Tree tree_of(const Constant& c) {
+  if (c.is_rational()) return tree_of_rational(c.a);
+  const Tree pi = make_tree(Node::Kind::symbol, "pi");
+  const Tree times = c.b == 1 ? pi : make_tree(Node::Kind::product, "", {tree_of_rational(c.b), pi}, {false, false});
+  return cln::zerop(c.a) ? times : make_tree(Node::Kind::sum, "", {tree_of_rational(c.a), times}, {false, false});
+}
+
+Tree difference(const Tree& a, const Tree& b) {
+  return make_tree(Node::Kind::sum, "", {a, b}, {false, true});
+}
+
+namespace {
+
+bool has(const Tree& tree, const std::string& name) {
+  std::set<std::string> names;
+  collect_names(tree, names);
+  return names.contains(name);
+}
+
+/// "symbol = value" of an equation that says so, the symbol not in its value.
+std::optional<std::pair<std::string, Tree>> definition(const Relation& equation) {
+  if (equation.operators != std::vector<std::string>{"="}) return std::nullopt;
+  for (const int side : {0, 1}) {
+    const Tree &name = equation.sides[side], &value = equation.sides[1 - side];
+    const bool is_symbol = name->kind == Node::Kind::symbol && name->text != "pi";
+    if (is_symbol && !has(value, name->text)) return std::pair{name->text, value};
+  }
+  return std::nullopt;
+}
+
+/// The declared range of a symbol as sign conditions on its value.
+std::vector<Relation> range_conditions(const Tree& value, const Symbol& symbol) {
+  std::vector<Relation> result;
+  const Interval range = parse_range(symbol.range);
+  const auto add = [&](const End& end, const char* strict, const char* weak) {
+    if (end.infinite != 0) return;
+    const Tree bound = tree_of(end);
+    result.push_back({{value, bound}, {end.closed ? weak : strict}});
+  };
+  add(range.low, ">", ">="), add(range.high, "<", "<=");
+  return result;
+}
+
+void replace(Problem& problem, const std::string& name, const Tree& value) {
+  problem.left = put_in(problem.left, name, value), problem.right = put_in(problem.right, name, value);
+  for (Relation& a : problem.assumptions) a = put_in(a, name, value);
+  for (auto& [other, known] : problem.values) known = put_in(known, name, value);
+  if (const Symbol* symbol = problem.symbols.find(name))
+    for (Relation& condition : range_conditions(value, *symbol)) problem.assumptions.push_back(std::move(condition));
+  problem.values[name] = value;
+}
+
+}  // namespace
+
+Problem with_values(Problem problem, const std::vector<Given>& given) {
+  std::vector<std::pair<std::string, Tree>> open;
+  for (const Given& g : given)
+    open.emplace_back(problem.symbols.find(g.name)->name, to_tree(g.value, problem.symbols));
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    const auto [name, value] = open[k];
+    if (has(value, name)) throw Undecidable("the equations that are given go round in a circle");
+    for (std::size_t j = k + 1; j < open.size(); ++j) open[j].second = put_in(open[j].second, name, value);
+    replace(problem, name, value);
+  }
+  for (std::size_t k = 0; k < problem.assumptions.size();) {
+    const auto found = definition(problem.assumptions[k]);
+    if (!found) {
+      ++k;
+      continue;
+    }
+    problem.assumptions.erase(problem.assumptions.begin() + static_cast<std::ptrdiff_t>(k));
+    replace(problem, found->first, found->second);
+    k = 0;
+  }
+  return problem;
+}
+
+}  // namespace rederive

@@ -1,0 +1,40 @@
+// A question: two statements, under assumptions, about symbols in their ranges.
+#pragma once
+
+#include <derivations/language/given.hpp>
+#include <derivations/numbers/interval.hpp>
+#include <derivations/language/symbols.hpp>
+#include <derivations/language/tree.hpp>
+#include <set>
+
+namespace rederive {
+
+struct Problem {
+  Relation left, right;               ///< expressions have one side and no operator
+  std::vector<Relation> assumptions;  ///< sign conditions and equations that hold
+  Symbols symbols;
+  std::map<std::string, Tree> values = {};  ///< what was put in for a symbol, in the others
+};
+
+/// The names that occur; pi is none.
+void collect_names(const Tree& tree, std::set<std::string>& names);
+std::set<std::string> names_of(const Relation& relation);
+
+/// The tree with a value in the place of a symbol.
+Tree put_in(const Tree& tree, const std::string& symbol, const Tree& value);
+Relation put_in(Relation relation, const std::string& symbol, const Tree& value);
+
+/// a + b*pi as a tree.
+Tree tree_of(const Constant& c);
+/// a - b.
+Tree difference(const Tree& a, const Tree& b);
+
+/// Puts in what is given and what equations among the assumptions say a symbol is. The range of the symbol, and what
+/// else is assumed of it, stays as a sign condition on its value. Throws Undecidable where they go round in a circle.
+Problem with_values(Problem problem, const std::vector<Given>& given);
+
+/// f(u) = v as u = g(v), for the inversion g of a monotone function f, where v lies in the values of f: x = asin(u) says
+/// sin(x) = u where -pi/2 <= x <= pi/2. Likewise inequalities; and f(u) = f(v) as u = v.
+Relation with_inversions(const Relation& relation, const Symbols& symbols);
+
+}  // namespace rederive

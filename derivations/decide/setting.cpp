@@ -1,0 +1,116 @@
+#include <derivations/decide/setting.hpp>
+
+namespace rederive {
+
+Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b) {
+  const Fraction value = op[0] == '<' ? b - a : a - b;
+  return {value, op == "=" ? Signs::zero() : op.size() == 2 ? Signs::nonnegative() : Signs::positive()};
+}
+
+namespace {
+
+std::vector<Tree> trees_of(const Problem& problem) {
+  std::vector<Tree> trees = problem.left.sides;
+  trees.insert(trees.end(), problem.right.sides.begin(), problem.right.sides.end());
+  for (const Relation& a : problem.assumptions) trees.insert(trees.end(), a.sides.begin(), a.sides.end());
+  return trees;
+}
+
+/// A statement as atoms of its inversions; the conditions are those of the statement as it stands.
+Translated translate(const Relation& statement, const Problem& problem, const Ring& ring, Translator& translator) {
+  Translated result;
+  std::vector<Fraction> sides;
+  for (const Tree& side : statement.sides) sides.push_back(translator(side, result.conditions));
+  if (statement.operators.empty()) {
+    result.expression = sides[0];
+    return result;
+  }
+  for (std::size_t k = 0; k < statement.operators.size(); ++k) {
+    const Relation link{{statement.sides[k], statement.sides[k + 1]}, {statement.operators[k]}};
+    const Relation inverted = with_inversions(link, problem.symbols);
+    std::vector<DomainCondition> unused;
+    const bool is_same = inverted.sides == link.sides;
+    Atom atom = is_same ? atom_of(sides[k], link.operators[0], sides[k + 1])
+                        : atom_of(translator(inverted.sides[0], unused), inverted.operators[0],
+                                  translator(inverted.sides[1], unused));
+    atom.value = ring.normal(atom.value);
+    result.atoms.push_back(std::move(atom));
+  }
+  return result;
+}
+
+void learn(Setting& setting, const Fraction& value, Signs signs) {
+  setting.ring.learn(value, signs);
+  for (Fact& fact : facts_of(setting.ring, value, signs)) setting.facts.push_back(std::move(fact));
+}
+
+/// A polynomial equation, monic in a symbol: a relation of the ring, g^n = rest.
+void relate(Ring& ring, const Fraction& value) {
+  const Polynomial p = ring.normal(value).numerator;
+  for (const int k : p.used()) {
+    const Generator& g = ring.generators()[k];
+    const int degree = p.degree(k);
+    if (g.degree != 0 || degree > 4 || g.kind != Generator::Kind::symbol) continue;
+    const auto c = p.coefficients(k);
+    if (!c.back().is_constant()) continue;
+    bool occurs_elsewhere = false;  // the relation must not lead round in a circle
+    for (const Generator& other : ring.generators())
+      for (const Polynomial* part : {&other.of.numerator, &other.value.numerator, &other.value.denominator})
+        occurs_elsewhere = occurs_elsewhere || part->degree(k) > 0;
+    if (occurs_elsewhere) continue;
+    Polynomial rest = 0;
+    for (int n = 0; n < degree; ++n) rest = rest + c[n] * power(Polynomial::variable(k), n);
+    ring.relate(k, degree, Fraction(-rest, c.back()));
+    return;
+  }
+}
+
+/// What is assumed holds, and has a value.
+void assume(Setting& setting, const Relation& assumption, Translator& translator) {
+  std::vector<DomainCondition> conditions;
+  std::vector<Fraction> sides;
+  for (const Tree& side : assumption.sides) sides.push_back(translator(side, conditions));
+  for (const DomainCondition& c : conditions) learn(setting, c.value, c.allowed);
+  for (std::size_t k = 0; k < assumption.operators.size(); ++k) {
+    const std::string& op = assumption.operators[k];
+    if (op == "!=") {
+      setting.ring.learn(sides[k] - sides[k + 1], Signs::nonzero());
+      continue;
+    }
+    const Atom atom = atom_of(sides[k], op, sides[k + 1]);
+    if (atom.signs == Signs::zero()) relate(setting.ring, atom.value);
+    learn(setting, atom.value, atom.signs);
+  }
+}
+
+/// Whether the ranges and the assumptions say it already.
+bool is_granted(const Setting& setting, const DomainCondition& c) {
+  return prove_signs(setting.ring, setting.facts, c.value, c.allowed).has_value();
+}
+
+}  // namespace
+
+Setting setting_of(const Problem& problem) {
+  Setting setting;
+  Translator translator(setting.ring, problem.symbols);
+  translator.collect(trees_of(problem));
+  for (int round = 0; round < 2; ++round) {  // the second one with what the first one said
+    setting.facts.clear();
+    for (const Relation& a : problem.assumptions) assume(setting, a, translator);
+  }
+  const auto translate_both = [&] {
+    setting.left = translate(problem.left, problem, setting.ring, translator);
+    setting.right = translate(problem.right, problem, setting.ring, translator);
+  };
+  translate_both();
+  for (const Translated* side : {&setting.left, &setting.right})
+    for (const DomainCondition& c : side->conditions)
+      if (!is_granted(setting, c)) setting.conditions.push_back(c);
+  for (int round = 0; round < 2 && !setting.conditions.empty(); ++round) {
+    for (const DomainCondition& c : setting.conditions) learn(setting, c.value, c.allowed);
+    translate_both();
+  }
+  return setting;
+}
+
+}  // namespace rederive

@@ -1,0 +1,37 @@
+// A problem in the ring: both statements as fractions, what is known, and where both have values.
+#pragma once
+
+#include <derivations/decide/problem.hpp>
+#include <derivations/identity/translator.hpp>
+#include <derivations/sign/certificate.hpp>
+
+namespace rederive {
+
+/// One relation between a value and 0.
+struct Atom {
+  Fraction value;  ///< left - right, or right - left of < and <=
+  Signs signs;     ///< zero, positive or nonnegative
+};
+
+/// A statement in the ring: an expression, or atoms that hold together.
+struct Translated {
+  std::optional<Fraction> expression;
+  std::vector<Atom> atoms;
+  std::vector<DomainCondition> conditions;  ///< for its sides to have values
+};
+
+struct Setting {
+  Ring ring;
+  std::vector<Fact> facts;  ///< assumptions, and what must hold for both statements to have values
+  Translated left, right;
+  std::vector<DomainCondition> conditions;  ///< those that neither the ranges nor the assumptions grant
+};
+
+/// The value and the sign that a link a op b asks for.
+Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b);
+
+/// Both statements in one ring, where both have values: what must hold for that is learned, and all is translated
+/// once more with it. Throws Undecidable and NoValue.
+Setting setting_of(const Problem& problem);
+
+}  // namespace rederive

@@ -1,0 +1,176 @@
+#include <cln/rational_io.h>
+#include <fmt/format.h>
+
+#include <derivations/decide/witness.hpp>
+#include <derivations/language/print.hpp>
+#include <derivations/language/lower.hpp>
+#include <derivations/language/syntax_error.hpp>
+#include <derivations/numbers/interval.hpp>
+#include <sstream>
+
+namespace rederive {
+
+using cln::cl_RA;
+
+namespace {
+
+std::string rational_text(const cl_RA& value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+/// The tree with every coordinate but one put in; nothing where a coordinate is no constant a + b*pi.
+std::optional<Tree> with_coordinates(Tree tree, const Point& point, const std::string& but) {
+  for (const auto& [name, number] : point) {
+    if (name == but) continue;
+    const Value& value = number.value(128);
+    if (!value.constant) return std::nullopt;
+    tree = put_in(tree, name, tree_of(*value.constant));
+  }
+  return tree;
+}
+
+Point with(Point point, const std::string& name, const Number& value) {
+  point.insert_or_assign(name, value);
+  return point;
+}
+
+bool lies_in(const Number& number, const Interval& range) {
+  const Value& value = number.value(200);
+  if (value.constant) return range.contains(*value.constant);
+  if (value.is != Value::Is::certain) return false;
+  const Interval ends{End{{value.ball.lower()}}, End{{value.ball.upper()}}};
+  return compare(ends.low, range.low) > 0 && compare(ends.high, range.high) < 0;
+}
+
+/// y of c·y + d = 0.
+std::optional<Solution> linear_solution(const Tree& residual, const std::string& name, const Point& point,
+                                        const Symbols& symbols) {
+  const GiNaC::ex e = lower(residual, symbols).expand(), y = symbols[name];
+  if (!e.is_polynomial(y) || e.degree(y) != 1) return std::nullopt;
+  const Tree value = to_tree(-e.coeff(y, 0) / e.coeff(y, 1), symbols);
+  const Value found = value_at(value, point, 128);
+  if (found.is != Value::Is::certain) return std::nullopt;
+  if (found.constant) {
+    const Number number = found.constant->is_rational() ? Number(found.constant->a) : Number(tree_of(*found.constant));
+    return Solution{with(point, name, number)};
+  }
+  const auto constant = with_coordinates(value, point, name);
+  if (!constant) return std::nullopt;
+  return Solution{with(point, name, Number(*constant)), {{name, *constant}}};
+}
+
+/// A zero between two neighbours on a grid over the range, narrowed.
+std::optional<Solution> enclosed_solution(const Tree& residual, const std::string& name, const Point& point,
+                                          const Interval& range) {
+  const auto tree = with_coordinates(residual, point, name);
+  if (!tree) return std::nullopt;
+  const Tree zero = make_tree(Node::Kind::number, "0");
+  const auto sign = [&](const cl_RA& x) { return sign_at(*tree, zero, {{name, Number(x)}}, 400); };
+  std::optional<cl_RA> previous;
+  Sign before = Sign::unknown;
+  for (int k = -40; k <= 40; ++k) {
+    const cl_RA x = cl_RA(2 * k + 1) / 8;
+    if (!range.contains({x})) continue;
+    const Sign here = sign(x);
+    if (here == Sign::zero) return Solution{with(point, name, Number(x))};
+    const bool changes = (before == Sign::negative && here == Sign::positive) ||
+                         (before == Sign::positive && here == Sign::negative);
+    if (previous && changes) {
+      cl_RA low = *previous, high = x;
+      for (int step = 0; step < 34; ++step) {
+        const cl_RA middle = (low + high) / 2;
+        const Sign there = sign(middle);
+        if (there == Sign::zero) return Solution{with(point, name, Number(middle))};
+        (there == before ? low : high) = middle;
+      }
+      const Number number(*tree, name, low, high);
+      // a finite ball over the whole of it: continuous there, no pole
+      if (value_at(*tree, {{name, number}}, 128).is == Value::Is::certain)
+        return Solution{with(point, name, number), {}, Zero{name, low, high, *tree}};
+    }
+    previous = x, before = here;
+  }
+  return std::nullopt;
+}
+
+std::string digits_or_empty(const Tree& tree, const Point& point) {
+  return digits_at(tree, point, 30).value_or("");
+}
+
+/// Both values: of expressions, of right-hand sides, or of residuals.
+std::pair<Tree, Tree> compared(const Problem& problem) {
+  const Relation &left = problem.left, &right = problem.right;
+  if (left.operators.empty()) return {left.sides[0], right.sides[0]};
+  const bool is_simple = left.operators.size() == 1 && right.operators.size() == 1;
+  if (is_simple && print(left.sides[0], Notation::plain, problem.symbols) ==
+                       print(right.sides[0], Notation::plain, problem.symbols))
+    return {left.sides[1], right.sides[1]};
+  return {difference(left.sides[0], left.sides[1]), difference(right.sides[0], right.sides[1])};
+}
+
+}  // namespace
+
+std::optional<Solution> solution_at(const Relation& equation, const std::string& name, const Point& point,
+                                    const Symbols& symbols) {
+  const Tree residual = difference(equation.sides[0], equation.sides[1]);
+  const Interval range = parse_range(symbols.find(name)->range);
+  try {
+    auto solution = linear_solution(residual, name, point, symbols);
+    if (!solution) solution = enclosed_solution(residual, name, point, range);
+    if (!solution || !lies_in(solution->point.at(name), range)) return std::nullopt;
+    return solution;
+  } catch (const SyntaxError&) {  // GiNaC meets a pole as it builds
+    return std::nullopt;
+  }
+}
+
+std::optional<Witness> make_witness(const Problem& problem, const Solution& solution) {
+  Witness witness;
+  Point point = solution.point;
+  const auto say = [&](const std::string& name, const Tree& tree, const Value& value) {
+    if (value.constant && value.constant->is_rational()) {
+      witness.at[name] = rational_text(value.constant->a);
+      return;
+    }
+    witness.at[name] = digits_or_empty(tree, point);
+    const auto constant = solution.constants.find(name);
+    if (value.constant)
+      witness.exactly[name] = print(tree_of(*value.constant), Notation::plain, problem.symbols);
+    else if (constant != solution.constants.end())
+      witness.exactly[name] = print(constant->second, Notation::plain, problem.symbols);
+  };
+  for (const auto& [name, number] : solution.point)
+    say(name, make_tree(Node::Kind::symbol, name), number.value(256));
+  for (const auto& [name, tree] : problem.values) {  // what was put in
+    const Value value = value_at(tree, solution.point, 256);
+    if (value.is == Value::Is::certain) say(name, tree, value);
+  }
+  if (solution.zero) {
+    witness.between[solution.zero->symbol] = {rational_text(solution.zero->low), rational_text(solution.zero->high)};
+    witness.solves = print(solution.zero->equals_zero, Notation::plain, problem.symbols) + " = 0";
+  }
+  const auto [left, right] = compared(problem);
+  witness.printed = digits_or_empty(left, point), witness.derived = digits_or_empty(right, point);
+  if (witness.printed.empty() && witness.derived.empty()) return std::nullopt;
+  if (witness.printed.empty()) witness.printed = "0";  // the residual of the equation that the point solves
+  if (witness.derived.empty()) witness.derived = "0";
+  return witness;
+}
+
+std::vector<std::string> in_words(const Witness& witness) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : witness.at) {
+    const auto bounds = witness.between.find(name);
+    const auto exact = witness.exactly.find(name);
+    if (bounds != witness.between.end())
+      words.push_back(fmt::format("{} between {} and {} where {}", name, bounds->second.first, bounds->second.second,
+                                  witness.solves));
+    else
+      words.push_back(name + " = " + (exact != witness.exactly.end() ? exact->second : value));
+  }
+  return words;
+}
+
+}  // namespace rederive

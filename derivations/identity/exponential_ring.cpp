@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <derivations/identity/exponential_ring.hpp>
+
+namespace rederive {
+
+namespace {
+
+/// ±p with content 1 that leads with plus, and the number that was taken out.
+std::pair<cln::cl_I, Polynomial> primitive(const Polynomial& p) {
+  cln::cl_I number = p.content();
+  if (p.leads_with_minus()) number = -number;
+  return {number, *quotient(p, Polynomial(number))};
+}
+
+GiNaC::ex to_ginac(const cln::cl_I& value) { return GiNaC::numeric(value); }
+
+Signs signs_of_interval(const Interval& i) {
+  Signs result = Signs::any();
+  if (i.is_positive()) return Signs::positive();
+  if (i.is_negative()) return Signs::negative();
+  if (i.is_nonnegative()) result = Signs::nonnegative();
+  if (i.is_nonpositive()) result = result & Signs::nonpositive();
+  return result;
+}
+
+Signs sign_of_number(const cln::cl_RA& n) {
+  return cln::zerop(n) ? Signs::zero() : cln::plusp(n) ? Signs::positive() : Signs::negative();
+}
+
+}  // namespace
+
+Fraction Ring::add(const std::string& key, Generator generator) {
+  if (const auto found = index_.find(key); found != index_.end()) return Polynomial::variable(found->second);
+  const int k = static_cast<int>(generators_.size());
+  if (k == Polynomial::variables) throw Undecidable("too many independent functions in one statement");
+  generators_.push_back(std::move(generator));
+  index_.emplace(key, k);
+  return Polynomial::variable(k);
+}
+
+std::optional<int> Ring::find(const std::string& key) const {
+  const auto found = index_.find(key);
+  return found == index_.end() ? std::nullopt : std::optional(found->second);
+}
+
+void Ring::relate(int generator, int degree, const Fraction& value) {
+  generators_[generator].degree = degree, generators_[generator].value = value;
+}
+
+/// Σ cₖ gᵏ becomes Σ cₖ g^{k mod n} value^{k div n}, generator by generator, the last one first.
+Fraction Ring::reduced(const Polynomial& p) const {
+  Fraction rest = p;
+  for (int round = 0; round < 40; ++round) {
+    int k = static_cast<int>(generators_.size()) - 1;
+    while (k >= 0 && (generators_[k].degree == 0 || rest.numerator.degree(k) < generators_[k].degree)) --k;
+    if (k < 0) return rest;
+    const Generator& g = generators_[k];
+    const Polynomial variable = Polynomial::variable(k);
+    const auto coefficients = rest.numerator.coefficients(k);
+    const int most = static_cast<int>(coefficients.size() - 1) / g.degree;
+    Polynomial sum = 0;
+    for (int i = 0; i < static_cast<int>(coefficients.size()); ++i)
+      if (!coefficients[i].is_zero())
+        sum = sum + coefficients[i] * power(variable, i % g.degree) * power(g.value.numerator, i / g.degree) *
+                        power(g.value.denominator, most - i / g.degree);
+    rest = Fraction(sum, rest.denominator * power(g.value.denominator, most));
+  }
+  throw Undecidable("relations between roots that are too deep");
+}
+
+Fraction Ring::normal(const Fraction& f) const {
+  const auto needs = [&](const Polynomial& p) {
+    for (const int k : p.used())
+      if (generators_[k].degree != 0 && p.degree(k) >= generators_[k].degree) return true;
+    return false;
+  };
+  Fraction result = f;
+  for (int round = 0; round < 8 && (needs(result.numerator) || needs(result.denominator)); ++round)
+    result = reduced(result.numerator) / reduced(result.denominator);
+  return result;
+}
+
+void Ring::learn(const Fraction& value, Signs signs) {
+  const Fraction f = normal(value);
+  const Polynomial product = f.numerator * f.denominator;
+  if (product.is_constant()) return;
+  auto [number, list] = factors(product);
+  Polynomial rest = 1;  // the factors of which the sign is not known yet
+  Signs outside = sign_of_number(number);
+  for (const auto& [factor, exponent] : list) {
+    const Signs known = power(signs_of(factor), exponent);
+    if (known.is_definite() && (known == Signs::positive() || known == Signs::negative())) {
+      outside = outside * known;
+      continue;
+    }
+    const bool is_odd = exponent % 2 != 0;
+    if (signs.is_definite()) {  // no factor of what is not 0 is 0
+      known_signs_.try_emplace(factor.key(), Signs::any()).first->second =
+          signs_of(factor) & Signs::nonzero();
+      if (!is_odd || signs_of(factor) == Signs::positive() || signs_of(factor) == Signs::negative()) {
+        if (is_odd) outside = outside * signs_of(factor);
+        continue;
+      }
+    }
+    rest = rest * power(factor, is_odd ? 1 : 2);
+  }
+  if (rest.is_constant()) return;
+  const Signs of_rest = outside == Signs::negative() ? -signs : signs;
+  Signs& known = known_signs_.try_emplace(rest.key(), Signs::any()).first->second;
+  known = known & of_rest;
+  narrow(rest, of_rest);
+}
+
+/// c·x + d > 0 bounds x.
+void Ring::narrow(const Polynomial& p, Signs signs) {
+  const std::vector<int> used = p.used();
+  if (used.size() != 1 || p.degree(used[0]) != 1 || generators_[used[0]].kind != Generator::Kind::symbol) return;
+  const auto c = p.coefficients(used[0]);
+  const cln::cl_RA end = -cln::cl_RA(c[0].constant()) / c[1].constant();
+  const Signs of_x = cln::minusp(c[1].constant()) ? -signs : signs;  // of x - end
+  Interval bound;
+  const bool closed = Signs::zero().within(of_x);
+  if (of_x.within(Signs::nonnegative())) bound.low = End{{end}, 0, closed};
+  if (of_x.within(Signs::nonpositive())) bound.high = End{{end}, 0, closed};
+  Interval& range = generators_[used[0]].range;
+  range = overlap(range, bound);
+}
+
+void Ring::learn(const Fraction& value, const Interval& range) {
+  const Fraction f = normal(value);
+  if (!f.denominator.is_constant() || f.numerator.is_constant()) return;
+  const auto [number, p] = primitive(f.numerator);
+  const Interval bound = range * point({cln::cl_RA(f.denominator.constant()) / number});
+  const auto [place, is_new] = known_.try_emplace(p.key(), bound);
+  if (!is_new) place->second = overlap(place->second, bound);
+}
+
+Interval Ring::range_of(const Polynomial& p) const {
+  if (p.is_zero()) return point({});
+  Interval sum = point({});
+  for (std::size_t t = 0; t < p.terms(); ++t) {
+    Interval product = point({p.coefficient(t)});
+    for (const auto& [k, exponent] : p.powers(t)) product = product * power(generators_[k].range, exponent);
+    sum = sum + product;
+  }
+  if (p.is_constant() || known_.empty()) return sum;
+  const auto [number, q] = primitive(p);
+  const auto known = known_.find(q.key());
+  return known == known_.end() ? sum : overlap(sum, known->second * point({number}));
+}
+
+Interval Ring::range_of(const Fraction& f) const {
+  const Interval above = range_of(f.numerator);
+  return f.denominator.is_one() ? above : above * reciprocal(range_of(f.denominator));
+}
+
+Signs Ring::signs_of(const Polynomial& p, int depth) const {
+  if (p.is_constant()) return sign_of_number(p.constant());
+  Signs result = signs_of_interval(range_of(p));
+  const auto [number, q] = primitive(p);
+  if (const auto known = known_signs_.find(q.key()); known != known_signs_.end())
+    result = result & (cln::minusp(number) ? -known->second : known->second);
+  if (depth == 0 || result == Signs::positive() || result == Signs::negative() || result.is_none()) return result;
+  const auto [constant, list] = factors(p);
+  if (list.size() == 1 && list[0].second == 1) return result & signs_of_quadratic(p, depth - 1);
+  Signs product = sign_of_number(constant);
+  for (const auto& [factor, exponent] : list) product = product * power(signs_of(factor, depth - 1), exponent);
+  return result & product;
+}
+
+/// 4a·(a x² + b x + c) = (2a x + b)² - (b² - 4ac).
+Signs Ring::signs_of_quadratic(const Polynomial& p, int depth) const {
+  for (const int k : p.used()) {
+    if (p.degree(k) != 2) continue;
+    const auto c = p.coefficients(k);
+    const Signs leading = signs_of(c[2], depth);
+    if (leading != Signs::positive() && leading != Signs::negative()) continue;
+    const Fraction discriminant = reduced(c[1] * c[1] - 4 * c[0] * c[2]);
+    const Signs of_discriminant = signs_of(discriminant.numerator, depth) * signs_of(discriminant.denominator, depth);
+    if (of_discriminant == Signs::negative()) return leading;
+    if (of_discriminant.within(Signs::nonpositive())) return leading | Signs::zero();
+  }
+  return Signs::any();
+}
+
+GiNaC::ex Ring::meaning_of(const Fraction& f) const {
+  const auto polynomial = [&](const Polynomial& p) {
+    GiNaC::ex sum = 0;
+    for (std::size_t t = 0; t < p.terms(); ++t) {
+      GiNaC::ex product = to_ginac(p.coefficient(t));
+      for (const auto& [k, exponent] : p.powers(t)) product *= GiNaC::pow(generators_[k].meaning, exponent);
+      sum += product;
+    }
+    return sum;
+  };
+  const auto product = [&](const Polynomial& p) {
+    if (p.is_constant()) return to_ginac(p.constant());
+    const auto [number, list] = factors(p);
+    GiNaC::ex result = to_ginac(number);
+    for (const auto& [factor, exponent] : list) result *= GiNaC::pow(polynomial(factor), exponent);
+    return result;
+  };
+  return product(f.numerator) / product(f.denominator);
+}
+
+}  // namespace rederive

@@ -1,0 +1,84 @@
+// The ring in which identities are decided.
+//
+// Every function of the paper becomes a rational function of generators: the symbols, π, the cosine and the sine
+// of independent phases, exponentials of independent real arguments, roots, sizes, logarithms, inverse functions.
+// Between them hold true relations, each for a power of one generator in terms of earlier ones: s² = 1 - c²,
+// y² = u, a² = u². What reduces to 0 modulo these is 0 wherever it has a value: that proves an identity.
+// Exponentials of arguments that are linearly independent over the rationals are algebraically independent
+// (Lindemann-Weierstrass for numbers, Ax 1971 for functions; Risch's structure theorem for towers of them), so that
+// within the class the converse holds, too. Davenport, Siret, Tournier, Computer Algebra, ch. 5; Richardson 1997.
+//
+// Beside its relation every generator has the range of its values. From these follow signs of polynomials: by
+// intervals, factor by factor, and by the discriminant of what is quadratic in a generator.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <derivations/identity/polynomial.hpp>
+#include <derivations/identity/signs.hpp>
+#include <derivations/numbers/interval.hpp>
+#include <map>
+#include <vector>
+
+namespace rederive {
+
+/// One generator of the ring, and what it stands for.
+struct Generator {
+  enum class Kind { symbol, pi, cosine, sine, exponential, root, absolute, logarithm, angle };
+  Kind kind = Kind::symbol;
+  GiNaC::ex meaning;   ///< in the symbols of the statement
+  Interval range;      ///< the values that it takes
+  Fraction of = 0;     ///< the phase, what stands under the root, between the bars, in the logarithm
+  int order = 1;       ///< n of e^{φ/n}, cos(φ/n), u^{1/n}
+  int degree = 0;      ///< generator^degree = value; 0: no relation
+  Fraction value = 0;  ///< in generators that came before
+};
+
+/// All numbers that are not negative, and all that are positive.
+inline Interval nonnegative_numbers() { return {End{{}, 0, true}, End{{}, 1}}; }
+inline Interval positive_numbers() { return {End{{}, 0, false}, End{{}, 1}}; }
+
+class Ring {
+ public:
+  /// The variable of a key, made by `make` when it is new. Throws Undecidable where there are too many.
+  template <class Make>
+  Fraction generator(const std::string& key, const Make& make) {
+    if (const auto found = index_.find(key); found != index_.end()) return Polynomial::variable(found->second);
+    return add(key, make());
+  }
+  const std::vector<Generator>& generators() const { return generators_; }
+  std::optional<int> find(const std::string& key) const;
+
+  /// generator^degree = value from now on: what an equation that is assumed says of a symbol.
+  void relate(int generator, int degree, const Fraction& value);
+
+  /// The remainder modulo all relations, in lowest terms. Throws std::domain_error where its denominator is 0.
+  Fraction normal(const Fraction& f) const;
+
+  /// What is known of a value: of its sign, and of the range of a symbol if it is linear in one.
+  void learn(const Fraction& value, Signs signs);
+  /// A value lies in an interval.
+  void learn(const Fraction& value, const Interval& range);
+
+  Interval range_of(const Fraction& f) const;
+  Signs signs_of(const Polynomial& p) const { return signs_of(p, 3); }
+  Signs signs_of(const Fraction& f) const { return signs_of(f.numerator) * signs_of(f.denominator); }
+
+  /// Back in the symbols of the statement.
+  GiNaC::ex meaning_of(const Fraction& f) const;
+
+ private:
+  Fraction add(const std::string& key, Generator generator);
+  Fraction reduced(const Polynomial& p) const;
+  Interval range_of(const Polynomial& p) const;
+  Signs signs_of(const Polynomial& p, int depth) const;
+  Signs signs_of_quadratic(const Polynomial& p, int depth) const;
+  void narrow(const Polynomial& p, Signs signs);
+
+  std::vector<Generator> generators_;
+  std::map<std::string, int> index_;
+  std::map<std::string, Interval> known_;      ///< key of a polynomial that leads with plus, content 1 → its values
+  std::map<std::string, Signs> known_signs_;  ///< the same → its signs
+};
+
+}  // namespace rederive

@@ -1,0 +1,162 @@
+// Circular functions and exponentials: of whole multiples of independent phases, so by the addition theorems.
+#include <derivations/identity/translator.hpp>
+
+namespace rederive {
+
+using cln::cl_RA;
+using Kind = Generator::Kind;
+
+namespace {
+
+using Pair = std::pair<Fraction, Fraction>;
+
+/// (cos, sin) of a sum.
+Pair add(const Ring& ring, const Pair& a, const Pair& b) {
+  return {ring.normal(a.first * b.first - a.second * b.second), ring.normal(a.first * b.second + a.second * b.first)};
+}
+
+/// (cos, sin) of n times an argument.
+Pair multiple(const Ring& ring, const Pair& a, int n) {
+  Pair result{1, 0};
+  for (int k = 0; k < std::abs(n); ++k) result = add(ring, result, a);
+  if (n < 0) result.second = -result.second;
+  return result;
+}
+
+/// sin(k·π/12) for k = 0 … 6, as (a + b·√2 + c·√3 + d·√6)/4.
+constexpr int sines[7][4] = {{0, 0, 0, 0}, {0, -1, 0, 1}, {2, 0, 0, 0}, {0, 2, 0, 0},
+                             {0, 0, 2, 0}, {0, 1, 0, 1},  {4, 0, 0, 0}};
+
+}  // namespace
+
+/// An argument as a sum of rational multiples of terms, over the denominator that all arguments share; `turns`, where it
+/// is asked for, gets the rational multiple of π.
+Combination Translator::combination(const Fraction& argument, cl_RA* turns) {
+  const Polynomial rest = *quotient(argument.denominator, Polynomial(argument.denominator.content()));
+  Fraction scaled = argument;
+  if (rest.terms() > 1 || denominator_.terms() > 1) {
+    if (!quotient(denominator_, rest)) {
+      denominator_ = *quotient(denominator_ * rest, gcd(denominator_, rest));
+      throw AnotherRound();
+    }
+    scaled = argument * denominator_;
+  }
+  Combination result;
+  for (const auto& [number, term] : terms_of(scaled)) {
+    const Fraction whole = denominator_.is_one() ? term : term / denominator_;
+    const std::string key = whole.key();
+    if (turns != nullptr && whole == pi())
+      *turns = number;
+    else
+      result.emplace(key, std::pair{whole, number});
+  }
+  return result;
+}
+
+/// cos and sin of a phase of the basis, as generators with c² + s² = 1.
+Pair Translator::phase(const Fraction& phase) {
+  const std::string key = phase.key();
+  const Interval range = ring_.range_of(phase);
+  Fraction c = ring_.generator("cos " + key, [&] {
+    Generator g;
+    g.kind = Kind::cosine, g.of = phase, g.meaning = GiNaC::cos(ring_.meaning_of(phase)), g.range = rederive::call("cos", range);
+    return g;
+  });
+  Fraction s = ring_.generator("sin " + key, [&] {
+    Generator g;
+    g.kind = Kind::sine, g.of = phase, g.meaning = GiNaC::sin(ring_.meaning_of(phase)), g.range = rederive::call("sin", range);
+    g.degree = 2, g.value = 1 - c * c;
+    return g;
+  });
+  for (const auto& g : ring_.generators()) {  // the angle of an inverse function: its cosine and sine are algebraic
+    if (g.kind != Kind::angle) continue;
+    const Fraction a = Polynomial::variable(static_cast<int>(&g - ring_.generators().data()));
+    const int c_index = *ring_.find("cos " + key), s_index = *ring_.find("sin " + key);
+    if (phase == a) {
+      const auto [cosine, sine] = circular_of_angle(Generator(g));
+      ring_.relate(c_index, 1, cosine), ring_.relate(s_index, 1, sine);
+      return {ring_.normal(c), ring_.normal(s)};
+    }
+    if (phase == a / 2) {
+      const auto [cosine, sine] = circular_of_angle(Generator(g));
+      ring_.relate(c_index, 2, (1 + cosine) / 2), ring_.relate(s_index, 1, sine / (2 * c));
+      return {ring_.normal(c), ring_.normal(s)};
+    }
+  }
+  return {c, s};
+}
+
+/// cos qπ and sin qπ, for multiples of π/12.
+Pair Translator::turn(const cl_RA& q) {
+  const cl_RA twelfths = q * 12;
+  if (cln::denominator(twelfths) != 1)
+    throw Undecidable("a multiple of pi whose denominator is not 1, 2, 3, 4, 6 or 12");
+  const int k = cln::cl_I_to_int(cln::mod(cln::numerator(twelfths), 24));
+  const auto sine = [&](int n) -> Fraction {
+    n = (n % 24 + 24) % 24;
+    const int sign = n < 12 ? 1 : -1;
+    n %= 12;
+    const int* parts = sines[n <= 6 ? n : 12 - n];
+    Fraction sum = parts[0];
+    if (parts[1] != 0) sum = sum + parts[1] * root_of_number(2, 2);
+    if (parts[2] != 0) sum = sum + parts[2] * root_of_number(3, 2);
+    if (parts[3] != 0) sum = sum + parts[3] * root_of_number(6, 2);
+    return sum * Fraction(cl_RA(sign) / 4);
+  };
+  return {sine(k + 6), sine(k)};
+}
+
+Pair Translator::circular(const Fraction& argument) {
+  cl_RA turns = 0;
+  const Combination phases = combination(argument, &turns);
+  const auto multiples = circular_.multiples(phases);
+  if (!multiples) {
+    circular_.add(phases);
+    throw AnotherRound();
+  }
+  Pair result{1, 0};
+  for (const Multiple& m : *multiples) result = add(ring_, result, multiple(ring_, phase(m.phase), m.times));
+  if (!cln::zerop(turns)) result = add(ring_, result, turn(turns));
+  if (multiples->size() + (cln::zerop(turns) ? 0 : 1) > 1 || (multiples->size() == 1 && (*multiples)[0].times != 1)) {
+    const Interval range = ring_.range_of(argument);
+    ring_.learn(result.first, rederive::call("cos", range)), ring_.learn(result.second, rederive::call("sin", range));
+  }
+  arguments_.try_emplace(argument.key(), Argument{argument, result.first, result.second});
+  return result;
+}
+
+Fraction Translator::exponential(const Fraction& argument) {
+  Combination phases;
+  Fraction powers = 1;
+  for (const auto& [key, term] : combination(argument, nullptr)) {  // e^{q log u} = u^q
+    const auto used = term.first.numerator.used();
+    const bool is_variable = term.first.denominator.is_one() && used.size() == 1 &&
+                             term.first == Fraction(Polynomial::variable(used[0]));
+    if (!is_variable || ring_.generators()[used[0]].kind != Kind::logarithm) {
+      phases.emplace(key, term);
+      continue;
+    }
+    if (cln::abs(term.second) > 64 || cln::denominator(term.second) > 12) throw Undecidable("an exponent that is too large");
+    const int n = cln::cl_I_to_int(cln::numerator(term.second)), order = cln::cl_I_to_int(cln::denominator(term.second));
+    const Fraction u = ring_.generators()[used[0]].of;
+    powers = ring_.normal(powers * power(order > 1 ? root(u, order) : u, n));
+  }
+  const auto multiples = real_.multiples(phases);
+  if (!multiples) {
+    real_.add(phases);
+    throw AnotherRound();
+  }
+  for (const Multiple& m : *multiples) {
+    const Fraction e = ring_.generator("exp " + m.key, [&] {
+      Generator g;
+      g.kind = Kind::exponential, g.of = m.phase, g.meaning = GiNaC::exp(ring_.meaning_of(m.phase));
+      g.range = overlap(rederive::call("exp", ring_.range_of(m.phase)), positive_numbers());
+      return g;
+    });
+    powers = ring_.normal(powers * power(e, m.times));
+  }
+  ring_.learn(powers - 1, ring_.signs_of(argument));  // e^x > 1 where x > 0
+  return powers;
+}
+
+}  // namespace rederive

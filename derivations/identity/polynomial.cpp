@@ -1,0 +1,273 @@
+#include <cln/integer_io.h>
+#include <flint/fmpz_mpoly_factor.h>
+
+#include <derivations/identity/polynomial.hpp>
+#include <sstream>
+
+namespace rederive {
+
+namespace {
+
+/// The variables of all polynomials, in degree-lexicographic order.
+const fmpz_mpoly_ctx_struct* context() {
+  struct Context {
+    Context() { fmpz_mpoly_ctx_init(c, Polynomial::variables, ORD_DEGLEX); }
+    ~Context() { fmpz_mpoly_ctx_clear(c); }
+    fmpz_mpoly_ctx_t c;
+  };
+  static const Context context;
+  return context.c;
+}
+
+/// FLINT's integer, freed at the end of its life.
+struct Integer {
+  Integer() { fmpz_init(z); }
+  explicit Integer(const cln::cl_I& value) : Integer() {
+    if (cln::integer_length(value) < 60) {
+      fmpz_set_si(z, cln::cl_I_to_long(value));
+    } else {
+      std::ostringstream digits;
+      digits << value;
+      fmpz_set_str(z, digits.str().c_str(), 10);
+    }
+  }
+  Integer(const Integer&) = delete;
+  Integer& operator=(const Integer&) = delete;
+  ~Integer() { fmpz_clear(z); }
+  cln::cl_I value() const {
+    if (fmpz_fits_si(z)) return cln::cl_I(fmpz_get_si(z));
+    char* digits = fmpz_get_str(nullptr, 10, z);
+    const cln::cl_I result(static_cast<const char*>(digits));
+    flint_free(digits);
+    return result;
+  }
+  fmpz_t z;
+};
+
+void check_size(std::size_t terms) {
+  if (terms > Polynomial::most_terms) throw Undecidable("too many terms, once it is multiplied out");
+}
+
+}  // namespace
+
+Polynomial::Polynomial(long value) {
+  fmpz_mpoly_init(p_, context());
+  if (value != 0) fmpz_mpoly_set_si(p_, value, context());
+}
+Polynomial::Polynomial(const cln::cl_I& value) {
+  fmpz_mpoly_init(p_, context());
+  fmpz_mpoly_set_fmpz(p_, Integer(value).z, context());
+}
+Polynomial::Polynomial(const Polynomial& other) {
+  fmpz_mpoly_init(p_, context());
+  fmpz_mpoly_set(p_, other.p_, context());
+}
+Polynomial::Polynomial(Polynomial&& other) noexcept {
+  fmpz_mpoly_init(p_, context());
+  fmpz_mpoly_swap(p_, other.p_, context());
+}
+Polynomial& Polynomial::operator=(Polynomial other) noexcept {
+  fmpz_mpoly_swap(p_, other.p_, context());
+  return *this;
+}
+Polynomial::~Polynomial() { fmpz_mpoly_clear(p_, context()); }
+
+Polynomial Polynomial::variable(int k) {
+  Polynomial result;
+  fmpz_mpoly_gen(result.p_, k, context());
+  return result;
+}
+
+bool Polynomial::is_zero() const { return fmpz_mpoly_is_zero(p_, context()) != 0; }
+bool Polynomial::is_one() const { return fmpz_mpoly_is_one(p_, context()) != 0; }
+bool Polynomial::is_constant() const { return fmpz_mpoly_is_fmpz(p_, context()) != 0; }
+std::size_t Polynomial::terms() const { return fmpz_mpoly_length(p_, context()); }
+int Polynomial::degree(int variable) const {
+  return std::max(0, static_cast<int>(fmpz_mpoly_degree_si(p_, variable, context())));
+}
+
+cln::cl_I Polynomial::constant() const {
+  Integer value;
+  fmpz_mpoly_get_fmpz(value.z, p_, context());
+  return value.value();
+}
+
+std::vector<int> Polynomial::used() const {
+  int mask[variables];
+  fmpz_mpoly_used_vars(mask, p_, context());
+  std::vector<int> result;
+  for (int k = 0; k < variables; ++k)
+    if (mask[k] != 0) result.push_back(k);
+  return result;
+}
+
+std::vector<Polynomial> Polynomial::coefficients(int variable) const {
+  std::vector<Polynomial> result(degree(variable) + 1);
+  const slong variables[] = {variable};
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const ulong exponents[] = {k};
+    fmpz_mpoly_get_coeff_vars_ui(result[k].p_, p_, variables, exponents, 1, context());
+  }
+  return result;
+}
+
+cln::cl_I Polynomial::coefficient(std::size_t term) const {
+  Integer value;
+  fmpz_mpoly_get_term_coeff_fmpz(value.z, p_, term, context());
+  return value.value();
+}
+
+Polynomial Polynomial::monomial(std::size_t term) const {
+  Polynomial result;
+  fmpz_mpoly_get_term_monomial(result.p_, p_, term, context());
+  return result;
+}
+
+std::vector<std::pair<int, int>> Polynomial::powers(std::size_t term) const {
+  ulong exponents[variables];
+  fmpz_mpoly_get_term_exp_ui(exponents, p_, term, context());
+  std::vector<std::pair<int, int>> result;
+  for (int k = 0; k < variables; ++k)
+    if (exponents[k] != 0) result.emplace_back(k, static_cast<int>(exponents[k]));
+  return result;
+}
+
+cln::cl_I Polynomial::content() const {
+  cln::cl_I result = 0;
+  for (std::size_t k = 0; k < terms() && result != 1; ++k) result = cln::gcd(result, coefficient(k));
+  return result;
+}
+
+bool Polynomial::leads_with_minus() const { return !is_zero() && cln::minusp(coefficient(0)); }
+
+std::string Polynomial::key() const {
+  char* text = fmpz_mpoly_get_str_pretty(p_, nullptr, context());
+  std::string result(text);
+  flint_free(text);
+  return result;
+}
+
+Polynomial Polynomial::operator-() const {
+  Polynomial result;
+  fmpz_mpoly_neg(result.p_, p_, context());
+  return result;
+}
+Polynomial operator+(const Polynomial& a, const Polynomial& b) {
+  Polynomial result;
+  fmpz_mpoly_add(result.p_, a.p_, b.p_, context());
+  check_size(result.terms());
+  return result;
+}
+Polynomial operator-(const Polynomial& a, const Polynomial& b) {
+  Polynomial result;
+  fmpz_mpoly_sub(result.p_, a.p_, b.p_, context());
+  check_size(result.terms());
+  return result;
+}
+Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+  if (a.terms() > 1 && b.terms() > 1) check_size(a.terms() * b.terms() / 100);
+  Polynomial result;
+  fmpz_mpoly_mul(result.p_, a.p_, b.p_, context());
+  check_size(result.terms());
+  return result;
+}
+bool operator==(const Polynomial& a, const Polynomial& b) { return fmpz_mpoly_equal(a.p_, b.p_, context()) != 0; }
+
+Polynomial power(const Polynomial& base, int exponent) {
+  Polynomial result = 1;
+  for (int k = 0; k < exponent; ++k) result = result * base;
+  return result;
+}
+
+std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b) {
+  Polynomial result;
+  if (b.is_zero() || fmpz_mpoly_divides(result.p_, a.p_, b.p_, context()) == 0) return std::nullopt;
+  return result;
+}
+
+Polynomial gcd(const Polynomial& a, const Polynomial& b) {
+  Polynomial result;
+  if (fmpz_mpoly_gcd(result.p_, a.p_, b.p_, context()) == 0)
+    throw Undecidable("a greatest common divisor that is too large");
+  return result;
+}
+
+std::pair<cln::cl_I, std::vector<std::pair<Polynomial, int>>> factors(const Polynomial& p) {
+  std::pair<cln::cl_I, std::vector<std::pair<Polynomial, int>>> result{p.is_constant() ? p.constant() : 1, {}};
+  if (p.is_constant()) return result;
+  if (p.terms() > 400) {  // one piece: its factors would take too long
+    result.second.emplace_back(p, 1);
+    return result;
+  }
+  fmpz_mpoly_factor_t found;
+  fmpz_mpoly_factor_init(found, context());
+  const bool is_done = fmpz_mpoly_factor(found, p.p_, context()) != 0;
+  if (is_done) {
+    Integer constant;
+    fmpz_mpoly_factor_get_constant_fmpz(constant.z, found, context());
+    result.first = constant.value();
+    for (slong k = 0; k < fmpz_mpoly_factor_length(found, context()); ++k) {
+      Polynomial base;
+      fmpz_mpoly_factor_get_base(base.p_, found, k, context());
+      const int exponent = static_cast<int>(fmpz_mpoly_factor_get_exp_si(found, k, context()));
+      if (base.leads_with_minus()) {
+        base = -base;
+        if (exponent % 2 != 0) result.first = -result.first;
+      }
+      result.second.emplace_back(std::move(base), exponent);
+    }
+  }
+  fmpz_mpoly_factor_clear(found, context());
+  if (!is_done) throw Undecidable("a polynomial whose factors are not found");
+  return result;
+}
+
+Fraction::Fraction(const Polynomial& n, const Polynomial& d) : numerator(n), denominator(d) {
+  if (d.is_zero()) throw std::domain_error("a divisor is 0");
+  if (!d.is_one()) {
+    const Polynomial common = gcd(n, d);
+    if (!common.is_one()) numerator = *quotient(n, common), denominator = *quotient(d, common);
+  }
+  if (denominator.leads_with_minus()) numerator = -numerator, denominator = -denominator;
+}
+
+std::string Fraction::key() const {
+  return denominator.is_one() ? numerator.key() : "(" + numerator.key() + ")/(" + denominator.key() + ")";
+}
+Fraction Fraction::operator-() const {
+  Fraction result = *this;
+  result.numerator = -result.numerator;
+  return result;
+}
+Fraction operator+(const Fraction& a, const Fraction& b) {
+  if (a.denominator == b.denominator) return {a.numerator + b.numerator, a.denominator};
+  return {a.numerator * b.denominator + b.numerator * a.denominator, a.denominator * b.denominator};
+}
+Fraction operator-(const Fraction& a, const Fraction& b) { return a + -b; }
+Fraction operator*(const Fraction& a, const Fraction& b) {
+  return {a.numerator * b.numerator, a.denominator * b.denominator};
+}
+Fraction operator/(const Fraction& a, const Fraction& b) {
+  if (b.is_zero()) throw std::domain_error("a divisor is 0");
+  return {a.numerator * b.denominator, a.denominator * b.numerator};
+}
+bool operator==(const Fraction& a, const Fraction& b) {
+  return a.numerator == b.numerator && a.denominator == b.denominator;
+}
+Fraction power(const Fraction& base, int exponent) {
+  if (exponent < 0) return power(1 / base, -exponent);
+  Fraction result;
+  result.numerator = power(base.numerator, exponent), result.denominator = power(base.denominator, exponent);
+  return result;
+}
+
+std::vector<std::pair<cln::cl_RA, Fraction>> terms_of(const Fraction& f) {
+  const cln::cl_I number = f.denominator.content();
+  const Polynomial rest = *quotient(f.denominator, Polynomial(number));
+  std::vector<std::pair<cln::cl_RA, Fraction>> result;
+  for (std::size_t k = 0; k < f.numerator.terms(); ++k)
+    result.emplace_back(f.numerator.coefficient(k) / cln::cl_RA(number), Fraction(f.numerator.monomial(k), rest));
+  return result;
+}
+
+}  // namespace rederive

@@ -1,0 +1,99 @@
+// Polynomials in the generators of the ring, with whole coefficients, and fractions of them.
+//
+// FLINT's multivariate polynomials do the arithmetic (fmpz_mpoly: sparse multiplication and heap division after
+// Monagan and Pearce, greatest common divisors after Zippel, factors after Wang). Every polynomial has the same
+// variables, 0 to Polynomial::variables - 1; what they stand for is said in exponential_ring.hpp.
+#pragma once
+
+#include <cln/integer.h>
+#include <cln/rational.h>
+#include <flint/fmpz_mpoly.h>
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rederive {
+
+/// The statement is outside of the class, or too large; the message says why.
+struct Undecidable : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A polynomial with whole coefficients. Throws Undecidable where a result would have too many terms.
+class Polynomial {
+ public:
+  static constexpr int variables = 48;
+  static constexpr std::size_t most_terms = 4000;
+
+  Polynomial(long value = 0);
+  explicit Polynomial(const cln::cl_I& value);
+  Polynomial(const Polynomial& other);
+  Polynomial(Polynomial&& other) noexcept;
+  Polynomial& operator=(Polynomial other) noexcept;
+  ~Polynomial();
+  static Polynomial variable(int k);
+
+  bool is_zero() const;
+  bool is_one() const;
+  bool is_constant() const;
+  cln::cl_I constant() const;  ///< of a constant
+  std::size_t terms() const;
+  int degree(int variable) const;
+  std::vector<int> used() const;                         ///< the variables that occur, sorted
+  std::vector<Polynomial> coefficients(int variable) const;  ///< of the powers of a variable, from the power 0 on
+  cln::cl_I coefficient(std::size_t term) const;         ///< terms in the order of FLINT: the leading one first
+  Polynomial monomial(std::size_t term) const;           ///< without its coefficient
+  std::vector<std::pair<int, int>> powers(std::size_t term) const;  ///< (variable, exponent > 0)
+  cln::cl_I content() const;                             ///< the positive number that all coefficients have in common
+  bool leads_with_minus() const;
+  std::string key() const;                               ///< the same text for the same polynomial
+
+  Polynomial operator-() const;
+  friend Polynomial operator+(const Polynomial& a, const Polynomial& b);
+  friend Polynomial operator-(const Polynomial& a, const Polynomial& b);
+  friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
+  friend bool operator==(const Polynomial& a, const Polynomial& b);
+  /// Throws Undecidable where the power has too many terms.
+  friend Polynomial power(const Polynomial& base, int exponent);
+  /// a/b, if that leaves nothing.
+  friend std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b);
+  friend Polynomial gcd(const Polynomial& a, const Polynomial& b);
+  /// A number and irreducible polynomials with their exponents; each leads with plus and has content 1.
+  friend std::pair<cln::cl_I, std::vector<std::pair<Polynomial, int>>> factors(const Polynomial& p);
+
+ private:
+  fmpz_mpoly_t p_;
+};
+
+/// numerator/denominator in lowest terms; the denominator leads with plus.
+struct Fraction {
+  Polynomial numerator = 0, denominator = 1;
+
+  Fraction(long value = 0) : numerator(value) {}
+  Fraction(Polynomial p) : numerator(std::move(p)) {}
+  Fraction(const Polynomial& n, const Polynomial& d);
+  explicit Fraction(const cln::cl_RA& value) : numerator(cln::numerator(value)), denominator(cln::denominator(value)) {}
+
+  bool is_zero() const { return numerator.is_zero(); }
+  bool is_constant() const { return numerator.is_constant() && denominator.is_constant(); }
+  cln::cl_RA constant() const { return cln::cl_RA(numerator.constant()) / denominator.constant(); }
+  std::string key() const;
+  Fraction operator-() const;
+};
+
+Fraction operator+(const Fraction& a, const Fraction& b);
+Fraction operator-(const Fraction& a, const Fraction& b);
+Fraction operator*(const Fraction& a, const Fraction& b);
+/// Throws std::domain_error where b is 0.
+Fraction operator/(const Fraction& a, const Fraction& b);
+bool operator==(const Fraction& a, const Fraction& b);
+/// A negative exponent turns the fraction over.
+Fraction power(const Fraction& base, int exponent);
+
+/// The sum of coefficient · term that a fraction is, its denominator shared: 2·x/(y + 1) + 3/(y + 1).
+std::vector<std::pair<cln::cl_RA, Fraction>> terms_of(const Fraction& f);
+
+}  // namespace rederive

@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <derivations/identity/translator.hpp>
+#include <derivations/language/symbols.hpp>
+#include <derivations/language/syntax.hpp>
+
+namespace rederive {
+
+using cln::cl_RA;
+using Kind = Generator::Kind;
+
+namespace {
+
+bool has_call(const Tree& tree) {
+  return tree->kind == Node::Kind::call || std::any_of(tree->children.begin(), tree->children.end(), has_call);
+}
+
+}  // namespace
+
+Fraction Translator::operator()(const Tree& tree, std::vector<DomainCondition>& conditions) {
+  for (int round = 0; round < 24; ++round) {
+    std::vector<DomainCondition> found;
+    conditions_ = &found;
+    try {
+      const Fraction result = translate(tree);
+      conditions.insert(conditions.end(), found.begin(), found.end());
+      return result;
+    } catch (const AnotherRound&) {
+      circular_.rebuild(), real_.rebuild();
+    } catch (const std::domain_error&) {
+      throw NoValue("a divisor is 0");
+    }
+  }
+  throw Undecidable("functions of functions, too deep");
+}
+
+void Translator::collect(const std::vector<Tree>& trees) {
+  for (int round = 0; round < 3; ++round) {
+    try {
+      for (const Tree& tree : trees) collect(tree);
+      break;
+    } catch (const AnotherRound&) {  // a new denominator
+    }
+  }
+  circular_.rebuild(), real_.rebuild();
+}
+
+/// The arguments that have no functions in them.
+void Translator::collect(const Tree& tree) {
+  static const std::set<std::string> circular{"sin", "cos", "tan", "cot", "sec", "csc"};
+  static const std::set<std::string> real{"exp", "sinh", "cosh", "tanh", "coth", "sech", "csch"};
+  for (const Tree& child : tree->children) collect(child);
+  if (tree->kind != Node::Kind::call || has_call(tree->children[0])) return;
+  const bool is_circular = circular.contains(tree->text);
+  if (!is_circular && !real.contains(tree->text)) return;
+  std::vector<DomainCondition> unused;
+  conditions_ = &unused;
+  cl_RA turns = 0;
+  try {
+    const Combination argument = combination(translate(tree->children[0]), is_circular ? &turns : nullptr);
+    (is_circular ? circular_ : real_).add(argument);
+  } catch (const Undecidable&) {  // said when all is translated
+  } catch (const std::domain_error&) {
+  }
+}
+
+void Translator::require(const Fraction& value, Signs allowed, const Tree& tree) {
+  if (value.is_constant()) {
+    const cl_RA number = value.constant();
+    const Signs sign = cln::zerop(number)    ? Signs::zero()
+                       : cln::plusp(number) ? Signs::positive()
+                                            : Signs::negative();
+    if (!sign.within(allowed)) throw NoValue("a part of it has no value anywhere");
+    return;
+  }
+  conditions_->push_back({value, allowed, tree});
+}
+
+Fraction Translator::divide(const Fraction& a, const Fraction& b, const Tree& divisor) {
+  require(b, Signs::nonzero(), divisor);
+  return ring_.normal(a / b);
+}
+
+Fraction Translator::translate(const Tree& tree) {
+  switch (tree->kind) {
+    case Node::Kind::number:
+      return Fraction(exact(tree->text));
+    case Node::Kind::symbol:
+      return tree->text == "pi" ? pi() : symbol(tree->text);
+    case Node::Kind::negative:
+      return -translate(tree->children[0]);
+    case Node::Kind::sum: {
+      Fraction sum = 0;
+      for (std::size_t k = 0; k < tree->children.size(); ++k) {
+        const Fraction term = translate(tree->children[k]);
+        sum = tree->inverse[k] ? sum - term : sum + term;
+      }
+      return ring_.normal(sum);
+    }
+    case Node::Kind::product:
+      return product(*tree);
+    case Node::Kind::power:
+      return power_of(*tree);
+    case Node::Kind::call:
+      return call(*tree, tree);
+  }
+  throw Undecidable("a form that is not known");
+}
+
+Fraction Translator::product(const Node& node) {
+  Fraction result = 1;
+  for (std::size_t k = 0; k < node.children.size(); ++k) {
+    const Fraction factor = translate(node.children[k]);
+    result = node.inverse[k] ? divide(result, factor, node.children[k]) : ring_.normal(result * factor);
+  }
+  return result;
+}
+
+/// b^e: roots where the exponent is a fraction, else e^{e log b} of a base that is positive.
+Fraction Translator::power_of(const Node& node) {
+  const Fraction base = translate(node.children[0]), exponent = translate(node.children[1]);
+  if (!exponent.is_constant()) {
+    if (ring_.signs_of(base) != Signs::positive())
+      throw Undecidable("a power with a symbolic exponent, of a base that is not known to be positive");
+    return exponential(ring_.normal(exponent * logarithm(base)));
+  }
+  const cl_RA number = exponent.constant();
+  if (cln::abs(number) > 64 || cln::denominator(number) > 12) throw Undecidable("an exponent that is too large");
+  const int n = cln::cl_I_to_int(cln::numerator(number)), order = cln::cl_I_to_int(cln::denominator(number));
+  if (order > 1) require(base, n > 0 ? Signs::nonnegative() : Signs::positive(), node.children[0]);
+  if (order == 1 && n < 0) require(base, Signs::nonzero(), node.children[0]);
+  Fraction result = 1;
+  const Fraction factor = order > 1 ? root(base, order) : base;
+  for (int k = 0; k < std::abs(n); ++k) result = ring_.normal(result * factor);
+  return n < 0 ? ring_.normal(1 / result) : result;
+}
+
+Fraction Translator::call(const Node& node, const Tree& tree) {
+  const std::string& name = node.text;
+  const Tree& argument = node.children[0];
+  const Fraction x = translate(argument);
+  const auto also = [&](const char* other) { return make_tree(Node::Kind::call, other, {argument}); };
+  if (name == "sin") return circular(x).second;
+  if (name == "cos") return circular(x).first;
+  if (name == "tan" || name == "sec" || name == "cot" || name == "csc") {
+    const auto [c, s] = circular(x);
+    if (name == "tan") return divide(s, c, also("cos"));
+    if (name == "sec") return divide(1, c, also("cos"));
+    return divide(name == "cot" ? c : Fraction(1), s, also("sin"));
+  }
+  if (name == "sqrt") {
+    require(x, Signs::nonnegative(), argument);
+    return root(x, 2);
+  }
+  if (name == "fabs") return absolute(x);
+  if (name == "exp") return exponential(x);
+  if (name == "log") {
+    require(x, Signs::positive(), argument);
+    return logarithm(x);
+  }
+  if (name == "atan") return angle(false, x);
+  if (name == "asin" || name == "acos") {
+    const Tree one = make_tree(Node::Kind::number, "1"), two = make_tree(Node::Kind::number, "2");
+    const Tree square = make_tree(Node::Kind::power, "", {argument, two});
+    require(1 - x * x, Signs::nonnegative(), make_tree(Node::Kind::sum, "", {one, square}, {false, true}));
+    return name == "asin" ? angle(true, x) : pi() / 2 - angle(true, x);
+  }
+  (void)tree;
+  return call_of_exponential(name, x, argument);
+}
+
+/// Hyperbolic functions and their inverses.
+Fraction Translator::call_of_exponential(const std::string& name, const Fraction& x, const Tree& argument) {
+  const auto shifted = [&](const Tree& first, const Tree& second, bool minus) {
+    return make_tree(Node::Kind::sum, "", {first, second}, {false, minus});
+  };
+  const Tree one = make_tree(Node::Kind::number, "1");
+  if (name == "asinh") {
+    const Fraction inside = ring_.normal(x + root(x * x + 1, 2));
+    ring_.learn(inside, Signs::positive());
+    return logarithm(inside);
+  }
+  if (name == "acosh") {
+    require(x - 1, Signs::nonnegative(), shifted(argument, one, true));
+    const Fraction inside = ring_.normal(x + root(x * x - 1, 2));
+    return logarithm(inside);
+  }
+  if (name == "atanh") {
+    require(1 - x, Signs::positive(), shifted(one, argument, true));
+    require(1 + x, Signs::positive(), shifted(one, argument, false));
+    return ring_.normal((logarithm(ring_.normal((1 + x) / (1 - x)))) / 2);
+  }
+  const Fraction e = exponential(x), sinh = ring_.normal((e - 1 / e) / 2), cosh = ring_.normal((e + 1 / e) / 2);
+  if (name == "sinh") return sinh;
+  if (name == "cosh") return cosh;
+  if (name == "tanh") return ring_.normal(sinh / cosh);
+  if (name == "sech") return ring_.normal(1 / cosh);
+  if (name == "coth") return divide(cosh, sinh, argument);
+  if (name == "csch") return divide(1, sinh, argument);
+  throw Undecidable("the function " + name);
+}
+
+Fraction Translator::symbol(const std::string& name) {
+  return ring_.generator(name, [&] {
+    const Symbol* known = symbols_.find(name);
+    if (known == nullptr) throw Undecidable("the symbol " + name + ", which is not declared");
+    Generator g;
+    g.meaning = known->ginac, g.range = parse_range(known->range);
+    return g;
+  });
+}
+
+Fraction Translator::pi() {
+  return ring_.generator("pi", [] {
+    Generator g;
+    g.kind = Kind::pi, g.meaning = GiNaC::Pi, g.range = point({0, 1});
+    return g;
+  });
+}
+
+}  // namespace rederive

@@ -1,0 +1,83 @@
+// Tree → fraction of the ring, by rewrite rules that are true wherever both sides of the rule have a value.
+#pragma once
+
+#include <derivations/identity/exponential_ring.hpp>
+#include <derivations/identity/phase_basis.hpp>
+#include <derivations/language/symbols.hpp>
+#include <derivations/language/tree.hpp>
+#include <set>
+
+namespace rederive {
+
+/// What must hold for a tree to have a value: the sign of `value`, which stands in the tree as `tree`.
+struct DomainCondition {
+  Fraction value;
+  Signs allowed;
+  Tree tree;
+};
+
+/// A tree has no value anywhere: it divides by 0, or takes the root of a negative number.
+struct NoValue : Undecidable {
+  using Undecidable::Undecidable;
+};
+
+class Translator {
+ public:
+  /// Keeps references to the ring and the symbols, which must outlive it.
+  Translator(Ring& ring, const Symbols& symbols) : ring_(ring), symbols_(symbols) {}
+
+  /// The tree in the ring, and what must hold for it to have a value. Throws NoValue and Undecidable.
+  Fraction operator()(const Tree& tree, std::vector<DomainCondition>& conditions);
+
+  /// Makes the phases for all arguments in these trees, before any of them is translated.
+  void collect(const std::vector<Tree>& trees);
+
+  /// cos and sin of an argument in the ring. Throws Undecidable.
+  std::pair<Fraction, Fraction> circular(const Fraction& argument);
+  /// e^argument.
+  Fraction exponential(const Fraction& argument);
+
+ private:
+  /// A phase or a root was met that needs another basis: all must be translated once more.
+  struct AnotherRound {};
+
+  void collect(const Tree& tree);
+  Fraction translate(const Tree& tree);
+  Fraction product(const Node& node);
+  Fraction power_of(const Node& node);
+  Fraction call(const Node& node, const Tree& tree);
+  Fraction call_of_exponential(const std::string& name, const Fraction& x, const Tree& argument);
+  Fraction divide(const Fraction& a, const Fraction& b, const Tree& divisor);
+  void require(const Fraction& value, Signs allowed, const Tree& tree);
+
+  Fraction symbol(const std::string& name);
+  Fraction pi();
+  Combination combination(const Fraction& argument, cln::cl_RA* turns);
+  std::pair<Fraction, Fraction> phase(const Fraction& phase);
+  std::pair<Fraction, Fraction> turn(const cln::cl_RA& q);
+  std::pair<Fraction, Fraction> circular_of_angle(const Generator& angle);
+
+  // radicals.cpp
+  Fraction root(const Fraction& value, int order);
+  Fraction root_of_number(const cln::cl_I& number, int order);
+  Fraction root_generator(const Polynomial& base, int order);
+  Fraction absolute(const Fraction& value);
+  // inverse_functions.cpp
+  Fraction logarithm(const Fraction& value);
+  Fraction logarithm_of(const Polynomial& factor);
+  Fraction angle(bool is_sine, const Fraction& value);
+  std::optional<Fraction> inverted(bool is_sine, const Fraction& value);
+
+  Ring& ring_;
+  const Symbols& symbols_;
+  std::vector<DomainCondition>* conditions_ = nullptr;
+  PhaseBasis circular_, real_;
+  Polynomial denominator_ = 1;             ///< sums that arguments are divided by
+  std::map<std::string, int> root_orders_;  ///< key of a base → the least common multiple of its roots
+  struct Argument {
+    Fraction argument, cosine, sine;
+  };
+  std::map<std::string, Argument> arguments_;  ///< of circular functions that were met
+};
+
+}  // namespace rederive

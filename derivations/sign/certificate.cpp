@@ -1,0 +1,192 @@
+#include <algorithm>
+#include <derivations/sign/certificate.hpp>
+#include <derivations/sign/linear_program.hpp>
+#include <set>
+
+namespace rederive {
+
+using cln::cl_RA;
+
+namespace {
+
+constexpr std::size_t most_columns = 260, most_rows = 240, most_facts = 16;
+
+/// A product of facts: never negative, perhaps positive; or 0, and then with any coefficient.
+struct Column {
+  std::vector<Polynomial> factors;
+  Polynomial value;  ///< modulo the relations of the ring
+  bool is_strict, is_zero;
+};
+
+std::optional<Polynomial> reduced(const Ring& ring, const Polynomial& p) {
+  const Fraction f = ring.normal(p);
+  if (!f.denominator.is_constant()) return std::nullopt;
+  return f.numerator;  // a positive multiple
+}
+
+/// What the range of a generator says: g - low >= 0, high - g >= 0, for rational ends.
+void add_range(const Ring& ring, int k, std::vector<Fact>& facts) {
+  const Generator& g = ring.generators()[k];
+  const Polynomial x = Polynomial::variable(k);
+  const auto add = [&](const End& end, int side) {
+    if (end.infinite != 0) return;
+    const Signs signs = end.closed ? Signs::nonnegative() : Signs::positive();
+    Fraction bound = Fraction(end.a);
+    if (!cln::zerop(end.b)) {
+      const auto pi = ring.find("pi");
+      if (!pi) return;
+      bound = bound + Fraction(end.b) * Fraction(Polynomial::variable(*pi));
+    }
+    facts.push_back({(side * (Fraction(x) - bound)).numerator, signs});
+  };
+  add(g.range.low, 1), add(g.range.high, -1);
+  if (g.kind == Generator::Kind::absolute && g.of.denominator.is_one())
+    for (const int side : {1, -1}) facts.push_back({x + side * g.of.numerator, Signs::nonnegative()});
+}
+
+std::set<int> variables_of(const Polynomial& p) {
+  const auto used = p.used();
+  return {used.begin(), used.end()};
+}
+
+/// The facts that share a generator with the claim, or with one that does; and the ranges of all generators in
+/// them.
+std::vector<Fact> relevant(const Ring& ring, const std::vector<Fact>& facts, const std::vector<Fact>& negated) {
+  std::set<int> reached;
+  std::vector<Fact> result = negated;
+  for (const Fact& f : negated) reached.merge(variables_of(f.value));
+  std::vector<bool> taken(facts.size(), false);
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (std::size_t k = 0; k < facts.size(); ++k) {
+      const std::set<int> used = variables_of(facts[k].value);
+      const bool shares = reached.empty() || std::any_of(used.begin(), used.end(), [&](int v) { return reached.contains(v); });
+      if (taken[k] || !shares || result.size() >= most_facts) continue;
+      taken[k] = grown = true;
+      result.push_back(facts[k]);
+      reached.insert(used.begin(), used.end());
+    }
+  }
+  for (const int k : std::set<int>(reached)) add_range(ring, k, result);
+  return result;
+}
+
+/// Products of facts in pairs, squares of generators and of their differences, and equations times generators.
+std::vector<Column> columns_of(const Ring& ring, const std::vector<Fact>& facts) {
+  std::vector<Column> columns{{{}, 1, true, false}};
+  const auto add = [&](std::vector<Polynomial> factors, bool is_strict, bool is_zero) {
+    Polynomial product = 1;
+    for (const Polynomial& f : factors) product = product * f;
+    const auto value = reduced(ring, product);
+    if (!value || value->terms() > 40 || (value->is_zero() && !is_strict) || columns.size() >= most_columns) return;
+    columns.push_back({std::move(factors), *value, is_strict, is_zero});
+  };
+  std::set<int> variables;
+  for (const Fact& f : facts) variables.merge(variables_of(f.value));
+  const auto is_strict = [](const Fact& f) { return f.signs == Signs::positive(); };
+  const auto is_zero = [](const Fact& f) { return f.signs == Signs::zero(); };
+  for (const Fact& f : facts) add({f.value}, is_strict(f), is_zero(f));
+  for (const Fact& f : facts)
+    if (is_zero(f))
+      for (const int k : variables) add({f.value, Polynomial::variable(k)}, false, true);
+  for (std::size_t i = 0; i < facts.size(); ++i)
+    for (std::size_t j = i; j < facts.size(); ++j) {
+      const Fact &a = facts[i], &b = facts[j];
+      add({a.value, b.value}, is_strict(a) && is_strict(b), is_zero(a) || is_zero(b));
+    }
+  for (const int k : variables) {
+    const Polynomial x = Polynomial::variable(k);
+    add({x, x}, false, false), add({x - 1, x - 1}, false, false), add({x + 1, x + 1}, false, false);
+    for (const int other : variables) {
+      if (other <= k || variables.size() > 6) continue;
+      const Polynomial y = Polynomial::variable(other);
+      add({x - y, x - y}, false, false), add({x + y, x + y}, false, false);
+    }
+  }
+  return columns;
+}
+
+/// Coefficients with which the columns add up to 0, those of strict ones to 1; of an equation any sign.
+std::optional<Certificate> combine(const std::vector<Column>& columns) {
+  std::map<std::string, std::size_t> rows;
+  for (const Column& c : columns)
+    for (std::size_t t = 0; t < c.value.terms(); ++t) rows.try_emplace(c.value.monomial(t).key(), rows.size());
+  if (rows.size() > most_rows) return std::nullopt;
+  LinearProgram program;
+  std::vector<std::pair<std::size_t, int>> of;  // which column, with which sign
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    for (const int side : {1, -1}) {
+      if (side < 0 && !columns[k].is_zero) continue;
+      std::vector<cl_RA> entries(rows.size() + 1, 0);
+      const Polynomial& p = columns[k].value;
+      for (std::size_t t = 0; t < p.terms(); ++t) entries[rows.at(p.monomial(t).key())] = side * p.coefficient(t);
+      entries.back() = columns[k].is_strict ? 1 : 0;
+      program.columns.push_back(std::move(entries));
+      program.gains.push_back(0);
+      of.emplace_back(k, side);
+    }
+  program.sum.assign(rows.size() + 1, 0);
+  program.sum.back() = 1;
+  const auto solution = largest_solution(program);
+  if (!solution) return std::nullopt;
+  Certificate result;
+  Fraction sum = 0;
+  cl_RA strict = 0;
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    const cl_RA& x = (*solution)[k];
+    if (cln::zerop(x)) continue;
+    const Column& c = columns[of[k].first];
+    if (cln::minusp(x)) return std::nullopt;
+    result.parts.push_back({x * of[k].second, c.factors});
+    sum = sum + Fraction(x * of[k].second) * Fraction(c.value);
+    if (c.is_strict) strict = strict + x;
+  }
+  const bool holds = sum.is_zero() && cln::plusp(strict);  // multiplied out, not believed
+  return holds ? std::optional(result) : std::nullopt;
+}
+
+std::optional<Certificate> refute_all(const Ring& ring, const std::vector<Fact>& facts, const Fraction& value,
+                                      Signs negated) {
+  const std::vector<Fact> all = relevant(ring, facts, facts_of(ring, value, negated));
+  if (all.empty() || all.size() > 2 * most_facts) return std::nullopt;
+  return combine(columns_of(ring, all));
+}
+
+}  // namespace
+
+std::vector<Fact> facts_of(const Ring& ring, const Fraction& value, Signs signs) {
+  const Fraction f = ring.normal(value);
+  Polynomial p = f.numerator;
+  if (signs != Signs::zero()) {
+    const Signs below = ring.signs_of(f.denominator);
+    p = below == Signs::positive() ? p : below == Signs::negative() ? -p : p * f.denominator;
+  }
+  if (signs == Signs::negative() || signs == Signs::nonpositive()) p = -p, signs = -signs;
+  if (signs == Signs::zero() || signs == Signs::positive() || signs == Signs::nonnegative()) return {{p, signs}};
+  return {};
+}
+
+std::optional<Certificate> prove_signs(const Ring& ring, const std::vector<Fact>& facts, const Fraction& value,
+                                       Signs claim) {
+  if (!claim.is_none() && ring.signs_of(ring.normal(value)).within(claim)) return Certificate{};
+  if (claim.is_none()) return refute_all(ring, facts, 0, Signs::any());
+  // the negation in pieces that a fact can say, each refuted
+  Certificate all;
+  const Signs not_claimed = claim == Signs::positive()      ? Signs::nonpositive()
+                            : claim == Signs::negative()    ? Signs::nonnegative()
+                            : claim == Signs::nonnegative() ? Signs::negative()
+                            : claim == Signs::nonpositive() ? Signs::positive()
+                            : claim == Signs::nonzero()     ? Signs::zero()
+                                                            : Signs::any();
+  const std::vector<Signs> pieces = claim == Signs::zero() ? std::vector{Signs::positive(), Signs::negative()}
+                                                           : std::vector{not_claimed};
+  for (const Signs piece : pieces) {
+    if (piece == Signs::any()) return std::nullopt;
+    const auto found = refute_all(ring, facts, value, piece);
+    if (!found) return std::nullopt;
+    all.parts.insert(all.parts.end(), found->parts.begin(), found->parts.end());
+  }
+  return all;
+}
+
+}  // namespace rederive

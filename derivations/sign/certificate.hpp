@@ -1,0 +1,39 @@
+// The sign of a polynomial under hypotheses, with a certificate.
+//
+// First by intervals and products, as the ring knows them. Then by Positivstellensatz of low degree: from the
+// hypotheses, the ranges of the generators and the negated claim, their products in pairs and squares of
+// generators, a combination with non-negative rational coefficients, one of a strict inequality among them, that is
+// identically 0. Then the hypotheses and the negated claim cannot hold together (the easy direction of Stengle's
+// theorem 1974; Parrilo 2003). Farkas' lemma makes the search for the coefficients a linear program; they are
+// multiplied out in exact arithmetic before they are believed. What is found is true; that there is one of low degree is
+// not certain, so that nothing found says nothing.
+#pragma once
+
+#include <derivations/identity/exponential_ring.hpp>
+
+namespace rederive {
+
+/// A polynomial of the ring and the signs that it has, all of one of these: 0; > 0; >= 0.
+struct Fact {
+  Polynomial value;
+  Signs signs;
+};
+
+/// value · coefficient, summed, is 0, though no value is negative and one is positive.
+struct Certificate {
+  struct Part {
+    cln::cl_RA coefficient;
+    std::vector<Polynomial> factors;  ///< facts, squares or generators, of which the value is the product
+  };
+  std::vector<Part> parts;  ///< empty: by intervals and products alone
+};
+
+/// What value = 0, value > 0 … says: facts with numerator · denominator; none of what is not 0.
+std::vector<Fact> facts_of(const Ring& ring, const Fraction& value, Signs signs);
+
+/// A proof that under the facts the value has one of these signs wherever the ring's generators have values. An
+/// empty set of signs asks for a contradiction between the facts.
+std::optional<Certificate> prove_signs(const Ring& ring, const std::vector<Fact>& facts, const Fraction& value,
+                                       Signs claim);
+
+}  // namespace rederive
