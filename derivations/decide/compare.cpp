@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <derivations/decide/compare.hpp>
+#include <derivations/identity/zero_test.hpp>
 
 namespace rederive {
 
@@ -26,7 +27,7 @@ std::optional<Sameness> same_up_to_a_factor(const Setting& setting, const Atom& 
   if (left.signs != right.signs) return std::nullopt;
   if (left.value.is_zero() && right.value.is_zero()) return Sameness{"identity", 1, true};
   if (left.value.is_zero() || right.value.is_zero()) return std::nullopt;
-  Sameness result{"identity", ring.normal(left.value / right.value), true};
+  Sameness result{"identity", ring.rationalized(left.value / right.value), true};
   const Fraction& q = result.factor;
   if (q.is_constant())
     return left.signs == Signs::zero() || cln::plusp(q.constant()) ? std::optional(result) : std::nullopt;
@@ -70,10 +71,10 @@ std::optional<Certificate> follows(const Setting& setting, const std::vector<Ato
     for (Fact& fact : facts_of(ring, atom.value, atom.signs)) facts.push_back(std::move(fact));
     const bool fits = atom.signs == claim.signs && !atom.value.is_zero();
     if (!fits) continue;
-    const Fraction q = ring.normal(claim.value / atom.value);
+    const Fraction q = ring.rationalized(claim.value / atom.value);
     Certificate certificate;
     if (atom.signs == Signs::zero() && is_definite(ring, setting.facts, q.denominator, certificate)) return certificate;
-    const Fraction square = ring.normal(claim.value * claim.value / atom.value);
+    const Fraction square = ring.rationalized(claim.value * claim.value / atom.value);
     if (atom.signs == Signs::zero() && is_definite(ring, setting.facts, square.denominator, certificate)) return certificate;
   }
   for (const Atom& atom : from) {
@@ -104,11 +105,11 @@ std::optional<Certificate> all_follow(const Setting& setting, const std::vector<
 
 }  // namespace
 
-std::optional<Sameness> same(const Setting& setting) {
+std::optional<Sameness> same(Setting& setting) {
   const Translated &left = setting.left, &right = setting.right;
   if (left.expression) {
     const Fraction difference = setting.ring.normal(*left.expression - *right.expression);
-    if (difference.is_zero()) return Sameness{"identity"};
+    if (vanishes(difference, setting.ring, setting.translator)) return Sameness{"identity"};
     const auto found = prove_signs(setting.ring, setting.facts, difference, Signs::zero());
     return found ? std::optional(Sameness{"sign", 1, false, *found}) : std::nullopt;
   }

@@ -14,6 +14,6 @@ struct Sameness {
 
 /// Two expressions: the difference is 0. Two relations: the ratio of what is 0, or positive, has no zero and no pole
 /// (for inequalities: is positive), or each follows from the other one. A certificate where signs were needed.
-std::optional<Sameness> same(const Setting& setting);
+std::optional<Sameness> same(Setting& setting);
 
 }  // namespace rederive

@@ -14,7 +14,7 @@ std::string to_string(Verdict verdict) {
 
 namespace {
 
-constexpr int few_points = 6, many_points = 220;
+constexpr Effort few{6, 200, false}, many{220, 1800, true};
 
 Proof undecided(std::string reason) {
   Proof proof;
@@ -65,14 +65,15 @@ Proof proved(const Setting& setting, const Sameness& found, const Symbols& symbo
 }
 
 Proof decide_problem(const Problem& problem) {
-  const Search few = search(problem, few_points);
-  if (few.witness) return refuted(*few.witness);
   std::string why;
   try {
-    const Setting setting = setting_of(problem);
+    Setting setting(problem.symbols);
+    translate(setting, problem);
     if (const auto found = same(setting)) {
-      const int agreed = few.agreed > 0 ? few.agreed : search(problem, many_points).agreed;
-      if (agreed == 0) return undecided("no point was found at which both sides have a value");
+      Search tried = search(problem, few);
+      if (tried.agreed == 0 && !tried.witness) tried = search(problem, many);
+      if (tried.witness) return refuted(*tried.witness);
+      if (tried.agreed == 0) return undecided("no point was found at which both sides have a value");
       if (!setting.left.expression && hides_a_solution(setting))
         return undecided("a divisor of one side vanishes where the other side holds");
       return proved(setting, *found, problem.symbols);
@@ -82,9 +83,9 @@ Proof decide_problem(const Problem& problem) {
   } catch (const Undecidable& error) {
     why = error.what();
   }
-  const Search many = search(problem, many_points);
-  if (many.witness) return refuted(*many.witness);
-  if (many.agreed == 0) return undecided("no point was found at which both sides have a value");
+  const Search tried = search(problem, many);
+  if (tried.witness) return refuted(*tried.witness);
+  if (tried.agreed == 0) return undecided("no point was found at which both sides have a value");
   return undecided(why);
 }
 
@@ -107,7 +108,8 @@ bool contradict(const std::vector<Relation>& assumptions, const Symbols& symbols
   const Tree one = make_tree(Node::Kind::number, "1");
   try {
     const Problem problem = with_values({{{one}, {}}, {{one}, {}}, assumptions, symbols}, {});
-    const Setting setting = setting_of(problem);
+    Setting setting(problem.symbols);
+    translate(setting, problem);
     for (const Generator& g : setting.ring.generators())
       if (g.range.is_empty()) return true;
     for (const Fact& f : setting.facts)

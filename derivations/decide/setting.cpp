@@ -13,6 +13,7 @@ std::vector<Tree> trees_of(const Problem& problem) {
   std::vector<Tree> trees = problem.left.sides;
   trees.insert(trees.end(), problem.right.sides.begin(), problem.right.sides.end());
   for (const Relation& a : problem.assumptions) trees.insert(trees.end(), a.sides.begin(), a.sides.end());
+  for (const auto& [name, value] : problem.values) trees.push_back(value);
   return trees;
 }
 
@@ -90,12 +91,12 @@ bool is_granted(const Setting& setting, const DomainCondition& c) {
 
 }  // namespace
 
-Setting setting_of(const Problem& problem) {
-  Setting setting;
-  Translator translator(setting.ring, problem.symbols);
+void translate(Setting& setting, const Problem& problem) {
+  Translator& translator = setting.translator;
   translator.collect(trees_of(problem));
   for (int round = 0; round < 2; ++round) {  // the second one with what the first one said
     setting.facts.clear();
+    for (const auto& [name, value] : problem.values) assume(setting, {{value}, {}}, translator);
     for (const Relation& a : problem.assumptions) assume(setting, a, translator);
   }
   const auto translate_both = [&] {
@@ -110,7 +111,6 @@ Setting setting_of(const Problem& problem) {
     for (const DomainCondition& c : setting.conditions) learn(setting, c.value, c.allowed);
     translate_both();
   }
-  return setting;
 }
 
 }  // namespace rederive

@@ -21,7 +21,11 @@ struct Translated {
 };
 
 struct Setting {
+  explicit Setting(const Symbols& symbols) : translator(ring, symbols) {}
+  Setting(const Setting&) = delete;
+
   Ring ring;
+  Translator translator;
   std::vector<Fact> facts;  ///< assumptions, and what must hold for both statements to have values
   Translated left, right;
   std::vector<DomainCondition> conditions;  ///< those that neither the ranges nor the assumptions grant
@@ -32,6 +36,6 @@ Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b);
 
 /// Both statements in one ring, where both have values: what must hold for that is learned, and all is translated
 /// once more with it. Throws Undecidable and NoValue.
-Setting setting_of(const Problem& problem);
+void translate(Setting& setting, const Problem& problem);
 
 }  // namespace rederive

@@ -8,10 +8,10 @@ namespace rederive {
 
 using cln::cl_RA;
 
-Truth truth_at(const Relation& relation, const Point& point) {
+Truth truth_at(const Relation& relation, const Point& point, long bits) {
   Truth result = Truth::holds;
   for (std::size_t k = 0; k < relation.operators.size(); ++k) {
-    const Sign sign = sign_at(relation.sides[k], relation.sides[k + 1], point);
+    const Sign sign = sign_at(relation.sides[k], relation.sides[k + 1], point, bits);
     if (sign == Sign::undefined) return Truth::undefined;
     if (sign == Sign::unknown) {
       if (result == Truth::holds) result = Truth::unknown;
@@ -29,6 +29,11 @@ Truth truth_at(const Relation& relation, const Point& point) {
 }
 
 namespace {
+
+bool is_equation(const Relation& r) {
+  return !r.operators.empty() &&
+         std::all_of(r.operators.begin(), r.operators.end(), [](const std::string& op) { return op == "="; });
+}
 
 bool lies_in(const cl_RA& value, const Interval& range) { return range.contains({value}); }
 
@@ -85,6 +90,7 @@ class Sequence {
   explicit Sequence(const Problem& problem) {
     std::set<std::string> names = names_of(problem.left);
     names.merge(names_of(problem.right));
+    for (const auto& [name, value] : problem.values) collect_names(value, names);
     for (const Relation& a : problem.assumptions) names.merge(names_of(a));
     for (const std::string& name : names) {
       Interval range = parse_range(problem.symbols.find(name)->range);
@@ -133,58 +139,97 @@ class Sequence {
   std::vector<std::pair<std::string, Candidates>> candidates_;
 };
 
+/// Whether the assumptions hold, the equations among them by construction.
 bool is_admitted(const Problem& problem, const Point& point) {
+  for (const auto& [name, value] : problem.values)
+    if (value_at(value, point, 128).is != Value::Is::certain) return false;
   return std::all_of(problem.assumptions.begin(), problem.assumptions.end(),
-                     [&](const Relation& a) { return truth_at(a, point) == Truth::holds; });
+                     [&](const Relation& a) {
+                       const Truth truth = truth_at(a, point, 400);
+                       return truth == Truth::holds || (truth == Truth::unknown && is_equation(a));
+                     });
+}
+
+/// The point with other values of some symbols, such that all equations hold, each solved for a symbol of its own.
+std::optional<Solution> solve(const std::vector<Relation>& equations, const Point& point, const Symbols& symbols,
+                              int turn) {
+  Solution result{point};
+  std::set<std::string> solved;
+  for (const Relation& chain : equations)
+    for (std::size_t k = 0; k < chain.operators.size(); ++k) {
+      const Relation link{{chain.sides[k], chain.sides[k + 1]}, {"="}};
+      if (solved.empty() && truth_at(link, result.point, 400) == Truth::holds) continue;
+      const std::set<std::string> all = names_of(link);
+      std::vector<std::string> names(all.begin(), all.end());
+      if (names.empty()) return std::nullopt;
+      std::rotate(names.begin(), names.begin() + turn % static_cast<int>(names.size()), names.end());
+      std::optional<Solution> found;
+      for (const std::string& name : names)
+        if (!found && !solved.contains(name) && (found = solution_at(link, name, result.point, symbols)))
+          solved.insert(name);
+      if (!found || (result.zero && found->zero)) return std::nullopt;
+      found->constants.merge(result.constants);
+      if (!found->zero) found->zero = result.zero;
+      result = *found;
+    }
+  return result;
 }
 
 /// What the two say at a point: +1 the same, 0 nothing, -1 they differ.
-int compare_at(const Problem& problem, const Point& point) {
+int compare_at(const Problem& problem, const Point& point, long bits) {
   if (problem.left.operators.empty()) {
-    const Sign sign = sign_at(problem.left.sides[0], problem.right.sides[0], point);
+    const Sign sign = sign_at(problem.left.sides[0], problem.right.sides[0], point, bits);
     if (sign == Sign::positive || sign == Sign::negative) return -1;
     if (sign == Sign::zero) return 1;
     return sign == Sign::unknown && value_at(problem.left.sides[0], point, 200).is == Value::Is::certain ? 1 : 0;
   }
-  const Truth left = truth_at(problem.left, point), right = truth_at(problem.right, point);
+  const Truth left = truth_at(problem.left, point, bits), right = truth_at(problem.right, point, bits);
   const auto is_known = [](Truth t) { return t == Truth::holds || t == Truth::fails; };
   if (!is_known(left) || !is_known(right)) return 0;
   return left == right ? 1 : -1;
 }
 
+std::vector<Relation> equations_of(const Problem& problem) {
+  std::vector<Relation> result;
+  std::copy_if(problem.assumptions.begin(), problem.assumptions.end(), std::back_inserter(result), is_equation);
+  return result;
+}
+
 /// Of equations: points that solve one of them, and what the other one says there.
-std::optional<Witness> at_solutions(const Problem& problem, const Point& point) {
+std::optional<Witness> at_solutions(const Problem& problem, const Point& point, int turn) {
   for (const bool of_left : {false, true}) {
     const Relation& solved = of_left ? problem.left : problem.right;
     const Relation& other = of_left ? problem.right : problem.left;
-    if (solved.operators != std::vector<std::string>{"="}) continue;
-    for (const std::string& name : names_of(solved)) {
-      auto solution = solution_at(solved, name, point, problem.symbols);
-      if (!solution || !is_admitted(problem, solution->point)) continue;
-      if (truth_at(other, solution->point) != Truth::fails) continue;
-      if (truth_at(solved, solution->point) == Truth::undefined) continue;
-      if (auto witness = make_witness(problem, *solution)) return witness;
-    }
+    if (!is_equation(solved)) continue;
+    std::vector<Relation> equations = equations_of(problem);
+    equations.push_back(solved);
+    const auto solution = solve(equations, point, problem.symbols, turn);
+    if (!solution || !is_admitted(problem, solution->point)) continue;
+    if (truth_at(other, solution->point, 400) != Truth::fails) continue;
+    const Truth own = truth_at(solved, solution->point, 400);
+    if (own == Truth::undefined || own == Truth::fails) continue;
+    if (auto witness = make_witness(problem, *solution)) return witness;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-Search search(const Problem& problem, int effort) {
+Search search(const Problem& problem, const Effort& effort) {
   Search result;
   const Sequence points(problem);
-  const auto is_equation = [](const Relation& r) { return r.operators == std::vector<std::string>{"="}; };
-  const bool solves = is_equation(problem.left) || is_equation(problem.right);
-  for (int k = 0; k < (points.has_symbols() ? effort : 1); ++k) {
+  const std::vector<Relation> equations = equations_of(problem);
+  const bool solves = effort.solves && (is_equation(problem.left) || is_equation(problem.right));
+  for (int k = 0; k < (points.has_symbols() ? effort.points : 1); ++k) {
     const auto point = points.at(k);
     if (!point) break;
-    if (is_admitted(problem, *point)) {
-      const int said = compare_at(problem, *point);
-      if (said < 0) result.witness = make_witness(problem, Solution{*point});
+    const auto solution = equations.empty() ? Solution{*point} : solve(equations, *point, problem.symbols, k);
+    if (solution && is_admitted(problem, solution->point)) {
+      const int said = compare_at(problem, solution->point, effort.bits);
+      if (said < 0) result.witness = make_witness(problem, *solution);
       if (said > 0) ++result.agreed;
     }
-    if (!result.witness && solves && k < 40) result.witness = at_solutions(problem, *point);
+    if (!result.witness && solves && k < 24) result.witness = at_solutions(problem, *point, k);
     if (result.witness) break;
   }
   return result;

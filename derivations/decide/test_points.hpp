@@ -9,7 +9,7 @@ namespace rederive {
 
 /// The truth of a statement at a point; unknown where no precision tells.
 enum class Truth { holds, fails, undefined, unknown };
-Truth truth_at(const Relation& relation, const Point& point);
+Truth truth_at(const Relation& relation, const Point& point, long bits = 1800);
 
 /// A point where the two statements differ beyond doubt, all assumptions hold and all values that were put in lie in
 /// the ranges of their symbols; and how many points there were at which both have values and the same.
@@ -17,7 +17,11 @@ struct Search {
   std::optional<Witness> witness;
   int agreed = 0;
 };
-/// `effort`: how many points. Of equations, points that solve one of the two are tried, too.
-Search search(const Problem& problem, int effort);
+struct Effort {
+  int points;
+  long bits;    ///< up to so many
+  bool solves;  ///< of equations, points that solve one of the two are tried, too
+};
+Search search(const Problem& problem, const Effort& effort);
 
 }  // namespace rederive

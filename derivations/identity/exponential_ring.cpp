@@ -80,6 +80,23 @@ Fraction Ring::normal(const Fraction& f) const {
   return result;
 }
 
+Fraction Ring::rationalized(const Fraction& f) const {
+  Fraction result = normal(f);
+  for (int round = 0; round < 4; ++round) {
+    const auto used = result.denominator.used();
+    const auto k = std::find_if(used.rbegin(), used.rend(), [&](int g) {
+      return generators_[g].degree == 2 && result.denominator.degree(g) == 1 && result.denominator.terms() > 1;
+    });
+    if (k == used.rend() || result.numerator.terms() * result.denominator.terms() > 3000) break;
+    const auto c = result.denominator.coefficients(*k);
+    const Fraction conjugate = c[0] - c[1] * Polynomial::variable(*k);
+    const Fraction norm = normal(Fraction(c[0] * c[0]) - Fraction(c[1] * c[1]) * generators_[*k].value);
+    if (norm.is_zero()) break;
+    result = normal(result.numerator * conjugate) / norm;
+  }
+  return result;
+}
+
 void Ring::learn(const Fraction& value, Signs signs) {
   const Fraction f = normal(value);
   const Polynomial product = f.numerator * f.denominator;
@@ -111,17 +128,25 @@ void Ring::learn(const Fraction& value, Signs signs) {
   narrow(rest, of_rest);
 }
 
-/// c·x + d > 0 bounds x.
+/// c·x + d > 0 bounds x, for numbers c and d = a + b·π.
 void Ring::narrow(const Polynomial& p, Signs signs) {
-  const std::vector<int> used = p.used();
+  const auto pi = index_.find("pi");
+  std::vector<int> used = p.used();
+  if (pi != index_.end()) std::erase(used, pi->second);
   if (used.size() != 1 || p.degree(used[0]) != 1 || generators_[used[0]].kind != Generator::Kind::symbol) return;
   const auto c = p.coefficients(used[0]);
-  const cln::cl_RA end = -cln::cl_RA(c[0].constant()) / c[1].constant();
+  const Polynomial of_pi = pi == index_.end() ? 0 : c[0].degree(pi->second) == 0 ? 0 : c[0].coefficients(pi->second)[1];
+  const Polynomial rest = of_pi.is_zero() ? c[0] : c[0].coefficients(pi->second)[0];
+  if (!c[1].is_constant() || !of_pi.is_constant() || !rest.is_constant() ||
+      !(c[0] == rest + (of_pi.is_zero() ? 0 : of_pi * Polynomial::variable(pi->second))))
+    return;
+  const cln::cl_RA divisor = -cln::cl_RA(c[1].constant());
+  const Constant end{rest.constant() / divisor, of_pi.constant() / divisor};
   const Signs of_x = cln::minusp(c[1].constant()) ? -signs : signs;  // of x - end
   Interval bound;
   const bool closed = Signs::zero().within(of_x);
-  if (of_x.within(Signs::nonnegative())) bound.low = End{{end}, 0, closed};
-  if (of_x.within(Signs::nonpositive())) bound.high = End{{end}, 0, closed};
+  if (of_x.within(Signs::nonnegative())) bound.low = End{end, 0, closed};
+  if (of_x.within(Signs::nonpositive())) bound.high = End{end, 0, closed};
   Interval& range = generators_[used[0]].range;
   range = overlap(range, bound);
 }
@@ -162,10 +187,18 @@ Signs Ring::signs_of(const Polynomial& p, int depth) const {
     result = result & (cln::minusp(number) ? -known->second : known->second);
   if (depth == 0 || result == Signs::positive() || result == Signs::negative() || result.is_none()) return result;
   const auto [constant, list] = factors(p);
-  if (list.size() == 1 && list[0].second == 1) return result & signs_of_quadratic(p, depth - 1);
+  if (list.size() == 1 && list[0].second == 1)
+    return result & signs_of_quadratic(p, depth - 1) & signs_of_univariate(p);
   Signs product = sign_of_number(constant);
   for (const auto& [factor, exponent] : list) product = product * power(signs_of(factor, depth - 1), exponent);
   return result & product;
+}
+
+/// A polynomial in one generator without a real zero has the sign of its value at 0.
+Signs Ring::signs_of_univariate(const Polynomial& p) const {
+  const auto used = p.used();
+  if (used.size() != 1 || p.degree(used[0]) < 3 || has_real_zero(p, used[0])) return Signs::any();
+  return sign_of_number(p.coefficients(used[0])[0].constant());
 }
 
 /// 4a·(a x² + b x + c) = (2a x + b)² - (b² - 4ac).

@@ -55,6 +55,10 @@ class Ring {
   /// The remainder modulo all relations, in lowest terms. Throws std::domain_error where its denominator is 0.
   Fraction normal(const Fraction& f) const;
 
+  /// The same fraction with a denominator in which no generator with a square in the ring is left, if it stays short:
+  /// 1/(p - √u) is (p + √u)/(p² - u).
+  Fraction rationalized(const Fraction& f) const;
+
   /// What is known of a value: of its sign, and of the range of a symbol if it is linear in one.
   void learn(const Fraction& value, Signs signs);
   /// A value lies in an interval.
@@ -72,6 +76,7 @@ class Ring {
   Fraction reduced(const Polynomial& p) const;
   Interval range_of(const Polynomial& p) const;
   Signs signs_of(const Polynomial& p, int depth) const;
+  Signs signs_of_univariate(const Polynomial& p) const;
   Signs signs_of_quadratic(const Polynomial& p, int depth) const;
   void narrow(const Polynomial& p, Signs signs);
 

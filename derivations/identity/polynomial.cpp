@@ -192,6 +192,15 @@ Polynomial gcd(const Polynomial& a, const Polynomial& b) {
   return result;
 }
 
+bool has_real_zero(const Polynomial& p, int variable) {
+  fmpz_poly_t univariate;
+  fmpz_poly_init(univariate);
+  const bool is_univariate = fmpz_mpoly_get_fmpz_poly(univariate, p.p_, variable, context()) != 0;
+  const bool result = !is_univariate || fmpz_poly_num_real_roots(univariate) != 0;
+  fmpz_poly_clear(univariate);
+  return result;
+}
+
 std::pair<cln::cl_I, std::vector<std::pair<Polynomial, int>>> factors(const Polynomial& p) {
   std::pair<cln::cl_I, std::vector<std::pair<Polynomial, int>>> result{p.is_constant() ? p.constant() : 1, {}};
   if (p.is_constant()) return result;

@@ -61,6 +61,8 @@ class Polynomial {
   /// a/b, if that leaves nothing.
   friend std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b);
   friend Polynomial gcd(const Polynomial& a, const Polynomial& b);
+  /// Of a polynomial in one variable (Sturm).
+  friend bool has_real_zero(const Polynomial& p, int variable);
   /// A number and irreducible polynomials with their exponents; each leads with plus and has content 1.
   friend std::pair<cln::cl_I, std::vector<std::pair<Polynomial, int>>> factors(const Polynomial& p);
 

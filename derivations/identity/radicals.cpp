@@ -1,5 +1,6 @@
 // Roots and sizes: what is known to have no negative values comes out of a root or its bars, factor by factor.
 #include <derivations/identity/translator.hpp>
+#include <algorithm>
 #include <numeric>
 
 namespace rederive {
@@ -62,11 +63,15 @@ Fraction Translator::root(const Fraction& value, int order) {
   const auto [number, list] = factors(product);
   Fraction outside = 1 / absolute(u.denominator);
   Polynomial inside = cln::minusp(number) ? -1 : 1;
+  const bool is_known = std::all_of(list.begin(), list.end(), [&](const auto& f) {
+    const Signs signs = ring_.signs_of(f.first);
+    return f.second % 2 == 0 || signs.within(Signs::nonnegative()) || signs.within(Signs::nonpositive());
+  });
   std::vector<std::pair<Polynomial, int>> unknown;
   for (const auto& [factor, exponent] : list) {
     const Signs signs = ring_.signs_of(factor);
-    const bool negative = signs.within(Signs::nonpositive());
-    if (!negative && !signs.within(Signs::nonnegative())) {
+    const bool negative = signs.within(Signs::nonpositive()), has_sign = negative || signs.within(Signs::nonnegative());
+    if (!has_sign || (!is_known && !signs.is_definite())) {  // where it is 0 the rest may have no root
       unknown.emplace_back(factor, exponent);
       continue;
     }

@@ -16,21 +16,35 @@ bool has_call(const Tree& tree) {
 
 }  // namespace
 
-Fraction Translator::operator()(const Tree& tree, std::vector<DomainCondition>& conditions) {
-  for (int round = 0; round < 24; ++round) {
-    std::vector<DomainCondition> found;
-    conditions_ = &found;
-    try {
-      const Fraction result = translate(tree);
-      conditions.insert(conditions.end(), found.begin(), found.end());
-      return result;
+/// The work, as often as it meets phases that need another basis.
+template <class Work>
+auto Translator::in_rounds(const Work& work) {
+  for (int round = 0; round < 24; ++round) try {
+      return work();
     } catch (const AnotherRound&) {
       circular_.rebuild(), real_.rebuild();
     } catch (const std::domain_error&) {
       throw NoValue("a divisor is 0");
     }
-  }
   throw Undecidable("functions of functions, too deep");
+}
+
+Fraction Translator::operator()(const Tree& tree, std::vector<DomainCondition>& conditions) {
+  return in_rounds([&] {
+    std::vector<DomainCondition> found;
+    conditions_ = &found;
+    const Fraction result = translate(tree);
+    conditions.insert(conditions.end(), found.begin(), found.end());
+    return result;
+  });
+}
+
+std::pair<Fraction, Fraction> Translator::circular_of(const Fraction& argument) {
+  return in_rounds([&] { return circular(argument); });
+}
+
+Fraction Translator::exponential_of(const Fraction& argument) {
+  return in_rounds([&] { return exponential(argument); });
 }
 
 void Translator::collect(const std::vector<Tree>& trees) {
@@ -119,8 +133,7 @@ Fraction Translator::product(const Node& node) {
 Fraction Translator::power_of(const Node& node) {
   const Fraction base = translate(node.children[0]), exponent = translate(node.children[1]);
   if (!exponent.is_constant()) {
-    if (ring_.signs_of(base) != Signs::positive())
-      throw Undecidable("a power with a symbolic exponent, of a base that is not known to be positive");
+    require(base, Signs::positive(), node.children[0]);
     return exponential(ring_.normal(exponent * logarithm(base)));
   }
   const cl_RA number = exponent.constant();

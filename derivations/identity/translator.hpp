@@ -32,12 +32,15 @@ class Translator {
   /// Makes the phases for all arguments in these trees, before any of them is translated.
   void collect(const std::vector<Tree>& trees);
 
-  /// cos and sin of an argument in the ring. Throws Undecidable.
-  std::pair<Fraction, Fraction> circular(const Fraction& argument);
-  /// e^argument.
-  Fraction exponential(const Fraction& argument);
+  /// cos and sin of an argument in the ring, and e^argument. Throw Undecidable.
+  std::pair<Fraction, Fraction> circular_of(const Fraction& argument);
+  Fraction exponential_of(const Fraction& argument);
 
  private:
+  std::pair<Fraction, Fraction> circular(const Fraction& argument);
+  Fraction exponential(const Fraction& argument);
+  template <class Work>
+  auto in_rounds(const Work& work);
   /// A phase or a root was met that needs another basis: all must be translated once more.
   struct AnotherRound {};
 
