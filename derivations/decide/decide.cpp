@@ -64,12 +64,57 @@ Proof proved(const Setting& setting, const Sameness& found, const Symbols& symbo
   return proof;
 }
 
+/// The innermost u of a part fabs(u) that has symbols.
+Tree between_bars(const Tree& tree) {
+  for (const Tree& child : tree->children)
+    if (Tree found = between_bars(child)) return found;
+  std::set<std::string> names;
+  collect_names(tree, names);
+  return tree->kind == Node::Kind::call && tree->text == "fabs" && !names.empty() ? tree->children[0] : nullptr;
+}
+
+Tree between_bars(const Problem& problem) {
+  for (const Relation* relation : {&problem.left, &problem.right})
+    for (const Tree& side : relation->sides)
+      if (Tree found = between_bars(side)) return found;
+  return nullptr;
+}
+
+/// The problem where u has a sign, without the bars around it.
+Problem without_bars(Problem problem, const Tree& u, bool is_negative) {
+  const Tree zero = make_tree(Node::Kind::number, "0");
+  const Tree size = is_negative ? make_tree(Node::Kind::negative, "", {u}) : u;
+  const Tree bars = make_tree(Node::Kind::call, "fabs", {u});
+  for (Relation* relation : {&problem.left, &problem.right})
+    for (Tree& side : relation->sides) side = put_in(side, bars, size);
+  problem.assumptions.push_back({{u, zero}, {is_negative ? "<=" : ">="}});
+  return problem;
+}
+
+std::optional<Sameness> same_in_cases(const Problem& problem, Setting& setting, int depth) {
+  translate(setting, problem);
+  if (auto found = same(setting)) return found;
+  const Tree u = depth > 0 ? between_bars(problem) : nullptr;
+  if (!u) return std::nullopt;
+  Sameness both{"identity"};
+  for (const bool is_negative : {false, true}) {
+    const Problem part = without_bars(problem, u, is_negative);
+    Setting of_part(part.symbols);
+    try {
+      const auto found = same_in_cases(part, of_part, depth - 1);
+      if (!found) return std::nullopt;
+      if (found->by == "sign") both.by = "sign";
+    } catch (const NoValue&) {  // no point belongs to this part
+    }
+  }
+  return both;
+}
+
 Proof decide_problem(const Problem& problem) {
   std::string why;
   try {
     Setting setting(problem.symbols);
-    translate(setting, problem);
-    if (const auto found = same(setting)) {
+    if (const auto found = same_in_cases(problem, setting, 3)) {
       Search tried = search(problem, few);
       if (tried.agreed == 0 && !tried.witness) tried = search(problem, many);
       if (tried.witness) return refuted(*tried.witness);

@@ -6,32 +6,27 @@ namespace rederive {
 
 namespace {
 
-/// A function that grows (or falls) on its domain, the function that undoes it, and its values.
-struct Monotone {
+/// A function that grows (or falls) on an interval, the function that undoes it, and its values there.
+struct Inversion {
   const char *name, *inversion;
   bool falls;
-  Interval values;
+  Interval domain, values;
 };
 
-const std::vector<Monotone>& monotone_functions() {
+const std::vector<Inversion>& inversions() {
   const cln::cl_RA half = cln::cl_RA(1) / 2;
-  static const std::vector<Monotone> table{
-      {"asin", "sin", false, {End{{0, -half}, 0, true}, End{{0, half}, 0, true}}},
-      {"acos", "cos", true, {End{{}, 0, true}, End{{0, 1}, 0, true}}},
-      {"atan", "tan", false, {End{{0, -half}}, End{{0, half}}}},
-      {"log", "exp", false, {}},
-      {"asinh", "sinh", false, {}},
-      {"acosh", "cosh", false, nonnegative_numbers()},
-      {"atanh", "tanh", false, {}}};
+  static const Interval all, right{End{{0, -half}, 0, true}, End{{0, half}, 0, true}}, open{End{{0, -half}}, End{{0, half}}},
+      upper{End{{}, 0, true}, End{{0, 1}, 0, true}}, unit{End{{-1}, 0, true}, End{{1}, 0, true}}, inside{End{{-1}}, End{{1}}};
+  static const std::vector<Inversion> table{
+      {"asin", "sin", false, all, right}, {"acos", "cos", true, all, upper},
+      {"atan", "tan", false, all, open}, {"log", "exp", false, all, all},
+      {"asinh", "sinh", false, all, all}, {"acosh", "cosh", false, all, nonnegative_numbers()},
+      {"atanh", "tanh", false, all, all}, {"sin", "asin", false, right, unit},
+      {"cos", "acos", true, upper, unit}, {"tan", "atan", false, open, all},
+      {"exp", "log", false, all, positive_numbers()}, {"tanh", "atanh", false, all, inside}};
   return table;
 }
 
-const Monotone* find(const Tree& tree) {
-  if (tree->kind != Node::Kind::call) return nullptr;
-  for (const Monotone& m : monotone_functions())
-    if (tree->text == m.name) return &m;
-  return nullptr;
-}
 
 std::string turned(const std::string& op, bool falls) {
   if (!falls || op == "=") return op;
@@ -55,16 +50,24 @@ bool is_within(const Tree& tree, const Interval& values, const Symbols& symbols)
   }
 }
 
+/// The inversion of a side that is a function of an argument in its domain.
+const Inversion* find(const Tree& tree, const Symbols& symbols) {
+  if (tree->kind != Node::Kind::call) return nullptr;
+  for (const Inversion& m : inversions())
+    if (tree->text == m.name && is_within(tree->children[0], m.domain, symbols)) return &m;
+  return nullptr;
+}
+
 }  // namespace
 
 Relation with_inversions(const Relation& relation, const Symbols& symbols) {
   if (relation.operators.size() != 1) return relation;
-  const Monotone *left = find(relation.sides[0]), *right = find(relation.sides[1]);
+  const Inversion *left = find(relation.sides[0], symbols), *right = find(relation.sides[1], symbols);
   if (left != nullptr && left == right)
     return {{relation.sides[0]->children[0], relation.sides[1]->children[0]},
             {turned(relation.operators[0], left->falls)}};
   for (const int side : {0, 1}) {
-    const Monotone* m = side == 0 ? left : right;
+    const Inversion* m = side == 0 ? left : right;
     const Tree& other = relation.sides[1 - side];
     if (m == nullptr || !is_within(other, m->values, symbols)) continue;
     Relation result = relation;

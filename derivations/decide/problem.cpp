@@ -19,15 +19,28 @@ std::set<std::string> names_of(const Relation& relation) {
   return names;
 }
 
-Tree put_in(const Tree& tree, const std::string& symbol, const Tree& value) {
-  if (tree->kind == Node::Kind::symbol) return tree->text == symbol ? value : tree;
+namespace {
+
+bool is_same(const Tree& a, const Tree& b) {
+  return a == b || (a->kind == b->kind && a->text == b->text && a->inverse == b->inverse &&
+                    std::equal(a->children.begin(), a->children.end(), b->children.begin(), b->children.end(), is_same));
+}
+
+}  // namespace
+
+Tree put_in(const Tree& tree, const Tree& part, const Tree& value) {
+  if (is_same(tree, part)) return value;
   std::vector<Tree> children;
-  bool is_same = true;
+  bool is_unchanged = true;
   for (const Tree& child : tree->children) {
-    children.push_back(put_in(child, symbol, value));
-    is_same = is_same && children.back() == child;
+    children.push_back(put_in(child, part, value));
+    is_unchanged = is_unchanged && children.back() == child;
   }
-  return is_same ? tree : make_tree(tree->kind, tree->text, std::move(children), tree->inverse);
+  return is_unchanged ? tree : make_tree(tree->kind, tree->text, std::move(children), tree->inverse);
+}
+
+Tree put_in(const Tree& tree, const std::string& symbol, const Tree& value) {
+  return put_in(tree, make_tree(Node::Kind::symbol, symbol), value);
 }
 
 Relation put_in(Relation relation, const std::string& symbol, const Tree& value) {
@@ -74,8 +87,11 @@ bool has(const Tree& tree, const std::string& name) {
 }
 
 /// "symbol = value" of an equation that says so, the symbol not in its value.
-std::optional<std::pair<std::string, Tree>> definition(const Relation& equation) {
-  if (equation.operators != std::vector<std::string>{"="}) return std::nullopt;
+std::optional<std::pair<std::string, Tree>> definition(const Relation& stated, const Symbols& symbols) {
+  if (stated.operators != std::vector<std::string>{"="}) return std::nullopt;
+  const auto is_plain = [](const Tree& tree) { return tree->kind == Node::Kind::symbol && tree->text != "pi"; };
+  const bool says_it = is_plain(stated.sides[0]) || is_plain(stated.sides[1]);
+  const Relation equation = says_it ? stated : with_inversions(stated, symbols);
   for (const int side : {0, 1}) {
     const Tree &name = equation.sides[side], &value = equation.sides[1 - side];
     const bool is_symbol = name->kind == Node::Kind::symbol && name->text != "pi";
@@ -119,7 +135,7 @@ Problem with_values(Problem problem, const std::vector<Given>& given) {
     replace(problem, name, value);
   }
   for (std::size_t k = 0; k < problem.assumptions.size();) {
-    const auto found = definition(problem.assumptions[k]);
+    const auto found = definition(problem.assumptions[k], problem.symbols);
     if (!found) {
       ++k;
       continue;

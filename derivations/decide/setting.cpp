@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <derivations/decide/setting.hpp>
 
 namespace rederive {
@@ -47,20 +48,23 @@ void learn(Setting& setting, const Fraction& value, Signs signs) {
 
 /// A polynomial equation, monic in a symbol: a relation of the ring, g^n = rest.
 void relate(Ring& ring, const Fraction& value) {
-  const Polynomial p = ring.normal(value).numerator;
+  Polynomial p = 1;  // without the factors that are not 0
+  for (const auto& [factor, exponent] : factors(ring.normal(value).numerator).second)
+    if (!ring.signs_of(factor).is_definite()) p = p * factor;
   for (const int k : p.used()) {
     const Generator& g = ring.generators()[k];
     const int degree = p.degree(k);
     if (g.degree != 0 || degree > 4 || g.kind != Generator::Kind::symbol) continue;
     const auto c = p.coefficients(k);
     if (!c.back().is_constant()) continue;
-    bool occurs_elsewhere = false;  // the relation must not lead round in a circle
-    for (const Generator& other : ring.generators())
-      for (const Polynomial* part : {&other.of.numerator, &other.value.numerator, &other.value.denominator})
-        occurs_elsewhere = occurs_elsewhere || part->degree(k) > 0;
-    if (occurs_elsewhere) continue;
     Polynomial rest = 0;
     for (int n = 0; n < degree; ++n) rest = rest + c[n] * power(Polynomial::variable(k), n);
+    const auto others = rest.used();  // the relation must not lead round in a circle
+    if (std::any_of(others.begin(), others.end(), [&](int v) {
+          const Fraction& of_v = ring.generators()[v].value;
+          return of_v.numerator.degree(k) > 0 || of_v.denominator.degree(k) > 0;
+        }))
+      continue;
     ring.relate(k, degree, Fraction(-rest, c.back()));
     return;
   }

@@ -1,4 +1,6 @@
 // Circular functions and exponentials: of whole multiples of independent phases, so by the addition theorems.
+#include <utility>
+
 #include <derivations/identity/translator.hpp>
 
 namespace rederive {
@@ -86,11 +88,37 @@ Pair Translator::phase(const Fraction& phase) {
   return {c, s};
 }
 
-/// cos qπ and sin qπ, for multiples of π/12.
+/// cos nx from cos x (Chebyshev).
+Fraction chebyshev(const Ring& ring, const Fraction& c, int n) {
+  Fraction before = 1, now = c;
+  if (n == 0) return 1;
+  for (int k = 1; k < std::abs(n); ++k) {
+    const Fraction next = ring.normal(2 * c * now - before);
+    before = std::exchange(now, next);
+  }
+  return now;
+}
+
+/// cos qπ and sin qπ: roots of whole numbers for multiples of π/12; else polynomials in cos(π/n), which is algebraic.
 Pair Translator::turn(const cl_RA& q) {
   const cl_RA twelfths = q * 12;
-  if (cln::denominator(twelfths) != 1)
-    throw Undecidable("a multiple of pi whose denominator is not 1, 2, 3, 4, 6 or 12");
+  if (cln::denominator(twelfths) != 1) {
+    const cln::cl_I even = cln::denominator(q) * (cln::evenp(cln::denominator(q)) ? 1 : 2);
+    if (even > 60) throw Undecidable("a multiple of pi with a denominator above 60");
+    const int n = cln::cl_I_to_int(even), k = cln::cl_I_to_int(cln::mod(cln::numerator(q * n), 2 * n));
+    const Fraction c = ring_.generator("cos pi/" + std::to_string(n), [&] {
+      Generator g;
+      g.kind = Kind::cosine, g.of = pi() / n, g.meaning = GiNaC::cos(GiNaC::Pi / n);
+      g.range = rederive::call("cos", point({0, cl_RA(1) / n}));
+      return g;
+    });
+    const int index = *ring_.find("cos pi/" + std::to_string(n));
+    if (ring_.generators()[index].degree == 0) {
+      const auto [degree, value] = relation_of_cosine(c.numerator, n);
+      ring_.relate(index, degree, value);
+    }
+    return {chebyshev(ring_, c, k), chebyshev(ring_, c, n / 2 - k)};
+  }
   const int k = cln::cl_I_to_int(cln::mod(cln::numerator(twelfths), 24));
   const auto sine = [&](int n) -> Fraction {
     n = (n % 24 + 24) % 24;

@@ -90,7 +90,7 @@ bool PhaseBasis::add(const Combination& argument) {
   return true;
 }
 
-void PhaseBasis::rebuild() {
+void PhaseBasis::rebuild(bool each_term) {
   std::vector<Combination> sorted = arguments_, terms;
   std::stable_sort(sorted.begin(), sorted.end(), [](auto& a, auto& b) { return a.size() < b.size(); });
   basis_.clear();
@@ -104,7 +104,7 @@ void PhaseBasis::rebuild() {
     for (const auto& [key, term] : c)
       if (std::none_of(terms.begin(), terms.end(), [&](auto& t) { return t.contains(key); }))
         terms.push_back({{key, {term.first, 1}}});
-  if (basis_.size() == terms.size()) basis_ = terms;
+  if (each_term || basis_.size() == terms.size()) basis_ = terms;
   divisors_.assign(basis_.size(), 1);
   for (const Combination& c : arguments_) {
     const auto x = coordinates(c);

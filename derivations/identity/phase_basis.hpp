@@ -26,7 +26,8 @@ class PhaseBasis {
   bool add(const Combination& argument);
   /// Phases for all arguments that were taken in: the terms, or the arguments themselves where these are fewer (all
   /// multiples of α + θ need one phase, not two); each divided so that all multiples are whole.
-  void rebuild();
+  /// `each_term`: in any case the terms.
+  void rebuild(bool each_term);
 
  private:
   std::optional<std::vector<cln::cl_RA>> coordinates(const Combination& argument) const;

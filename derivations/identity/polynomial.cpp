@@ -1,5 +1,6 @@
 #include <cln/integer_io.h>
 #include <flint/fmpz_mpoly_factor.h>
+#include <flint/fmpz_poly.h>
 
 #include <derivations/identity/polynomial.hpp>
 #include <sstream>
@@ -229,6 +230,18 @@ std::pair<cln::cl_I, std::vector<std::pair<Polynomial, int>>> factors(const Poly
   fmpz_mpoly_factor_clear(found, context());
   if (!is_done) throw Undecidable("a polynomial whose factors are not found");
   return result;
+}
+
+std::pair<int, Fraction> relation_of_cosine(const Polynomial& c, int n) {
+  fmpz_poly_t minimal;
+  fmpz_poly_init(minimal);
+  fmpz_poly_cos_minpoly(minimal, 2 * n);
+  const int degree = static_cast<int>(fmpz_poly_degree(minimal));
+  Polynomial rest = 0;
+  for (int k = 0; k < degree; ++k)
+    rest = rest - Polynomial(fmpz_poly_get_coeff_si(minimal, k)) * power(2 * c, k);
+  fmpz_poly_clear(minimal);
+  return {degree, Fraction(rest, power(Polynomial(2), degree))};
 }
 
 Fraction::Fraction(const Polynomial& n, const Polynomial& d) : numerator(n), denominator(d) {

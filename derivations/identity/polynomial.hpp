@@ -70,6 +70,9 @@ class Polynomial {
   fmpz_mpoly_t p_;
 };
 
+/// c^degree = value for c = cos(π/n), from the minimal polynomial of 2·cos(2π/2n).
+std::pair<int, struct Fraction> relation_of_cosine(const Polynomial& c, int n);
+
 /// numerator/denominator in lowest terms; the denominator leads with plus.
 struct Fraction {
   Polynomial numerator = 0, denominator = 1;

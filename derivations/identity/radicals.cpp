@@ -100,6 +100,23 @@ Fraction Translator::root(const Fraction& value, int order) {
   return ring_.normal(outside * root_generator(inside, order));
 }
 
+/// (t^n)^{1/k} = |t|^{n/k} for an even n, before anything is multiplied out.
+Fraction Translator::root_of(const Tree& tree, int order) {
+  if (tree->kind == Node::Kind::power) {
+    const Fraction exponent = translate(tree->children[1]);
+    const cln::cl_RA n = exponent.is_constant() ? exponent.constant() : cln::cl_RA(0);
+    if (cln::plusp(n) && n <= 64 && cln::denominator(n) == 1 && cln::evenp(cln::numerator(n))) {
+      const int even = cln::cl_I_to_int(cln::numerator(n)), common = std::gcd(even, order);
+      const Fraction size = absolute(translate(tree->children[0]));
+      Fraction result = 1;
+      const Fraction factor = common == order ? size : root(size, order / common);
+      for (int k = 0; k < even / common; ++k) result = ring_.normal(result * factor);
+      return result;
+    }
+  }
+  return root(translate(tree), order);
+}
+
 /// |u|, factor by factor; without the bars where the sign is known.
 Fraction Translator::absolute(const Fraction& value) {
   const Fraction u = ring_.normal(value);

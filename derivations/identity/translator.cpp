@@ -22,7 +22,7 @@ auto Translator::in_rounds(const Work& work) {
   for (int round = 0; round < 24; ++round) try {
       return work();
     } catch (const AnotherRound&) {
-      circular_.rebuild(), real_.rebuild();
+      rebuild();
     } catch (const std::domain_error&) {
       throw NoValue("a divisor is 0");
     }
@@ -47,6 +47,13 @@ Fraction Translator::exponential_of(const Fraction& argument) {
   return in_rounds([&] { return exponential(argument); });
 }
 
+/// The angles of inverse functions are phases each, for their cosines are known.
+void Translator::rebuild() {
+  const auto& all = ring_.generators();
+  const bool has_angles = std::any_of(all.begin(), all.end(), [](const Generator& g) { return g.kind == Kind::angle; });
+  circular_.rebuild(has_angles), real_.rebuild(false);
+}
+
 void Translator::collect(const std::vector<Tree>& trees) {
   for (int round = 0; round < 3; ++round) {
     try {
@@ -55,7 +62,7 @@ void Translator::collect(const std::vector<Tree>& trees) {
     } catch (const AnotherRound&) {  // a new denominator
     }
   }
-  circular_.rebuild(), real_.rebuild();
+  rebuild();
 }
 
 /// The arguments that have no functions in them.
@@ -142,7 +149,7 @@ Fraction Translator::power_of(const Node& node) {
   if (order > 1) require(base, n > 0 ? Signs::nonnegative() : Signs::positive(), node.children[0]);
   if (order == 1 && n < 0) require(base, Signs::nonzero(), node.children[0]);
   Fraction result = 1;
-  const Fraction factor = order > 1 ? root(base, order) : base;
+  const Fraction factor = order > 1 ? root_of(node.children[0], order) : base;
   for (int k = 0; k < std::abs(n); ++k) result = ring_.normal(result * factor);
   return n < 0 ? ring_.normal(1 / result) : result;
 }
@@ -162,7 +169,7 @@ Fraction Translator::call(const Node& node, const Tree& tree) {
   }
   if (name == "sqrt") {
     require(x, Signs::nonnegative(), argument);
-    return root(x, 2);
+    return root_of(argument, 2);
   }
   if (name == "fabs") return absolute(x);
   if (name == "exp") return exponential(x);

@@ -45,6 +45,7 @@ class Translator {
   struct AnotherRound {};
 
   void collect(const Tree& tree);
+  void rebuild();
   Fraction translate(const Tree& tree);
   Fraction product(const Node& node);
   Fraction power_of(const Node& node);
@@ -62,6 +63,7 @@ class Translator {
 
   // radicals.cpp
   Fraction root(const Fraction& value, int order);
+  Fraction root_of(const Tree& tree, int order);
   Fraction root_of_number(const cln::cl_I& number, int order);
   Fraction root_generator(const Polynomial& base, int order);
   Fraction absolute(const Fraction& value);
