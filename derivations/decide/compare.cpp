@@ -65,7 +65,8 @@ std::optional<Ring> with_solution(const Setting& setting, const Atom& equation) 
 
 /// One relation follows from others.
 std::optional<Certificate> follows(const Setting& setting, const std::vector<Atom>& from, const Atom& claim) {
-  const Ring& ring = setting.ring;
+  Ring ring = setting.ring;  // with what the others say
+  for (const Atom& atom : from) ring.learn(atom.value, atom.signs);
   std::vector<Fact> facts = setting.facts;
   for (const Atom& atom : from) {
     for (Fact& fact : facts_of(ring, atom.value, atom.signs)) facts.push_back(std::move(fact));

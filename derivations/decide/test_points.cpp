@@ -43,7 +43,7 @@ struct Candidates {
   std::vector<Number> special;
 };
 
-Candidates candidates(const Interval& range) {
+Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks) {
   Candidates result;
   const auto q = [](int n, int d) { return cl_RA(n) / d; };
   std::vector<cl_RA> list;
@@ -69,6 +69,9 @@ Candidates candidates(const Interval& range) {
     if (finite(range.low) && range.low.is_rational()) list.push_back(range.low.a + q(1, n)), list.push_back(range.low.a + n);
     if (finite(range.high) && range.high.is_rational()) list.push_back(range.high.a - q(1, n)), list.push_back(range.high.a - n);
   }
+  for (const cl_RA& n : landmarks)
+    for (const cl_RA& value : {n, cl_RA(-n), cl_RA(n + q(1, 100)), cl_RA(n - q(1, 100)), cl_RA(2 * n), cl_RA(-2 * n), cl_RA(n / 2)})
+      list.push_back(value);
   for (const cl_RA& value : list)
     if (lies_in(value, range) && std::find(result.plain.begin(), result.plain.end(), value) == result.plain.end())
       result.plain.push_back(value);
@@ -83,6 +86,20 @@ Candidates candidates(const Interval& range) {
   return result;
 }
 
+/// The constant parts that are rational and neither small nor whole: where something may turn.
+void collect_landmarks(const Tree& tree, std::vector<cl_RA>& landmarks) {
+  std::set<std::string> names;
+  collect_names(tree, names);
+  if (names.empty() && landmarks.size() < 12) {
+    const Value value = value_at(tree, {}, 64);
+    if (value.exact && (cln::abs(*value.exact) > 3 || cln::denominator(*value.exact) > 4)) landmarks.push_back(*value.exact);
+    if (value.is == Value::Is::certain && !value.exact && value.ball.is_moderate())
+      landmarks.push_back(cln::cl_RA(cln::round1(value.ball.lower() * 100)) / 100);
+    return;
+  }
+  for (const Tree& child : tree->children) collect_landmarks(child, landmarks);
+}
+
 /// A fixed sequence of points: symbol k takes its candidates in a stride of its own; every third point from the tenth on
 /// has special values, and every fourth has equal values where it can.
 class Sequence {
@@ -92,10 +109,13 @@ class Sequence {
     names.merge(names_of(problem.right));
     for (const auto& [name, value] : problem.values) collect_names(value, names);
     for (const Relation& a : problem.assumptions) names.merge(names_of(a));
+    std::vector<cl_RA> landmarks;
+    for (const Relation* relation : {&problem.left, &problem.right})
+      for (const Tree& side : relation->sides) collect_landmarks(side, landmarks);
     for (const std::string& name : names) {
       Interval range = parse_range(problem.symbols.find(name)->range);
       for (const Relation& a : problem.assumptions) narrow(range, a, name);
-      candidates_.emplace_back(name, candidates(range));
+      candidates_.emplace_back(name, candidates(range, landmarks));
     }
   }
   std::optional<Point> at(int index) const {

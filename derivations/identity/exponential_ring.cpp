@@ -133,7 +133,7 @@ void Ring::narrow(const Polynomial& p, Signs signs) {
   const auto pi = index_.find("pi");
   std::vector<int> used = p.used();
   if (pi != index_.end()) std::erase(used, pi->second);
-  if (used.size() != 1 || p.degree(used[0]) != 1 || generators_[used[0]].kind != Generator::Kind::symbol) return;
+  if (used.size() != 1 || p.degree(used[0]) != 1) return;
   const auto c = p.coefficients(used[0]);
   const Polynomial of_pi = pi == index_.end() ? 0 : c[0].degree(pi->second) == 0 ? 0 : c[0].coefficients(pi->second)[1];
   const Polynomial rest = of_pi.is_zero() ? c[0] : c[0].coefficients(pi->second)[0];
@@ -147,8 +147,66 @@ void Ring::narrow(const Polynomial& p, Signs signs) {
   const bool closed = Signs::zero().within(of_x);
   if (of_x.within(Signs::nonnegative())) bound.low = End{end, 0, closed};
   if (of_x.within(Signs::nonpositive())) bound.high = End{end, 0, closed};
-  Interval& range = generators_[used[0]].range;
-  range = overlap(range, bound);
+  if (narrow(used[0], bound)) propagate();
+}
+
+/// Whether that says something new.
+bool Ring::narrow(int generator, const Interval& range) {
+  Interval& known = generators_[generator].range;
+  const Interval both = overlap(known, range);
+  const auto is_same = [](const End& a, const End& b) { return compare(a, b) == 0 && a.closed == b.closed; };
+  if (is_same(both.low, known.low) && is_same(both.high, known.high)) return false;
+  known = both;
+  return true;
+}
+
+/// The range of x from that of f(c·x + d), where f can be inverted.
+bool Ring::narrow_backwards(const Generator& g) {
+  using Kind = Generator::Kind;
+  const auto used = g.of.numerator.used();
+  if (used.size() != 1 || g.of.numerator.degree(used[0]) != 1 || !g.of.denominator.is_constant()) return false;
+  const Interval inside = range_of(g.of);
+  const auto lies_between = [&](const Constant& low, const Constant& high) {
+    return compare(inside.low, End{low}) >= 0 && compare(inside.high, End{high}) <= 0;
+  };
+  const cln::cl_RA half = cln::cl_RA(1) / 2;
+  Interval argument;
+  if (g.kind == Kind::exponential) argument = call("log", g.range);
+  if (g.kind == Kind::logarithm) argument = call("exp", g.range);
+  if (g.kind == Kind::root) argument = power(g.range, g.order);
+  if (g.kind == Kind::angle) argument = call(g.order == 1 ? "sin" : "tan", g.range);
+  if (g.kind == Kind::cosine && lies_between({}, {0, 1})) argument = call("acos", g.range);
+  if (g.kind == Kind::cosine && lies_between({0, -half}, {0, half})) {
+    const Interval size = call("acos", g.range);
+    argument = overlap(argument, hull(size, -size));
+  }
+  if (g.kind == Kind::sine && lies_between({0, -half}, {0, half})) argument = call("asin", g.range);
+  const auto c = g.of.numerator.coefficients(used[0]);
+  if (!c[0].is_constant() || !c[1].is_constant()) return false;
+  const cln::cl_RA below = g.of.denominator.constant(), slope = below / cln::cl_RA(c[1].constant());
+  return narrow(used[0], (argument - point({c[0].constant() / below})) * point({slope}));
+}
+
+/// What a function makes of a narrower range, and the other way round.
+void Ring::propagate() {
+  using Kind = Generator::Kind;
+  static const std::map<Kind, const char*> functions{{Kind::cosine, "cos"},    {Kind::sine, "sin"},
+                                                     {Kind::exponential, "exp"}, {Kind::absolute, "fabs"},
+                                                     {Kind::logarithm, "log"}};
+  bool has_changed = true;
+  for (int round = 0; round < 3 && has_changed; ++round) {
+    has_changed = false;
+    for (std::size_t k = 0; k < generators_.size(); ++k) {
+      const Generator g = generators_[k];
+      const auto function = functions.find(g.kind);
+      const bool is_angle = g.kind == Kind::angle, is_root = g.kind == Kind::root && g.order == 2;
+      if (function != functions.end() || is_angle || is_root) {
+        const char* name = is_angle ? (g.order == 1 ? "asin" : "atan") : is_root ? "sqrt" : function->second;
+        has_changed = narrow(static_cast<int>(k), call(name, range_of(g.of))) || has_changed;
+      }
+      if (g.kind != Kind::symbol && g.kind != Kind::pi) has_changed = narrow_backwards(generators_[k]) || has_changed;
+    }
+  }
 }
 
 void Ring::learn(const Fraction& value, const Interval& range) {
@@ -204,8 +262,9 @@ Signs Ring::signs_of_univariate(const Polynomial& p) const {
 /// 4a·(a x² + b x + c) = (2a x + b)² - (b² - 4ac).
 Signs Ring::signs_of_quadratic(const Polynomial& p, int depth) const {
   for (const int k : p.used()) {
-    if (p.degree(k) != 2) continue;
-    const auto c = p.coefficients(k);
+    auto c = p.coefficients(k);
+    if (c.size() == 5 && c[1].is_zero() && c[3].is_zero()) c = {c[0], c[2], c[4]};  // in the square
+    if (c.size() != 3) continue;
     const Signs leading = signs_of(c[2], depth);
     if (leading != Signs::positive() && leading != Signs::negative()) continue;
     const Fraction discriminant = reduced(c[1] * c[1] - 4 * c[0] * c[2]);

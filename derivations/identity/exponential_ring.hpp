@@ -59,7 +59,8 @@ class Ring {
   /// 1/(p - √u) is (p + √u)/(p² - u).
   Fraction rationalized(const Fraction& f) const;
 
-  /// What is known of a value: of its sign, and of the range of a symbol if it is linear in one.
+  /// What is known of a value: of its sign, and of the range of a generator if it is linear in one; that narrows the
+  /// ranges of what is made of it, and of what it is made of.
   void learn(const Fraction& value, Signs signs);
   /// A value lies in an interval.
   void learn(const Fraction& value, const Interval& range);
@@ -79,6 +80,9 @@ class Ring {
   Signs signs_of_univariate(const Polynomial& p) const;
   Signs signs_of_quadratic(const Polynomial& p, int depth) const;
   void narrow(const Polynomial& p, Signs signs);
+  bool narrow(int generator, const Interval& range);
+  bool narrow_backwards(const Generator& g);
+  void propagate();
 
   std::vector<Generator> generators_;
   std::map<std::string, int> index_;

@@ -106,6 +106,17 @@ std::vector<Column> columns_of(const Ring& ring, const std::vector<Fact>& facts)
   return columns;
 }
 
+/// What holds where a value has none of these signs, if a fact can say it.
+Signs negation(Signs claim) {
+  for (const auto& [one, other] : {std::pair{Signs::positive(), Signs::nonpositive()},
+                                   std::pair{Signs::negative(), Signs::nonnegative()},
+                                   std::pair{Signs::nonzero(), Signs::zero()}}) {
+    if (claim == one) return other;
+    if (claim == other) return one;
+  }
+  return Signs::any();
+}
+
 /// Coefficients with which the columns add up to 0, those of strict ones to 1; of an equation any sign.
 std::optional<Certificate> combine(const std::vector<Column>& columns) {
   std::map<std::string, std::size_t> rows;
@@ -145,6 +156,25 @@ std::optional<Certificate> combine(const std::vector<Column>& columns) {
   return holds ? std::optional(result) : std::nullopt;
 }
 
+/// The signs of a product, factor by factor: by the ring, or by a certificate for one factor.
+Signs signs_of_product(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p, Certificate& used) {
+  const auto [number, list] = factors(p);
+  Signs result = cln::minusp(number) ? Signs::negative() : Signs::positive();
+  const bool is_one = list.size() == 1 && list[0].second == 1;
+  for (const auto& [factor, exponent] : list) {
+    Signs signs = ring.signs_of(factor);
+    for (const Signs wanted : {Signs::positive(), Signs::negative(), Signs::nonnegative(), Signs::nonpositive()}) {
+      if (is_one || signs == Signs::positive() || signs == Signs::negative() || (signs & wanted) == signs) continue;
+      const auto found = combine(columns_of(ring, relevant(ring, facts, facts_of(ring, factor, negation(wanted)))));
+      if (!found) continue;
+      signs = signs & wanted;
+      used.parts.insert(used.parts.end(), found->parts.begin(), found->parts.end());
+    }
+    result = result * power(signs, exponent);
+  }
+  return result;
+}
+
 std::optional<Certificate> refute_all(const Ring& ring, const std::vector<Fact>& facts, const Fraction& value,
                                       Signs negated) {
   const std::vector<Fact> all = relevant(ring, facts, facts_of(ring, value, negated));
@@ -172,17 +202,14 @@ std::optional<Certificate> prove_signs(const Ring& ring, const std::vector<Fact>
   if (claim.is_none()) return refute_all(ring, facts, 0, Signs::any());
   // the negation in pieces that a fact can say, each refuted
   Certificate all;
-  const Signs not_claimed = claim == Signs::positive()      ? Signs::nonpositive()
-                            : claim == Signs::negative()    ? Signs::nonnegative()
-                            : claim == Signs::nonnegative() ? Signs::negative()
-                            : claim == Signs::nonpositive() ? Signs::positive()
-                            : claim == Signs::nonzero()     ? Signs::zero()
-                                                            : Signs::any();
+  const Fraction f = ring.normal(value);
+  if (signs_of_product(ring, facts, f.numerator * f.denominator, all).within(claim)) return all;
+  all.parts.clear();
   const std::vector<Signs> pieces = claim == Signs::zero() ? std::vector{Signs::positive(), Signs::negative()}
-                                                           : std::vector{not_claimed};
+                                                           : std::vector{negation(claim)};
   for (const Signs piece : pieces) {
     if (piece == Signs::any()) return std::nullopt;
-    const auto found = refute_all(ring, facts, value, piece);
+    const auto found = refute_all(ring, facts, f, piece);
     if (!found) return std::nullopt;
     all.parts.insert(all.parts.end(), found->parts.begin(), found->parts.end());
   }
