@@ -46,29 +46,30 @@ Range read_range(std::string_view given) {
 
 const Symbol& Symbols::declare(std::string name, std::string latex, std::string unicode, std::string unit,
                                std::string range, std::string meaning, std::string introduced) {
-  if (!is_name(name)) refuse("a name is letters, digits and '_', and neither 'pi' nor 'inf'", name);
+  return declare({std::move(name), std::move(latex), std::move(unicode), std::move(unit), std::move(range),
+                  std::move(meaning), std::move(introduced), SymbolExpression()});
+}
+
+const Symbol& Symbols::declare(Symbol symbol) {
+  if (!is_name(symbol.name))
+    refuse("a name is letters, digits and '_', and neither 'pi' nor 'inf'", symbol.name);
   Range ends;
   try {
-    ends = read_range(range);
-    (void)parse_unit(unit);
+    ends = read_range(symbol.range);
+    (void)parse_unit(symbol.unit);
   } catch (const std::invalid_argument& error) {
-    refuse(error.what(), name);
+    refuse(error.what(), symbol.name);
   }
-  // GiNaC simplifies sqrt(x^2) to x where it knows that x is not negative.
-  const bool positive = ends.lower != "-inf" && compare(parse_range(range).low.value, 0) >= 0;
-  const SymbolExpression symbol = positive ? SymbolExpression(GiNaC::possymbol(name, latex))
-                                           : SymbolExpression(GiNaC::realsymbol(name, latex));
+  if (!GiNaC::is_a<GiNaC::symbol>(symbol.ginac)) {
+    // GiNaC simplifies sqrt(x^2) to x where it knows that x is not negative.
+    const bool positive = ends.lower != "-inf" && compare(parse_range(symbol.range).low.value, 0) >= 0;
+    symbol.ginac = positive ? SymbolExpression(GiNaC::possymbol(symbol.name, symbol.latex))
+                            : SymbolExpression(GiNaC::realsymbol(symbol.name, symbol.latex));
+  }
   findings_.reset();
-  if (!table_.contains(name)) order_.push_back(name);
-  Symbol entry{name,
-               std::move(latex),
-               std::move(unicode),
-               std::move(unit),
-               std::move(range),
-               std::move(meaning),
-               std::move(introduced),
-               symbol};
-  return table_.insert_or_assign(std::move(name), std::move(entry)).first->second;
+  if (!table_.contains(symbol.name)) order_.push_back(symbol.name);
+  std::string name = symbol.name;
+  return table_.insert_or_assign(std::move(name), std::move(symbol)).first->second;
 }
 
 Findings& Symbols::findings() const {

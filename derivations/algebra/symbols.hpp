@@ -77,6 +77,8 @@ class Symbols {
   /// Throws std::invalid_argument if the range or the unit cannot be read.
   const Symbol& declare(std::string name, std::string latex, std::string unicode, std::string unit,
                         std::string range, std::string meaning, std::string introduced);
+  /// The same with the GiNaC symbol of `symbol`, or with a new one where that has none.
+  const Symbol& declare(Symbol symbol);
   /// Replaces the range alone: the GiNaC symbol, and so every expression that has it, stays the same.
   /// Throws std::out_of_range or std::invalid_argument.
   void narrow(std::string_view name, std::string range);
