@@ -6,6 +6,7 @@
 //               lesson-03-energy-and-the-barrier --step 3
 #include <fmt/format.h>
 
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/drawings.hpp>
 #include <lessons/lesson.hpp>
 
@@ -64,13 +65,13 @@ void moment_rotation(Page& page) {
     so nothing turns until the moment of the ground exceeds that, as if the block were infinitely stiff.
     From there it *falls* with the rotation, down to nothing at $theta = alpha$. Stiffness is the slope of
     the moment:)");
-  page.show(derived("19").right.diff(paper_symbols()["theta"]));
+  page.show(derived("19").right.diff(paper::theta));
   page.say(R"(
     and it is negative. Here a sentence of the paper deserves a second reading. It says that once the block
     rocks *its stiffness decreases gradually, becoming zero when* $theta = alpha$. Put $theta = alpha$ into
     the two formulas: what becomes zero there is the *moment*. The stiffness is not zero and does not
     decrease to it; it is negative all the way, and at $theta = alpha$ it is most negative:)");
-  page.show(with(derived("19").right.diff(paper_symbols()["theta"]), {{"theta", "alpha"}}));
+  page.show(with(derived("19").right.diff(paper::theta), {{"theta", "alpha"}}));
   page.say(R"(
     The difference matters. A spring that becomes soft still brings you back. A negative stiffness is why a
     block that passes the crest does not hesitate, and why free rocking has no frequency of its own: the

@@ -68,12 +68,11 @@ void second_road(Page& page) {
     with C, plus that of the rotation about C. C moves across its radius from O; seen from O' that velocity
     has a lever arm smaller than $R$, because the two radii enclose twice the angle $alpha$. The program
     adds the two parts:)");
-  const auto& s = paper_symbols();
-  page.show(s["HO_minus"], "=", momentum_before_impact_by_centre());
+  page.show(paper::HO_minus, "=", momentum_before_impact_by_centre());
   page.say("and divides by the moment after the impact:");
-  page.show(s["e"], "=", restitution_by_parallel_axes());
+  page.show(paper::e, "=", restitution_by_parallel_axes());
   Derivation second;
-  second.left = s["e"];
+  second.left = paper::e;
   second.right = restitution_by_parallel_axes();
   page.compare(relation_of(second), relation_of(derived("46b")));
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/drawings.hpp>
 #include <lessons/experiments.hpp>
 #include <lessons/lesson.hpp>
@@ -89,8 +90,7 @@ void two_brackets(Page& page) {
   for (Experiment experiment : {slow, fast}) {
     experiment.nonlinear = true;
     const double amplitude = simulated_without_impact(experiment);
-    const double factor =
-        number_of(paper_symbols()["alpha"] / tan(paper_symbols()["alpha"]), {{"alpha", "0.25"}});
+    const double factor = number_of(paper::alpha / tan(paper::alpha), {{"alpha", "0.25"}});
     rows.push_back({fmt::format("{:.0f}", experiment.omega), fmt::format("{:.5f}", amplitude),
                     fmt::format("{:.5f}", amplitude * factor)});
   }

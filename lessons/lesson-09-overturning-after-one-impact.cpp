@@ -6,6 +6,7 @@
 //               lesson-09-overturning-after-one-impact --step 4
 #include <fmt/format.h>
 
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/drawings.hpp>
 #include <lessons/experiments.hpp>
 #include <lessons/lesson.hpp>
@@ -106,8 +107,7 @@ void a_number_that_cannot_be(Page& page) {
                        least.amplitude, in_words(least.code)));
   Experiment theirs{.omega = 3, .nonlinear = true, .restitution = 0.9};
   const double amplitude = least_overturning(theirs, 2).amplitude;
-  const double in_tangents =
-      amplitude * number_of(paper_symbols()["alpha"] / tan(paper_symbols()["alpha"]), {{"alpha", "0.25"}});
+  const double in_tangents = amplitude * number_of(paper::alpha / tan(paper::alpha), {{"alpha", "0.25"}});
   page.say(fmt::format(R"(
     Where does the number come from? Lesson 8 taught us to vary what might have been meant. Take the
     nonlinear model, $e$ = 0.9 and the unit $g*tan(alpha)$: the threshold is {:.5f}, and its reciprocal is

@@ -1,4 +1,4 @@
-// The README's worked example, done as it says: a row, a function, a line in the table.
+// The README's worked example, done as it says: a row, a function, a line in the list of its section.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -32,21 +32,20 @@ TEST_CASE("adding an equation works as the README says") {
   const TemporaryFolder folder;
   const auto equations = folder.path / "equations.toml";
   write(equations, read_file(root + "/derivations/paper/equations.toml") + "\n" + block("## Add an equation", "toml", 0));
-  write(folder.path / "worked_example.cpp", block("## Add an equation", "cpp", 0));
 
-  std::string table = read_file(root + "/derivations/rocking_block/table.cpp");
-  const std::string first = "table{";
-  const auto line = table.find(first) + first.size();
-  REQUIRE(line > first.size());
-  table.insert(line, "\n" + block("## Add an equation", "cpp", 1));
-  const auto opening = table.find("namespace rederive {");
-  table.insert(opening, "namespace rederive {\nDerivation rise_to_the_corner();\n}\n");
-  write(folder.path / "table.cpp", table);
+  std::string section = read_file(root + "/derivations/rocking_block/kinematics.cpp");
+  const auto list = section.find("Derivations derivations_of_kinematics() {");
+  REQUIRE(list != std::string::npos);
+  const auto end = section.find("  };\n", list);
+  REQUIRE(end != std::string::npos);
+  section.insert(end, block("## Add an equation", "cpp", 1));
+  section.insert(list, block("## Add an equation", "cpp", 0) + "\n");
+  write(folder.path / "kinematics.cpp", section);
 
   const std::string built = REDERIVE_BINARY;
   const std::string ledger = (folder.path / "ledger").string();
   const Result made = run_program("/bin/bash", {"-c", "cd '" + folder.path.string() + "' && c++ -std=c++20 -O0 -DREDERIVE_VERSION='\"0\"' -I'" + root + "' -I'" + built +
-                                                         "' worked_example.cpp table.cpp '" + root + "/lessons/ledger/ledger_main.cpp' " REDERIVE_LEDGER_LIBRARIES " -o ledger"});
+                                                         "' kinematics.cpp '" + root + "/lessons/ledger/ledger_main.cpp' " REDERIVE_LEDGER_LIBRARIES " -o ledger"});
   REQUIRE_MESSAGE(made.exit_code == 0, made.err);
   const Result shown = run_program(ledger, {"--equations", equations.string(), "show", "w1", "--json"});
   CHECK(shown.exit_code == 0);

@@ -5,12 +5,13 @@
 #include "identities.hpp"
 
 using namespace rederive;
+using namespace rederive::paper;
 using GiNaC::ex;
 using GiNaC::lst;
 
 namespace {
 
-ex with_end(const ex& e) { return e.subs(letters().T_ex == end_of_pulse(Pulse::sine)); }
+ex with_end(const ex& e) { return e.subs(T_ex == end_of_pulse(Pulse::sine)); }
 
 ex residual(const Derivation& d) { return with_end(d.left - d.right); }
 
@@ -34,45 +35,40 @@ std::pair<double, double> window(double omega_ratio) {
 }  // namespace
 
 TEST_CASE("the motion after the impact leaves upright with e times the velocity, and obeys its equation") {
-  const Letters& s = letters();
-  const lst constants{s.A_3 == equation_82().right, s.A_4 == equation_81().right};
+  const lst constants{A_3 == equation_82().right, A_4 == equation_81().right};
   const ex motion = equation_79a().right.subs(constants);
-  CHECK(identical(motion.subs(s.t == s.t_i), 0));
-  CHECK(identical(motion.diff(s.t).subs(s.t == s.t_i), s.e * s.thetadot_before));
+  CHECK(identical(motion.subs(t == t_i), 0));
+  CHECK(identical(motion.diff(t).subs(t == t_i), e * thetadot_before));
   const Given a = amplitude(Pulse::sine);
   const ex forcing = linear_equation(Side::positive, Pulse::sine).forcing.subs(a.name == a.value);
-  CHECK(identical(motion.diff(s.t, 2) - pow(s.p, 2) * motion, forcing));
+  CHECK(identical(motion.diff(t, 2) - pow(p, 2) * motion, forcing));
 }
 
 TEST_CASE("(86) is solved by the start, where the block is upright too") {
-  const Letters& s = letters();
-  CHECK(identical(impact_during_pulse().subs(s.t_i == 0), 0));
+  CHECK(identical(impact_during_pulse().subs(t_i == 0), 0));
 }
 
 TEST_CASE("an impact at the very end of the pulse is both during and after it") {
-  const Letters& s = letters();
-  const ex end = s.t_i == end_of_pulse(Pulse::sine);
-  const ex scale = (1 + pow(s.omega_p / s.p, 2)) * sin(s.psi);
+  const ex end = t_i == end_of_pulse(Pulse::sine);
+  const ex scale = (1 + pow(omega_p / p, 2)) * sin(psi);
   CHECK(
       identical(with_end(impact_during_pulse()).subs(end), with_end(impact_after_pulse() * scale).subs(end)));
   // (88) is −(1 + w²) sin ψ/w of e θ̇/(p α) − 1
-  const ex factor = -scale * s.p / s.omega_p;
+  const ex factor = -scale * p / omega_p;
   CHECK(identical(with_end(overturning_impact_during_pulse()).subs(end),
                   with_end(overturning_impact_after_pulse() * factor).subs(end)));
 }
 
 TEST_CASE("(94a) and (94b) have no common solution at a finite time") {
-  const Letters& s = letters();
   // Linear in θ̇_after/p and α: the determinant is sinh² − cosh².
   const ex a = equation_94a().left, b = equation_94b().left;
-  const ex determinant = a.coeff(s.thetadot_after, 1) * b.expand().coeff(s.alpha, 1) -
-                         b.coeff(s.thetadot_after, 1) * a.expand().coeff(s.alpha, 1);
-  CHECK(identical(determinant * s.p, 1));
+  const ex determinant = a.coeff(thetadot_after, 1) * b.expand().coeff(alpha, 1) -
+                         b.coeff(thetadot_after, 1) * a.expand().coeff(alpha, 1);
+  CHECK(identical(determinant * p, 1));
 }
 
 TEST_CASE("eliminating the impact time from (92a) and (96) leaves r9") {
-  const Letters& s = letters();
-  const ex angle = impact_after_pulse() + 1, rate = (overturning_impact_after_pulse() + 1) / s.e;
+  const ex angle = impact_after_pulse() + 1, rate = (overturning_impact_after_pulse() + 1) / e;
   CHECK(identical(pow(rate, 2) - pow(angle, 2), window_after_pulse().left));
 }
 
@@ -92,7 +88,7 @@ TEST_CASE("both ends of the window satisfy (92a) and (96), at the impact time of
 }
 
 TEST_CASE("at the threshold without impact a returning block is too slow: the window ends below it") {
-  CHECK(identical(velocity_near_first_mode().right, letters().p * letters().alpha));
+  CHECK(identical(velocity_near_first_mode().right, p * alpha));
   const ex threshold = residual(equation_71()), ends = residual(window_after_pulse());
   const ex energy = with_end(window_after_pulse().left);
   for (const double omega_ratio : {1.0, 3.0, 6.0}) {
@@ -103,5 +99,5 @@ TEST_CASE("at the threshold without impact a returning block is too slow: the wi
 }
 
 TEST_CASE("a block that loses nothing at the impact has a window that reaches the threshold without impact") {
-  CHECK(window_after_pulse().right.subs(letters().e == 1).is_zero());
+  CHECK(window_after_pulse().right.subs(e == 1).is_zero());
 }

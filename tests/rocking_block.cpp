@@ -8,6 +8,7 @@
 #include "identities.hpp"
 
 using namespace rederive;
+using namespace rederive::paper;
 using GiNaC::ex;
 using GiNaC::lst;
 
@@ -17,57 +18,51 @@ const Side sides[] = {Side::negative, Side::positive};
 
 /// What becomes of an expression in the mirror: left and right exchanged.
 ex mirrored(const ex& e) {
-  const Letters& s = letters();
-  return e.subs(lst{s.theta == -s.theta, s.thetadot == -s.thetadot, s.thetaddot == -s.thetaddot,
-                    s.u_gdot == -s.u_gdot, s.u_gddot == -s.u_gddot},
+  return e.subs(lst{theta == -theta, thetadot == -thetadot, thetaddot == -thetaddot, u_gdot == -u_gdot,
+                    u_gddot == -u_gddot},
                 GiNaC::subs_options::no_pattern);
 }
 
 }  // namespace
 
 TEST_CASE("the centre of mass in polar coordinates is the corner of the rectangle, turned") {
-  const Letters& s = letters();
   for (const Side side : sides) {
-    const ex across = side == Side::negative ? s.b : -s.b;
-    const Vector turned = turned_clockwise({across, s.h}, s.theta), polar = centre_from_pivot(side);
+    const ex across = side == Side::negative ? b : -b;
+    const Vector turned = turned_clockwise({across, h}, theta), polar = centre_from_pivot(side);
     CHECK(identical(put_in(turned.right, sides_of_the_block()), polar.right));
     CHECK(identical(put_in(turned.up, sides_of_the_block()), polar.up));
   }
 }
 
 TEST_CASE("equation of motion: Lagrange and the moments of all elements agree on both sides") {
-  const Letters& s = letters();
   for (const Side side : sides) {
-    const ex lagrange = motion_by_lagrange(side).subs(s.J_o == ex(4) / 3 * s.m * pow(s.R, 2));
+    const ex lagrange = motion_by_lagrange(side).subs(J_o == ex(4) / 3 * m * pow(R, 2));
     CHECK(identical(lagrange, put_in(motion_by_moments(side), sides_of_the_block())));
   }
 }
 
 TEST_CASE("kinetic energy: summed over the elements and by König") {
-  const Letters& s = letters();
   for (const Side side : sides) {
-    const Vector element = turned_clockwise({s.x, s.y}, s.theta);
-    const Vector velocity = time_derivative(Vector{s.u_g, 0} + element, block_rates());
+    const Vector element = turned_clockwise({x, y}, theta);
+    const Vector velocity = time_derivative(Vector{u_g, 0} + element, block_rates());
     const ex sum =
         put_in(over_body(dot(velocity, velocity) / 2, block_from_pivot(side)), sides_of_the_block());
-    CHECK(identical(sum, kinetic_energy(side).subs(s.J_o == ex(4) / 3 * s.m * pow(s.R, 2))));
+    CHECK(identical(sum, kinetic_energy(side).subs(J_o == ex(4) / 3 * m * pow(R, 2))));
   }
 }
 
 TEST_CASE("the inertia about either pivot is the same, and exceeds that about the centre by m R²") {
-  const Letters& s = letters();
   CHECK(identical(moment_of_inertia_about_pivot().right, moment_of_inertia_about_other_pivot().right));
   CHECK(identical(moment_of_inertia_about_pivot().right - moment_of_inertia_about_centre().right,
-                  s.m * pow(s.R, 2)));
+                  m * pow(R, 2)));
 }
 
 TEST_CASE("free motion with the critical velocity has the energy of a block that stands on its corner") {
-  const Letters& s = letters();
   for (const Side side : sides) {
-    const ex whole = put_in(energy(side).subs(s.u_gdot == 0), inertia_and_frequency());
-    const ex corner = side == Side::negative ? ex(-s.alpha) : ex(s.alpha);
+    const ex whole = put_in(energy(side).subs(u_gdot == 0), inertia_and_frequency());
+    const ex corner = side == Side::negative ? ex(-alpha) : ex(alpha);
     const ex rate = critical_rate(side).right;
-    CHECK(identical(whole.subs(s.thetadot == rate), whole.subs(lst{s.theta == corner, s.thetadot == 0})));
+    CHECK(identical(whole.subs(thetadot == rate), whole.subs(lst{theta == corner, thetadot == 0})));
     const double sign = side == Side::negative ? -1 : 1;
     for (const double angle : {-0.2, 0.1, 0.24}) {  // outwards before the corner, inwards beyond it
       CHECK(sign * value(rate, {{"alpha", 0.25}, {"p", 2}, {"theta", sign * angle}}) > 0);
@@ -77,11 +72,10 @@ TEST_CASE("free motion with the critical velocity has the energy of a block that
 }
 
 TEST_CASE("the impact of free motion has all its energy") {
-  const Letters& s = letters();
   for (const Side side : sides) {
-    const ex whole = put_in(energy(side).subs(s.u_gdot == 0), inertia_and_frequency());
+    const ex whole = put_in(energy(side).subs(u_gdot == 0), inertia_and_frequency());
     const ex square = impact_rate_squared(side).right;
-    CHECK(identical(whole.subs(s.theta == 0).subs(pow(s.thetadot, 2) == square), whole));
+    CHECK(identical(whole.subs(theta == 0).subs(pow(thetadot, 2) == square), whole));
   }
 }
 
@@ -93,59 +87,52 @@ TEST_CASE("the two sides are mirror images: motion, energy, reactions") {
 }
 
 TEST_CASE("turning θ round alone does not make (22b) of (22a): the coupling to the ground is odd") {
-  const Letters& s = letters();
-  const ex turned = energy(Side::negative).subs(lst{s.theta == -s.theta, s.thetadot == -s.thetadot});
+  const ex turned = energy(Side::negative).subs(lst{theta == -theta, thetadot == -thetadot});
   CHECK(!identical(turned, energy(Side::positive)));
-  CHECK(identical(turned.subs(s.u_gdot == -s.u_gdot), energy(Side::positive)));
+  CHECK(identical(turned.subs(u_gdot == -u_gdot), energy(Side::positive)));
 }
 
 TEST_CASE("free motion keeps its energy") {
-  const Letters& s = letters();
   for (const Side side : sides)
-    CHECK(energy_rate(side).subs(lst{s.u_gdot == 0, s.u_gddot == 0}).normal().is_zero());
+    CHECK(energy_rate(side).subs(lst{u_gdot == 0, u_gddot == 0}).normal().is_zero());
 }
 
 TEST_CASE("the energy changes by the power of the horizontal reaction at the moving ground") {
-  const Letters& s = letters();
   for (const Side side : sides) {
-    const ex power = s.m * horizontal_reaction(side) * s.u_gdot;
-    CHECK(identical(energy_rate(side), power.subs(s.R == 3 * s.g / (4 * pow(s.p, 2)))));
+    const ex power = m * horizontal_reaction(side) * u_gdot;
+    CHECK(identical(energy_rate(side), power.subs(R == 3 * g / (4 * pow(p, 2)))));
   }
 }
 
 TEST_CASE("balanced on its corner, the block presses on it with its weight alone") {
-  const Letters& s = letters();
-  const lst still{s.thetadot == 0, s.u_gddot == 0};
-  CHECK(horizontal_reaction(Side::positive).subs(still).subs(s.theta == s.alpha).is_zero());
-  CHECK(identical(vertical_reaction(Side::positive).subs(still).subs(s.theta == s.alpha), s.g));
-  CHECK(identical(vertical_reaction(Side::negative).subs(still).subs(s.theta == -s.alpha), s.g));
-  CHECK(angular_acceleration(Side::negative).subs(still).subs(s.theta == -s.alpha).is_zero());
+  const lst still{thetadot == 0, u_gddot == 0};
+  CHECK(horizontal_reaction(Side::positive).subs(still).subs(theta == alpha).is_zero());
+  CHECK(identical(vertical_reaction(Side::positive).subs(still).subs(theta == alpha), g));
+  CHECK(identical(vertical_reaction(Side::negative).subs(still).subs(theta == -alpha), g));
+  CHECK(angular_acceleration(Side::negative).subs(still).subs(theta == -alpha).is_zero());
 }
 
 TEST_CASE("the reactions while rocking begin as those of the start") {
-  const Letters& s = letters();
-  const lst start{s.theta == 0, s.thetadot == 0, s.u_gddot == s.lambda * s.a_p};
+  const lst start{theta == 0, thetadot == 0, u_gddot == lambda * a_p};
   const ex demand =
       horizontal_reaction(Side::negative).subs(start) / vertical_reaction(Side::negative).subs(start);
-  CHECK(identical(demand.subs(s.R == 3 * s.g / (4 * pow(s.p, 2))), first_friction_demand()));
+  CHECK(identical(demand.subs(R == 3 * g / (4 * pow(p, 2))), first_friction_demand()));
 }
 
 TEST_CASE("no moment about the centre is left over by the reactions while rocking") {
-  const Letters& s = letters();
   for (const Side side : sides) {
     const Vector pivot = -1 * centre_from_pivot(side);
-    const Vector reaction{s.m * horizontal_reaction(side), s.m * vertical_reaction(side)};
-    const ex needed = s.m * pow(s.R, 2) / 3 * angular_acceleration(side);
+    const Vector reaction{m * horizontal_reaction(side), m * vertical_reaction(side)};
+    const ex needed = m * pow(R, 2) / 3 * angular_acceleration(side);
     const ex left_over = clockwise_cross(pivot, reaction) - needed;
-    CHECK(identical(left_over.subs(s.R == 3 * s.g / (4 * pow(s.p, 2))), 0));
+    CHECK(identical(left_over.subs(R == 3 * g / (4 * pow(p, 2))), 0));
   }
 }
 
 TEST_CASE("rocking begins where its first angular acceleration vanishes") {
-  const Letters& s = letters();
-  const ex just = s.lambda == s.g * tan(s.alpha) / s.a_p;
+  const ex just = lambda == g * tan(alpha) / a_p;
   CHECK(identical(first_angular_acceleration().subs(just), 0));
-  CHECK(identical(first_friction_demand().subs(just), tan(s.alpha)));
+  CHECK(identical(first_friction_demand().subs(just), tan(alpha)));
 }
 
 TEST_CASE("restitution: by integration over the body and by the parallel axes") {
@@ -154,22 +141,19 @@ TEST_CASE("restitution: by integration over the body and by the parallel axes") 
 }
 
 TEST_CASE("a needle loses nothing at an impact, a plate does not rock on") {
-  const Letters& s = letters();
-  CHECK(restitution().subs(s.alpha == 0).is_equal(1));
+  CHECK(restitution().subs(alpha == 0).is_equal(1));
   CHECK(value(restitution(), {{"alpha", 1.0}}) < 0);  // sin²α > 2/3
   CHECK(value(restitution(), {{"alpha", std::atan(0.11)}}) == doctest::Approx(0.982).epsilon(1e-4));
 }
 
 TEST_CASE("an impact in the middle of the base loses nothing, at the edge it loses what (46) says") {
-  const Letters& s = letters();
   const ex e = restitution_of_spread_impact().right;
-  CHECK(identical(e.subs(s.d == 0), restitution()));
-  CHECK(identical(e.subs(s.d == s.R * sin(s.alpha)), 1));
+  CHECK(identical(e.subs(d == 0), restitution()));
+  CHECK(identical(e.subs(d == R * sin(alpha)), 1));
 }
 
 TEST_CASE("the energy lost at an impact is what the squares of the rates lose") {
-  const Letters& s = letters();
-  const ex after = s.thetadot_plus == s.e * s.thetadot_minus;
+  const ex after = thetadot_plus == e * thetadot_minus;
   CHECK(identical(energy_loss().right.subs(after), equation_35().right));
   CHECK(value(equation_35().right, {{"m", 1}, {"R", 1}, {"thetadot_minus", 1}, {"e", 0.9}}) > 0);
 }

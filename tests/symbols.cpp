@@ -54,6 +54,12 @@ TEST_CASE("GiNaC knows what is positive") {
   const Symbols& s = paper_symbols();
   CHECK(GiNaC::sqrt(GiNaC::pow(s["m"], 2)).is_equal(s["m"]));
   CHECK_FALSE(GiNaC::sqrt(GiNaC::pow(s["theta"], 2)).is_equal(s["theta"]));
+  for (const std::string& name : s.names()) {
+    CAPTURE(name);
+    const End low = parse_range(s.find(name)->range).low;
+    const bool positive = low.infinite == 0 && low.value.info(GiNaC::info_flags::nonnegative);
+    CHECK(s[name].info(GiNaC::info_flags::positive) == positive);
+  }
 }
 
 TEST_CASE("a copied symbol is the same symbol") {

@@ -11,44 +11,41 @@
 
 namespace rederive {
 
-const Symbols& emission_symbols() {
-  static const Symbols symbols = [] {
-    Symbols table = paper_symbols();
-    const auto number = [&](const char* name, const char* latex, const char* unicode, const char* range,
-                            const char* meaning) {
-      table.declare(name, latex, unicode, "1", range, meaning, "emit");
-    };
-    number("ground", "\\gamma", "γ", "(-inf, inf)", "acceleration of the ground over g");
-    number("amplitude", "a", "a", "[0, inf)", "amplitude of the ground acceleration over g");
-    number("omega_ratio", "w", "w", "(0, inf)", "omega_p/p");
-    number("tau_i", "\\tau_i", "τ_i", "(0, inf)", "time of the impact, p*t_i");
-    number("share", "\\lambda", "λ", "(0, 1]", "acceleration of the ground at t = 0 over its amplitude");
-    number("angle", "\\theta/\\alpha", "θ/α", "(-inf, inf)", "theta/alpha");
-    number("velocity", "\\dot\\theta/(\\alpha p)", "θ̇/(αp)", "(-inf, inf)", "thetadot/(alpha*p)");
-    table.declare("slope", "\\dot\\gamma", "γ̇", "1/s", "(-inf, inf)",
-                  "rate of the ground acceleration over g", "emit");
-    number("push", "\\kappa", "κ", "(-inf, inf)", "(theta_0 + thetadot_0/p)/alpha");
-    return table;
-  }();
-  return symbols;
-}
-
 namespace {
 
 using GiNaC::ex;
 using GiNaC::lst;
+using namespace paper;
 
-/// The letters of the paper, and the symbols that only numeric functions have.
-struct Names : Letters {
-  const SymbolExpression ground = emission_symbols()["ground"], amplitude = emission_symbols()["amplitude"],
-                         omega_ratio = emission_symbols()["omega_ratio"], tau_i = emission_symbols()["tau_i"],
-                         push = emission_symbols()["push"], share = emission_symbols()["share"],
-                         angle = emission_symbols()["angle"], velocity = emission_symbols()["velocity"],
-                         slope = emission_symbols()["slope"];
+/// The symbols of the paper, and those that only numeric functions have.
+struct Numbers {
+  Symbols symbols = paper_symbols();
+  const SymbolExpression ground = declared("ground", "\\gamma", "γ", "1", all_numbers,
+                                           "acceleration of the ground over g"),
+                         amplitude = declared("amplitude", "a", "a", "1", "[0, inf)",
+                                              "amplitude of the ground acceleration over g"),
+                         omega_ratio = declared("omega_ratio", "w", "w", "1", "(0, inf)", "omega_p/p"),
+                         tau_i = declared("tau_i", "\\tau_i", "τ_i", "1", "(0, inf)",
+                                          "time of the impact, p*t_i"),
+                         share = declared("share", "\\lambda", "λ", "1", "(0, 1]",
+                                          "acceleration of the ground at t = 0 over its amplitude"),
+                         angle = declared("angle", "\\theta/\\alpha", "θ/α", "1", all_numbers, "theta/alpha"),
+                         velocity = declared("velocity", "\\dot\\theta/(\\alpha p)", "θ̇/(αp)", "1",
+                                             all_numbers, "thetadot/(alpha*p)"),
+                         slope = declared("slope", "\\dot\\gamma", "γ̇", "1/s", all_numbers,
+                                          "rate of the ground acceleration over g"),
+                         push = declared("push", "\\kappa", "κ", "1", all_numbers,
+                                         "(theta_0 + thetadot_0/p)/alpha");
+
+ private:
+  SymbolExpression declared(const char* name, const char* latex, const char* unicode, const char* unit,
+                            const char* range, const char* meaning) {
+    return symbols.declare(name, latex, unicode, unit, range, meaning, "emit").ginac;
+  }
 };
 
-const Names& names() {
-  static const Names all;
+const Numbers& numbers() {
+  static const Numbers all;
   return all;
 }
 
@@ -70,24 +67,18 @@ ex without(const SymbolExpression& symbol, const ex& e) {
                            " does");
   return e.subs(symbol == 1);
 }
-ex with_ground(const ex& e) { return e.subs(names().u_gddot == names().ground * names().g); }
-ex without_R(const ex& e) {
-  const Names& s = names();
-  return e.subs(s.R == 3 * s.g / (4 * pow(s.p, 2)));
-}
+ex with_ground(const ex& e) { return e.subs(u_gddot == numbers().ground * g); }
+ex without_R(const ex& e) { return e.subs(R == 3 * g / (4 * pow(p, 2))); }
 /// ω_p = w p, t_i = τ_i/p, T_ex where the sine ends: then neither p nor α is left.
 ex in_ratios(const ex& e) {
-  const Names& s = names();
-  const ex at_end = e.subs(s.T_ex == end_of_pulse(Pulse::sine));
-  return without(s.alpha,
-                 without(s.p, at_end.subs(lst{s.omega_p == s.omega_ratio * s.p, s.t_i == s.tau_i / s.p})));
+  const ex at_end = e.subs(T_ex == end_of_pulse(Pulse::sine));
+  return without(
+      alpha, without(p, at_end.subs(lst{omega_p == numbers().omega_ratio * p, t_i == numbers().tau_i / p})));
 }
-ex from_rest(const ex& e) { return in_ratios(e.subs(lst{names().theta_0 == 0, names().thetadot_0 == 0})); }
+ex from_rest(const ex& e) { return in_ratios(e.subs(lst{theta_0 == 0, thetadot_0 == 0})); }
 /// θ₀ and θ̇₀ enter by their push alone.
 ex with_push(const ex& e) {
-  const Names& s = names();
-  return in_ratios(
-      without(s.thetadot_0, e.subs(s.theta_0 == s.alpha * s.push - s.thetadot_0 / s.p).expand()));
+  return in_ratios(without(thetadot_0, e.subs(theta_0 == alpha * numbers().push - thetadot_0 / p).expand()));
 }
 
 /// The arguments of sines as products, where they have common factors: near 0 these keep their digits.
@@ -99,40 +90,37 @@ struct FactoredSines : GiNaC::map_function {
 };
 /// θ = α angle, θ̇ = α p velocity: then p is not left.
 ex in_angle_and_velocity(const ex& e) {
-  const Names& s = names();
-  return without(s.p, e.subs(lst{s.theta == s.alpha * s.angle, s.thetadot == s.alpha * s.p * s.velocity}));
+  return without(p,
+                 e.subs(lst{theta == alpha * numbers().angle, thetadot == alpha * p * numbers().velocity}));
 }
 /// Rates and their squares by α p.
 ex scaled_rate(const ex& rate, int power) {
-  const Names& s = names();
   FactoredSines factored;
-  return factored(in_angle_and_velocity((rate / pow(s.alpha * s.p, power)).expand()));
+  return factored(in_angle_and_velocity((rate / pow(alpha * p, power)).expand()));
 }
 /// The same of the linear model, which has no α then, either.
 ex scaled_linear_rate(const ex& rate, int power) {
-  const Names& s = names();
-  return without(s.alpha, in_angle_and_velocity(rate / pow(s.alpha * s.p, power)));
+  return without(alpha, in_angle_and_velocity(rate / pow(alpha * p, power)));
 }
 
 void add_motion(std::vector<EmittedFunction>& list, Side side) {
-  const Names& s = names();
   const ex inertia = moment_of_inertia_about_pivot().right;
-  const ex whole = energy(side).subs(s.J_o == inertia);
-  const ex resting = (whole.subs(s.u_gdot == 0) / (s.m * s.g * s.R)).expand();
+  const ex whole = energy(side).subs(J_o == inertia);
+  const ex resting = (whole.subs(u_gdot == 0) / (m * g * R)).expand();
   list.push_back({on(side, "angular_acceleration"),
-                  {s.alpha, s.p, s.theta, s.ground},
+                  {alpha, p, theta, numbers().ground},
                   with_ground(angular_acceleration(side)),
-                  {s.theta},
+                  {theta},
                   row(side, "21a", "21b"),
                   "Angular acceleration while rocking, " + sign(side)});
   list.push_back({on(side, "rocking_energy"),
-                  {s.alpha, s.theta, s.thetadot, s.p},
+                  {alpha, theta, thetadot, p},
                   without_R(resting),
                   {},
                   row(side, "22a", "22b"),
                   "Energy over m*g*R while the ground rests, " + sign(side)});
   list.push_back({on(side, "energy"),
-                  {s.m, s.R, s.g, s.alpha, s.theta, s.thetadot, s.u_gdot},
+                  {m, R, g, alpha, theta, thetadot, u_gdot},
                   whole,
                   {},
                   row(side, "22a", "22b"),
@@ -140,29 +128,28 @@ void add_motion(std::vector<EmittedFunction>& list, Side side) {
 }
 
 void add_free_motion(std::vector<EmittedFunction>& list, Side side) {
-  const Names& s = names();
   const std::string barrier = "Velocity with which free motion just reaches |theta| = alpha, " + sign(side);
   const std::string impact = "Square of the velocity at the impact of free motion, " + sign(side);
   list.push_back({on(side, "critical_velocity"),
-                  {s.alpha, s.angle},
+                  {alpha, numbers().angle},
                   scaled_rate(critical_rate(side).right, 1),
                   {},
                   row(side, "22a", "22b"),
                   barrier});
   list.push_back({on(side, "impact_velocity_squared"),
-                  {s.alpha, s.angle, s.velocity},
+                  {alpha, numbers().angle, numbers().velocity},
                   scaled_rate(impact_rate_squared(side).right, 2),
                   {},
                   row(side, "22a", "22b"),
                   impact});
   list.push_back({on(side, "linear_critical_velocity"),
-                  {s.angle},
+                  {numbers().angle},
                   scaled_linear_rate(linear_critical_rate(side), 1),
                   {},
                   row(side, "68", "75"),
                   barrier + ", linear model"});
   list.push_back({on(side, "linear_impact_velocity_squared"),
-                  {s.angle, s.velocity},
+                  {numbers().angle, numbers().velocity},
                   scaled_linear_rate(linear_impact_rate_squared(side), 2),
                   {},
                   row(side, "62a", "62b"),
@@ -172,10 +159,9 @@ void add_free_motion(std::vector<EmittedFunction>& list, Side side) {
 /// The pulses: acceleration over g, phase at the start, end, and the amplitude for which the linear block is
 /// about to move at t = 0.
 void add_pulses(std::vector<EmittedFunction>& list) {
-  const Names& s = names();
-  const auto over_g = [&](const ex& e) { return without(s.g, e.subs(s.a_p == s.amplitude * s.g) / s.g); };
+  const auto over_g = [&](const ex& e) { return without(g, e.subs(a_p == numbers().amplitude * g) / g); };
   list.push_back({"ground_of_sine_pulse",
-                  {s.amplitude, s.omega_p, s.psi, s.t},
+                  {numbers().amplitude, omega_p, psi, t},
                   over_g(ground_acceleration(Pulse::sine)),
                   {},
                   "52a",
@@ -183,17 +169,17 @@ void add_pulses(std::vector<EmittedFunction>& list) {
   const auto both = [&](Pulse pulse, const std::string& name, const std::string& words, const ex& phase,
                         const std::vector<std::string>& rows) {
     list.push_back({"phase_of_" + name,
-                    {s.share},
-                    phase.subs(s.lambda == s.share),
+                    {numbers().share},
+                    phase.subs(lambda == numbers().share),
                     {},
                     rows[0],
                     "Phase at the start of the " + words});
     list.push_back(
-        {"end_of_" + name, {s.omega_p, s.psi}, end_of_pulse(pulse), {}, rows[1], "End of the " + words});
+        {"end_of_" + name, {omega_p, psi}, end_of_pulse(pulse), {}, rows[1], "End of the " + words});
     list.push_back(
         {"amplitude_of_" + name,
-         {s.alpha, s.psi},
-         without(s.g, amplitude(pulse).value / s.g),
+         {alpha, psi},
+         without(g, amplitude(pulse).value / g),
          {},
          rows[2],
          "Amplitude over g that leaves the linear block about to move at the start of the " + words});
@@ -203,18 +189,17 @@ void add_pulses(std::vector<EmittedFunction>& list) {
 }
 
 void add_constants(std::vector<EmittedFunction>& list) {
-  const Names& s = names();
   list.push_back({"restitution",
-                  {s.alpha},
+                  {alpha},
                   restitution(),
                   {},
                   "46b",
                   "Coefficient of restitution of an impact that does not slide or bounce"});
   list.push_back(
-      {"frequency_parameter", {s.R, s.g}, frequency_parameter().right, {}, "u5", "Frequency parameter p"});
+      {"frequency_parameter", {R, g}, frequency_parameter().right, {}, "u5", "Frequency parameter p"});
   list.push_back({"ground_that_starts",
-                  {s.alpha},
-                  without(s.g, acceleration_that_suffices() / s.g),
+                  {alpha},
+                  without(g, acceleration_that_suffices() / g),
                   {},
                   "24b",
                   "Least acceleration of the ground over g that makes a block at rest rock"});
@@ -222,47 +207,44 @@ void add_constants(std::vector<EmittedFunction>& list) {
 
 /// Under a straight piece of a record.
 void add_response_on_line(std::vector<EmittedFunction>& list, Side side) {
-  const Names& s = names();
-  const LinearEquation equation = linear_equation_under(side, s.a_p * (s.ground + s.slope * s.t));
-  const ex angle = solution_from(equation, 0, s.theta_0, s.thetadot_0);
+  const LinearEquation equation = linear_equation_under(side, a_p * (numbers().ground + numbers().slope * t));
+  const ex angle = solution_from(equation, 0, theta_0, thetadot_0);
   list.push_back({on(side, "linear_response_on_line"),
-                  {s.alpha, s.p, s.ground, s.slope, s.theta_0, s.thetadot_0, s.t},
-                  without(s.g, by_half_phases(angle.subs(s.a_p == s.g))),
-                  {s.t},
+                  {alpha, p, numbers().ground, numbers().slope, theta_0, thetadot_0, t},
+                  without(g, by_half_phases(angle.subs(a_p == g))),
+                  {t},
                   row(side, "56a", "56b"),
                   "Angle of the linear model under (ground + slope*t)*g, " + sign(side)});
 }
 
 void add_linear_response(std::vector<EmittedFunction>& list, Side side) {
-  const Names& s = names();
-  const ex response = linear_response(side, Pulse::sine).subs(s.a_p == s.amplitude * s.g);
-  const ex angle = without(s.g, by_half_phases(response));
-  const std::vector<SymbolExpression> arguments = {s.alpha, s.p,       s.omega_p,    s.amplitude,
-                                                   s.psi,   s.theta_0, s.thetadot_0, s.t};
+  const ex response = linear_response(side, Pulse::sine).subs(a_p == numbers().amplitude * g);
+  const ex angle = without(g, by_half_phases(response));
+  const std::vector<SymbolExpression> arguments = {alpha, p,       omega_p,    numbers().amplitude,
+                                                   psi,   theta_0, thetadot_0, t};
   const std::string pulse = " of the linear model under amplitude*g*sin(omega_p*t + psi), " + sign(side);
   list.push_back(
-      {on(side, "linear_response"), arguments, angle, {s.t}, row(side, "57a", "57b"), "Angle" + pulse});
+      {on(side, "linear_response"), arguments, angle, {t}, row(side, "57a", "57b"), "Angle" + pulse});
   list.push_back({on(side, "linear_velocity"),
                   arguments,
-                  angle.diff(s.t),
-                  {s.t},
+                  angle.diff(t),
+                  {t},
                   row(side, "57a", "57b"),
                   "Angular velocity" + pulse});
 }
 
 void add_thresholds(std::vector<EmittedFunction>& list) {
-  const Names& s = names();
   for (const Side side : {Side::negative, Side::positive}) {
     list.push_back({on(side, "overturning_without_impact"),
-                    {s.omega_ratio, s.psi},
+                    {numbers().omega_ratio, psi},
                     from_rest(threshold_without_impact(side, Pulse::sine).residual()),
-                    {s.psi},
+                    {psi},
                     row(side, "71", "78"),
                     "Left less right of the threshold without impact, " + sign(side)});
   }
-  const std::vector<SymbolExpression> impact = {s.omega_ratio, s.psi, s.tau_i};
-  const std::vector<SymbolExpression> overturning = {s.omega_ratio, s.psi, s.tau_i, s.e};
-  const std::vector<SymbolExpression> both = {s.psi, s.tau_i};
+  const std::vector<SymbolExpression> impact = {numbers().omega_ratio, psi, numbers().tau_i};
+  const std::vector<SymbolExpression> overturning = {numbers().omega_ratio, psi, numbers().tau_i, e};
+  const std::vector<SymbolExpression> both = {psi, numbers().tau_i};
   list.push_back({"impact_during_pulse", impact, in_ratios(impact_during_pulse()), both, "86",
                   "Vanishes at an impact while the pulse lasts"});
   list.push_back({"overturning_impact_during_pulse", overturning,
@@ -273,33 +255,32 @@ void add_thresholds(std::vector<EmittedFunction>& list) {
   list.push_back({"overturning_impact_after_pulse", overturning, in_ratios(overturning_impact_after_pulse()),
                   both, "96", "Vanishes where that impact leads to the threshold"});
   const Derivation time = time_of_critical_impact();
-  const ex growth = time.right / (time.left / exp(s.p * (s.t_i - s.T_ex)));
+  const ex growth = time.right / (time.left / exp(p * (t_i - T_ex)));
   list.push_back({"growth_to_critical_impact",
-                  {s.omega_ratio, s.psi, s.e},
-                  in_ratios(growth.subs(s.T_ex == end_of_pulse(Pulse::sine))),
+                  {numbers().omega_ratio, psi, e},
+                  in_ratios(growth.subs(T_ex == end_of_pulse(Pulse::sine))),
                   {},
                   "r11",
                   "exp(p*(t_i - T_ex)) where that impact leads to the threshold"});
-  const std::vector<SymbolExpression> pushed = {s.omega_ratio, s.psi, s.push};
+  const std::vector<SymbolExpression> pushed = {numbers().omega_ratio, psi, numbers().push};
   list.push_back({"overturning_cosine_pulse",
                   pushed,
                   with_push(overturning_cosine_pulse().residual()),
-                  {s.psi},
+                  {psi},
                   "103",
                   "Left less right of the threshold of the one-cosine pulse, theta > 0"});
   list.push_back(
       {"overturning_sine_pulse",
        pushed,
        with_push(overturning_sine_pulse().residual()),
-       {s.psi},
+       {psi},
        "104",
        "Left less right of the threshold of the one-sine pulse from initial conditions, theta < 0"});
 }
 
 void add_reactions(std::vector<EmittedFunction>& list, Side side) {
-  const Names& s = names();
-  const std::vector<SymbolExpression> arguments = {s.alpha, s.theta, s.thetadot, s.ground, s.p};
-  const auto scaled = [&](const ex& reaction) { return without_R((with_ground(reaction) / s.g).expand()); };
+  const std::vector<SymbolExpression> arguments = {alpha, theta, thetadot, numbers().ground, p};
+  const auto scaled = [&](const ex& reaction) { return without_R((with_ground(reaction) / g).expand()); };
   list.push_back({on(side, "horizontal_reaction"),
                   arguments,
                   scaled(horizontal_reaction(side)),
@@ -315,6 +296,8 @@ void add_reactions(std::vector<EmittedFunction>& list, Side side) {
 }
 
 }  // namespace
+
+const Symbols& emission_symbols() { return numbers().symbols; }
 
 std::vector<EmittedFunction> emitted_functions() {
   std::vector<EmittedFunction> list;

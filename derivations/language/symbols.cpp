@@ -56,21 +56,29 @@ Range read_range(std::string_view given) {
 
 const Symbol& Symbols::declare(std::string name, std::string latex, std::string unicode, std::string unit,
                                std::string range, std::string meaning, std::string introduced) {
-  if (!is_name(name)) refuse("a name is letters, digits and '_', and neither 'pi' nor 'inf'", name);
+  return declare({std::move(name), std::move(latex), std::move(unicode), std::move(unit), std::move(range),
+                  std::move(meaning), std::move(introduced), SymbolExpression()});
+}
+
+const Symbol& Symbols::declare(Symbol symbol) {
+  if (!is_name(symbol.name))
+    refuse("a name is letters, digits and '_', and neither 'pi' nor 'inf'", symbol.name);
   Range ends;
   try {
-    ends = read_range(range);
-    (void)parse_unit(unit);
+    ends = read_range(symbol.range);
+    (void)parse_unit(symbol.unit);
   } catch (const std::invalid_argument& error) {
-    refuse(error.what(), name);
+    refuse(error.what(), symbol.name);
   }
-  // GiNaC simplifies sqrt(x^2) to x where it knows that x is not negative.
-  const SymbolExpression symbol = is_plainly_nonnegative(ends.lower)
-                                      ? SymbolExpression(GiNaC::possymbol(name, latex))
-                                      : SymbolExpression(GiNaC::realsymbol(name, latex));
-  findings_.reset();
-  if (!table_.contains(name)) order_.push_back(name);
-  return table_[name] = {name, latex, unicode, unit, range, meaning, introduced, symbol};
+  if (!GiNaC::is_a<GiNaC::symbol>(symbol.ginac)) {
+    // GiNaC simplifies sqrt(x^2) to x where it knows that x is not negative.
+    symbol.ginac = is_plainly_nonnegative(ends.lower)
+                       ? SymbolExpression(GiNaC::possymbol(symbol.name, symbol.latex))
+                            : SymbolExpression(GiNaC::realsymbol(symbol.name, symbol.latex));
+  }
+  if (!table_.contains(symbol.name)) order_.push_back(symbol.name);
+  std::string name = symbol.name;
+  return table_.insert_or_assign(std::move(name), std::move(symbol)).first->second;
 }
 
 void Symbols::narrow(std::string_view name, std::string range) {
@@ -78,7 +86,6 @@ void Symbols::narrow(std::string_view name, std::string range) {
   if (found == table_.end()) throw std::out_of_range("no symbol '" + std::string(name) + "' is declared");
   (void)read_range(range);
   found->second.range = std::move(range);
-  findings_.reset();
 }
 
 const Symbol* Symbols::find(std::string_view name) const {

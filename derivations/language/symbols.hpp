@@ -47,29 +47,6 @@ struct Range {
 /// Reads "(0, pi/2]". Throws std::invalid_argument.
 Range read_range(std::string_view text);
 
-struct Slope;
-
-/// What was found of expressions already, over some ranges.
-struct Findings {
-  template <class What>
-  using Of = std::map<GiNaC::ex, What, GiNaC::ex_is_less>;
-  Of<int> signs;                            ///< for sign_of() and is_nonnegative()
-  Of<std::shared_ptr<const Slope>> slopes;  ///< for sign_by_slope(); null where it has nothing to say
-  Of<bool> vanishing;                       ///< for vanishes()
-  /// For quotient(), of {left, right, way}.
-  Of<std::optional<std::vector<std::pair<GiNaC::ex, GiNaC::numeric>>>> quotients;
-};
-
-/// What was found of it already, or is found now.
-template <class What, class Find>
-What remembered(Findings::Of<What>& known, const GiNaC::ex& of, const Find& find) {
-  constexpr std::size_t most = 2000;
-  if (const auto found = known.find(of); found != known.end()) return found->second;
-  const What result = find();
-  if (known.size() == most) known.clear();
-  return known.emplace(of, result).first->second;
-}
-
 /// A set of declared symbols. Copies share the GiNaC symbols, except those that are declared again.
 class Symbols {
  public:
@@ -77,6 +54,8 @@ class Symbols {
   /// Throws std::invalid_argument if the range or the unit cannot be read.
   const Symbol& declare(std::string name, std::string latex, std::string unicode, std::string unit,
                         std::string range, std::string meaning, std::string introduced);
+  /// The same with the GiNaC symbol of `symbol`, or with a new one where that has none.
+  const Symbol& declare(Symbol symbol);
   /// Replaces the range alone: the GiNaC symbol, and so every expression that has it, stays the same.
   /// Throws std::out_of_range or std::invalid_argument.
   void narrow(std::string_view name, std::string range);
@@ -90,31 +69,6 @@ class Symbols {
  private:
   std::vector<std::string> order_;
   std::map<std::string, Symbol, std::less<>> table_;
-
-  // What the prover of derivations/algebra keeps here; it goes with it.
- public:
-  /// Declares that an expression in the symbols is never 0, as in "x != y".
-  void exclude_zero(const GiNaC::ex& expression) { never_zero_.push_back(expression), findings_.reset(); }
-  /// What exclude_zero() was given, in that order.
-  const std::vector<GiNaC::ex>& never_zero() const { return never_zero_; }
-  /// Declares that an expression is not 0 where an assumption has a value: no witness may be there, and no
-  /// proof may use it.
-  void exclude_witnesses(const GiNaC::ex& zero) { no_witness_.push_back(zero); }
-  /// What exclude_witnesses() was given, in that order.
-  const std::vector<GiNaC::ex>& no_witness() const { return no_witness_; }
-  /// Says a symbol in others, of which the ranges say more: the difference of y and x, as y - x.
-  void say_otherwise(const GiNaC::ex& symbol, const GiNaC::ex& words) {
-    otherwise_.push_back({symbol, words}), findings_.reset();
-  }
-  /// What say_otherwise() was given, in that order: a symbol → what it is in others.
-  const std::vector<std::pair<GiNaC::ex, GiNaC::ex>>& otherwise() const { return otherwise_; }
-  /// Shared by all that say the same.
-  Findings& findings() const;
-
- private:
-  std::vector<GiNaC::ex> never_zero_, no_witness_;
-  std::vector<std::pair<GiNaC::ex, GiNaC::ex>> otherwise_;
-  mutable std::shared_ptr<Findings> findings_;  ///< null where something was said since
 };
 
 }  // namespace rederive

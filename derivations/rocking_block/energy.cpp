@@ -1,34 +1,48 @@
 #include <derivations/rocking_block/energy.hpp>
-
 #include <stdexcept>
 
 namespace rederive {
 
 using GiNaC::ex;
+using namespace paper;
 
 ex energy(Side side) { return kinetic_energy(side) + weight_potential(side); }
 
 ex energy_rate(Side side) {
-  const Letters& s = letters();
   const ex along_motion = angular_acceleration(side);
-  ex rate = time_derivative(energy(side), block_rates()).subs(s.thetaddot == along_motion);
+  ex rate = time_derivative(energy(side), block_rates()).subs(thetaddot == along_motion);
   for (const Given& given : inertia_and_frequency()) rate = rate.subs(given.name == given.value);
   return rate.expand();
 }
 
 namespace {
 
+Derivation total_energy() {
+  Derivation result = derived(E, K + Omega,
+                              {in_words("The block moves and is lifted; it is rigid, so nothing else "
+                                        "stores energy")},
+                              {{V_s, 0}});
+  result.assumption = "V_s = 0: what the paper calls V is a strain energy, and the block is rigid";
+  return result;
+}
+
 Derivation energy_of(Side side, const Cited& kinetic, const Cited& potential) {
-  return derived(letters().E, energy(side),
-                 {from(kinetic, "The kinetic energy"), from(potential, "the potential")});
+  return derived(E, energy(side), {from(kinetic, "The kinetic energy"), from(potential, "the potential")});
+}
+
+Derivation equation_22a() {
+  return energy_of(Side::negative, Cited{"6", equation_6}, Cited{"9", equation_9});
+}
+
+Derivation equation_22b() {
+  return energy_of(Side::positive, Cited{"16b", equation_16b}, Cited{"14", equation_14});
 }
 
 // In (21) with θ̈ = 0, solved for the ground acceleration at θ = α.
 Derivation ground_at_alpha(Side side, const Cited& motion) {
-  const Letters& s = letters();
-  const ex rest = angular_acceleration(side).subs(s.theta == s.alpha);
+  const ex rest = angular_acceleration(side).subs(theta == alpha);
   return derived(
-      s.u_gddot_alpha, -rest.coeff(s.u_gddot, 0) / rest.coeff(s.u_gddot, 1),
+      u_gddot_alpha, -rest.coeff(u_gddot, 0) / rest.coeff(u_gddot, 1),
       {from(motion, "Put θ = α and θ̈ = 0 into"), in_words("and solve for the ground acceleration")});
 }
 
@@ -38,12 +52,11 @@ struct Weight {
 };
 
 Weight weight_of(Side side) {
-  const Letters& s = letters();
-  const ex potential = (weight_potential(side) / (s.m * s.g * s.R)).expand(), any = GiNaC::wild();
+  const ex potential = (weight_potential(side) / (m * g * R)).expand(), any = GiNaC::wild();
   GiNaC::exset cosines;
   potential.find(cos(any), cosines);
   for (const ex& cosine : cosines)
-    if (cosine.has(s.theta)) return {cosine.op(0), potential.coeff(cosine, 1)};
+    if (cosine.has(theta)) return {cosine.op(0), potential.coeff(cosine, 1)};
   throw std::logic_error("the potential of the weight has no cosine of theta");
 }
 
@@ -54,9 +67,8 @@ ex difference_of_cosines(const ex& a, const ex& b) {
 
 // 2 Ω/J_o by p² alone: what a potential of cosine differences adds to θ̇².
 ex rate_squared(const Weight& weight, const ex& difference) {
-  const Letters& s = letters();
-  const ex inertia = 2 * energy(Side::negative).coeff(s.thetadot, 2);
-  ex scale = 2 * s.m * s.g * s.R / inertia;
+  const ex inertia = 2 * energy(Side::negative).coeff(thetadot, 2);
+  ex scale = 2 * m * g * R / inertia;
   for (const Given& given : inertia_and_frequency()) scale = scale.subs(given.name == given.value);
   return scale.normal() * weight.factor * difference;
 }
@@ -83,42 +95,37 @@ Step as_product(const ex& a, const ex& b) {
 }  // namespace
 
 Derivation critical_rate(Side side) {
-  const Letters& s = letters();
   const Weight weight = weight_of(side);
-  const ex corner = weight.lean.subs(s.theta == (side == Side::negative ? ex(-s.alpha) : ex(s.alpha)));
+  const ex corner = weight.lean.subs(theta == (side == Side::negative ? ex(-alpha) : ex(alpha)));
   const ex speed = root_of_square(rate_squared(weight, difference_of_cosines(corner, weight.lean)));
-  return derived(s.thetadot, side == Side::negative ? ex(-speed) : speed,
+  return derived(thetadot, side == Side::negative ? ex(-speed) : speed,
                  {energies_of(side, "The energy # is that of θ = ∓α without velocity"),
                   as_product(corner, weight.lean), in_words("and it is a square: outwards is its root")});
 }
 
 Derivation impact_rate_squared(Side side) {
-  const Letters& s = letters();
   const Weight weight = weight_of(side);
-  const ex upright = weight.lean.subs(s.theta == 0);
+  const ex upright = weight.lean.subs(theta == 0);
   const ex gained = rate_squared(weight, difference_of_cosines(weight.lean, upright));
   return derived(
-      pow(s.thetadot_before, 2), pow(s.thetadot, 2) + gained,
+      pow(thetadot_before, 2), pow(thetadot, 2) + gained,
       {energies_of(side, "The energy # is that of θ = 0 with θ̇_before"), as_product(weight.lean, upright)});
 }
 
-Derivation total_energy() {
-  const Letters& s = letters();
-  Derivation result = derived(s.E, s.K + s.Omega,
-                              {in_words("The block moves and is lifted; it is rigid, so nothing else "
-                                        "stores energy")},
-                              {{s.V_s, 0}});
-  result.assumption = "V_s = 0: what the paper calls V is a strain energy, and the block is rigid";
-  return result;
+Derivations derivations_of_energy() {
+  return {
+      {"u6",
+       [] {
+         return ground_at_alpha(Side::negative, Cited{"21a", equation_21a});
+       }},
+      {"u7",
+       [] {
+         return ground_at_alpha(Side::positive, Cited{"21b", equation_21b});
+       }},
+      {"u8", total_energy},
+      {"22a", equation_22a},
+      {"22b", equation_22b},
+  };
 }
-
-Derivation equation_22a() {
-  return energy_of(Side::negative, Cited{"6", equation_6}, Cited{"9", equation_9});
-}
-Derivation equation_22b() {
-  return energy_of(Side::positive, Cited{"16b", equation_16b}, Cited{"14", equation_14});
-}
-Derivation ground_at_alpha_by_21a() { return ground_at_alpha(Side::negative, Cited{"21a", equation_21a}); }
-Derivation ground_at_alpha_by_21b() { return ground_at_alpha(Side::positive, Cited{"21b", equation_21b}); }
 
 }  // namespace rederive

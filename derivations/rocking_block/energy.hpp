@@ -16,12 +16,7 @@ Derivation critical_rate(Side side);
 /// θ̇² at the impact to which free motion leads from θ, θ̇, by (22), in the same manner.
 Derivation impact_rate_squared(Side side);
 
-/// E = K + Ω; the strain energy that the paper names V is none.
-Derivation total_energy();
-Derivation equation_22a();
-Derivation equation_22b();
-/// ü_g that holds the block at θ = α by (21a) and by (21b).
-Derivation ground_at_alpha_by_21a();
-Derivation ground_at_alpha_by_21b();
+/// (22), and the ground acceleration at θ = α by (21).
+Derivations derivations_of_energy();
 
 }  // namespace rederive

@@ -4,92 +4,79 @@ namespace rederive {
 
 using GiNaC::ex;
 using GiNaC::lst;
+using namespace paper;
 
 namespace {
 
-ex with_amplitude(const ex& e) {
-  const Given a = amplitude(Pulse::cosine);
-  return e.subs(a.name == a.value);
-}
-
-ex cosine_motion() { return with_amplitude(forced_motion(Side::positive, Pulse::cosine)); }
+ex cosine_motion() { return with_amplitude(forced_motion(Side::positive, Pulse::cosine), Pulse::cosine); }
 
 // Time counted from phase π − ψ on: α_p cos(π − ψ + ω_p t), which is −α_p cos(ψ − ω_p t). It starts at −α g.
-ex cosine_after_wait() {
-  const Letters& s = letters();
-  return -s.a_p * cos(s.psi - s.omega_p * s.t);
-}
+ex cosine_after_wait() { return -a_p * cos(psi - omega_p * t); }
 
 Derivation threshold(const ThresholdEquation& found, std::vector<Step> steps, std::vector<Given> given) {
   return derived(found.left, found.right, std::move(steps), std::move(given));
 }
 
-Given end(Pulse pulse) { return {letters().T_ex, end_of_pulse(pulse)}; }
+Given end(Pulse pulse) { return {T_ex, end_of_pulse(pulse)}; }
 
 }  // namespace
 
 ThresholdEquation overturning_cosine_pulse() {
   return threshold_without_impact(Side::positive, Pulse::cosine);
 }
+
 ThresholdEquation overturning_sine_pulse() { return threshold_without_impact(Side::negative, Pulse::sine); }
 
 ThresholdEquation overturning_cosine_pulse_from_rest() {
-  const Letters& s = letters();
-  const ex last = 2 * GiNaC::Pi - GiNaC::Pi / 2, first = GiNaC::Pi - s.psi;
+  const ex last = 2 * GiNaC::Pi - GiNaC::Pi / 2, first = GiNaC::Pi - psi;
   const ThresholdEquation any = threshold_without_impact(
-      Side::positive, cosine_after_wait(), amplitude(Pulse::cosine), ((last - first) / s.omega_p).expand());
-  return {by_phase(any.left.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0})), any.right};
+      Side::positive, cosine_after_wait(), amplitude(Pulse::cosine), ((last - first) / omega_p).expand());
+  return {by_phase(any.left.subs(lst{theta_0 == 0, thetadot_0 == 0})), any.right};
 }
 
+namespace {
+
 Derivation cosine_is_shifted_sine() {
-  const Letters& s = letters();
-  return derived(s.u_gddot, ground_acceleration(Pulse::cosine),
-                 {in_words("A sine a quarter of a turn ahead")});
+  return derived(u_gddot, ground_acceleration(Pulse::cosine), {in_words("A sine a quarter of a turn ahead")});
 }
 
 Derivation first_acceleration_of_cosine() {
-  const Letters& s = letters();
-  return derived(s.u_gddot_0, ground_acceleration(Pulse::cosine).subs(s.t == 0), {in_words("Set t = 0")});
+  return derived(u_gddot_0, ground_acceleration(Pulse::cosine).subs(t == 0), {in_words("Set t = 0")});
 }
 
 Derivation share_of_cosine() {
-  const Letters& s = letters();
-  return derived(first_acceleration_of_cosine().right, s.lambda * s.a_p,
+  return derived(first_acceleration_of_cosine().right, lambda * a_p,
                  {from(first_acceleration_of_cosine(), "λ is the share of the amplitude at t = 0, and")});
 }
 
+}  // namespace
+
 Derivation phase_of_cosine() {
-  const Letters& s = letters();
-  return derived(s.psi, acos(s.lambda), {from(share_of_cosine(), "Solve for ψ, between 0 and π/2,")});
+  return derived(psi, acos(lambda), {from(share_of_cosine(), "Solve for ψ, between 0 and π/2,")});
 }
 
 namespace {
 
 // λ α_p = g tan α with λ = cos ψ.
 ex exact_amplitude() {
-  const Letters& s = letters();
-  const ex rest = motion_by_lagrange(Side::negative).subs(lst{s.theta == 0, s.thetaddot == 0});
-  const ex suffices = -rest.coeff(s.u_gddot, 0) / rest.coeff(s.u_gddot, 1);
-  return suffices / (first_acceleration_of_cosine().right / s.a_p);
+  const ex rest = motion_by_lagrange(Side::negative).subs(lst{theta == 0, thetaddot == 0});
+  const ex suffices = -rest.coeff(u_gddot, 0) / rest.coeff(u_gddot, 1);
+  return suffices / (first_acceleration_of_cosine().right / a_p);
 }
-
-}  // namespace
 
 Derivation amplitude_of_cosine() {
   return derived(
-      letters().a_p, exact_amplitude(),
+      a_p, exact_amplitude(),
       {from(first_acceleration_of_cosine(), "The acceleration at t = 0"), in_words("is taken as g tan α")});
 }
 
 Derivation scaled_amplitude_of_cosine() {
-  const Letters& s = letters();
-  return derived(s.a_p / (s.g * tan(s.alpha)), exact_amplitude() * cos(s.alpha) / (s.g * sin(s.alpha)),
+  return derived(a_p / (g * tan(alpha)), exact_amplitude() * cos(alpha) / (g * sin(alpha)),
                  {from(amplitude_of_cosine(), "Divide by g tan α")});
 }
 
 Derivation linear_amplitude_of_cosine() {
-  const Letters& s = letters();
-  Derivation result = derived(s.a_p / (s.alpha * s.g), amplitude(Pulse::cosine).value / (s.alpha * s.g),
+  Derivation result = derived(a_p / (alpha * g), amplitude(Pulse::cosine).value / (alpha * g),
                               {from(scaled_amplitude_of_cosine(), "To first order in α,")});
   result.order = 1;
   result.small = "alpha";
@@ -97,66 +84,59 @@ Derivation linear_amplitude_of_cosine() {
 }
 
 Derivation equation_97() {
-  const Letters& s = letters();
   const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
-  Derivation result =
-      derived(s.thetaddot - pow(equation.k, 2) * s.theta, with_amplitude(equation.forcing).expand(),
-              {from(Cited{"21b", equation_21b}, "Take # to first order in α, θ and α_p/g"),
-               {"with", s.u_gddot, ground_acceleration(Pulse::cosine)},
-               from(linear_amplitude_of_cosine(), "and")});
+  Derivation result = derived(thetaddot - pow(equation.k, 2) * theta,
+                              with_amplitude(equation.forcing, Pulse::cosine).expand(),
+                              {from(Cited{"21b", equation_21b}, "Take # to first order in α, θ and α_p/g"),
+                               {"with", u_gddot, ground_acceleration(Pulse::cosine)},
+                               from(linear_amplitude_of_cosine(), "and")});
   result.order = 1;
   result.small = "alpha, theta, a_p/g";
   return result;
 }
 
 Derivation equation_98() {
-  return derived(letters().theta, cosine_motion(),
+  return derived(theta, cosine_motion(),
                  {from(Cited{"97", equation_97}, "Solve"),
                   in_words("by undetermined coefficients, with sinh p t and cosh p t")});
 }
 
 Derivation equation_99() {
-  const Letters& s = letters();
-  return derived(s.thetadot / s.p, (cosine_motion().diff(s.t) / s.p).expand(),
+  return derived(thetadot / p, (cosine_motion().diff(t) / p).expand(),
                  {from(Cited{"98", equation_98}, "Differentiate")});
 }
 
 Derivation equation_100a() {
-  const Letters& s = letters();
-  return derived(s.A_3, forced_constants(Side::positive, Pulse::cosine).C.normal(),
+  return derived(A_3, forced_constants(Side::positive, Pulse::cosine).C.normal(),
                  {from(Cited{"99", equation_99}, "Set t = 0 and θ̇ = θ̇_0 in #")});
 }
 
 Derivation equation_100b() {
-  const Letters& s = letters();
-  return derived(s.A_4, forced_constants(Side::positive, Pulse::cosine).D.normal(),
+  return derived(A_4, forced_constants(Side::positive, Pulse::cosine).D.normal(),
                  {from(Cited{"98", equation_98}, "Set t = 0 and θ = θ_0 in")});
 }
 
 Derivation end_of_cosine_pulse() {
-  const Letters& s = letters();
-  return derived(s.T_ex, end_of_pulse(Pulse::cosine),
+  return derived(T_ex, end_of_pulse(Pulse::cosine),
                  {from(cosine_is_shifted_sine(), "The pulse is"),
                   in_words("and ends with the sine, where its phase is 2π")});
 }
 
 Derivation equation_101a() {
-  return derived(letters().theta_ex, angle_at_end(Side::positive, Pulse::cosine),
+  return derived(theta_ex, angle_at_end(Side::positive, Pulse::cosine),
                  {from(Cited{"98", equation_98}, "# at T_ex, where the cosine is 0")});
 }
 
 Derivation equation_101b() {
-  const Letters& s = letters();
-  return derived(s.thetadot_ex / s.p, rate_at_end(Side::positive, Pulse::cosine),
+  return derived(thetadot_ex / p, rate_at_end(Side::positive, Pulse::cosine),
                  {from(Cited{"99", equation_99}, "# at T_ex, where the sine is −1")});
 }
 
 Derivation equation_102() {
-  const Letters& s = letters();
-  const ex growth = exp(s.p * s.T_ex);
+  const ex growth = exp(p * T_ex);
   const ex sum = critical_sum(Side::positive, angle_at_end(Side::positive, Pulse::cosine),
-                              s.p * rate_at_end(Side::positive, Pulse::cosine));
-  const ex joined = in_exponentials(sum).expand().subs(exp(-s.p * s.T_ex) == 1 / growth).expand();
+                              p * rate_at_end(Side::positive, Pulse::cosine));
+  const ex joined = in_exponentials(sum).expand().subs(exp(-p * T_ex) == 1 / growth).expand();
   return derived(joined.coeff(growth, 1), -joined.coeff(growth, 0) / growth,
                  {from(Cited{"75", equation_75}, "Into"), from(Cited{"101a", equation_101a}, "put"),
                   from(Cited{"101b", equation_101b}, "and"), in_words("sinh and cosh join to e^{p T_ex}")});
@@ -179,29 +159,6 @@ Derivation equation_104() {
       {end(Pulse::sine)});
 }
 
-Derivation first_acceleration_to_the_right() {
-  const Letters& s = letters();
-  const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
-  return derived(
-      s.thetaddot_0, with_amplitude(equation.forcing).subs(s.t == 0).expand(),
-      {from(Cited{"97", equation_97}, "# at rest and upright, just after t = 0,"),
-       in_words("which is negative: the block is pressed onto its base and does not turn to θ > 0. To turn "
-                "to θ < 0 it needs more than α g, and the acceleration decreases")});
-}
-
-Derivation start_under_cosine() {
-  const Letters& s = letters();
-  // The side θ > 0 starts where its right side of (97), at θ = 0, comes to zero: cos(phase) = −cos ψ.
-  const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
-  const ex phase = s.omega_p * s.t + s.psi;
-  const ex forcing = with_amplitude(equation.forcing);
-  const ex needed = -forcing.coeff(cos(phase), 0) / forcing.coeff(cos(phase), 1);
-  return derived(
-      cos(GiNaC::Pi - s.psi), needed,
-      {from(Cited{"97", equation_97}, "The block starts to θ > 0 when the right side of"),
-       in_words("is no longer negative at θ = 0: when the cosine has come to −cos ψ, at phase π − ψ")});
-}
-
 Derivation threshold_of_cosine_from_rest() {
   return threshold(
       overturning_cosine_pulse_from_rest(),
@@ -211,6 +168,56 @@ Derivation threshold_of_cosine_from_rest() {
        in_words("and dividing by the factor of the exponential gives the threshold: the one of half a "
                 "sine, with π/2 − ψ for its phase")},
       {});
+}
+
+}  // namespace
+
+Derivation first_acceleration_to_the_right() {
+  const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
+  return derived(
+      thetaddot_0, with_amplitude(equation.forcing, Pulse::cosine).subs(t == 0).expand(),
+      {from(Cited{"97", equation_97}, "# at rest and upright, just after t = 0,"),
+       in_words("which is negative: the block is pressed onto its base and does not turn to θ > 0. To turn "
+                "to θ < 0 it needs more than α g, and the acceleration decreases")});
+}
+
+Derivation start_under_cosine() {
+  // The side θ > 0 starts where its right side of (97), at θ = 0, comes to zero: cos(phase) = −cos ψ.
+  const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
+  const ex phase = omega_p * t + psi;
+  const ex forcing = with_amplitude(equation.forcing, Pulse::cosine);
+  const ex needed = -forcing.coeff(cos(phase), 0) / forcing.coeff(cos(phase), 1);
+  return derived(
+      cos(GiNaC::Pi - psi), needed,
+      {from(Cited{"97", equation_97}, "The block starts to θ > 0 when the right side of"),
+       in_words("is no longer negative at θ = 0: when the cosine has come to −cos ψ, at phase π − ψ")});
+}
+
+Derivations derivations_of_initial_conditions() {
+  return {
+      {"u26", cosine_is_shifted_sine},
+      {"u27a", first_acceleration_of_cosine},
+      {"u27b", share_of_cosine},
+      {"u27c", phase_of_cosine},
+      {"u27d", amplitude_of_cosine},
+      {"u27e", scaled_amplitude_of_cosine},
+      {"97", equation_97},
+      {"98", equation_98},
+      {"99", equation_99},
+      {"100a", equation_100a},
+      {"100b", equation_100b},
+      {"u28", end_of_cosine_pulse},
+      {"101a", equation_101a},
+      {"101b", equation_101b},
+      {"102", equation_102},
+      {"103", equation_103},
+      {"104", equation_104},
+      {"u29", linear_amplitude_of_cosine},
+      // Results of our own: what the cosine pulse does to a block at rest
+      {"r13", first_acceleration_to_the_right},
+      {"r14", start_under_cosine},
+      {"r15", threshold_of_cosine_from_rest},
+  };
 }
 
 }  // namespace rederive

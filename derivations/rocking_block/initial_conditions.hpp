@@ -14,29 +14,14 @@ ThresholdEquation overturning_sine_pulse();
 /// turns towards θ > 0 until the pulse ends at phase 3π/2.
 ThresholdEquation overturning_cosine_pulse_from_rest();
 
-Derivation cosine_is_shifted_sine();
-Derivation first_acceleration_of_cosine();
-Derivation share_of_cosine();
 Derivation phase_of_cosine();
-Derivation amplitude_of_cosine();
-Derivation scaled_amplitude_of_cosine();
-Derivation linear_amplitude_of_cosine();
-Derivation equation_97();
-Derivation equation_98();
-Derivation equation_99();
-Derivation equation_100a();
-Derivation equation_100b();
-Derivation end_of_cosine_pulse();
-Derivation equation_101a();
-Derivation equation_101b();
-Derivation equation_102();
-Derivation equation_103();
-Derivation equation_104();
 
 /// Results of our own: θ̈ just after t = 0 on the side θ > 0, for a block at rest under the cosine pulse:
 /// negative, so it cannot turn there; when it does start; and the threshold that this motion has.
 Derivation first_acceleration_to_the_right();
 Derivation start_under_cosine();
-Derivation threshold_of_cosine_from_rest();
+
+/// (97) to (104), and results of our own.
+Derivations derivations_of_initial_conditions();
 
 }  // namespace rederive

@@ -14,50 +14,23 @@ GiNaC::ex overturning_impact_during_pulse();
 GiNaC::ex impact_after_pulse();
 /// e θ̇(t_i)/(p α) − 1 after the pulse: (96). In ψ, ω_p, p, t_i, e.
 GiNaC::ex overturning_impact_after_pulse();
-/// θ̇(T_ex)/(p α) and (θ(T_ex) + α)/α of the motion from rest, by (91): in ψ, ω_p, p.
-GiNaC::ex scaled_rate_at_end();
-GiNaC::ex scaled_angle_at_end();
 
 Derivation equation_79a();
-Derivation equation_79b();
-Derivation equation_80a();
-Derivation equation_80b();
 Derivation equation_81();
 Derivation equation_82();
-Derivation equation_83();
-Derivation equation_84();
-Derivation equation_85();
-Derivation equation_86();
-Derivation equation_87a();
-Derivation equation_87b();
-Derivation equation_88();
-Derivation equation_89a();
-Derivation equation_89b();
-Derivation equation_90a();
-Derivation equation_90b();
-Derivation equation_91a();
-Derivation equation_91b();
-Derivation equation_92a();
-Derivation equation_92b();
-Derivation equation_93a();
-Derivation equation_93b();
-Derivation second_constant_after_impact();
-Derivation first_constant_after_impact();
-Derivation first_constant_by_restitution();
 Derivation equation_94a();
 Derivation equation_94b();
-Derivation equation_95a();
-Derivation equation_95b();
-Derivation equation_96();
 
 /// Results of our own: (92a) and (96) without t_i. Its roots are the ends of the window of amplitudes that
 /// overturn after an impact behind the pulse; the one with the larger amplitude bounds the window from above.
 Derivation window_after_pulse();
-/// Inside the window: what overturns.
-Derivation overturns_after_pulse();
 /// The time of that impact, which must not lie before T_ex.
 Derivation time_of_critical_impact();
 /// At the threshold without impact, (71), a block that just comes back strikes with p α and is too slow.
 Derivation velocity_near_first_mode();
+
+/// (79) to (88), and (89) to (96) with results of our own.
+Derivations derivations_of_overturning_impact_during_pulse();
+Derivations derivations_of_overturning_impact_after_pulse();
 
 }  // namespace rederive

@@ -5,80 +5,61 @@ namespace rederive {
 
 using GiNaC::ex;
 using GiNaC::lst;
+using namespace paper;
 
 namespace {
 
-ex at_impact(const ex& e) { return e.subs(letters().t == letters().t_i); }
-
-Given sine_end() { return {letters().T_ex, end_of_pulse(Pulse::sine)}; }
-
-}  // namespace
+ex at_impact(const ex& e) { return e.subs(t == t_i); }
+Given sine_end() { return {T_ex, end_of_pulse(Pulse::sine)}; }
 
 ex scaled_rate_at_end() {
-  const Letters& s = letters();
-  return (rate_at_end(Side::negative, Pulse::sine).subs(constants_from_rest()) / s.alpha).expand();
+  return (rate_at_end(Side::negative, Pulse::sine).subs(constants_from_rest()) / alpha).expand();
 }
 
 ex scaled_angle_at_end() {
-  const Letters& s = letters();
-  return ((angle_at_end(Side::negative, Pulse::sine).subs(constants_from_rest()) + s.alpha) / s.alpha)
-      .expand();
+  return ((angle_at_end(Side::negative, Pulse::sine).subs(constants_from_rest()) + alpha) / alpha).expand();
 }
-
-namespace {
 
 // The free motion (89) from the state (91): θ + α over α, and θ̇ over p α.
 LinearEquation free_equation() { return linear_equation(Side::negative, Pulse::none); }
 
-ex free_from_end() {
-  const Letters& s = letters();
-  return solution_from(free_equation(), s.T_ex, s.theta_ex, s.thetadot_ex);
-}
+ex free_from_end() { return solution_from(free_equation(), T_ex, theta_ex, thetadot_ex); }
 
 ex from_state_at_end(const ex& e) {
-  const Letters& s = letters();
-  return e.subs(lst{s.theta_ex == s.alpha * (scaled_angle_at_end() - 1),
-                    s.thetadot_ex == s.alpha * s.p * scaled_rate_at_end()});
+  return e.subs(
+      lst{theta_ex == alpha * (scaled_angle_at_end() - 1), thetadot_ex == alpha * p * scaled_rate_at_end()});
 }
 
 }  // namespace
 
-ex impact_after_pulse() {
-  const Letters& s = letters();
-  return (from_state_at_end(at_impact(free_from_end())) / s.alpha).expand();
-}
+ex impact_after_pulse() { return (from_state_at_end(at_impact(free_from_end())) / alpha).expand(); }
 
 ex overturning_impact_after_pulse() {
-  const Letters& s = letters();
-  const ex rate = from_state_at_end(at_impact(free_from_end().diff(s.t)));
-  return (s.e * rate / (s.p * s.alpha) - 1).expand();
+  const ex rate = from_state_at_end(at_impact(free_from_end().diff(t)));
+  return (e * rate / (p * alpha) - 1).expand();
 }
 
+namespace {
+
 Derivation equation_89a() {
-  return derived(letters().theta, free_from_end(),
+  return derived(theta, free_from_end(),
                  {from(Cited{"62a", equation_62a}, "Free motion # from T_ex:"),
                   from(Cited{"66a", equation_66a}, "with"), from(Cited{"66b", equation_66b}, "and")});
 }
 
 Derivation equation_89b() {
-  const Letters& s = letters();
-  return derived(s.thetadot / s.p, (free_from_end().diff(s.t) / s.p).expand(),
+  return derived(thetadot / p, (free_from_end().diff(t) / p).expand(),
                  {from(Cited{"89a", equation_89a}, "Differentiate")});
 }
 
-Derivation equation_90a() { return equation_70a(); }
-Derivation equation_90b() { return equation_70b(); }
-
 Derivation equation_91a() {
-  const Letters& s = letters();
-  return derived(s.theta_ex, s.alpha * scaled_angle_at_end() - s.alpha,
+  return derived(theta_ex, alpha * scaled_angle_at_end() - alpha,
                  {from(Cited{"69a", equation_69a}, "Into"), from(Cited{"70a", equation_70a}, "put"),
                   from(Cited{"70b", equation_70b}, "and")});
 }
 
 Derivation equation_91b() {
-  const Letters& s = letters();
-  return derived(s.thetadot_ex / s.p, (s.alpha * scaled_rate_at_end()).expand(),
+  return derived(thetadot_ex / p, (alpha * scaled_rate_at_end()).expand(),
                  {from(Cited{"69b", equation_69b}, "Into"), from(Cited{"70a", equation_70a}, "put"),
                   from(Cited{"70b", equation_70b}, "and")});
 }
@@ -91,97 +72,85 @@ Derivation equation_92a() {
 }
 
 Derivation equation_92b() {
-  const Letters& s = letters();
-  return derived(s.thetadot_before, from_state_at_end(at_impact(free_from_end().diff(s.t))).expand(),
+  return derived(thetadot_before, from_state_at_end(at_impact(free_from_end().diff(t))).expand(),
                  {from(Cited{"89b", equation_89b}, "At t_i, in #"), from(Cited{"91a", equation_91a}, "put"),
                   from(Cited{"91b", equation_91b}, "and")});
 }
 
-namespace {
-
 ex free_after_impact() {
-  const Letters& s = letters();
-  return general_solution(linear_equation(Side::positive, Pulse::none), s.t_i, s.c_1, s.c_2);
+  return general_solution(linear_equation(Side::positive, Pulse::none), t_i, c_1, c_2);
 }
 
 Constants free_constants_after_impact() {
-  const Letters& s = letters();
-  return constants_from_start(linear_equation(Side::positive, Pulse::none), s.t_i, 0, s.thetadot_after);
+  return constants_from_start(linear_equation(Side::positive, Pulse::none), t_i, 0, thetadot_after);
 }
 
 ex at_corner(const ex& e) {
-  const Letters& s = letters();
   const Constants c = free_constants_after_impact();
-  return e.subs(lst{s.c_1 == c.C, s.c_2 == c.D, s.t == s.t_star});
+  return e.subs(lst{c_1 == c.C, c_2 == c.D, t == t_star});
 }
 
 // c_1 + c_2: what decides the free motion after the impact.
 ex growth_after_impact() {
-  const Letters& s = letters();
   const Constants c = free_constants_after_impact();
-  return 2 * growing_part(free_after_impact(), s.t_i).subs(lst{s.c_1 == c.C, s.c_2 == c.D});
+  return 2 * growing_part(free_after_impact(), t_i).subs(lst{c_1 == c.C, c_2 == c.D});
 }
 
-}  // namespace
-
 Derivation equation_93a() {
-  return derived(letters().theta, free_after_impact(),
+  return derived(theta, free_after_impact(),
                  {from(Cited{"61b", equation_61b}, "Solve #, counting time from t_i")});
 }
 
 Derivation equation_93b() {
-  const Letters& s = letters();
-  return derived(s.thetadot / s.p, (free_after_impact().diff(s.t) / s.p).expand(),
+  return derived(thetadot / p, (free_after_impact().diff(t) / p).expand(),
                  {from(Cited{"93a", equation_93a}, "Differentiate")});
 }
 
 Derivation second_constant_after_impact() {
-  return derived(letters().c_2, free_constants_after_impact().D,
+  return derived(c_2, free_constants_after_impact().D,
                  {from(Cited{"93a", equation_93a}, "At t_i the block is upright: by #")});
 }
 
 Derivation first_constant_after_impact() {
-  return derived(letters().c_1, free_constants_after_impact().C,
+  return derived(c_1, free_constants_after_impact().C,
                  {from(Cited{"93b", equation_93b}, "At t_i, just after the impact, by #")});
 }
 
 Derivation first_constant_by_restitution() {
-  const Letters& s = letters();
-  return derived(s.thetadot_after / s.p,
-                 free_constants_after_impact().C.subs(s.thetadot_after == s.e * s.thetadot_before),
-                 {from(first_constant_after_impact(), "With"),
-                  {"by the impact", s.thetadot_after, s.e * s.thetadot_before}});
+  return derived(
+      thetadot_after / p, free_constants_after_impact().C.subs(thetadot_after == e * thetadot_before),
+      {from(first_constant_after_impact(), "With"), {"by the impact", thetadot_after, e * thetadot_before}});
 }
 
+}  // namespace
+
 Derivation equation_94a() {
-  const Letters& s = letters();
-  return derived(at_corner(free_after_impact()) - s.alpha, 0,
+  return derived(at_corner(free_after_impact()) - alpha, 0,
                  {from(Cited{"93a", equation_93a}, "At t* the block is to stand on its corner: by #"),
                   from(first_constant_after_impact(), "with"), from(second_constant_after_impact(), "and"),
                   in_words("the velocity in it is the one after the impact")});
 }
 
 Derivation equation_94b() {
-  const Letters& s = letters();
-  return derived(at_corner(free_after_impact().diff(s.t) / s.p).expand(), 0,
+  return derived(at_corner(free_after_impact().diff(t) / p).expand(), 0,
                  {from(Cited{"93b", equation_93b}, "and to be at rest there: by #"),
                   in_words("the velocity in it is the one after the impact")});
 }
 
+namespace {
+
 Derivation equation_95a() {
-  const Letters& s = letters();
   return derived(
-      (s.p * growth_after_impact()).expand(), 0,
+      (p * growth_after_impact()).expand(), 0,
       {from(Cited{"94a", equation_94a}, "At no finite time do"), from(Cited{"94b", equation_94b}, "and"),
        in_words("hold together: the corner is approached without end, when the part of (93a) that grows "
                 "is absent, c_1 + c_2 = 0")});
 }
 
 Derivation equation_95b() {
-  const Letters& s = letters();
   return derived(
-      (s.p * growth_after_impact()).expand().subs(s.thetadot_after == s.e * s.thetadot_before), 0,
-      {from(Cited{"95a", equation_95a}, "With the impact"), {"", s.thetadot_after, s.e * s.thetadot_before}});
+      (p * growth_after_impact()).expand().subs(thetadot_after == e * thetadot_before), 0,
+      {from(Cited{"95a", equation_95a}, "With the impact"), {"", thetadot_after, e * thetadot_before}});
 }
 
 Derivation equation_96() {
@@ -190,15 +159,12 @@ Derivation equation_96() {
                   in_words("and divide by p α")});
 }
 
-namespace {
-
 ex energy_at_end() { return (pow(scaled_rate_at_end(), 2) - pow(scaled_angle_at_end(), 2)); }
 
 // θ̇²/p² − (θ + α)² keeps its value in free motion; at an upright block it is θ̇²/p² − α².
 ex energy_at_critical_impact() {
-  const Letters& s = letters();
-  const ex rate = s.alpha / s.e;  // e θ̇/p = α
-  return ((pow(rate, 2) - pow(s.alpha, 2)) / pow(s.alpha, 2)).expand();
+  const ex rate = alpha / e;  // e θ̇/p = α
+  return ((pow(rate, 2) - pow(alpha, 2)) / pow(alpha, 2)).expand();
 }
 
 std::vector<Step> elimination() {
@@ -211,23 +177,22 @@ std::vector<Step> elimination() {
        energy_at_critical_impact()}};
 }
 
-}  // namespace
-
-Derivation window_after_pulse() {
-  return derived(energy_at_end(), energy_at_critical_impact(), elimination(), {sine_end()});
-}
-
 Derivation overturns_after_pulse() {
   std::vector<Step> steps = elimination();
   steps.push_back(in_words("A faster impact overturns, a slower one does not"));
   return derived(energy_at_end(), energy_at_critical_impact(), std::move(steps), {sine_end()}, ">");
 }
 
+}  // namespace
+
+Derivation window_after_pulse() {
+  return derived(energy_at_end(), energy_at_critical_impact(), elimination(), {sine_end()});
+}
+
 Derivation time_of_critical_impact() {
-  const Letters& s = letters();
-  const ex growth = exp(s.p * (s.t_i - s.T_ex));
+  const ex growth = exp(p * (t_i - T_ex));
   return derived(
-      (scaled_rate_at_end() + scaled_angle_at_end()) * growth, 1 + 1 / s.e,
+      (scaled_rate_at_end() + scaled_angle_at_end()) * growth, 1 + 1 / e,
       {from(Cited{"92a", equation_92a}, "Add"), from(Cited{"96", equation_96}, "# divided by e to"),
        in_words("sinh and cosh join. The impact is behind the pulse if the factor of the exponential is "
                 "at most 1 + 1/e")},
@@ -235,16 +200,43 @@ Derivation time_of_critical_impact() {
 }
 
 Derivation velocity_near_first_mode() {
-  const Letters& s = letters();
   // θ̇(T_ex) = −p (θ(T_ex) + α) by (68): the block that just comes back has left its corner from rest.
-  const ex square = pow(s.thetadot_ex / s.p, 2) - pow(s.theta_ex + s.alpha, 2) + pow(s.alpha, 2);
-  const ex critical = square.subs(s.thetadot_ex == -s.p * (s.theta_ex + s.alpha)).expand();
+  const ex square = pow(thetadot_ex / p, 2) - pow(theta_ex + alpha, 2) + pow(alpha, 2);
+  const ex critical = square.subs(thetadot_ex == -p * (theta_ex + alpha)).expand();
   return derived(
-      s.thetadot_before, s.p * sqrt(critical),
+      thetadot_before, p * sqrt(critical),
       {from(Cited{"68", equation_68}, "At the threshold without impact"),
-       {"the impact of free motion from there has", pow(s.thetadot_before / s.p, 2), square},
+       {"the impact of free motion from there has", pow(thetadot_before / p, 2), square},
        in_words("so e θ̇ < p α after it, and by (95b) the block does not overturn: below (71) comes a "
                 "range of amplitudes that are safe")});
+}
+
+Derivations derivations_of_overturning_impact_after_pulse() {
+  return {
+      {"89a", equation_89a},
+      {"89b", equation_89b},
+      {"90a", equation_70a},
+      {"90b", equation_70b},
+      {"91a", equation_91a},
+      {"91b", equation_91b},
+      {"92a", equation_92a},
+      {"92b", equation_92b},
+      {"93a", equation_93a},
+      {"93b", equation_93b},
+      {"u24", second_constant_after_impact},
+      {"u25a", first_constant_after_impact},
+      {"u25b", first_constant_by_restitution},
+      {"94a", equation_94a},
+      {"94b", equation_94b},
+      {"95a", equation_95a},
+      {"95b", equation_95b},
+      {"96", equation_96},
+      // Results of our own: the window of amplitudes that overturn, and the impact at its ends
+      {"r9", window_after_pulse},
+      {"r10", overturns_after_pulse},
+      {"r11", time_of_critical_impact},
+      {"r12", velocity_near_first_mode},
+  };
 }
 
 }  // namespace rederive

@@ -5,72 +5,54 @@ namespace rederive {
 
 using GiNaC::ex;
 using GiNaC::lst;
+using namespace paper;
 
 namespace {
 
-ex with_amplitude(const ex& e) {
-  const Given a = amplitude(Pulse::sine);
-  return e.subs(a.name == a.value);
-}
-
 // The forced motion after an impact at t_i, with time counted from there: (79a).
 ex motion_after_impact() {
-  const Letters& s = letters();
-  return with_amplitude(general_solution(linear_equation(Side::positive, Pulse::sine), s.t_i, s.A_3, s.A_4));
+  return with_amplitude(general_solution(linear_equation(Side::positive, Pulse::sine), t_i, A_3, A_4),
+                        Pulse::sine);
 }
 
 // The phase at T_ex is 2π; the symbol T_ex stays where time is counted from t_i.
-ex at_end_of_sine(const ex& e) {
-  const Letters& s = letters();
-  return e.subs(s.omega_p * s.t + s.psi == 2 * GiNaC::Pi).subs(s.t == s.T_ex);
-}
+ex at_end_of_sine(const ex& e) { return e.subs(omega_p * t + psi == 2 * GiNaC::Pi).subs(t == T_ex); }
 
 Constants constants_after_impact() {
-  const Letters& s = letters();
   const Constants c =
-      constants_from_start(linear_equation(Side::positive, Pulse::sine), s.t_i, 0, s.e * s.thetadot_before);
-  return {with_amplitude(c.C), with_amplitude(c.D)};
+      constants_from_start(linear_equation(Side::positive, Pulse::sine), t_i, 0, e * thetadot_before);
+  return {with_amplitude(c.C, Pulse::sine), with_amplitude(c.D, Pulse::sine)};
 }
 
-ex motion_before_impact() { return with_amplitude(forced_motion(Side::negative, Pulse::sine)); }
-
-ex rate_before_impact() { return motion_before_impact().diff(letters().t); }
-
-ex at_impact(const ex& e) { return e.subs(letters().t == letters().t_i); }
+ex motion_before_impact() { return with_amplitude(forced_motion(Side::negative, Pulse::sine), Pulse::sine); }
+ex rate_before_impact() { return motion_before_impact().diff(t); }
+ex at_impact(const ex& e) { return e.subs(t == t_i); }
 
 // sin(ω_p t_i + ψ) and its cosine by the addition theorem.
 ex by_addition(const ex& e) {
-  const Letters& s = letters();
-  const ex turned = s.omega_p * s.t_i, whole = turned + s.psi;
+  const ex turned = omega_p * t_i, whole = turned + psi;
   return e
-      .subs(lst{sin(whole) == sin(turned) * cos(s.psi) + cos(turned) * sin(s.psi),
-                cos(whole) == cos(turned) * cos(s.psi) - sin(turned) * sin(s.psi)})
+      .subs(lst{sin(whole) == sin(turned) * cos(psi) + cos(turned) * sin(psi),
+                cos(whole) == cos(turned) * cos(psi) - sin(turned) * sin(psi)})
       .expand();
 }
 
-ex scale() {
-  const Letters& s = letters();
-  return (1 + pow(s.omega_p / s.p, 2)) * sin(s.psi) / s.alpha;
-}
+ex scale() { return (1 + pow(omega_p / p, 2)) * sin(psi) / alpha; }
 
 // (75) after the impact: grown e^{p(T_ex − t_i)} + added = 0, with A_3 + A_4 and what the pulse adds.
 struct CriticalSum {
   ex grown, added;
-  ex over_growth() const {
-    const Letters& s = letters();
-    return grown + added * exp(-s.p * (s.T_ex - s.t_i));
-  }
+  ex over_growth() const { return grown + added * exp(-p * (T_ex - t_i)); }
 };
 
-CriticalSum critical_after_impact(const ex& A_3, const ex& A_4) {
-  const Letters& s = letters();
+CriticalSum critical_after_impact(const Constants& c) {
   const GiNaC::symbol growth("growth");
-  const ex phase = s.p * (s.t - s.t_i);
-  const ex sum = critical_sum(Side::positive, motion_after_impact(), motion_after_impact().diff(s.t));
+  const ex phase = p * (t - t_i);
+  const ex sum = critical_sum(Side::positive, motion_after_impact(), motion_after_impact().diff(t));
   const ex joined =
       at_end_of_sine(in_exponentials(sum).subs(lst{exp(phase) == growth, exp(-phase) == 1 / ex(growth)}))
           .expand();
-  const lst constants{s.A_3 == A_3, s.A_4 == A_4};
+  const lst constants{A_3 == c.C, A_4 == c.D};
   return {joined.coeff(growth, 1).subs(constants), joined.coeff(growth, 0)};
 }
 
@@ -83,8 +65,7 @@ Derivation sorted(const ex& vanishes, std::vector<Step> steps, std::vector<Given
     const ex term = one_term ? sum : sum.op(i);
     (term.has(exp(GiNaC::wild())) ? right : left) += term.has(exp(GiNaC::wild())) ? ex(-term) : term;
   }
-  return derived(left.collect(lst{cos(letters().psi), sin(letters().psi)}, true), right, std::move(steps),
-                 std::move(given));
+  return derived(left.collect(lst{cos(psi), sin(psi)}, true), right, std::move(steps), std::move(given));
 }
 
 }  // namespace
@@ -95,54 +76,53 @@ ex impact_during_pulse() {
 }
 
 ex overturning_impact_during_pulse() {
-  const Letters& s = letters();
   const Constants c = constants_after_impact();
   const ex before = by_addition(at_impact(rate_before_impact()).subs(constants_from_rest()));
-  const ex condition =
-      critical_after_impact(c.C, c.D).over_growth().subs(s.thetadot_before == before) * scale();
-  return (-condition.expand() * s.p / s.omega_p).expand().normal().expand();
+  const ex condition = critical_after_impact(c).over_growth().subs(thetadot_before == before) * scale();
+  return (-condition.expand() * p / omega_p).expand().normal().expand();
 }
 
 Derivation equation_79a() {
-  return derived(letters().theta, motion_after_impact(),
+  return derived(theta, motion_after_impact(),
                  {from(Cited{"57b", equation_57b}, "As in"),
                   in_words("with time counted from the impact in sinh and cosh")});
 }
 
+namespace {
+
 Derivation equation_79b() {
-  const Letters& s = letters();
-  return derived(s.thetadot / s.p, (motion_after_impact().diff(s.t) / s.p).expand(),
+  return derived(thetadot / p, (motion_after_impact().diff(t) / p).expand(),
                  {from(Cited{"79a", equation_79a}, "Differentiate")});
 }
 
 Derivation equation_80a() {
-  return derived(letters().theta_ex, at_end_of_sine(motion_after_impact()),
+  return derived(theta_ex, at_end_of_sine(motion_after_impact()),
                  {from(Cited{"79a", equation_79a}, "# at T_ex, where the phase is 2π")});
 }
 
 Derivation equation_80b() {
-  const Letters& s = letters();
-  return derived(s.thetadot_ex / s.p, at_end_of_sine((motion_after_impact().diff(s.t) / s.p).expand()),
+  return derived(thetadot_ex / p, at_end_of_sine((motion_after_impact().diff(t) / p).expand()),
                  {from(Cited{"79b", equation_79b}, "# at T_ex, where the phase is 2π")});
 }
 
+}  // namespace
+
 Derivation equation_81() {
-  const Letters& s = letters();
-  return derived(s.A_4, constants_after_impact().D,
+  return derived(A_4, constants_after_impact().D,
                  {from(Cited{"79a", equation_79a}, "At t_i the block is upright: by #")});
 }
 
 Derivation equation_82() {
-  const Letters& s = letters();
-  return derived(s.A_3, constants_after_impact().C,
+  return derived(A_3, constants_after_impact().C,
                  {from(Cited{"79b", equation_79b}, "At t_i the block leaves with"),
-                  {"by the impact", s.thetadot_after, s.e * s.thetadot_before}});
+                  {"by the impact", thetadot_after, e * thetadot_before}});
 }
 
+namespace {
+
 Derivation equation_83() {
-  const Letters& s = letters();
-  const ex growth = exp(s.p * (s.T_ex - s.t_i));
-  const CriticalSum sum = critical_after_impact(s.A_3, s.A_4);
+  const ex growth = exp(p * (T_ex - t_i));
+  const CriticalSum sum = critical_after_impact({A_3, A_4});
   return derived(
       sum.grown * growth, -sum.added,
       {from(Cited{"75", equation_75}, "Into"), from(Cited{"80a", equation_80a}, "put"),
@@ -150,21 +130,19 @@ Derivation equation_83() {
 }
 
 Derivation equation_84() {
-  return derived(letters().theta_i, at_impact(motion_before_impact()),
+  return derived(theta_i, at_impact(motion_before_impact()),
                  {from(Cited{"57a", equation_57a}, "# at t_i, before the impact")});
 }
 
 Derivation equation_85() {
-  const Letters& s = letters();
-  return derived(s.thetadot_before / s.p, (at_impact(rate_before_impact()) / s.p).expand(),
+  return derived(thetadot_before / p, (at_impact(rate_before_impact()) / p).expand(),
                  {from(Cited{"59a", equation_59a}, "# at t_i, before the impact")});
 }
 
 Derivation equation_86() {
-  const Letters& s = letters();
   const ex vanishes = impact_during_pulse();
-  const ex of_cosine = vanishes.coeff(cos(s.psi), 1), of_sine = vanishes.coeff(cos(s.psi), 0) / sin(s.psi);
-  return derived(tan(s.psi), (-of_cosine / of_sine).normal(),
+  const ex of_cosine = vanishes.coeff(cos(psi), 1), of_sine = vanishes.coeff(cos(psi), 0) / sin(psi);
+  return derived(tan(psi), (-of_cosine / of_sine).normal(),
                  {from(Cited{"84", equation_84}, "The block is upright, θ_i = 0, in"),
                   from(Cited{"70a", equation_70a}, "with"),
                   from(Cited{"70b", equation_70b}, "and"),
@@ -174,26 +152,35 @@ Derivation equation_86() {
 
 Derivation equation_87a() {
   const Constants c = constants_after_impact();
-  return sorted((critical_after_impact(c.C, c.D).over_growth() * scale()).expand().normal(),
+  return sorted((critical_after_impact(c).over_growth() * scale()).expand().normal(),
                 {from(Cited{"83", equation_83}, "Into"), from(Cited{"81", equation_81}, "put"),
                  from(Cited{"82", equation_82}, "and"),
                  in_words("and multiply by (1 + ω_p²/p²) sin ψ/α · e^{−p(T_ex − t_i)}")});
 }
 
 Derivation equation_87b() {
-  const Letters& s = letters();
-  const ex rate = (at_impact(rate_before_impact()) / s.p).subs(constants_from_rest());
-  return derived(s.thetadot_before / s.p, by_addition(rate),
+  const ex rate = (at_impact(rate_before_impact()) / p).subs(constants_from_rest());
+  return derived(thetadot_before / p, by_addition(rate),
                  {from(Cited{"85", equation_85}, "In"), from(Cited{"70a", equation_70a}, "put"),
                   from(Cited{"70b", equation_70b}, "and")});
 }
 
 Derivation equation_88() {
-  const Letters& s = letters();
   return sorted(overturning_impact_during_pulse(),
                 {from(Cited{"87a", equation_87a}, "Into"), from(Cited{"87b", equation_87b}, "put"),
                  in_words("and divide by −ω_p/p"), in_words("the time in it is t_i throughout")},
-                {{s.T_ex, end_of_pulse(Pulse::sine)}});
+                {{T_ex, end_of_pulse(Pulse::sine)}});
+}
+
+}  // namespace
+
+Derivations derivations_of_overturning_impact_during_pulse() {
+  return {
+      {"79a", equation_79a}, {"79b", equation_79b}, {"80a", equation_80a}, {"80b", equation_80b},
+      {"81", equation_81},   {"82", equation_82},   {"83", equation_83},   {"84", equation_84},
+      {"85", equation_85},   {"86", equation_86},   {"87a", equation_87a}, {"87b", equation_87b},
+      {"88", equation_88},
+  };
 }
 
 }  // namespace rederive

@@ -4,35 +4,24 @@ namespace rederive {
 
 using GiNaC::ex;
 using GiNaC::lst;
+using namespace paper;
 
 namespace {
 
-ex corner(Side side) { return side == Side::negative ? ex(-letters().alpha) : ex(letters().alpha); }
-
-Constants free_names(Side side) {
-  const Letters& s = letters();
-  return side == Side::negative ? Constants{s.Abar_1, s.Abar_2} : Constants{s.Abar_3, s.Abar_4};
-}
+ex corner(Side side) { return side == Side::negative ? ex(-alpha) : ex(alpha); }
 
 // The free motion from the end of the pulse on.
-ex free_from_end(Side side) {
-  const Letters& s = letters();
-  return free_motion(side).subs(s.t_o == s.T_ex);
-}
+ex free_from_end(Side side) { return free_motion(side).subs(t_o == T_ex); }
 
 // At T_ex the phase is a multiple of π/2, whose sine and cosine GiNaC knows.
 ex at_end(const ex& e, Pulse pulse) {
-  const Letters& s = letters();
-  const ex phase = s.omega_p * end_of_pulse(pulse) + s.psi;
-  return e.subs(s.omega_p * s.t + s.psi == phase.expand()).subs(s.t == s.T_ex);
+  const ex phase = omega_p * end_of_pulse(pulse) + psi;
+  return e.subs(omega_p * t + psi == phase.expand()).subs(t == T_ex);
 }
 
 }  // namespace
 
-ex by_phase(const ex& e) {
-  const Letters& s = letters();
-  return e.normal().expand().collect(lst{cos(s.psi), sin(s.psi)}, true);
-}
+ex by_phase(const ex& e) { return e.normal().expand().collect(lst{cos(psi), sin(psi)}, true); }
 
 ex in_exponentials(const ex& e) {
   const ex any = GiNaC::wild();
@@ -40,52 +29,42 @@ ex in_exponentials(const ex& e) {
 }
 
 lst constants_from_rest() {
-  const Letters& s = letters();
   const Constants c = forced_constants(Side::negative, Pulse::sine);
-  const lst rest{s.theta_0 == 0, s.thetadot_0 == 0};
-  return lst{s.A_1 == c.C.subs(rest).normal(), s.A_2 == c.D.subs(rest).normal()};
+  const lst rest{theta_0 == 0, thetadot_0 == 0};
+  return lst{A_1 == c.C.subs(rest).normal(), A_2 == c.D.subs(rest).normal()};
 }
 
-ex critical_sum(Side side, const ex& angle, const ex& rate) {
-  return rate / letters().p + angle - corner(side);
-}
+ex critical_sum(Side side, const ex& angle, const ex& rate) { return rate / p + angle - corner(side); }
 
-ex linear_critical_rate(Side side) {
-  const Letters& s = letters();
-  return -s.p * critical_sum(side, s.theta, 0);
-}
+ex linear_critical_rate(Side side) { return -p * critical_sum(side, theta, 0); }
 
 ex linear_impact_rate_squared(Side side) {
-  const Letters& s = letters();
   // 2 θ̇ times θ̈ − k²θ = f is the rate of θ̇² − k²(θ − θ_c)², where k²θ_c = −f: of a product of two factors.
   const LinearEquation equation = linear_equation(side, Pulse::none);
-  const ex from_corner = equation.k * (s.theta + equation.forcing / pow(equation.k, 2)).normal();
-  const ex kept = (s.thetadot - from_corner) * (s.thetadot + from_corner);
-  return kept - kept.subs(lst{s.theta == 0, s.thetadot == 0});
+  const ex from_corner = equation.k * (theta + equation.forcing / pow(equation.k, 2)).normal();
+  const ex kept = (thetadot - from_corner) * (thetadot + from_corner);
+  return kept - kept.subs(lst{theta == 0, thetadot == 0});
 }
 
 ex angle_at_end(Side side, Pulse pulse) { return at_end(forced_motion(side, pulse), pulse); }
 
 ex rate_at_end(Side side, Pulse pulse) {
-  const Letters& s = letters();
-  const Given a = amplitude(pulse);
-  const ex rate = forced_motion(side, pulse).diff(s.t).subs(a.name == a.value);
-  return (at_end(rate, pulse) / s.p).expand();
+  const ex rate = with_amplitude(forced_motion(side, pulse).diff(t), pulse);
+  return (at_end(rate, pulse) / p).expand();
 }
 
 ThresholdEquation threshold_without_impact(Side side, const ex& ground, const Given& amplitude,
                                            const ex& end) {
-  const Letters& s = letters();
   const GiNaC::symbol growth("growth");  // e^{p t} at the end of the pulse
-  const ex motion = solution_from(linear_equation_under(side, ground), 0, s.theta_0, s.thetadot_0);
-  const ex sum = critical_sum(side, motion, motion.diff(s.t)).subs(amplitude.name == amplitude.value);
+  const ex motion = solution_from(linear_equation_under(side, ground), 0, theta_0, thetadot_0);
+  const ex sum = critical_sum(side, motion, motion.diff(t)).subs(amplitude.name == amplitude.value);
   const ex at_end = in_exponentials(sum)
-                        .subs(lst{exp(s.p * s.t) == growth, exp(-s.p * s.t) == 1 / ex(growth)})
-                        .subs(s.t == end)
+                        .subs(lst{exp(p * t) == growth, exp(-p * t) == 1 / ex(growth)})
+                        .subs(t == end)
                         .expand();
   // What has grown, and what the pulse still adds. Divided so that e^{−p T_ex} stands alone.
   const ex grown = at_end.coeff(growth, 1), added = at_end.coeff(growth, 0);
-  return {by_phase(-grown / added), exp(-s.p * end)};
+  return {by_phase(-grown / added), exp(-p * end)};
 }
 
 ThresholdEquation threshold_without_impact(Side side, Pulse pulse) {
@@ -98,27 +77,24 @@ namespace {
 Derivation corner_reached(Side side, const Cited& motion) {
   return derived(corner(side), free_from_end(side),
                  {from(motion, "The motion # after the pulse, t_o = T_ex,"),
-                  {"reaches the corner", letters().theta, corner(side)}});
+                  {"reaches the corner", theta, corner(side)}});
 }
 
 Derivation corner_at_rest(Side side, const Cited& motion) {
-  const Letters& s = letters();
   return derived(
-      0, (free_from_end(side).diff(s.t) / s.p).expand(),
+      0, (free_from_end(side).diff(t) / p).expand(),
       {from(motion, "The motion # after the pulse, t_o = T_ex,"), in_words("comes there without velocity")});
 }
 
 Derivation constant_at_end(const Cited& free_constant) {
-  const Letters& s = letters();
-  const auto at_end = lst{s.t_o == s.T_ex, s.theta_to == s.theta_ex, s.thetadot_to == s.thetadot_ex};
+  const auto at_end = lst{t_o == T_ex, theta_to == theta_ex, thetadot_to == thetadot_ex};
   return derived(free_constant.derivation().left, free_constant.derivation().right.subs(at_end),
                  {from(free_constant, "Free motion begins at t_o = T_ex; so by #")});
 }
 
 Derivation no_growth(Side side, const Cited& motion) {
-  const Letters& s = letters();
   const Constants c = free_names(side);
-  const ex growing = growing_part(free_from_end(side), s.T_ex);
+  const ex growing = growing_part(free_from_end(side), T_ex);
   return derived(
       c.C, c.C - 2 * growing,
       {from(motion, "Write with exponentials"),
@@ -128,55 +104,60 @@ Derivation no_growth(Side side, const Cited& motion) {
 }
 
 Derivation critical(Side side, const Cited& condition, const Cited& first, const Cited& second) {
-  const Letters& s = letters();
-  return derived((s.p * critical_sum(side, s.theta_ex, s.thetadot_ex)).expand(), 0,
+  return derived((p * critical_sum(side, theta_ex, thetadot_ex)).expand(), 0,
                  {from(condition, "Into"), from(first, "put"), from(second, "and")});
 }
 
 Derivation end_angle(Side side, const Cited& motion) {
-  return derived(letters().theta_ex, angle_at_end(side, Pulse::sine),
+  return derived(theta_ex, angle_at_end(side, Pulse::sine),
                  {from(motion, "At T_ex the phase of the pulse is 2π, and its sine 0: by #")});
 }
 
 Derivation end_rate(Side side, const Cited& rate) {
-  const Letters& s = letters();
-  return derived(s.thetadot_ex / s.p, rate_at_end(side, Pulse::sine),
+  return derived(thetadot_ex / p, rate_at_end(side, Pulse::sine),
                  {from(rate, "At T_ex the phase of the pulse is 2π, and its cosine 1: by #")});
 }
 
 Derivation from_rest(const Cited& constant) {
-  const Letters& s = letters();
   return derived(constant.derivation().left,
-                 constant.derivation().right.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0}).normal(),
+                 constant.derivation().right.subs(lst{theta_0 == 0, thetadot_0 == 0}).normal(),
                  {from(constant, "From rest, θ_0 = θ̇_0 = 0: by #")});
 }
 
 Derivation threshold(Side side, const std::vector<Cited>& ingredients) {
-  const Letters& s = letters();
   const ThresholdEquation found = threshold_without_impact(side, Pulse::sine);
   std::vector<Step> steps;
   for (const Cited& d : ingredients)
     steps.push_back(from(d, steps.empty() ? "Into" : steps.size() == 1 ? "put" : "and"));
   steps.push_back(from(end_of_sine_pulse(), "where"));
   steps.push_back(in_words("sinh and cosh join to exponentials; divide by the factor of e^{−p T_ex}"));
-  return derived(by_phase(found.left.subs(lst{s.theta_0 == 0, s.thetadot_0 == 0})), found.right, steps);
+  return derived(by_phase(found.left.subs(lst{theta_0 == 0, thetadot_0 == 0})), found.right, steps);
 }
+
+Derivation equation_67() { return no_growth(Side::negative, Cited{"62a", equation_62a}); }
+Derivation equation_73a() { return constant_at_end(Cited{"64c", equation_64c}); }
+Derivation equation_73b() { return constant_at_end(Cited{"64d", equation_64d}); }
+Derivation equation_74() { return no_growth(Side::positive, Cited{"62b", equation_62b}); }
+Derivation equation_76a() { return end_angle(Side::positive, Cited{"57b", equation_57b}); }
+Derivation equation_76b() { return end_rate(Side::positive, Cited{"59b", equation_59b}); }
+Derivation equation_77a() { return from_rest(Cited{"58c", equation_58c}); }
+Derivation equation_77b() { return from_rest(Cited{"58d", equation_58d}); }
 
 }  // namespace
 
-Derivation equation_65a() { return corner_reached(Side::negative, Cited{"62a", equation_62a}); }
-Derivation equation_65b() { return corner_at_rest(Side::negative, Cited{"62a", equation_62a}); }
 Derivation equation_66a() { return constant_at_end(Cited{"64a", equation_64a}); }
 Derivation equation_66b() { return constant_at_end(Cited{"64b", equation_64b}); }
-Derivation equation_67() { return no_growth(Side::negative, Cited{"62a", equation_62a}); }
+
 Derivation equation_68() {
   return critical(Side::negative, Cited{"67", equation_67}, Cited{"66a", equation_66a},
                   Cited{"66b", equation_66b});
 }
+
 Derivation equation_69a() { return end_angle(Side::negative, Cited{"57a", equation_57a}); }
 Derivation equation_69b() { return end_rate(Side::negative, Cited{"59a", equation_59a}); }
 Derivation equation_70a() { return from_rest(Cited{"58a", equation_58a}); }
 Derivation equation_70b() { return from_rest(Cited{"58b", equation_58b}); }
+
 Derivation equation_71() {
   return threshold(Side::negative, {{"68", equation_68},
                                     {"69a", equation_69a},
@@ -184,25 +165,57 @@ Derivation equation_71() {
                                     {"70a", equation_70a},
                                     {"70b", equation_70b}});
 }
-Derivation equation_72a() { return corner_reached(Side::positive, Cited{"62b", equation_62b}); }
-Derivation equation_72b() { return corner_at_rest(Side::positive, Cited{"62b", equation_62b}); }
-Derivation equation_73a() { return constant_at_end(Cited{"64c", equation_64c}); }
-Derivation equation_73b() { return constant_at_end(Cited{"64d", equation_64d}); }
-Derivation equation_74() { return no_growth(Side::positive, Cited{"62b", equation_62b}); }
+
 Derivation equation_75() {
   return critical(Side::positive, Cited{"74", equation_74}, Cited{"73a", equation_73a},
                   Cited{"73b", equation_73b});
 }
-Derivation equation_76a() { return end_angle(Side::positive, Cited{"57b", equation_57b}); }
-Derivation equation_76b() { return end_rate(Side::positive, Cited{"59b", equation_59b}); }
-Derivation equation_77a() { return from_rest(Cited{"58c", equation_58c}); }
-Derivation equation_77b() { return from_rest(Cited{"58d", equation_58d}); }
+
 Derivation equation_78() {
   return threshold(Side::positive, {{"75", equation_75},
                                     {"76a", equation_76a},
                                     {"76b", equation_76b},
                                     {"77a", equation_77a},
                                     {"77b", equation_77b}});
+}
+
+Derivations derivations_of_overturning_without_impact() {
+  return {
+      {"65a",
+       [] {
+         return corner_reached(Side::negative, Cited{"62a", equation_62a});
+       }},
+      {"65b",
+       [] {
+         return corner_at_rest(Side::negative, Cited{"62a", equation_62a});
+       }},
+      {"66a", equation_66a},
+      {"66b", equation_66b},
+      {"67", equation_67},
+      {"68", equation_68},
+      {"69a", equation_69a},
+      {"69b", equation_69b},
+      {"70a", equation_70a},
+      {"70b", equation_70b},
+      {"71", equation_71},
+      {"72a",
+       [] {
+         return corner_reached(Side::positive, Cited{"62b", equation_62b});
+       }},
+      {"72b",
+       [] {
+         return corner_at_rest(Side::positive, Cited{"62b", equation_62b});
+       }},
+      {"73a", equation_73a},
+      {"73b", equation_73b},
+      {"74", equation_74},
+      {"75", equation_75},
+      {"76a", equation_76a},
+      {"76b", equation_76b},
+      {"77a", equation_77a},
+      {"77b", equation_77b},
+      {"78", equation_78},
+  };
 }
 
 }  // namespace rederive

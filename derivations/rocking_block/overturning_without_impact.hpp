@@ -36,27 +36,18 @@ GiNaC::ex by_phase(const GiNaC::ex& e);
 /// sinh and cosh by exponentials, products of exponentials joined.
 GiNaC::ex in_exponentials(const GiNaC::ex& e);
 
-Derivation equation_65a();
-Derivation equation_65b();
 Derivation equation_66a();
 Derivation equation_66b();
-Derivation equation_67();
 Derivation equation_68();
 Derivation equation_69a();
 Derivation equation_69b();
 Derivation equation_70a();
 Derivation equation_70b();
 Derivation equation_71();
-Derivation equation_72a();
-Derivation equation_72b();
-Derivation equation_73a();
-Derivation equation_73b();
-Derivation equation_74();
 Derivation equation_75();
-Derivation equation_76a();
-Derivation equation_76b();
-Derivation equation_77a();
-Derivation equation_77b();
 Derivation equation_78();
+
+/// (65) to (78).
+Derivations derivations_of_overturning_without_impact();
 
 }  // namespace rederive

@@ -7,7 +7,8 @@
 
 namespace rederive {
 
-/// Equation id ("21a", "u3", "r1") → its derivation. Adding an equation adds a line here.
+/// Equation id ("21a", "u3a", "r1") → its derivation: the lists of all sections. Throws std::logic_error if
+/// two derive the same.
 const std::map<std::string, Derive>& derivation_table();
 
 }  // namespace rederive

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <derivations/rocking_block/letters.hpp>
+#include <derivations/rocking_block/kinematics.hpp>
 #include <lessons/exercises/definitions.hpp>
 
 namespace rederive::classroom {
@@ -16,11 +16,10 @@ bool all_at_hand(const GiNaC::ex& value, const std::set<std::string>& at_hand) {
 
 void add_definitions(std::vector<Given>& given, const std::set<std::string>& at_hand,
                      const std::string& asked_for) {
-  const auto& s = paper_symbols();
   std::vector<Given> known = sides_of_the_block();
-  known.push_back({s["J_c"], s["m"] * pow(s["R"], 2) / 3});
-  known.push_back({s["J_o"], 4 * s["m"] * pow(s["R"], 2) / 3});
-  known.push_back({s["R"], 3 * s["g"] / (4 * pow(s["p"], 2))});
+  known.push_back({paper::J_c, paper::m * pow(paper::R, 2) / 3});
+  known.push_back({paper::J_o, 4 * paper::m * pow(paper::R, 2) / 3});
+  known.push_back({paper::R, 3 * paper::g / (4 * pow(paper::p, 2))});
   for (const auto& item : known) {
     const std::string name = GiNaC::ex_to<GiNaC::symbol>(item.name).get_name();
     const bool there = std::any_of(given.begin(), given.end(),
@@ -31,18 +30,17 @@ void add_definitions(std::vector<Given>& given, const std::set<std::string>& at_
 }
 
 Derivation mass_at_the_top() {
-  const auto& s = paper_symbols();
-  const GiNaC::ex b = s["b"], h = s["h"], before = s["thetadot_minus"], after = s["thetadot_plus"],
+  const GiNaC::ex b = paper::b, h = paper::h, before = paper::thetadot_minus, after = paper::thetadot_plus,
                   top = 2 * h;
   const GiNaC::ex right = top * before,
                   up = -b * before;  // velocity while it still turns clockwise about O, at (b, 2h)
   const GiNaC::ex momentum = top * right - (-b) * up;  // moment about O', from which the mass is at (-b, 2h)
   Derivation result;
-  result.left = s["e"];
+  result.left = paper::e;
   result.right = (momentum / (before * (b * b + top * top))).normal();
-  result.steps = {{"Per unit of mass the moment about the new corner is, before the impact", s["hO_minus"],
+  result.steps = {{"Per unit of mass the moment about the new corner is, before the impact", paper::hO_minus,
                    momentum, "="},
-                  {"and afterwards", s["hO_plus"], (b * b + top * top) * after, "="},
+                  {"and afterwards", paper::hO_plus, (b * b + top * top) * after, "="},
                   {"They are equal, hence", result.left, result.right, "="}};
   return result;
 }

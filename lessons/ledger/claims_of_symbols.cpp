@@ -16,6 +16,7 @@ namespace {
 
 using GiNaC::ex;
 using GiNaC::lst;
+using namespace paper;
 
 bool same(const ex& left, const ex& right, const std::vector<Given>& given = {}) {
   return prove({{to_tree(left)}, {}}, {{to_tree(right)}, {}}, paper_symbols(), given).verdict ==
@@ -24,17 +25,13 @@ bool same(const ex& left, const ex& right, const std::vector<Given>& given = {})
 
 std::string shown(const ex& e) { return print(e, Notation::unicode); }
 
-lst mirrored() {
-  const Letters& s = letters();
-  return {s.theta == -s.theta, s.thetadot == -s.thetadot, s.u_gddot == -s.u_gddot, s.u_gdot == -s.u_gdot};
-}
+lst mirrored() { return {theta == -theta, thetadot == -thetadot, u_gddot == -u_gddot, u_gdot == -u_gdot}; }
 
 Finding mirror_of_motion(Workbench&, const Claim&) {
   const ex image = angular_acceleration(Side::negative).subs(mirrored());
   const bool mirror = same(image, -angular_acceleration(Side::positive));
-  const Letters& s = letters();
-  const ex start = angular_acceleration(Side::negative).subs(s.theta == 0);
-  const bool level = same(start.subs(s.u_gddot == s.g * tan(s.alpha)), 0);
+  const ex start = angular_acceleration(Side::negative).subs(theta == 0);
+  const bool level = same(start.subs(u_gddot == g * tan(alpha)), 0);
   const std::string found =
       fmt::format("(21a) under θ → −θ, ü_g → −ü_g is {}(21b) reversed; both start at |ü_g| {} g·tan(α)",
                   mirror ? "" : "not ", level ? "=" : "≠");
@@ -45,8 +42,7 @@ Finding mirror_of_motion(Workbench&, const Claim&) {
 }
 
 Finding energy_mirror(Workbench&, const Claim&) {
-  const Letters& s = letters();
-  const ex turned = energy(Side::negative).subs(lst{s.theta == -s.theta, s.thetadot == -s.thetadot});
+  const ex turned = energy(Side::negative).subs(lst{theta == -theta, thetadot == -thetadot});
   const ex left_over = (turned - energy(Side::positive)).expand();
   const bool with_ground = same(energy(Side::negative).subs(mirrored()), energy(Side::positive));
   return decided(
@@ -57,13 +53,12 @@ Finding energy_mirror(Workbench&, const Claim&) {
 }
 
 Finding stiffness(Workbench&, const Claim&) {
-  const Letters& s = letters();
-  const ex moment = weight_potential(Side::positive).diff(s.theta), slope = moment.diff(s.theta);
-  const bool moment_vanishes = same(moment.subs(s.theta == s.alpha), 0),
-             slope_vanishes = same(slope.subs(s.theta == s.alpha), 0);
-  const std::string found = fmt::format("moment {}, {} at θ = α; its slope {}, {} at θ = α", shown(moment),
-                                        shown(moment.subs(s.theta == s.alpha)), shown(slope),
-                                        shown(slope.subs(s.theta == s.alpha)));
+  const ex moment = weight_potential(Side::positive).diff(theta), slope = moment.diff(theta);
+  const bool moment_vanishes = same(moment.subs(theta == alpha), 0),
+             slope_vanishes = same(slope.subs(theta == alpha), 0);
+  const std::string found =
+      fmt::format("moment {}, {} at θ = α; its slope {}, {} at θ = α", shown(moment),
+                  shown(moment.subs(theta == alpha)), shown(slope), shown(slope.subs(theta == alpha)));
   if (slope_vanishes) return confirmed(found, "Moment and slope vanish together.");
   if (!moment_vanishes) return refuted(found, "Not even the moment vanishes.");
   return qualified(found,
@@ -73,8 +68,7 @@ Finding stiffness(Workbench&, const Claim&) {
 }
 
 Finding free_energy(Workbench&, const Claim&) {
-  const Letters& s = letters();
-  const lst still{s.u_gddot == 0, s.u_gdot == 0};
+  const lst still{u_gddot == 0, u_gdot == 0};
   const ex left = energy_rate(Side::negative).subs(still), right = energy_rate(Side::positive).subs(still);
   return decided(same(left, 0) && same(right, 0),
                  fmt::format("dE/dt = {} for θ < 0, {} for θ > 0, ground at rest", shown(left.normal()),
@@ -83,11 +77,10 @@ Finding free_energy(Workbench&, const Claim&) {
 }
 
 Finding caption_of_figure_5(Workbench&, const Claim&) {
-  const Letters& s = letters();
-  const lst start{s.theta == 0, s.thetadot == 0};
+  const lst start{theta == 0, thetadot == 0};
   const auto holds = [&](Side side) {
     const ex acceleration = angular_acceleration(side).subs(start);
-    return same(vertical_reaction(side).subs(start), s.g - s.R * acceleration * sin(s.alpha),
+    return same(vertical_reaction(side).subs(start), g - R * acceleration * sin(alpha),
                 inertia_and_frequency());
   };
   const bool about_o = holds(Side::negative), about_o_prime = holds(Side::positive);
@@ -101,10 +94,9 @@ Finding caption_of_figure_5(Workbench&, const Claim&) {
 }
 
 Finding momentum_about_o(Workbench&, const Claim&) {
-  const Letters& s = letters();
   // Seen from O, the block that turns about O' is the mirror image of the block before the impact seen from
   // O'.
-  const ex about_o = momentum_before_impact().subs(s.thetadot_minus == s.thetadot_plus);
+  const ex about_o = momentum_before_impact().subs(thetadot_minus == thetadot_plus);
   const ex about_o_prime = momentum_after_impact();
   return decided(same(about_o, about_o_prime, sides_of_the_block()),
                  fmt::format("about O' {}, about O {}", shown(about_o_prime), shown(about_o)),
@@ -114,10 +106,9 @@ Finding momentum_about_o(Workbench&, const Claim&) {
 }
 
 Finding spread_impact(Workbench&, const Claim&) {
-  const Letters& s = letters();
-  const ex e = derivation_table().at("r16")().right, half_width = s.R * sin(s.alpha);
+  const ex e = derivation_table().at("r16")().right, half_width = R * sin(alpha);
   const auto at = [&](const ex& share) {
-    return e.subs(s.d == share * half_width).subs(s.alpha == ex(1) / 4).evalf();
+    return e.subs(d == share * half_width).subs(alpha == ex(1) / 4).evalf();
   };
   const auto number = [&](const ex& share) { return GiNaC::ex_to<GiNaC::numeric>(at(share)).to_double(); };
   const double edge = number(0), half = number(ex(1) / 2), centre = number(1);
@@ -142,30 +133,27 @@ Finding restitution_is_geometry(Workbench&, const Claim&) {
 }
 
 Finding reactions_at_start(Workbench& bench, const Claim&) {
-  const Letters& s = letters();
   const Relation printed = parse_relation(bench.rows().at("50").row.printed);
-  const lst start{s.theta == 0, s.thetadot == 0, s.u_gddot == s.g * tan(s.alpha)};
+  const lst start{theta == 0, thetadot == 0, u_gddot == g * tan(alpha)};
   const ex as_printed = lower(printed.sides[1]).subs(start);
   const ex derived = (horizontal_reaction(Side::negative) / vertical_reaction(Side::negative)).subs(start);
   const auto at_quarter = [&](const ex& e) {
-    return GiNaC::ex_to<GiNaC::numeric>(e.subs(s.R == 3 * s.g / (4 * pow(s.p, 2)))
-                                            .subs(lst{s.alpha == ex(1) / 4, s.g == 1, s.p == 1})
-                                            .evalf())
+    return GiNaC::ex_to<GiNaC::numeric>(
+               e.subs(R == 3 * g / (4 * pow(p, 2))).subs(lst{alpha == ex(1) / 4, g == 1, p == 1}).evalf())
         .to_double();
   };
-  const bool derived_is_tan = same(derived, tan(s.alpha), inertia_and_frequency());
-  return decided(same(as_printed, tan(s.alpha), inertia_and_frequency()),
+  const bool derived_is_tan = same(derived, tan(alpha), inertia_and_frequency());
+  return decided(same(as_printed, tan(alpha), inertia_and_frequency()),
                  fmt::format("α = 0.25: (50) as printed {:.6f}, tan α {:.6f}, (50) corrected {:.6f}",
-                             at_quarter(as_printed), at_quarter(tan(s.alpha)), at_quarter(derived)),
+                             at_quarter(as_printed), at_quarter(tan(alpha)), at_quarter(derived)),
                  "It does.",
                  fmt::format("Not as printed. The corrected (50), row r5, {}.",
                              derived_is_tan ? "gives tan α exactly" : "does not give it either"));
 }
 
 Finding no_oscillation(Workbench&, const Claim&) {
-  const Letters& s = letters();
-  const ex away = derivation_table().at("62b")().right - s.alpha;
-  const bool repelled = same(away.diff(s.t, 2), pow(s.p, 2) * away);
+  const ex away = derivation_table().at("62b")().right - alpha;
+  const bool repelled = same(away.diff(t, 2), pow(p, 2) * away);
   return decided(
       !repelled, fmt::format("(θ − α)¨ {} p²·(θ − α) for every free motion", repelled ? "=" : "≠"),
       "It is drawn back.",
@@ -175,11 +163,8 @@ Finding no_oscillation(Workbench&, const Claim&) {
 }
 
 Finding corner_in_finite_time(Workbench&, const Claim&) {
-  const Letters& s = letters();
-  const ex angle = derivation_table().at("65a")().right + s.alpha,
-           rate = derivation_table().at("65b")().right;
-  const ex determinant =
-      angle.diff(s.Abar_1) * rate.diff(s.Abar_2) - angle.diff(s.Abar_2) * rate.diff(s.Abar_1);
+  const ex angle = derivation_table().at("65a")().right + alpha, rate = derivation_table().at("65b")().right;
+  const ex determinant = angle.diff(Abar_1) * rate.diff(Abar_2) - angle.diff(Abar_2) * rate.diff(Abar_1);
   const bool regular = same(determinant, -1);
   return decided(!regular,
                  fmt::format("determinant of (65a), (65b) in Ā_1, Ā_2: {} at every t",
@@ -190,15 +175,14 @@ Finding corner_in_finite_time(Workbench&, const Claim&) {
 }
 
 Finding same_as_78(Workbench&, const Claim&) {
-  const Letters& s = letters();
   const auto residual = [](const char* id) {
     const Derivation d = derivation_table().at(id)();
     return d.left - d.right;
   };
-  const lst from_rest{s.theta_0 == 0, s.thetadot_0 == 0};
-  const ex end = 3 * GiNaC::Pi / 2 - s.psi;
-  const ex cosine = residual("103").subs(from_rest).subs(s.T_ex == end / s.omega_p);
-  const ex sine = residual("78").subs(s.psi == s.psi + GiNaC::Pi / 2);
+  const lst from_rest{theta_0 == 0, thetadot_0 == 0};
+  const ex end = 3 * GiNaC::Pi / 2 - psi;
+  const ex cosine = residual("103").subs(from_rest).subs(T_ex == end / omega_p);
+  const ex sine = residual("78").subs(psi == psi + GiNaC::Pi / 2);
   const bool identical = same(cosine, sine);
   return decided(!identical,
                  fmt::format("(78) with ψ + π/2 for ψ, less (103) from rest: {}", identical ? "0" : "not 0"),
@@ -209,11 +193,10 @@ Finding same_as_78(Workbench&, const Claim&) {
 }
 
 Finding extends_71(Workbench&, const Claim&) {
-  const Letters& s = letters();
   const Derivation with = derivation_table().at("104")(), without = derivation_table().at("71")();
   const ex left = (with.left - with.right)
-                      .subs(lst{s.theta_0 == 0, s.thetadot_0 == 0})
-                      .subs(s.T_ex == (2 * GiNaC::Pi - s.psi) / s.omega_p);
+                      .subs(lst{theta_0 == 0, thetadot_0 == 0})
+                      .subs(T_ex == (2 * GiNaC::Pi - psi) / omega_p);
   return decided(
       same(left, without.left - without.right),
       "(104) with θ_0 = θ̇_0 = 0, less (71): " + shown((left - without.left + without.right).expand()),

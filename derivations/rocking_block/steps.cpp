@@ -1,20 +1,10 @@
-#include <derivations/rocking_block/letters.hpp>
+#include <derivations/rocking_block/steps.hpp>
 #include <map>
 #include <mutex>
 
 namespace rederive {
 
 using GiNaC::ex;
-
-const Letters& letters() {
-  static const Letters all;
-  return all;
-}
-
-Rates block_rates() {
-  const Letters& s = letters();
-  return {{s.theta, s.thetadot}, {s.thetadot, s.thetaddot}, {s.u_g, s.u_gdot}, {s.u_gdot, s.u_gddot}};
-}
 
 Derivation derived(const ex& left, const ex& right, std::vector<Step> steps, std::vector<Given> given,
                    const std::string& relation) {
@@ -57,17 +47,6 @@ std::vector<Step> as_before(std::initializer_list<Derivation> others, const std:
   for (const Derivation& other : others) steps.insert(steps.end(), other.steps.begin(), other.steps.end());
   steps.insert(steps.end(), more.begin(), more.end());
   return steps;
-}
-
-std::vector<Given> inertia_and_frequency() {
-  const Letters& s = letters();
-  const ex R = 3 * s.g / (4 * pow(s.p, 2));
-  return {{s.J_o, ex(4) / 3 * s.m * pow(R, 2)}, {s.R, R}};
-}
-
-std::vector<Given> sides_of_the_block() {
-  const Letters& s = letters();
-  return {{s.b, s.R * sin(s.alpha)}, {s.h, s.R * cos(s.alpha)}};
 }
 
 }  // namespace rederive
