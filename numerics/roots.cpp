@@ -82,8 +82,7 @@ double least_between(const Function& f, double low, double high) {
   Called called(f);
   const double end = f(low) < f(high) ? low : high, at_end = f(end);
   double inside = std::midpoint(low, high);
-  while (inside != end && !(f(inside) < at_end)) inside = std::midpoint(inside, end);
-  if (inside == end || inside == low || inside == high) return end;
+  for (int i = 0; i < 30 && !(f(inside) < at_end); ++i) inside = std::midpoint(inside, end);
   const std::unique_ptr<gsl_min_fminimizer, decltype(&gsl_min_fminimizer_free)> search(
       gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent), gsl_min_fminimizer_free);
   if (!called.ok(gsl_min_fminimizer_set(search.get(), &called.gsl, inside, low, high))) return inside;

@@ -31,7 +31,11 @@ Result with_change(const std::string& id, const std::string& from, const std::st
 }
 
 /// The block of the captions with e = 0.9 under a one-sine pulse.
-const rederive::PulseCase statue{rederive::make_block(0.25, 2.14, 0.9)};
+const rederive::PulseCase statue = [] {
+  rederive::PulseCase asked;
+  asked.block = rederive::make_block(0.25, 2.14, 0.9);
+  return asked;
+}();
 
 Json claim_of(const Result& result) { return Json::parse(result.out)["claims"].at(0); }
 
