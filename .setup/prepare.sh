@@ -17,7 +17,7 @@ install_packages() {
     for tool in c++ cmake ninja pkg-config gnuplot; do
       command -v "$tool" >/dev/null || absent="${absent:-}$tool "
     done
-    for library in ginac cln gsl; do
+    for library in ginac cln gsl mpfr; do
       pkg-config --exists "$library" 2>/dev/null || absent="${absent:-}$library "
     done
     [ -z "${absent:-}" ] && return 0

@@ -80,6 +80,16 @@ Real Mover::bound(const Arc& arc, Real from, Real to) const {
 }
 
 /// A time, at most `until`, before which the block cannot come back to upright.
+///
+/// Let y = |theta|/alpha, and y'' >= -m with m >= 0 from now until `to`. Integrated twice,
+/// y(t + h) >= y + y' h - m h^2/2: up to the first zero of that parabola, or `to`, y > 0 (earliest_return).
+/// Such an m is bound(). By (21) with p = 1, y'' = -sin(alpha (1 - y))/alpha + q cos(alpha (1 - y)), where q is
+/// the ground acceleration over alpha g away from upright.
+/// - q >= 0, y <= 1: both terms are least at y = 0: y'' >= -still_ + per_push_ q, per_push_ = cos(alpha).
+/// - q < 0, y <= 1: the first is least at y = 0, the cosine is at most 1: y'' >= -still_ + per_ground_ q.
+/// - y > 1, |theta| <= pi/2: the weight pushes outwards, and y'' >= q if q < 0, else y'' >= 0.
+/// In the linear model (56), y'' = -(1 - y) + q, the three factors are 1. Over less time q has a narrower
+/// range and m is no larger: `to` is `until` at first, then nearer.
 Real Mover::certain_time(const Arc& arc, const Point& at, Real until) const {
   const Real y = arc.side * at.angle, outward = arc.side * at.velocity;
   const auto safe = [&](Real to) {

@@ -1,4 +1,5 @@
-// The block, and the two models of its motion.
+// The block, and the two models of its motion: G. W. Housner, The behavior of inverted pendulum structures
+// during earthquakes, Bull. Seism. Soc. Am. 53 (1963) 403-417.
 #pragma once
 
 #include <optional>

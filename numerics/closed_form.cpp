@@ -1,163 +1,185 @@
-#include <numerics/closed_form.hpp>
-
-#include <numerics/closed_form_residuals.hpp>
-#include <numerics/motion_check.hpp>
-#include <numerics/roots.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <mutex>
+#include <functional>
 #include <numbers>
+#include <numerics/closed_form.hpp>
+#include <numerics/roots.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
 namespace {
 
-constexpr Real pi = std::numbers::pi_v<Real>;
-
-/// A pulse longer than this magnifies rounding so much that an impact's roots are sought with all digits.
+/// A pulse longer than this magnifies rounding so much that an impact's roots are sought in balls.
 constexpr Real long_pulse = 25;
 
-Real real(Real value) { return value; }
-Real real(const Digits& value) { return value.to_real(); }
+/// Bits to begin with: a pulse magnifies what is left out of a number by e^T_ex at most, once on the way to
+/// the root and once in the motion from there; and sixty digits are to be right.
+long first_bits(Real longest) { return std::min(Ball::most_bits, 512 + static_cast<long>(2.9L * longest)); }
 
-/// A number of which no digit that counts is left.
-bool is_nothing(const Digits& change, const Digits& beside) {
-  static const Digits smallest = Digits::parse(fmt::format("1e-{}", Digits::working_digits - 30));
-  return !(abs(change) > smallest * abs(beside));
-}
-
-struct Correction {
-  Digits psi, tau;
+/// What the equations depend on.
+template <class T>
+struct Inputs {
+  T omega_ratio, restitution, push;
 };
 
-Correction newton_step(Form form, const Inputs<Digits>& in, const Digits& psi, const Digits& tau) {
-  if (std::abs(code_of(form)) == 1) {
-    const auto at = residual_of_psi(form, in, psi);
-    return {at.value / at.d_psi, 0};
-  }
-  const auto at = residuals_with_impact(form, in, psi, tau);
-  const Digits determinant = at.d_psi[0] * at.d_tau[1] - at.d_tau[0] * at.d_psi[1];
-  return {(at.value[0] * at.d_tau[1] - at.d_tau[0] * at.value[1]) / determinant,
-          (at.d_psi[0] * at.value[1] - at.value[0] * at.d_psi[1]) / determinant};
+/// A bound of T_ex.
+Real longest_pulse(const Ball& omega_ratio) { return 2 * std::numbers::pi_v<Real> / omega_ratio.to_real(); }
+
+/// (86) is A sin(psi) + B cos(psi) = 0: the phase in (0, pi) for which theta = 0 at tau_i. At psi = 0 the
+/// value is B, the derivative A.
+template <class T>
+T phase_of_impact(const Inputs<T>& in, const T& tau) {
+  using std::atan2;
+  const auto at_zero = emitted::impact_during_pulse_with_derivatives(in.omega_ratio, T(0), tau);
+  const T psi = atan2(-at_zero.value, at_zero.d_psi);
+  return psi > T(0) ? psi : psi + emitted::pi<T>();
 }
 
-class Search {
- public:
-  Search(Pulse pulse, const ExactCase& exact)
-      : pulse_(pulse),
-        exact_(exact),
-        all_digits_{exact.omega_ratio, exact.restitution, exact.angle + exact.velocity},
-        rounded_{real(all_digits_.omega_ratio), real(all_digits_.restitution), real(all_digits_.push)},
-        longest_(2 * pi / rounded_.omega_ratio) {}
+/// Positive where the free motion after the pulse comes to upright so fast that e times its velocity more
+/// than reaches theta = alpha on the other side.
+template <class T>
+T beyond_threshold(const Inputs<T>& in, const T& psi) {
+  const T one(1), zero(0);
+  const auto end = emitted::linear_response_negative_with_derivatives(
+      one, one, in.omega_ratio, emitted::amplitude_of_sine_pulse(one, psi), psi, zero, zero,
+      emitted::end_of_sine_pulse(in.omega_ratio, psi));
+  const T needed = emitted::linear_critical_velocity_positive(zero) / in.restitution;
+  return emitted::linear_impact_velocity_squared_negative(end.value, end.d_t) - needed * needed;
+}
 
-  void without_impact(Form form) {
-    const auto residual = [&](Real psi) { return residual_of_psi(form, rounded_, psi).value; };
-    const Real shift = form == Form::eq103 ? pi / 2 : 0, margin = 1e-9L;
-    for (const Bracket& root : roots_between(residual, margin - shift, pi - margin - shift, 2000))
-      add(form, Digits(root.high), 0);
+/// Zero at a root, positive where the block overturns. The unknown x is psi, for (86)&(88) the impact time.
+template <class T>
+T residual(Form form, const Inputs<T>& in, const T& x) {
+  const T &w = in.omega_ratio, &e = in.restitution;
+  switch (form) {
+    case Form::eq71:
+      return emitted::overturning_without_impact_negative(w, x);
+    case Form::eq78:
+      return -emitted::overturning_without_impact_positive(w, x);
+    case Form::eq86_88:
+      return -emitted::overturning_impact_during_pulse(w, phase_of_impact(in, x), x, e);
+    case Form::eq92a_96:
+      return beyond_threshold(in, x);
+    case Form::eq103:
+      return -emitted::overturning_cosine_pulse(w, x, in.push);
+    case Form::eq104:
+      return emitted::overturning_sine_pulse(w, x, in.push);
   }
+  return T(0);
+}
 
-  void impact_during_pulse() { longest_ < long_pulse ? impact_during(rounded_) : impact_during(all_digits_); }
-  void impact_after_pulse() { longest_ < long_pulse ? impact_after(rounded_) : impact_after(all_digits_); }
-
-  std::vector<ClosedForm> roots() && { return std::move(all_); }
-
- private:
-  /// (86) is linear in cos(psi), sin(psi): the phase in (0, pi) for which theta = 0 at tau_i.
-  template <class T>
-  static T phase_of_impact(const Inputs<T>& in, const T& tau) {
-    using std::atan2;
-    const T zero = 0, quarter = emitted::pi<T>() / T(2);
-    const T psi = atan2(-emitted::impact_during_pulse(in.omega_ratio, zero, tau),
-                        emitted::impact_during_pulse(in.omega_ratio, quarter, tau));
-    return psi > T(0) ? psi : psi + emitted::pi<T>();
-  }
-
-  template <class T>
-  void impact_during(const Inputs<T>& in) {
-    const auto residual = [&](Real at) {
-      const T tau(at);
-      return real(emitted::overturning_impact_during_pulse(in.omega_ratio, phase_of_impact(in, tau), tau,
-                                                           in.restitution));
-    };
-    const auto phase = [&](Real tau) { return real(phase_of_impact(in, T(tau))); };
-    const Real last = std::min(3 * longest_, longest_ + 10);
-    for (const Bracket& root : roots_between(residual, 1e-4L * longest_, last, 6000))
-      if (std::abs(phase(root.high) - phase(root.high * (1 - 1e-9L))) <
-          0.1L)  // else psi jumps between 0 and pi
-        add(Form::eq86_88, phase_of_impact(all_digits_, Digits(root.high)), Digits(root.high));
-  }
-
-  /// Vanishes where the free motion after the pulse comes to upright so fast that e times its velocity just
-  /// reaches theta = alpha on the other side.
-  template <class T>
-  static T beyond_threshold(const Inputs<T>& in, const T& psi) {
-    const T one = 1, zero = 0, amplitude = emitted::amplitude_of_sine_pulse(one, psi);
-    const auto end = emitted::linear_response_negative_with_derivatives(
-        one, one, in.omega_ratio, amplitude, psi, zero, zero,
-        emitted::end_of_sine_pulse(in.omega_ratio, psi));
-    const T needed = emitted::linear_critical_velocity_positive(zero) / in.restitution;
-    return emitted::linear_impact_velocity_squared_negative(end.value, end.d_t) - needed * needed;
-  }
-
-  template <class T>
-  void impact_after(const Inputs<T>& in) {
-    const auto residual = [&](Real psi) { return real(beyond_threshold(in, T(psi))); };
-    for (const Bracket& root : roots_between(residual, 1e-6L, pi - 1e-6L, 4000)) {
-      const Digits psi = between(root);
-      const Digits& w = all_digits_.omega_ratio;
-      const Real growth = real(emitted::growth_to_critical_impact(w, psi, all_digits_.restitution));
-      if (growth > 0) add(Form::eq92a_96, psi, emitted::end_of_sine_pulse(w, psi) + Digits(std::log(growth)));
-    }
-  }
-
-  /// The root of beyond_threshold, which is all but straight there, by the secant.
-  Digits between(const Bracket& root) const {
-    Digits last(root.low), next(root.high), last_value = beyond_threshold(all_digits_, last);
-    for (int i = 0; i < 50 && !is_nothing(next - last, next); ++i) {
-      const Digits value = beyond_threshold(all_digits_, next), change = value - last_value;
-      if (change == 0) break;
-      const Digits step = value * (next - last) / change;
-      last = next, last_value = value;
-      next -= step;
-    }
-    return next;
-  }
-
-  /// Newton's iteration to all digits, and the root's place in the list.
-  void add(Form form, Digits psi, Digits tau) {
-    for (int i = 0;; ++i) {
-      const Correction step = newton_step(form, all_digits_, psi, tau);
-      psi -= step.psi;
-      tau -= step.tau;
-      if (is_nothing(step.psi, psi)) break;
-      if (i == 200)
-        throw std::runtime_error(
-            fmt::format("a root near psi = {} at omega_p/p = {} cannot be found to all digits",
-                        psi.to_double(), all_digits_.omega_ratio.text(6)));
-    }
-    const bool cosine = pulse_ == Pulse::cosine, with_impact = std::abs(code_of(form)) == 2;
-    const Digits one = 1, &w = all_digits_.omega_ratio;
-    ExactRoot root{
-        cosine ? emitted::amplitude_of_cosine_pulse(one, psi) : emitted::amplitude_of_sine_pulse(one, psi),
-        psi, tau, cosine ? emitted::end_of_cosine_pulse(w, psi) : emitted::end_of_sine_pulse(w, psi)};
-    const Motion motion = motion_at(form, pulse_, exact_, root);
-    const auto impact_time = with_impact ? std::optional(tau.to_double()) : std::nullopt;
-    all_.push_back({form, root.amplitude.to_double(), psi.to_double(), impact_time,
-                    root.pulse_end.to_double(), root, motion.real, motion.why_not.empty(), motion.why_not});
-  }
-
-  Pulse pulse_;
-  ExactCase exact_;
-  Inputs<Digits> all_digits_;
-  Inputs<Real> rounded_;
-  Real longest_;  ///< bound of T_ex
-  std::vector<ClosedForm> all_;
+/// Where the unknown may lie, and at how many points the residual is looked at first.
+struct Range {
+  double low, high;
+  int count;
 };
+
+Range range_of(Form form, double longest) {
+  constexpr double pi = std::numbers::pi, shift = pi / 2;
+  if (form == Form::eq86_88) return {1e-4 * longest, std::min(3 * longest, longest + 10), 6000};
+  if (form == Form::eq92a_96) return {1e-6, pi - 1e-6, 4000};
+  if (form == Form::eq103) return {1e-9 - shift, pi - 1e-9 - shift, 2000};
+  return {1e-9, pi - 1e-9, 2000};
+}
+
+/// Neighbouring doubles with a root between them, by rounded values of the residual.
+std::vector<Change> brackets(Form form, const Inputs<Ball>& in) {
+  const Inputs<Real> rounded{in.omega_ratio.to_real(), in.restitution.to_real(), in.push.to_real()};
+  const Real longest = longest_pulse(in.omega_ratio);
+  const bool in_balls = std::abs(code_of(form)) == 2 && longest > long_pulse;
+  const auto value = [&](double x) {
+    return static_cast<double>(in_balls ? residual(form, in, Ball(x, in.omega_ratio.bits())).to_real()
+                                        : residual<Real>(form, rounded, x));
+  };
+  const Range range = range_of(form, static_cast<double>(longest));
+  return sign_changes(value, range.low, range.high, range.count);
+}
+
+struct ProvenRoot {
+  Ball x;
+  bool rises;  ///< the residual, with x
+};
+
+/// Secants from the ends of a bracket, until rounding hides the difference of two values; then the proof, by
+/// the intermediate value theorem.
+ProvenRoot proven_root(const std::function<Ball(const Ball&)>& f, const Change& bracket, long bits) {
+  Ball last(bracket.inside, bits), next(bracket.outside, bits), last_value = f(last);
+  for (int i = 0; i < 100; ++i) {
+    const Ball value = f(next), change = value - last_value;
+    if (change.contains_zero()) break;
+    const Ball step = value * (next - last) / change;
+    last = next, last_value = value;
+    next = (next - step).middle();
+  }
+  const Ball x = next.widened(-bits / 2 - 64), low = f(x.lower()), high = f(x.upper());
+  const bool rises = low.is_negative() && high.is_positive();
+  if (!rises && !(low.is_positive() && high.is_negative()))
+    throw NotCertain(fmt::format("a root near {} cannot be proven", next.to_double()));
+  return {x, rises};
+}
+
+ExactRoot root_at(Form form, const Inputs<Ball>& in, const Ball& x) {
+  const Ball one(1), zero(0), &w = in.omega_ratio;
+  if (form == Form::eq103)
+    return {emitted::amplitude_of_cosine_pulse(one, x), x, zero, emitted::end_of_cosine_pulse(w, x)};
+  const Ball psi = form == Form::eq86_88 ? phase_of_impact(in, x) : x,
+             end = emitted::end_of_sine_pulse(w, psi);
+  if (!psi.is_positive() || !(psi < Ball::pi()))  // where it jumps: the residual is not continuous
+    throw NotCertain(fmt::format("the phase of the impact at {} cannot be told", x.to_double()));
+  const Ball time = form == Form::eq86_88 ? x
+                    : form == Form::eq92a_96
+                        ? end + log(emitted::growth_to_critical_impact(w, psi, in.restitution))
+                        : zero;
+  return {emitted::amplitude_of_sine_pulse(one, psi), psi, time, end};
+}
+
+/// False where the residual changes its sign and has no root: where the phase in (86) jumps from 0 to pi, and
+/// where the velocity at the impact after the pulse is not towards upright.
+bool is_root(Form form, const Inputs<Ball>& in, const Change& bracket) {
+  const long bits = in.omega_ratio.bits();
+  const Ball low(bracket.inside, bits), high(bracket.outside, bits);
+  if (form == Form::eq86_88)
+    return std::abs((phase_of_impact(in, high) - phase_of_impact(in, low)).to_double()) < 0.1;
+  return form != Form::eq92a_96 ||
+         emitted::growth_to_critical_impact(in.omega_ratio, high, in.restitution).is_positive();
+}
+
+/// Whether amplitudes just above a root overturn and those just below do not, or the other way round. The
+/// amplitude falls with psi in a sine pulse, and grows with it in a cosine pulse.
+bool overturns_above(Form form, const Inputs<Ball>& in, const ExactRoot& at, bool residual_rises) {
+  if (form == Form::eq103) return residual_rises;
+  if (form != Form::eq86_88) return !residual_rises;
+  const auto impact = emitted::impact_during_pulse_with_derivatives(in.omega_ratio, at.psi, at.impact_time);
+  const bool psi_falls_with_time = (impact.d_tau_i * impact.d_psi).is_positive();  // along impact.value = 0
+  return residual_rises == psi_falls_with_time;
+}
+
+void add_roots(Form form, Pulse pulse, const ExactCase& exact, std::vector<ClosedForm>& all) {
+  const Inputs<Ball> in{exact.omega_ratio, exact.restitution, exact.angle + exact.velocity};
+  for (const Change& bracket : brackets(form, in)) {
+    if (!is_root(form, in, bracket)) continue;
+    const ProvenRoot found =
+        proven_root([&](const Ball& x) { return residual(form, in, x); }, bracket, in.omega_ratio.bits());
+    const ExactRoot root = root_at(form, in, found.x);
+    std::string why_not = contradiction(form, pulse, exact, root);
+    const bool real = why_not.empty();
+    if (real && !overturns_above(form, in, root, found.rises))
+      why_not = "not a minimum: it overturns below this amplitude and not above";
+    const bool with_impact = std::abs(code_of(form)) == 2;
+    all.push_back({form, root.amplitude.to_double(), root.psi.to_double(),
+                   with_impact ? std::optional(root.impact_time.to_double()) : std::nullopt,
+                   root.pulse_end.to_double(), root, real, why_not.empty(), why_not});
+  }
+}
+
+std::vector<Form> forms_for(Pulse pulse, const ExactCase& exact) {
+  if (pulse == Pulse::cosine) return {Form::eq103};
+  if (!exact.angle.is_zero() || !exact.velocity.is_zero()) return {Form::eq104};
+  return {Form::eq71, Form::eq78, Form::eq86_88, Form::eq92a_96};
+}
 
 }  // namespace
 
@@ -195,43 +217,25 @@ std::vector<std::string> ClosedForm::equations() const {
 }
 
 ExactCase exact_case_of(const PulseCase& asked) {
-  return {Digits(asked.omega_ratio), Digits(asked.block.restitution), Digits(asked.initial.angle),
-          Digits(asked.initial.velocity)};
+  return {Ball(asked.omega_ratio), Ball(asked.block.restitution), Ball(asked.initial.angle),
+          Ball(asked.initial.velocity)};
 }
-
-namespace {
-
-/// CLN counts the references to its numbers, and keeps constants between calls, without regard to threads.
-std::mutex& one_at_a_time() {
-  static std::mutex mutex;
-  return mutex;
-}
-
-std::vector<ClosedForm> all_roots(Pulse pulse, const ExactCase& exact) {
-  Search search(pulse, exact);
-  if (pulse == Pulse::cosine) {
-    search.without_impact(Form::eq103);
-  } else if (exact.angle == 0 && exact.velocity == 0) {
-    search.without_impact(Form::eq71);
-    search.without_impact(Form::eq78);
-    search.impact_during_pulse();
-    search.impact_after_pulse();
-  } else {
-    search.without_impact(Form::eq104);
-  }
-  return std::move(search).roots();
-}
-
-}  // namespace
 
 std::vector<ClosedForm> closed_forms(Pulse pulse, const ExactCase& exact) {
-  const std::lock_guard lock(one_at_a_time());
-  return all_roots(pulse, exact);
+  for (long bits = first_bits(longest_pulse(exact.omega_ratio));; bits = std::min(2 * bits, Ball::most_bits))
+    try {
+      const ExactCase rounded{exact.omega_ratio.at(bits), exact.restitution.at(bits), exact.angle.at(bits),
+                              exact.velocity.at(bits)};
+      std::vector<ClosedForm> all;
+      for (const Form form : forms_for(pulse, exact)) add_roots(form, pulse, rounded, all);
+      return all;
+    } catch (const NotCertain&) {
+      if (bits == Ball::most_bits) throw;
+    }
 }
 
 std::vector<ClosedForm> closed_forms(const PulseCase& asked) {
-  const std::lock_guard lock(one_at_a_time());
-  return all_roots(asked.pulse, exact_case_of(asked));
+  return closed_forms(asked.pulse, exact_case_of(asked));
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,15 +1,15 @@
 // The nonlinear equations of motion (21a,b), integrated on one side.
 #pragma once
 
-#include <numerics/ground_motion.hpp>
-
 #include <gsl/gsl_odeiv2.h>
 
 #include <memory>
+#include <numerics/ground_motion.hpp>
 
 namespace rederive::inline numeric {
 
-/// GSL's eighth-order Prince-Dormand method with step control; time is counted from the start of each call,
+/// GSL's eighth-order Prince-Dormand method with step control (Hairer, Norsett, Wanner, Solving Ordinary
+/// Differential Equations I, 2nd ed. 1993, sections II.4-II.6); time is counted from the start of each call,
 /// so that very short stretches lose no digits. Throws std::runtime_error if no step keeps the error small
 /// enough.
 class RockingIntegrator {
@@ -35,4 +35,4 @@ class RockingIntegrator {
   double guess_ = 0.1;  ///< the last step size that worked
 };
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

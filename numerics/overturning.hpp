@@ -1,4 +1,6 @@
-// Overturned or safe: decided by energy when the ground has come to rest.
+// Overturned or safe: decided by energy when the ground has come to rest. Overturning with and without an
+// impact: N. Makris and Y. Roussos, Geotechnique 50 (2000) 243-262; J. Zhang and N. Makris, J. Eng. Mech. 127
+// (2001) 473-483.
 #pragma once
 
 #include <numerics/response.hpp>
@@ -48,4 +50,4 @@ struct PulseCase {
 /// instant then, and std::invalid_argument is thrown.
 Outcome outcome_at(const PulseCase& asked, Real amplitude);
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

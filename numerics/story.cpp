@@ -1,11 +1,9 @@
-#include <numerics/story.hpp>
-
-#include <emitted/rocking_block.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <emitted/rocking_block.hpp>
 #include <limits>
-#include <numeric>
+#include <numerics/roots.hpp>
+#include <numerics/story.hpp>
 
 namespace rederive::inline numeric {
 namespace {
@@ -18,12 +16,13 @@ Event overturn_event(Mover& mover, const Response& response, int side) {
   const Arc* last = &response.arcs.back();
   for (const Arc& arc : response.arcs)
     if (arc.side == side && side * arc.start.angle < 1 && side * arc.end.angle >= 1) last = &arc;
-  Real low = last->start.time, high = side * last->start.angle >= 1 ? low : last->end.time;
-  for (Real middle = std::midpoint(low, high); low < middle && middle < high;
-       middle = std::midpoint(low, high))
-    (side * mover.along(*last, middle).angle < 1 ? low : high) = middle;
-  const Point at = mover.along(*last, high);
-  return {EventKind::overturn, high, at.angle, at.velocity, at.velocity};
+  const auto beyond = [&](double time) {
+    return static_cast<double>(side * mover.along(*last, time).angle - 1);
+  };
+  const double start = static_cast<double>(last->start.time), end = static_cast<double>(last->end.time);
+  const Point at =
+      mover.along(*last, side * last->start.angle < 1 ? root_between(beyond, start, end) : start);
+  return {EventKind::overturn, at.time, at.angle, at.velocity, at.velocity};
 }
 
 Real end_of(const GroundMotion& motion) { return motion.empty() ? 0 : motion.back().to; }
@@ -51,35 +50,26 @@ Reactions reactions(const Block& block, const Arc& arc, const Point& at) {
           emitted::vertical_reaction_positive(alpha, theta, thetadot, ground, one)};
 }
 
-/// The largest ratio on one arc: the best of a few points, refined between its neighbours by golden sections.
+/// The largest ratio on one arc: the best of a few points, and the greatest beside it.
 void friction_on(const Block& block, Mover& mover, const Arc& arc, Real until, Friction& friction) {
-  const Real end = std::min(arc.end.time, until);
-  const int count = std::clamp(static_cast<int>((end - arc.start.time) / 0.02L), 2, 64);
-  const auto ratio = [&](Real time) {
+  const double start = static_cast<double>(arc.start.time),
+               end = static_cast<double>(std::min(arc.end.time, until));
+  const int count = std::clamp(static_cast<int>((end - start) / 0.02), 2, 64);
+  double best = start, most = 0;
+  const auto ratio = [&](double time) {
     const Reactions force = reactions(block, arc, mover.along(arc, time));
-    if (force.vertical <= 0 && !friction.uplift)
-      friction.uplift = true, friction.uplift_time = static_cast<double>(time);
-    return force.vertical > 0 ? std::abs(force.horizontal) / force.vertical
-                              : std::numeric_limits<Real>::infinity();
-  };
-  Real best = arc.start.time, most = ratio(best);
-  for (int i = 1; i <= count; ++i) {
-    const Real time = std::lerp(arc.start.time, end, static_cast<Real>(i) / count), value = ratio(time);
+    if (force.vertical <= 0 && !friction.uplift) friction.uplift = true, friction.uplift_time = time;
+    const double value = force.vertical > 0 ? static_cast<double>(std::abs(force.horizontal) / force.vertical)
+                                            : std::numeric_limits<double>::infinity();
     if (value > most) best = time, most = value;
-  }
-  if (most < 0.9L * friction.required) return;
-  const Real step = (end - arc.start.time) / count;
-  Real low = std::max(arc.start.time, best - step), high = std::min(end, best + step);
-  for (int i = 0; i < 60 && std::isfinite(most); ++i) {
-    const Real left = std::lerp(low, high, 0.382L), right = std::lerp(low, high, 0.618L);
-    const Real at_left = ratio(left), at_right = ratio(right);
-    most = std::max({most, at_left, at_right});
-    (at_left > at_right ? high : low) = at_left > at_right ? right : left;
-  }
-  if (most > friction.required) {
-    friction.required = static_cast<double>(most);
-    friction.time = static_cast<double>(std::midpoint(low, high));
-  }
+    return value;
+  };
+  for (int i = 0; i <= count; ++i) ratio(std::lerp(start, end, static_cast<double>(i) / count));
+  if (most < 0.9 * friction.required) return;
+  const double step = (end - start) / count, low = std::max(start, best - step),
+               high = std::min(end, best + step);
+  if (std::isfinite(most)) least_between([&](double time) { return -ratio(time); }, low, high);
+  if (most > friction.required) friction.required = most, friction.time = best;
 }
 
 }  // namespace
@@ -115,4 +105,4 @@ Friction required_friction(const Block& block, Model model, const Story& story) 
   return friction;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,10 +1,9 @@
-#include <numerics/windows.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <numerics/windows.hpp>
 #include <stdexcept>
 #include <tuple>
 
@@ -85,16 +84,16 @@ class Scan {
   WindowSearch search_;
 };
 
-/// Appends the changes of code in (low, high]: first amplitude with the new code, and that code.
-struct Change {
+/// Appends the changes of code in (low, high]: last amplitude before, first with the new code, and that code.
+struct NewCode {
   double last_before, first_after;
   int code;
 };
 
 void find_changes(const PulseCase& asked, double low, int code, double high, int code_high,
-                  std::vector<Change>& changes) {
+                  std::vector<NewCode>& changes) {
   for (int guard = 0; code != code_high && guard < 64; ++guard) {
-    const Edge edge = edge_of_code(asked, code, low, high);
+    const Change edge = edge_of_code(asked, code, low, high);
     const int next = outcome_at(asked, edge.outside).code;
     changes.push_back({edge.inside, edge.outside, next});
     low = edge.outside;
@@ -122,11 +121,9 @@ std::vector<Window> wide_enough(const std::vector<Window>& all, Model model) {
 
 }  // namespace
 
-Edge edge_of_code(const PulseCase& asked, int code, double inside, double outside) {
-  for (double middle = std::midpoint(inside, outside); middle != inside && middle != outside;
-       middle = std::midpoint(inside, outside))
-    (outcome_at(asked, middle).code == code ? inside : outside) = middle;
-  return {inside, outside};
+Change edge_of_code(const PulseCase& asked, int code, double inside, double outside) {
+  return change_between([&](double amplitude) { return outcome_at(asked, amplitude).code == code; }, inside,
+                        outside);
 }
 
 std::vector<Window> overturning_windows(const PulseCase& asked, const WindowSearch& search) {
@@ -138,13 +135,13 @@ std::vector<Window> overturning_windows(const PulseCase& asked, const WindowSear
   const auto stations = Scan(asked, search).stations();
   std::vector<Window> windows;
   if (stations.empty()) return windows;
-  std::vector<Change> changes;
+  std::vector<NewCode> changes;
   for (std::size_t i = 0; i + 1 < stations.size(); ++i)
     find_changes(asked, stations[i].amplitude, stations[i].outcome.code, stations[i + 1].amplitude,
                  stations[i + 1].outcome.code, changes);
   double from = stations.front().amplitude;
   int code = stations.front().outcome.code;
-  for (const Change& change : changes) {
+  for (const NewCode& change : changes) {
     if (code != 0) windows.push_back({from, change.last_before, code});
     from = change.first_after, code = change.code;
   }
@@ -157,4 +154,4 @@ std::optional<Window> least_window(const std::vector<Window>& windows) {
   return windows.front();
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

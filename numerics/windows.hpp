@@ -2,7 +2,7 @@
 #pragma once
 
 #include <numerics/overturning.hpp>
-
+#include <numerics/roots.hpp>
 #include <optional>
 #include <vector>
 
@@ -40,11 +40,8 @@ std::vector<Window> overturning_windows(const PulseCase& asked, const WindowSear
 /// The window of the smallest amplitude, if any.
 std::optional<Window> least_window(const std::vector<Window>& windows);
 
-/// Bisects to neighbouring numbers: the last amplitude from `low` on with the code at `low`, the other with
-/// another.
-struct Edge {
-  double inside, outside;
-};
-Edge edge_of_code(const PulseCase& asked, int code, double inside, double outside);
+/// Where the code changes: `inside` the code, which holds at the first of two amplitudes and not at the
+/// other.
+Change edge_of_code(const PulseCase& asked, int code, double inside, double outside);
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -2,9 +2,12 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <lessons/ledger/claims_ratios.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numerics/special.hpp>
+#include <numerics/closed_form.hpp>
+#include <numerics/windows.hpp>
 #include <set>
 
 #include "run_program.hpp"
@@ -26,6 +29,13 @@ Result with_change(const std::string& id, const std::string& from, const std::st
   std::ofstream(file) << text;
   return run_program("ledger", {"claims", id, "--json", "--claims", file});
 }
+
+/// The block of the captions with e = 0.9 under a one-sine pulse.
+const rederive::PulseCase statue = [] {
+  rederive::PulseCase asked;
+  asked.block = rederive::make_block(0.25, 2.14, 0.9);
+  return asked;
+}();
 
 Json claim_of(const Result& result) { return Json::parse(result.out)["claims"].at(0); }
 
@@ -96,16 +106,45 @@ TEST_CASE("printed numbers are read in every way that has a name") {
   CHECK(found("c57b").find("none of") != std::string::npos);
 }
 
-TEST_CASE("the ratios at which overturning after one impact changes agree with numerics/special") {
+TEST_CASE("the claims tell the ratios at which overturning after one impact changes") {
   const auto found = [](const std::string& id) {
     return claim_of(run_program("ledger", {"claims", id, "--json"}))["found"].get<std::string>();
   };
-  rederive::PulseCase asked;
-  asked.block = rederive::make_block(0.25, 2.14, 0.9);
-  CHECK(found("c45").find(fmt::format("{:.7g}", rederive::handover(asked)->omega_ratio)) !=
-        std::string::npos);
-  CHECK(found("c57b").find(fmt::format("{:.7g}", rederive::end_of_mode_2(asked)->omega_ratio)) !=
-        std::string::npos);
+  CHECK(found("c45").find(fmt::format("{:.7g}", handover(statue)->omega_ratio)) != std::string::npos);
+  CHECK(found("c57b").find(fmt::format("{:.7g}", end_of_mode_2(statue)->omega_ratio)) != std::string::npos);
+}
+
+TEST_CASE("the linear hand-over solves (86) and (88) with t_i = T_ex") {
+  const auto change = handover(statue);
+  REQUIRE(change);
+  rederive::PulseCase there = statue;
+  there.omega_ratio = change->omega_ratio * (1 - 1e-10);
+  const auto roots = closed_forms(there);
+  const auto root = std::find_if(roots.begin(), roots.end(), [](const auto& each) {
+    return each.form == rederive::Form::eq86_88 && each.admissible;
+  });
+  REQUIRE(root != roots.end());
+  CHECK(*root->impact_time == doctest::Approx(root->pulse_end).epsilon(1e-8));
+  CHECK(root->amplitude == doctest::Approx(change->amplitude).epsilon(1e-8));
+}
+
+TEST_CASE("the hand-over has its impact at the end of the pulse, and mode 2 ends where it should") {
+  for (rederive::Model model : {rederive::Model::linear, rederive::Model::nonlinear}) {
+    rederive::PulseCase of = statue;
+    of.model = model;
+    const auto change = handover(of);
+    REQUIRE(change);
+    rederive::PulseCase there = of;
+    there.omega_ratio = change->omega_ratio;
+    const auto windows = overturning_windows(there);
+    CHECK(windows.front().from == doctest::Approx(change->amplitude).epsilon(1e-9));
+    const auto end = end_of_mode_2(of);
+    REQUIRE(end);
+    there.omega_ratio = end->omega_ratio * (1 - 1e-6);
+    CHECK(outcome_at(there, end->amplitude).code == 2);
+    there.omega_ratio = end->omega_ratio * (1 + 1e-6);
+    for (int i = -50; i <= 50; ++i) CHECK(outcome_at(there, end->amplitude * (1 + i * 1e-3)).code == 0);
+  }
 }
 
 TEST_CASE("one claim is told in full, an unknown one is refused") {

@@ -1,12 +1,10 @@
-#include <numerics/closed_form.hpp>
-
 #include <doctest/doctest.h>
-#include <numerics/parallel.hpp>
-#include <numerics/special.hpp>
-#include <numerics/windows.hpp>
 
 #include <cmath>
 #include <numeric>
+#include <numerics/closed_form.hpp>
+#include <numerics/parallel.hpp>
+#include <numerics/windows.hpp>
 
 using namespace rederive;
 
@@ -81,25 +79,14 @@ TEST_CASE("closed forms to sixty digits satisfy their equations and begin as the
   for (const ClosedForm& root : closed_forms(asked(5.5))) {
     const ExactRoot& exact = root.exact;
     CHECK(exact.amplitude.to_double() == root.amplitude);
+    CHECK(exact.amplitude.digits(60).has_value());
     if (root.form != Form::eq71) continue;
     // (71) by its own words: cos(psi) - w sin(psi) = exp(-(2 pi - psi)/w)
-    const Digits w = Digits::parse("5.5");
-    const Digits rest =
-        cos(exact.psi) - w * sin(exact.psi) - exp(-(Digits(2) * Digits::pi() - exact.psi) / w);
-    CHECK(abs(rest) < Digits::parse("1e-60"));
+    const Ball w = Ball::parse("5.5");
+    const Ball rest = cos(exact.psi) - w * sin(exact.psi) - exp(-(Ball(2) * Ball::pi() - exact.psi) / w);
+    CHECK(rest.contains_zero());
+    CHECK((rest.upper() - rest.lower()) < Ball::parse("1e-60"));
   }
-}
-
-TEST_CASE("the linear hand-over solves (86) and (88) with t_i = T_ex") {
-  const auto change = handover(asked(1, 0.25, 0.9));
-  REQUIRE(change);
-  PulseCase there = asked(change->omega_ratio, 0.25, 0.9);
-  there.omega_ratio *= 1 - 1e-10;
-  const auto roots = closed_forms(there);
-  const ClosedForm* root = root_of(roots, Form::eq86_88);
-  REQUIRE(root != nullptr);
-  CHECK(*root->impact_time == doctest::Approx(root->pulse_end).epsilon(1e-8));
-  CHECK(root->amplitude == doctest::Approx(change->amplitude).epsilon(1e-8));
 }
 
 TEST_CASE("an admissible root begins a window, one that is not a minimum ends one, by simulation") {
@@ -129,7 +116,8 @@ TEST_CASE("slow pulses, whose motion no floating-point number follows, are judge
     const auto roots = closed_forms(asked(ratio));
     std::vector<std::string> told;
     for (const ClosedForm& root : roots) told.push_back(root.why_not.substr(0, root.why_not.find(':')));
-    CHECK(told == std::vector<std::string>{"", "psi > pi/2", "", "not a minimum", "t_i > T_ex", "t_i < T_ex"});
+    CHECK(told ==
+          std::vector<std::string>{"", "psi > pi/2", "", "not a minimum", "t_i > T_ex", "t_i < T_ex"});
     const ClosedForm *without = root_of(roots, Form::eq71), *with = root_of(roots, Form::eq86_88);
     REQUIRE(without != nullptr);
     REQUIRE(with != nullptr);

@@ -1,14 +1,12 @@
-#include <numerics/overturning.hpp>
-
 #include <doctest/doctest.h>
-#include <emitted/rocking_block.hpp>
-#include <numerics/special.hpp>
-#include <numerics/story.hpp>
-#include <numerics/windows.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <emitted/rocking_block.hpp>
 #include <numeric>
+#include <numerics/overturning.hpp>
+#include <numerics/story.hpp>
+#include <numerics/windows.hpp>
 #include <stdexcept>
 
 using namespace rederive;
@@ -220,24 +218,6 @@ TEST_CASE("without loss at impacts the windows still come out") {
   REQUIRE(!windows.empty());
   for (const Window& window : windows)
     CHECK(outcome_at(asked(3, Model::linear, 0.25, 1.0), window.from).code == window.code);
-}
-
-TEST_CASE("the hand-over has its impact at the end of the pulse, and mode 2 ends where it should") {
-  for (Model model : {Model::linear, Model::nonlinear}) {
-    const PulseCase of = asked(1, model, 0.25, 0.9);
-    const auto change = handover(of);
-    REQUIRE(change);
-    PulseCase there = of;
-    there.omega_ratio = change->omega_ratio;
-    const auto windows = overturning_windows(there);
-    CHECK(windows.front().from == doctest::Approx(change->amplitude).epsilon(1e-9));
-    const auto end = end_of_mode_2(of);
-    REQUIRE(end);
-    there.omega_ratio = end->omega_ratio * (1 - 1e-6);
-    CHECK(outcome_at(there, end->amplitude).code == 2);
-    there.omega_ratio = end->omega_ratio * (1 + 1e-6);
-    for (int i = -50; i <= 50; ++i) CHECK(outcome_at(there, end->amplitude * (1 + i * 1e-3)).code == 0);
-  }
 }
 
 TEST_CASE("a story tells when the block passes theta = alpha for the last time") {

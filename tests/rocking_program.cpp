@@ -1,9 +1,9 @@
-#include "run_program.hpp"
-
 #include <doctest/doctest.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "run_program.hpp"
 
 namespace {
 
@@ -57,13 +57,6 @@ TEST_CASE("rocking threshold --digits gives that many figures, and no more than 
   auto nonlinear = common;
   nonlinear.insert(nonlinear.end(), {"--model", "nonlinear"});
   for (const auto& window : json_of(nonlinear)["windows"]) CHECK(figures(window["from"]) == 10);
-}
-
-TEST_CASE("rocking threshold --special knows where one impact hands over and ends") {
-  const auto document = json_of({"threshold", "--special", "--restitution", "0.9", "--json"});
-  CHECK(document["handover"]["omega_ratio"].get<double>() == doctest::Approx(4.8).epsilon(0.01));
-  CHECK(document["mode2_end"]["omega_ratio"].get<double>() >
-        document["handover"]["omega_ratio"].get<double>());
 }
 
 TEST_CASE("rocking response --json keeps its contract") {

@@ -110,20 +110,4 @@ std::size_t Symbols::rank(std::string_view name) const {
   return static_cast<std::size_t>(std::find(order_.begin(), order_.end(), name) - order_.begin());
 }
 
-// What the prover of derivations/algebra keeps here; it goes with it.
-Findings& Symbols::findings() const {
-  constexpr std::size_t most = 200;
-  thread_local std::map<std::string, std::shared_ptr<Findings>> all;
-  if (findings_) return *findings_;
-  std::ostringstream said;
-  for (const auto& [name, symbol] : table_) said << name << symbol.range << ';';
-  for (const auto& [symbol, words] : otherwise_) said << symbol << '=' << words << ';';
-  for (const GiNaC::ex& e : never_zero_) said << e << ';';
-  if (all.size() == most) all.clear();
-  std::shared_ptr<Findings>& found = all[said.str()];
-  if (!found) found = std::make_shared<Findings>();
-  findings_ = found;
-  return *findings_;
-}
-
 }  // namespace rederive

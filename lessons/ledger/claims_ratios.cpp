@@ -1,73 +1,84 @@
-#include <cmath>
-#include <lessons/ledger/claims_motion.hpp>
+#include <algorithm>
+#include <functional>
 #include <lessons/ledger/claims_ratios.hpp>
+#include <numerics/roots.hpp>
 
 namespace rederive {
 
 namespace {
 
-constexpr double lowest = 3, highest = 12, precision = 1e-7;
+constexpr double lowest_ratio = 1, highest_ratio = 60, largest_amplitude = 200;
 
-PulseCase at(PulseCase asked, double ratio) {
-  asked.omega_ratio = ratio;
+PulseCase at_ratio(PulseCase asked, double omega_ratio) {
+  asked.omega_ratio = omega_ratio;
+  asked.pulse = Pulse::sine;
+  asked.initial = {};
   return asked;
 }
 
-/// The first ratio at which `holds` turns false, walking up, then by halves.
-template <class Holds>
-std::optional<double> first_end(Holds holds) {
-  double low = lowest, high = lowest;
-  if (!holds(low)) return std::nullopt;
-  do {
-    low = high, high *= 1.1;
-    if (high > highest) return std::nullopt;
-  } while (holds(high));
-  while (high - low > precision) {
-    const double middle = (low + high) / 2;
-    (holds(middle) ? low : high) = middle;
-  }
-  return low;
+double least_amplitude(const PulseCase& asked) {
+  return static_cast<double>(start_level(asked.block, asked.model)) * (1 + 1e-6);
 }
 
-/// By how much the block overturns after one impact that comes when the pulse is over; -1 if it strikes
-/// before or not at all.
-double margin_behind_pulse(const PulseCase& asked, double amplitude) {
+/// How far the motion is above the threshold after exactly one impact, -1 if it has another number of them;
+/// continuous where that impact passes the end of the pulse.
+double margin_after_one_impact(const PulseCase& asked, double amplitude) {
   const Outcome outcome = outcome_at(asked, amplitude);
-  const int impacts_in_pulse = outcome.impacts - (outcome.code == 2 && outcome.side < 0 ? 1 : 0);
-  const bool strikes_behind =
-      outcome.side < 0 && impacts_in_pulse == 0 && outcome.rests == 0 && outcome.margins.outward <= 0;
-  return strikes_behind && !outcome.lies ? static_cast<double>(outcome.margins.returning) : -1;
+  if (outcome.rests != 0 || outcome.lies || outcome.side == 0) return -1;
+  const int during = outcome.code == 2 && outcome.side == -1 ? 0 : outcome.impacts;
+  if (outcome.side == -1 && during == 0)
+    return outcome.margins.outward > 0 ? -1 : static_cast<double>(outcome.margins.returning);
+  return outcome.side == 1 && during == 1 ? static_cast<double>(outcome.margins.outward) : -1;
 }
 
-/// The largest of these margins over the amplitude: a row of them, then golden sections.
-double best_margin(const PulseCase& asked) {
-  const double first = static_cast<double>(start_level(asked.block, asked.model)) * 1.01, factor = 1.03;
-  double best = first;
-  for (double a = first; a < 25; a *= factor)
-    if (margin_behind_pulse(asked, a) > margin_behind_pulse(asked, best)) best = a;
-  double low = best / factor, high = best * factor;
-  for (int i = 0; i < 25; ++i) {
-    const double left = std::lerp(low, high, 0.382), right = std::lerp(low, high, 0.618);
-    (margin_behind_pulse(asked, left) > margin_behind_pulse(asked, right) ? high : low) =
-        margin_behind_pulse(asked, left) > margin_behind_pulse(asked, right) ? right : left;
-  }
-  return margin_behind_pulse(asked, (low + high) / 2);
+bool impact_in_pulse(const PulseCase& asked, double amplitude) {
+  const Outcome outcome = outcome_at(asked, amplitude);
+  return outcome.rests != 0 || outcome.side >= 0 || outcome.impacts > (outcome.code == 2 ? 1 : 0);
+}
+
+/// The least amplitude without an impact before the pulse ends.
+double amplitude_of_impact_at_end(const PulseCase& asked) {
+  const auto with_impact = [&](double amplitude) { return impact_in_pulse(asked, amplitude); };
+  double with = least_amplitude(asked), without = with;
+  while (without < largest_amplitude && with_impact(without))
+    with = without, without = 1 + 1.2 * (without - 1) + 1e-3;
+  return with < without ? change_between(with_impact, with, without).outside : without;
+}
+
+/// The amplitude of the largest margin: the best of a row, and the greatest beside it.
+double best_amplitude(const PulseCase& asked) {
+  constexpr double factor = 1.02;
+  const auto shortfall = [&](double amplitude) { return -margin_after_one_impact(asked, amplitude); };
+  const double least = least_amplitude(asked);
+  double best = least, at_best = shortfall(least);
+  for (double amplitude = least; amplitude < largest_amplitude; amplitude *= factor)
+    if (const double here = shortfall(amplitude); here < at_best) best = amplitude, at_best = here;
+  return least_between(shortfall, std::max(least, best / factor), best * factor);
+}
+
+/// The first omega_p/p at which the margin at `amplitude` falls to 0, walking up from the lowest.
+std::optional<SpecialPoint> first_end(const PulseCase& asked,
+                                      const std::function<double(const PulseCase&)>& amplitude) {
+  const auto margin = [&](double ratio) {
+    const PulseCase here = at_ratio(asked, ratio);
+    return margin_after_one_impact(here, amplitude(here));
+  };
+  double low = lowest_ratio, high = lowest_ratio;
+  if (!(margin(low) > 0)) return std::nullopt;
+  do {
+    low = high, high *= 1.08;
+    if (high > highest_ratio) return std::nullopt;
+  } while (margin(high) > 0);
+  const double ratio = root_between(margin, low, high);
+  return SpecialPoint{ratio, amplitude(at_ratio(asked, ratio))};
 }
 
 }  // namespace
 
-std::optional<double> ratio_of_handover(
-    const PulseCase& asked, const std::function<std::optional<double>(const PulseCase&)>& threshold) {
-  return first_end([&](double ratio) {
-    const PulseCase here = at(asked, ratio);
-    const auto amplitude = threshold(here);
-    return amplitude &&
-           respond(here.block, here.model, ground_of(here, *amplitude), here.initial).impacts > 0;
-  });
+std::optional<SpecialPoint> handover(const PulseCase& asked) {
+  return first_end(asked, amplitude_of_impact_at_end);
 }
 
-std::optional<double> ratio_of_end(const PulseCase& asked) {
-  return first_end([&](double ratio) { return best_margin(at(asked, ratio)) > 0; });
-}
+std::optional<SpecialPoint> end_of_mode_2(const PulseCase& asked) { return first_end(asked, best_amplitude); }
 
 }  // namespace rederive

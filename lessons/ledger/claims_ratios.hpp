@@ -1,19 +1,24 @@
-// The two frequencies at which overturning after one impact changes, to six digits and quickly.
+// The two frequencies at which overturning after one impact changes, under a one-sine pulse from rest.
 #pragma once
 
-#include <functional>
 #include <numerics/overturning.hpp>
 #include <optional>
 
 namespace rederive {
 
-/// omega_p/p at which the critical impact comes exactly when the pulse ends; `threshold` gives the least
-/// amplitude after one impact. Empty if there is none between 3 and 12. numerics/special.hpp finds it to the
-/// last bit.
-std::optional<double> ratio_of_handover(
-    const PulseCase& asked, const std::function<std::optional<double>(const PulseCase&)>& threshold);
-/// omega_p/p at which no amplitude overturns after one impact any more: the best margin of a motion that
-/// strikes after the pulse is 0. Empty if there is none between 3 and 12.
-std::optional<double> ratio_of_end(const PulseCase& asked);
+/// omega_p/p and a_p/(alpha g), both by simulation.
+struct SpecialPoint {
+  double omega_ratio, amplitude;
+};
+
+/// Where the impact that just overturns comes exactly at the end of the pulse: below, it comes during the
+/// pulse, (86)&(88), above, after it, (92a)&(96). Empty if there is none with 1 < omega_p/p < 60.
+std::optional<SpecialPoint> handover(const PulseCase& asked);
+
+/// Where the window of overturning after one impact shrinks to a point: just above that omega_p/p no
+/// amplitude up to 200 overturns so. (A nonlinear block can be overturned so again by pulses that are very
+/// much shorter and stronger.) The amplitude is right to seven digits. Empty if there is none with 1 <
+/// omega_p/p < 60, so for e = 1.
+std::optional<SpecialPoint> end_of_mode_2(const PulseCase& asked);
 
 }  // namespace rederive

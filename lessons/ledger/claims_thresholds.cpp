@@ -23,6 +23,10 @@ const Value& kept(std::map<std::string, Value>& store, const std::string& key, M
   return found != store.end() ? found->second : store.emplace(key, make()).first->second;
 }
 
+std::optional<double> ratio_of(const std::optional<SpecialPoint>& point) {
+  return point ? std::optional(point->omega_ratio) : std::nullopt;
+}
+
 }  // namespace
 
 std::shared_ptr<Thresholds> make_thresholds() { return std::make_shared<Thresholds>(); }
@@ -68,13 +72,11 @@ Window Thresholds::least(const PulseCase& asked) {
 }
 
 std::optional<double> Thresholds::handover_of(const PulseCase& asked) {
-  return kept(ratios_, "handover " + key_of(asked), [&] {
-    return ratio_of_handover(asked, [&](const PulseCase& here) { return edge(here, 2, false); });
-  });
+  return kept(ratios_, "handover " + key_of(asked), [&] { return ratio_of(handover(asked)); });
 }
 
 std::optional<double> Thresholds::end_of(const PulseCase& asked) {
-  return kept(ratios_, "end " + key_of(asked), [&] { return ratio_of_end(asked); });
+  return kept(ratios_, "end " + key_of(asked), [&] { return ratio_of(end_of_mode_2(asked)); });
 }
 
 Block paper_block(std::optional<double> restitution) { return make_block(0.25, 2.14, restitution); }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <emitted/rocking_block.hpp>
 #include <map>
 #include <numerics/commands/options.hpp>
 
@@ -83,18 +82,16 @@ PulseCase case_of(const CommonOptions& options) {
 }
 
 ExactCase exact_case_of(const CommonOptions& options) {
+  const auto read = Ball::parse;
   const bool sized = !options.half_width.empty();
-  const Digits b = sized ? Digits::parse(options.half_width) : 0,
-               h = sized ? Digits::parse(options.half_height) : 1;
-  const Digits alpha = sized ? atan2(b, h) : Digits::parse(options.alpha);
-  const Digits gravity = Digits::parse("9.81");
-  const Digits p = sized ? emitted::frequency_parameter(sqrt(b * b + h * h), gravity)
-                         : Digits::parse(options.frequency_parameter);
-  const Digits e =
-      options.restitution == "auto" ? emitted::restitution(alpha) : Digits::parse(options.restitution);
+  const Ball b = sized ? read(options.half_width) : Ball(0), h = sized ? read(options.half_height) : Ball(1);
+  const Ball alpha = sized ? atan2(b, h) : read(options.alpha);
+  const Ball p = sized ? emitted::frequency_parameter(sqrt(b * b + h * h), read("9.81"))
+                       : read(options.frequency_parameter);
+  const Ball e = options.restitution == "auto" ? emitted::restitution(alpha) : read(options.restitution);
   const InitialState rounded = case_of(options).initial;  // which tells what is none
-  return {Digits::parse(options.omega), e, rounded.angle == 0 ? 0 : Digits::parse(options.theta0) / alpha,
-          rounded.velocity == 0 ? 0 : Digits::parse(options.thetadot0) / (alpha * p)};
+  return {read(options.omega), e, rounded.angle == 0 ? Ball(0) : read(options.theta0) / alpha,
+          rounded.velocity == 0 ? Ball(0) : read(options.thetadot0) / (alpha * p)};
 }
 
 std::string name_of(Model model) { return model == Model::linear ? "linear" : "nonlinear"; }

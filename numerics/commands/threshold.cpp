@@ -1,12 +1,11 @@
 // rocking threshold: every amplitude window that overturns, and the closed forms.
-#include <numerics/commands/options.hpp>
-#include <numerics/special.hpp>
-#include <numerics/windows.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numerics/commands/options.hpp>
+#include <numerics/windows.hpp>
+#include <stdexcept>
 
 namespace rederive::inline numeric {
 namespace {
@@ -16,12 +15,17 @@ using Json = nlohmann::ordered_json;
 struct ThresholdOptions {
   CommonOptions common;
   std::string max_amplitude = "12", digits;
-  bool special = false;
 };
 
+/// As text of that many digits, all of them right.
+std::string certain_text(const Ball& number, int digits) {
+  if (const auto text = number.digits(digits)) return *text;
+  throw std::runtime_error(fmt::format("{} digits of {} are not certain", digits, number.to_double()));
+}
+
 /// A number to `digits` digits as text, or as it is if none are asked for.
-Json number_json(double value, const Digits& exact, int digits) {
-  return digits == 0 ? Json(value) : Json(exact.text(digits));
+Json number_json(double value, const Ball& exact, int digits) {
+  return digits == 0 ? Json(value) : Json(certain_text(exact, digits));
 }
 
 Json closed_form_json(const ClosedForm& root, int digits) {
@@ -49,8 +53,8 @@ std::string edge_text(const Answer& answer, double edge, int code, bool lower) {
   for (const ClosedForm& root : answer.roots)
     if (linear && code_of(root.form) == code && root.real && root.admissible == lower &&
         std::abs(root.amplitude / edge - 1) < 1e-12)
-      return root.exact.amplitude.text(answer.digits);
-  return Digits(edge).text(std::min(answer.digits, linear ? 12 : 10));
+      return certain_text(root.exact.amplitude, answer.digits);
+  return fmt::format("{:#.{}g}", edge, std::min(answer.digits, linear ? 12 : 10));
 }
 
 std::string from_text(const Answer& answer, const Window& window) {
@@ -93,7 +97,7 @@ void print_answer(const Answer& answer) {
   fmt::print("\nClosed forms of the linear model:\n");
   for (const ClosedForm& root : answer.roots) {
     const std::string amplitude = answer.digits == 0 ? fmt::format("{:.15g}", root.amplitude)
-                                                     : root.exact.amplitude.text(answer.digits);
+                                                     : certain_text(root.exact.amplitude, answer.digits);
     fmt::print("  {} {} {}\n", padded(equation_names(root), 10), padded(amplitude, width),
                root.admissible ? "admissible" : "not admissible: " + root.why_not);
   }
@@ -118,44 +122,7 @@ void print_answer_as_json(const Answer& answer) {
   print_json(document);
 }
 
-Json special_json(const std::optional<SpecialPoint>& point) {
-  if (!point) return {};
-  return {{"omega_ratio", point->omega_ratio}, {"amplitude", point->amplitude}};
-}
-
-void print_special(const char* what, const std::optional<SpecialPoint>& point) {
-  if (point)
-    fmt::print("{}: omega_p/p = {:.12g} at a_p/(alpha g) = {:.10g}\n", what, point->omega_ratio,
-               point->amplitude);
-  else
-    fmt::print("{}: none with 1 < omega_p/p < 60\n", what);
-}
-
-/// Where one impact during the pulse hands over to one after it, and where overturning after one impact ends.
-int special(const CommonOptions& options) {
-  PulseCase asked = case_at(options, 1);
-  if (asked.pulse != Pulse::sine || asked.initial.angle != 0 || asked.initial.velocity != 0)
-    throw BadInput("--special is for the one-sine pulse from rest");
-  const auto change = handover(asked), end = end_of_mode_2(asked);
-  if (options.json) {
-    print_json({{"alpha", asked.block.alpha},
-                {"restitution", asked.block.restitution},
-                {"model", name_of(asked.model)},
-                {"pulse", name_of(asked.pulse)},
-                {"unit", "alpha_g"},
-                {"handover", special_json(change)},
-                {"mode2_end", special_json(end)}});
-    return as_expected;
-  }
-  fmt::print("{} model, alpha = {:.6g}, e = {:.6g}\n", name_of(asked.model), asked.block.alpha,
-             asked.block.restitution);
-  print_special("impact at the end of the pulse, hand-over from (86)&(88) to (92a)&(96)", change);
-  print_special("end of overturning after one impact", end);
-  return as_expected;
-}
-
 int threshold(const ThresholdOptions& options) {
-  if (options.special) return special(options.common);
   Answer answer;
   answer.asked = case_of(options.common);
   WindowSearch search;
@@ -183,10 +150,7 @@ void add_threshold(CLI::App& app, Run& run) {
                    "amplitudes and psi as text of N right digits, at most 60; edges that no "
                    "closed form gives as many as are right")
       ->type_name("N");
-  command->add_flag("--special", options->special,
-                    "where impact during the pulse hands over to impact after it, and "
-                    "where overturning after one impact ends");
   command->callback([options, &run] { run = [options] { return threshold(*options); }; });
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric
