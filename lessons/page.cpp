@@ -110,7 +110,7 @@ void Page::argue(const Derivation& derivation, const std::string& id) {
 void Page::verdict(const std::string& id) { blocks_.push_back(Judgement{judged(id)}); }
 
 void Page::compare(const Relation& left, const Relation& right) {
-  const Proof proof = prove(left, right);
+  const Proof proof = decide(left, right, paper_symbols());
   std::string verdict = to_string(proof.verdict);
   std::replace(verdict.begin(), verdict.end(), '_', ' ');
   std::string text = "The decision procedure says: *" + verdict + "*";

@@ -6,6 +6,10 @@ namespace rederive {
 
 namespace {
 
+void append(Certificate& to, const Certificate& from) {
+  to.parts.insert(to.parts.end(), from.parts.begin(), from.parts.end());
+}
+
 bool is_definite(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p, Certificate& certificate) {
   for (const auto& [factor, exponent] : factors(p).second) {
     const auto found = prove_signs(ring, facts, Fraction(factor), Signs::nonzero());
@@ -15,10 +19,6 @@ bool is_definite(const Ring& ring, const std::vector<Fact>& facts, const Polynom
     certificate.parts.insert(certificate.parts.end(), either->parts.begin(), either->parts.end());
   }
   return true;
-}
-
-void append(Certificate& to, const Certificate& from) {
-  to.parts.insert(to.parts.end(), from.parts.begin(), from.parts.end());
 }
 
 /// left = factor · right, by a factor without zero or pole, positive for inequalities.
@@ -31,12 +31,16 @@ std::optional<Sameness> same_up_to_a_factor(const Setting& setting, const Atom& 
   const Fraction& q = result.factor;
   if (q.is_constant())
     return left.signs == Signs::zero() || cln::plusp(q.constant()) ? std::optional(result) : std::nullopt;
-  if (left.signs == Signs::zero()) {
-    if (!is_definite(ring, setting.facts, q.numerator * q.denominator, result.certificate)) return std::nullopt;
-  } else {
-    const auto positive = prove_signs(ring, setting.facts, q, Signs::positive());
-    if (!positive) return std::nullopt;
-    result.certificate = *positive;
+  const auto fits = [&](const Fraction& f) {
+    if (left.signs == Signs::zero()) return is_definite(ring, setting.facts, f.numerator * f.denominator, result.certificate);
+    const auto positive = prove_signs(ring, setting.facts, f, Signs::positive());
+    if (positive) append(result.certificate, *positive);
+    return positive.has_value();
+  };
+  if (!fits(q)) {
+    const Fraction inverse = ring.rationalized(right.value / left.value);
+    if (!fits(inverse)) return std::nullopt;
+    result.factor = 1 / inverse;
   }
   if (!result.certificate.parts.empty()) result.by = "sign";
   return result;
@@ -104,6 +108,21 @@ std::optional<Certificate> all_follow(const Setting& setting, const std::vector<
   return all;
 }
 
+std::optional<Sameness> same_link_by_link(const Setting& setting, const std::vector<Atom>& left,
+                                          const std::vector<Atom>& right) {
+  if (left.size() != right.size()) return std::nullopt;
+  std::optional<Sameness> all;
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    const auto one = same_up_to_a_factor(setting, left[k], right[k]);
+    if (!one) return std::nullopt;
+    const bool by_sign = one->by == "sign" || (all && all->by == "sign");
+    if (!all) all = one;
+    else append(all->certificate, one->certificate), all->has_factor = false;
+    if (by_sign) all->by = "sign";
+  }
+  return all;
+}
+
 }  // namespace
 
 std::optional<Sameness> same(Setting& setting) {
@@ -114,25 +133,19 @@ std::optional<Sameness> same(Setting& setting) {
     const auto found = prove_signs(setting.ring, setting.facts, difference, Signs::zero());
     return found ? std::optional(Sameness{"sign", 1, false, *found}) : std::nullopt;
   }
-  if (left.atoms.size() == right.atoms.size()) {  // link by link
-    std::optional<Sameness> all;
-    for (std::size_t k = 0; k < left.atoms.size(); ++k) {
-      const auto one = same_up_to_a_factor(setting, left.atoms[k], right.atoms[k]);
-      if (!one) {
-        all.reset();
-        break;
-      }
-      if (!all) all = one;
-      else append(all->certificate, one->certificate), all->has_factor = false;
-      if (one->by == "sign") all->by = "sign";
-    }
-    if (all) return all;
+  for (const auto* of_left : {&left.atoms, &left.inverted})
+    for (const auto* of_right : {&right.atoms, &right.inverted})
+      if (const auto found = same_link_by_link(setting, *of_left, *of_right)) return found;
+  for (const bool inverted : {false, true}) {
+    const auto& a = inverted ? left.inverted : left.atoms;
+    const auto& b = inverted ? right.inverted : right.atoms;
+    auto forth = all_follow(setting, a, b);
+    const auto back = forth ? all_follow(setting, b, a) : std::nullopt;
+    if (!back) continue;
+    append(*forth, *back);
+    return Sameness{"sign", 1, false, *forth};
   }
-  auto forth = all_follow(setting, left.atoms, right.atoms);
-  const auto back = forth ? all_follow(setting, right.atoms, left.atoms) : std::nullopt;
-  if (!back) return std::nullopt;
-  append(*forth, *back);
-  return Sameness{"sign", 1, false, *forth};
+  return std::nullopt;
 }
 
 }  // namespace rederive

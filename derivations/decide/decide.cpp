@@ -1,9 +1,12 @@
+#include <cln/exception.h>
+
+#include <algorithm>
 #include <derivations/decide/compare.hpp>
 #include <derivations/decide/decide.hpp>
 #include <derivations/decide/domain.hpp>
 #include <derivations/decide/test_points.hpp>
 #include <derivations/language/print.hpp>
-#include <derivations/language/syntax.hpp>
+#include <derivations/language/syntax_error.hpp>
 
 namespace rederive {
 
@@ -110,8 +113,8 @@ std::optional<Sameness> same_in_cases(const Problem& problem, Setting& setting, 
   return both;
 }
 
-Proof decide_problem(const Problem& problem) {
-  std::string why;
+/// Proved, or refuted by one of the points with which that is checked, or undecided.
+Proof prove_problem(const Problem& problem) {
   try {
     Setting setting(problem.symbols);
     if (const auto found = same_in_cases(problem, setting, 3)) {
@@ -123,15 +126,20 @@ Proof decide_problem(const Problem& problem) {
         return undecided("a divisor of one side vanishes where the other side holds");
       return proved(setting, *found, problem.symbols);
     }
-    why = "the sides agree wherever they were compared, but neither the difference vanishes identically nor a "
-          "certificate of signs was found";
+    return undecided("the sides agree wherever they were compared, but neither the difference vanishes identically nor "
+                     "a certificate of signs was found");
   } catch (const Undecidable& error) {
-    why = error.what();
+    return undecided(error.what());
   }
+}
+
+Proof decide_problem(const Problem& problem) {
+  const Proof proof = prove_problem(problem);
+  if (proof.verdict != Verdict::undecided) return proof;
   const Search tried = search(problem, many);
   if (tried.witness) return refuted(*tried.witness);
   if (tried.agreed == 0) return undecided("no point was found at which both sides have a value");
-  return undecided(why);
+  return proof;
 }
 
 }  // namespace
@@ -140,13 +148,34 @@ Proof decide(const Relation& left, const Relation& right, const Symbols& symbols
              const std::vector<Relation>& assumptions) {
   if (left.operators.empty() != right.operators.empty())
     return undecided("an expression cannot be compared with a relation");
+  const auto is_equation = [](const Relation& a) {
+    return std::find(a.operators.begin(), a.operators.end(), "=") != a.operators.end();
+  };
   try {
-    return decide_problem(with_values({left, right, assumptions, symbols}, given));
-  } catch (const std::bad_alloc&) {
-    throw;
+    const Problem problem = with_values({left, right, assumptions, symbols}, given);
+    if (std::none_of(assumptions.begin(), assumptions.end(), is_equation)) return decide_problem(problem);
+    std::vector<Relation> others;  // it may hold without the equations
+    std::remove_copy_if(assumptions.begin(), assumptions.end(), std::back_inserter(others), is_equation);
+    Proof proof = prove_problem(with_values({left, right, others, symbols}, given));
+    if (proof.verdict == Verdict::proved) return proof;
+    proof = decide_problem(problem);
+    if (proof.verdict == Verdict::proved) proof.verdict = Verdict::proved_under;
+    return proof;
   } catch (const std::exception& error) {  // of GiNaC, which meets poles while it builds
-    return undecided(error.what());
+    return undecided(in_plain_words(error));
   }
+}
+
+std::string in_plain_words(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) throw;
+  if (dynamic_cast<const Undecidable*>(&error) != nullptr || dynamic_cast<const SyntaxError*>(&error) != nullptr)
+    return error.what();
+  if (dynamic_cast<const std::domain_error*>(&error) != nullptr)  // GiNaC's pole_error among them
+    return "on the way to a decision something has no value: a division by 0, or a pole of a function";
+  if (dynamic_cast<const cln::runtime_exception*>(&error) != nullptr ||
+      dynamic_cast<const std::overflow_error*>(&error) != nullptr)
+    return "numbers or exponents grow too large on the way to a decision";
+  return "on the way to a decision it turns into something that is not in the class";
 }
 
 bool contradict(const std::vector<Relation>& assumptions, const Symbols& symbols) {

@@ -25,9 +25,13 @@ namespace rederive {
 /// Decides left against right: two expressions, two equations or two inequalities. A chain says that all its links hold:
 /// K = a = b that K = a and K = b. Against a relation of numbers, 0 < 1, the other one is asked wherever it has a value.
 /// What is given is put in first; assumptions are sign conditions and equations that hold. The verdict is proved,
-/// refuted or undecided. Throws std::bad_alloc alone.
+/// proved_under where equations that are assumed are needed, refuted or undecided. Throws std::bad_alloc alone.
 Proof decide(const Relation& left, const Relation& right, const Symbols& symbols, const std::vector<Given>& given = {},
              const std::vector<Relation>& assumptions = {});
+
+/// What an exception comes to, said to a reader: our own words stay; a pole, an overflow and the rest get a sentence
+/// each, for GiNaC and CLN speak of their own insides. std::bad_alloc is thrown on.
+std::string in_plain_words(const std::exception& error);
 
 /// Whether the assumptions contradict each other, or the ranges: then nothing follows from them.
 bool contradict(const std::vector<Relation>& assumptions, const Symbols& symbols);

@@ -13,6 +13,12 @@ void collect_names(const Tree& tree, std::set<std::string>& names) {
   for (const Tree& child : tree->children) collect_names(child, names);
 }
 
+std::set<std::string> names_of(const Tree& tree) {
+  std::set<std::string> names;
+  collect_names(tree, names);
+  return names;
+}
+
 std::set<std::string> names_of(const Relation& relation) {
   std::set<std::string> names;
   for (const Tree& side : relation.sides) collect_names(side, names);

@@ -18,6 +18,7 @@ struct Problem {
 
 /// The names that occur; pi is none.
 void collect_names(const Tree& tree, std::set<std::string>& names);
+std::set<std::string> names_of(const Tree& tree);
 std::set<std::string> names_of(const Relation& relation);
 
 /// The tree with a value in the place of a symbol.

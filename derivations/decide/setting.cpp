@@ -18,7 +18,7 @@ std::vector<Tree> trees_of(const Problem& problem) {
   return trees;
 }
 
-/// A statement as atoms of its inversions; the conditions are those of the statement as it stands.
+/// A statement as atoms, as it stands and with inversions; the conditions are those of the statement as it stands.
 Translated translate(const Relation& statement, const Problem& problem, const Ring& ring, Translator& translator) {
   Translated result;
   std::vector<Fraction> sides;
@@ -32,11 +32,15 @@ Translated translate(const Relation& statement, const Problem& problem, const Ri
     const Relation inverted = with_inversions(link, problem.symbols);
     std::vector<DomainCondition> unused;
     const bool is_same = inverted.sides == link.sides;
-    Atom atom = is_same ? atom_of(sides[k], link.operators[0], sides[k + 1])
-                        : atom_of(translator(inverted.sides[0], unused), inverted.operators[0],
-                                  translator(inverted.sides[1], unused));
-    atom.value = ring.normal(atom.value);
-    result.atoms.push_back(std::move(atom));
+    const auto add = [&](std::vector<Atom>& atoms, Atom atom) {
+      atom.value = ring.normal(atom.value);
+      atoms.push_back(std::move(atom));
+    };
+    add(result.atoms, atom_of(sides[k], link.operators[0], sides[k + 1]));
+    if (is_same) result.inverted.push_back(result.atoms.back());
+    else
+      add(result.inverted, atom_of(translator(inverted.sides[0], unused), inverted.operators[0],
+                                   translator(inverted.sides[1], unused)));
   }
   return result;
 }

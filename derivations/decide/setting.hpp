@@ -16,7 +16,7 @@ struct Atom {
 /// A statement in the ring: an expression, or atoms that hold together.
 struct Translated {
   std::optional<Fraction> expression;
-  std::vector<Atom> atoms;
+  std::vector<Atom> atoms, inverted;  ///< as it stands, and with inversions of monotone functions
   std::vector<DomainCondition> conditions;  ///< for its sides to have values
 };
 

@@ -1,7 +1,7 @@
 // What a derivation hands over: a result, and the named steps that lead to it.
 #pragma once
 
-#include <derivations/algebra/prove.hpp>
+#include <derivations/language/given.hpp>
 
 #include <string>
 #include <vector>

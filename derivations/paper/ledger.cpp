@@ -75,7 +75,7 @@ Relation derived_relation(const Derivation& derivation) {
 }
 
 Proof compare(const Relation& printed, const Derivation& derivation, const Symbols& symbols) {
-  Proof proof = prove(printed, derived_relation(derivation), symbols, derivation.given);
+  Proof proof = decide(printed, derived_relation(derivation), symbols, derivation.given);
   qualify(proof, derivation);
   return proof;
 }

@@ -1,6 +1,7 @@
 // The ledger: the paper as printed, beside what is derived, with a verdict computed on every call.
 #pragma once
 
+#include <derivations/decide/decide.hpp>
 #include <derivations/mechanics/derivation.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <filesystem>

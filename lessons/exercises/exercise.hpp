@@ -1,6 +1,7 @@
 // An exercise as it stands in lessons/exercises/*.toml, and the answer that it refers to.
 #pragma once
 
+#include <derivations/language/tree.hpp>
 #include <derivations/mechanics/derivation.hpp>
 #include <filesystem>
 #include <map>

@@ -34,7 +34,7 @@ std::optional<std::string> check(const std::string& form, const Relation& read) 
   if (kind == "solved_for") {
     const bool alone =
         read.sides.size() == 2 && read.sides[0]->kind == NodeKind::symbol && read.sides[0]->text == detail;
-    if (alone && !symbols_in(last).contains(detail)) return {};
+    if (alone && !names_of(last).contains(detail)) return {};
     return fmt::format(
         "Right, but it was asked for in another form: solved, {} = ... with no {} on the right.", detail,
         detail);
@@ -46,7 +46,7 @@ std::optional<std::string> check(const std::string& form, const Relation& read) 
            "bracket.";
   if (kind == "without" && has_call(last, detail))
     return fmt::format("Right, but it was asked for in another form: without {}.", detail);
-  if (kind == "without_symbol" && symbols_in(last).contains(detail))
+  if (kind == "without_symbol" && names_of(last).contains(detail))
     return fmt::format("Right, but it was asked for in another form: without {}.", detail);
   return {};
 }

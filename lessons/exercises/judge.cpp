@@ -22,7 +22,7 @@ std::size_t right_option(const Prepared& prepared) {
       holds = claim == to_string(judged(exercise.answer.row).proof.verdict);
     } else {
       const Proof proof =
-          prove(parse_statement(claim), prepared.answer.relation, paper_symbols(), prepared.answer.given);
+          decide(parse_statement(claim), prepared.answer.relation, paper_symbols(), prepared.answer.given);
       holds = proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
     }
     if (holds) right.push_back(i + 1);
@@ -34,9 +34,9 @@ std::size_t right_option(const Prepared& prepared) {
 
 /// Every symbol whose value the samples must give.
 std::set<std::string> names_to_sample(const Prepared& prepared) {
-  std::set<std::string> names = symbols_in(put_in(prepared.answer.relation, prepared.answer.given));
+  std::set<std::string> names = names_of(put_in(prepared.answer.relation, prepared.answer.given));
   for (const auto& name : prepared.exercise.symbols)
-    for (const auto& used : symbols_in(put_in(parse(name), prepared.answer.given))) names.insert(used);
+    for (const auto& used : names_of(put_in(parse(name), prepared.answer.given))) names.insert(used);
   return names;
 }
 
@@ -51,7 +51,7 @@ Prepared prepare(const Exercise& exercise) {
       return prepared;
     }
     if (exercise.answer.row.empty()) prepared.answer = resolve(exercise.answer, exercise.kind);
-    std::set<std::string> at_hand = symbols_in(prepared.answer.relation);
+    std::set<std::string> at_hand = names_of(prepared.answer.relation);
     at_hand.insert(exercise.symbols.begin(), exercise.symbols.end());
     add_definitions(prepared.answer.given, at_hand, exercise.name);
     if (exercise.kind == Kind::choice) {

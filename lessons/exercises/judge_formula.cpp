@@ -42,7 +42,7 @@ std::optional<Proof> same_up_to_a_number(const Prepared& prepared, const Relatio
   if (!factor) return {};
   const auto multiple =
       std::make_shared<Node>(Node{Node::Kind::product, "", {*factor, right.sides[0]}, {false, false}, 0});
-  const Proof proof = prove(mine, Relation{{multiple}, {}}, paper_symbols(), prepared.answer.given);
+  const Proof proof = decide(mine, Relation{{multiple}, {}}, paper_symbols(), prepared.answer.given);
   return is_right(proof.verdict) ? std::optional(proof) : std::nullopt;
 }
 
@@ -51,7 +51,7 @@ Proof proof_of(const Prepared& prepared, const Relation& read, const Relation& a
       read.operators == std::vector<std::string>{"="} && against.operators == read.operators;
   if (equations)
     if (const auto proof = same_up_to_a_number(prepared, read, against)) return *proof;
-  return prove(read, against, paper_symbols(), prepared.answer.given);
+  return decide(read, against, paper_symbols(), prepared.answer.given);
 }
 
 const Node* find_symbol(const Tree& tree, const std::string& name) {
@@ -65,7 +65,7 @@ const Node* find_symbol(const Tree& tree, const std::string& name) {
 void check_symbols(const Exercise& exercise, const Relation& read) {
   std::string allowed;
   for (const auto& name : exercise.symbols) allowed += (allowed.empty() ? "" : ", ") + name;
-  for (const auto& name : symbols_in(read)) {
+  for (const auto& name : names_of(read)) {
     const auto& names = exercise.symbols;
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     for (const auto& side : read.sides)
@@ -143,8 +143,8 @@ Signature minus(const Signature& left, const Signature& right) {
 bool right_for_small_angles(const Prepared& prepared, const Relation& read, bool rotations_only) {
   const Relation mine = put_in(read, prepared.answer.given),
                  right = put_in(prepared.answer.relation, prepared.answer.given);
-  std::set<std::string> names = symbols_in(mine);
-  names.merge(symbols_in(right));
+  std::set<std::string> names = names_of(mine);
+  names.merge(names_of(right));
   const auto at = [&](const Relation& statement, const cln::cl_RA& scale) {
     return signature(statement, prepared.exercise.pivot, sample_points(names, 2, scale, rotations_only));
   };
@@ -185,8 +185,8 @@ std::optional<std::string> off_by_a_factor(const Prepared& prepared, const Signa
 
 /// What the answer depends on, against what it should depend on.
 std::optional<std::string> wrong_symbols(const Prepared& prepared, const Relation& read) {
-  const auto mine = symbols_in(put_in(read, prepared.answer.given));
-  const auto right = symbols_in(put_in(prepared.answer.relation, prepared.answer.given));
+  const auto mine = names_of(put_in(read, prepared.answer.given));
+  const auto right = names_of(put_in(prepared.answer.relation, prepared.answer.given));
   if (!std::includes(mine.begin(), mine.end(), right.begin(), right.end())) return "missing_symbol";
   if (!std::includes(right.begin(), right.end(), mine.begin(), mine.end())) return "extra_symbol";
   return {};

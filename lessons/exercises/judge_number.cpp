@@ -77,7 +77,7 @@ std::size_t term_like(const Prepared& prepared, const std::string& text) {
   const auto terms = terms_to_point_at(parse_relation(judged(prepared.exercise.answer.row).row.printed));
   const Relation read{{parse(text)}, {}};
   for (std::size_t i = 0; i < terms.size(); ++i)
-    if (prove(read, Relation{{terms[i]}, {}}).verdict == Verdict::proved) return i + 1;
+    if (decide(read, Relation{{terms[i]}, {}}, paper_symbols()).verdict == Verdict::proved) return i + 1;
   return 0;
 }
 

@@ -122,15 +122,15 @@ std::vector<Tree> repairs(const Tree& term, const std::set<std::string>& strange
   for (const auto& edit : edits(term)) result.push_back(edit.tree);
   for (const auto& old : strange)
     for (const auto& fresh : missing)
-      if (symbols_in(term).contains(old)) result.push_back(put_in(term, old, parse(fresh)));
+      if (names_of(term).contains(old)) result.push_back(put_in(term, old, parse(fresh)));
   return result;
 }
 
 /// Symbols of the first relation that the second does not have.
 std::set<std::string> only_in(const Relation& first, const Relation& second) {
   std::set<std::string> result;
-  const auto others = symbols_in(second);
-  for (const auto& name : symbols_in(first))
+  const auto others = names_of(second);
+  for (const auto& name : names_of(first))
     if (!others.contains(name)) result.insert(name);
   return result;
 }
@@ -156,7 +156,7 @@ std::size_t wrong_term(const std::string& row) {
   for (std::size_t i = 0; i < terms.size(); ++i)
     for (const auto& repair : repairs(terms[i], only_in(printed, right), only_in(right, printed))) {
       const Proof proof =
-          prove(exchanged(printed, terms[i], repair), right, paper_symbols(), entry.derivation->given);
+          decide(exchanged(printed, terms[i], repair), right, paper_symbols(), entry.derivation->given);
       if (proof.verdict != Verdict::proved) continue;
       found.push_back(i + 1);
       break;

@@ -7,19 +7,10 @@
 namespace rederive::classroom {
 namespace {
 
-void collect(const Tree& tree, std::set<std::string>& names) {
-  if (tree->kind == Node::Kind::symbol && tree->text != "pi") names.insert(tree->text);
-  for (const auto& child : tree->children) collect(child, names);
-}
-
-Tree difference(const Tree& left, const Tree& right) {
-  return std::make_shared<Node>(Node{Node::Kind::sum, "", {left, right}, {false, true}, 0});
-}
-
 std::optional<double> value(const Tree& tree, const Point& point) {
-  const auto result = evaluate(tree, point, 20);
-  if (!result) return {};
-  const double number = cln::double_approx(*result);
+  const Value result = value_at(tree, point, 90);
+  if (result.is != Value::Is::certain) return {};
+  const double number = cln::double_approx(result.ball.lower());
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
@@ -27,7 +18,7 @@ std::optional<double> value(const Tree& tree, const Point& point) {
 std::optional<double> root(const Tree& residual, const std::string& pivot, Point point) {
   std::vector<double> at;
   for (int k = 0; k < 3; ++k) {
-    point[pivot] = k;
+    point.insert_or_assign(pivot, Number(k));
     const auto number = value(residual, point);
     if (!number) return {};
     at.push_back(*number);
@@ -44,33 +35,11 @@ bool close(double left, double right) {
 
 }  // namespace
 
-std::set<std::string> symbols_in(const Tree& tree) {
-  std::set<std::string> names;
-  collect(tree, names);
-  return names;
-}
-
-std::set<std::string> symbols_in(const Relation& relation) {
-  std::set<std::string> names;
-  for (const auto& side : relation.sides) collect(side, names);
-  return names;
-}
-
-Tree put_in(const Tree& tree, const std::string& symbol, const Tree& value) {
-  if (tree->kind == Node::Kind::symbol) return tree->text == symbol ? value : tree;
-  Tree result = tree;
-  for (std::size_t i = 0; i < tree->children.size(); ++i) {
-    const Tree child = put_in(tree->children[i], symbol, value);
-    if (child != tree->children[i]) result = with_child(result, i, child);
-  }
-  return result;
-}
-
 Tree put_in(const Tree& tree, const std::vector<Given>& given) {
   Tree result = tree;
   for (int round = 0; round < 3; ++round)  // a value may hold a name that comes earlier in the list
     for (const auto& [name, value] : given)
-      result = put_in(result, GiNaC::ex_to<GiNaC::symbol>(name).get_name(), to_tree(value));
+      result = rederive::put_in(result, GiNaC::ex_to<GiNaC::symbol>(name).get_name(), to_tree(value));
   return result;
 }
 
@@ -93,9 +62,9 @@ std::vector<Point> sample_points(const std::set<std::string>& names, std::size_t
       const auto* symbol = paper_symbols().find(name);
       const bool pure = symbol != nullptr && symbol->unit == "1";
       const int part = (7 * j + 5 * static_cast<int>(k)) % 31 + 2;
-      points[k][name] = pure ? cln::cl_RA(part) / 37 : cln::cl_RA(part + 9) / 13;
-      if (rotations.contains(name) || (name == "alpha" && !rotations_only))
-        points[k][name] = points[k][name] * angles;
+      const bool is_scaled = rotations.contains(name) || (name == "alpha" && !rotations_only);
+      const cln::cl_RA plain = pure ? cln::cl_RA(part) / 37 : cln::cl_RA(part + 9) / 13;
+      points[k].insert_or_assign(name, Number(is_scaled ? plain * angles : plain));
       ++j;
     }
   }

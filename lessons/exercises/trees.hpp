@@ -1,8 +1,8 @@
 // What the classroom asks of a formula: which symbols it uses, what it is worth at a few points.
 #pragma once
 
-#include <derivations/algebra/evaluate.hpp>
-#include <derivations/algebra/prove.hpp>
+#include <derivations/decide/decide.hpp>
+#include <derivations/numbers/evaluate.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,14 +10,9 @@
 
 namespace rederive::classroom {
 
-/// Names of the symbols that a tree or a relation uses.
-std::set<std::string> symbols_in(const Tree& tree);
-std::set<std::string> symbols_in(const Relation& relation);
 /// The tree with each named symbol replaced by what it stands for.
 Tree put_in(const Tree& tree, const std::vector<Given>& given);
 Relation put_in(const Relation& relation, const std::vector<Given>& given);
-/// The tree with one symbol replaced by a tree.
-Tree put_in(const Tree& tree, const std::string& symbol, const Tree& value);
 
 /// `count` points that give every symbol of the paper an exact value, no two of the named ones alike; the
 /// angles (or the rotations θ alone, the shape α staying) are multiplied by `angles`.

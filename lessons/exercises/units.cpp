@@ -1,8 +1,9 @@
+#include <cln/dfloat.h>
+#include <cln/real.h>
 #include <fmt/format.h>
 
 #include <array>
 #include <cctype>
-#include <derivations/algebra/witness.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/exercises/units.hpp>
@@ -61,12 +62,13 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 
 /// A constant, to all the digits of a double.
 double as_number(const Tree& tree) {
-  const auto value = value_of(tree, {});
-  if (!value)
+  const Value value = value_at(tree, {}, 256);
+  if (value.is != Value::Is::certain)
     throw SyntaxError("not_real", 0, "no value of this can be found: it has none, or one that is too large");
   const auto largest = cln::rational(cln::cl_DF(std::numeric_limits<double>::max()));
-  if (cln::abs(*value) > largest) throw SyntaxError("not_real", 0, "this number is too large");
-  return cln::double_approx(*value);
+  const cln::cl_RA number = value.ball.lower();
+  if (cln::abs(number) > largest) throw SyntaxError("not_real", 0, "this number is too large");
+  return cln::double_approx(number);
 }
 
 /// The size of a unit such as "m/s^2" and what it measures.
@@ -76,7 +78,7 @@ std::pair<double, Dimension> read_unit(const std::string& text) {
   for (const auto& unit : units)
     sizes[unit_symbols()[unit.name]] = lower(parse(unit.factor, no_symbols()), no_symbols());
   const auto report = dimension(tree, unit_symbols());
-  if (symbols_in(tree).empty()) throw SyntaxError("unit", 0, "this is no unit: " + text);
+  if (names_of(tree).empty()) throw SyntaxError("unit", 0, "this is no unit: " + text);
   if (!report.consistent || !report.dimension) throw SyntaxError("unit", 0, "this is no unit: " + text);
   const GiNaC::ex size = lower(tree, unit_symbols()).subs(sizes);
   return {as_number(to_tree(size, no_symbols())), *report.dimension};

@@ -19,7 +19,7 @@ using GiNaC::lst;
 using namespace paper;
 
 bool same(const ex& left, const ex& right, const std::vector<Given>& given = {}) {
-  return prove({{to_tree(left)}, {}}, {{to_tree(right)}, {}}, paper_symbols(), given).verdict ==
+  return decide({{to_tree(left)}, {}}, {{to_tree(right)}, {}}, paper_symbols(), given).verdict ==
          Verdict::proved;
 }
 

@@ -11,7 +11,6 @@
 #include <derivations/language/lexer.hpp>
 #include <derivations/paper/mutate.hpp>
 #include <lessons/bounded.hpp>
-#include <lessons/ledger/certificate.hpp>
 #include <lessons/ledger/claims.hpp>
 #include <lessons/ledger/claims_command.hpp>
 #include <lessons/ledger/prove_command.hpp>
@@ -27,7 +26,7 @@ struct Options {
   bool json = false;
   std::string equations = equations_file();
   std::string claims = claims_file();
-  std::string id, format = "text", table, certificate, folder;
+  std::string id, format = "text", table;
   unsigned seed = 1;
   ProveRequest request;
 };
@@ -132,17 +131,13 @@ int show_mutation(const Options& options) {
 }
 
 int show_proof(const Options& options) {
-  const auto [json, certificate] = decide_bounded(options.request, 1.85);
+  const auto json = decide_bounded(options.request, 1.85);
   const std::string verdict = json["verdict"];
-  if (!options.certificate.empty() && certificate.is_object())
-    write_whole(options.certificate, certificate.dump(1) + "\n");
-  else if (!options.certificate.empty())
-    fmt::print(stderr, "no certificate: nothing is proved\n");
   if (options.json) {
     put(json);
   } else {
     put(verdict + "\n");
-    for (const char* key : {"factor", "reason"})
+    for (const char* key : {"factor", "reason", "by"})
       if (json[key].is_string()) put(fmt::format("  {:<16} {}\n", key, json[key].get<std::string>()));
     for (const auto& condition : json["side_conditions"])
       put(fmt::format("  {:<16} {}\n", "if", condition.get<std::string>()));
@@ -154,31 +149,6 @@ int show_proof(const Options& options) {
     }
   }
   return verdict == "refuted" ? not_as_expected : verdict == "undecided" ? undecided_or_failed : as_expected;
-}
-
-/// A file for every row that is proved; the others are named.
-int certify(const Options& options) {
-  std::filesystem::create_directories(options.folder);
-  std::string without;
-  int written = 0;
-  for (const Entry& entry : all(options)) {
-    if (!entry.derivation || entry.row.claim().empty() || entry.proof.verdict == Verdict::refuted ||
-        entry.proof.verdict == Verdict::undecided)
-      continue;
-    const Symbols symbols = symbols_in(entry.row.domain);
-    try {
-      const auto found = certificate(parse_statement(entry.row.claim(), symbols),
-                                     derived_relation(*entry.derivation), symbols, entry.derivation->given);
-      write_whole(std::filesystem::path(options.folder) / (entry.row.id + ".json"), found.dump(1) + "\n");
-      ++written;
-    } catch (const Undecidable& why) {
-      without += fmt::format("\n  {}: {}", entry.row.id, why.what());
-    }
-  }
-  fmt::print("{} certificates in {}\n", written, options.folder);
-  if (!without.empty())
-    fmt::print("proved, but not in a way that can be put down, and so without a certificate:{}\n", without);
-  return as_expected;
 }
 
 /// A table that takes more than there is to read it ends a child process, and not this one.
@@ -261,40 +231,24 @@ int main(int argc, char** argv) {
   proving->footer(
       "To ask whether an inequality holds wherever it has a value, compare it with 0 < 1.\n\n"
       "proved holds without the equations that are assumed, proved_under needs them; approximation: with\n"
-      "--small, where the two themselves are not the same, but their series are; of relations, those of\n"
-      "each symbol that stands alone on a side, or of one for which both can be solved. An equation\n"
-      "that leaves a sign open, or several angles or factors, and an inequality that holds on several "
-      "pieces,\n"
-      "are assumed in every way; what is proved holds for all. Where all is the same for x + 2*pi, one turn\n"
-      "is looked at, and solutions in it stand for all others.\n\n"
-      "A witness shows the values of two expressions, or of A and B for y = A and y = B; for other equations "
-      "and\n"
-      "inequalities the differences of their sides, of an inequality the one that it asks to be positive.\n"
-      "In JSON, at gives every symbol: as the rational number that it is; or, if it is not one, to 40 "
-      "places,\n"
-      "and then exactly says what it is, or between has rational bounds of a root of the equation solves: "
-      "the\n"
-      "expression there certainly changes its sign between them, and any root between them is a witness.\n"
-      "in_words says the same to a reader.\n"
+      "--small, where the two themselves are not the same, but their series are. An identity is proved where\n"
+      "both sides are defined; if one side is defined where the other is not, that is a side condition, and it\n"
+      "is listed. The line by says what a verdict rests on: identity, sign, points or expansion.\n\n"
+      "A witness shows the values of two expressions, or of A and B for y = A and y = B; for other equations\n"
+      "and inequalities the differences of their sides. In JSON, at gives every symbol: as the rational number\n"
+      "that it is, or its digits; then exactly says what it is, or between has rational bounds of a root of the\n"
+      "equation solves. in_words says the same to a reader.\n"
       "Exit code: 0 proved, 1 refuted, 3 undecided, 2 for input that cannot be read.\n");
-  auto* file = proving
-                   ->add_option("--certificate", options.certificate,
-                                "Writes what is needed to check the proof to this file")
-                   ->check(file_name);
-  auto* certifying =
-      app.add_subcommand("certify", "Writes the certificates of all proved equations into a folder");
-  certifying->add_option("folder", options.folder, "It is made if it is not there")->required();
   auto* table = proving
                     ->add_option("--table", options.table,
                                  "Decides every row of a table and writes a page in Markdown, or JSON")
                     ->check(CLI::ExistingFile);
-  for (auto* other : {lhs, rhs, assume, small, order, file}) table->excludes(other);
+  for (auto* other : {lhs, rhs, assume, small, order}) table->excludes(other);
 
   return run_command(app, argc, argv, [&]() -> int {
     if (*show) return show_one(options);
     if (*text) return show_claims(options.claims, options.id, options.json);
     if (*mutation) return show_mutation(options);
-    if (*certifying) return certify(options);
     if (*proving && *table) return show_table(options);
     if (*proving && (!*lhs || !*rhs))
       throw BadInput(

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <derivations/algebra/witness.hpp>
+#include <derivations/decide/proof.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/report.hpp>
 
@@ -49,7 +49,7 @@ Json to_json(const Witness& witness) {
   Json json{{"at", witness.at}, {"printed", witness.printed}, {"derived", witness.derived}};
   if (!witness.exactly.empty()) json["exactly"] = witness.exactly;
   for (const auto& [name, bounds] : witness.between)
-    json["between"][name] = {decimal_text(bounds.low), decimal_text(bounds.high)};
+    json["between"][name] = {bounds.first, bounds.second};
   if (!witness.between.empty()) json["solves"] = witness.solves;
   json["in_words"] = in_words(witness);
   return json;
@@ -61,7 +61,8 @@ Json to_json(const Proof& proof) {
           {"factor", or_null(proof.factor)},
           {"side_conditions", proof.side_conditions},
           {"witness", witness},
-          {"reason", or_null(proof.reason)}};
+          {"reason", or_null(proof.reason)},
+          {"by", or_null(proof.by)}};
 }
 
 Json to_json(const Entry& entry) {
