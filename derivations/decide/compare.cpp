@@ -10,11 +10,12 @@ void append(Certificate& to, const Certificate& from) {
   to.parts.insert(to.parts.end(), from.parts.begin(), from.parts.end());
 }
 
-bool is_definite(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p, Certificate& certificate) {
+bool is_definite(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p, Certificate& certificate,
+                 bool searches = true) {
   for (const auto& [factor, exponent] : factors(p).second) {
-    const auto found = prove_signs(ring, facts, Fraction(factor), Signs::nonzero());
-    const auto positive = found ? found : prove_signs(ring, facts, Fraction(factor), Signs::positive());
-    const auto either = positive ? positive : prove_signs(ring, facts, Fraction(factor), Signs::negative());
+    const auto found = prove_signs(ring, facts, Fraction(factor), Signs::nonzero(), searches);
+    const auto positive = found || !searches ? found : prove_signs(ring, facts, Fraction(factor), Signs::positive());
+    const auto either = positive || !searches ? positive : prove_signs(ring, facts, Fraction(factor), Signs::negative());
     if (!either) return false;
     certificate.parts.insert(certificate.parts.end(), either->parts.begin(), either->parts.end());
   }
@@ -32,8 +33,8 @@ std::optional<Sameness> same_up_to_a_factor(const Setting& setting, const Atom& 
   if (q.is_constant())
     return left.signs == Signs::zero() || cln::plusp(q.constant()) ? std::optional(result) : std::nullopt;
   const auto fits = [&](const Fraction& f) {
-    if (left.signs == Signs::zero()) return is_definite(ring, setting.facts, f.numerator * f.denominator, result.certificate);
-    const auto positive = prove_signs(ring, setting.facts, f, Signs::positive());
+    if (left.signs == Signs::zero()) return is_definite(ring, setting.facts, f.numerator * f.denominator, result.certificate, setting.searches);
+    const auto positive = prove_signs(ring, setting.facts, f, Signs::positive(), setting.searches);
     if (positive) append(result.certificate, *positive);
     return positive.has_value();
   };
@@ -117,7 +118,7 @@ std::optional<Sameness> same_link_by_link(const Setting& setting, const std::vec
     if (!one) return std::nullopt;
     const bool by_sign = one->by == "sign" || (all && all->by == "sign");
     if (!all) all = one;
-    else append(all->certificate, one->certificate), all->has_factor = false;
+    else append(all->certificate, one->certificate), all->has_factor = all->factor == 1 && one->factor == 1;
     if (by_sign) all->by = "sign";
   }
   return all;
@@ -130,12 +131,13 @@ std::optional<Sameness> same(Setting& setting) {
   if (left.expression) {
     const Fraction difference = setting.ring.normal(*left.expression - *right.expression);
     if (vanishes(difference, setting.ring, setting.translator)) return Sameness{"identity"};
-    const auto found = prove_signs(setting.ring, setting.facts, difference, Signs::zero());
+    const auto found = prove_signs(setting.ring, setting.facts, difference, Signs::zero(), setting.searches);
     return found ? std::optional(Sameness{"sign", 1, false, *found}) : std::nullopt;
   }
   for (const auto* of_left : {&left.atoms, &left.inverted})
     for (const auto* of_right : {&right.atoms, &right.inverted})
       if (const auto found = same_link_by_link(setting, *of_left, *of_right)) return found;
+  if (!setting.searches) return std::nullopt;
   for (const bool inverted : {false, true}) {
     const auto& a = inverted ? left.inverted : left.atoms;
     const auto& b = inverted ? right.inverted : right.atoms;

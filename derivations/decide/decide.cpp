@@ -17,7 +17,7 @@ std::string to_string(Verdict verdict) {
 
 namespace {
 
-constexpr Effort few{6, 200, false}, many{220, 1800, true};
+constexpr Effort few{6, 200, false}, some{14, 400, true}, many{220, 1800, true};
 
 Proof undecided(std::string reason) {
   Proof proof;
@@ -58,7 +58,7 @@ Proof proved(const Setting& setting, const Sameness& found, const Symbols& symbo
   const bool is_expression = setting.left.expression.has_value();
   if (found.has_factor) proof.factor = print(setting.ring.meaning_of(found.factor), Notation::plain, symbols);
   if (is_expression && found.by == "identity") proof.factor = "1";
-  proof.side_conditions = in_words(setting.conditions, setting.ring, symbols);
+  proof.side_conditions = setting.in_words;
   proof.grounds = grounds_of(setting, found.certificate, symbols);
   proof.reason = found.by == "sign"   ? "each follows from the other one by the signs of products"
                  : is_expression      ? "the numerator of the difference vanishes identically"
@@ -95,7 +95,6 @@ Problem without_bars(Problem problem, const Tree& u, bool is_negative) {
 }
 
 std::optional<Sameness> same_in_cases(const Problem& problem, Setting& setting, int depth) {
-  translate(setting, problem);
   if (auto found = same(setting)) return found;
   const Tree u = depth > 0 ? between_bars(problem) : nullptr;
   if (!u) return std::nullopt;
@@ -104,6 +103,8 @@ std::optional<Sameness> same_in_cases(const Problem& problem, Setting& setting, 
     const Problem part = without_bars(problem, u, is_negative);
     Setting of_part(part.symbols);
     try {
+      translate(of_part, part);
+      of_part.searches = setting.searches;
       const auto found = same_in_cases(part, of_part, depth - 1);
       if (!found) return std::nullopt;
       if (found->by == "sign") both.by = "sign";
@@ -113,33 +114,37 @@ std::optional<Sameness> same_in_cases(const Problem& problem, Setting& setting, 
   return both;
 }
 
-/// Proved, or refuted by one of the points with which that is checked, or undecided.
-Proof prove_problem(const Problem& problem) {
-  try {
-    Setting setting(problem.symbols);
-    if (const auto found = same_in_cases(problem, setting, 3)) {
-      Search tried = search(problem, few);
-      if (tried.agreed == 0 && !tried.witness) tried = search(problem, many);
-      if (tried.witness) return refuted(*tried.witness);
-      if (tried.agreed == 0) return undecided("no point was found at which both sides have a value");
-      if (!setting.left.expression && hides_a_solution(setting))
-        return undecided("a divisor of one side vanishes where the other side holds");
-      return proved(setting, *found, problem.symbols);
-    }
-    return undecided("the sides agree wherever they were compared, but neither the difference vanishes identically nor "
-                     "a certificate of signs was found");
-  } catch (const Undecidable& error) {
-    return undecided(error.what());
-  }
-}
-
-Proof decide_problem(const Problem& problem) {
-  const Proof proof = prove_problem(problem);
-  if (proof.verdict != Verdict::undecided) return proof;
-  const Search tried = search(problem, many);
+/// Proved if points agree; refuted by the first that does not.
+Proof confirmed(const Problem& problem, const Setting& setting, const Sameness& found) {
+  Search tried = search(problem, few);
+  if (tried.agreed == 0 && !tried.witness) tried = search(problem, many);
   if (tried.witness) return refuted(*tried.witness);
   if (tried.agreed == 0) return undecided("no point was found at which both sides have a value");
-  return proof;
+  if (!setting.left.expression && hides_a_solution(setting))
+    return undecided("a divisor of one side vanishes where the other side holds");
+  return proved(setting, found, problem.symbols);
+}
+
+/// Identity, then points, then signs, then more points. `by_points`: whether points are asked at all.
+Proof decide_problem(const Problem& problem, bool by_points) {
+  Proof open = undecided(
+      "the sides agree wherever they were compared, but neither the difference vanishes identically nor a certificate of "
+      "signs was found");
+  try {
+    Setting setting(problem.symbols);
+    translate(setting, problem);
+    if (const auto found = same_in_cases(problem, setting, 3)) return confirmed(problem, setting, *found);
+    if (by_points)
+      if (const Search tried = search(problem, some); tried.witness) return refuted(*tried.witness);
+    setting.searches = true;
+    if (const auto found = same_in_cases(problem, setting, 3)) return confirmed(problem, setting, *found);
+  } catch (const Undecidable& error) {
+    open = undecided(error.what());
+  }
+  if (!by_points) return open;
+  const Search tried = search(problem, many);
+  if (tried.witness) return refuted(*tried.witness);
+  return tried.agreed > 0 ? open : undecided("no point was found at which both sides have a value");
 }
 
 }  // namespace
@@ -153,12 +158,12 @@ Proof decide(const Relation& left, const Relation& right, const Symbols& symbols
   };
   try {
     const Problem problem = with_values({left, right, assumptions, symbols}, given);
-    if (std::none_of(assumptions.begin(), assumptions.end(), is_equation)) return decide_problem(problem);
+    if (std::none_of(assumptions.begin(), assumptions.end(), is_equation)) return decide_problem(problem, true);
     std::vector<Relation> others;  // it may hold without the equations
     std::remove_copy_if(assumptions.begin(), assumptions.end(), std::back_inserter(others), is_equation);
-    Proof proof = prove_problem(with_values({left, right, others, symbols}, given));
+    Proof proof = decide_problem(with_values({left, right, others, symbols}, given), false);
     if (proof.verdict == Verdict::proved) return proof;
-    proof = decide_problem(problem);
+    proof = decide_problem(problem, true);
     if (proof.verdict == Verdict::proved) proof.verdict = Verdict::proved_under;
     return proof;
   } catch (const std::exception& error) {  // of GiNaC, which meets poles while it builds

@@ -32,6 +32,13 @@ void divide_up(const Tree& tree, std::vector<Tree>& parts) {
   }
 }
 
+/// What is 0 where a sum of fractions is, functions taken as symbols.
+GiNaC::ex numerator(const GiNaC::ex& value) {
+  GiNaC::exmap atoms;
+  const GiNaC::ex above = value.to_rational(atoms).numer().expand();
+  return (above / above.integer_content()).expand().subs(atoms, GiNaC::subs_options::no_pattern);
+}
+
 /// Of plain symbols: the factors that matter; of anything else: what is written.
 std::vector<Said> say(const DomainCondition& c, const Ring& ring, const Symbols& symbols) {
   std::vector<Said> result;
@@ -40,19 +47,29 @@ std::vector<Said> say(const DomainCondition& c, const Ring& ring, const Symbols&
   if (!has_symbols_only(ring, product)) {
     std::vector<Tree> parts{c.tree};
     if (c.allowed == Signs::nonzero()) parts.clear(), divide_up(c.tree, parts);
-    for (const Tree& part : parts)
-      result.push_back({print(lower(part, symbols), Notation::plain, symbols), c.allowed});
+    for (const Tree& part : parts) {
+      GiNaC::ex value = lower(part, symbols);
+      if (c.allowed == Signs::nonzero() && !GiNaC::is_a<GiNaC::function>(value)) value = numerator(value);
+      result.push_back({print(value, Notation::plain, symbols), c.allowed});
+    }
     return result;
   }
-  const auto [number, list] = factors(product);
+  const auto& [number, list] = factors(product);
   if (c.allowed == Signs::nonzero()) {
-    for (const auto& [factor, exponent] : list) result.push_back({text(factor), c.allowed});
+    for (const auto& [factor, exponent] : list)
+      if (!ring.signs_of(factor).is_definite()) result.push_back({text(factor), c.allowed});
     return result;
   }
   Polynomial rest = cln::minusp(number) ? -1 : 1;
   for (const auto& [factor, exponent] : list) {
-    if (exponent % 2 != 0) rest = rest * factor;
-    else if (c.allowed == Signs::positive()) result.push_back({text(factor), Signs::nonzero()});
+    const Signs signs = ring.signs_of(factor);
+    if (signs == Signs::positive() || signs == Signs::negative()) {
+      if (signs == Signs::negative() && exponent % 2 != 0) rest = -rest;
+    } else if (exponent % 2 != 0) {
+      rest = rest * factor;
+    } else if (c.allowed == Signs::positive()) {
+      result.push_back({text(factor), Signs::nonzero()});
+    }
   }
   if (!rest.is_constant()) result.push_back({text(rest), c.allowed});
   return result;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/decide/domain.hpp>
 #include <derivations/decide/setting.hpp>
 
 namespace rederive {
@@ -94,7 +95,7 @@ void assume(Setting& setting, const Relation& assumption, Translator& translator
 
 /// Whether the ranges and the assumptions say it already.
 bool is_granted(const Setting& setting, const DomainCondition& c) {
-  return prove_signs(setting.ring, setting.facts, c.value, c.allowed).has_value();
+  return prove_signs(setting.ring, setting.facts, c.value, c.allowed, !setting.facts.empty()).has_value();
 }
 
 }  // namespace
@@ -115,6 +116,7 @@ void translate(Setting& setting, const Problem& problem) {
   for (const Translated* side : {&setting.left, &setting.right})
     for (const DomainCondition& c : side->conditions)
       if (!is_granted(setting, c)) setting.conditions.push_back(c);
+  setting.in_words = in_words(setting.conditions, setting.ring, problem.symbols);
   for (int round = 0; round < 2 && !setting.conditions.empty(); ++round) {
     for (const DomainCondition& c : setting.conditions) learn(setting, c.value, c.allowed);
     translate_both();

@@ -29,6 +29,8 @@ struct Setting {
   std::vector<Fact> facts;  ///< assumptions, and what must hold for both statements to have values
   Translated left, right;
   std::vector<DomainCondition> conditions;  ///< those that neither the ranges nor the assumptions grant
+  std::vector<std::string> in_words;        ///< the same: "x - 1 > 0", "cos(theta) != 0"
+  bool searches = false;                    ///< for certificates of signs, beyond intervals and products
 };
 
 /// The value and the sign that a link a op b asks for.

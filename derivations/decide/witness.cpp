@@ -129,27 +129,28 @@ std::optional<Solution> solution_at(const Relation& equation, const std::string&
 std::optional<Witness> make_witness(const Problem& problem, const Solution& solution) {
   Witness witness;
   Point point = solution.point;
-  const auto say = [&](const std::string& name, const Tree& tree, const Value& value) {
+  const auto say = [&](const std::string& name, const Value& value) {
     if (value.constant && value.constant->is_rational()) {
       witness.at[name] = rational_text(value.constant->a);
       return;
     }
-    witness.at[name] = digits_or_empty(tree, point);
+    const cl_RA power = cln::expt_pos(cln::cl_I(10), 40);  // to 40 places
+    witness.at[name] = rational_text(cln::round1(value.ball.lower() * power) / power);
     const auto constant = solution.constants.find(name);
     if (value.constant)
       witness.exactly[name] = print(tree_of(*value.constant), Notation::plain, problem.symbols);
     else if (constant != solution.constants.end())
-      witness.exactly[name] = print(constant->second, Notation::plain, problem.symbols);
+      witness.exactly[name] = print(lower(constant->second, problem.symbols), Notation::plain, problem.symbols);
   };
   for (const auto& [name, number] : solution.point)
-    say(name, make_tree(Node::Kind::symbol, name), number.value(256));
+    say(name, number.value(256));
   for (const auto& [name, tree] : problem.values) {  // what was put in
     const Value value = value_at(tree, solution.point, 256);
-    if (value.is == Value::Is::certain) say(name, tree, value);
+    if (value.is == Value::Is::certain) say(name, value);
   }
   if (solution.zero) {
     witness.between[solution.zero->symbol] = {rational_text(solution.zero->low), rational_text(solution.zero->high)};
-    witness.solves = print(solution.zero->equals_zero, Notation::plain, problem.symbols) + " = 0";
+    witness.solves = print(lower(solution.zero->equals_zero, problem.symbols), Notation::plain, problem.symbols) + " = 0";
   }
   const auto [left, right] = compared(problem);
   witness.printed = digits_or_empty(left, point), witness.derived = digits_or_empty(right, point);

@@ -44,6 +44,7 @@ std::optional<int> Ring::find(const std::string& key) const {
 }
 
 void Ring::relate(int generator, int degree, const Fraction& value) {
+  found_.clear();
   generators_[generator].degree = degree, generators_[generator].value = value;
 }
 
@@ -98,10 +99,11 @@ Fraction Ring::rationalized(const Fraction& f) const {
 }
 
 void Ring::learn(const Fraction& value, Signs signs) {
+  found_.clear();
   const Fraction f = normal(value);
   const Polynomial product = f.numerator * f.denominator;
   if (product.is_constant()) return;
-  auto [number, list] = factors(product);
+  const auto& [number, list] = factors(product);
   Polynomial rest = 1;  // the factors of which the sign is not known yet
   Signs outside = sign_of_number(number);
   for (const auto& [factor, exponent] : list) {
@@ -112,7 +114,7 @@ void Ring::learn(const Fraction& value, Signs signs) {
     }
     const bool is_odd = exponent % 2 != 0;
     if (signs.is_definite()) {  // no factor of what is not 0 is 0
-      known_signs_.try_emplace(factor.key(), Signs::any()).first->second =
+      known_signs_.try_emplace(factor, Signs::any()).first->second =
           signs_of(factor) & Signs::nonzero();
       if (!is_odd || signs_of(factor) == Signs::positive() || signs_of(factor) == Signs::negative()) {
         if (is_odd) outside = outside * signs_of(factor);
@@ -123,7 +125,7 @@ void Ring::learn(const Fraction& value, Signs signs) {
   }
   if (rest.is_constant()) return;
   const Signs of_rest = outside == Signs::negative() ? -signs : signs;
-  Signs& known = known_signs_.try_emplace(rest.key(), Signs::any()).first->second;
+  Signs& known = known_signs_.try_emplace(rest, Signs::any()).first->second;
   known = known & of_rest;
   narrow(rest, of_rest);
 }
@@ -210,11 +212,12 @@ void Ring::propagate() {
 }
 
 void Ring::learn(const Fraction& value, const Interval& range) {
+  found_.clear();
   const Fraction f = normal(value);
   if (!f.denominator.is_constant() || f.numerator.is_constant()) return;
   const auto [number, p] = primitive(f.numerator);
   const Interval bound = range * point({cln::cl_RA(f.denominator.constant()) / number});
-  const auto [place, is_new] = known_.try_emplace(p.key(), bound);
+  const auto [place, is_new] = known_.try_emplace(p, bound);
   if (!is_new) place->second = overlap(place->second, bound);
 }
 
@@ -228,7 +231,7 @@ Interval Ring::range_of(const Polynomial& p) const {
   }
   if (p.is_constant() || known_.empty()) return sum;
   const auto [number, q] = primitive(p);
-  const auto known = known_.find(q.key());
+  const auto known = known_.find(q);
   return known == known_.end() ? sum : overlap(sum, known->second * point({number}));
 }
 
@@ -237,19 +240,44 @@ Interval Ring::range_of(const Fraction& f) const {
   return f.denominator.is_one() ? above : above * reciprocal(range_of(f.denominator));
 }
 
+Signs Ring::signs_of(const Polynomial& p) const {
+  if (const auto found = found_.find(p); found != found_.end()) return found->second;
+  return found_.emplace(p, signs_of(p, 2)).first->second;
+}
+
 Signs Ring::signs_of(const Polynomial& p, int depth) const {
   if (p.is_constant()) return sign_of_number(p.constant());
   Signs result = signs_of_interval(range_of(p));
   const auto [number, q] = primitive(p);
-  if (const auto known = known_signs_.find(q.key()); known != known_signs_.end())
+  if (const auto known = known_signs_.find(q); known != known_signs_.end())
     result = result & (cln::minusp(number) ? -known->second : known->second);
   if (depth == 0 || result == Signs::positive() || result == Signs::negative() || result.is_none()) return result;
-  const auto [constant, list] = factors(p);
+  const auto& [constant, list] = factors(p);
   if (list.size() == 1 && list[0].second == 1)
-    return result & signs_of_quadratic(p, depth - 1) & signs_of_univariate(p);
+    return result & signs_of_coefficients(p, depth - 1) & signs_of_quadratic(p, depth - 1) & signs_of_univariate(p);
   Signs product = sign_of_number(constant);
   for (const auto& [factor, exponent] : list) product = product * power(signs_of(factor, depth - 1), exponent);
   return result & product;
+}
+
+/// As a polynomial in the symbols, the other generators in its coefficients: g·(4s - 3s³) + a·(c - c³) term by term.
+Signs Ring::signs_of_coefficients(const Polynomial& p, int depth) const {
+  if (p.terms() > 40) return Signs::any();
+  std::map<Polynomial, Polynomial> coefficients;
+  for (std::size_t t = 0; t < p.terms(); ++t) {
+    Polynomial of_symbols = 1, other = Polynomial(p.coefficient(t));
+    for (const auto& [k, exponent] : p.powers(t)) {
+      Polynomial& part = generators_[k].kind == Generator::Kind::symbol ? of_symbols : other;
+      part = part * power(Polynomial::variable(k), exponent);
+    }
+    Polynomial& sum = coefficients[of_symbols];
+    sum = sum + other;
+  }
+  if (coefficients.size() == p.terms() || coefficients.size() == 1) return Signs::any();
+  Signs all = Signs::zero();
+  for (const auto& [monomial, coefficient] : coefficients)
+    all = sum_of(all, signs_of(monomial, 0) * signs_of(coefficient, depth));
+  return all;
 }
 
 /// A polynomial in one generator without a real zero has the sign of its value at 0.
@@ -287,7 +315,7 @@ GiNaC::ex Ring::meaning_of(const Fraction& f) const {
   };
   const auto product = [&](const Polynomial& p) {
     if (p.is_constant()) return to_ginac(p.constant());
-    const auto [number, list] = factors(p);
+    const auto& [number, list] = factors(p);
     GiNaC::ex result = to_ginac(number);
     for (const auto& [factor, exponent] : list) result *= GiNaC::pow(polynomial(factor), exponent);
     return result;

@@ -66,7 +66,7 @@ class Ring {
   void learn(const Fraction& value, const Interval& range);
 
   Interval range_of(const Fraction& f) const;
-  Signs signs_of(const Polynomial& p) const { return signs_of(p, 3); }
+  Signs signs_of(const Polynomial& p) const;
   Signs signs_of(const Fraction& f) const { return signs_of(f.numerator) * signs_of(f.denominator); }
 
   /// Back in the symbols of the statement.
@@ -77,6 +77,7 @@ class Ring {
   Fraction reduced(const Polynomial& p) const;
   Interval range_of(const Polynomial& p) const;
   Signs signs_of(const Polynomial& p, int depth) const;
+  Signs signs_of_coefficients(const Polynomial& p, int depth) const;
   Signs signs_of_univariate(const Polynomial& p) const;
   Signs signs_of_quadratic(const Polynomial& p, int depth) const;
   void narrow(const Polynomial& p, Signs signs);
@@ -86,8 +87,9 @@ class Ring {
 
   std::vector<Generator> generators_;
   std::map<std::string, int> index_;
-  std::map<std::string, Interval> known_;      ///< key of a polynomial that leads with plus, content 1 → its values
-  std::map<std::string, Signs> known_signs_;  ///< the same → its signs
+  std::map<Polynomial, Interval> known_;      ///< of polynomials that lead with plus, content 1: their values
+  mutable std::map<Polynomial, Signs> found_;  ///< a memo table of signs_of, for what is known now
+  std::map<Polynomial, Signs> known_signs_;  ///< … and their signs
 };
 
 }  // namespace rederive

@@ -14,7 +14,7 @@ Fraction Translator::logarithm(const Fraction& value) {
   Signs outside = Signs::positive();
   for (const int side : {1, -1}) {
     const Polynomial& p = side > 0 ? u.numerator : u.denominator;
-    const auto [number, list] = factors(p);
+    const auto& [number, list] = factors(p);
     if (cln::minusp(number)) outside = -outside;
     if (cln::abs(number) != 1) sum = sum + side * logarithm_of(Polynomial(cln::abs(number)));
     for (const auto& [factor, exponent] : list) {

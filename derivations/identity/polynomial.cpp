@@ -3,6 +3,7 @@
 #include <flint/fmpz_poly.h>
 
 #include <derivations/identity/polynomial.hpp>
+#include <map>
 #include <sstream>
 
 namespace rederive {
@@ -172,6 +173,7 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   check_size(result.terms());
   return result;
 }
+bool operator<(const Polynomial& a, const Polynomial& b) { return fmpz_mpoly_cmp(a.p_, b.p_, context()) < 0; }
 bool operator==(const Polynomial& a, const Polynomial& b) { return fmpz_mpoly_equal(a.p_, b.p_, context()) != 0; }
 
 Polynomial power(const Polynomial& base, int exponent) {
@@ -202,8 +204,11 @@ bool has_real_zero(const Polynomial& p, int variable) {
   return result;
 }
 
-std::pair<cln::cl_I, std::vector<std::pair<Polynomial, int>>> factors(const Polynomial& p) {
-  std::pair<cln::cl_I, std::vector<std::pair<Polynomial, int>>> result{p.is_constant() ? p.constant() : 1, {}};
+Factors factors(const Polynomial& p) {
+  thread_local std::map<Polynomial, Factors> known;
+  if (const auto found = known.find(p); found != known.end()) return found->second;
+  Factors result;
+  result.first = p.is_constant() ? p.constant() : 1;
   if (p.is_constant()) return result;
   if (p.terms() > 400) {  // one piece: its factors would take too long
     result.second.emplace_back(p, 1);
@@ -229,7 +234,8 @@ std::pair<cln::cl_I, std::vector<std::pair<Polynomial, int>>> factors(const Poly
   }
   fmpz_mpoly_factor_clear(found, context());
   if (!is_done) throw Undecidable("a polynomial whose factors are not found");
-  return result;
+  if (known.size() > 4000) known.clear();
+  return known[p] = std::move(result);
 }
 
 std::pair<int, Fraction> relation_of_cosine(const Polynomial& c, int n) {

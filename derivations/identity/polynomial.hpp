@@ -22,6 +22,10 @@ struct Undecidable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+class Polynomial;
+/// A number, and irreducible polynomials with their exponents.
+using Factors = std::pair<cln::cl_I, std::vector<std::pair<Polynomial, int>>>;
+
 /// A polynomial with whole coefficients. Throws Undecidable where a result would have too many terms.
 class Polynomial {
  public:
@@ -50,6 +54,7 @@ class Polynomial {
   cln::cl_I content() const;                             ///< the positive number that all coefficients have in common
   bool leads_with_minus() const;
   std::string key() const;                               ///< the same text for the same polynomial
+  friend bool operator<(const Polynomial& a, const Polynomial& b);  ///< some order, for tables
 
   Polynomial operator-() const;
   friend Polynomial operator+(const Polynomial& a, const Polynomial& b);
@@ -63,8 +68,8 @@ class Polynomial {
   friend Polynomial gcd(const Polynomial& a, const Polynomial& b);
   /// Of a polynomial in one variable (Sturm).
   friend bool has_real_zero(const Polynomial& p, int variable);
-  /// A number and irreducible polynomials with their exponents; each leads with plus and has content 1.
-  friend std::pair<cln::cl_I, std::vector<std::pair<Polynomial, int>>> factors(const Polynomial& p);
+  /// Each factor leads with plus and has content 1. Kept in a memo table.
+  friend Factors factors(const Polynomial& p);
 
  private:
   fmpz_mpoly_t p_;

@@ -60,7 +60,7 @@ Fraction Translator::root(const Fraction& value, int order) {
   if (u.is_zero()) return 0;
   // (n/d)^{1/k} = (n d^{k-1})^{1/k} / |d|
   const Polynomial product = u.numerator * power(u.denominator, order - 1);
-  const auto [number, list] = factors(product);
+  const auto& [number, list] = factors(product);
   Fraction outside = 1 / absolute(u.denominator);
   Polynomial inside = cln::minusp(number) ? -1 : 1;
   const bool is_known = std::all_of(list.begin(), list.end(), [&](const auto& f) {
@@ -122,7 +122,7 @@ Fraction Translator::absolute(const Fraction& value) {
   const Fraction u = ring_.normal(value);
   const auto size = [&](const Polynomial& p) -> Fraction {
     if (p.is_constant()) return Polynomial(cln::abs(p.constant()));
-    const auto [number, list] = factors(p);
+    const auto& [number, list] = factors(p);
     Fraction result = Polynomial(cln::abs(number));
     for (const auto& [factor, exponent] : list) {
       const Signs signs = ring_.signs_of(factor);

@@ -27,6 +27,14 @@ class Signs {
     if ((a.bits_ & 2) != 0 && b.bits_ != 0) result = result | zero();
     return result;
   }
+  /// Of a sum.
+  friend constexpr Signs sum_of(Signs a, Signs b) {
+    if (a == zero()) return b;
+    if (b == zero()) return a;
+    for (const Signs side : {nonnegative(), nonpositive()})
+      if (a.within(side) && b.within(side)) return a.is_definite() || b.is_definite() ? side & nonzero() : side;
+    return any();
+  }
   /// Of the power with a whole exponent above 0.
   friend constexpr Signs power(Signs a, int exponent) {
     if (exponent % 2 != 0) return a;

@@ -119,9 +119,9 @@ Signs negation(Signs claim) {
 
 /// Coefficients with which the columns add up to 0, those of strict ones to 1; of an equation any sign.
 std::optional<Certificate> combine(const std::vector<Column>& columns) {
-  std::map<std::string, std::size_t> rows;
+  std::map<Polynomial, std::size_t> rows;  // of each monomial
   for (const Column& c : columns)
-    for (std::size_t t = 0; t < c.value.terms(); ++t) rows.try_emplace(c.value.monomial(t).key(), rows.size());
+    for (std::size_t t = 0; t < c.value.terms(); ++t) rows.try_emplace(c.value.monomial(t), rows.size());
   if (rows.size() > most_rows) return std::nullopt;
   LinearProgram program;
   std::vector<std::pair<std::size_t, int>> of;  // which column, with which sign
@@ -130,7 +130,7 @@ std::optional<Certificate> combine(const std::vector<Column>& columns) {
       if (side < 0 && !columns[k].is_zero) continue;
       std::vector<cl_RA> entries(rows.size() + 1, 0);
       const Polynomial& p = columns[k].value;
-      for (std::size_t t = 0; t < p.terms(); ++t) entries[rows.at(p.monomial(t).key())] = side * p.coefficient(t);
+      for (std::size_t t = 0; t < p.terms(); ++t) entries[rows.at(p.monomial(t))] = side * p.coefficient(t);
       entries.back() = columns[k].is_strict ? 1 : 0;
       program.columns.push_back(std::move(entries));
       program.gains.push_back(0);
@@ -158,7 +158,7 @@ std::optional<Certificate> combine(const std::vector<Column>& columns) {
 
 /// The signs of a product, factor by factor: by the ring, or by a certificate for one factor.
 Signs signs_of_product(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p, Certificate& used) {
-  const auto [number, list] = factors(p);
+  const auto& [number, list] = factors(p);
   Signs result = cln::minusp(number) ? Signs::negative() : Signs::positive();
   const bool is_one = list.size() == 1 && list[0].second == 1;
   for (const auto& [factor, exponent] : list) {
@@ -197,8 +197,9 @@ std::vector<Fact> facts_of(const Ring& ring, const Fraction& value, Signs signs)
 }
 
 std::optional<Certificate> prove_signs(const Ring& ring, const std::vector<Fact>& facts, const Fraction& value,
-                                       Signs claim) {
+                                       Signs claim, bool searches) {
   if (!claim.is_none() && ring.signs_of(ring.normal(value)).within(claim)) return Certificate{};
+  if (!searches) return std::nullopt;
   if (claim.is_none()) return refute_all(ring, facts, 0, Signs::any());
   // the negation in pieces that a fact can say, each refuted
   Certificate all;

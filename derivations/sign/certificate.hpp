@@ -32,8 +32,9 @@ struct Certificate {
 std::vector<Fact> facts_of(const Ring& ring, const Fraction& value, Signs signs);
 
 /// A proof that under the facts the value has one of these signs wherever the ring's generators have values. An
-/// empty set of signs asks for a contradiction between the facts.
+/// empty set of signs asks for a contradiction between the facts. `searches`: also for a combination; else by intervals
+/// and products alone.
 std::optional<Certificate> prove_signs(const Ring& ring, const std::vector<Fact>& facts, const Fraction& value,
-                                       Signs claim);
+                                       Signs claim, bool searches = true);
 
 }  // namespace rederive
