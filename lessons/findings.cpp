@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <derivations/algebra/syntax.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 

@@ -8,7 +8,7 @@
 //               lesson-01-the-block-and-its-motion --format html --out lesson-01.html
 #include <fmt/format.h>
 
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/drawings.hpp>
 #include <lessons/lesson.hpp>
 

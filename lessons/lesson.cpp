@@ -3,7 +3,7 @@
 #include <sys/ioctl.h>
 
 #include <algorithm>
-#include <derivations/command_line.hpp>
+#include <derivations/emit/command_line.hpp>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 #include <map>
@@ -156,7 +156,9 @@ int run_lesson(const Lesson& lesson, int argc, char** argv) {
       ->check(CLI::IsMember({"unicode", "plain", "latex", "markdown", "html"}))
       ->type_name("FORMAT");
   app.add_flag("--quiet", flags.quiet, "the ledger's verdicts only");
-  app.add_option("--out", flags.out, "write here instead of to the terminal")->check(file_name)->type_name("FILE");
+  app.add_option("--out", flags.out, "write here instead of to the terminal")
+      ->check(file_name)
+      ->type_name("FILE");
   return run_command(app, argc, argv, [&] { return run(lesson, flags); });
 }
 

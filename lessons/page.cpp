@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cctype>
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <derivations/rocking_block/table.hpp>
 #include <lessons/lesson.hpp>
 #include <lessons/prose.hpp>

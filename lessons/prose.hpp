@@ -1,7 +1,7 @@
 // Sentences with mathematics in them: taken apart here, once for all output formats.
 #pragma once
 
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,7 +1,7 @@
 // A lesson as one self-contained HTML page: MathML, pictures inside, no script, nothing fetched.
 #include <fmt/format.h>
 
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <fstream>
 #include <iterator>
 #include <lessons/prose.hpp>

@@ -1,7 +1,7 @@
 // Work in a child process: what counts against its limit, and what it may not take with it.
 #include <doctest/doctest.h>
 
-#include <derivations/bounded.hpp>
+#include <lessons/bounded.hpp>
 #include <vector>
 
 using namespace rederive;
@@ -25,7 +25,8 @@ TEST_CASE("work that only waits for its turn is not given up") {
 }
 
 TEST_CASE("work that waits for longer than one has patience is given up") {
-  const Bounded waited = run_bounded([] { return ::usleep(5'000'000), std::string("done"); }, 4, megabytes, 0.3);
+  const Bounded waited =
+      run_bounded([] { return ::usleep(5'000'000), std::string("done"); }, 4, megabytes, 0.3);
   CHECK_FALSE(waited.result);
   CHECK(waited.why == "it took longer than it may");
 }

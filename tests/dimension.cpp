@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <derivations/algebra/dimension.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 using namespace rederive;
 

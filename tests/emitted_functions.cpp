@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <derivations/algebra/evaluate.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/emit/emit.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <emitted/rocking_block.hpp>
 #include <random>
 

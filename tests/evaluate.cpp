@@ -3,7 +3,7 @@
 #include <chrono>
 #include <derivations/algebra/ball.hpp>
 #include <derivations/algebra/evaluate.hpp>
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <random>
 
 using namespace rederive;

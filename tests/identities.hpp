@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cmath>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/prove.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <functional>
 #include <initializer_list>
 #include <string_view>

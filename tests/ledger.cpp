@@ -2,8 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <derivations/algebra/print.hpp>
 #include <derivations/paper/mutate.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <derivations/rocking_block/table.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -70,7 +70,9 @@ TEST_CASE("only what introduces a name or an assumption goes without a derivatio
   }
 }
 
-TEST_CASE("the errors are found: the angle in (17b), the limit in (43), the signs in (47) and (50), the time in (88)") {
+TEST_CASE(
+    "the errors are found: the angle in (17b), the limit in (43), the signs in (47) and (50), the time in "
+    "(88)") {
   for (const char* id : {"17b", "43a", "47b", "50", "50b", "63a", "63b", "88"}) {
     INFO(id);
     const Json entry = row(id);
@@ -85,7 +87,8 @@ TEST_CASE("the errors are found: the angle in (17b), the limit in (43), the sign
   }
 }
 
-TEST_CASE("what is derived for a refuted row differs from what is printed at the witness, to be checked by hand") {
+TEST_CASE(
+    "what is derived for a refuted row differs from what is printed at the witness, to be checked by hand") {
   const Json entry = row("17b");
   Point point;
   for (const auto& [name, value] : entry["witness"]["at"].items()) {
@@ -105,7 +108,8 @@ TEST_CASE("what is derived for a refuted row differs from what is printed at the
 
 TEST_CASE("a spoiled row turns the ledger red") {
   const TemporaryFolder folder;
-  const auto file = edited(folder, "cos(alpha + theta) - m*g*R*sin(alpha + theta) = 0", "cos(alpha + theta) + m*g*R*sin(alpha + theta) = 0");
+  const auto file = edited(folder, "cos(alpha + theta) - m*g*R*sin(alpha + theta) = 0",
+                           "cos(alpha + theta) + m*g*R*sin(alpha + theta) = 0");
   const Result r = run_program("ledger", {"--equations", file.string(), "--json"});
   CHECK(r.exit_code == 1);
   for (const Json& entry : Json::parse(r.out)["equations"])
@@ -116,7 +120,8 @@ TEST_CASE("a mended row is proved") {
   const TemporaryFolder folder;
   std::string printed = row("17b")["printed"], mended = printed;
   mended.replace(mended.find("cos(alpha + theta)"), 18, "cos(alpha - theta)");
-  const Result r = run_program("ledger", {"--equations", edited(folder, printed, mended).string(), "show", "17b", "--json"});
+  const Result r = run_program(
+      "ledger", {"--equations", edited(folder, printed, mended).string(), "show", "17b", "--json"});
   CHECK(Json::parse(r.out)["verdict"] == "proved");
   CHECK(r.exit_code == 1);  // it was expected to be refuted
 }
@@ -148,7 +153,8 @@ TEST_CASE("the ledger refutes or proves equal every mutant of every row") {
     refuted += m.refuted;
   }
   CHECK(mutants >= 1500);
-  const std::string told = "of " + std::to_string(mutants) + " slips " + std::to_string(refuted) + " are refuted";
+  const std::string told =
+      "of " + std::to_string(mutants) + " slips " + std::to_string(refuted) + " are refuted";
   CHECK_MESSAGE(read_file(std::string(REDERIVE_SOURCE) + "/README.md").find(told) != std::string::npos, told);
 }
 
@@ -169,7 +175,8 @@ TEST_CASE("errata come with the most consequential first, in every format") {
   }
   CHECK(sheet["count"].get<int>() == whole_ledger()["counts"]["refuted"].get<int>());
   CHECK(run_program("ledger", {"errata"}).out.find("(88)") != std::string::npos);
-  CHECK(run_program("ledger", {"errata", "--format", "markdown"}).out.find("## Equation (17b)") != std::string::npos);
+  CHECK(run_program("ledger", {"errata", "--format", "markdown"}).out.find("## Equation (17b)") !=
+        std::string::npos);
   CHECK(run_program("ledger", {"errata", "--format", "docx"}).exit_code == 2);
 }
 
@@ -187,7 +194,10 @@ TEST_CASE("one row, the graph, and unknown ids") {
 }
 
 TEST_CASE("the same call gives the same bytes") {
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{"--json"}, {"show", "88"}, {"errata", "--format", "latex"}, {"mutate", "21a", "--json"}, {"graph"}})
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--json"},
+                                                    {"show", "88"},
+                                                    {"errata", "--format", "latex"},
+                                                    {"mutate", "21a", "--json"},
+                                                    {"graph"}})
     CHECK(run_program("ledger", arguments).out == run_program("ledger", arguments).out);
 }

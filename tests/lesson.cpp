@@ -1,7 +1,7 @@
 // What the lessons are made of: sentences with mathematics in them, and the formats they are written in.
 #include <doctest/doctest.h>
 
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 

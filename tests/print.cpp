@@ -2,8 +2,8 @@
 
 #include <cstdio>
 #include <derivations/algebra/evaluate.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/paper/ledger.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <derivations/rocking_block/table.hpp>
 #include <random>
 

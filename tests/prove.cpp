@@ -3,7 +3,7 @@
 
 #include <ctime>
 #include <derivations/algebra/witness.hpp>
-#include <derivations/command_line.hpp>
+#include <derivations/emit/command_line.hpp>
 #include <iostream>
 #include <lessons/ledger/prove_table.hpp>
 #include <nlohmann/json.hpp>
@@ -305,7 +305,8 @@ TEST_CASE("the page of what can be decided is written from the table") {
   CHECK(good.out.find("## Double angles") != std::string::npos);
   CHECK(good.out.find("| `sin(2*x)` | `2*sin(x)*cos(x)` |") != std::string::npos);
   CHECK(good.out.find("**expected") == std::string::npos);
-  const Result small = of_table(row_that_expects("proved", "assume = [\"y > 0\"]\nsmall = [\"x\"]\norder = 1"));
+  const Result small =
+      of_table(row_that_expects("proved", "assume = [\"y > 0\"]\nsmall = [\"x\"]\norder = 1"));
   CHECK(small.out.find("| `y > 0`, `x` small, order 1 | proved |") != std::string::npos);
   CHECK(bad.exit_code == 1);
   CHECK(bad.out.find("proved (**expected refuted**)") != std::string::npos);

@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <derivations/algebra/quick_value.hpp>
-#include <derivations/algebra/syntax.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <random>
 
 using namespace rederive;

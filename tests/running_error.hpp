@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cmath>
-#include <derivations/algebra/syntax.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <map>
 #include <stdexcept>
 #include <string>

@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <derivations/algebra/dimension.hpp>
-#include <derivations/algebra/syntax.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <set>
 
 using namespace rederive;

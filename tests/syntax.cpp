@@ -1,9 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
-#include <derivations/algebra/functions.hpp>
-#include <derivations/algebra/print.hpp>
-#include <derivations/algebra/syntax.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <random>
 
 using namespace rederive;
@@ -195,6 +193,17 @@ TEST_CASE("what is missing is pointed at") {
                  {"²", "syntax", 0, "exponent"},
                  {"x^", "syntax", 2, "after '^'"},
                  {"x²^3", "syntax", 3, "parentheses"}});
+}
+
+TEST_CASE("pi may be written Pi; other look-alikes of it are refused") {
+  CHECK(value("Pi") == GiNaC::Pi);
+  CHECK(value("sin(Pi/6)") == GiNaC::numeric(1, 2));
+  CHECK(parse("2*Pi - ψ")->children[0]->children[1]->text == "pi");
+  check_refused({{"2*PI", "unknown_symbol", 2, "'PI' is no symbol here: the constant is written pi"},
+                 {"pI/2", "unknown_symbol", 0, "written pi"},
+                 {"sin(Π/2)", "unknown_symbol", 4, "'Π' is no symbol here: the constant is written pi"}});
+  Symbols mine = paper_symbols();
+  CHECK_THROWS_WITH(mine.declare("Pi", "P", "P", "1", all_numbers, "", ""), doctest::Contains("'Pi'"));
 }
 
 TEST_CASE("undefined values are refused where they arise") {

@@ -2,10 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/witness.hpp>
 #include <derivations/algebra/zeros.hpp>
 #include <derivations/paper/ledger.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <nlohmann/json.hpp>
 #include <random>

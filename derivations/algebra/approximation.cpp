@@ -3,9 +3,9 @@
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/failure.hpp>
 #include <derivations/algebra/interval.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/size_series.hpp>
 #include <derivations/algebra/vanish.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

@@ -2,7 +2,7 @@
 // (x+y+z)/2: what stands behind the inequalities of means.
 #pragma once
 
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 
 namespace rederive {

@@ -1,7 +1,7 @@
 // The angles at which a sine, a cosine, a tangent or a cotangent grows or falls.
 #pragma once
 
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 #include <string>
 

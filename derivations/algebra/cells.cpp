@@ -3,11 +3,11 @@
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/factor_roots.hpp>
-#include <derivations/algebra/print.hpp>
-#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/turns.hpp>
 #include <derivations/algebra/vanish.hpp>
+#include <derivations/language/real.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <derivations/algebra/completion.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/witness.hpp>
 #include <derivations/algebra/zeros.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

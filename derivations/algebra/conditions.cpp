@@ -3,8 +3,8 @@
 #include <derivations/algebra/factor_roots.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/vanish.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <map>
 #include <tuple>
 

@@ -1,7 +1,7 @@
 // Roots, logarithms and arcs of constants in one form each.
 #pragma once
 
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 #include <string>
 

@@ -1,6 +1,7 @@
-// Numbers as people read them.
+#include <cln/cln.h>
+
 #include <cstdlib>
-#include <derivations/algebra/evaluate.hpp>
+#include <derivations/algebra/decimal.hpp>
 #include <sstream>
 
 namespace rederive {
@@ -10,11 +11,7 @@ namespace {
 using cln::cl_I;
 using cln::cl_RA;
 
-cl_RA power_of_ten(long n) {
-  if (n == 0) return 1;
-  const cl_RA power = cln::expt_pos(cl_I(10), std::abs(n));
-  return n > 0 ? power : 1 / power;
-}
+cl_RA power_of_ten(long n) { return cln::expt(cl_RA(10), n); }
 
 /// The n with 10^n <= x < 10^(n+1), for x > 0.
 long decimal_exponent(const cl_RA& x) {
@@ -24,12 +21,6 @@ long decimal_exponent(const cl_RA& x) {
   while (power_of_ten(n) > x) --n;
   while (power_of_ten(n + 1) <= x) ++n;
   return n;
-}
-
-std::string digits_of(const cl_I& n) {
-  std::ostringstream text;
-  text << n;
-  return text.str();
 }
 
 /// Puts the point into "d1d2d3…", the first digit of which stands for 10^exponent.
@@ -52,7 +43,9 @@ std::string decimal(const cln::cl_R& value, int digits) {
   if (cln::zerop(x)) return "0";
   long exponent = decimal_exponent(x);
   const cl_RA scaled = x * power_of_ten(digits - 1 - exponent);
-  std::string text = digits_of(cln::round1(scaled));
+  std::ostringstream rounded;
+  rounded << cln::round1(scaled);
+  std::string text = rounded.str();
   if (text.size() > static_cast<std::size_t>(digits)) {  // 9.99… became 10
     text.pop_back();
     ++exponent;

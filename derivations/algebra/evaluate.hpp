@@ -5,7 +5,8 @@
 #include <cln/cln.h>
 
 #include <derivations/algebra/ball.hpp>
-#include <derivations/algebra/syntax.hpp>
+#include <derivations/algebra/decimal.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <map>
 #include <optional>
 #include <string>
@@ -32,8 +33,5 @@ std::optional<Ball> enclosure(const Tree& tree, const Point& point, const Box& b
 
 /// Half a unit in the last of so many significant digits is more than the radius.
 bool is_certain(const Ball& ball, int digits);
-
-/// "0.785398163397448309615660845820", with `digits` significant digits, rounded.
-std::string decimal(const cln::cl_R& value, int digits);
 
 }  // namespace rederive

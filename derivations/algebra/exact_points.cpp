@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <derivations/algebra/exact_points.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/solutions.hpp>
 #include <derivations/algebra/vanish.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

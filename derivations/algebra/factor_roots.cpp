@@ -1,15 +1,15 @@
 #include <algorithm>
 #include <derivations/algebra/factor_roots.hpp>
 #include <derivations/algebra/forms.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quadratic.hpp>
 #include <derivations/algebra/quotient.hpp>
-#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/residuals.hpp>
 #include <derivations/algebra/roots.hpp>
 #include <derivations/algebra/sample.hpp>
 #include <derivations/algebra/walk.hpp>
+#include <derivations/language/real.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

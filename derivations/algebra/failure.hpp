@@ -4,7 +4,7 @@
 #include <cln/exception.h>
 
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/syntax.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <new>
 #include <stdexcept>
 #include <string>

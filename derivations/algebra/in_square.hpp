@@ -1,7 +1,7 @@
 // What is not negative because its square shows it: a - b, where a >= 0 and a^2 >= b^2.
 #pragma once
 
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 #include <vector>
 

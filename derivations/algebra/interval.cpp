@@ -3,7 +3,7 @@
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/evaluate.hpp>
 #include <derivations/algebra/interval.hpp>
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <map>
 #include <regex>
 #include <stdexcept>

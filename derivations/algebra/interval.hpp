@@ -2,7 +2,7 @@
 #pragma once
 
 #include <derivations/algebra/quadratic.hpp>
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 
 namespace rederive {

@@ -4,9 +4,9 @@
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/links.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
-#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/rearrange.hpp>
+#include <derivations/language/real.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

@@ -3,12 +3,12 @@
 #include <derivations/algebra/factor_roots.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/lost.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quick_value.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/roots.hpp>
 #include <derivations/algebra/sample.hpp>
 #include <derivations/algebra/walk.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

@@ -1,7 +1,7 @@
 // Arguments of sin, cos, exp … as rational combinations of phases.
 #include <algorithm>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

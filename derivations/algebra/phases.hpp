@@ -11,7 +11,7 @@
 
 #include <array>
 #include <derivations/algebra/phase_basis.hpp>
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <stdexcept>
 
 namespace rederive {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <derivations/algebra/evaluate.hpp>
 #include <derivations/algebra/positive.hpp>
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <vector>
 
 namespace rederive {

@@ -6,10 +6,10 @@
 #include <derivations/algebra/failure.hpp>
 #include <derivations/algebra/lost.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/prove.hpp>
-#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/vanish.hpp>
+#include <derivations/language/real.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <functional>
 #include <set>
 

@@ -20,7 +20,7 @@
 #pragma once
 
 #include <derivations/algebra/evaluate.hpp>
-#include <derivations/algebra/syntax.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // Sums that are quadratic in a symbol or in its square.
 #pragma once
 
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 
 namespace rederive {

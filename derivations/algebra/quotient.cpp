@@ -1,14 +1,15 @@
 #include <algorithm>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
+#include <derivations/algebra/is_real.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
-#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/slopes.hpp>
 #include <derivations/algebra/solutions.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/witness.hpp>
+#include <derivations/language/real.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 
@@ -304,7 +305,8 @@ Quotient assess(const std::vector<Part>& parts, const std::vector<ex>& divisors,
     const auto slope = is_clear ? std::nullopt : sign_by_slope(part, symbols);
     if (!exponent.is_even()) result.sign *= slope ? slope->sign : weak_sign(part, symbols);
     const auto is_divided_by = [&](const ex& p) {
-      if (divisors.size() == 2 && is_short(p) && is_factor(p, divisors[0] * divisors[1], symbols)) return true;
+      if (divisors.size() == 2 && is_short(p) && is_factor(p, divisors[0] * divisors[1], symbols))
+        return true;
       return std::any_of(divisors.begin(), divisors.end(), [&](const ex& d) {
         const bool is_root = GiNaC::is_a<GiNaC::power>(p) && p.op(1).is_equal(GiNaC::numeric(1, 2));
         const bool is_size = GiNaC::is_the_function<GiNaC::abs_SERIAL>(p);

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/rearrange.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 #include <set>
 

@@ -3,7 +3,6 @@
 #include <derivations/algebra/factor_roots.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/lost.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/residuals.hpp>
@@ -11,6 +10,7 @@
 #include <derivations/algebra/roots.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/walk.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <derivations/algebra/elimination.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
-#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/roots.hpp>
 #include <derivations/algebra/walk.hpp>
+#include <derivations/language/real.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

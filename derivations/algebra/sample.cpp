@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/sample.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

@@ -1,10 +1,10 @@
 // The sign of an expression over the declared ranges: what its range shows, or that of another form of it.
 #include <cstdlib>
 #include <derivations/algebra/forms.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quick_value.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/sample.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

@@ -1,6 +1,6 @@
-#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/size_series.hpp>
 #include <derivations/algebra/vanish.hpp>
+#include <derivations/language/real.hpp>
 
 namespace rederive {
 

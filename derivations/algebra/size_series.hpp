@@ -1,7 +1,7 @@
 // Series in one symbol, the size of all that is small.
 #pragma once
 
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <map>
 #include <optional>
 
@@ -45,7 +45,8 @@ class SizeSeries {
   GiNaC::ex function(const GiNaC::ex& e, int order);
   static constexpr int highest = 15;  ///< power that a series is searched for its first term
   std::optional<Leading> first_of_terms(const GiNaC::ex& e);
-  /// The power that a factor begins with, or a lower one: it may be 0 in disguise, or begin with a high power.
+  /// The power that a factor begins with, or a lower one: it may be 0 in disguise, or begin with a high
+  /// power.
   int lowest(const GiNaC::ex& e);
 
   const Symbols& symbols_;

@@ -3,13 +3,13 @@
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
-#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/sample.hpp>
 #include <derivations/algebra/slopes.hpp>
 #include <derivations/algebra/vanish.hpp>
+#include <derivations/language/real.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <set>
 
 namespace rederive {

@@ -1,7 +1,7 @@
 // The sign of a function from its slope in one symbol: what is 0 at 0 and grows from there is positive.
 #pragma once
 
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 #include <vector>
 

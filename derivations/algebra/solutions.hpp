@@ -1,7 +1,7 @@
 // Assumptions that are equations of one symbol: sin(alpha) = 1/2.
 #pragma once
 
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 #include <vector>
 

@@ -1,10 +1,10 @@
 #include <derivations/algebra/evaluate.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
-#include <derivations/algebra/real.hpp>
 #include <derivations/algebra/turns.hpp>
 #include <derivations/algebra/witness.hpp>
+#include <derivations/language/real.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

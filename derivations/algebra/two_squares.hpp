@@ -1,7 +1,7 @@
 // Sums of two squares in several symbols, as the denominator of a resonance: (1 - r^2)^2 + 4 zeta^2 r^2.
 #pragma once
 
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 
 namespace rederive {

@@ -5,11 +5,11 @@
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/slopes.hpp>
 #include <derivations/algebra/unwrap.hpp>
 #include <derivations/algebra/vanish.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 #include <set>
 

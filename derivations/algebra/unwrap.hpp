@@ -1,7 +1,7 @@
 // f(a) < f(b) is a < b where f increases: takes functions off both sides of a relation.
 #pragma once
 
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <string>
 #include <vector>
 

@@ -3,10 +3,11 @@
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/factor_form.hpp>
 #include <derivations/algebra/interval.hpp>
-#include <derivations/algebra/print.hpp>
-#include <derivations/algebra/real.hpp>
+#include <derivations/algebra/is_real.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/witness.hpp>
+#include <derivations/language/real.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

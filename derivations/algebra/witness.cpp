@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/witness.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <sstream>
 
 namespace rederive {

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/witness.hpp>
 #include <derivations/algebra/zeros.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

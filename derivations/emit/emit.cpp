@@ -1,9 +1,8 @@
 // Functions as source text: what is common to all targets.
 #include <algorithm>
-#include <derivations/algebra/dimension.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/emit/dialect.hpp>
 #include <derivations/emit/operations.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <set>
 #include <stdexcept>
 

@@ -1,7 +1,7 @@
 // Derived expressions as source code, common subexpressions shared.
 #pragma once
 
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // θ̈ − k²θ = f(t): linearisation that leads to it, and its solution by undetermined coefficients.
 #pragma once
 
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/language/symbols.hpp>
 #include <vector>
 
 namespace rederive {

@@ -1,7 +1,7 @@
 // d/dt along a motion that is not solved yet: θ, θ̇, θ̈ … are symbols in their own right.
 #pragma once
 
-#include <derivations/algebra/symbols.hpp>
+#include <derivations/language/symbols.hpp>
 #include <utility>
 #include <vector>
 

@@ -1,8 +1,7 @@
-#include <derivations/algebra/print.hpp>
-#include <derivations/paper/ledger.hpp>
-#include <derivations/rocking_block/table.hpp>
-
 #include <algorithm>
+#include <derivations/paper/ledger.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
+#include <derivations/rocking_block/table.hpp>
 #include <set>
 #include <stdexcept>
 
@@ -16,8 +15,8 @@ std::vector<std::string> downstream(const std::string& id, const std::vector<Row
   for (bool grown = true; grown;) {
     grown = false;
     for (const Row& row : rows)
-      if (!reached.contains(row.id) &&
-          std::any_of(row.follows_from.begin(), row.follows_from.end(), [&](auto& from) { return reached.contains(from); }))
+      if (!reached.contains(row.id) && std::any_of(row.follows_from.begin(), row.follows_from.end(),
+                                                   [&](auto& from) { return reached.contains(from); }))
         grown = reached.insert(row.id).second;
   }
   std::vector<std::string> ids;
@@ -29,14 +28,17 @@ std::vector<std::string> downstream(const std::string& id, const std::vector<Row
 /// The verdict of the comparison, in the light of what the derivation says about itself.
 void qualify(Proof& proof, const Derivation& derivation) {
   if (proof.verdict != Verdict::proved) return;
-  if (derivation.order > 0) proof.verdict = Verdict::approximation;
-  else if (!derivation.assumption.empty()) proof.verdict = Verdict::proved_under;
+  if (derivation.order > 0)
+    proof.verdict = Verdict::approximation;
+  else if (!derivation.assumption.empty())
+    proof.verdict = Verdict::proved_under;
 }
 
 /// "theta < 0" puts a new upper end into the range of θ.
 void put_end(Symbols& symbols, const std::string& text) {
   const auto fail = [&] {
-    throw std::invalid_argument("cannot read the domain '" + text + "'; right is, for example, \"theta < 0\"");
+    throw std::invalid_argument("cannot read the domain '" + text +
+                                "'; right is, for example, \"theta < 0\"");
   };
   Relation relation;
   try {
@@ -52,7 +54,8 @@ void put_end(Symbols& symbols, const std::string& text) {
   const bool closed = relation.operators[0].size() == 2, upper = relation.operators[0][0] == '<';
   (upper ? range.upper : range.lower) = print(relation.sides[1]);
   (upper ? range.upper_closed : range.lower_closed) = closed;
-  symbols.narrow(name, (range.lower_closed ? "[" : "(") + range.lower + ", " + range.upper + (range.upper_closed ? "]" : ")"));
+  symbols.narrow(name, (range.lower_closed ? "[" : "(") + range.lower + ", " + range.upper +
+                           (range.upper_closed ? "]" : ")"));
 }
 
 }  // namespace
@@ -88,8 +91,9 @@ Entry judge(const Row& row, const std::vector<Row>& rows) {
   const auto found = derivation_table().find(row.id);
   if (found == derivation_table().end()) {
     entry.proof.verdict = row.kind == "definition" ? Verdict::definition : Verdict::undecided;
-    entry.proof.reason = row.kind == "definition" ? "introduces a name or an assumption; there is nothing to derive"
-                                                  : "no derivation is listed for this row";
+    entry.proof.reason = row.kind == "definition"
+                             ? "introduces a name or an assumption; there is nothing to derive"
+                             : "no derivation is listed for this row";
     return entry;
   }
   entry.derivation = found->second();

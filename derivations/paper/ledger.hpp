@@ -1,9 +1,8 @@
 // The ledger: the paper as printed, beside what is derived, with a verdict computed on every call.
 #pragma once
 
-#include <derivations/algebra/dimension.hpp>
 #include <derivations/mechanics/derivation.hpp>
-
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -15,7 +14,8 @@ namespace rederive {
 /// One row of equations.toml: what is printed, and what we expect to find. No answer is stored.
 struct Row {
   std::string id, section, kind, printed, latex, domain;
-  std::string statement;      ///< a result of ours, in the form in which we state it; the paper prints nothing like it
+  std::string
+      statement;  ///< a result of ours, in the form in which we state it; the paper prints nothing like it
   /// What is compared with the derivation: what is printed, or what we state.
   const std::string& claim() const { return kind == "result" ? statement : printed; }
   std::vector<std::string> follows_from;
@@ -29,7 +29,7 @@ struct Row {
 /// A row, judged.
 struct Entry {
   Row row;
-  std::optional<Derivation> derivation;      ///< none for definitions
+  std::optional<Derivation> derivation;  ///< none for definitions
   Proof proof;
   std::optional<DimensionReport> dimension;  ///< none where nothing is printed
   std::string derived, correction;           ///< in our syntax; correction only with refuted
@@ -41,18 +41,19 @@ std::vector<Row> read_rows(const std::filesystem::path& file);
 /// The file that ships with the project.
 std::filesystem::path equations_file();
 
-/// The symbols of the paper with the row's domain put in: "theta < 0" makes 0 the upper end of the range of θ; several
-/// are separated by commas. Throws std::invalid_argument for a domain of another form.
+/// The symbols of the paper with the row's domain put in: "theta < 0" makes 0 the upper end of the range of
+/// θ; several are separated by commas. Throws std::invalid_argument for a domain of another form.
 Symbols symbols_in(const std::string& domain);
 
-/// Judges one row: derives, compares, checks dimensions. `rows` gives what rests on it. Throws SyntaxError where the
-/// printed text cannot be read.
+/// Judges one row: derives, compares, checks dimensions. `rows` gives what rests on it. Throws SyntaxError
+/// where the printed text cannot be read.
 Entry judge(const Row& row, const std::vector<Row>& rows);
 
 /// What was derived for a row, as a relation that can be printed and compared.
 Relation derived_relation(const Derivation& derivation);
 
-/// Whether a printed relation says what was derived: the comparison that `judge` makes, for a mutant or an answer.
+/// Whether a printed relation says what was derived: the comparison that `judge` makes, for a mutant or an
+/// answer.
 Proof compare(const Relation& printed, const Derivation& derivation, const Symbols& symbols);
 
 }  // namespace rederive

@@ -1,8 +1,7 @@
-#include <derivations/algebra/print.hpp>
-#include <derivations/paper/mutate.hpp>
-#include <derivations/rocking_block/table.hpp>
-
 #include <algorithm>
+#include <derivations/paper/mutate.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
+#include <derivations/rocking_block/table.hpp>
 #include <functional>
 #include <map>
 #include <numeric>
@@ -17,7 +16,8 @@ using Kind = Node::Kind;
 using Rebuild = std::function<Tree(const Tree&)>;  ///< the whole side with this node in place of the old one
 
 Tree make(Kind kind, std::string text, std::vector<Tree> children = {}, std::vector<bool> inverse = {}) {
-  return std::make_shared<const Node>(Node{kind, std::move(text), std::move(children), std::move(inverse), 0});
+  return std::make_shared<const Node>(
+      Node{kind, std::move(text), std::move(children), std::move(inverse), 0});
 }
 Tree with(const Tree& node, std::size_t k, const Tree& child) {
   Node copy = *node;
@@ -45,32 +45,46 @@ Tree without(const Tree& node, std::size_t k) {
 }
 
 const std::map<std::string, std::string> other_function{
-    {"sin", "cos"}, {"cos", "sin"}, {"sinh", "cosh"}, {"cosh", "sinh"}, {"tan", "cot"},
-    {"cot", "tan"}, {"asin", "acos"}, {"acos", "asin"}, {"tanh", "coth"}, {"sec", "csc"}, {"csc", "sec"}};
+    {"sin", "cos"},   {"cos", "sin"},   {"sinh", "cosh"}, {"cosh", "sinh"}, {"tan", "cot"}, {"cot", "tan"},
+    {"asin", "acos"}, {"acos", "asin"}, {"tanh", "coth"}, {"sec", "csc"},   {"csc", "sec"}};
 
 const std::map<std::string, std::string> other_symbol{
-    {"b", "h"}, {"h", "b"}, {"R", "h"}, {"J_o", "J_c"}, {"J_c", "J_o"}, {"p", "omega_p"}, {"omega_p", "p"},
-    {"alpha", "theta"}, {"psi", "alpha"}, {"T_ex", "t_i"}, {"t_i", "T_ex"}, {"x", "y"}, {"y", "x"}};
+    {"b", "h"},       {"h", "b"},       {"R", "h"},         {"J_o", "J_c"},   {"J_c", "J_o"},
+    {"p", "omega_p"}, {"omega_p", "p"}, {"alpha", "theta"}, {"psi", "alpha"}, {"T_ex", "t_i"},
+    {"t_i", "T_ex"},  {"x", "y"},       {"y", "x"}};
 
 struct Walk {
   const Symbols& symbols;
   std::function<void(const Tree&, std::string, std::string)> emit;  ///< new side, slip, what
 
   void visit(const Tree& node, const Rebuild& rebuild) {
-    const auto put = [&](const Tree& tree, const char* slip, const std::string& what) { emit(rebuild(tree), slip, what); };
+    const auto put = [&](const Tree& tree, const char* slip, const std::string& what) {
+      emit(rebuild(tree), slip, what);
+    };
     switch (node->kind) {
-      case Kind::number: number(*node, put); break;
-      case Kind::symbol: symbol(*node, put); break;
-      case Kind::negative: put(node->children[0], "sign", "a leading minus"); break;
-      case Kind::sum: sum(node, put); break;
+      case Kind::number:
+        number(*node, put);
+        break;
+      case Kind::symbol:
+        symbol(*node, put);
+        break;
+      case Kind::negative:
+        put(node->children[0], "sign", "a leading minus");
+        break;
+      case Kind::sum:
+        sum(node, put);
+        break;
       case Kind::product:
         for (std::size_t k = 0; k < node->children.size(); ++k)
           put(without(node, k), "factor", "the factor " + print(node->children[k]));
         break;
-      case Kind::power: power(node, put); break;
+      case Kind::power:
+        power(node, put);
+        break;
       case Kind::call:
         if (const auto other = other_function.find(node->text); other != other_function.end())
-          put(make(Kind::call, other->second, node->children), "function", other->second + " for " + node->text);
+          put(make(Kind::call, other->second, node->children), "function",
+              other->second + " for " + node->text);
         break;
     }
     for (std::size_t k = 0; k < node->children.size(); ++k)
@@ -83,14 +97,17 @@ struct Walk {
     const long value = std::stol(node.text);
     if (value == 0) return;
     for (const long other : {value + 1, 2 * value})
-      if (other != value) put(make(Kind::number, std::to_string(other)), "coefficient", node.text + " read as " + std::to_string(other));
+      if (other != value)
+        put(make(Kind::number, std::to_string(other)), "coefficient",
+            node.text + " read as " + std::to_string(other));
   }
   template <class Put>
   void symbol(const Node& node, const Put& put) {
     const std::string& name = node.text;
     for (const char* dots : {"ddot", "dot"})
       if (name.size() > std::string(dots).size() && name.ends_with(dots)) {
-        const std::string less = name.substr(0, name.size() - std::string(dots).size()) + (dots[1] == 'd' ? "dot" : "");
+        const std::string less =
+            name.substr(0, name.size() - std::string(dots).size()) + (dots[1] == 'd' ? "dot" : "");
         if (symbols.find(less) != nullptr) put(make(Kind::symbol, less), "dot", "a lost dot of " + name);
         break;
       }
@@ -101,9 +118,12 @@ struct Walk {
   void sum(const Tree& node, const Put& put) {
     for (std::size_t k = 0; k < node->children.size(); ++k) {
       Node flipped = *node;
-      if (k == 0) flipped.children[0] = make(Kind::negative, "", {node->children[0]});
-      else flipped.inverse[k] = !flipped.inverse[k];
-      put(std::make_shared<const Node>(std::move(flipped)), "sign", "the sign of term " + std::to_string(k + 1));
+      if (k == 0)
+        flipped.children[0] = make(Kind::negative, "", {node->children[0]});
+      else
+        flipped.inverse[k] = !flipped.inverse[k];
+      put(std::make_shared<const Node>(std::move(flipped)), "sign",
+          "the sign of term " + std::to_string(k + 1));
       put(without(node, k), "term", "term " + std::to_string(k + 1));
     }
   }
@@ -124,7 +144,8 @@ std::vector<Mutant> mutants(const Relation& printed, const Symbols& symbols) {
   std::vector<Mutant> result;
   std::set<std::string> seen{print(printed)};
   const auto add = [&](Relation relation, std::string slip, std::string what) {
-    if (seen.insert(print(relation)).second) result.push_back({std::move(relation), std::move(slip), std::move(what)});
+    if (seen.insert(print(relation)).second)
+      result.push_back({std::move(relation), std::move(slip), std::move(what)});
   };
   for (std::size_t side = 0; side < printed.sides.size(); ++side) {
     Walk walk{symbols, [&](const Tree& tree, std::string slip, std::string what) {
@@ -154,15 +175,21 @@ Mutation mutate(const Row& row, unsigned seed, int most) {
   const Symbols symbols = symbols_in(row.domain);
   const Derivation derivation = derive->second();
   std::vector<Mutant> all = mutants(parse_statement(row.claim(), symbols), symbols);
-  std::mt19937 random(std::accumulate(row.id.begin(), row.id.end(), seed, [](unsigned sum, char c) { return 31 * sum + static_cast<unsigned char>(c); }));
-  for (std::size_t k = all.size(); k > 1; --k) std::swap(all[k - 1], all[random() % k]);  // the same on every library
+  std::mt19937 random(std::accumulate(row.id.begin(), row.id.end(), seed, [](unsigned sum, char c) {
+    return 31 * sum + static_cast<unsigned char>(c);
+  }));
+  for (std::size_t k = all.size(); k > 1; --k)
+    std::swap(all[k - 1], all[random() % k]);  // the same on every library
   if (all.size() > static_cast<std::size_t>(most)) all.resize(static_cast<std::size_t>(most));
   for (const Mutant& mutant : all) {
     const Verdict verdict = compare(mutant.relation, derivation, symbols).verdict;
     ++outcome.mutants;
-    if (verdict == Verdict::refuted) ++outcome.refuted;
-    else if (verdict == Verdict::undecided) ++outcome.survived, outcome.survivors.push_back(print(mutant.relation));
-    else ++outcome.equal;
+    if (verdict == Verdict::refuted)
+      ++outcome.refuted;
+    else if (verdict == Verdict::undecided)
+      ++outcome.survived, outcome.survivors.push_back(print(mutant.relation));
+    else
+      ++outcome.equal;
   }
   return outcome;
 }

@@ -1,7 +1,7 @@
 // The slips of a pen: every way to change one place of a formula as students do.
 #pragma once
 
-#include <derivations/algebra/syntax.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <string>
 #include <vector>
 

@@ -8,7 +8,7 @@
 //   exercises grade DIR [--csv FILE]   DIR/<student>/<ID>.txt, a whole class
 //   exercises selftest                 is the exercise set sound?
 #include <algorithm>
-#include <derivations/command_line.hpp>
+#include <derivations/emit/command_line.hpp>
 #include <lessons/exercises/classroom.hpp>
 
 using namespace rederive;

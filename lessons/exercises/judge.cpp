@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/definitions.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/lesson.hpp>

@@ -1,6 +1,6 @@
 // An answer is what anybody may type: it is judged in a process that can neither hang nor starve this one.
 #include <derivations/algebra/failure.hpp>
-#include <derivations/bounded.hpp>
+#include <lessons/bounded.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <nlohmann/json.hpp>
 

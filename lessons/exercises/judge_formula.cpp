@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <derivations/algebra/dimension.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/paper/mutate.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/edits.hpp>
 #include <lessons/exercises/judge.hpp>
 
@@ -224,7 +223,8 @@ Relation with_put(const Relation& relation, const std::map<std::string, std::str
   return result;
 }
 
-/// The right answer with one slip in it, if that is not said better by its dimensions and is not right itself.
+/// The right answer with one slip in it, if that is not said better by its dimensions and is not right
+/// itself.
 void add_slip(Prepared& prepared, const Relation& relation, const std::string& note) {
   const bool dotless = note == "missing_dot";
   if (!dotless &&
@@ -261,9 +261,10 @@ void add_roads(Prepared& prepared) {
                                      "assumption", assumption.says, "correct_if"));
   for (const auto& edit : edits(prepared.answer.relation)) add_slip(prepared, edit.relation, edit.note);
   static const std::map<std::string, std::string> notes{
-      {"sign", "sign"},     {"coefficient", "factor"},    {"function", "sin_cos"}, {"square", "power"},
+      {"sign", "sign"},         {"coefficient", "factor"},    {"function", "sin_cos"}, {"square", "power"},
       {"term", "missing_term"}, {"factor", "missing_factor"}, {"dot", "missing_dot"}};
-  for (const auto& mutant : mutants(prepared.answer.relation))  // the slips that the ledger tries on a printed row
+  for (const auto& mutant :
+       mutants(prepared.answer.relation))  // the slips that the ledger tries on a printed row
     if (const auto note = notes.find(mutant.slip); note != notes.end())
       add_slip(prepared, mutant.relation, note->second);
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/units.hpp>
 #include <lessons/lesson.hpp>

@@ -3,7 +3,7 @@
 #include <sys/file.h>
 
 #include <charconv>
-#include <derivations/command_line.hpp>
+#include <derivations/emit/command_line.hpp>
 #include <lessons/exercises/progress.hpp>
 #include <sstream>
 

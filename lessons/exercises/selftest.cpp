@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/algebra/print.hpp>
-#include <derivations/command_line.hpp>
+#include <derivations/emit/command_line.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/prose.hpp>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/edits.hpp>
 #include <lessons/exercises/trees.hpp>
 

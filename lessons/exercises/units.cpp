@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cctype>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/witness.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/exercises/units.hpp>
 #include <limits>
@@ -124,7 +124,8 @@ Quantity parse_quantity(const std::string& typed) {
   const std::size_t comma = text.find(',');
   if (comma != std::string::npos)
     throw SyntaxError("decimal_comma", comma, "write decimal fractions with a point: 0.25");
-  constexpr std::size_t longest = 40;  // of a unit; without a bound, a long text would be parsed at each letter
+  constexpr std::size_t longest =
+      40;  // of a unit; without a bound, a long text would be parsed at each letter
   for (std::size_t at = text.size() > longest ? text.size() - longest : 1; at < text.size(); ++at)
     if (may_split(text, at))
       if (auto quantity = split_at(text, at)) return *quantity;

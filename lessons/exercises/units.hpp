@@ -1,7 +1,7 @@
 // Numbers with units as students type them: "2.14 1/s", "35 cm", "14.3 deg", "sqrt(3)/2 m/s".
 #pragma once
 
-#include <derivations/algebra/dimension.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 #include <string>
 

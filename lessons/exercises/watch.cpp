@@ -4,7 +4,7 @@
 #include <termios.h>
 
 #include <csignal>
-#include <derivations/command_line.hpp>
+#include <derivations/emit/command_line.hpp>
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/exercises/sandbox.hpp>

@@ -2,10 +2,10 @@
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/solutions.hpp>
 #include <derivations/algebra/vanish.hpp>
 #include <derivations/algebra/witness.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/assumed.hpp>
 #include <lessons/ledger/solved_equations.hpp>
 

@@ -4,7 +4,7 @@
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/assumed.hpp>
 
 namespace rederive {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/assumed.hpp>
 #include <lessons/ledger/periods.hpp>
 #include <numeric>

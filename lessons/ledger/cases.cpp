@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/assumed.hpp>
 #include <lessons/ledger/cases.hpp>
 #include <lessons/ledger/decide_one.hpp>

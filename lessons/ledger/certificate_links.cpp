@@ -2,8 +2,8 @@
 #include <derivations/algebra/conjunction.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/in_square.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/rearrange.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/certificate_factors.hpp>
 
 namespace rederive {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/prove.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 
 namespace rederive {

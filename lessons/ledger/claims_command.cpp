@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/command_line.hpp>
+#include <derivations/emit/command_line.hpp>
 #include <lessons/ledger/claims.hpp>
 #include <lessons/ledger/claims_command.hpp>
 #include <lessons/ledger/claims_workbench.hpp>

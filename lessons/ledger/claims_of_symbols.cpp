@@ -1,9 +1,9 @@
 // Claims decided by algebra alone.
 #include <fmt/format.h>
 
-#include <derivations/algebra/print.hpp>
 #include <derivations/rocking_block/energy.hpp>
 #include <derivations/rocking_block/impact.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <derivations/rocking_block/sliding.hpp>
 #include <derivations/rocking_block/table.hpp>
 #include <lessons/ledger/claims_checks.hpp>

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <derivations/algebra/print.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/claims_rows.hpp>
 #include <lessons/ledger/claims_verdicts.hpp>
 #include <lessons/ledger/claims_workbench.hpp>

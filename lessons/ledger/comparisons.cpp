@@ -2,9 +2,9 @@
 #include <cctype>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/witness.hpp>
 #include <derivations/algebra/zeros.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/comparisons.hpp>
 
 namespace rederive {

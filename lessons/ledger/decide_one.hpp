@@ -1,7 +1,7 @@
 // One case of what is asked, and what its proof rests on.
 #pragma once
 
-#include <derivations/command_line.hpp>
+#include <derivations/emit/command_line.hpp>
 #include <lessons/ledger/prove_command.hpp>
 
 namespace rederive {

@@ -3,9 +3,9 @@
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/residuals.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/domain.hpp>
 
 namespace rederive {

@@ -3,10 +3,10 @@
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/quotient.hpp>
 #include <derivations/algebra/rearrange.hpp>
 #include <derivations/algebra/solutions.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/inequalities.hpp>
 
 namespace rederive {

@@ -1,7 +1,7 @@
 // Assumptions that are inequalities: what they say of one symbol.
 #pragma once
 
-#include <derivations/algebra/syntax.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 #include <vector>
 

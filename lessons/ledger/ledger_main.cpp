@@ -7,10 +7,10 @@
 //               ledger prove "sin(2*x)" "2*sin(x)*cos(x)"
 #include <fmt/format.h>
 
-#include <derivations/algebra/tokens.hpp>
-#include <derivations/bounded.hpp>
-#include <derivations/command_line.hpp>
+#include <derivations/emit/command_line.hpp>
+#include <derivations/language/lexer.hpp>
 #include <derivations/paper/mutate.hpp>
+#include <lessons/bounded.hpp>
 #include <lessons/ledger/certificate.hpp>
 #include <lessons/ledger/claims.hpp>
 #include <lessons/ledger/claims_command.hpp>
@@ -252,11 +252,10 @@ int main(int argc, char** argv) {
           ->take_all()
           ->allow_extra_args(false)
           ->option_text("TEXT");
-  auto* small =
-      proving->add_option("--small", options.request.small, "Compare the series in these symbols")
-          ->delimiter(',')
-          ->allow_extra_args(false)
-          ->option_text("NAME[,NAME]");
+  auto* small = proving->add_option("--small", options.request.small, "Compare the series in these symbols")
+                    ->delimiter(',')
+                    ->allow_extra_args(false)
+                    ->option_text("NAME[,NAME]");
   auto* order = proving->add_option("--order", options.request.order, "… up to this order");
 
   proving->footer(

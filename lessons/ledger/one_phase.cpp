@@ -3,8 +3,8 @@
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/rearrange.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/decide_one.hpp>
 #include <lessons/ledger/one_phase.hpp>
 #include <numeric>

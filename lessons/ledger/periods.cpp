@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/witness.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/decide_one.hpp>
 #include <lessons/ledger/periods.hpp>
 #include <regex>

@@ -2,7 +2,7 @@
 #include <chrono>
 #include <derivations/algebra/conditions.hpp>
 #include <derivations/algebra/failure.hpp>
-#include <derivations/bounded.hpp>
+#include <lessons/bounded.hpp>
 #include <lessons/ledger/cases.hpp>
 #include <lessons/ledger/certificate.hpp>
 #include <lessons/ledger/checked.hpp>

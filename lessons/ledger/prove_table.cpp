@@ -2,7 +2,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <derivations/command_line.hpp>
+#include <derivations/emit/command_line.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <map>
 #include <set>

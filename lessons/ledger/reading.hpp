@@ -1,8 +1,8 @@
 // What is wrong with a text that a user typed, said with a caret under it.
 #pragma once
 
-#include <derivations/algebra/syntax.hpp>
-#include <derivations/command_line.hpp>
+#include <derivations/emit/command_line.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 

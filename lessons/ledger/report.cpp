@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/witness.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/report.hpp>
 
 namespace rederive {

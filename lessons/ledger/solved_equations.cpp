@@ -6,8 +6,8 @@
 #include <derivations/algebra/elimination.hpp>
 #include <derivations/algebra/interval.hpp>
 #include <derivations/algebra/phases.hpp>
-#include <derivations/algebra/print.hpp>
 #include <derivations/algebra/solutions.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/periods.hpp>
 #include <lessons/ledger/solved_equations.hpp>
 

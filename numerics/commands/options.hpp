@@ -1,13 +1,11 @@
 // What the subcommands of `rocking` share: options, JSON, and the numbers as the user wrote them.
 #pragma once
 
-#include <derivations/command_line.hpp>
+#include <derivations/emit/command_line.hpp>
+#include <functional>
+#include <nlohmann/json.hpp>
 #include <numerics/closed_form.hpp>
 #include <numerics/overturning.hpp>
-
-#include <nlohmann/json.hpp>
-
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -72,4 +70,4 @@ void add_spectrum(CLI::App& app, Run& run);
 void add_map(CLI::App& app, Run& run);
 void add_figure(CLI::App& app, Run& run);
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,0 +1,178 @@
+// A dimension for every node, from the leaves up; where two disagree, the terms are named.
+#include <algorithm>
+#include <derivations/language/dimension.hpp>
+#include <derivations/language/lower.hpp>
+#include <derivations/language/print.hpp>
+
+namespace rederive {
+
+namespace {
+
+using Kind = Node::Kind;
+
+/// None: 0, which is of any dimension.
+using Maybe = std::optional<Dimension>;
+
+const Dimension pure = {0, 0, 0};
+
+struct Inconsistent {
+  std::string explanation;
+};
+
+std::string named(const Dimension& dimension) {
+  return dimension == pure ? "a pure number" : unit_text(dimension);
+}
+
+/// One term of a sum, and what to call it.
+struct LabelledTerm {
+  std::string label;
+  Maybe dimension;
+};
+
+/// The dimension of all terms. Else the odd ones are named, beside the one that most have, or the first of
+/// these: "term 3 is kg·m²/s, the others kg·m²/s²".
+Maybe common(const std::vector<LabelledTerm>& terms, const std::string& where) {
+  const auto count = [&](const Maybe& dimension) {
+    return std::count_if(terms.begin(), terms.end(),
+                         [&](const LabelledTerm& term) { return term.dimension == dimension; });
+  };
+  Maybe usual;
+  for (const LabelledTerm& term : terms)
+    if (term.dimension && (!usual || count(term.dimension) > count(usual))) usual = term.dimension;
+  std::string odd, last;
+  for (const LabelledTerm& term : terms) {
+    if (!term.dimension) continue;
+    if (term.dimension == usual)
+      last = term.label;
+    else
+      odd += (odd.empty() ? "" : " and ") + term.label + " is " + named(*term.dimension);
+  }
+  if (odd.empty()) return usual;
+  const std::string others = count(usual) == 1 ? last + " is " : "the others ";
+  throw Inconsistent{where + odd + ", " + others + named(*usual)};
+}
+
+Dimension scaled(Dimension dimension, const GiNaC::numeric& factor) {
+  for (GiNaC::numeric& exponent : dimension) exponent *= factor;
+  return dimension;
+}
+
+class Dimensions {
+ public:
+  explicit Dimensions(const Symbols& symbols) : symbols_(symbols) {}
+
+  Maybe of(const Tree& tree) const {
+    const Node& node = *tree;
+    switch (node.kind) {
+      case Kind::number:
+        return cln::zerop(exact(node.text)) ? Maybe() : pure;
+      case Kind::symbol:
+        return symbol(node.text);
+      case Kind::negative:
+        return of(node.children[0]);
+      case Kind::sum:
+        return common(terms(tree, ""), "in " + shown(tree) + ": ");
+      case Kind::product:
+        return product(node);
+      case Kind::power:
+        return power(node);
+      case Kind::call:
+        return call(node);
+    }
+    return std::nullopt;
+  }
+
+  /// The terms of a sum, each with its label.
+  std::vector<LabelledTerm> terms(const Tree& sum, const std::string& place) const {
+    std::vector<LabelledTerm> result;
+    for (const Tree& term : sum->children)
+      result.push_back({"term " + std::to_string(result.size() + 1) + place, of(term)});
+    return result;
+  }
+
+ private:
+  std::string shown(const Tree& tree) const { return print(tree, Notation::plain, symbols_); }
+
+  Maybe symbol(const std::string& name) const {
+    if (name == "pi") return pure;
+    const Symbol* known = symbols_.find(name);
+    if (known == nullptr) throw Inconsistent{"the unit of " + name + " is not known"};
+    return parse_unit(known->unit);
+  }
+
+  Maybe product(const Node& node) const {
+    Maybe total = pure;
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      const Maybe factor = of(node.children[i]);
+      if (!factor) total.reset();
+      for (std::size_t k = 0; total && k < pure.size(); ++k)
+        (*total)[k] += node.inverse[i] ? -(*factor)[k] : (*factor)[k];
+    }
+    return total;
+  }
+
+  Maybe power(const Node& node) const {
+    const Tree &base = node.children[0], &exponent = node.children[1];
+    const Maybe below = of(base);
+    expect_pure(exponent, "the exponent " + shown(exponent));
+    if (!below || *below == pure) return below;
+    const GiNaC::ex value = lower(exponent, symbols_);
+    if (!value.info(GiNaC::info_flags::rational))
+      throw Inconsistent{shown(base) + " is " + named(*below) + ", and its exponent is no number"};
+    return scaled(*below, GiNaC::ex_to<GiNaC::numeric>(value));
+  }
+
+  Maybe call(const Node& node) const {
+    const Tree& argument = node.children[0];
+    if (node.text == "fabs") return of(argument);
+    if (node.text != "sqrt") return expect_pure(argument, "the argument of " + node.text), pure;
+    const Maybe radicand = of(argument);
+    return radicand ? scaled(*radicand, GiNaC::numeric(1, 2)) : radicand;
+  }
+
+  void expect_pure(const Tree& tree, const std::string& what) const {
+    const Maybe dimension = of(tree);
+    if (dimension && *dimension != pure)
+      throw Inconsistent{what + " is " + named(*dimension) + ", not " + named(pure)};
+  }
+
+  const Symbols& symbols_;
+};
+
+std::string side_name(std::size_t side, std::size_t sides) {
+  if (sides == 2) return side == 0 ? "the left side" : "the right side";
+  return "side " + std::to_string(side + 1);
+}
+
+/// The terms of all sides; whole sides where each is one term.
+std::vector<LabelledTerm> all_terms(const Relation& relation, const Dimensions& dimensions) {
+  const std::size_t count = relation.sides.size();
+  const auto is_sum = [](const Tree& side) { return side->kind == Kind::sum; };
+  const bool several = std::count_if(relation.sides.begin(), relation.sides.end(), is_sum) > 1;
+  std::vector<LabelledTerm> all;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string name = count == 1 ? "term 1" : side_name(i, count);
+    const Tree& side = relation.sides[i];
+    const std::vector<LabelledTerm> terms = is_sum(side)
+                                                ? dimensions.terms(side, several ? " of " + name : "")
+                                                : std::vector<LabelledTerm>{{name, dimensions.of(side)}};
+    all.insert(all.end(), terms.begin(), terms.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+DimensionReport dimension(const Relation& relation, const Symbols& symbols) {
+  try {
+    return {true, common(all_terms(relation, Dimensions(symbols)), ""), ""};
+  } catch (const Inconsistent& problem) {
+    return {false, std::nullopt, problem.explanation};
+  }
+}
+
+DimensionReport dimension(const Tree& tree, const Symbols& symbols) {
+  return dimension(Relation{{tree}, {}}, symbols);
+}
+
+}  // namespace rederive

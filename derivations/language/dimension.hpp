@@ -1,0 +1,23 @@
+// Is every term of this equation of one dimension?
+#pragma once
+
+#include <derivations/language/symbols.hpp>
+#include <derivations/language/tree.hpp>
+#include <derivations/language/unit.hpp>
+#include <optional>
+#include <string>
+
+namespace rederive {
+
+struct DimensionReport {
+  bool consistent;
+  std::optional<Dimension> dimension;  ///< of the whole, where consistent; none for what fits any (a bare 0)
+  std::string explanation;  ///< "term 3 is kg·m²/s, the others kg·m²/s²"; empty where consistent
+};
+
+/// Angles count as pure numbers; arguments of sin, exp … must be pure numbers. Throws SyntaxError for an
+/// exponent without a value, and std::invalid_argument for the unit of a symbol that cannot be read.
+DimensionReport dimension(const Tree& tree, const Symbols& symbols);
+DimensionReport dimension(const Relation& relation, const Symbols& symbols);
+
+}  // namespace rederive

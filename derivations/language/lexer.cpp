@@ -1,0 +1,237 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <derivations/language/lexer.hpp>
+#include <derivations/language/syntax_error.hpp>
+#include <derivations/language/unicode.hpp>
+#include <utility>
+
+namespace rederive {
+
+namespace {
+
+bool is_digit(char32_t c) { return c >= '0' && c <= '9'; }
+bool is_letter(char32_t c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || !greek_name(c).empty();
+}
+bool is_dot(char32_t c) { return c == dot_above || c == diaeresis || c == macron; }
+bool continues_name(char32_t c) {
+  return is_letter(c) || is_digit(c) || c == '_' || is_dot(c) || subscript_digit(c) >= 0;
+}
+
+/// What some characters are, and what they are called here, or what to say of them.
+struct Spelling {
+  std::u32string_view characters;
+  Token::Kind kind;
+  const char* text;
+};
+constexpr auto mark = Token::Kind::mark, relation = Token::Kind::relation, slip = Token::Kind::end;
+
+// clang-format off
+constexpr Spelling spellings[] = {  // the longer ones first
+    {U"**", slip, "write '^' for powers instead of '**'"},
+    {U"==", slip, "write '=' instead of '=='"},
+    {U"=<", slip, "write '<=' instead of '=<'"},
+    {U"=>", slip, "write '>=' instead of '=>'"},
+    {U"<>", slip, "'<>' is no relation that can be read here: use =, <, <=, > or >="},
+    {U"<=", relation, "<="}, {U"≤", relation, "<="}, {U">=", relation, ">="}, {U"≥", relation, ">="},
+    {U"=", relation, "="}, {U"<", relation, "<"}, {U">", relation, ">"},
+    {U"+", mark, "+"}, {U"-", mark, "-"}, {U"−", mark, "-"},
+    {U"*", mark, "*"}, {U"·", mark, "*"}, {U"⋅", mark, "*"}, {U"×", mark, "*"},
+    {U"/", mark, "/"}, {U"∕", mark, "/"}, {U"⁄", mark, "/"}, {U"÷", mark, "/"},
+    {U"^", mark, "^"}, {U"(", mark, "("}, {U")", mark, ")"}, {U",", mark, ","}, {U"√", mark, "sqrt"},
+    {U"[", slip, "write '(' instead of '['"},
+    {U"]", slip, "write ')' instead of ']'"},
+    {U"{", slip, "write '(' instead of '{'"},
+    {U"}", slip, "write ')' instead of '}'"},
+    {U"≠", slip, "'≠' is no relation that can be read here: use =, <, <=, > or >="},
+    {U"≈", slip, "'≈' is no relation that can be read here: use =, <, <=, > or >="},
+    {U"!", slip, "'!' is not used here: relations are =, <, <=, > and >=, and factorials are numbers"},
+    {U"½", slip, "write 1/2 instead of '½'"},
+    {U"¼", slip, "write 1/4 instead of '¼'"},
+    {U"¾", slip, "write 3/4 instead of '¾'"},
+    {U"–", slip, "write '-' for a minus"}, {U"—", slip, "write '-' for a minus"},
+    {U"∞", slip, "infinity is no number"},
+    {U"\\", slip, "LaTeX is not read here: write names without '\\'"},
+    {U";", slip, "';' is not used here"},
+    {U":", slip, "write '/' for a division"},
+    {U"±", slip, "'±' stands for two statements: write them one by one"},
+    {U"|", slip, "write fabs(x) for |x|"},
+    {U"'", slip, "primes are not used here: the rate of theta is thetadot"},
+    {U"\"", slip, "quotation marks are not used here"},
+};
+// clang-format on
+
+class Tokenizer {
+ public:
+  Tokenizer(std::string_view text, const Symbols& symbols, const Limits& limits)
+      : text_(text), symbols_(symbols), limits_(limits) {
+    if (text.size() <= 4 * limits.characters) characters_ = decode(text);
+    if (text.size() > 4 * limits.characters || characters_.size() > limits.characters) {
+      throw SyntaxError("too_long", characters_.empty() ? 0 : byte(limits.characters),
+                        "this is longer than " + std::to_string(limits.characters) + " characters");
+    }
+    for (const std::string& name : symbols.names()) {
+      const std::string& spelling = symbols.find(name)->unicode;
+      if (spelling != name) spellings_.emplace_back(decode(spelling), name);
+    }
+  }
+
+  std::vector<Token> run() {
+    for (; at_ < characters_.size(); start_ = at_) {
+      if (code() == ' ')
+        ++at_;
+      else
+        read();
+    }
+    add(Token::Kind::end, "");
+    return std::move(tokens_);
+  }
+
+ private:
+  char32_t code(std::size_t ahead = 0) const {
+    return at_ + ahead < characters_.size() ? characters_[at_ + ahead].code : 0;
+  }
+  std::size_t byte(std::size_t index) const {
+    return index < characters_.size() ? characters_[index].position : text_.size();
+  }
+  void add(Token::Kind kind, std::string text) {
+    tokens_.push_back({kind, std::move(text), byte(start_), byte(at_)});
+  }
+  [[noreturn]] void refuse(const char* note, const std::string& message) const {
+    throw SyntaxError(note, byte(start_), message);
+  }
+
+  void read() {
+    if (is_digit(code()) || (code() == '.' && is_digit(code(1)))) return read_number();
+    if (superscript_digit(code()) >= 0 || code() == U'⁻' || code() == U'⁺') return read_superscript();
+    if (is_letter(code()) || code() == '_') return read_name();
+    for (const auto& [characters, kind, text] : spellings) {
+      if (code() != characters[0] || (characters.size() > 1 && code(1) != characters[1])) continue;
+      if (kind == slip) refuse("syntax", text);
+      at_ += characters.size();
+      return add(kind, text);
+    }
+    const std::string shown = is_invisible(code())
+                                  ? fmt::format("the invisible character U+{:04X}", std::uint32_t{code()})
+                                  : "'" + encode(code()) + "'";
+    refuse("character", shown + " has no meaning here");
+  }
+
+  std::string read_digits() {
+    std::string digits;
+    for (; is_digit(code()); ++at_) digits += static_cast<char>(code());
+    return digits;
+  }
+
+  void read_number() {
+    std::string number = read_digits();
+    if (code() == '.') ++at_, number += "." + read_digits();
+    if (code() == '.') refuse("syntax", "a number has one decimal point");
+    std::size_t digits = number.size();
+    const bool sign = code(1) == '+' || code(1) == '-';
+    if ((code() == 'e' || code() == 'E') && is_digit(code(sign ? 2 : 1))) {
+      std::string exponent = code(1) == '-' ? "-" : "";
+      at_ += sign ? 2 : 1;
+      const std::string power = read_digits();
+      digits += power.size() > 6 ? limits_.digits : std::stoul(power);
+      number += "e" + exponent + power;
+    }
+    if (digits > limits_.digits + (number.find('.') == std::string::npos ? 0 : 1)) {
+      refuse("too_large", "this number needs more than " + std::to_string(limits_.digits) + " digits");
+    }
+    add(Token::Kind::number, number);
+  }
+
+  void read_superscript() {
+    std::string exponent = code() == U'⁻' ? "-" : "";
+    if (code() == U'⁻' || code() == U'⁺') ++at_;
+    if (superscript_digit(code()) < 0) refuse("character", "a superscript sign needs a superscript digit");
+    for (; superscript_digit(code()) >= 0; ++at_)
+      exponent += static_cast<char>('0' + superscript_digit(code()));
+    add(Token::Kind::superscript, exponent);
+  }
+
+  /// Whether the star that ends there is one between factors: t*x, t*(x+y), t*-x, but not t*-less "t* - x".
+  bool is_product(std::size_t end) const {
+    if (code(end) == '*' || code(end) == '-' || code(end) == U'−') return true;
+    while (code(end) == ' ') ++end;
+    const char32_t next = code(end);
+    return is_digit(next) || is_letter(next) || next == '(' || next == '.' || next == '_' || next == U'√';
+  }
+
+  /// Whether this spelling of a symbol stands here and ends here.
+  bool stands_here(const std::vector<Character>& spelling) const {
+    for (std::size_t i = 0; i < spelling.size(); ++i)
+      if (code(i) != spelling[i].code) return false;
+    const char32_t last = spelling.back().code, next = code(spelling.size());
+    if (last == '*' && is_product(spelling.size())) return false;
+    const bool signed_name = last == U'⁻' || last == U'⁺';
+    return !continues_name(next) && !(signed_name && superscript_digit(next) >= 0);
+  }
+
+  void read_name() {
+    const std::pair<std::vector<Character>, std::string>* best = nullptr;
+    for (const auto& entry : spellings_) {
+      const bool longer = best == nullptr || entry.first.size() > best->first.size();
+      if (longer && stands_here(entry.first)) best = &entry;
+    }
+    if (best == nullptr) return add_transliterated();
+    at_ += best->first.size();
+    add(Token::Kind::name, best->second);
+  }
+
+  /// Letters become their names, dots "dot" or "ddot" after the letter (θ̇_ex) or at the end (u̇_g).
+  void add_transliterated() {
+    std::string name, suffix;
+    std::size_t after_letter = std::string::npos;
+    int dots = 0;
+    for (; continues_name(code()); ++at_) {
+      const char32_t c = code();
+      const int subscript = subscript_digit(c);
+      if (is_dot(c)) {
+        if (after_letter == std::string::npos) after_letter = name.size();
+        if (c == macron) suffix = "bar";
+        dots += c == dot_above ? 1 : c == diaeresis ? 2 : 0;
+      } else if (subscript >= 0) {
+        const bool first = at_ == start_ || subscript_digit(characters_[at_ - 1].code) < 0;
+        name += (first ? "_" : "") + std::to_string(subscript);
+      } else {
+        name += c < 0x80 ? std::string(1, static_cast<char>(c)) : std::string(greek_name(c));
+      }
+    }
+    if (dots > 2) refuse("unknown_symbol", "more than two dots have no name here");
+    if (dots > 0) suffix += dots == 1 ? "dot" : "ddot";
+    after_letter = std::min(after_letter, name.size());
+    const std::string inside = name.substr(0, after_letter) + suffix + name.substr(after_letter);
+    const bool at_the_end = symbols_.find(inside) == nullptr && symbols_.find(name + suffix) != nullptr;
+    add(Token::Kind::name, checked_pi(at_the_end ? name + suffix : inside));
+  }
+
+  /// The constant may be written Pi. A capital Π, PI and pI may stand for anything.
+  std::string checked_pi(const std::string& name) const {
+    const bool is_capital = characters_[start_].code == U'Π';
+    if (name == "Pi" && !is_capital) return "pi";
+    if (is_capital ? name == "Pi" : name == "PI" || name == "pI")
+      refuse("unknown_symbol",
+             "'" + (is_capital ? "Π" : name) + "' is no symbol here: the constant is written pi");
+    return name;
+  }
+
+  std::string_view text_;
+  const Symbols& symbols_;
+  const Limits& limits_;
+  std::vector<Character> characters_;
+  std::vector<std::pair<std::vector<Character>, std::string>> spellings_;
+  std::vector<Token> tokens_;
+  std::size_t at_ = 0, start_ = 0;
+};
+
+}  // namespace
+
+std::vector<Token> tokenize(std::string_view text, const Symbols& symbols, const Limits& limits) {
+  return Tokenizer(text, symbols, limits).run();
+}
+
+}  // namespace rederive

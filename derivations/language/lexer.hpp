@@ -1,0 +1,32 @@
+// Text → tokens, bounds checked on the way.
+#pragma once
+
+#include <derivations/language/symbols.hpp>
+#include <derivations/language/tree.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rederive {
+
+struct Token {
+  enum class Kind {
+    number,       ///< digits as written
+    name,         ///< in ASCII, whether known or not
+    superscript,  ///< an integer exponent: "2", "-1"
+    mark,         ///< + - * / ^ ( ) , and "sqrt" for √
+    relation,     ///< = < <= > >=
+    end
+  };
+  Kind kind;
+  std::string text;
+  std::size_t position, end;  ///< bytes
+
+  /// Whether it is this mark: "(", or "sqrt", which is √; a name that is typed as sqrt is none.
+  bool is(std::string_view mark) const { return kind == Kind::mark && text == mark; }
+};
+
+/// The last token is the end. Pi is read as pi, and other look-alikes of it are refused. Throws SyntaxError.
+std::vector<Token> tokenize(std::string_view text, const Symbols& symbols, const Limits& limits);
+
+}  // namespace rederive

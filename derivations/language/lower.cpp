@@ -1,0 +1,163 @@
+#include <cln/cln.h>
+
+#include <cmath>
+#include <derivations/language/functions.hpp>
+#include <derivations/language/lower.hpp>
+#include <derivations/language/real.hpp>
+#include <derivations/language/syntax_error.hpp>
+
+namespace rederive {
+
+namespace {
+
+using GiNaC::ex;
+using GiNaC::is_a;
+using GiNaC::numeric;
+using Kind = Node::Kind;
+
+/// An expression, with bounds on how many bits its numbers take and how many parts it has, known before it is
+/// made.
+struct Lowered {
+  ex value;
+  double bits = 0, parts = 1;
+};
+
+constexpr double most_bits = 1 << 16, most_parts = 100'000;
+constexpr int largest_root = 1000;
+
+[[noreturn]] void refuse(const Node& node, const char* note, const std::string& message) {
+  throw SyntaxError(note, node.position, message);
+}
+
+void check_size(const Node& node, double bits, double parts) {
+  if (bits > most_bits) refuse(node, "too_large", "the numbers in this would be too large");
+  if (parts > most_parts) refuse(node, "too_large", "this would be too large when written out");
+}
+
+bool is_negative_number(const ex& e) { return is_a<numeric>(e) && GiNaC::ex_to<numeric>(e).is_negative(); }
+
+bool is_outside(const Function& function, const ex& x) {
+  if (!is_a<numeric>(x)) return false;
+  const numeric& value = GiNaC::ex_to<numeric>(x);
+  const auto is_beyond = [&](double end, int side) {
+    if (std::isinf(end)) return false;
+    const numeric past = side * (value - static_cast<long>(end));
+    return past.is_positive() || (past.is_zero() && function.is_open);
+  };
+  return is_beyond(function.least, -1) || is_beyond(function.most, 1);
+}
+
+class Lowering {
+ public:
+  Lowering(const Symbols& symbols, const Limits& limits) : symbols_(symbols), limits_(limits) {}
+
+  Lowered lower(const Tree& tree) const {
+    try {
+      Lowered result = build(*tree);
+      check_size(*tree, result.bits, result.parts);
+      if (is_a<numeric>(result.value) && !result.value.info(GiNaC::info_flags::real))
+        refuse(*tree, "undefined", "this has no real value");
+      return result;
+    } catch (const SyntaxError&) {
+      throw;
+    } catch (const std::out_of_range&) {
+      refuse(*tree, "unknown_symbol", "there is no symbol '" + tree->text + "'");
+    } catch (const std::exception&) {  // GiNaC's pole_error, and its relatives
+      refuse(*tree, "undefined", "this has no value: it divides by zero, or is a pole of a function");
+    }
+  }
+
+ private:
+  Lowered build(const Node& node) const {
+    switch (node.kind) {
+      case Kind::number: {
+        const cln::cl_RA value = exact(node.text);
+        const auto bits =
+            cln::integer_length(cln::numerator(value)) + cln::integer_length(cln::denominator(value));
+        return {numeric(value), static_cast<double>(bits)};
+      }
+      case Kind::symbol:
+        return {node.text == "pi" ? ex(GiNaC::Pi) : ex(symbols_[node.text])};
+      case Kind::negative: {
+        const Lowered operand = lower(node.children[0]);
+        return {-operand.value, operand.bits, operand.parts};
+      }
+      case Kind::sum:
+      case Kind::product:
+        return combine(node);
+      case Kind::power:
+        return power(node);
+      case Kind::call:
+        return call(node);
+    }
+    throw std::logic_error("a kind of node that there is not");
+  }
+
+  Lowered combine(const Node& node) const {
+    const bool is_sum = node.kind == Kind::sum;
+    GiNaC::exvector values;
+    Lowered all{0, 0, 1};
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      const auto [value, bits, parts] = lower(node.children[i]);
+      all.bits += bits, all.parts += parts;
+      const bool is_inverse = node.inverse[i];
+      if (is_inverse && !is_sum && value.is_zero())
+        refuse(*node.children[i], "undefined", "this divisor is zero");
+      values.push_back(!is_inverse ? value : is_sum ? -value : GiNaC::pow(value, -1));
+    }
+    check_size(node, all.bits, all.parts);
+    all.value = is_sum ? ex(GiNaC::add(values)) : ex(GiNaC::mul(values));
+    return all;
+  }
+
+  Lowered power(const Node& node) const {
+    const Lowered base = lower(node.children[0]), exponent = lower(node.children[1]);
+    if (!is_a<numeric>(exponent.value))
+      return {GiNaC::pow(base.value, exponent.value), base.bits + exponent.bits, base.parts + exponent.parts};
+    const numeric n = GiNaC::ex_to<numeric>(exponent.value);
+    const ex inner = is_a<GiNaC::power>(base.value) ? base.value.op(1) : ex(1);
+    const numeric total = is_a<numeric>(inner) ? n * GiNaC::ex_to<numeric>(inner) : n;
+    if (GiNaC::abs(total) > limits_.exponent)
+      refuse(*node.children[1], "too_large", "exponents go up to " + std::to_string(limits_.exponent));
+    if (n.denom() > largest_root)
+      refuse(*node.children[1], "too_large",
+             "as a fraction, an exponent has a denominator up to " + std::to_string(largest_root) +
+                 ": write 1/3 for 0.333…");
+    const double bits = (base.bits + 1) * (GiNaC::abs(n).to_double() + 1);
+    check_size(node, bits, base.parts + 1);
+    if (is_negative_number(base.value) && !n.is_integer())
+      refuse(node, "undefined", "a root of a negative number has no real value");
+    if (base.value.is_zero() && !n.is_positive())
+      refuse(node, "undefined", "this divides by zero, or is 0^0");
+    return {GiNaC::pow(base.value, n), bits, base.parts + 1};
+  }
+
+  Lowered call(const Node& node) const {
+    const Function* function = find_function(node.text);
+    if (function == nullptr) refuse(node, "unknown_function", "there is no function '" + node.text + "'");
+    const Lowered argument = lower(node.children[0]);
+    if (is_outside(*function, argument.value)) refuse(node, "undefined", "this has no real value");
+    const double copies = node.text == "cot" || node.text == "coth" ? 2 : 1;  // cos(x)/sin(x)
+    const double bits = copies * argument.bits + 1, parts = copies * argument.parts + 1;
+    check_size(node, bits, parts);
+    return {function->of(argument.value), bits, parts};
+  }
+
+  const Symbols& symbols_;
+  const Limits& limits_;
+};
+
+}  // namespace
+
+ex lower(const Tree& tree, const Symbols& symbols, const Limits& limits) {
+  const ex value = Lowering(symbols, limits).lower(tree).value;
+  try {
+    return as_real(value);
+  } catch (const GiNaC::pole_error&) {
+    throw SyntaxError("undefined", tree->position, "this has no value");
+  } catch (const std::domain_error& error) {
+    throw SyntaxError("undefined", tree->position, error.what());
+  }
+}
+
+}  // namespace rederive

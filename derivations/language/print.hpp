@@ -1,0 +1,17 @@
+// GiNaC expression or tree → text; the same bytes on every run, in the order a person would choose.
+#pragma once
+
+#include <derivations/language/to_tree.hpp>
+
+namespace rederive {
+
+enum class Notation { plain, unicode, latex };  ///< plain is our own syntax and can be parsed again
+
+/// A tree as text, in the form it has.
+std::string print(const Tree& tree, Notation notation, const Symbols& symbols);
+/// Its sides and the operators between them: "a <= b", "a ≤ b", "a \\le b".
+std::string print(const Relation& relation, Notation notation, const Symbols& symbols);
+/// print(to_tree(expression)).
+std::string print(const GiNaC::ex& expression, Notation notation, const Symbols& symbols);
+
+}  // namespace rederive

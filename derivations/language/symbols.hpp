@@ -1,0 +1,120 @@
+// Every symbol once: how it is written, its unit, the range it lives in, what it means.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rederive {
+
+/// A GiNaC symbol that keeps what GiNaC knows about it (real, positive) when it is copied. Copying a
+/// GiNaC::symbol would cut a possymbol down to a nameless complex one that equals nothing; here that does not
+/// compile.
+class SymbolExpression : public GiNaC::ex {
+ public:
+  SymbolExpression() = default;
+  explicit SymbolExpression(const GiNaC::symbol& symbol) : GiNaC::ex(symbol) {}
+  operator const GiNaC::symbol&() const { return GiNaC::ex_to<GiNaC::symbol>(*this); }  // for ex::diff
+  operator GiNaC::symbol() const = delete;
+};
+
+/// The range of a symbol that may be any real number.
+inline constexpr const char* all_numbers = "(-inf, inf)";
+
+/// What is declared about one symbol. A range is an open interval in our syntax: "(0, inf)", "(0, pi/2)",
+/// "(-inf, inf)"; a closed end is written with a bracket: "(0, 1]".
+struct Symbol {
+  std::string name;        ///< ASCII, as typed: "theta", "omega_p", "u_gddot"
+  std::string latex;       ///< "\\ddot u_g"
+  std::string unicode;     ///< "ü_g"
+  std::string unit;        ///< SI base units: "kg*m^2/s^2"; "1" for angles and ratios
+  std::string range;       ///< see above
+  std::string meaning;     ///< one line
+  std::string introduced;  ///< where the paper introduces it: "Fig. 1", "(21)"
+  SymbolExpression ginac;  ///< the one GiNaC symbol of this name (a possymbol where no value is negative)
+};
+
+/// The ends of a range, each an expression in our syntax, "inf" or "-inf".
+struct Range {
+  std::string lower, upper;
+  bool lower_closed = false, upper_closed = false;
+};
+/// Reads "(0, pi/2]". Throws std::invalid_argument.
+Range read_range(std::string_view text);
+
+struct Slope;
+
+/// What was found of expressions already, over some ranges.
+struct Findings {
+  template <class What>
+  using Of = std::map<GiNaC::ex, What, GiNaC::ex_is_less>;
+  Of<int> signs;                            ///< for sign_of() and is_nonnegative()
+  Of<std::shared_ptr<const Slope>> slopes;  ///< for sign_by_slope(); null where it has nothing to say
+  Of<bool> vanishing;                       ///< for vanishes()
+  /// For quotient(), of {left, right, way}.
+  Of<std::optional<std::vector<std::pair<GiNaC::ex, GiNaC::numeric>>>> quotients;
+};
+
+/// What was found of it already, or is found now.
+template <class What, class Find>
+What remembered(Findings::Of<What>& known, const GiNaC::ex& of, const Find& find) {
+  constexpr std::size_t most = 2000;
+  if (const auto found = known.find(of); found != known.end()) return found->second;
+  const What result = find();
+  if (known.size() == most) known.clear();
+  return known.emplace(of, result).first->second;
+}
+
+/// A set of declared symbols. Copies share the GiNaC symbols, except those that are declared again.
+class Symbols {
+ public:
+  /// Declares a symbol, or declares it anew (a user's assumption replaces the range).
+  /// Throws std::invalid_argument if the range or the unit cannot be read.
+  const Symbol& declare(std::string name, std::string latex, std::string unicode, std::string unit,
+                        std::string range, std::string meaning, std::string introduced);
+  /// Replaces the range alone: the GiNaC symbol, and so every expression that has it, stays the same.
+  /// Throws std::out_of_range or std::invalid_argument.
+  void narrow(std::string_view name, std::string range);
+  const Symbol* find(std::string_view name) const;    ///< nullptr if there is none
+  const Symbol* find(const GiNaC::ex& symbol) const;  ///< by its GiNaC symbol
+  /// The GiNaC symbol of that name; throws std::out_of_range naming it if there is none.
+  const SymbolExpression& operator[](std::string_view name) const;
+  std::vector<std::string> names() const;         ///< in the order of declaration
+  std::size_t rank(std::string_view name) const;  ///< place in that order: the printing order
+
+ private:
+  std::vector<std::string> order_;
+  std::map<std::string, Symbol, std::less<>> table_;
+
+  // What the prover of derivations/algebra keeps here; it goes with it.
+ public:
+  /// Declares that an expression in the symbols is never 0, as in "x != y".
+  void exclude_zero(const GiNaC::ex& expression) { never_zero_.push_back(expression), findings_.reset(); }
+  /// What exclude_zero() was given, in that order.
+  const std::vector<GiNaC::ex>& never_zero() const { return never_zero_; }
+  /// Declares that an expression is not 0 where an assumption has a value: no witness may be there, and no
+  /// proof may use it.
+  void exclude_witnesses(const GiNaC::ex& zero) { no_witness_.push_back(zero); }
+  /// What exclude_witnesses() was given, in that order.
+  const std::vector<GiNaC::ex>& no_witness() const { return no_witness_; }
+  /// Says a symbol in others, of which the ranges say more: the difference of y and x, as y - x.
+  void say_otherwise(const GiNaC::ex& symbol, const GiNaC::ex& words) {
+    otherwise_.push_back({symbol, words}), findings_.reset();
+  }
+  /// What say_otherwise() was given, in that order: a symbol → what it is in others.
+  const std::vector<std::pair<GiNaC::ex, GiNaC::ex>>& otherwise() const { return otherwise_; }
+  /// Shared by all that say the same.
+  Findings& findings() const;
+
+ private:
+  std::vector<GiNaC::ex> never_zero_, no_witness_;
+  std::vector<std::pair<GiNaC::ex, GiNaC::ex>> otherwise_;
+  mutable std::shared_ptr<Findings> findings_;  ///< null where something was said since
+};
+
+}  // namespace rederive

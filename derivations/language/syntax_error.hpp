@@ -1,0 +1,21 @@
+// Why a text could not be read.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace rederive {
+
+/// A text that could not be read: a stable word for it, where, why, and what would be right.
+struct SyntaxError : std::runtime_error {
+  /// `message` is a sentence that what() gives.
+  SyntaxError(std::string word, std::size_t where, const std::string& message)
+      : std::runtime_error(message), note(std::move(word)), position(where) {}
+  /// "syntax", "character", "empty", "unknown_symbol", "unknown_function", "arguments",
+  /// "implicit_multiplication", "relation", "too_long", "too_deep", "too_large", "undefined"
+  std::string note;
+  std::size_t position;  ///< byte offset in the text
+};
+
+}  // namespace rederive

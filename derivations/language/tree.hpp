@@ -1,0 +1,67 @@
+// The form of an expression, as it was written.
+#pragma once
+
+#include <cln/rational.h>
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rederive {
+
+struct Node;
+using Tree = std::shared_ptr<const Node>;
+
+/// One node of an expression as it was written. Immutable once built.
+struct Node {
+  enum class Kind {
+    number,    ///< text: digits as written, "3", "0.25", "1e-3"; never negative
+    symbol,    ///< text: its ASCII name; "pi" is the constant π
+    negative,  ///< -children[0]
+    sum,       ///< children[0] ± children[1] ± …; inverse[i] marks a subtracted term
+    product,   ///< children[0] *or/ children[1] …; inverse[i] marks a divisor
+    power,     ///< children[0] ^ children[1]
+    call       ///< text(children…)
+  };
+  Kind kind;
+  std::string text;
+  std::vector<Tree> children;
+  std::vector<bool> inverse;
+  std::size_t position = 0;  ///< byte offset in the text that was parsed
+};
+
+/// A node of these parts. `inverse` has an entry for every child of a sum or a product.
+inline Tree make_tree(Node::Kind kind, std::string text, std::vector<Tree> children = {},
+                      std::vector<bool> inverse = {}, std::size_t position = 0) {
+  return std::make_shared<const Node>(
+      Node{kind, std::move(text), std::move(children), std::move(inverse), position});
+}
+
+/// The exact value of a number as written: "0.25" is 1/4, "1e-3" is 1/1000. It must be the text of a number
+/// node: digits, perhaps with a point, perhaps with an exponent. Limits bound its size in parse(), not here.
+/// Of any other text it may give some number, or throw std::invalid_argument, std::out_of_range (both of the
+/// exponent) or cln::runtime_exception.
+cln::cl_RA exact(const std::string& number);
+
+/// Whether it is a sum or begins with a minus, so that it needs parentheses as a term or a factor.
+inline bool is_loose(const Node& node) {
+  return node.kind == Node::Kind::sum || node.kind == Node::Kind::negative;
+}
+
+/// A chain of relations: sides[0] operators[0] sides[1] …; the operators are =, <, <=, >, >=.
+struct Relation {
+  std::vector<Tree> sides;
+  std::vector<std::string> operators;
+};
+
+/// Bounds on what is read, checked before anything expensive is done.
+struct Limits {
+  std::size_t characters = 10'000;
+  std::size_t depth = 200;  ///< not beyond 500, whatever is asked: the stack bears no more
+  std::size_t digits = 40;  ///< in one number, its decimal exponent included
+  long exponent = 64;       ///< the largest integer exponent
+};
+
+}  // namespace rederive
