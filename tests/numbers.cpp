@@ -13,12 +13,15 @@ using Is = Value::Is;
 
 namespace {
 
-Tree constant(const char* text) { return parse(text, Symbols()); }
+Tree tree(const std::string& text, const Limits& limits = {}) {
+  Symbols symbols;
+  for (const char* name : {"x", "y", "g"}) symbols.declare(name, name, name, "1", all_numbers, "", "");
+  return parse(text, symbols, limits);
+}
 
 /// "1/2" where the value is rational and exact, "1.4142" where it is certain; "nowhere", "unknown".
 std::string at(const char* text, const Point& point = {}) {
-  const Tree tree = parse(text);
-  const Value value = value_at(tree, point, 192);
+  const Value value = value_at(tree(text), point, 192);
   if (value.is != Is::certain) return value.is == Is::nowhere ? "nowhere" : "unknown";
   if (value.exact) CHECK(value.ball.contains(Ball(*value.exact, 300)));
   std::ostringstream exact;
@@ -50,19 +53,19 @@ std::string image(const char* function, const char* range) {
 }  // namespace
 
 TEST_CASE("a ball holds what an operation gives, and its ends are exact") {
-  const Ball third(cl_RA(1) / 3, 64), wide = Ball::between(-1, 2, 64);
+  const Ball third(cl_RA(1) / 3, 64), wide = Ball::between(Ball(-1), Ball(2));
   CHECK((third.lower() < cl_RA(1) / 3 && cl_RA(1) / 3 < third.upper()));
   CHECK((third * Ball(3)).contains(Ball(1)));
-  CHECK((wide.lower() <= -1 && wide.upper() >= 2 && wide.contains_zero() && !wide.is_nonzero()));
-  CHECK((pow(wide, 2).contains(Ball(4)) && abs(wide).contains(Ball(2))));
-  CHECK((Ball(2, 300) * third).bits() == 300);
+  CHECK((wide.contains(Ball(-1)) && wide.contains(Ball(2)) && wide.contains_zero() && !wide.is_nonzero()));
+  CHECK((pow(wide, Ball(2)).contains(Ball(4)) && exp(wide).contains(Ball(1))));
+  CHECK((Ball(2, 300) * third).bits() == 64);
   CHECK(!(Ball(1) / wide).is_finite());
   CHECK(!sqrt(wide).is_finite());
   CHECK((-Ball(2)).is_negative());
   CHECK(sin(Ball::pi(300) / Ball(4)).digits(20) == "0.70710678118654752440");
-  CHECK(Ball(cl_RA(1) / 4, 64).digits(20) == "0.25");
+  CHECK(Ball(cl_RA(1) / 4, 64).digits(20) == "0.25000000000000000000");
   CHECK(!third.digits(30));
-  CHECK_THROWS_AS(exp(Ball(1'000'000'000)).lower(), std::domain_error);
+  CHECK_THROWS_AS(cl_RA(exp(Ball(1'000'000'000, 64)).lower()), std::domain_error);
 }
 
 TEST_CASE("rational arithmetic and trivial values are exact") {
@@ -107,13 +110,13 @@ TEST_CASE("what these bits do not tell, and what is too large, is unknown") {
   }
   Limits large;
   large.exponent = 1'000'000;
-  CHECK(value_at(parse("10^1000000", Symbols(), large), {}, 64).is == Is::unknown);
+  CHECK(value_at(tree("10^1000000", large), {}, 64).is == Is::unknown);
 }
 
 TEST_CASE("the sign of a difference") {
-  const Point point{{"x", cl_RA(1) / 3}, {"y", Number(constant("sqrt(2)"))}};
+  const Point point{{"x", cl_RA(1) / 3}, {"y", Number(tree("sqrt(2)"))}};
   const auto sign = [&](const char* left, const char* right) {
-    return sign_at(parse(left), parse(right), point);
+    return sign_at(tree(left), tree(right), point);
   };
   CHECK(sign("x", "1/3") == Sign::zero);
   CHECK(sign("asin(1)", "pi/2") == Sign::zero);
@@ -126,19 +129,19 @@ TEST_CASE("the sign of a difference") {
 }
 
 TEST_CASE("coordinates: a constant, and a zero between two rationals") {
-  const Tree x = parse("x"), square = parse("x^2-2"), kink = parse("tan(x)-x"), half = parse("(2*x-1)^3");
+  const Tree x = tree("x"), square = tree("x^2-2"), kink = tree("tan(x)-x"), half = tree("(2*x-1)^3");
   const auto digits = [&](const Number& number) { return digits_at(x, {{"x", number}}, 30); };
-  CHECK(digits(Number(constant("pi/6"))) == "0.523598775598298873077107230547");
+  CHECK(digits(Number(tree("pi/6"))) == "0.523598775598298873077107230547");
   CHECK(digits(Number(square, "x", 0, 2)) == "1.41421356237309504880168872421");
   CHECK(digits(Number(kink, "x", 4, cl_RA(9) / 2)) == "4.49340945790906417530788092728");
   CHECK(digits(Number(half, "x", 0, 1)) == "0.5");
   CHECK(digits(Number(half, "x", 0, 3)) == "0.500000000000000000000000000000");
   CHECK(digits(Number(square, "x", 2, 3)) == std::nullopt);
-  CHECK(sign_at(square, constant("10^(-35)"), {{"x", Number(square, "x", 0, 2)}}) == Sign::negative);
+  CHECK(sign_at(square, tree("10^(-35)"), {{"x", Number(square, "x", 0, 2)}}) == Sign::negative);
 }
 
 TEST_CASE("digits are certain, and rounded") {
-  const auto digits = [](const char* text) { return digits_at(constant(text), {}, 30); };
+  const auto digits = [](const char* text) { return digits_at(tree(text), {}, 30); };
   CHECK(digits("1-1") == "0");
   CHECK(digits("1/5") == "0.2");
   CHECK(digits("-2/3") == "-0.666666666666666666666666666667");
@@ -218,11 +221,11 @@ TEST_CASE("an interval holds the values at the points of its range") {
   for (const char* f :
        {"sin",  "cos",  "tan",  "cot",  "sec",   "csc",   "asin",  "acos", "atan", "sinh", "cosh",
         "tanh", "coth", "sech", "csch", "asinh", "acosh", "atanh", "sqrt", "exp",  "log",  "abs"}) {
-    const Tree tree = parse(std::string(f) + "(x)*x^3/x^2");
+    const Tree of = tree(std::string(f) + "(x)*x^3/x^2");
     for (int k = 0; k < 100; ++k) {
       const cl_RA a = number(), b = number(), t = cl_RA(static_cast<int>(random() % 5)) / 4;
       const Interval x{{{std::min(a, b)}, 0, true}, {{std::max(a, b)}, 0, true}};
-      const Value value = value_at(tree, {{"x", a + t * (b - a)}}, 64);
+      const Value value = value_at(of, {{"x", a + t * (b - a)}}, 64);
       if (value.is != Is::certain) continue;
       const Interval y = call(f, x) * power(x, 3) * power(x, -2);
       INFO(std::string(f) << shown(x) << " = " << shown(y));
