@@ -2,7 +2,7 @@
 // so.
 #pragma once
 
-#include <numerics/ball.hpp>
+#include <derivations/numbers/ball.hpp>
 #include <emitted/rocking_block.hpp>
 #include <numerics/overturning.hpp>
 #include <optional>

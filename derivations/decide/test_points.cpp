@@ -94,7 +94,7 @@ void collect_landmarks(const Tree& tree, std::vector<cl_RA>& landmarks) {
     const Value value = value_at(tree, {}, 64);
     if (value.exact && (cln::abs(*value.exact) > 3 || cln::denominator(*value.exact) > 4)) landmarks.push_back(*value.exact);
     if (value.is == Value::Is::certain && !value.exact && value.ball.is_moderate())
-      landmarks.push_back(cln::cl_RA(cln::round1(value.ball.lower() * 100)) / 100);
+      landmarks.push_back(cln::cl_RA(cln::round1(cl_RA(value.ball.lower()) * 100)) / 100);
     return;
   }
   for (const Tree& child : tree->children) collect_landmarks(child, landmarks);

@@ -135,7 +135,7 @@ std::optional<Witness> make_witness(const Problem& problem, const Solution& solu
       return;
     }
     const cl_RA power = cln::expt_pos(cln::cl_I(10), 40);  // to 40 places
-    witness.at[name] = rational_text(cln::round1(value.ball.lower() * power) / power);
+    witness.at[name] = rational_text(cln::round1(cl_RA(value.ball.lower()) * power) / power);
     const auto constant = solution.constants.find(name);
     if (value.constant)
       witness.exactly[name] = print(tree_of(*value.constant), Notation::plain, problem.symbols);

@@ -2,42 +2,67 @@
 // interval arithmetic", IEEE Trans. Comput. 66 (2017).
 #pragma once
 
+#include <mpfr.h>
+// Arb declares what uses MPFR only where that stands before it.
 #include <arb.h>
-#include <cln/integer.h>
-#include <cln/rational.h>
 
 #include <algorithm>
+#include <concepts>
 #include <optional>
+#include <stdexcept>
 #include <string>
-#include <utility>
 
-namespace rederive {
-std::string decimal(const cln::cl_R& value, int digits);  // of the language
+namespace cln {
+class cl_RA;
 }
 
-namespace rederive::inline numbers {  // inline as long as the old engine has the same names
+namespace rederive {
 
-/// A real number known to lie in [mid - rad, mid + rad], and the bits at which one computes with it. A result
-/// holds every value that the operation has on the operands; where it has none somewhere, it is not finite.
+/// A real number in [middle - radius, middle + radius]. A result holds every value that the operation has on
+/// the operands, rounded to the fewer of their bits; where it has none somewhere, it is not finite.
 class Ball {
  public:
   using ArbFunction = void (*)(arb_t, const arb_t, slong);
+  static constexpr long most_bits = 4096;  ///< of a number that is given without
 
   Ball() { arb_init(x_); }
-  explicit Ball(long n) : Ball() { arb_set_si(x_, n); }
+  template <std::integral N>
+  explicit Ball(N whole, long bits = most_bits) : bits_(bits) {
+    arb_init(x_), arb_set_si(x_, static_cast<slong>(whole));
+  }
+  explicit Ball(long double number, long bits = most_bits) : Ball(0, bits) {  // exactly that number
+    mpfr_t exact;
+    mpfr_init2(exact, 64), mpfr_set_ld(exact, number, MPFR_RNDN);
+    arf_set_mpfr(arb_midref(x_), exact), mpfr_clear(exact);
+  }
   Ball(const cln::cl_RA& q, long bits);
-  Ball(const Ball& y) : Ball() { arb_set(x_, y.x_), bits_ = y.bits_; }
-  Ball(Ball&& y) noexcept : Ball() { *this = std::move(y); }
-  Ball& operator=(const Ball& y) { return arb_set(x_, y.x_), bits_ = y.bits_, *this; }
-  Ball& operator=(Ball&& y) noexcept { return arb_swap(x_, y.x_), std::swap(bits_, y.bits_), *this; }
+  Ball(const Ball& y) : Ball(0, y.bits_) { arb_set(x_, y.x_); }
+  Ball(Ball&& y) noexcept : Ball(0, y.bits_) { arb_swap(x_, y.x_); }
+  Ball& operator=(Ball y) noexcept { return arb_swap(x_, y.x_), bits_ = y.bits_, *this; }
   ~Ball() { arb_clear(x_); }
-  static Ball pi(long bits);
-  /// Holds all numbers from low to high.
-  static Ball between(const cln::cl_RA& low, const cln::cl_RA& high, long bits);
+  /// A decimal number as it is written. Throws std::invalid_argument.
+  static Ball parse(const std::string& text) {
+    Ball result;
+    if (arb_set_str(result.x_, text.c_str(), most_bits) == 0) return result;
+    throw std::invalid_argument("'" + text.substr(0, 60) + "' is not a decimal number");
+  }
+  static Ball pi(long bits = most_bits) {
+    Ball result(0, bits);
+    return arb_const_pi(result.x_, bits), result;
+  }
+  /// Holds all numbers of both.
+  static Ball between(const Ball& low, const Ball& high) { return of<arb_union>(low, high); }
 
+  long bits() const { return bits_; }
+  Ball at(long bits) const {
+    return Ball(*this).changed([&](Ball& y) { y.bits_ = bits; });
+  }
+
+  /// Of every number in the ball. What is not certain is false.
   bool is_positive() const { return arb_is_positive(x_); }
   bool is_negative() const { return arb_is_negative(x_); }
   bool is_nonzero() const { return is_positive() || is_negative(); }
+  bool is_zero() const { return arb_is_zero(x_); }
   bool contains_zero() const { return arb_contains_zero(x_); }
   bool contains_integer() const { return arb_contains_int(x_); }
   bool contains(const Ball& y) const { return arb_contains(x_, y.x_); }
@@ -45,63 +70,88 @@ class Ball {
   bool is_finite() const { return arb_is_finite(x_); }
   /// Finite, and of a size between 2^-100000 and 2^100000, or 0: its ends are numbers that one can write.
   bool is_moderate() const;
-  long bits() const { return bits_; }
 
-  /// The exact ends. Throw std::domain_error where the ball is not moderate.
-  cln::cl_RA lower() const { return ends().first; }
-  cln::cl_RA upper() const { return ends().second; }
-  /// "0.785": so many significant digits, rounded; nothing where the ball does not make all of them certain.
-  std::optional<std::string> digits(int n) const;
+  /// The ends and the middle, exact.
+  Ball lower() const { return end(arb_get_lbound_arf); }
+  Ball upper() const { return end(arb_get_ubound_arf); }
+  Ball middle() const {
+    return Ball(*this).changed([](Ball& y) { mag_zero(arb_radref(y.x_)); });
+  }
+  /// The ball with a radius larger by 2^exponent.
+  Ball widened(long exponent) const {
+    return Ball(*this).changed([&](Ball& y) { arb_add_error_2exp_si(y.x_, exponent); });
+  }
+  /// The middle, exactly, as of an end. Throws std::domain_error where the ball is not moderate.
+  operator cln::cl_RA() const;
+  /// The nearest to the middle.
+  double to_double() const { return arf_get_d(arb_midref(x_), ARF_RND_NEAR); }
+  long double to_real() const {
+    mpfr_t rounded;
+    mpfr_init2(rounded, 64), arf_get_mpfr(rounded, arb_midref(x_), MPFR_RNDN);
+    const long double result = mpfr_get_ld(rounded, MPFR_RNDN);
+    return mpfr_clear(rounded), result;
+  }
+  /// So many significant digits, rounded to nearest, as %g writes them; nothing if not all of them are
+  /// certain: both ends of the ball must round to the same.
+  std::optional<std::string> digits(int count) const {
+    mpfr_t low, high;
+    mpfr_inits2(std::max(bits_, arb_bits(x_)), low, high, nullptr);
+    arb_get_interval_mpfr(low, high, x_);
+    const std::string text = written(low, count);
+    const bool is_certain = is_finite() && text == written(high, count);
+    mpfr_clears(low, high, nullptr);
+    return is_certain ? std::optional(text) : std::nullopt;
+  }
 
-  /// What a function of Arb makes of it.
   Ball image(ArbFunction f) const {
-    return with(bits_, [&](arb_t r) { f(r, x_, bits_); });
+    return Ball(0, bits_).changed([&](Ball& y) { f(y.x_, x_, bits_); });
   }
-  friend Ball operator+(const Ball& x, const Ball& y) { return combined(arb_add, x, y); }
-  friend Ball operator-(const Ball& x, const Ball& y) { return combined(arb_sub, x, y); }
-  friend Ball operator*(const Ball& x, const Ball& y) { return combined(arb_mul, x, y); }
-  friend Ball operator/(const Ball& x, const Ball& y) { return combined(arb_div, x, y); }
-  friend Ball operator-(const Ball& x) {
-    return with(x.bits_, [&](arb_t r) { arb_neg(r, x.x_); });
-  }
-  friend Ball abs(const Ball& x) {
-    return with(x.bits_, [&](arb_t r) { arb_abs(r, x.x_); });
-  }
-  friend Ball pow(const Ball& x, long n);
+  friend Ball operator+(const Ball& x, const Ball& y) { return of<arb_add>(x, y); }
+  friend Ball operator-(const Ball& x, const Ball& y) { return of<arb_sub>(x, y); }
+  friend Ball operator*(const Ball& x, const Ball& y) { return of<arb_mul>(x, y); }
+  friend Ball operator/(const Ball& x, const Ball& y) { return of<arb_div>(x, y); }
+  friend Ball operator-(const Ball& x) { return Ball(0) - x; }
+  friend Ball pow(const Ball& x, const Ball& y) { return of<arb_pow>(x, y); }
+  friend Ball atan2(const Ball& y, const Ball& x) { return of<arb_atan2>(y, x); }
+  friend bool operator<(const Ball& x, const Ball& y) { return arb_lt(x.x_, y.x_); }
+  friend bool operator>(const Ball& x, const Ball& y) { return y < x; }
 
  private:
-  using ArbOperation = void (*)(arb_t, const arb_t, const arb_t, slong);
-  template <class Set>
-  static Ball with(long bits, const Set& set) {
-    Ball result;
-    result.bits_ = bits;
-    set(result.x_);
+  template <auto f>
+  static Ball of(const Ball& x, const Ball& y) {
+    const long bits = std::min(x.bits_, y.bits_);
+    return Ball(0, bits).changed([&](Ball& z) { f(z.x_, x.x_, y.x_, bits); });
+  }
+  template <class F>
+  Ball changed(const F& change) && {
+    return change(*this), std::move(*this);
+  }
+  Ball end(void (*bound)(arf_t, const arb_t, slong)) const {
+    return Ball(0, bits_).changed([&](Ball& y) { bound(arb_midref(y.x_), x_, ARF_PREC_EXACT); });
+  }
+  static std::string written(const mpfr_t number, int count) {
+    char* text = nullptr;
+    mpfr_asprintf(&text, "%#.*Rg", count, number);
+    std::string result = text;
+    mpfr_free_str(text);
+    const std::size_t dot = result.find('.');  // not left without a digit behind it
+    if (dot + 1 == result.size() || result[dot + 1] == 'e') result.erase(dot, 1);
     return result;
   }
-  static Ball combined(ArbOperation f, const Ball& x, const Ball& y) {
-    const long bits = std::max(x.bits_, y.bits_);
-    return with(bits, [&](arb_t r) { f(r, x.x_, y.x_, bits); });
-  }
-  std::pair<cln::cl_RA, cln::cl_RA> ends() const;
 
   arb_t x_;
-  long bits_ = 64;
+  long bits_ = most_bits;
 };
 
+// Found by argument-dependent lookup, so that a formula written for any number type is proven.
 inline Ball sqrt(const Ball& x) { return x.image(arb_sqrt); }
 inline Ball exp(const Ball& x) { return x.image(arb_exp); }
 inline Ball log(const Ball& x) { return x.image(arb_log); }
 inline Ball sin(const Ball& x) { return x.image(arb_sin); }
 inline Ball cos(const Ball& x) { return x.image(arb_cos); }
 inline Ball tan(const Ball& x) { return x.image(arb_tan); }
-inline Ball asin(const Ball& x) { return x.image(arb_asin); }
-inline Ball acos(const Ball& x) { return x.image(arb_acos); }
-inline Ball atan(const Ball& x) { return x.image(arb_atan); }
 inline Ball sinh(const Ball& x) { return x.image(arb_sinh); }
 inline Ball cosh(const Ball& x) { return x.image(arb_cosh); }
 inline Ball tanh(const Ball& x) { return x.image(arb_tanh); }
-inline Ball asinh(const Ball& x) { return x.image(arb_asinh); }
-inline Ball acosh(const Ball& x) { return x.image(arb_acosh); }
-inline Ball atanh(const Ball& x) { return x.image(arb_atanh); }
 
-}  // namespace rederive::inline numbers
+}  // namespace rederive

@@ -6,7 +6,7 @@
 #include <map>
 #include <memory>
 
-namespace rederive::inline numbers {
+namespace rederive {
 
 /// A coordinate of a point: a real number, to any precision that is asked. It keeps what it computed last, so
 /// that copies of it belong to one thread.
@@ -41,4 +41,4 @@ Sign sign_at(const Tree& left, const Tree& right, const Point& point, long most 
 /// Nothing where it has no value, or where 9 times the bits do not make them certain.
 std::optional<std::string> digits_at(const Tree& tree, const Point& point, int digits);
 
-}  // namespace rederive::inline numbers
+}  // namespace rederive

@@ -4,7 +4,7 @@
 #include <derivations/numbers/value.hpp>
 #include <string_view>
 
-namespace rederive::inline numbers {
+namespace rederive {
 
 /// One end of an interval: a + b*pi, or infinite (-1, +1). A closed end belongs to it.
 struct End : Constant {
@@ -52,4 +52,4 @@ Interval power(const Interval& x, long n);
 /// unknown one.
 Interval call(const std::string& function, const Interval& x);
 
-}  // namespace rederive::inline numbers
+}  // namespace rederive

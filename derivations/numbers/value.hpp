@@ -1,9 +1,12 @@
 // What an expression is worth: exactly a + b*pi, or a ball, or nothing.
 #pragma once
 
+#include <cln/rational.h>
+
+#include <derivations/language/symbols.hpp>
 #include <derivations/numbers/ball.hpp>
 
-namespace rederive::inline numbers {
+namespace rederive {
 
 /// The number a + b*pi with rational a and b. Only 0 + 0*pi is 0, for pi is irrational (Lambert 1768).
 struct Constant {
@@ -34,36 +37,29 @@ struct Value {
   std::optional<int> sign() const;
 };
 
-/// Operations on values. They are exact as long as values are a + b*pi of moderate length; then come balls.
-/// A result's ball is set only where it is not exact: complete() sets it.
-struct Arithmetic {
-  long bits;
+// They are exact as long as values are a + b*pi of moderate length; then come balls.
+Value known(const Constant& c, long bits);
+Value known(const Ball& x);  ///< exact where the ball is; unknown where it is not moderate
+Value operator+(const Value& x, const Value& y);
+Value operator-(const Value& x, const Value& y);
+Value operator*(const Value& x, const Value& y);
+Value operator/(const Value& x, const Value& y);
+/// As a real function: x^n for each whole n, with 0^0 = 1; x^y for other y and x > 0; 0^y = 0 for y > 0.
+Value pow(const Value& x, const Value& y);
+/// A function of our syntax by its name. Throws std::out_of_range for an unknown one.
+Value call(const std::string& function, const Value& x);
 
-  Value known(const Constant& c) const;  ///< exact, or its ball where the numbers are too long
-  Value known(const Ball& x) const;      ///< exact where the ball is; unknown where the ball is not moderate
-  Ball ball(const Value& x) const;
-  Value complete(Value x) const;
-
-  Value plus(const Value& x, const Value& y) const;
-  Value minus(const Value& x, const Value& y) const { return plus(x, times(known(Constant{-1}), y)); }
-  Value times(const Value& x, const Value& y) const;
-  Value over(const Value& x, const Value& y) const;
-  /// As a real function: x^n for each whole n, with 0^0 = 1; x^y for other y and x > 0; 0^y = 0 for y > 0.
-  Value power(const Value& x, const Value& y) const;
-  /// A function of our syntax by its name. Throws std::out_of_range for an unknown one.
-  Value call(const std::string& function, const Value& x) const;
-
- private:
-  Value whole_power(const Value& x, const cln::cl_I& n) const;
-};
-
-/// What is known of a function of our syntax of one argument.
-struct Function {
+/// A function of Arb, and a piece of the line on which it is monotone.
+struct RealFunction {
   Ball::ArbFunction of;
-  int slope = 0;                                  ///< +1, -1 where it is monotone on its whole domain
-  std::optional<long> least = {}, greatest = {};  ///< the ends of the domain, where it has such
+  int slope;           ///< +1 or -1, there
+  const char* domain;  ///< the whole one, but of circular functions and of even ones
+  const char* range;   ///< of its values there
+  int turned = 0;      ///< of a circular function: f(x + pi)/f(x)
 };
-/// Throws std::out_of_range for an unknown name.
-const Function& function(const std::string& name);
+/// Throws std::out_of_range for an unknown name, and for sec, csc, sech, csch and coth.
+const RealFunction& real_function(const std::string& name);
+/// "cos" of "sec"; nullptr where a function is not defined as 1/f.
+const char* reciprocal_of(const std::string& name);
 
-}  // namespace rederive::inline numbers
+}  // namespace rederive
