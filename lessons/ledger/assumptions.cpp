@@ -13,9 +13,9 @@ namespace rederive {
 namespace {
 
 const std::vector<std::string> greek{
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta",   "theta", "iota", "kappa", "lambda",
-    "mu",    "nu",   "xi",    "rho",   "sigma",   "tau",  "phi",   "chi",   "psi",  "omega", "upsilon",
-    "Gamma", "Xi",   "Delta", "Theta", "Lambda",  "Pi",   "Sigma", "Phi",   "Psi",  "Omega"};
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta",  "eta", "theta", "iota", "kappa", "lambda",
+    "mu",    "nu",   "xi",    "rho",   "sigma",   "tau",   "phi", "chi",   "psi",  "omega", "upsilon",
+    "Gamma", "Xi",   "Delta", "Theta", "Lambda",  "Sigma", "Phi", "Psi",   "Omega"};
 
 void declare_free(Symbols& symbols, const std::string& name) {
   if (symbols.find(name) == nullptr) symbols.declare(name, name, name, "1", all_numbers, "a real number", "");
