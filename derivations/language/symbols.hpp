@@ -12,6 +12,8 @@
 
 namespace rederive {
 
+struct Findings;  // of the prover of derivations/algebra: see the end
+
 /// A GiNaC symbol that keeps what GiNaC knows about it (real, positive) when it is copied. Copying a
 /// GiNaC::symbol would cut a possymbol down to a nameless complex one that equals nothing; here that does not
 /// compile.
@@ -70,5 +72,29 @@ class Symbols {
   std::vector<std::string> order_;
   std::map<std::string, Symbol, std::less<>> table_;
 };
+
+// What the prover of derivations/algebra keeps here; it goes with it.
+struct Slope;
+
+/// What was found of expressions already, over some ranges.
+struct Findings {
+  template <class What>
+  using Of = std::map<GiNaC::ex, What, GiNaC::ex_is_less>;
+  Of<int> signs;                            ///< for sign_of() and is_nonnegative()
+  Of<std::shared_ptr<const Slope>> slopes;  ///< for sign_by_slope(); null where it has nothing to say
+  Of<bool> vanishing;                       ///< for vanishes()
+  /// For quotient(), of {left, right, way}.
+  Of<std::optional<std::vector<std::pair<GiNaC::ex, GiNaC::numeric>>>> quotients;
+};
+
+/// What was found of it already, or is found now.
+template <class What, class Find>
+What remembered(Findings::Of<What>& known, const GiNaC::ex& of, const Find& find) {
+  constexpr std::size_t most = 2000;
+  if (const auto found = known.find(of); found != known.end()) return found->second;
+  const What result = find();
+  if (known.size() == most) known.clear();
+  return known.emplace(of, result).first->second;
+}
 
 }  // namespace rederive

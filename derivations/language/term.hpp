@@ -16,8 +16,8 @@ struct Term;
 struct Factor {
   Tree base;  ///< of a sum, the tree before any turning: it decides the order
   GiNaC::numeric exponent = 1;
-  Tree symbolic = nullptr;  ///< the exponent where it is no number
-  std::vector<Term> parts;  ///< the terms of a sum that is turned so that asks_to_turn(parts) is false
+  Tree symbolic = nullptr;       ///< the exponent where it is no number
+  std::vector<Term> parts = {};  ///< the terms of a sum that is turned so that asks_to_turn(parts) is false
 };
 
 /// coefficient * factors[0] * factors[1] …, the factors in order.

@@ -45,20 +45,17 @@ class Writer {
     } else {
       parts.push_back(e);
     }
-    for (const ex& part : parts) {
-      if (GiNaC::is_a<numeric>(part)) {
+    for (const ex& part : parts)
+      if (GiNaC::is_a<numeric>(part))
         result.coefficient *= GiNaC::ex_to<numeric>(part);
-      } else {
+      else
         result.factors.push_back(factor(part, result.coefficient));
-      }
-    }
     if (!result.coefficient.is_rational()) throw std::invalid_argument("a number that is not rational");
     std::sort(result.factors.begin(), result.factors.end(),
               [&](const Factor& a, const Factor& b) { return is_before(a, b, symbols_); });
-    for (const Factor& factor : result.factors) {
-      result.transcendental |=
-          has_function(factor.base) || (factor.symbolic && has_function(factor.symbolic));
-    }
+    result.transcendental = std::any_of(result.factors.begin(), result.factors.end(), [](const Factor& f) {
+      return has_function(f.base) || (f.symbolic && has_function(f.symbolic));
+    });
     return result;
   }
 
@@ -74,28 +71,27 @@ class Writer {
       return;
     const ex radicand = number->op(0) * other->op(0);
     parts.erase(std::remove_if(parts.begin(), parts.end(), is_root), parts.end());
-    factors.push_back({tree(radicand), numeric(1, 2), nullptr, {}});
+    factors.push_back({tree(radicand), numeric(1, 2)});
   }
 
   Factor factor(const ex& e, numeric& coefficient) const {
     if (!GiNaC::is_a<GiNaC::power>(e)) return based(e, 1, coefficient);
-    if (!GiNaC::is_a<numeric>(e.op(1))) return {tree(e.op(0)), 1, tree(e.op(1)), {}};
+    if (!GiNaC::is_a<numeric>(e.op(1))) return {tree(e.op(0)), 1, tree(e.op(1))};
     const numeric exponent = GiNaC::ex_to<numeric>(e.op(1));
     return based(e.op(0), exponent, coefficient);
   }
 
   Factor based(const ex& base, const numeric& exponent, numeric& coefficient) const {
     if (GiNaC::is_a<GiNaC::symbol>(base)) {
-      return {
-          make_tree(Node::Kind::symbol, GiNaC::ex_to<GiNaC::symbol>(base).get_name()), exponent, nullptr, {}};
+      return {make_tree(Node::Kind::symbol, GiNaC::ex_to<GiNaC::symbol>(base).get_name()), exponent};
     }
-    if (base.is_equal(GiNaC::Pi)) return {make_tree(Node::Kind::symbol, "pi"), exponent, nullptr, {}};
+    if (base.is_equal(GiNaC::Pi)) return {make_tree(Node::Kind::symbol, "pi"), exponent};
     if (GiNaC::is_a<GiNaC::function>(base)) {
       const std::string name = GiNaC::ex_to<GiNaC::function>(base).get_name();
       if (find_function(name) == nullptr)
         throw std::invalid_argument("our syntax has no function '" + name + "'");
       if (name == "abs") return absolute(base.op(0), exponent);
-      return {make_tree(Node::Kind::call, name, {tree(base.op(0))}), exponent, nullptr, {}};
+      return {make_tree(Node::Kind::call, name, {tree(base.op(0))}), exponent};
     }
     if (GiNaC::is_a<GiNaC::add>(base)) return sum_factor(terms(base), exponent, coefficient);
     const bool known =
@@ -104,13 +100,13 @@ class Writer {
     const Tree whole = tree(base);
     const bool reciprocal = whole->kind == Node::Kind::product && whole->children.size() == 2 &&
                             whole->children[0]->text == "1" && whole->inverse[1];
-    if (reciprocal) return {whole->children[1], -exponent, nullptr, {}};  // GiNaC may write either
-    return {whole, exponent, nullptr, {}};
+    if (reciprocal) return {whole->children[1], -exponent};  // GiNaC may write either
+    return {whole, exponent};
   }
 
   /// A sum and its negative come out as the same factor, the sign in the coefficient.
   Factor sum_factor(std::vector<Term> parts, const numeric& exponent, numeric& coefficient) const {
-    if (!exponent.is_integer()) return {sum_tree(parts, true), exponent, nullptr, {}};
+    if (!exponent.is_integer()) return {sum_tree(parts, true), exponent};
     if (asks_to_turn(parts)) {
       turn(parts);
       if (exponent.is_odd()) coefficient = -coefficient;
@@ -125,14 +121,14 @@ class Writer {
     if (GiNaC::is_a<GiNaC::add>(argument)) {
       std::vector<Term> parts = terms(argument);
       if (asks_to_turn(parts)) turn(parts);
-      return {call(sum_tree(parts, true)), exponent, nullptr, {}};
+      return {call(sum_tree(parts, true)), exponent};
     }
     Term inside = term(argument);
     inside.coefficient = GiNaC::abs(inside.coefficient);
     const bool lone = inside.coefficient == 1 && inside.factors.size() == 1 && !inside.factors[0].symbolic;
     const numeric raised = lone && inside.factors[0].exponent.is_integer() ? inside.factors[0].exponent : 1;
     if (raised != 1) inside.factors[0].exponent = 1;
-    return {call(product_tree(inside, true)), raised * exponent, nullptr, {}};
+    return {call(product_tree(inside, true)), raised * exponent};
   }
 
   const Symbols& symbols_;

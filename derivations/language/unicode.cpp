@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/language/syntax_error.hpp>
 #include <derivations/language/unicode.hpp>
+#include <utility>
 
 namespace rederive {
 
@@ -10,6 +11,9 @@ constexpr const char* greek[] = {"alpha",   "beta", "gamma", "delta",  "epsilon"
                                  "theta",   "iota", "kappa", "lambda", "mu",      "nu",   "xi",
                                  "omicron", "pi",   "rho",   "sigma",  "sigma",   "tau",  "upsilon",
                                  "phi",     "chi",  "psi",   "omega"};
+/// Letters that have a second code point.
+constexpr std::pair<char32_t, const char*> variants[] = {
+    {0x3D1, "theta"}, {0x3D5, "phi"}, {0x3F5, "epsilon"}, {0xB5, "mu"}, {0x2126, "Omega"}};
 constexpr std::u32string_view superscripts = U"⁰¹²³⁴⁵⁶⁷⁸⁹";
 
 /// The precomposed letters that a keyboard or NFC normalisation makes of a letter and a mark, each before its
@@ -60,20 +64,8 @@ std::string encode(char32_t code) {
 }
 
 std::string greek_name(char32_t code) {
-  switch (code) {  // variants of letters that have a code point of their own
-    case 0x3D1:
-      return "theta";
-    case 0x3D5:
-      return "phi";
-    case 0x3F5:
-      return "epsilon";
-    case 0xB5:
-      return "mu";
-    case 0x2126:
-      return "Omega";
-    default:
-      break;
-  }
+  for (const auto& [variant, name] : variants)
+    if (code == variant) return name;
   if (code >= U'α' && code <= U'ω') return greek[code - U'α'];
   if (code < U'Α' || code > U'Ω' || code == 0x3A2) return {};  // where a final Σ would stand
   std::string name = greek[code - U'Α'];
