@@ -28,13 +28,15 @@ std::optional<Sameness> same_up_to_a_factor(const Setting& setting, const Atom& 
   if (left.signs != right.signs) return std::nullopt;
   if (left.value.is_zero() && right.value.is_zero()) return Sameness{"identity", 1, true};
   if (left.value.is_zero() || right.value.is_zero()) return std::nullopt;
-  Sameness result{"identity", ring.rationalized(left.value / right.value), true};
+  const Fraction ratio = left.value / right.value;
+  Sameness result{"identity", setting.effort < 1 ? ring.normal(ratio) : ring.rationalized(ratio), true};
   const Fraction& q = result.factor;
   if (q.is_constant())
     return left.signs == Signs::zero() || cln::plusp(q.constant()) ? std::optional(result) : std::nullopt;
+  if (setting.effort < 1) return std::nullopt;
   const auto fits = [&](const Fraction& f) {
-    if (left.signs == Signs::zero()) return is_definite(ring, setting.facts, f.numerator * f.denominator, result.certificate, setting.searches);
-    const auto positive = prove_signs(ring, setting.facts, f, Signs::positive(), setting.searches);
+    if (left.signs == Signs::zero()) return is_definite(ring, setting.facts, f.numerator * f.denominator, result.certificate, (setting.effort > 1));
+    const auto positive = prove_signs(ring, setting.facts, f, Signs::positive(), (setting.effort > 1));
     if (positive) append(result.certificate, *positive);
     return positive.has_value();
   };
@@ -131,13 +133,13 @@ std::optional<Sameness> same(Setting& setting) {
   if (left.expression) {
     const Fraction difference = setting.ring.normal(*left.expression - *right.expression);
     if (vanishes(difference, setting.ring, setting.translator)) return Sameness{"identity"};
-    const auto found = prove_signs(setting.ring, setting.facts, difference, Signs::zero(), setting.searches);
+    const auto found = prove_signs(setting.ring, setting.facts, difference, Signs::zero(), (setting.effort > 1));
     return found ? std::optional(Sameness{"sign", 1, false, *found}) : std::nullopt;
   }
   for (const auto* of_left : {&left.atoms, &left.inverted})
     for (const auto* of_right : {&right.atoms, &right.inverted})
       if (const auto found = same_link_by_link(setting, *of_left, *of_right)) return found;
-  if (!setting.searches) return std::nullopt;
+  if (setting.effort < 2) return std::nullopt;
   for (const bool inverted : {false, true}) {
     const auto& a = inverted ? left.inverted : left.atoms;
     const auto& b = inverted ? right.inverted : right.atoms;

@@ -30,7 +30,9 @@ struct Setting {
   Translated left, right;
   std::vector<DomainCondition> conditions;  ///< those that neither the ranges nor the assumptions grant
   std::vector<std::string> in_words;        ///< the same: "x - 1 > 0", "cos(theta) != 0"
-  bool searches = false;                    ///< for certificates of signs, beyond intervals and products
+  /// What is tried: 0, that the two are the same but for a number; 1, also a factor with a sign by intervals and
+  /// products; 2, also certificates of signs.
+  int effort = 0;
 };
 
 /// The value and the sign that a link a op b asks for.

@@ -165,7 +165,7 @@ bool is_admitted(const Problem& problem, const Point& point) {
     if (value_at(value, point, 128).is != Value::Is::certain) return false;
   return std::all_of(problem.assumptions.begin(), problem.assumptions.end(),
                      [&](const Relation& a) {
-                       const Truth truth = truth_at(a, point, 400);
+                       const Truth truth = truth_at(a, point, 200);
                        return truth == Truth::holds || (truth == Truth::unknown && is_equation(a));
                      });
 }
@@ -178,7 +178,7 @@ std::optional<Solution> solve(const std::vector<Relation>& equations, const Poin
   for (const Relation& chain : equations)
     for (std::size_t k = 0; k < chain.operators.size(); ++k) {
       const Relation link{{chain.sides[k], chain.sides[k + 1]}, {"="}};
-      if (solved.empty() && truth_at(link, result.point, 400) == Truth::holds) continue;
+      if (solved.empty() && truth_at(link, result.point, 200) == Truth::holds) continue;
       const std::set<std::string> all = names_of(link);
       std::vector<std::string> names(all.begin(), all.end());
       if (names.empty()) return std::nullopt;
@@ -215,18 +215,19 @@ std::vector<Relation> equations_of(const Problem& problem) {
   return result;
 }
 
-/// Of equations: points that solve one of them, and what the other one says there.
+/// Points where the sides of one statement are equal, and what the other one says there.
 std::optional<Witness> at_solutions(const Problem& problem, const Point& point, int turn) {
   for (const bool of_left : {false, true}) {
     const Relation& solved = of_left ? problem.left : problem.right;
     const Relation& other = of_left ? problem.right : problem.left;
-    if (!is_equation(solved)) continue;
+    if (!is_equation(solved) && solved.operators.size() != 1) continue;
+    const bool holds = solved.operators[0].find('=') != std::string::npos;
     std::vector<Relation> equations = equations_of(problem);
-    equations.push_back(solved);
+    equations.push_back({solved.sides, std::vector<std::string>(solved.operators.size(), "=")});
     const auto solution = solve(equations, point, problem.symbols, turn);
     if (!solution || !is_admitted(problem, solution->point)) continue;
-    if (truth_at(other, solution->point, 400) != Truth::fails) continue;
-    const Truth own = truth_at(solved, solution->point, 400);
+    if (truth_at(other, solution->point, 200) != (holds ? Truth::fails : Truth::holds)) continue;
+    const Truth own = truth_at(equations.back(), solution->point, 200);
     if (own == Truth::undefined || own == Truth::fails) continue;
     if (auto witness = make_witness(problem, *solution)) return witness;
   }
@@ -239,7 +240,7 @@ Search search(const Problem& problem, const Effort& effort) {
   Search result;
   const Sequence points(problem);
   const std::vector<Relation> equations = equations_of(problem);
-  const bool solves = effort.solves && (is_equation(problem.left) || is_equation(problem.right));
+  const bool solves = effort.solves && !problem.left.operators.empty();
   for (int k = 0; k < (points.has_symbols() ? effort.points : 1); ++k) {
     const auto point = points.at(k);
     if (!point) break;

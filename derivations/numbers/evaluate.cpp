@@ -58,7 +58,8 @@ std::string without_zeros(const std::string& text, const cl_RA& whole) {
 }  // namespace
 
 /// A rational number, where both ends are the same and there is no tree; or what a tree is worth; or its zero
-/// between the ends, which move towards it by bisection.
+/// between the ends, which move towards it by quadratic interval refinement
+/// (Abbott 2006): the secant guesses a cell, signs confirm it, and cells get smaller each time; else by bisection.
 struct Number::State {
   cl_RA low, high;
   Tree tree = {};
@@ -77,7 +78,14 @@ struct Number::State {
     if (first == Sign::zero) high = low;
     if (last == Sign::zero) low = high;
     if (low != high && !is(Sign::negative, Sign::positive) && !is(Sign::positive, Sign::negative)) return {};
+    long log_cells = 1;
     while ((high - low) * cln::ash(cl_I(1), precision) > std::max(cln::abs(low), cln::abs(high))) {
+      const cl_RA cell = (high - low) / cln::ash(cl_I(1), log_cells), guess = low + cells_before(log_cells, precision) * cell;
+      if (sign(guess, precision) == first && sign(guess + cell, precision) == last) {
+        low = guess, high = guess + cell, log_cells *= 2;
+        continue;
+      }
+      log_cells = std::max(1L, log_cells / 2);
       const cl_RA middle = (low + high) / 2;
       const Sign there = sign(middle, precision);
       if (there == Sign::undefined || there == Sign::unknown) break;
@@ -85,6 +93,17 @@ struct Number::State {
       if (there == first || there == Sign::zero) low = middle;
     }
     return known(Ball::between(Ball(low, 2 * precision), Ball(high, 2 * precision)).at(precision));
+  }
+
+  /// In which of 2^log_cells cells the secant between the ends is 0.
+  cl_I cells_before(long log_cells, long precision) const {
+    const auto at = [&](const cl_RA& x) -> cl_RA {
+      const Value v = value_at(tree, {{symbol, x}}, 2 * precision);
+      return v.is == Is::certain ? cl_RA(v.ball.lower()) : cl_RA(0);
+    };
+    const cl_RA first = at(low), change = first - at(high);
+    const cl_I cells = cln::ash(cl_I(1), log_cells);
+    return cln::zerop(change) ? cl_I(0) : std::max(cl_I(0), std::min(cl_I(cells - 1), cln::floor1(first * cells / change)));
   }
 
   Sign sign(const cl_RA& at, long precision) const {
@@ -98,7 +117,7 @@ Number::Number(const Tree& tree, const std::string& symbol, const cl_RA& low, co
     : state_(new State{low, high, tree, symbol}) {}
 
 const Value& Number::value(long bits) const {
-  if (state_->bits != bits) state_->value = state_->find(bits), state_->bits = bits;
+  if (state_->bits < bits) state_->value = state_->find(bits), state_->bits = bits;
   return state_->value;
 }
 

@@ -10,7 +10,7 @@ namespace {
 std::optional<double> value(const Tree& tree, const Point& point) {
   const Value result = value_at(tree, point, 90);
   if (result.is != Value::Is::certain) return {};
-  const double number = cln::double_approx(result.ball.lower());
+  const double number = result.ball.to_double();
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
