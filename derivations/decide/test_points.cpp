@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/decide/test_points.hpp>
 #include <derivations/decide/witness.hpp>
+#include <derivations/identity/polynomial.hpp>
 #include <derivations/language/syntax.hpp>
 #include <derivations/numbers/interval.hpp>
 
@@ -113,7 +114,9 @@ class Sequence {
     for (const Relation* relation : {&problem.left, &problem.right})
       for (const Tree& side : relation->sides) collect_landmarks(side, landmarks);
     for (const std::string& name : names) {
-      Interval range = parse_range(problem.symbols.find(name)->range);
+      const Symbol* symbol = problem.symbols.find(name);
+      if (symbol == nullptr) throw Undecidable("the symbol " + name + ", which is not declared");
+      Interval range = parse_range(symbol->range);
       for (const Relation& a : problem.assumptions) narrow(range, a, name);
       candidates_.emplace_back(name, candidates(range, landmarks));
     }
