@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/decide/compare.hpp>
 #include <derivations/identity/zero_test.hpp>
+#include <set>
 
 namespace rederive {
 
@@ -111,16 +112,53 @@ std::optional<Certificate> all_follow(const Setting& setting, const std::vector<
   return all;
 }
 
+/// The irreducible factors of an equation that may be 0, what vanishes only with its argument replaced by that: a root, a
+/// size, an inverse function; log u by u - 1, e^u - 1 by u.
+std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
+  using Kind = Generator::Kind;
+  std::set<Polynomial> result;
+  for (const auto& [factor, exponent] : factors(value.numerator).second) {
+    if (ring.signs_of(factor).is_definite()) continue;
+    const auto used = factor.used();
+    const Generator& g = ring.generators()[used[0]];
+    const Polynomial x = Polynomial::variable(used[0]);
+    const bool is_plain = factor == x;
+    const bool is_argument = is_plain && (g.kind == Kind::root || g.kind == Kind::absolute || g.kind == Kind::angle);
+    if (is_argument || (g.kind == Kind::exponential && factor == x - 1)) result.merge(zero_set(ring, g.of));
+    else if (is_plain && g.kind == Kind::logarithm) result.merge(zero_set(ring, g.of - 1));
+    else result.insert(factor);
+  }
+  return result;
+}
+
+/// Two equations with the same zeros, factor by factor.
+std::optional<Sameness> same_zeros(const Setting& setting, const Atom& left, const Atom& right) {
+  if (left.signs != Signs::zero() || right.signs != Signs::zero()) return std::nullopt;
+  Sameness result{"identity"};
+  const auto all_in = [&](const Atom& a, const Atom& b) {
+    const std::set<Polynomial> known = zero_set(setting.ring, b.value);
+    for (const Polynomial& factor : zero_set(setting.ring, a.value)) {
+      if (known.contains(factor)) continue;
+      const auto found = setting.effort < 2 ? std::nullopt : follows(setting, {{Fraction(factor), Signs::zero()}}, b);
+      if (!found) return false;
+      result.by = "sign", append(result.certificate, *found);
+    }
+    return true;
+  };
+  return all_in(left, right) && all_in(right, left) ? std::optional(result) : std::nullopt;
+}
+
 std::optional<Sameness> same_link_by_link(const Setting& setting, const std::vector<Atom>& left,
                                           const std::vector<Atom>& right) {
   if (left.size() != right.size()) return std::nullopt;
   std::optional<Sameness> all;
   for (std::size_t k = 0; k < left.size(); ++k) {
-    const auto one = same_up_to_a_factor(setting, left[k], right[k]);
+    auto one = same_up_to_a_factor(setting, left[k], right[k]);
+    if (!one && setting.effort > 0) one = same_zeros(setting, left[k], right[k]);
     if (!one) return std::nullopt;
     const bool by_sign = one->by == "sign" || (all && all->by == "sign");
     if (!all) all = one;
-    else append(all->certificate, one->certificate), all->has_factor = all->factor == 1 && one->factor == 1;
+    else append(all->certificate, one->certificate), all->has_factor = all->has_factor && one->has_factor && all->factor == 1 && one->factor == 1;
     if (by_sign) all->by = "sign";
   }
   return all;

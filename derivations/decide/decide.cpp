@@ -173,7 +173,7 @@ Proof decide(const Relation& left, const Relation& right, const Symbols& symbols
     std::vector<Relation> others;  // it may hold without the equations
     std::remove_copy_if(assumptions.begin(), assumptions.end(), std::back_inserter(others), is_equation);
     Proof proof = decide_problem(with_values({left, right, others, symbols}, given), false);
-    if (proof.verdict == Verdict::proved) return proof;
+    if (proof.verdict == Verdict::proved && search(problem, few).agreed > 0) return proof;
     proof = decide_problem(problem, true);
     if (proof.verdict == Verdict::proved) proof.verdict = Verdict::proved_under;
     return proof;

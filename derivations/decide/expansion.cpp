@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <derivations/decide/expansion.hpp>
 #include <derivations/identity/zero_test.hpp>
 #include <derivations/language/lower.hpp>
@@ -23,8 +24,8 @@ struct Series {
 
 class Expansion {
  public:
-  Expansion(const GiNaC::symbol& size, int terms, const Symbols& symbols)
-      : size_(size), terms_(terms), symbols_(symbols) {}
+  Expansion(const GiNaC::symbol& size, int terms, const Symbols& symbols, const std::vector<std::string>& small)
+      : size_(size), terms_(terms), symbols_(symbols), small_(small) {}
 
   /// Throws Undecidable where there is no series.
   Series of(const ex& e) {
@@ -51,7 +52,10 @@ class Expansion {
       const GiNaC::symbol x("x");
       return composed(GiNaC::pow(x, e.op(1)), x, of(e.op(0)));
     }
-    if (GiNaC::is_a<GiNaC::power>(e)) return of(GiNaC::exp(e.op(1) * GiNaC::log(e.op(0))));
+    if (GiNaC::is_a<GiNaC::power>(e)) {
+      if (!e.op(0).has(size_)) require(e.op(0), Signs::positive(), " > 0");
+      return of(GiNaC::exp(e.op(1) * GiNaC::log(e.op(0))));
+    }
     if (!GiNaC::is_a<GiNaC::function>(e) || e.nops() != 1) throw Undecidable("there is no series of this form");
     const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
     if (name == "tan" || name == "tanh") {
@@ -99,13 +103,22 @@ class Expansion {
   Series from_its_lowest_term(Series s) {
     while (!s.c.empty() && is_zero(s.c[0])) s.c.erase(s.c.begin()), ++s.low;
     if (s.c.empty()) throw Undecidable("a divisor that is 0 to all orders that were looked at");
+    for (const std::string& name : small_)
+      if (small_.size() > 1 && s.c[0].has(symbols_[name]))
+        throw Undecidable("a divisor whose lowest terms may be smaller than the rest");
+    require(s.c[0], Signs::nonzero(), " != 0");
+    return s;
+  }
+  /// A condition, where the ranges do not grant it. Throws Undecidable where they exclude it.
+  void require(const ex& value, Signs signs, const std::string& text) {
     Ring ring;
     Translator translator(ring, symbols_);
     std::vector<DomainCondition> unused;
-    const Fraction lowest = translator(to_tree(s.c[0], symbols_), unused);
-    if (!ring.signs_of(lowest).is_definite())
-      conditions.push_back(print(ring.meaning_of(Fraction(lowest.numerator)), Notation::plain, symbols_) + " != 0");
-    return s;
+    const Fraction f = translator(to_tree(value, symbols_), unused);
+    const Signs known = ring.signs_of(f);
+    if ((known & signs).is_none()) throw Undecidable("there is no series of what has no value");
+    const Fraction said = signs == Signs::nonzero() ? Fraction(f.numerator) : f;
+    if (!known.within(signs)) conditions.push_back(print(ring.meaning_of(said), Notation::plain, symbols_) + text);
   }
   Series reciprocal(const Series& given) {
     const Series s = from_its_lowest_term(given);
@@ -125,7 +138,10 @@ class Expansion {
     Series delta = inside, power = constant(1);
     if (delta.low <= 0 && delta.known() > 0) delta.c[static_cast<std::size_t>(-delta.low)] = 0;
     if (delta.low < 0) throw Undecidable("there is no series of a function of what is infinite");
-    if (GiNaC::is_a<GiNaC::power>(f) || f.is_equal(GiNaC::log(x))) (void)from_its_lowest_term({0, {a}});
+    if (GiNaC::is_a<GiNaC::power>(f) || f.is_equal(GiNaC::log(x))) {
+      if (is_zero(a)) throw Undecidable("there is no series of a root or a logarithm of what is small");
+      require(a, Signs::positive(), " > 0");
+    }
     Series sum{0, std::vector<ex>(inside.c.size() + static_cast<std::size_t>(inside.low), 0)};
     ex derivative = f;
     for (int k = 0; k < terms_; ++k) {
@@ -142,6 +158,7 @@ class Expansion {
   GiNaC::symbol size_;
   int terms_;
   const Symbols& symbols_;
+  const std::vector<std::string>& small_;
 };
 
 /// What an equation says of a symbol: y of c·y + d = 0.
@@ -159,6 +176,14 @@ std::vector<std::string> symbols_to_solve_for(const Relation& left, const Relati
   for (const std::string& name : names_of(left)) others.push_back(name);
   alone.insert(alone.end(), others.begin(), others.end());
   return alone;
+}
+
+/// An equation that could not be put in, with what is small in it.
+bool ties(const std::vector<Relation>& assumptions, const std::vector<std::string>& small) {
+  return std::any_of(assumptions.begin(), assumptions.end(), [&](const Relation& a) {
+    const auto names = names_of(a);
+    return a.operators[0] == "=" && std::any_of(small.begin(), small.end(), [&](auto& s) { return names.contains(s); });
+  });
 }
 
 std::pair<ex, ex> compared(const Relation& left, const Relation& right, const std::vector<std::string>& small,
@@ -185,7 +210,7 @@ Proof decide_to_order(const Relation& left, const Relation& right, const std::ve
     const GiNaC::symbol size("size");
     GiNaC::exmap scaled;
     for (const std::string& name : small) scaled[symbols[name]] = size * symbols[name];
-    Expansion expansion(size, order + 6, symbols);
+    Expansion expansion(size, order + 6, symbols, small);
     const auto series_of = [&](const ex& e) {
       const Series series = expansion.of(e.subs(scaled, GiNaC::subs_options::no_pattern));
       if (series.known() <= order) throw Undecidable("poles that are too deep for this order");
@@ -201,6 +226,9 @@ Proof decide_to_order(const Relation& left, const Relation& right, const std::ve
       for (const std::string& condition : expansion.conditions)
         if (std::find(proof.side_conditions.begin(), proof.side_conditions.end(), condition) == proof.side_conditions.end())
           proof.side_conditions.push_back(condition);
+    } else if (proof.verdict == Verdict::refuted && ties(problem.assumptions, small)) {
+      proof = Proof{};
+      proof.reason = "the series would differ, but an assumption ties what is small to other symbols; say what changes";
     } else if (proof.verdict == Verdict::refuted) {
       proof.by = "expansion", proof.reason = "the series differ at the witness, which shows their values";
     }
