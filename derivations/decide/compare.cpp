@@ -134,6 +134,7 @@ std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
 /// Two equations with the same zeros, factor by factor.
 std::optional<Sameness> same_zeros(const Setting& setting, const Atom& left, const Atom& right) {
   if (left.signs != Signs::zero() || right.signs != Signs::zero()) return std::nullopt;
+  if (left.value.is_zero() || right.value.is_zero()) return std::nullopt;  // an identity: it holds everywhere
   Sameness result{"identity"};
   const auto all_in = [&](const Atom& a, const Atom& b) {
     const std::set<Polynomial> known = zero_set(setting.ring, b.value);

@@ -132,6 +132,10 @@ void drop_identities(Relation& chain, const Translated& translated) {
     chain.sides.pop_back(), chain.operators.pop_back();
     --k;
   }
+  if (k == 1 && translated.atoms[0].signs == Signs::zero() && translated.atoms[0].value.is_zero()) {
+    const Tree both = make_tree(Node::Kind::sum, "", chain.sides, {false, false});
+    chain.sides = {both, both};  // holds wherever both have values, and a point can tell
+  }
 }
 
 /// Identity, then points, then signs, then more points. `by_points`: whether points are asked at all.

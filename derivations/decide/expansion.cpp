@@ -192,6 +192,11 @@ std::pair<ex, ex> compared(const Relation& left, const Relation& right, const st
   const std::vector<std::string> equation{"="};
   if (left.operators != equation || right.operators != equation)
     throw Undecidable("of relations, the series of two equations are compared");
+  const auto is_other = [](const Tree& a, const Tree& b) {
+    return a->kind == Node::Kind::symbol && b->kind == Node::Kind::symbol && a->text != b->text;
+  };
+  if (is_other(left.sides[0], right.sides[0]))
+    throw Undecidable("the two equations say what different symbols are, and the order may differ");
   for (const std::string& name : symbols_to_solve_for(left, right)) {
     if (std::find(small.begin(), small.end(), name) != small.end()) continue;
     const auto a = said_of(left, symbols[name], symbols), b = said_of(right, symbols[name], symbols);

@@ -129,7 +129,10 @@ class Sequence {
       const int mixed = index < 1 ? place - 1 : index + place * (index % 7 + 1) + index * index * place / 3;
       const bool is_equal = index % 4 == 3, is_special = index > 9 && index % 3 == 0 && (mixed / 2 + place) % 2 == 0;
       if (c.plain.empty() && c.special.empty()) return std::nullopt;
-      if ((is_special && !c.special.empty()) || c.plain.empty())
+      const bool is_alone = index % 5 == 4 && index / 5 % static_cast<int>(candidates_.size()) == place - 1;
+      if (is_alone && !c.special.empty())
+        point.emplace(name, c.special[0]);  // mostly 0
+      else if ((is_special && !c.special.empty()) || c.plain.empty())
         point.emplace(name, c.special[mixed / 3 % c.special.size()]);
       else
         point.emplace(name, c.plain[(is_equal ? index / 4 : mixed) % std::min<std::size_t>(c.plain.size(), 4 + index)]);
@@ -173,6 +176,27 @@ bool is_admitted(const Problem& problem, const Point& point) {
                      });
 }
 
+/// Of a product or a power that is 0, one factor, or the base.
+Relation simplest(Relation link, int turn) {
+  for (const int side : {0, 1}) {
+    const Tree zero = link.sides[1 - side];
+    if (zero->kind != Node::Kind::number || !cln::zerop(exact(zero->text))) continue;
+    for (int depth = 0; depth < 8; ++depth) {
+      const Node& node = *link.sides[side];
+      if (node.kind == Node::Kind::power && node.children[1]->kind == Node::Kind::number) {
+        link.sides[side] = node.children[0];
+      } else if (node.kind == Node::Kind::product) {
+        const std::size_t k = static_cast<std::size_t>(turn) % node.children.size();
+        if (node.inverse[k]) break;
+        link.sides[side] = node.children[k];
+      } else {
+        break;
+      }
+    }
+  }
+  return link;
+}
+
 /// The point with other values of some symbols, such that all equations hold, each solved for a symbol of its own.
 std::optional<Solution> solve(const std::vector<Relation>& equations, const Point& point, const Symbols& symbols,
                               int turn) {
@@ -180,7 +204,7 @@ std::optional<Solution> solve(const std::vector<Relation>& equations, const Poin
   std::set<std::string> solved;
   for (const Relation& chain : equations)
     for (std::size_t k = 0; k < chain.operators.size(); ++k) {
-      const Relation link{{chain.sides[k], chain.sides[k + 1]}, {"="}};
+      const Relation link = simplest({{chain.sides[k], chain.sides[k + 1]}, {"="}}, turn);
       if (solved.empty() && truth_at(link, result.point, 200) == Truth::holds) continue;
       const std::set<std::string> all = names_of(link);
       std::vector<std::string> names(all.begin(), all.end());
@@ -213,6 +237,12 @@ int compare_at(const Problem& problem, const Point& point, long bits) {
   return left == right ? 1 : -1;
 }
 
+/// Whether all sides certainly have values.
+bool has_values(const Relation& relation, const Point& point) {
+  return std::all_of(relation.sides.begin(), relation.sides.end(),
+                     [&](const Tree& side) { return value_at(side, point, 200).is == Value::Is::certain; });
+}
+
 std::vector<Relation> equations_of(const Problem& problem) {
   std::vector<Relation> result;
   std::copy_if(problem.assumptions.begin(), problem.assumptions.end(), std::back_inserter(result), is_equation);
@@ -232,7 +262,7 @@ std::optional<Witness> at_solutions(const Problem& problem, const Point& point, 
     if (!solution || !is_admitted(problem, solution->point)) continue;
     if (truth_at(other, solution->point, 200) != (holds ? Truth::fails : Truth::holds)) continue;
     const Truth own = truth_at(equations.back(), solution->point, 200);
-    if (own == Truth::undefined || own == Truth::fails) continue;
+    if (own == Truth::undefined || own == Truth::fails || !has_values(solved, solution->point)) continue;
     solution->of_left = of_left;
     if (auto witness = make_witness(problem, *solution)) return witness;
   }

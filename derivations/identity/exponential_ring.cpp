@@ -130,26 +130,22 @@ void Ring::learn(const Fraction& value, Signs signs) {
   narrow(rest, of_rest);
 }
 
-/// c·x + d > 0 bounds x, for numbers c and d = a + b·π.
+/// c·x + d > 0 bounds x by the values of -d/c, for a number c and a d without x.
 void Ring::narrow(const Polynomial& p, Signs signs) {
-  const auto pi = index_.find("pi");
-  std::vector<int> used = p.used();
-  if (pi != index_.end()) std::erase(used, pi->second);
-  if (used.size() != 1 || p.degree(used[0]) != 1) return;
-  const auto c = p.coefficients(used[0]);
-  const Polynomial of_pi = pi == index_.end() ? 0 : c[0].degree(pi->second) == 0 ? 0 : c[0].coefficients(pi->second)[1];
-  const Polynomial rest = of_pi.is_zero() ? c[0] : c[0].coefficients(pi->second)[0];
-  if (!c[1].is_constant() || !of_pi.is_constant() || !rest.is_constant() ||
-      !(c[0] == rest + (of_pi.is_zero() ? 0 : of_pi * Polynomial::variable(pi->second))))
-    return;
-  const cln::cl_RA divisor = -cln::cl_RA(c[1].constant());
-  const Constant end{rest.constant() / divisor, of_pi.constant() / divisor};
-  const Signs of_x = cln::minusp(c[1].constant()) ? -signs : signs;  // of x - end
-  Interval bound;
-  const bool closed = Signs::zero().within(of_x);
-  if (of_x.within(Signs::nonnegative())) bound.low = End{end, 0, closed};
-  if (of_x.within(Signs::nonpositive())) bound.high = End{end, 0, closed};
-  if (narrow(used[0], bound)) propagate();
+  bool has_changed = false;
+  for (const int k : p.used()) {
+    if (p.degree(k) != 1) continue;
+    const auto c = p.coefficients(k);
+    if (!c[1].is_constant()) continue;
+    const Interval end = range_of(Fraction(-c[0], c[1]));
+    const Signs of_x = cln::minusp(c[1].constant()) ? -signs : signs;  // of x + d/c
+    Interval bound;
+    const bool closed = Signs::zero().within(of_x);
+    if (of_x.within(Signs::nonnegative()) && end.low.infinite == 0) bound.low = end.low, bound.low.closed = closed && end.low.closed;
+    if (of_x.within(Signs::nonpositive()) && end.high.infinite == 0) bound.high = end.high, bound.high.closed = closed && end.high.closed;
+    has_changed = narrow(k, bound) || has_changed;
+  }
+  if (has_changed) propagate();
 }
 
 /// Whether that says something new.
@@ -229,10 +225,15 @@ Interval Ring::range_of(const Polynomial& p) const {
     for (const auto& [k, exponent] : p.powers(t)) product = product * power(generators_[k].range, exponent);
     sum = sum + product;
   }
-  if (p.is_constant() || known_.empty()) return sum;
+  if (p.is_constant() || (known_.empty() && known_signs_.empty())) return sum;
   const auto [number, q] = primitive(p);
-  const auto known = known_.find(q);
-  return known == known_.end() ? sum : overlap(sum, known->second * point({number}));
+  if (const auto known = known_.find(q); known != known_.end()) sum = overlap(sum, known->second * point({number}));
+  if (const auto known = known_signs_.find(q); known != known_signs_.end()) {
+    const Signs signs = cln::minusp(number) ? -known->second : known->second;
+    if (signs == Signs::positive()) sum = overlap(sum, positive_numbers());
+    if (signs == Signs::negative()) sum = overlap(sum, -positive_numbers());
+  }
+  return sum;
 }
 
 Interval Ring::range_of(const Fraction& f) const {

@@ -124,6 +124,10 @@ const Value& Number::value(long bits) const {
 Value value_at(const Tree& tree, const Point& point, long bits) { return Evaluation{point, bits}.of(*tree); }
 
 Sign sign_at(const Tree& left, const Tree& right, const Point& point, long most) {
+  if (left == right) {  // the very same
+    const Value value = value_at(left, point, 64);
+    return value.is == Is::certain ? Sign::zero : value.is == Is::nowhere ? Sign::undefined : Sign::unknown;
+  }
   for (long bits = 64; bits <= most; bits *= 3) {
     const Value rest = value_at(left, point, bits) - value_at(right, point, bits);
     if (rest.is == Is::nowhere) return Sign::undefined;

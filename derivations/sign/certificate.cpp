@@ -71,6 +71,25 @@ std::vector<Fact> relevant(const Ring& ring, const std::vector<Fact>& facts, con
   return result;
 }
 
+/// What may stand in squares: 1, the generators, and the monomials of which the facts have the squares.
+std::vector<Polynomial> roots_of_squares(const std::vector<Fact>& facts, const std::set<int>& variables) {
+  constexpr std::size_t most = 9;
+  std::set<Polynomial> roots{1};
+  if (variables.size() < most)
+    for (const int k : variables) roots.insert(Polynomial::variable(k));
+  for (const Fact& f : facts)
+    for (std::size_t t = 0; t < f.value.terms(); ++t) {
+      Polynomial root = 1;
+      bool is_square = true;
+      for (const auto& [k, exponent] : f.value.powers(t)) {
+        is_square = is_square && exponent % 2 == 0;
+        root = root * power(Polynomial::variable(k), exponent / 2);
+      }
+      if (is_square && roots.size() < most) roots.insert(root);
+    }
+  return {roots.begin(), roots.end()};
+}
+
 /// Products of facts in pairs, squares of generators and of their differences, and equations times generators.
 std::vector<Column> columns_of(const Ring& ring, const std::vector<Fact>& facts) {
   std::vector<Column> columns{{{}, 1, true, false}};
@@ -94,14 +113,11 @@ std::vector<Column> columns_of(const Ring& ring, const std::vector<Fact>& facts)
       const Fact &a = facts[i], &b = facts[j];
       add({a.value, b.value}, is_strict(a) && is_strict(b), is_zero(a) || is_zero(b));
     }
-  for (const int k : variables) {
-    const Polynomial x = Polynomial::variable(k);
-    add({x, x}, false, false), add({x - 1, x - 1}, false, false), add({x + 1, x + 1}, false, false);
-    for (const int other : variables) {
-      if (other <= k || variables.size() > 6) continue;
-      const Polynomial y = Polynomial::variable(other);
-      add({x - y, x - y}, false, false), add({x + y, x + y}, false, false);
-    }
+  const std::vector<Polynomial> roots = roots_of_squares(facts, variables);
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    add({roots[i], roots[i]}, false, false);
+    for (std::size_t j = 0; j < i; ++j)
+      for (const Polynomial& r : {roots[i] - roots[j], roots[i] + roots[j]}) add({r, r}, false, false);
   }
   return columns;
 }
