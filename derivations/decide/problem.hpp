@@ -1,7 +1,6 @@
 // A question: two statements, under assumptions, about symbols in their ranges.
 #pragma once
 
-#include <derivations/language/given.hpp>
 #include <derivations/numbers/interval.hpp>
 #include <derivations/language/symbols.hpp>
 #include <derivations/language/tree.hpp>

@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <derivations/language/utf8.hpp>
+#include <derivations/language/unicode.hpp>
 #include <filesystem>
 #include <fstream>
 #include <functional>

@@ -32,10 +32,7 @@ struct LabelledTerm {
 /// The dimension of all terms. Else the odd ones are named, beside the one that most have, or the first of
 /// these: "term 3 is kg·m²/s, the others kg·m²/s²".
 Maybe common(const std::vector<LabelledTerm>& terms, const std::string& where) {
-  const auto count = [&](const Maybe& dimension) {
-    return std::count_if(terms.begin(), terms.end(),
-                         [&](const LabelledTerm& term) { return term.dimension == dimension; });
-  };
+  const auto count = [&](const Maybe& d) { return std::ranges::count(terms, d, &LabelledTerm::dimension); };
   Maybe usual;
   for (const LabelledTerm& term : terms)
     if (term.dimension && (!usual || count(term.dimension) > count(usual))) usual = term.dimension;
@@ -67,11 +64,13 @@ class Dimensions {
       case Kind::number:
         return cln::zerop(exact(node.text)) ? Maybe() : pure;
       case Kind::symbol:
-        return symbol(node.text);
+        if (node.text == "pi") return pure;
+        if (const Symbol* known = symbols_.find(node.text)) return parse_unit(known->unit);
+        throw Inconsistent{"the unit of " + node.text + " is not known"};
       case Kind::negative:
         return of(node.children[0]);
       case Kind::sum:
-        return common(terms(tree, ""), "in " + shown(tree) + ": ");
+        return common(terms(tree, "", ""), "in " + shown(tree) + ": ");
       case Kind::product:
         return product(node);
       case Kind::power:
@@ -82,23 +81,17 @@ class Dimensions {
     return std::nullopt;
   }
 
-  /// The terms of a sum, each with its label.
-  std::vector<LabelledTerm> terms(const Tree& sum, const std::string& place) const {
+  /// The terms of a sum, each with its label; anything else by its name.
+  std::vector<LabelledTerm> terms(const Tree& tree, const std::string& name, const std::string& place) const {
+    if (tree->kind != Kind::sum) return {{name, of(tree)}};
     std::vector<LabelledTerm> result;
-    for (const Tree& term : sum->children)
+    for (const Tree& term : tree->children)
       result.push_back({"term " + std::to_string(result.size() + 1) + place, of(term)});
     return result;
   }
 
  private:
   std::string shown(const Tree& tree) const { return print(tree, Notation::plain, symbols_); }
-
-  Maybe symbol(const std::string& name) const {
-    if (name == "pi") return pure;
-    const Symbol* known = symbols_.find(name);
-    if (known == nullptr) throw Inconsistent{"the unit of " + name + " is not known"};
-    return parse_unit(known->unit);
-  }
 
   Maybe product(const Node& node) const {
     Maybe total = pure;
@@ -140,35 +133,25 @@ class Dimensions {
 };
 
 std::string side_name(std::size_t side, std::size_t sides) {
+  if (sides == 1) return "term 1";
   if (sides == 2) return side == 0 ? "the left side" : "the right side";
   return "side " + std::to_string(side + 1);
 }
 
-/// The terms of all sides; whole sides where each is one term.
-std::vector<LabelledTerm> all_terms(const Relation& relation, const Dimensions& dimensions) {
-  const std::size_t count = relation.sides.size();
-  const auto is_sum = [](const Tree& side) { return side->kind == Kind::sum; };
-  const bool several = std::count_if(relation.sides.begin(), relation.sides.end(), is_sum) > 1;
-  std::vector<LabelledTerm> all;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::string name = count == 1 ? "term 1" : side_name(i, count);
-    const Tree& side = relation.sides[i];
-    const std::vector<LabelledTerm> terms = is_sum(side)
-                                                ? dimensions.terms(side, several ? " of " + name : "")
-                                                : std::vector<LabelledTerm>{{name, dimensions.of(side)}};
-    all.insert(all.end(), terms.begin(), terms.end());
-  }
-  return all;
-}
-
 }  // namespace
 
-DimensionReport dimension(const Relation& relation, const Symbols& symbols) {
-  try {
-    return {true, common(all_terms(relation, Dimensions(symbols)), ""), ""};
-  } catch (const Inconsistent& problem) {
-    return {false, std::nullopt, problem.explanation};
+DimensionReport dimension(const Relation& relation, const Symbols& symbols) try {
+  const std::vector<Tree>& sides = relation.sides;
+  const bool several = std::ranges::count(sides, Kind::sum, [](const Tree& side) { return side->kind; }) > 1;
+  std::vector<LabelledTerm> all;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const std::string name = side_name(i, sides.size());
+    for (LabelledTerm& term : Dimensions(symbols).terms(sides[i], name, several ? " of " + name : ""))
+      all.push_back(std::move(term));
   }
+  return {true, common(all, ""), ""};
+} catch (const Inconsistent& problem) {
+  return {false, std::nullopt, problem.explanation};
 }
 
 DimensionReport dimension(const Tree& tree, const Symbols& symbols) {

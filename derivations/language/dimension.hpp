@@ -3,7 +3,6 @@
 
 #include <derivations/language/symbols.hpp>
 #include <derivations/language/tree.hpp>
-#include <derivations/language/unit.hpp>
 #include <optional>
 #include <string>
 

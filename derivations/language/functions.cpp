@@ -1,12 +1,18 @@
 #include <algorithm>
 #include <derivations/language/functions.hpp>
-#include <derivations/language/real.hpp>
 
 namespace rederive {
 
 namespace {
 
 using GiNaC::ex;
+
+/// |x|, which is x for a root: GiNaC makes sqrt(|u|) of |sqrt(u)|, and forgets that u is not negative.
+ex absolute(const ex& x) {
+  const bool is_root = GiNaC::is_a<GiNaC::power>(x) && x.op(1).info(GiNaC::info_flags::rational) &&
+                       !x.op(1).info(GiNaC::info_flags::integer);
+  return is_root ? x : GiNaC::abs(x);
+}
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -34,7 +40,7 @@ constexpr Function table[] = {
     {"exp", "", "exp", "", [](const ex& x) -> ex { return exp(x); }},
     {"log", "\\ln", "log", "ln", [](const ex& x) -> ex { return log(x); }, 0, infinity, true},
     {"sqrt", "", "√", "root", [](const ex& x) -> ex { return sqrt(x); }, 0},
-    {"fabs", "", "abs", "", size_of},
+    {"fabs", "", "abs", "", absolute},
 };
 // clang-format on
 
@@ -44,8 +50,7 @@ std::span<const Function> functions() { return table; }
 
 const Function* find_function(std::string_view name) {
   if (name == "abs") name = "fabs";
-  const auto* found = std::find_if(std::begin(table), std::end(table),
-                                   [&](const Function& function) { return function.name == name; });
+  const Function* found = std::ranges::find(table, name, &Function::name);
   return found == std::end(table) ? nullptr : found;
 }
 

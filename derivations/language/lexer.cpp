@@ -11,6 +11,47 @@ namespace rederive {
 
 namespace {
 
+/// One code point and the byte at which it begins.
+struct Character {
+  char32_t code;
+  std::size_t position;
+};
+
+constexpr char32_t dot_above = 0x307, diaeresis = 0x308, macron = 0x304;
+
+/// The precomposed letters that a keyboard or NFC normalisation makes of a letter and a mark, each before its
+/// letter.
+struct Composed {
+  char32_t mark;
+  std::u32string_view pairs;
+};
+constexpr Composed composed[] = {{dot_above, U"ȧaḃbċcḋdėeḟfġgḣhṁmṅnȯoṗpṙrṡsṫtẇwẋxẏyżzĖEḢHṘR"},
+                                 {diaeresis, U"äaëeḧhïiöoẗtüuẅwẍxÿyÄAÖOÜU"},
+                                 {macron, U"ĀAāaĒEēeūu"}};
+
+/// Letters with dots come back as the letter and its combining mark (ü is u and U+0308), other spaces as ' '.
+/// Throws SyntaxError "character" for bytes that are not UTF-8 and for control characters.
+std::vector<Character> decode(std::string_view text) {
+  std::vector<Character> characters;
+  characters.reserve(text.size());
+  for (std::size_t position = 0, next = 0; position < text.size(); position = next) {
+    const auto [code, bytes] = first_character(text.substr(position));
+    if (bytes == 0) throw SyntaxError("character", position, "these bytes are not UTF-8 text");
+    next = position + bytes;
+    if (is_control(code) && !is_space(code))
+      throw SyntaxError("character", position, "there is an invisible control character here");
+    characters.push_back({is_space(code) ? U' ' : code, position});
+    if (code < 0x80) continue;
+    for (const auto& [mark, pairs] : composed) {
+      const std::size_t pair = pairs.find(code);
+      if (pair == std::u32string_view::npos) continue;
+      characters.back().code = pairs[pair + 1];
+      characters.push_back({mark, position});
+    }
+  }
+  return characters;
+}
+
 bool is_digit(char32_t c) { return c >= '0' && c <= '9'; }
 bool is_letter(char32_t c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || !greek_name(c).empty();
@@ -20,38 +61,35 @@ bool continues_name(char32_t c) {
   return is_letter(c) || is_digit(c) || c == '_' || is_dot(c) || subscript_digit(c) >= 0;
 }
 
-/// What some characters are, and what they are called here, or what to say of them.
+/// What a character is, and what it is called here, or what to say of it.
 struct Spelling {
-  std::u32string_view characters;
+  std::u32string_view characters;  ///< any of them
   Token::Kind kind;
   const char* text;
 };
 constexpr auto mark = Token::Kind::mark, relation = Token::Kind::relation, slip = Token::Kind::end;
 
 // clang-format off
-constexpr Spelling spellings[] = {  // the longer ones first
+constexpr Spelling pairs[] = {  // both, one after the other
+    {U"<=", relation, "<="}, {U">=", relation, ">="},
     {U"**", slip, "write '^' for powers instead of '**'"},
     {U"==", slip, "write '=' instead of '=='"},
     {U"=<", slip, "write '<=' instead of '=<'"},
     {U"=>", slip, "write '>=' instead of '=>'"},
     {U"<>", slip, "'<>' is no relation that can be read here: use =, <, <=, > or >="},
-    {U"<=", relation, "<="}, {U"≤", relation, "<="}, {U">=", relation, ">="}, {U"≥", relation, ">="},
-    {U"=", relation, "="}, {U"<", relation, "<"}, {U">", relation, ">"},
-    {U"+", mark, "+"}, {U"-", mark, "-"}, {U"−", mark, "-"},
-    {U"*", mark, "*"}, {U"·", mark, "*"}, {U"⋅", mark, "*"}, {U"×", mark, "*"},
-    {U"/", mark, "/"}, {U"∕", mark, "/"}, {U"⁄", mark, "/"}, {U"÷", mark, "/"},
-    {U"^", mark, "^"}, {U"(", mark, "("}, {U")", mark, ")"}, {U",", mark, ","}, {U"√", mark, "sqrt"},
-    {U"[", slip, "write '(' instead of '['"},
-    {U"]", slip, "write ')' instead of ']'"},
-    {U"{", slip, "write '(' instead of '{'"},
-    {U"}", slip, "write ')' instead of '}'"},
-    {U"≠", slip, "'≠' is no relation that can be read here: use =, <, <=, > or >="},
-    {U"≈", slip, "'≈' is no relation that can be read here: use =, <, <=, > or >="},
+};
+constexpr Spelling singles[] = {
+    {U"=", relation, "="}, {U"<", relation, "<"}, {U">", relation, ">"}, {U"≤", relation, "<="}, {U"≥", relation, ">="},
+    {U"+", mark, "+"}, {U"-−", mark, "-"}, {U"*·⋅×", mark, "*"}, {U"/∕⁄÷", mark, "/"}, {U"^", mark, "^"},
+    {U"(", mark, "("}, {U")", mark, ")"}, {U",", mark, ","}, {U"√", mark, "sqrt"},
+    {U"[{", slip, "write '(' instead of '{}'"},
+    {U"]}", slip, "write ')' instead of '{}'"},
+    {U"≠≈", slip, "'{}' is no relation that can be read here: use =, <, <=, > or >="},
     {U"!", slip, "'!' is not used here: relations are =, <, <=, > and >=, and factorials are numbers"},
     {U"½", slip, "write 1/2 instead of '½'"},
     {U"¼", slip, "write 1/4 instead of '¼'"},
     {U"¾", slip, "write 3/4 instead of '¾'"},
-    {U"–", slip, "write '-' for a minus"}, {U"—", slip, "write '-' for a minus"},
+    {U"–—", slip, "write '-' for a minus"},
     {U"∞", slip, "infinity is no number"},
     {U"\\", slip, "LaTeX is not read here: write names without '\\'"},
     {U";", slip, "';' is not used here"},
@@ -107,16 +145,23 @@ class Tokenizer {
     if (is_digit(code()) || (code() == '.' && is_digit(code(1)))) return read_number();
     if (superscript_digit(code()) >= 0 || code() == U'⁻' || code() == U'⁺') return read_superscript();
     if (is_letter(code()) || code() == '_') return read_name();
-    for (const auto& [characters, kind, text] : spellings) {
-      if (code() != characters[0] || (characters.size() > 1 && code(1) != characters[1])) continue;
-      if (kind == slip) refuse("syntax", text);
-      at_ += characters.size();
-      return add(kind, text);
-    }
+    for (const Spelling& pair : pairs)
+      if (code() == pair.characters[0] && code(1) == pair.characters[1]) return add(pair, 2);
+    for (const Spelling& single : singles)
+      if (single.characters.find(code()) != std::u32string_view::npos) return add(single, 1);
     const std::string shown = is_invisible(code())
                                   ? fmt::format("the invisible character U+{:04X}", std::uint32_t{code()})
-                                  : "'" + encode(code()) + "'";
+                                  : "'" + here() + "'";
     refuse("character", shown + " has no meaning here");
+  }
+
+  /// The character, as it is in the text.
+  std::string here() const { return std::string(text_.substr(byte(at_), byte(at_ + 1) - byte(at_))); }
+
+  void add(const Spelling& spelling, std::size_t size) {
+    if (spelling.kind == slip) refuse("syntax", fmt::format(fmt::runtime(spelling.text), here()));
+    at_ += size;
+    add(spelling.kind, spelling.text);
   }
 
   std::string read_digits() {
@@ -211,12 +256,10 @@ class Tokenizer {
 
   /// The constant may be written Pi. A capital Π, PI and pI may stand for anything.
   std::string checked_pi(const std::string& name) const {
-    const bool is_capital = characters_[start_].code == U'Π';
-    if (name == "Pi" && !is_capital) return "pi";
-    if (is_capital ? name == "Pi" : name == "PI" || name == "pI")
-      refuse("unknown_symbol",
-             "'" + (is_capital ? "Π" : name) + "' is no symbol here: the constant is written pi");
-    return name;
+    if (name != "Pi" && name != "PI" && name != "pI") return name;
+    const std::string typed(text_.substr(byte(start_), byte(at_) - byte(start_)));
+    if (typed == "Pi") return "pi";
+    refuse("unknown_symbol", "'" + typed + "' is no symbol here: the constant is written pi");
   }
 
   std::string_view text_;

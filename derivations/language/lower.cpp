@@ -3,7 +3,6 @@
 #include <cmath>
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lower.hpp>
-#include <derivations/language/real.hpp>
 #include <derivations/language/syntax_error.hpp>
 
 namespace rederive {
@@ -33,8 +32,6 @@ void check_size(const Node& node, double bits, double parts) {
   if (bits > most_bits) refuse(node, "too_large", "the numbers in this would be too large");
   if (parts > most_parts) refuse(node, "too_large", "this would be too large when written out");
 }
-
-bool is_negative_number(const ex& e) { return is_a<numeric>(e) && GiNaC::ex_to<numeric>(e).is_negative(); }
 
 bool is_outside(const Function& function, const ex& x) {
   if (!is_a<numeric>(x)) return false;
@@ -125,7 +122,7 @@ class Lowering {
                  ": write 1/3 for 0.333…");
     const double bits = (base.bits + 1) * (GiNaC::abs(n).to_double() + 1);
     check_size(node, bits, base.parts + 1);
-    if (is_negative_number(base.value) && !n.is_integer())
+    if (base.value.info(GiNaC::info_flags::negative) && is_a<numeric>(base.value) && !n.is_integer())
       refuse(node, "undefined", "a root of a negative number has no real value");
     if (base.value.is_zero() && !n.is_positive())
       refuse(node, "undefined", "this divides by zero, or is 0^0");
@@ -147,16 +144,28 @@ class Lowering {
   const Limits& limits_;
 };
 
+/// The same for real values of all symbols and functions: what GiNaC thinks may be complex is its own
+/// conjugate and its own real part.
+class Real : public GiNaC::map_function {
+ public:
+  ex operator()(const ex& e) override {
+    if (is_a<numeric>(e) && !e.info(GiNaC::info_flags::real)) throw std::domain_error("not real");
+    if (!is_a<GiNaC::function>(e)) return e.map(*this);
+    const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
+    if (name == "imag_part" || name == "atan2")
+      return 0;  // the angle of a real power is that of its positive base
+    return name == "conjugate" || name == "real_part" ? (*this)(e.op(0)) : e.map(*this);
+  }
+};
+
 }  // namespace
 
 ex lower(const Tree& tree, const Symbols& symbols, const Limits& limits) {
   const ex value = Lowering(symbols, limits).lower(tree).value;
   try {
-    return as_real(value);
-  } catch (const GiNaC::pole_error&) {
-    throw SyntaxError("undefined", tree->position, "this has no value");
-  } catch (const std::domain_error& error) {
-    throw SyntaxError("undefined", tree->position, error.what());
+    return Real()(value);
+  } catch (const std::domain_error&) {  // GiNaC's pole_error is one
+    refuse(*tree, "undefined", "this has no real value");
   }
 }
 

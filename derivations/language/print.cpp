@@ -1,7 +1,7 @@
-#include <algorithm>
+// One walk over the tree for all notations. Parentheses go where the grammar of syntax.hpp needs them, and
+// nowhere else, so that what is printed reads back as the same tree.
 #include <derivations/language/functions.hpp>
 #include <derivations/language/print.hpp>
-#include <derivations/language/printer.hpp>
 #include <derivations/language/unicode.hpp>
 
 namespace rederive {
@@ -10,77 +10,203 @@ namespace {
 
 using Kind = Node::Kind;
 
-constexpr Signs plain_signs{"-", "pi", "(", ")", &Symbol::name};
-constexpr Signs unicode_signs{"−", "π", "(", ")", &Symbol::unicode};
+/// What may stand somewhere without parentheses.
+enum class Place {
+  whole,     ///< anything: a side, an argument
+  term,      ///< a term after the first, or what a leading minus stands before: products and less
+  factor,    ///< powers and less
+  exponent,  ///< numbers, names and calls
+};
 
-bool is_integer(const Node& node) {
-  return node.kind == Kind::number &&
-         std::all_of(node.text.begin(), node.text.end(), [](char c) { return c >= '0' && c <= '9'; });
+/// How signs and names are written.
+struct Signs {
+  std::string minus, pi, times, opening, closing, at_most, at_least;
+  std::string Symbol::*name;
+};
+
+const Signs& signs_of(Notation notation) {
+  static const Signs plain{"-", "pi", "*", "(", ")", "<=", ">=", &Symbol::name},
+      unicode{"−", "π", "·", "(", ")", "≤", "≥", &Symbol::unicode},
+      latex{"-", "\\pi", " ", "\\left(", "\\right)", "\\le", "\\ge", &Symbol::latex};
+  return notation == Notation::plain ? plain : notation == Notation::unicode ? unicode : latex;
 }
 
-class TextPrinter : public Printer {
+bool is_integer(const Node& node) {
+  return node.kind == Kind::number && node.text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+bool is_atom(const Node& node) { return node.kind == Kind::symbol || node.kind == Kind::number; }
+
+bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+/// Whether LaTeX writes it as a name before its argument.
+bool is_named(const Node& node) {
+  const Function* function = node.kind == Kind::call ? find_function(node.text) : nullptr;
+  return function != nullptr && !function->latex.empty();
+}
+
+bool is_named_or_power(const Node& node) {
+  return is_named(node) || (node.kind == Kind::power && is_named(*node.children[0]));
+}
+
+class Printer {
  public:
-  TextPrinter(bool unicode, const Symbols& symbols)
-      : Printer(unicode ? unicode_signs : plain_signs, symbols), unicode_(unicode) {}
+  Printer(Notation notation, const Symbols& symbols)
+      : notation_(notation), signs_(signs_of(notation)), symbols_(symbols) {}
+
+  /// `last`: nothing follows in the same product, so that \sin\alpha needs no parentheses either.
+  std::string print(const Tree& tree, Place place = Place::whole, bool last = true) const {
+    const std::string text = bare(*tree, last);
+    return needs_parentheses(*tree, place) ? bracket(text) : text;
+  }
 
  private:
-  std::string product(const Node& node) const override {
+  bool is_latex() const { return notation_ == Notation::latex; }
+  std::string bracket(const std::string& text) const { return signs_.opening + text + signs_.closing; }
+
+  bool needs_parentheses(const Node& node, Place place) const {
+    if (node.kind == Kind::sum || node.kind == Kind::negative) return place != Place::whole;
+    if (node.kind == Kind::power) return place > Place::factor;
+    const bool is_quotient = node.kind == Kind::symbol && has(symbol(node.text), "/");  // ∂K/∂θ
+    return (is_quotient || node.kind == Kind::product) && place > Place::term;
+  }
+
+  std::string bare(const Node& node, bool last) const {
+    switch (node.kind) {
+      case Kind::number:
+        return number(node.text);
+      case Kind::symbol:
+        return symbol(node.text);
+      case Kind::negative:
+        return signs_.minus + print(node.children[0], Place::term);
+      case Kind::sum:
+        return sum(node);
+      case Kind::product:
+        return is_latex() ? fractions(node) : product(node);
+      case Kind::power:
+        return power(node, last);
+      case Kind::call:
+        return call(node, "", last);
+    }
+    return {};
+  }
+
+  std::string number(const std::string& digits) const {
+    const auto e = is_latex() ? digits.find_first_of("eE") : std::string::npos;
+    return e == std::string::npos ? digits : digits.substr(0, e) + "\\cdot 10^{" + digits.substr(e + 1) + "}";
+  }
+
+  std::string symbol(const std::string& name) const {
+    if (name == "pi") return signs_.pi;
+    const Symbol* known = symbols_.find(name);
+    return known == nullptr ? name : known->*signs_.name;
+  }
+
+  std::string sum(const Node& node) const {
+    const bool leading_minus = node.children[0]->kind == Kind::negative;
+    std::string text = print(node.children[0], leading_minus ? Place::whole : Place::term);
+    for (std::size_t i = 1; i < node.children.size(); ++i)
+      text += " " + (node.inverse[i] ? signs_.minus : "+") + " " + print(node.children[i], Place::term);
+    return text;
+  }
+
+  std::string product(const Node& node) const {
     std::string text = print(node.children[0], Place::factor);
-    for (std::size_t i = 1; i < node.children.size(); ++i) {
-      text += node.inverse[i] ? "/" : unicode_ ? "·" : "*";
-      text += print(node.children[i], Place::factor);
+    for (std::size_t i = 1; i < node.children.size(); ++i)
+      text += (node.inverse[i] ? "/" : signs_.times) + print(node.children[i], Place::factor);
+    return text;
+  }
+
+  /// Runs of factors over runs of divisors: a*b/c*d is \frac{a b}{c} d.
+  std::string fractions(const Node& node) const {
+    std::string text;
+    for (std::size_t i = 0; i < node.children.size();) {
+      std::vector<Tree> above, below;
+      while (i < node.children.size() && !node.inverse[i]) above.push_back(node.children[i++]);
+      while (i < node.children.size() && node.inverse[i]) below.push_back(node.children[i++]);
+      append(text, below.empty() ? row(above, i == node.children.size())
+                                 : "\\frac{" + row(above, true) + "}{" + row(below, true) + "}");
     }
     return text;
   }
 
-  std::string power(const Node& node) const override {
-    const Node& base = *node.children[0];
-    const std::string raised = unicode_ ? superscripts(*node.children[1]) : "";
-    const bool is_call = base.kind == Kind::call && base.text != "sqrt";
-    if (!raised.empty() && is_call && node.children[1]->kind == Kind::number)
-      return call(base, raised);  // sin²(x)
-    const std::string below = print(node.children[0], Place::exponent);
-    return below + (raised.empty() ? "^" + print(node.children[1], Place::exponent) : raised);
+  void append(std::string& text, const std::string& factor) const {
+    const bool digit = !factor.empty() && factor[0] >= '0' && factor[0] <= '9';
+    text += (text.empty() ? "" : digit ? " \\cdot " : signs_.times) + factor;
   }
 
-  std::string call(const Node& node) const override { return call(node, ""); }
-  std::string call(const Node& node, const std::string& exponent) const {
-    const Function* function = unicode_ ? find_function(node.text) : nullptr;
-    const std::string name = function == nullptr ? node.text : std::string(function->unicode);
-    return name + exponent + "(" + print(node.children[0]) + ")";
-  }
-
-  /// ² or ⁻¹; empty if the exponent is no integer.
-  static std::string superscripts(const Node& exponent) {
-    const bool negative = exponent.kind == Kind::negative;
-    const Node& digits = negative ? *exponent.children[0] : exponent;
-    if (!is_integer(digits)) return {};
-    std::string text = negative ? "⁻" : "";
-    for (char c : digits.text) text += superscript(c);
+  /// Factors side by side; one alone needs no parentheses in the parts of a fraction.
+  std::string row(const std::vector<Tree>& factors, bool last) const {
+    if (factors.size() == 1 && last) return print(factors[0]);
+    std::string text;
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+      const bool nothing_follows = i + 1 == factors.size() ? last : is_named_or_power(*factors[i + 1]);
+      append(text, print(factors[i], Place::term, nothing_follows));
+    }
     return text;
   }
 
-  bool unicode_;
-};
+  std::string power(const Node& node, bool last) const {
+    const Node &base = *node.children[0], &exponent = *node.children[1];
+    const bool is_raised_name = is_latex() ? is_named(base) && exponent.kind == Kind::number  // sin²(x)
+                                           : notation_ == Notation::unicode && base.kind == Kind::call &&
+                                                 base.text != "sqrt" && is_integer(exponent);
+    const std::string raised = raise(node.children[1]);
+    if (is_raised_name) return call(base, raised, last);
+    return (is_latex() ? latex_base(node.children[0]) : print(node.children[0], Place::exponent)) + raised;
+  }
 
-std::string relation_sign(const std::string& sign, Notation notation) {
-  if (notation == Notation::plain || sign.size() == 1) return sign;
-  if (notation == Notation::unicode) return sign == "<=" ? "≤" : "≥";
-  return sign == "<=" ? "\\le" : "\\ge";
-}
+  /// ^(1/3), ², ⁻¹, ^{10}.
+  std::string raise(const Tree& exponent) const {
+    const bool negative = exponent->kind == Kind::negative;
+    const Node& digits = negative ? *exponent->children[0] : *exponent;
+    if (notation_ == Notation::unicode && is_integer(digits)) {
+      std::string text = negative ? "⁻" : "";
+      for (char c : digits.text) text += superscript(c);
+      return text;
+    }
+    const std::string text = print(exponent, is_latex() ? Place::whole : Place::exponent);
+    return "^" + (is_latex() && text.size() > 1 ? "{" + text + "}" : text);
+  }
+
+  std::string latex_base(const Tree& base) const {
+    const std::string text = print(base);
+    const bool simple = is_atom(*base) || (base->kind == Kind::call && base->text == "fabs");
+    if (!simple || has(text, "\\frac") || has(text, "\\cdot")) return bracket(text);
+    return has(text, "^") ? "{" + text + "}" : text;
+  }
+
+  std::string call(const Node& node, const std::string& exponent, bool last) const {
+    const std::string inside = print(node.children[0]);
+    const Function* function = find_function(node.text);
+    if (notation_ == Notation::plain || function == nullptr) return node.text + exponent + bracket(inside);
+    if (notation_ == Notation::unicode) return std::string(function->unicode) + exponent + bracket(inside);
+    const std::string name = std::string(function->latex) + exponent;
+    if (node.text == "sqrt") return "\\sqrt{" + inside + "}";
+    if (node.text == "fabs") return "\\left|" + inside + "\\right|";
+    if (node.text == "exp") return "\\mathrm{e}^{" + inside + "}";
+    if (!last || !is_atom(*node.children[0])) return name + bracket(inside);
+    return name + (inside[0] == '\\' ? "" : " ") + inside;
+  }
+
+  Notation notation_;
+  const Signs& signs_;
+  const Symbols& symbols_;
+};
 
 }  // namespace
 
 std::string print(const Tree& tree, Notation notation, const Symbols& symbols) {
-  if (notation == Notation::latex) return print_latex(tree, symbols);
-  return TextPrinter(notation == Notation::unicode, symbols).print(tree);
+  return Printer(notation, symbols).print(tree);
 }
 
 std::string print(const Relation& relation, Notation notation, const Symbols& symbols) {
-  std::string text;
-  for (std::size_t i = 0; i < relation.sides.size(); ++i) {
-    if (i > 0) text += " " + relation_sign(relation.operators[i - 1], notation) + " ";
-    text += print(relation.sides[i], notation, symbols);
+  const Signs& signs = signs_of(notation);
+  std::string text = print(relation.sides[0], notation, symbols);
+  for (std::size_t i = 0; i < relation.operators.size(); ++i) {
+    const std::string& sign = relation.operators[i];
+    text += " " + (sign == "<=" ? signs.at_most : sign == ">=" ? signs.at_least : sign) + " ";
+    text += print(relation.sides[i + 1], notation, symbols);
   }
   return text;
 }

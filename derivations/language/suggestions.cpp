@@ -1,5 +1,6 @@
+#include <algorithm>
+#include <cctype>
 #include <derivations/language/functions.hpp>
-#include <derivations/language/spelling.hpp>
 #include <derivations/language/suggestions.hpp>
 
 namespace rederive {
@@ -8,13 +9,78 @@ namespace {
 
 using Kind = Token::Kind;
 
-constexpr std::size_t longest_text = 40;  // that is repeated in a message
+constexpr std::size_t longest_text = 40;  // that is looked at, and repeated in a message
 
-/// How a stretch of tokens should be written, and the token behind it.
-struct Meant {
-  std::string text;
-  std::size_t next;
-};
+std::string lower_case(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// Insertions, deletions, replacements and exchanges of neighbours that make one word of the other
+/// (Damerau–Levenshtein, each letter moved once).
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      std::size_t& least = d[i][j] = i + j;
+      if (i == 0 || j == 0) continue;
+      const std::size_t replaced = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      least = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replaced});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        least = std::min(least, d[i - 2][j - 2] + 1);
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+/// The first of the nearest; a mere difference of case is the nearest of all.
+std::string nearest(std::string_view name, const std::vector<std::string>& known) {
+  if (name.size() > longest_text) return {};
+  std::string best;
+  std::size_t smallest = 1 + (name.size() + 1) / 3;  // a slip in every third letter; none in a single one
+  for (const std::string& candidate : known) {
+    const bool same = lower_case(name) == lower_case(candidate);
+    const std::size_t distance = same ? 0 : edit_distance(name, candidate);
+    if (distance < smallest) smallest = distance, best = candidate;
+  }
+  return best;
+}
+
+/// "asin" for "arcsin", "log" for "ln"; empty if it is no function's name elsewhere.
+std::string foreign_function(std::string_view name) {
+  const std::string word = " " + lower_case(name) + " ";
+  if (word == " log10 ") return "log(x)/log(10)";
+  if (word == " log2 ") return "log(x)/log(2)";
+  if (word == " power ") return "pow";
+  for (const Function& function : functions())
+    if ((" " + std::string(function.abroad) + " ").find(word) != std::string::npos)
+      return std::string(function.name);
+  return {};
+}
+
+std::string nearest_function(std::string_view name) {
+  if (const std::string function = foreign_function(name); !function.empty()) return function;
+  std::vector<std::string> known;
+  for (const Function& function : functions()) known.emplace_back(function.name);
+  known.insert(known.end(), {"abs", "pow"});
+  return nearest(name, known);
+}
+
+/// "m*g*R" for "mgR": an unknown name that falls into known ones; empty if it does not.
+std::string split_into_symbols(std::string_view name, const Symbols& symbols) {
+  if (name.size() > longest_text) return {};
+  std::vector<std::string> best(name.size() + 1);  // of the first letters, the product of the fewest names
+  for (std::size_t end = 1; end <= name.size(); ++end) {
+    for (std::size_t start = 0; start < end; ++start) {
+      const std::string part(name.substr(start, end - start));
+      if ((start > 0 && best[start].empty()) || (part != "pi" && symbols.find(part) == nullptr)) continue;
+      const std::string product = start == 0 ? part : best[start] + "*" + part;
+      if (best[end].empty() || product.size() < best[end].size()) best[end] = product;
+    }
+  }
+  return best.back();
+}
 
 /// The text of some tokens, if it is short enough to be repeated.
 std::string written(const Formula& f, std::size_t first, std::size_t last) {
@@ -28,75 +94,81 @@ std::string did_you_mean(const std::string& name) {
   return name.empty() ? "" : ": did you mean '" + name + "'?";
 }
 
-Meant factors(const Formula& f, std::size_t at);
+/// "m*g*R" for mgR. Of x̄, "xbar" is our spelling, and no product of five letters.
+std::string as_product(const Formula& f, std::size_t at) {
+  const Token& token = f.tokens[at];
+  const bool is_typed = token.kind == Kind::name && written(f, at, at) == token.text;
+  return is_typed ? split_into_symbols(token.text, f.symbols) : "";
+}
+
+// How a stretch of tokens should be written; `at` moves from its first token to the one behind it.
+
+std::string factors(const Formula& f, std::size_t& at);
 
 /// A parenthesis up to where it is closed.
-Meant group(const Formula& f, std::size_t opening) {
-  std::size_t last = opening;
-  for (int open = 1; open > 0 && f.tokens[last + 1].kind != Kind::end;) {
-    ++last;
-    open += f.tokens[last].is("(") ? 1 : f.tokens[last].is(")") ? -1 : 0;
-  }
-  const std::string text = written(f, opening, last);
-  return {text == "…" ? "(…)" : text, last + 1};
+std::string group(const Formula& f, std::size_t& at) {
+  const std::size_t opening = at;
+  int open = 0;
+  do {
+    open += f.tokens[at].is("(") ? 1 : f.tokens[at].is(")") ? -1 : 0;
+    ++at;
+  } while (open > 0 && f.tokens[at].kind != Kind::end);
+  const std::string text = written(f, opening, at - 1);
+  return text == "…" ? "(…)" : text;
 }
 
 /// sin(x), sin^2(x), sin x, sin 2x: the parentheses around the argument, the exponent behind them.
-Meant call(const Formula& f, std::size_t function) {
-  std::size_t next = function + 1;
-  std::string power;
-  if (f.tokens[next].kind == Kind::superscript) power = "^" + f.tokens[next++].text;
-  if (f.tokens[next].is("^") && f.tokens[next + 1].kind == Kind::number) {
-    power = "^" + f.tokens[next + 1].text;
-    next += 2;
+std::string call(const Formula& f, std::size_t& at) {
+  const std::string name = f.tokens[at++].text;
+  std::string power, argument = "(x)";
+  if (f.tokens[at].kind == Kind::superscript) power = "^" + f.tokens[at++].text;
+  if (f.tokens[at].is("^") && f.tokens[at + 1].kind == Kind::number) {
+    power = "^" + f.tokens[at + 1].text;
+    at += 2;
   }
-  Meant argument{"(x)", next};
-  if (f.tokens[next].is("(")) {
-    argument = group(f, next);
-  } else if (is_function(f.tokens[next]) || f.tokens[next].is("sqrt")) {
-    argument.text = "(…)";  // sin cos x
-  } else if (starts_operand(f.tokens[next])) {
-    argument = factors(f, next);
-    argument.text = "(" + argument.text + ")";
-  }
-  return {f.tokens[function].text + argument.text + power, argument.next};
+  if (f.tokens[at].is("("))
+    argument = group(f, at);
+  else if (is_function(f.tokens[at]) || f.tokens[at].is("sqrt"))
+    argument = "(…)";  // sin cos x
+  else if (starts_operand(f.tokens[at]))
+    argument = "(" + factors(f, at) + ")";
+  return name + argument + power;
 }
 
-/// What begins at a token: a number, a name, a call or a parenthesis, and its exponent.
-Meant operand(const Formula& f, std::size_t at) {
-  const Token& token = f.tokens[at];
-  Meant meant{written(f, at, at), at + 1};
-  const bool is_typed = token.kind == Kind::name && meant.text == token.text;
-  if (is_function(token)) {
-    meant = call(f, at);
-  } else if (token.is("(")) {
-    meant = group(f, at);
-  } else if (token.is("sqrt") && starts_operand(f.tokens[at + 1]) && !f.tokens[at + 1].is("sqrt")) {
-    meant = operand(f, at + 1), meant.text = "√" + meant.text;
-  } else if (is_typed && f.symbols.find(token.text) == nullptr) {
-    const std::string product = split_into_symbols(token.text, f.symbols);
-    if (!product.empty()) meant.text = product;
+/// A number, a name, a call or a parenthesis, and its exponent.
+std::string operand(const Formula& f, std::size_t& at) {
+  std::string text;
+  if (is_function(f.tokens[at])) {
+    text = call(f, at);
+  } else if (f.tokens[at].is("(")) {
+    text = group(f, at);
+  } else if (f.tokens[at].is("sqrt") && starts_operand(f.tokens[at + 1]) && !f.tokens[at + 1].is("sqrt")) {
+    text = "√" + operand(f, ++at);
+  } else {
+    text = as_product(f, at);
+    if (text.empty()) text = written(f, at, at);
+    ++at;
   }
-  if (f.tokens[meant.next].kind == Kind::superscript)
-    meant.text += written(f, meant.next, meant.next), ++meant.next;
-  if (!f.tokens[meant.next].is("^")) return meant;
-  const std::size_t exponent = meant.next + (f.tokens[meant.next + 1].is("-") ? 2 : 1);
-  if (f.tokens[exponent].kind == Kind::number || f.tokens[exponent].kind == Kind::name)
-    return {meant.text + written(f, meant.next, exponent), exponent + 1};
-  return meant;
+  if (f.tokens[at].kind == Kind::superscript) text += written(f, at, at), ++at;
+  if (!f.tokens[at].is("^")) return text;
+  const std::size_t exponent = at + (f.tokens[at + 1].is("-") ? 2 : 1);
+  if (f.tokens[exponent].kind != Kind::number && f.tokens[exponent].kind != Kind::name) return text;
+  text += written(f, at, exponent);
+  at = exponent + 1;
+  return text;
 }
 
 /// The argument of a function without parentheses: 2x in sin 2x cos y, 2*x in sin 2*x.
-Meant factors(const Formula& f, std::size_t at) {
-  Meant all = operand(f, at);
-  while (all.text.size() < longest_text) {
-    const bool star = f.tokens[at].kind == Kind::number && f.tokens[all.next].is("*");
-    const std::size_t next = all.next + (star ? 1 : 0);
+std::string factors(const Formula& f, std::size_t& at) {
+  const bool is_number = f.tokens[at].kind == Kind::number;
+  std::string text = operand(f, at);
+  while (text.size() < longest_text) {
+    std::size_t next = at + (is_number && f.tokens[at].is("*") ? 1 : 0);
     if (f.tokens[next].kind != Kind::name || is_function(f.tokens[next])) break;
-    const Meant more = operand(f, next);
-    all = {all.text + "*" + more.text, more.next};
+    text += "*" + operand(f, next);
+    at = next;
   }
-  return all;
+  return text;
 }
 
 /// "sin(2*x)" for sin2x, "sqrt(2)" for sqrt2: a function, and a number or a product that stick to it.
@@ -123,28 +195,26 @@ bool is_function(const Token& token) {
 }
 
 SyntaxError juxtaposition(const Formula& f, std::size_t product, std::size_t first, std::size_t at) {
-  const std::size_t position = f.tokens[at].position;
-  if (f.tokens[at].text == "and" || f.tokens[at].text == "or")
-    return {"syntax", position, "one statement at a time: '" + f.tokens[at].text + "' is not read here"};
-  auto [tail, next] = operand(f, first);
-  for (next = at; starts_operand(f.tokens[next]) && tail.size() < longest_text;) {
-    const Meant more = operand(f, next);
-    tail += "*" + more.text;
-    next = more.next;
-  }
+  const auto& [kind, text, position, end] = f.tokens[at];
+  if (text == "and" || text == "or")
+    return {"syntax", position, "one statement at a time: '" + text + "' is not read here"};
   std::string head = first > product ? written(f, product, first - 1) : "";
   if (head == "…") head = "";
   const auto is_number = [&](std::size_t k) { return f.tokens[k].kind == Kind::number; };
   const bool fraction = first >= 2 && is_number(first) && is_number(first - 2) &&
                         (first == 2 || !f.tokens[first - 3].is("^"));  // 3/2 x is 3/2*x; a/2g may be either
+  std::string tail = operand(f, first);
+  while (starts_operand(f.tokens[at]) && tail.size() < longest_text) tail += "*" + operand(f, at);
   const std::string other = head.ends_with('/') && !fraction ? head + "(" + tail + ") or " : "";
   return {"implicit_multiplication", position, "a product needs its '*': write " + other + head + tail};
 }
 
 SyntaxError called_symbol(const Formula& f, std::size_t name) {
-  const std::string product = written(f, name, name) + "*" + group(f, name + 1).text;
-  return {"implicit_multiplication", f.tokens[name + 1].position,
-          quoted(f, name) + " is no function: write " + product + " for a product"};
+  std::size_t opening = name + 1;
+  const std::size_t position = f.tokens[opening].position;
+  return {"implicit_multiplication", position,
+          quoted(f, name) + " is no function: write " + written(f, name, name) + "*" + group(f, opening) +
+              " for a product"};
 }
 
 SyntaxError ambiguous_inverse(const Token& function, const Token& at) {
@@ -156,7 +226,7 @@ SyntaxError bare_function(const Formula& f, std::size_t function) {
   const Token& next = f.tokens[function + 1];
   if (next.is("^") && f.tokens[function + 2].is("-")) return ambiguous_inverse(f.tokens[function], next);
   const std::size_t position = f.tokens[function].position;
-  const std::string meant = "write " + call(f, function).text;
+  const std::string meant = "write " + call(f, function);
   if (next.kind == Kind::superscript || next.is("^")) return {"syntax", position, meant};
   if (starts_operand(next))
     return {"implicit_multiplication", position, "a function needs parentheses: " + meant};
@@ -165,46 +235,44 @@ SyntaxError bare_function(const Formula& f, std::size_t function) {
 
 SyntaxError unknown_name(const Formula& f, std::size_t at) {
   const auto& [kind, name, position, end] = f.tokens[at];
-  const std::string shown = quoted(f, at);
+  const Token& next = f.tokens[at + 1];
+  const std::string shown = quoted(f, at), no_symbol = "there is no symbol " + shown;
   if (name == "inf" || name == "infinity") return {"unknown_symbol", position, "infinity is no number"};
   if (name == "nan" || name == "NaN") return {"unknown_symbol", position, shown + " is no number"};
-  if (f.tokens[at + 1].is("(") || (starts_operand(f.tokens[at + 1]) && !foreign_function(name).empty()))
+  if (next.is("(") || (starts_operand(next) && !foreign_function(name).empty()))
     return {"unknown_function", position,
             "there is no function " + shown + did_you_mean(nearest_function(name))};
   if (const std::string call = glued_call(name, f.symbols); !call.empty())
     return {"implicit_multiplication", position, "a function needs parentheses: write " + call};
-  const bool is_typed =
-      written(f, at, at) == name;  // of x̄, "xbar" is our spelling: no product of five letters
-  const std::string near = nearest_symbol(name, f.symbols),
-                    product = is_typed ? split_into_symbols(name, f.symbols) : "";
+  std::vector<std::string> known = f.symbols.names();
+  known.emplace_back("pi");
+  const std::string near = nearest(name, known), product = as_product(f, at);
   const bool is_short = name.size() <= 3;  // "mgR" is a product; "thta" is a slip of the pen
   if (product.empty() || !(near.empty() || is_short))
-    return {"unknown_symbol", position, "there is no symbol " + shown + did_you_mean(near)};
+    return {"unknown_symbol", position, no_symbol + did_you_mean(near)};
   if (!is_short && product.size() == 2 * name.size() - 1)  // "real": r*e*a*l
-    return {"unknown_symbol", position,
-            "there is no symbol " + shown + "; as a product, it would be " + product};
+    return {"unknown_symbol", position, no_symbol + "; as a product, it would be " + product};
   return {"implicit_multiplication", position, "a product needs its '*': write " + product};
 }
 
 SyntaxError missing_operand(const Formula& f, std::size_t at) {
-  const Token& here = f.tokens[at];
-  const auto error = [&](const std::string& message) {
-    return SyntaxError("syntax", here.position, message);
-  };
-  if (here.kind == Kind::superscript) return error("there is nothing here that this exponent raises");
-  if (at == 0) return error("an operand is missing before " + quoted(f, at));
-  if (f.tokens[at - 1].is("(") && here.is(")")) return error("there is nothing in these parentheses");
-  const bool end = here.kind == Kind::end;
-  return error((end ? "the formula ends where an operand is missing" : "an operand is missing") +
-               (" after " + quoted(f, at - 1)));
+  const auto& [kind, text, position, end] = f.tokens[at];
+  if (kind == Kind::superscript)
+    return {"syntax", position, "there is nothing here that this exponent raises"};
+  if (at == 0) return {"syntax", position, "an operand is missing before " + quoted(f, at)};
+  const bool is_empty = f.tokens[at - 1].is("(") && f.tokens[at].is(")");
+  if (is_empty) return {"syntax", position, "there is nothing in these parentheses"};
+  const std::string where = kind == Kind::end ? "the formula ends where " : "";
+  return {"syntax", position, where + "an operand is missing after " + quoted(f, at - 1)};
 }
 
 SyntaxError stray_comma(const Formula& f, std::size_t at) {
   const auto is_number = [&](std::size_t k) { return f.tokens[k].kind == Kind::number; };
-  if (at == 0 || !is_number(at - 1) || !is_number(at + 1))
-    return {"syntax", f.tokens[at].position, "a comma can only stand between the arguments of a function"};
+  const bool is_decimal = at > 0 && is_number(at - 1) && is_number(at + 1);
   return {"syntax", f.tokens[at].position,
-          "a decimal number is written with a point: " + f.tokens[at - 1].text + "." + f.tokens[at + 1].text};
+          is_decimal ? "a decimal number is written with a point: " + f.tokens[at - 1].text + "." +
+                           f.tokens[at + 1].text
+                     : "a comma can only stand between the arguments of a function"};
 }
 
 }  // namespace rederive

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <cctype>
 #include <derivations/language/symbols.hpp>
-#include <derivations/language/unit.hpp>
+#include <derivations/language/unicode.hpp>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -9,49 +9,71 @@ namespace rederive {
 
 namespace {
 
-std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
-}
-
 [[noreturn]] void refuse(const std::string& what, const std::string& name) {
   throw std::invalid_argument("symbol '" + name + "': " + what);
 }
 
 /// Letters, digits and '_'; no look-alike of pi, which is the constant.
 bool is_name(const std::string& name) {
-  const bool is_pi = name.size() == 2 && std::tolower(name[0]) == 'p' && std::tolower(name[1]) == 'i';
-  const auto is_in_names = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) != 0 || c == '_'); };
-  return !name.empty() && !is_pi && name != "inf" && std::isdigit(static_cast<unsigned char>(name[0])) == 0 &&
-         std::all_of(name.begin(), name.end(), is_in_names);
+  static const std::regex form("(?![Pp][Ii]$|inf$)[A-Za-z_][A-Za-z_0-9]*");
+  return std::regex_match(name, form);
 }
 
 /// Whether the end of a range is not negative, as its form shows: nothing is subtracted, and what functions
 /// there are have no negative values.
-bool is_plainly_nonnegative(std::string end) {
-  for (const std::string_view harmless : {"pi", "sqrt", "exp"})
-    for (std::size_t at; (at = end.find(harmless)) != std::string::npos;) end.erase(at, harmless.size());
-  return std::none_of(end.begin(), end.end(),
-                      [](unsigned char c) { return c == '-' || std::isalpha(c) != 0; });
+bool is_plainly_nonnegative(const std::string& end) {
+  static const std::regex form("([^-A-Za-z]|pi|sqrt|exp)*");
+  return std::regex_match(end, form);
+}
+
+constexpr std::array<const char*, 3> base_units = {"kg", "m", "s"};
+
+std::string power_text(const char* unit, const GiNaC::numeric& power) {
+  if (power == 1) return unit;
+  std::ostringstream plain;
+  plain << power;
+  if (!power.is_integer()) return std::string(unit) + "^(" + plain.str() + ")";
+  std::string text = unit;
+  for (char digit : plain.str()) text += superscript(digit);
+  return text;
 }
 
 }  // namespace
 
-Range read_range(std::string_view given) {
-  const std::string text = trimmed(given);
-  const auto comma = text.find(',');
-  const bool framed = text.size() >= 5 && (text.front() == '(' || text.front() == '[') &&
-                      (text.back() == ')' || text.back() == ']');
-  if (!framed || comma == std::string::npos || text.find(',', comma + 1) != std::string::npos) {
-    throw std::invalid_argument("a range is written (lower, upper), not '" + text + "'");
+Range read_range(std::string_view text) {
+  static const std::regex form(R"( *([(\[]) *([^,]*[^, ]) *, *([^,]*[^, ]) *([)\]]) *)");
+  std::cmatch part;
+  if (!std::regex_match(text.begin(), text.end(), part, form))
+    throw std::invalid_argument("a range is written (lower, upper), not '" + std::string(text) + "'");
+  return {part[2], part[3], part[1] == "[", part[4] == "]"};
+}
+
+Dimension parse_unit(std::string_view text) {
+  static const std::regex factor(R"((^|^1/|[*/])(kg|m|s)(?:\^([0-9]))?)");
+  Dimension dimension{0, 0, 0};
+  std::ptrdiff_t read = text == "1" ? 1 : 0;
+  std::cregex_iterator part(text.begin(), text.end(), factor), none;
+  for (; part != none && part->position() == read; read += part->length(), ++part) {
+    const std::string sign = (*part)[1], power = (*part)[3];
+    const auto base = std::find(base_units.begin(), base_units.end(), (*part)[2].str());
+    dimension[static_cast<std::size_t>(base - base_units.begin())] +=
+        (sign.ends_with('/') ? -1 : 1) * (power.empty() ? 1 : power[0] - '0');
   }
-  Range range{trimmed(text.substr(1, comma - 1)), trimmed(text.substr(comma + 1, text.size() - comma - 2)),
-              text.front() == '[', text.back() == ']'};
-  if (range.lower.empty() || range.upper.empty()) {
-    throw std::invalid_argument("a range has two ends, unlike '" + text + "'");
+  if (!text.empty() && read == std::ssize(text)) return dimension;
+  throw std::invalid_argument("a unit is written like 'kg*m^2/s^2', not '" + std::string(text) + "'");
+}
+
+std::string unit_text(const Dimension& dimension) {
+  std::string above, below;
+  for (std::size_t i = 0; i < base_units.size(); ++i) {
+    if (dimension[i].is_zero()) continue;
+    std::string& side = dimension[i].is_negative() ? below : above;
+    side += (side.empty() ? "" : "·") + power_text(base_units[i], GiNaC::abs(dimension[i]));
   }
-  return range;
+  if (above.empty()) above = "1";
+  if (below.empty()) return above;
+  const bool several = below.find("·") != std::string::npos;
+  return above + "/" + (several ? "(" + below + ")" : below);
 }
 
 const Symbol& Symbols::declare(std::string name, std::string latex, std::string unicode, std::string unit,
@@ -74,7 +96,7 @@ const Symbol& Symbols::declare(Symbol symbol) {
     // GiNaC simplifies sqrt(x^2) to x where it knows that x is not negative.
     symbol.ginac = is_plainly_nonnegative(ends.lower)
                        ? SymbolExpression(GiNaC::possymbol(symbol.name, symbol.latex))
-                            : SymbolExpression(GiNaC::realsymbol(symbol.name, symbol.latex));
+                       : SymbolExpression(GiNaC::realsymbol(symbol.name, symbol.latex));
   }
   if (!table_.contains(symbol.name)) order_.push_back(symbol.name);
   std::string name = symbol.name;
@@ -82,10 +104,9 @@ const Symbol& Symbols::declare(Symbol symbol) {
 }
 
 void Symbols::narrow(std::string_view name, std::string range) {
-  const auto found = table_.find(name);
-  if (found == table_.end()) throw std::out_of_range("no symbol '" + std::string(name) + "' is declared");
+  (void)(*this)[name];
   (void)read_range(range);
-  found->second.range = std::move(range);
+  table_.find(name)->second.range = std::move(range);
 }
 
 const Symbol* Symbols::find(std::string_view name) const {

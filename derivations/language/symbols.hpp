@@ -3,16 +3,13 @@
 
 #include <ginac/ginac.h>
 
+#include <array>
 #include <map>
-#include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rederive {
-
-struct Findings;  // of the prover of derivations/algebra: see the end
 
 /// A GiNaC symbol that keeps what GiNaC knows about it (real, positive) when it is copied. Copying a
 /// GiNaC::symbol would cut a possymbol down to a nameless complex one that equals nothing; here that does not
@@ -23,6 +20,12 @@ class SymbolExpression : public GiNaC::ex {
   explicit SymbolExpression(const GiNaC::symbol& symbol) : GiNaC::ex(symbol) {}
   operator const GiNaC::symbol&() const { return GiNaC::ex_to<GiNaC::symbol>(*this); }  // for ex::diff
   operator GiNaC::symbol() const = delete;
+};
+
+/// A symbol that stands for an expression: J_o = 4/3*m*R^2. Put in on both sides before anything is decided.
+struct Given {
+  GiNaC::ex name;
+  GiNaC::ex value;
 };
 
 /// The range of a symbol that may be any real number.
@@ -49,6 +52,14 @@ struct Range {
 /// Reads "(0, pi/2]". Throws std::invalid_argument.
 Range read_range(std::string_view text);
 
+/// Exponents of kg, m, s.
+using Dimension = std::array<GiNaC::numeric, 3>;
+
+/// "kg·m²/s²"; "1" for a pure number.
+std::string unit_text(const Dimension& dimension);
+/// Reads "kg*m^2/s^2" or "1". Throws std::invalid_argument.
+Dimension parse_unit(std::string_view text);
+
 /// A set of declared symbols. Copies share the GiNaC symbols, except those that are declared again.
 class Symbols {
  public:
@@ -72,29 +83,5 @@ class Symbols {
   std::vector<std::string> order_;
   std::map<std::string, Symbol, std::less<>> table_;
 };
-
-// What the prover of derivations/algebra keeps here; it goes with it.
-struct Slope;
-
-/// What was found of expressions already, over some ranges.
-struct Findings {
-  template <class What>
-  using Of = std::map<GiNaC::ex, What, GiNaC::ex_is_less>;
-  Of<int> signs;                            ///< for sign_of() and is_nonnegative()
-  Of<std::shared_ptr<const Slope>> slopes;  ///< for sign_by_slope(); null where it has nothing to say
-  Of<bool> vanishing;                       ///< for vanishes()
-  /// For quotient(), of {left, right, way}.
-  Of<std::optional<std::vector<std::pair<GiNaC::ex, GiNaC::numeric>>>> quotients;
-};
-
-/// What was found of it already, or is found now.
-template <class What, class Find>
-What remembered(Findings::Of<What>& known, const GiNaC::ex& of, const Find& find) {
-  constexpr std::size_t most = 2000;
-  if (const auto found = known.find(of); found != known.end()) return found->second;
-  const What result = find();
-  if (known.size() == most) known.clear();
-  return known.emplace(of, result).first->second;
-}
 
 }  // namespace rederive

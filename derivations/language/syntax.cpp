@@ -36,9 +36,8 @@ class Parser {
   Tree expression() {
     Relation relation = statement();
     if (relation.operators.empty()) return relation.sides[0];
-    at_ = 0;
-    while (now().kind != Token::Kind::relation) ++at_;
-    refuse("relation", "an expression is wanted here, without '" + now().text + "'");
+    const Token& sign = *std::ranges::find(tokens_, Token::Kind::relation, &Token::kind);
+    refuse("relation", "an expression is wanted here, without '" + sign.text + "'", sign);
   }
 
  private:
@@ -195,11 +194,12 @@ class Parser {
 
   static void check_arguments(const Token& function, std::size_t given, std::size_t wanted) {
     if (given == wanted) return;
-    refuse("arguments",
-           "'" + function.text + "' takes " + std::to_string(wanted) +
-               (wanted == 1 ? " argument, not " : " arguments, not ") + std::to_string(given) +
-               (given == 2 ? "; decimal numbers are written with a point" : ""),
-           function);
+    const std::string arguments = wanted == 1 ? " argument, not " : " arguments, not ",
+                      point = given == 2 ? "; decimal numbers are written with a point" : "";
+    refuse(
+        "arguments",
+        "'" + function.text + "' takes " + std::to_string(wanted) + arguments + std::to_string(given) + point,
+        function);
   }
 
   const Limits& limits_;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace rederive {
 
@@ -17,5 +18,8 @@ struct SyntaxError : std::runtime_error {
   std::string note;
   std::size_t position;  ///< byte offset in the text
 };
+
+/// The message, the line and a caret under the character at fault: three lines for a terminal.
+std::string explain(const SyntaxError& error, std::string_view text);
 
 }  // namespace rederive

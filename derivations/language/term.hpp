@@ -5,7 +5,6 @@
 
 #include <derivations/language/symbols.hpp>
 #include <derivations/language/tree.hpp>
-#include <string>
 #include <vector>
 
 namespace rederive {
@@ -14,10 +13,10 @@ struct Term;
 
 /// base^exponent in a product; the exponent is a number wherever it can be.
 struct Factor {
-  Tree base;  ///< of a sum, the tree before any turning: it decides the order
+  Tree base;
   GiNaC::numeric exponent = 1;
   Tree symbolic = nullptr;       ///< the exponent where it is no number
-  std::vector<Term> parts = {};  ///< the terms of a sum that is turned so that asks_to_turn(parts) is false
+  std::vector<Term> parts = {};  ///< the terms of a sum
 };
 
 /// coefficient * factors[0] * factors[1] …, the factors in order.
@@ -33,17 +32,12 @@ bool is_before(const Term& a, const Term& b, const Symbols& symbols);
 /// Numbers, symbols, roots and powers, functions, sums: the simple before the complicated.
 bool is_before(const Factor& a, const Factor& b, const Symbols& symbols);
 
-/// Whether the sum has more minus than plus signs, or as many and begins with a minus (or has one before its
-/// pi): of a sum and its negative, one does.
-bool asks_to_turn(const std::vector<Term>& parts);
-/// Changes the sign of every term.
-void turn(std::vector<Term>& parts);
+/// Changes the sign of every term, and says so, if more of them have a minus than a plus sign, or as many and
+/// the first (or its pi) has a minus: of a sum and its negative, one is turned.
+bool turn_if_negative(std::vector<Term>& sum);
 
-/// `present`: sums inside are turned where that saves a minus, -x*(y - z) being x*(z - y).
-Tree sum_tree(std::vector<Term> parts, bool present);
-/// Of the term without its sign: 3*g/(4*R), 1/2*m*R^2, pi/2.
-Tree product_tree(const Term& term, bool present);
-/// With its sign.
-Tree term_tree(const Term& term, bool present);
+/// 3*g/(4*R), 1/2*m*R^2, pi/2, y - x. Sums inside are turned where that saves a minus, -x*(y - z) being x*(z
+/// - y).
+Tree sum_tree(std::vector<Term> sum);
 
 }  // namespace rederive

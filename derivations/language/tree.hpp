@@ -1,6 +1,8 @@
 // The form of an expression, as it was written.
 #pragma once
 
+#include <cln/integer.h>
+#include <cln/integer_io.h>
 #include <cln/rational.h>
 
 #include <cstddef>
@@ -43,11 +45,15 @@ inline Tree make_tree(Node::Kind kind, std::string text, std::vector<Tree> child
 /// node: digits, perhaps with a point, perhaps with an exponent. Limits bound its size in parse(), not here.
 /// Of any other text it may give some number, or throw std::invalid_argument, std::out_of_range (both of the
 /// exponent) or cln::runtime_exception.
-cln::cl_RA exact(const std::string& number);
-
-/// Whether it is a sum or begins with a minus, so that it needs parentheses as a term or a factor.
-inline bool is_loose(const Node& node) {
-  return node.kind == Node::Kind::sum || node.kind == Node::Kind::negative;
+inline cln::cl_RA exact(const std::string& number) {
+  const auto e = number.find_first_of("eE");
+  std::string digits = number.substr(0, e);
+  long power = e == std::string::npos ? 0 : std::stol(number.substr(e + 1));
+  if (const auto point = digits.find('.'); point != std::string::npos) {
+    power -= static_cast<long>(digits.size() - point - 1);
+    digits.erase(point, 1);
+  }
+  return (digits.empty() ? cln::cl_I(0) : cln::cl_I(digits.c_str())) * cln::expt(cln::cl_RA(10), power);
 }
 
 /// A chain of relations: sides[0] operators[0] sides[1] …; the operators are =, <, <=, >, >=.

@@ -1,29 +1,57 @@
-// UTF-8 in, code points out: the few letters and marks that formulas are written with.
+// UTF-8 and the letters and marks that formulas are written with: for the readers of formulas and the writers
+// of messages.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
-#include <derivations/language/utf8.hpp>
+#include <iterator>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace rederive {
 
-/// One code point and the byte at which it begins.
-struct Character {
-  char32_t code;
-  std::size_t position;
+/// A code point, and how many bytes it takes in UTF-8; 0 bytes where there is none.
+struct CodePoint {
+  char32_t code = 0;
+  std::size_t bytes = 0;
 };
 
-constexpr char32_t dot_above = 0x307, diaeresis = 0x308, macron = 0x304;
+/// The one that a text begins with; none if the text is empty, or does not begin with UTF-8.
+inline CodePoint first_character(std::string_view text) {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  if (text.empty() || (byte(0) >= 0x80 && byte(0) < 0xC2) || byte(0) >= 0xF5) return {};
+  const std::size_t length = byte(0) < 0x80 ? 1 : byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 4;
+  if (length > text.size()) return {};
+  char32_t code = length == 1 ? byte(0) : byte(0) & (0x7FU >> length);
+  for (std::size_t k = 1; k < length; ++k) {
+    if ((byte(k) & 0xC0) != 0x80) return {};
+    code = (code << 6) | (byte(k) & 0x3FU);
+  }
+  constexpr char32_t smallest[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_surrogate = code >= 0xD800 && code < 0xE000;
+  if (code < smallest[length] || is_surrogate || code > 0x10FFFF) return {};
+  return {code, length};
+}
+
+/// Marks that show nothing, or turn the direction of what follows: a reader would not see what is wrong.
+inline bool is_invisible(char32_t code) {
+  constexpr char32_t ranges[][2] = {{0xAD, 0xAD},     {0x200B, 0x200F}, {0x2028, 0x202E},  {0x2060, 0x206F},
+                                    {0xFEFF, 0xFEFF}, {0xFFF0, 0xFFFB}, {0xE0000, 0xE0FFF}};
+  return std::any_of(std::begin(ranges), std::end(ranges),
+                     [&](const auto& range) { return code >= range[0] && code <= range[1]; });
+}
+
+/// Characters that move the cursor or change colours; the end of a line is one of them.
+inline bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
+
+/// The blanks; the end of a line is one of them.
+inline bool is_space(char32_t code) {
+  return code == ' ' || code == '\t' || code == '\n' || code == '\r' || code == 0xA0 || code == 0x202F ||
+         (code >= 0x2000 && code <= 0x200A);
+}
+
 /// Whether a terminal shows it above or below the character before.
 inline bool is_combining(char32_t code) { return code >= 0x300 && code < 0x370; }
-
-/// Letters with dots come back as the letter and its combining mark (ü is u and U+0308), other spaces as ' '.
-/// Throws SyntaxError "character" for bytes that are not UTF-8 and for control characters.
-std::vector<Character> decode(std::string_view text);
-/// The code point in UTF-8; nothing is checked.
-std::string encode(char32_t code);
 
 /// "theta" for θ; empty if it is no Greek letter.
 std::string greek_name(char32_t code);

@@ -1,7 +1,7 @@
 // What a derivation hands over: a result, and the named steps that lead to it.
 #pragma once
 
-#include <derivations/language/given.hpp>
+#include <derivations/language/symbols.hpp>
 
 #include <string>
 #include <vector>

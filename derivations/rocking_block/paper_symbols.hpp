@@ -4,7 +4,6 @@
 #pragma once
 
 #include <derivations/language/dimension.hpp>
-#include <derivations/language/explain.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
 #include <derivations/language/syntax.hpp>
