@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/decide/test_points.hpp>
 #include <derivations/decide/witness.hpp>
+#include <derivations/identity/polynomial.hpp>
 #include <derivations/language/syntax.hpp>
 #include <derivations/numbers/interval.hpp>
 
@@ -113,7 +114,9 @@ class Sequence {
     for (const Relation* relation : {&problem.left, &problem.right})
       for (const Tree& side : relation->sides) collect_landmarks(side, landmarks);
     for (const std::string& name : names) {
-      Interval range = parse_range(problem.symbols.find(name)->range);
+      const Symbol* symbol = problem.symbols.find(name);
+      if (symbol == nullptr) throw Undecidable("the symbol " + name + ", which is not declared");
+      Interval range = parse_range(symbol->range);
       for (const Relation& a : problem.assumptions) narrow(range, a, name);
       candidates_.emplace_back(name, candidates(range, landmarks));
     }
@@ -173,7 +176,7 @@ bool is_admitted(const Problem& problem, const Point& point) {
 /// The point with other values of some symbols, such that all equations hold, each solved for a symbol of its own.
 std::optional<Solution> solve(const std::vector<Relation>& equations, const Point& point, const Symbols& symbols,
                               int turn) {
-  Solution result{point};
+  Solution result{point, {}, {}, {}};
   std::set<std::string> solved;
   for (const Relation& chain : equations)
     for (std::size_t k = 0; k < chain.operators.size(); ++k) {
@@ -184,9 +187,10 @@ std::optional<Solution> solve(const std::vector<Relation>& equations, const Poin
       if (names.empty()) return std::nullopt;
       std::rotate(names.begin(), names.begin() + turn % static_cast<int>(names.size()), names.end());
       std::optional<Solution> found;
-      for (const std::string& name : names)
-        if (!found && !solved.contains(name) && (found = solution_at(link, name, result.point, symbols)))
-          solved.insert(name);
+      for (const Way way : {Way::linear, Way::enclosed})
+        for (const std::string& name : names)
+          if (!found && !solved.contains(name) && (found = solution_at(link, name, result.point, symbols, way)))
+            solved.insert(name);
       if (!found || (result.zero && found->zero)) return std::nullopt;
       found->constants.merge(result.constants);
       if (!found->zero) found->zero = result.zero;
@@ -224,11 +228,12 @@ std::optional<Witness> at_solutions(const Problem& problem, const Point& point, 
     const bool holds = solved.operators[0].find('=') != std::string::npos;
     std::vector<Relation> equations = equations_of(problem);
     equations.push_back({solved.sides, std::vector<std::string>(solved.operators.size(), "=")});
-    const auto solution = solve(equations, point, problem.symbols, turn);
+    auto solution = solve(equations, point, problem.symbols, turn);
     if (!solution || !is_admitted(problem, solution->point)) continue;
     if (truth_at(other, solution->point, 200) != (holds ? Truth::fails : Truth::holds)) continue;
     const Truth own = truth_at(equations.back(), solution->point, 200);
     if (own == Truth::undefined || own == Truth::fails) continue;
+    solution->of_left = of_left;
     if (auto witness = make_witness(problem, *solution)) return witness;
   }
   return std::nullopt;
@@ -244,7 +249,7 @@ Search search(const Problem& problem, const Effort& effort) {
   for (int k = 0; k < (points.has_symbols() ? effort.points : 1); ++k) {
     const auto point = points.at(k);
     if (!point) break;
-    const auto solution = equations.empty() ? Solution{*point} : solve(equations, *point, problem.symbols, k);
+    const auto solution = equations.empty() ? Solution{*point, {}, {}, {}} : solve(equations, *point, problem.symbols, k);
     if (solution && is_admitted(problem, solution->point)) {
       const int said = compare_at(problem, solution->point, effort.bits);
       if (said < 0) result.witness = make_witness(problem, *solution);

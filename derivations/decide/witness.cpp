@@ -7,6 +7,7 @@
 #include <derivations/language/syntax_error.hpp>
 #include <derivations/numbers/interval.hpp>
 #include <sstream>
+#include <tuple>
 
 namespace rederive {
 
@@ -37,7 +38,7 @@ Point with(Point point, const std::string& name, const Number& value) {
 }
 
 bool lies_in(const Number& number, const Interval& range) {
-  const Value& value = number.value(200);
+  const Value& value = number.value(64);
   if (value.constant) return range.contains(*value.constant);
   if (value.is != Value::Is::certain) return false;
   const Interval ends{End{{value.ball.lower()}}, End{{value.ball.upper()}}};
@@ -54,11 +55,11 @@ std::optional<Solution> linear_solution(const Tree& residual, const std::string&
   if (found.is != Value::Is::certain) return std::nullopt;
   if (found.constant) {
     const Number number = found.constant->is_rational() ? Number(found.constant->a) : Number(tree_of(*found.constant));
-    return Solution{with(point, name, number)};
+    return Solution{with(point, name, number), {}, {}, {}};
   }
   const auto constant = with_coordinates(value, point, name);
   if (!constant) return std::nullopt;
-  return Solution{with(point, name, Number(*constant)), {{name, *constant}}};
+  return Solution{with(point, name, Number(*constant)), {{name, *constant}}, {}, {}};
 }
 
 /// A zero between two neighbours on a grid over the range, narrowed.
@@ -74,7 +75,7 @@ std::optional<Solution> enclosed_solution(const Tree& residual, const std::strin
     const cl_RA x = cl_RA(2 * k + 1) / 8;
     if (!range.contains({x})) continue;
     const Sign here = sign(x);
-    if (here == Sign::zero) return Solution{with(point, name, Number(x))};
+    if (here == Sign::zero) return Solution{with(point, name, Number(x)), {}, {}, {}};
     const bool changes = (before == Sign::negative && here == Sign::positive) ||
                          (before == Sign::positive && here == Sign::negative);
     if (previous && changes) {
@@ -82,13 +83,19 @@ std::optional<Solution> enclosed_solution(const Tree& residual, const std::strin
       for (int step = 0; step < 34; ++step) {
         const cl_RA middle = (low + high) / 2;
         const Sign there = sign(middle);
-        if (there == Sign::zero) return Solution{with(point, name, Number(middle))};
+        if (there == Sign::zero) return Solution{with(point, name, Number(middle)), {}, {}, {}};
         (there == before ? low : high) = middle;
+      }
+      for (const int places : {1000, 1000000}) {  // shorter bounds, if the zero is alone between them
+        const cl_RA below = cl_RA(cln::floor1(low * places)) / places, above = cl_RA(cln::ceiling1(high * places)) / places;
+        if (sign(below) != before || sign(above) != here) continue;
+        low = below, high = above;
+        break;
       }
       const Number number(*tree, name, low, high);
       // a finite ball over the whole of it: continuous there, no pole
       if (value_at(*tree, {{name, number}}, 128).is == Value::Is::certain)
-        return Solution{with(point, name, number), {}, Zero{name, low, high, *tree}};
+        return Solution{with(point, name, number), {}, Zero{name, low, high, *tree}, {}};
     }
     previous = x, before = here;
   }
@@ -99,26 +106,38 @@ std::string digits_or_empty(const Tree& tree, const Point& point) {
   return digits_at(tree, point, 30).value_or("");
 }
 
-/// Both values: of expressions, of right-hand sides, or of residuals.
-std::pair<Tree, Tree> compared(const Problem& problem) {
+/// The first difference between the sides of a link that is not 0; "0" if there is none.
+std::string residual_at(const Relation& relation, const Point& point) {
+  for (std::size_t k = 0; k < relation.operators.size(); ++k) {
+    const std::string digits = digits_or_empty(difference(relation.sides[k], relation.sides[k + 1]), point);
+    if (!digits.empty() && digits != "0") return digits;
+  }
+  return "0";
+}
+
+/// Both values: of expressions, of right-hand sides, or of residuals, one of which a solution makes 0.
+std::pair<std::string, std::string> values_at(const Problem& problem, const Solution& solution) {
   const Relation &left = problem.left, &right = problem.right;
-  if (left.operators.empty()) return {left.sides[0], right.sides[0]};
+  const Point& point = solution.point;
+  const auto text = [&](const Tree& tree) { return digits_or_empty(tree, point); };
+  if (left.operators.empty()) return {text(left.sides[0]), text(right.sides[0])};
   const bool is_simple = left.operators.size() == 1 && right.operators.size() == 1;
   if (is_simple && print(left.sides[0], Notation::plain, problem.symbols) ==
                        print(right.sides[0], Notation::plain, problem.symbols))
-    return {left.sides[1], right.sides[1]};
-  return {difference(left.sides[0], left.sides[1]), difference(right.sides[0], right.sides[1])};
+    return {text(left.sides[1]), text(right.sides[1])};
+  return {solution.of_left == true ? "0" : residual_at(left, point),
+          solution.of_left == false ? "0" : residual_at(right, point)};
 }
 
 }  // namespace
 
 std::optional<Solution> solution_at(const Relation& equation, const std::string& name, const Point& point,
-                                    const Symbols& symbols) {
+                                    const Symbols& symbols, Way way) {
   const Tree residual = difference(equation.sides[0], equation.sides[1]);
   const Interval range = parse_range(symbols.find(name)->range);
   try {
-    auto solution = linear_solution(residual, name, point, symbols);
-    if (!solution) solution = enclosed_solution(residual, name, point, range);
+    const auto solution = way == Way::linear ? linear_solution(residual, name, point, symbols)
+                                             : enclosed_solution(residual, name, point, range);
     if (!solution || !lies_in(solution->point.at(name), range)) return std::nullopt;
     return solution;
   } catch (const SyntaxError&) {  // GiNaC meets a pole as it builds
@@ -128,7 +147,6 @@ std::optional<Solution> solution_at(const Relation& equation, const std::string&
 
 std::optional<Witness> make_witness(const Problem& problem, const Solution& solution) {
   Witness witness;
-  Point point = solution.point;
   const auto say = [&](const std::string& name, const Value& value) {
     if (value.constant && value.constant->is_rational()) {
       witness.at[name] = rational_text(value.constant->a);
@@ -143,20 +161,17 @@ std::optional<Witness> make_witness(const Problem& problem, const Solution& solu
       witness.exactly[name] = print(lower(constant->second, problem.symbols), Notation::plain, problem.symbols);
   };
   for (const auto& [name, number] : solution.point)
-    say(name, number.value(256));
+    say(name, number.value(160));
   for (const auto& [name, tree] : problem.values) {  // what was put in
-    const Value value = value_at(tree, solution.point, 256);
+    const Value value = value_at(tree, solution.point, 160);
     if (value.is == Value::Is::certain) say(name, value);
   }
   if (solution.zero) {
     witness.between[solution.zero->symbol] = {rational_text(solution.zero->low), rational_text(solution.zero->high)};
     witness.solves = print(lower(solution.zero->equals_zero, problem.symbols), Notation::plain, problem.symbols) + " = 0";
   }
-  const auto [left, right] = compared(problem);
-  witness.printed = digits_or_empty(left, point), witness.derived = digits_or_empty(right, point);
+  std::tie(witness.printed, witness.derived) = values_at(problem, solution);
   if (witness.printed.empty() && witness.derived.empty()) return std::nullopt;
-  if (witness.printed.empty()) witness.printed = "0";  // the residual of the equation that the point solves
-  if (witness.derived.empty()) witness.derived = "0";
   return witness;
 }
 

@@ -36,7 +36,6 @@ Fraction Translator::logarithm(const Fraction& value) {
   }
   const Polynomial rest = outside == Signs::negative() ? -(rest_above * rest_below) : rest_above * rest_below;
   if (!rest_below.is_one()) sum = sum - 2 * logarithm(absolute(rest_below));  // n/d = n d / d²
-  ring_.learn(rest, Signs::positive());
   return ring_.normal(sum + logarithm_of(rest));
 }
 

@@ -11,9 +11,8 @@ namespace {
 
 Ball whole(const cln::cl_I& n) {
   if (cln::integer_length(n) < 63) return Ball(cln::cl_I_to_long(n));
-  std::ostringstream text;
-  text << n;
-  return Ball::parse(text.str());
+  const cln::cl_I above = cln::ash(n, -62);
+  return whole(above) * Ball(1L << 62) + Ball(cln::cl_I_to_long(n - cln::ash(above, 62)));
 }
 
 }  // namespace
