@@ -2,19 +2,26 @@
 #pragma once
 
 #include <cmath>
-#include <derivations/algebra/prove.hpp>
+#include <derivations/decide/decide.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <functional>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace rederive {
 
+/// An expression with what is given put in for the names, also in what was put in.
+inline GiNaC::ex put_in(GiNaC::ex e, const std::vector<Given>& given) {
+  for (std::size_t round = 0; round < given.size(); ++round)
+    for (const Given& g : given) e = e.subs(g.name == g.value, GiNaC::subs_options::no_pattern);
+  return e;
+}
+
 /// Whether two expressions are proved to be the same.
 inline bool identical(const GiNaC::ex& a, const GiNaC::ex& b) {
-  if (b.is_zero()) return identical(a + 1, 1);  // a number that cancels to 0 has no relative precision
-  return prove({{to_tree(a)}, {}}, {{to_tree(b)}, {}}).verdict == Verdict::proved;
+  return decide({{to_tree(a)}, {}}, {{to_tree(b)}, {}}, paper_symbols()).verdict == Verdict::proved;
 }
 
 /// The value of an expression with numbers for its symbols.

@@ -128,6 +128,31 @@ TEST_CASE("digits are certain, and rounded") {
     CHECK(digits_at(tree(text), {}, 30).value_or("none") == digits);
 }
 
+TEST_CASE("digits are right or not given, however much cancels") {
+  const Point point{{"x", cl_RA(1) / 3}};
+  const auto digits = [&](const char* text) { return digits_at(tree(text), point, 30).value_or("none"); };
+  CHECK(digits("(1e-39+exp(x)-exp(x))/1e-39+3") == "4.00000000000000000000000000000");
+  CHECK(digits("(exp(1e-30)-1-1e-30)*2e20*1e20*1e20") == "1.00000000000000000000000000000");
+  CHECK(digits("1/(sin(x)^2+cos(x)^2-1)") == "none");
+}
+
+TEST_CASE("identities hold to all digits that are given, and more digits only continue fewer") {
+  const Point point{{"x", cl_RA(1) / 3}, {"y", cl_RA(-2)}, {"g", cl_RA(2)}};
+  const char* rows =
+      "sin(2*x) = 2*sin(x)*cos(x); cosh(g)^2-1 = sinh(g)^2; tan(asin(x)) = x/sqrt(1-x^2); "
+      "acos(x)+asin(x) = pi/2+0*exp(x); acosh(g) = log(g+sqrt(3)); coth(x)*tanh(x)*sqrt(3) = sqrt(3); "
+      "sech(x)^2+tanh(x)^2+pi = 1+pi; csc(g)*sec(g) = 2/sin(2*g); g^x = exp(x*log(g)); exp(500) = exp(250)^2; "
+      "abs(y)^(1/2) = sqrt(2); csch(x) = 1/sinh(x); atan(g) = pi/2-atan(1/g); 4*atan(1/5)-atan(1/239) = pi/4";
+  for (const auto& [left, right] : table(rows)) {
+    INFO(left);
+    for (const int count : {5, 30, 100}) {
+      REQUIRE(digits_at(tree(left), point, count));
+      CHECK(digits_at(tree(left), point, count) == digits_at(tree(right), point, count));
+    }
+    CHECK(digits_at(tree(left), point, 100)->substr(0, 20) == digits_at(tree(left), point, 30)->substr(0, 20));
+  }
+}
+
 TEST_CASE("ranges are read, with constants for ends") {
   for (const char* range : {"(0, 1/2*pi]", "(-inf, inf)", "[-1/3, 2)"})
     CHECK(shown(parse_range(range)) == range);

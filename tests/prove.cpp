@@ -1,20 +1,13 @@
-// The table of statements, row by row, and what `ledger prove` says to a user.
+// What `ledger prove` says to a user.
 #include <doctest/doctest.h>
 
-#include <ctime>
-#include <derivations/algebra/witness.hpp>
-#include <derivations/emit/command_line.hpp>
-#include <iostream>
-#include <lessons/ledger/prove_table.hpp>
+#include <lessons/ledger/prove_command.hpp>
 #include <nlohmann/json.hpp>
-#include <tests/certificate_replay.hpp>
 #include <tests/run_program.hpp>
 
 using namespace rederive;
 
 namespace {
-
-const std::string table_file = std::string(REDERIVE_SOURCE) + "/tests/prove_table.toml";
 
 nlohmann::json prove_json(std::vector<std::string> arguments, int exit_code) {
   arguments.insert(arguments.begin(), "prove");
@@ -22,84 +15,10 @@ nlohmann::json prove_json(std::vector<std::string> arguments, int exit_code) {
   const Result r = run_program("ledger", arguments);
   INFO(r.out << r.err);
   CHECK(r.exit_code == exit_code);
-  return nlohmann::json::parse(r.out);
-}
-
-std::pair<std::string, nlohmann::json> verdict_and_certificate(const ProveRequest& request) {
-  try {
-    const auto [proof, certificate] = decide(request);
-    return {to_string(proof.verdict), nlohmann::json::parse(certificate.dump())};
-  } catch (const BadInput&) {
-    return {"refused", nullptr};
-  }
-}
-
-/// Of processor time: on a shared machine the wall clock also counts what others do.
-double seconds_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-}  // namespace
-
-TEST_CASE("every row of the table has the verdict that it should have, and a certificate if it is proved") {
-  const auto rows = read_table(table_file);
-  CHECK(rows.size() >= 400);
-  int proved = 0, identities = 0;
-  for (const TableRow& row : rows) {
-    INFO(row.group << ": " << row.request.left << "  |  " << row.request.right << "  (" << row.why << ")");
-    CHECK_FALSE(row.why.empty());
-    const double start = seconds_now();
-    const auto [verdict, certificate] = verdict_and_certificate(row.request);
-    CHECK(seconds_now() - start < 2);
-    CHECK(verdict == row.expected);
-    CHECK(certificate.is_object() == row.expected.starts_with("proved"));
-    if (!certificate.is_object()) continue;
-    ++proved;
-    if (!is_identity(certificate)) continue;
-    ++identities;
-    CHECK(replay(certificate) == "accepted");
-  }
-  std::cout << proved << " certificates, " << identities << " of them identities\n";
-  CHECK(proved > 1000);
-  CHECK(identities > 400);
-}
-
-TEST_CASE("a verdict does not depend on the order that the computer algebra gives the symbols") {
-  std::vector<GiNaC::realsymbol> others;  // each of them moves the order of those that come after it
-  for (int k = 0; k < 8; ++k) {
-    for (const TableRow& row : read_table(table_file)) {
-      if (row.group != "Lost solutions") continue;
-      INFO(row.request.left << "  |  " << row.request.right << "  with " << others.size()
-                            << " other symbols");
-      CHECK(verdict_and_certificate(row.request).first == row.expected);
-    }
-    others.emplace_back("other_" + std::to_string(k));
-  }
-}
-
-namespace {
-
-bool is_in_ranges(const Witness& witness, const Symbols& symbols) {
-  return std::all_of(witness.at.begin(), witness.at.end(), [&](const auto& name_and_value) {
-    const Symbol* symbol = symbols.find(name_and_value.first);
-    return symbol != nullptr && is_inside(symbol->range, cln::cl_RA(name_and_value.second.c_str()));
-  });
+  return r.out.empty() ? nlohmann::json::object() : nlohmann::json::parse(r.out);
 }
 
 }  // namespace
-
-TEST_CASE("every refuted row has a witness inside the declared ranges, of which both sides are shown") {
-  for (const TableRow& row : read_table(table_file)) {
-    if (row.expected != "refuted") continue;
-    INFO(row.request.left << "  |  " << row.request.right);
-    const Proof proof = decide(row.request).proof;
-    REQUIRE(proof.witness);
-    const bool relation =
-        row.request.left.find_first_of("=<>") != std::string::npos;  // there both may be 0: x < y, x <= y
-    CHECK((relation || proof.witness->printed != proof.witness->derived));
-    const std::vector<Case> cases = cases_of(row.request);
-    CHECK(std::any_of(cases.begin(), cases.end(),
-                      [&](const Case& one) { return is_in_ranges(*proof.witness, one.context.symbols); }));
-  }
-}
 
 TEST_CASE("a proof says what it rests on") {
   const auto j = prove_json({"sqrt(g^2)", "g"}, 0);
@@ -140,8 +59,7 @@ TEST_CASE("of many ranges those are named that a proof rests on, however long it
               "thetaddot = -p^2*(sin(alpha-theta) + a_p*sin(omega_p*t+psi)/g*cos(alpha-theta))",
               {"J_o = 4/3*m*R^2", "p = sqrt(3*g/(4*R))"},
               {},
-              {}})
-          .proof;
+              {}});
   CHECK(proof.verdict == Verdict::proved_under);
   CHECK(proof.side_conditions == std::vector<std::string>{"g > 0", "m > 0"});  // as p has a value, R > 0 then
 }
@@ -277,77 +195,6 @@ TEST_CASE("an assumption that cannot be taken says why, or what would decide it"
   has(error({"alpha = 2"}), "contradicts its range (0, pi/2)");
   has(error({"y > sqrt(x^2+z^2-1)"}), "x^2 + z^2 - 1 >= 0");
   has(error({"x*y >= 1"}), "factor of known sign");
-}
-
-namespace {
-
-/// What is said of a table with this in it.
-Result of_table(const std::string& text, std::vector<std::string> arguments = {}) {
-  const TemporaryFolder folder;
-  const auto file = folder.path / "table.toml";
-  std::ofstream(file) << text;
-  arguments.insert(arguments.begin(), {"prove", "--table", file.string()});
-  return run_program("ledger", arguments);
-}
-
-/// One row, with another field if need be.
-std::string row_that_expects(const std::string& verdict, const std::string& other = "") {
-  return "[[row]]\ngroup = \"Double angles\"\nleft = \"sin(2*x)\"\nright = \"2*sin(x)*cos(x)\"\nexpected = "
-         "\"" +
-         verdict + "\"\nwhy = \"the sum of two equal angles\"\n" + other + "\n";
-}
-
-}  // namespace
-
-TEST_CASE("the page of what can be decided is written from the table") {
-  const Result good = of_table(row_that_expects("proved")), bad = of_table(row_that_expects("refuted"));
-  CHECK(good.exit_code == 0);
-  CHECK(good.out.find("## Double angles") != std::string::npos);
-  CHECK(good.out.find("| `sin(2*x)` | `2*sin(x)*cos(x)` |") != std::string::npos);
-  CHECK(good.out.find("**expected") == std::string::npos);
-  const Result small =
-      of_table(row_that_expects("proved", "assume = [\"y > 0\"]\nsmall = [\"x\"]\norder = 1"));
-  CHECK(small.out.find("| `y > 0`, `x` small, order 1 | proved |") != std::string::npos);
-  CHECK(bad.exit_code == 1);
-  CHECK(bad.out.find("proved (**expected refuted**)") != std::string::npos);
-  const auto json = nlohmann::json::parse(of_table(row_that_expects("refuted"), {"--json"}).out);
-  CHECK(json["rows"][0]["verdict"] == "proved");
-  CHECK(json["rows"][0]["expected"] == "refuted");
-  CHECK(json["counts"]["proved"] == 1);
-}
-
-TEST_CASE("a row of a table is bounded like any other statement") {
-  const Result r = of_table(
-      "[[row]]\ngroup = \"g\"\nexpected = \"undecided\"\nleft = \"(a+b+c+d+f+g+h+k+l+m+n+p+q+r+s)^8\"\n"
-      "right = \"(s+r+q+p+n+m+l+k+h+g+f+d+c+b+a)^8\"\n",
-      {"--json"});
-  CHECK(r.exit_code == 0);
-  CHECK(r.out.find("it took longer than it may") != std::string::npos);
-}
-
-TEST_CASE("a table that cannot be read says where it is wrong, and what would be right") {
-  const auto complaint = [](const Result& r) {
-    CHECK(r.exit_code == 2);
-    CHECK(r.out.empty());
-    return r.err;
-  };
-  const auto has = [](const std::string& text, const char* part) {
-    INFO(text);
-    CHECK(text.find(part) != std::string::npos);
-  };
-  has(complaint(of_table(row_that_expects("maybe"))), ":1: 'maybe' is no verdict; right is one of");
-  has(complaint(of_table(row_that_expects("proved", "asume = [\"x > 0\"]"))), "unknown key 'asume'");
-  has(complaint(of_table(row_that_expects("proved", "assume = \"x > 0\""))), "must be a list of strings");
-  has(complaint(of_table(row_that_expects("proved", "order = \"2\""))), "'order' must be a whole number");
-  has(complaint(of_table(row_that_expects("proved", "order = 99"))), "'order' is 0 to 12");
-  has(complaint(of_table(row_that_expects("proved\\u001b[31m"))), "one line of printable characters");
-  has(complaint(of_table("[[row]]\nleft = \"x\"\n")), "a row needs 'group'");
-  has(complaint(of_table("x = 1\n")), "has no [[row]]");
-  has(complaint(of_table("[[row\n")), ".toml:1: ");
-  has(complaint(of_table(row_that_expects("proved"), {"--assume", "x > 0"})), "excludes --table");
-  std::string deep = "a";
-  for (int k = 0; k < 60'000; ++k) deep += ".a";
-  has(complaint(of_table(deep + " = 1\n")), "cannot be read: it ran out of memory or stack");
 }
 
 TEST_CASE("what is small may be named as in a formula") {

@@ -16,4 +16,8 @@ struct Sameness {
 /// (for inequalities: is positive), or each follows from the other one. A certificate where signs were needed.
 std::optional<Sameness> same(Setting& setting);
 
+/// A divisor of one statement that may be 0 where the other one holds: a condition that would hide a solution.
+/// Compared are the irreducible factors of both.
+bool hides_a_solution(const Setting& setting);
+
 }  // namespace rederive

@@ -95,39 +95,4 @@ std::vector<std::string> in_words(const std::vector<DomainCondition>& conditions
   return words;
 }
 
-namespace {
-
-/// p times its conjugates in the sines: s and 1 - c vanish together where this has a common factor.
-Polynomial norm(const Ring& ring, const Polynomial& p) {
-  Polynomial result = p;
-  for (const int k : p.used()) {
-    if (ring.generators()[k].kind != Generator::Kind::sine) continue;
-    const Fraction reduced = ring.normal(result);
-    const auto c = reduced.numerator.coefficients(k);
-    const Fraction square = ring.normal(Fraction(Polynomial::variable(k) * Polynomial::variable(k)));
-    if (c.size() == 2) result = ring.normal(Fraction(c[0] * c[0]) - Fraction(c[1] * c[1]) * square).numerator;
-  }
-  return result;
-}
-
-}  // namespace
-
-bool hides_a_solution(const Setting& setting) {
-  const auto hidden = [&](const Translated& divided, const Translated& other) {
-    for (const DomainCondition& c : divided.conditions) {
-      const auto is_same = [&](const DomainCondition& d) { return d.value == c.value; };
-      const auto& granted = setting.conditions;
-      if (c.allowed == Signs::nonnegative() || std::none_of(granted.begin(), granted.end(), is_same) ||
-          std::any_of(other.conditions.begin(), other.conditions.end(), is_same))
-        continue;
-      for (const Atom& atom : other.atoms)
-        if (atom.signs != Signs::positive() &&
-            (atom.value.is_zero() || !gcd(norm(setting.ring, atom.value.numerator), norm(setting.ring, setting.ring.normal(c.value).numerator)).is_constant()))
-          return true;
-    }
-    return false;
-  };
-  return hidden(setting.left, setting.right) || hidden(setting.right, setting.left);
-}
-
 }  // namespace rederive

@@ -1,7 +1,7 @@
 // Where a statement has values, in words.
 #pragma once
 
-#include <derivations/decide/setting.hpp>
+#include <derivations/identity/translator.hpp>
 
 namespace rederive {
 
@@ -9,9 +9,5 @@ namespace rederive {
 /// nothing said twice; x >= 0 and x != 0 are x > 0.
 std::vector<std::string> in_words(const std::vector<DomainCondition>& conditions, const Ring& ring,
                                   const Symbols& symbols);
-
-/// A divisor of one statement that may be 0 where the other one holds: a condition that would hide a solution.
-/// Compared are the irreducible factors of both.
-bool hides_a_solution(const Setting& setting);
 
 }  // namespace rederive

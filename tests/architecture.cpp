@@ -1,0 +1,170 @@
+// What includes what: one straight line, no cycle, small files.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <regex>
+#include <set>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::set<std::string> engine{"language", "numbers", "identity", "sign", "decide"};
+
+/// What a room may include, beside itself.
+const std::map<std::string, std::set<std::string>> allowed{
+    {"language", {}},
+    {"numbers", {"language"}},
+    {"identity", {"language", "numbers"}},
+    {"sign", {"language", "numbers", "identity"}},
+    {"decide", {"language", "numbers", "identity", "sign"}},
+    {"mechanics", {"language"}},
+    {"rocking_block", {"language", "mechanics"}},
+    {"emit", {"language", "mechanics", "rocking_block"}},
+    {"paper", {"language", "numbers", "identity", "sign", "decide", "mechanics", "rocking_block", "emit"}},
+    {"numerics", {"numbers", "emit"}}};  // balls, and how a program reads its command line
+
+using Graph = std::map<std::string, std::set<std::string>>;
+
+/// The source files of the product: "derivations/decide/decide.cpp" → what it includes.
+const Graph& includes() {
+  static const Graph graph = [] {
+    Graph result;
+    const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+    for (const char* top : {"derivations", "numerics", "lessons"})
+      for (const auto& entry : fs::recursive_directory_iterator(fs::path(REDERIVE_SOURCE) / top)) {
+        const std::string extension = entry.path().extension();
+        if (extension != ".hpp" && extension != ".cpp") continue;
+        const fs::path name = fs::relative(entry.path(), REDERIVE_SOURCE);
+        std::set<std::string>& found = result[name];
+        std::ifstream file(entry.path());
+        std::smatch match;
+        for (std::string line; std::getline(file, line);)
+          if (std::regex_search(line, match, include)) {
+            const std::string beside = name.parent_path() / match[1].str();  // #include "beside.hpp"
+            found.insert(fs::exists(fs::path(REDERIVE_SOURCE) / beside) ? beside : match[1].str());
+          }
+      }
+    return result;
+  }();
+  return graph;
+}
+
+/// "decide" of a file of derivations; numerics is one room; "lessons", "lessons/ledger", "lessons/exercises".
+std::string room_of(const std::string& file) {
+  const std::string folder = fs::path(file).parent_path();
+  if (folder.starts_with("derivations/")) return folder.substr(std::string("derivations/").size());
+  return folder.starts_with("numerics") ? "numerics" : folder;
+}
+
+/// A header and its source are one file.
+std::string unit_of(const std::string& file) { return fs::path(file).replace_extension(); }
+
+/// The arrows between the files of the product under other names, those from a name to itself left out.
+Graph arrows(const std::function<std::string(const std::string&)>& name) {
+  Graph graph;
+  for (const auto& [file, included] : includes())
+    for (const std::string& other : included)
+      if (includes().contains(other) && name(file) != name(other)) graph[name(file)].insert(name(other));
+  return graph;
+}
+
+/// "a -> b -> a", or nothing.
+std::string cycle_in(const Graph& graph) {
+  std::vector<std::string> path;
+  std::set<std::string> done;
+  std::string cycle;
+  const std::function<void(const std::string&)> visit = [&](const std::string& node) {
+    if (!cycle.empty() || done.contains(node)) return;
+    const auto met = std::find(path.begin(), path.end(), node);
+    if (met != path.end()) {
+      for (auto k = met; k != path.end(); ++k) cycle += *k + " -> ";
+      cycle += node;
+      return;
+    }
+    path.push_back(node);
+    if (const auto next = graph.find(node); next != graph.end())
+      for (const std::string& other : next->second) visit(other);
+    path.pop_back(), done.insert(node);
+  };
+  for (const auto& [node, others] : graph) visit(node);
+  return cycle;
+}
+
+/// Everything that a file includes, and what that includes.
+void collect(const std::string& file, std::set<std::string>& reached) {
+  if (!reached.insert(file).second || !includes().contains(file)) return;
+  for (const std::string& other : includes().at(file)) collect(other, reached);
+}
+
+int lines_of(const std::string& file) {
+  std::ifstream text(fs::path(REDERIVE_SOURCE) / file);
+  return static_cast<int>(std::count(std::istreambuf_iterator<char>(text), {}, '\n'));
+}
+
+int lines_in(const std::function<bool(const std::string&)>& counts) {
+  int lines = 0;
+  for (const auto& [file, included] : includes()) lines += counts(file) ? lines_of(file) : 0;
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("a cycle is found and named") {
+  CHECK(cycle_in({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}) == "b -> c -> b");
+  CHECK(cycle_in({{"a", {"b", "c"}}, {"b", {"c"}}}) == "");
+}
+
+TEST_CASE("no cycle of files, none of rooms") {
+  REQUIRE(includes().size() > 200);
+  CHECK(cycle_in(arrows(unit_of)) == "");
+  CHECK(cycle_in(arrows(room_of)) == "");
+}
+
+TEST_CASE("arrows go one way: language <- numbers <- identity <- sign <- decide <- paper <- lessons") {
+  for (const auto& [file, included] : includes()) {
+    const std::string room = room_of(file);
+    if (room.starts_with("lessons")) continue;
+    REQUIRE_MESSAGE(allowed.contains(room), file);
+    for (const std::string& other : included)
+      if (includes().contains(other) && room_of(other) != room)
+        CHECK_MESSAGE(allowed.at(room).contains(room_of(other)), file, " -> ", other);
+  }
+}
+
+TEST_CASE("the product includes no tests, numerics no GiNaC, derivations no GSL") {
+  for (const auto& [file, included] : includes()) {
+    std::set<std::string> reached;
+    collect(file, reached);
+    for (const std::string& other : reached) {
+      CHECK_MESSAGE(!other.starts_with("tests/"), file, " -> ", other);
+      if (file.starts_with("numerics/")) CHECK_MESSAGE(!other.starts_with("ginac/"), file, " -> ", other);
+      if (file.starts_with("derivations/")) CHECK_MESSAGE(!other.starts_with("gsl/"), file, " -> ", other);
+    }
+  }
+}
+
+// Two sources are longer today: exponential_ring.cpp and polynomial.cpp.
+TEST_CASE("no file of the engine has more than 300 lines" * doctest::should_fail()) {
+  for (const auto& [file, included] : includes())
+    if (engine.contains(room_of(file))) CHECK_MESSAGE(lines_of(file) <= 300, file, " has ", lines_of(file));
+}
+
+// They have more today.
+TEST_CASE("the rooms of the engine have at most 6,000 lines together" * doctest::should_fail()) {
+  const int lines = lines_in([](const std::string& file) { return engine.contains(room_of(file)); });
+  MESSAGE("the engine has ", lines, " lines");
+  CHECK(lines <= 6000);
+}
+
+// They have more today: the claims alone are 3,000.
+TEST_CASE("the programs of the ledger have at most 3,000 lines" * doctest::should_fail()) {
+  const int lines = lines_in([](const std::string& file) { return room_of(file) == "lessons/ledger"; });
+  MESSAGE("lessons/ledger has ", lines, " lines");
+  CHECK(lines <= 3000);
+}

@@ -1,0 +1,120 @@
+// The table of statements, row by row, and the page that is written from it.
+#include <doctest/doctest.h>
+
+#include <derivations/emit/command_line.hpp>
+#include <lessons/ledger/prove_table.hpp>
+#include <nlohmann/json.hpp>
+#include <tests/run_program.hpp>
+
+using namespace rederive;
+
+namespace {
+
+/// The rows that are looked at: all of a table of moderate length, of a longer one so many of each of its parts.
+std::vector<TableRow> rows_of_the_table() {
+  constexpr std::size_t most = 800;
+  const auto all = read_table(std::string(REDERIVE_SOURCE) + "/tests/prove_table.toml");
+  std::vector<TableRow> rows;
+  for (std::size_t k = 0; k < all.size(); k += (all.size() + most - 1) / most) rows.push_back(all[k]);
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("every row of the table has the verdict that it should have") {
+  const auto decided = decide_table(rows_of_the_table());
+  CHECK(decided.size() >= 400);
+  int undecided = 0;
+  for (const auto& [row, verdict, reason] : decided) {
+    INFO(row.group << ": " << row.request.left << "  |  " << row.request.right << "  (" << row.why << "): " << reason);
+    CHECK_FALSE(row.why.empty());
+    undecided += verdict == "undecided" && row.expected != "undecided" ? 1 : 0;
+    if (verdict != "undecided") CHECK(verdict == row.expected);
+  }
+  MESSAGE(undecided << " of " << decided.size() << " rows are undecided against expectation");
+}
+
+TEST_CASE("a verdict does not depend on the order that the computer algebra gives the symbols") {
+  std::vector<GiNaC::realsymbol> others;  // each of them moves the order of those that come after it
+  std::map<std::string, Verdict> first;
+  for (int k = 0; k < 4; ++k) {
+    for (const TableRow& row : rows_of_the_table()) {
+      if (row.group != "Lost solutions") continue;
+      INFO(row.request.left << "  |  " << row.request.right << "  with " << others.size() << " other symbols");
+      const Verdict verdict = decide(row.request).verdict;
+      CHECK(first.try_emplace(row.request.left + "|" + row.request.right, verdict).first->second == verdict);
+    }
+    others.emplace_back("other_" + std::to_string(k));
+  }
+}
+
+namespace {
+
+/// What is said of a table with this in it.
+Result of_table(const std::string& text, std::vector<std::string> arguments = {}) {
+  const TemporaryFolder folder;
+  const auto file = folder.path / "table.toml";
+  std::ofstream(file) << text;
+  arguments.insert(arguments.begin(), {"prove", "--table", file.string()});
+  return run_program("ledger", arguments);
+}
+
+/// One row, with another field if need be.
+std::string row_that_expects(const std::string& verdict, const std::string& other = "") {
+  return "[[row]]\ngroup = \"Double angles\"\nleft = \"sin(2*x)\"\nright = \"2*sin(x)*cos(x)\"\nexpected = "
+         "\"" +
+         verdict + "\"\nwhy = \"the sum of two equal angles\"\n" + other + "\n";
+}
+
+}  // namespace
+
+TEST_CASE("the page of what can be decided is written from the table") {
+  const Result good = of_table(row_that_expects("proved")), bad = of_table(row_that_expects("refuted"));
+  CHECK(good.exit_code == 0);
+  CHECK(good.out.find("## Double angles") != std::string::npos);
+  CHECK(good.out.find("| `sin(2*x)` | `2*sin(x)*cos(x)` |") != std::string::npos);
+  CHECK(good.out.find("**expected") == std::string::npos);
+  const Result small =
+      of_table(row_that_expects("proved", "assume = [\"y > 0\"]\nsmall = [\"x\"]\norder = 1"));
+  CHECK(small.out.find("| `y > 0`, `x` small, order 1 | proved |") != std::string::npos);
+  CHECK(bad.exit_code == 1);
+  CHECK(bad.out.find("proved (**expected refuted**)") != std::string::npos);
+  const auto json = nlohmann::json::parse(of_table(row_that_expects("refuted"), {"--json"}).out);
+  CHECK(json["rows"][0]["verdict"] == "proved");
+  CHECK(json["rows"][0]["expected"] == "refuted");
+  CHECK(json["counts"]["proved"] == 1);
+}
+
+TEST_CASE("a row of a table is bounded like any other statement") {
+  const Result r = of_table(
+      "[[row]]\ngroup = \"g\"\nexpected = \"undecided\"\nleft = \"(a+b+c+d+f+g+h+k+l+m+n+p+q+r+s)^8\"\n"
+      "right = \"(s+r+q+p+n+m+l+k+h+g+f+d+c+b+a)^8\"\n",
+      {"--json"});
+  CHECK(r.exit_code == 0);
+  CHECK(r.out.find("it took longer than it may") != std::string::npos);
+}
+
+TEST_CASE("a table that cannot be read says where it is wrong, and what would be right") {
+  const auto complaint = [](const Result& r) {
+    CHECK(r.exit_code == 2);
+    CHECK(r.out.empty());
+    return r.err;
+  };
+  const auto has = [](const std::string& text, const char* part) {
+    INFO(text);
+    CHECK(text.find(part) != std::string::npos);
+  };
+  has(complaint(of_table(row_that_expects("maybe"))), ":1: 'maybe' is no verdict; right is one of");
+  has(complaint(of_table(row_that_expects("proved", "asume = [\"x > 0\"]"))), "unknown key 'asume'");
+  has(complaint(of_table(row_that_expects("proved", "assume = \"x > 0\""))), "must be a list of strings");
+  has(complaint(of_table(row_that_expects("proved", "order = \"2\""))), "'order' must be a whole number");
+  has(complaint(of_table(row_that_expects("proved", "order = 99"))), "'order' is 0 to 12");
+  has(complaint(of_table(row_that_expects("proved\\u001b[31m"))), "one line of printable characters");
+  has(complaint(of_table("[[row]]\nleft = \"x\"\n")), "a row needs 'group'");
+  has(complaint(of_table("x = 1\n")), "has no [[row]]");
+  has(complaint(of_table("[[row\n")), ".toml:1: ");
+  has(complaint(of_table(row_that_expects("proved"), {"--assume", "x > 0"})), "excludes --table");
+  std::string deep = "a";
+  for (int k = 0; k < 60'000; ++k) deep += ".a";
+  has(complaint(of_table(deep + " = 1\n")), "cannot be read: it ran out of memory or stack");
+}
