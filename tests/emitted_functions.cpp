@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <cln/float.h>
+#include <cln/real.h>
 #include <cmath>
 #include <derivations/emit/emit.hpp>
 #include <derivations/numbers/evaluate.hpp>

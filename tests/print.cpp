@@ -123,7 +123,7 @@ class RandomExpressions {
 
 /// Structures that GiNaC keeps apart may be one value: sqrt(1/x) and 1/sqrt(x).
 bool same_value(const ex& a, const ex& b) {
-  const Point point = {{"m", 2},
+  const Point point = {{"m", cln::cl_RA(2)},
                        {"R", cln::cl_RA(7) / 3},
                        {"alpha", cln::cl_RA(1) / 5},
                        {"theta", cln::cl_RA(-1) / 7},

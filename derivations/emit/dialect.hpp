@@ -1,11 +1,13 @@
 // How one programming language writes a function: numbers, calls, declarations, comments.
 #pragma once
 
-#include <derivations/emit/emit.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rederive {
+
+enum class Target { cpp, c, python, javascript, latex };
 
 /// The pieces of one function, ready to be framed.
 struct Body {

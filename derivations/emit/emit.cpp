@@ -1,6 +1,6 @@
 // Functions as source text: what is common to all targets.
 #include <algorithm>
-#include <derivations/emit/dialect.hpp>
+#include <derivations/emit/emit.hpp>
 #include <derivations/emit/operations.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <set>

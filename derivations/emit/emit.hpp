@@ -1,6 +1,7 @@
 // Derived expressions as source code, common subexpressions shared.
 #pragma once
 
+#include <derivations/emit/dialect.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <string>
 #include <vector>
@@ -19,8 +20,6 @@ struct EmittedFunction {
 
 /// The symbols of the paper and those that only numeric functions have: ratios such as omega_p/p.
 const Symbols& emission_symbols();
-
-enum class Target { cpp, c, python, javascript, latex };
 
 /// Every function that is emitted, built from the derivations.
 std::vector<EmittedFunction> emitted_functions();
