@@ -91,7 +91,7 @@ bool are_found_the_same(const Relation& statement, const Relation& other, const 
                         const Symbols& symbols) {
   try {
     const Problem problem = with_values({statement, other, assumptions, symbols}, {});
-    Setting setting(problem.symbols);
+    Comparison setting(problem.symbols);
     translate(setting, problem);
     setting.effort = 2;
     return same(setting).has_value();

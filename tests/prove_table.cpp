@@ -85,15 +85,6 @@ TEST_CASE("the page of what can be decided is written from the table") {
   CHECK(json["counts"]["proved"] == 1);
 }
 
-TEST_CASE("a row of a table is bounded like any other statement") {
-  const Result r = of_table(
-      "[[row]]\ngroup = \"g\"\nexpected = \"undecided\"\nleft = \"(a+b+c+d+f+g+h+k+l+m+n+p+q+r+s)^8\"\n"
-      "right = \"(s+r+q+p+n+m+l+k+h+g+f+d+c+b+a)^8\"\n",
-      {"--json"});
-  CHECK(r.exit_code == 0);
-  CHECK(r.out.find("it took longer than it may") != std::string::npos);
-}
-
 TEST_CASE("a table that cannot be read says where it is wrong, and what would be right") {
   const auto complaint = [](const Result& r) {
     CHECK(r.exit_code == 2);

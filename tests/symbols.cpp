@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <derivations/rocking_block/paper_symbols.hpp>
+#include <derivations/numbers/interval.hpp>
 #include <set>
 
 using namespace rederive;
@@ -56,8 +57,7 @@ TEST_CASE("GiNaC knows what is positive") {
   CHECK_FALSE(GiNaC::sqrt(GiNaC::pow(s["theta"], 2)).is_equal(s["theta"]));
   for (const std::string& name : s.names()) {
     CAPTURE(name);
-    const End low = parse_range(s.find(name)->range).low;
-    const bool positive = low.infinite == 0 && low.value.info(GiNaC::info_flags::nonnegative);
+    const bool positive = parse_range(s.find(name)->range).is_nonnegative();
     CHECK(s[name].info(GiNaC::info_flags::positive) == positive);
   }
 }

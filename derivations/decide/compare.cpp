@@ -24,7 +24,7 @@ bool is_definite(const Ring& ring, const std::vector<Fact>& facts, const Polynom
 }
 
 /// left = factor · right, by a factor without zero or pole, positive for inequalities.
-std::optional<Sameness> same_up_to_a_factor(const Setting& setting, const Atom& left, const Atom& right) {
+std::optional<Sameness> same_up_to_a_factor(const Comparison& setting, const Atom& left, const Atom& right) {
   const Ring& ring = setting.ring;
   if (left.signs != right.signs) return std::nullopt;
   if (left.value.is_zero() && right.value.is_zero()) return Sameness{"identity", 1, true};
@@ -51,7 +51,7 @@ std::optional<Sameness> same_up_to_a_factor(const Setting& setting, const Atom& 
 }
 
 /// The ring with y = value put in for an equation c·y + d = 0 with a c that has a sign.
-std::optional<Ring> with_solution(const Setting& setting, const Atom& equation) {
+std::optional<Ring> with_solution(const Comparison& setting, const Atom& equation) {
   const Polynomial& p = equation.value.numerator;
   for (const int k : p.used()) {
     const Generator& g = setting.ring.generators()[k];
@@ -72,7 +72,7 @@ std::optional<Ring> with_solution(const Setting& setting, const Atom& equation) 
 }
 
 /// One relation follows from others.
-std::optional<Certificate> follows(const Setting& setting, const std::vector<Atom>& from, const Atom& claim) {
+std::optional<Certificate> follows(const Comparison& setting, const std::vector<Atom>& from, const Atom& claim) {
   Ring ring = setting.ring;  // with what the others say
   for (const Atom& atom : from) ring.learn(atom.value, atom.signs);
   std::vector<Fact> facts = setting.facts;
@@ -101,7 +101,7 @@ std::optional<Certificate> follows(const Setting& setting, const std::vector<Ato
   return prove_signs(ring, facts, claim.value.is_zero() ? Fraction(1) : Fraction(0), Signs::zero() & Signs::positive());
 }
 
-std::optional<Certificate> all_follow(const Setting& setting, const std::vector<Atom>& from,
+std::optional<Certificate> all_follow(const Comparison& setting, const std::vector<Atom>& from,
                                       const std::vector<Atom>& claims) {
   Certificate all;
   for (const Atom& claim : claims) {
@@ -132,7 +132,7 @@ std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
 }
 
 /// Two equations with the same zeros, factor by factor.
-std::optional<Sameness> same_zeros(const Setting& setting, const Atom& left, const Atom& right) {
+std::optional<Sameness> same_zeros(const Comparison& setting, const Atom& left, const Atom& right) {
   if (left.signs != Signs::zero() || right.signs != Signs::zero()) return std::nullopt;
   if (left.value.is_zero() || right.value.is_zero()) return std::nullopt;  // an identity: it holds everywhere
   Sameness result{"identity"};
@@ -149,7 +149,7 @@ std::optional<Sameness> same_zeros(const Setting& setting, const Atom& left, con
   return all_in(left, right) && all_in(right, left) ? std::optional(result) : std::nullopt;
 }
 
-std::optional<Sameness> same_link_by_link(const Setting& setting, const std::vector<Atom>& left,
+std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::vector<Atom>& left,
                                           const std::vector<Atom>& right) {
   if (left.size() != right.size()) return std::nullopt;
   std::optional<Sameness> all;
@@ -167,7 +167,7 @@ std::optional<Sameness> same_link_by_link(const Setting& setting, const std::vec
 
 }  // namespace
 
-std::optional<Sameness> same(Setting& setting) {
+std::optional<Sameness> same(Comparison& setting) {
   const Translated &left = setting.left, &right = setting.right;
   if (left.expression) {
     const Fraction difference = setting.ring.normal(*left.expression - *right.expression);
@@ -208,7 +208,7 @@ Polynomial norm(const Ring& ring, const Polynomial& p) {
 
 }  // namespace
 
-bool hides_a_solution(const Setting& setting) {
+bool hides_a_solution(const Comparison& setting) {
   const auto hidden = [&](const Translated& divided, const Translated& other) {
     for (const DomainCondition& c : divided.conditions) {
       const auto is_same = [&](const DomainCondition& d) { return d.value == c.value; };

@@ -36,7 +36,7 @@ std::string text_of(const Polynomial& p, const Ring& ring, const Symbols& symbol
   return print(ring.meaning_of(Fraction(p)), Notation::plain, symbols);
 }
 
-Grounds grounds_of(const Setting& setting, const Certificate& certificate, const Symbols& symbols) {
+Grounds grounds_of(const Comparison& setting, const Certificate& certificate, const Symbols& symbols) {
   Grounds grounds;
   for (const Generator& g : setting.ring.generators())
     if (g.kind != Generator::Kind::symbol && g.kind != Generator::Kind::pi)
@@ -52,7 +52,7 @@ Grounds grounds_of(const Setting& setting, const Certificate& certificate, const
   return grounds;
 }
 
-Proof proved(const Setting& setting, const Sameness& found, const Symbols& symbols) {
+Proof proved(const Comparison& setting, const Sameness& found, const Symbols& symbols) {
   Proof proof;
   proof.verdict = Verdict::proved, proof.by = found.by;
   const bool is_expression = setting.left.expression.has_value();
@@ -94,14 +94,14 @@ Problem without_bars(Problem problem, const Tree& u, bool is_negative) {
   return problem;
 }
 
-std::optional<Sameness> same_in_cases(const Problem& problem, Setting& setting, int depth) {
+std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& setting, int depth) {
   if (auto found = same(setting)) return found;
   const Tree u = depth > 0 ? between_bars(problem) : nullptr;
   if (!u) return std::nullopt;
   Sameness both{"identity"};
   for (const bool is_negative : {false, true}) {
     const Problem part = without_bars(problem, u, is_negative);
-    Setting of_part(part.symbols);
+    Comparison of_part(part.symbols);
     try {
       translate(of_part, part);
       of_part.effort = setting.effort;
@@ -115,7 +115,7 @@ std::optional<Sameness> same_in_cases(const Problem& problem, Setting& setting, 
 }
 
 /// Proved if points agree; refuted by the first that does not.
-Proof confirmed(const Problem& problem, const Setting& setting, const Sameness& found) {
+Proof confirmed(const Problem& problem, const Comparison& setting, const Sameness& found) {
   Search tried = search(problem, few);
   if (tried.agreed == 0 && !tried.witness) tried = search(problem, many);
   if (tried.witness) return refuted(*tried.witness);
@@ -144,7 +144,7 @@ Proof decide_problem(Problem problem, bool by_points) {
       "the sides agree wherever they were compared, but neither the difference vanishes identically nor a certificate of "
       "signs was found");
   try {
-    Setting setting(problem.symbols);
+    Comparison setting(problem.symbols);
     translate(setting, problem);
     for (; setting.effort <= 2; ++setting.effort) {
       if (const auto found = same_in_cases(problem, setting, setting.effort == 0 ? 0 : 3))
@@ -202,7 +202,7 @@ bool contradict(const std::vector<Relation>& assumptions, const Symbols& symbols
   const Tree one = make_tree(Node::Kind::number, "1");
   try {
     const Problem problem = with_values({{{one}, {}}, {{one}, {}}, assumptions, symbols}, {});
-    Setting setting(problem.symbols);
+    Comparison setting(problem.symbols);
     translate(setting, problem);
     for (const Generator& g : setting.ring.generators())
       if (g.range.is_empty()) return true;

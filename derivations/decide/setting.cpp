@@ -46,7 +46,7 @@ Translated translate(const Relation& statement, const Problem& problem, const Ri
   return result;
 }
 
-void learn(Setting& setting, const Fraction& value, Signs signs) {
+void learn(Comparison& setting, const Fraction& value, Signs signs) {
   setting.ring.learn(value, signs);
   for (Fact& fact : facts_of(setting.ring, value, signs)) setting.facts.push_back(std::move(fact));
 }
@@ -76,7 +76,7 @@ void relate(Ring& ring, const Fraction& value) {
 }
 
 /// What is assumed holds, and has a value.
-void assume(Setting& setting, const Relation& assumption, Translator& translator) {
+void assume(Comparison& setting, const Relation& assumption, Translator& translator) {
   std::vector<DomainCondition> conditions;
   std::vector<Fraction> sides;
   for (const Tree& side : assumption.sides) sides.push_back(translator(side, conditions));
@@ -94,13 +94,13 @@ void assume(Setting& setting, const Relation& assumption, Translator& translator
 }
 
 /// Whether the ranges and the assumptions say it already.
-bool is_granted(const Setting& setting, const DomainCondition& c) {
+bool is_granted(const Comparison& setting, const DomainCondition& c) {
   return prove_signs(setting.ring, setting.facts, c.value, c.allowed, !setting.facts.empty()).has_value();
 }
 
 }  // namespace
 
-void translate(Setting& setting, const Problem& problem) {
+void translate(Comparison& setting, const Problem& problem) {
   Translator& translator = setting.translator;
   translator.collect(trees_of(problem));
   for (int round = 0; round < 2; ++round) {  // the second one with what the first one said

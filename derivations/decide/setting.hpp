@@ -20,9 +20,9 @@ struct Translated {
   std::vector<DomainCondition> conditions;  ///< for its sides to have values
 };
 
-struct Setting {
-  explicit Setting(const Symbols& symbols) : translator(ring, symbols) {}
-  Setting(const Setting&) = delete;
+struct Comparison {
+  explicit Comparison(const Symbols& symbols) : translator(ring, symbols) {}
+  Comparison(const Comparison&) = delete;
 
   Ring ring;
   Translator translator;
@@ -40,6 +40,6 @@ Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b);
 
 /// Both statements in one ring, where both have values: what must hold for that is learned, and all is translated
 /// once more with it. Throws Undecidable and NoValue.
-void translate(Setting& setting, const Problem& problem);
+void translate(Comparison& setting, const Problem& problem);
 
 }  // namespace rederive
