@@ -39,6 +39,18 @@ GiNaC::ex numerator(const GiNaC::ex& value) {
   return (above / above.integer_content()).expand().subs(atoms, GiNaC::subs_options::no_pattern);
 }
 
+/// Whether what the ring knows grants that a factor is not 0.
+bool is_definite(const Tree& part, const Ring& known, const Symbols& symbols) {
+  Ring ring = known;
+  Translator translator(ring, symbols);
+  std::vector<DomainCondition> unused;
+  try {
+    return ring.signs_of(translator(part, unused)).is_definite();
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
 /// Of plain symbols: the factors that matter; of anything else: what is written.
 std::vector<Said> say(const DomainCondition& c, const Ring& ring, const Symbols& symbols) {
   std::vector<Said> result;
@@ -49,7 +61,13 @@ std::vector<Said> say(const DomainCondition& c, const Ring& ring, const Symbols&
     if (c.allowed == Signs::nonzero()) parts.clear(), divide_up(c.tree, parts);
     for (const Tree& part : parts) {
       GiNaC::ex value = lower(part, symbols);
-      if (c.allowed == Signs::nonzero() && !GiNaC::is_a<GiNaC::function>(value)) value = numerator(value);
+      if (c.allowed == Signs::nonzero()) {
+        if (is_definite(part, ring, symbols)) continue;
+        if (!GiNaC::is_a<GiNaC::function>(value)) value = numerator(value);
+        const std::string one = print(value, Notation::plain, symbols), other = print(-value, Notation::plain, symbols);
+        result.push_back({other.size() < one.size() || (other.size() == one.size() && other < one) ? other : one, c.allowed});
+        continue;
+      }
       result.push_back({print(value, Notation::plain, symbols), c.allowed});
     }
     return result;
