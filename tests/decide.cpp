@@ -63,6 +63,11 @@ TEST_CASE("expressions: the same, or not at a point") {
   CHECK(decided("p*q", "q*p").factor == "1");
 }
 
+TEST_CASE("an equation that always holds is not one that holds at some points") {
+  CHECK(verdict("cos(pi-x) = cos(x)", "cos(pi-x) = -cos(x)") == "refuted by points");
+  CHECK(verdict("cos(pi-x) = -cos(x)", "cos(x) = 0") == "refuted by points");
+}
+
 TEST_CASE("equations are the same up to a factor without zero, which is said") {
   CHECK(verdict("m*x = m*y", "x = y") == "proved by identity");
   CHECK(decided("m*x = m*y", "x = y").factor == "m");
