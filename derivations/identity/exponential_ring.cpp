@@ -86,7 +86,8 @@ Fraction Ring::rationalized(const Fraction& f) const {
   for (int round = 0; round < 4; ++round) {
     const auto used = result.denominator.used();
     const auto k = std::find_if(used.rbegin(), used.rend(), [&](int g) {
-      return generators_[g].degree == 2 && result.denominator.degree(g) == 1 && result.denominator.terms() > 1;
+      return generators_[g].degree == 2 && result.denominator.degree(g) == 1 &&
+             result.denominator.terms() > 1;
     });
     if (k == used.rend() || result.numerator.terms() * result.denominator.terms() > 3000) break;
     const auto c = result.denominator.coefficients(*k);
@@ -114,8 +115,7 @@ void Ring::learn(const Fraction& value, Signs signs) {
     }
     const bool is_odd = exponent % 2 != 0;
     if (signs.is_definite()) {  // no factor of what is not 0 is 0
-      known_signs_.try_emplace(factor, Signs::any()).first->second =
-          signs_of(factor) & Signs::nonzero();
+      known_signs_.try_emplace(factor, Signs::any()).first->second = signs_of(factor) & Signs::nonzero();
       if (!is_odd || signs_of(factor) == Signs::positive() || signs_of(factor) == Signs::negative()) {
         if (is_odd) outside = outside * signs_of(factor);
         continue;
@@ -141,8 +141,10 @@ void Ring::narrow(const Polynomial& p, Signs signs) {
     const Signs of_x = cln::minusp(c[1].constant()) ? -signs : signs;  // of x + d/c
     Interval bound;
     const bool closed = Signs::zero().within(of_x);
-    if (of_x.within(Signs::nonnegative()) && end.low.infinite == 0) bound.low = end.low, bound.low.closed = closed && end.low.closed;
-    if (of_x.within(Signs::nonpositive()) && end.high.infinite == 0) bound.high = end.high, bound.high.closed = closed && end.high.closed;
+    if (of_x.within(Signs::nonnegative()) && end.low.infinite == 0)
+      bound.low = end.low, bound.low.closed = closed && end.low.closed;
+    if (of_x.within(Signs::nonpositive()) && end.high.infinite == 0)
+      bound.high = end.high, bound.high.closed = closed && end.high.closed;
     has_changed = narrow(k, bound) || has_changed;
   }
   if (has_changed) propagate();
@@ -162,7 +164,8 @@ bool Ring::narrow(int generator, const Interval& range) {
 bool Ring::narrow_backwards(const Generator& g) {
   using Kind = Generator::Kind;
   const auto used = g.of.numerator.used();
-  if (used.size() != 1 || g.of.numerator.degree(used[0]) != 1 || !g.of.denominator.is_constant()) return false;
+  if (used.size() != 1 || g.of.numerator.degree(used[0]) != 1 || !g.of.denominator.is_constant())
+    return false;
   const Interval inside = range_of(g.of);
   const auto lies_between = [&](const Constant& low, const Constant& high) {
     return compare(inside.low, End{low}) >= 0 && compare(inside.high, End{high}) <= 0;
@@ -188,8 +191,10 @@ bool Ring::narrow_backwards(const Generator& g) {
 /// What a function makes of a narrower range, and the other way round.
 void Ring::propagate() {
   using Kind = Generator::Kind;
-  static const std::map<Kind, const char*> functions{{Kind::cosine, "cos"},    {Kind::sine, "sin"},
-                                                     {Kind::exponential, "exp"}, {Kind::absolute, "fabs"},
+  static const std::map<Kind, const char*> functions{{Kind::cosine, "cos"},
+                                                     {Kind::sine, "sin"},
+                                                     {Kind::exponential, "exp"},
+                                                     {Kind::absolute, "fabs"},
                                                      {Kind::logarithm, "log"}};
   bool has_changed = true;
   for (int round = 0; round < 3 && has_changed; ++round) {
@@ -202,7 +207,8 @@ void Ring::propagate() {
         const char* name = is_angle ? (g.order == 1 ? "asin" : "atan") : is_root ? "sqrt" : function->second;
         has_changed = narrow(static_cast<int>(k), call(name, range_of(g.of))) || has_changed;
       }
-      if (g.kind != Kind::symbol && g.kind != Kind::pi) has_changed = narrow_backwards(generators_[k]) || has_changed;
+      if (g.kind != Kind::symbol && g.kind != Kind::pi)
+        has_changed = narrow_backwards(generators_[k]) || has_changed;
     }
   }
 }
@@ -227,7 +233,8 @@ Interval Ring::range_of(const Polynomial& p) const {
   }
   if (p.is_constant() || (known_.empty() && known_signs_.empty())) return sum;
   const auto [number, q] = primitive(p);
-  if (const auto known = known_.find(q); known != known_.end()) sum = overlap(sum, known->second * point({number}));
+  if (const auto known = known_.find(q); known != known_.end())
+    sum = overlap(sum, known->second * point({number}));
   if (const auto known = known_signs_.find(q); known != known_signs_.end()) {
     const Signs signs = cln::minusp(number) ? -known->second : known->second;
     if (signs == Signs::positive()) sum = overlap(sum, positive_numbers());
@@ -252,16 +259,20 @@ Signs Ring::signs_of(const Polynomial& p, int depth) const {
   const auto [number, q] = primitive(p);
   if (const auto known = known_signs_.find(q); known != known_signs_.end())
     result = result & (cln::minusp(number) ? -known->second : known->second);
-  if (depth == 0 || result == Signs::positive() || result == Signs::negative() || result.is_none()) return result;
+  if (depth == 0 || result == Signs::positive() || result == Signs::negative() || result.is_none())
+    return result;
   const auto& [constant, list] = factors(p);
   if (list.size() == 1 && list[0].second == 1)
-    return result & signs_of_coefficients(p, depth - 1) & signs_of_quadratic(p, depth - 1) & signs_of_univariate(p);
+    return result & signs_of_coefficients(p, depth - 1) & signs_of_quadratic(p, depth - 1) &
+           signs_of_univariate(p);
   Signs product = sign_of_number(constant);
-  for (const auto& [factor, exponent] : list) product = product * power(signs_of(factor, depth - 1), exponent);
+  for (const auto& [factor, exponent] : list)
+    product = product * power(signs_of(factor, depth - 1), exponent);
   return result & product;
 }
 
-/// As a polynomial in the symbols, the other generators in its coefficients: g·(4s - 3s³) + a·(c - c³) term by term.
+/// As a polynomial in the symbols, the other generators in its coefficients: g·(4s - 3s³) + a·(c - c³) term
+/// by term.
 Signs Ring::signs_of_coefficients(const Polynomial& p, int depth) const {
   if (p.terms() > 40) return Signs::any();
   std::map<Polynomial, Polynomial> coefficients;
@@ -297,7 +308,8 @@ Signs Ring::signs_of_quadratic(const Polynomial& p, int depth) const {
     const Signs leading = signs_of(c[2], depth);
     if (leading != Signs::positive() && leading != Signs::negative()) continue;
     const Fraction discriminant = reduced(c[1] * c[1] - 4 * c[0] * c[2]);
-    const Signs of_discriminant = signs_of(discriminant.numerator, depth) * signs_of(discriminant.denominator, depth);
+    const Signs of_discriminant =
+        signs_of(discriminant.numerator, depth) * signs_of(discriminant.denominator, depth);
     if (of_discriminant == Signs::negative()) return leading;
     if (of_discriminant.within(Signs::nonpositive())) return leading | Signs::zero();
   }

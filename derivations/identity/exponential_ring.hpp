@@ -1,12 +1,13 @@
 // The ring in which identities are decided.
 //
-// Every function of the paper becomes a rational function of generators: the symbols, π, the cosine and the sine
-// of independent phases, exponentials of independent real arguments, roots, sizes, logarithms, inverse functions.
-// Between them hold true relations, each for a power of one generator in terms of earlier ones: s² = 1 - c²,
-// y² = u, a² = u². What reduces to 0 modulo these is 0 wherever it has a value: that proves an identity.
-// Exponentials of arguments that are linearly independent over the rationals are algebraically independent
-// (Lindemann-Weierstrass for numbers, Ax 1971 for functions; Risch's structure theorem for towers of them), so that
-// within the class the converse holds, too. Davenport, Siret, Tournier, Computer Algebra, ch. 5; Richardson 1997.
+// Every function of the paper becomes a rational function of generators: the symbols, π, the cosine and the
+// sine of independent phases, exponentials of independent real arguments, roots, sizes, logarithms, inverse
+// functions. Between them hold true relations, each for a power of one generator in terms of earlier ones: s²
+// = 1 - c², y² = u, a² = u². What reduces to 0 modulo these is 0 wherever it has a value: that proves an
+// identity. Exponentials of arguments that are linearly independent over the rationals are algebraically
+// independent (Lindemann-Weierstrass for numbers, Ax 1971 for functions; Risch's structure theorem for towers
+// of them), so that within the class the converse holds, too. Davenport, Siret, Tournier, Computer Algebra,
+// ch. 5; Richardson 1997.
 //
 // Beside its relation every generator has the range of its values. From these follow signs of polynomials: by
 // intervals, factor by factor, and by the discriminant of what is quadratic in a generator.
@@ -43,7 +44,8 @@ class Ring {
   /// The variable of a key, made by `make` when it is new. Throws Undecidable where there are too many.
   template <class Make>
   Fraction generator(const std::string& key, const Make& make) {
-    if (const auto found = index_.find(key); found != index_.end()) return Polynomial::variable(found->second);
+    if (const auto found = index_.find(key); found != index_.end())
+      return Polynomial::variable(found->second);
     return add(key, make());
   }
   const std::vector<Generator>& generators() const { return generators_; }
@@ -52,15 +54,16 @@ class Ring {
   /// generator^degree = value from now on: what an equation that is assumed says of a symbol.
   void relate(int generator, int degree, const Fraction& value);
 
-  /// The remainder modulo all relations, in lowest terms. Throws std::domain_error where its denominator is 0.
+  /// The remainder modulo all relations, in lowest terms. Throws std::domain_error where its denominator is
+  /// 0.
   Fraction normal(const Fraction& f) const;
 
-  /// The same fraction with a denominator in which no generator with a square in the ring is left, if it stays short:
-  /// 1/(p - √u) is (p + √u)/(p² - u).
+  /// The same fraction with a denominator in which no generator with a square in the ring is left, if it
+  /// stays short: 1/(p - √u) is (p + √u)/(p² - u).
   Fraction rationalized(const Fraction& f) const;
 
-  /// What is known of a value: of its sign, and of the range of a generator if it is linear in one; that narrows the
-  /// ranges of what is made of it, and of what it is made of.
+  /// What is known of a value: of its sign, and of the range of a generator if it is linear in one; that
+  /// narrows the ranges of what is made of it, and of what it is made of.
   void learn(const Fraction& value, Signs signs);
   /// A value lies in an interval.
   void learn(const Fraction& value, const Interval& range);
@@ -87,9 +90,9 @@ class Ring {
 
   std::vector<Generator> generators_;
   std::map<std::string, int> index_;
-  std::map<Polynomial, Interval> known_;      ///< of polynomials that lead with plus, content 1: their values
+  std::map<Polynomial, Interval> known_;  ///< of polynomials that lead with plus, content 1: their values
   mutable std::map<Polynomial, Signs> found_;  ///< a memo table of signs_of, for what is known now
-  std::map<Polynomial, Signs> known_signs_;  ///< … and their signs
+  std::map<Polynomial, Signs> known_signs_;    ///< … and their signs
 };
 
 }  // namespace rederive

@@ -1,7 +1,6 @@
 // Circular functions and exponentials: of whole multiples of independent phases, so by the addition theorems.
-#include <utility>
-
 #include <derivations/identity/translator.hpp>
+#include <utility>
 
 namespace rederive {
 
@@ -14,7 +13,8 @@ using Pair = std::pair<Fraction, Fraction>;
 
 /// (cos, sin) of a sum.
 Pair add(const Ring& ring, const Pair& a, const Pair& b) {
-  return {ring.normal(a.first * b.first - a.second * b.second), ring.normal(a.first * b.second + a.second * b.first)};
+  return {ring.normal(a.first * b.first - a.second * b.second),
+          ring.normal(a.first * b.second + a.second * b.first)};
 }
 
 /// (cos, sin) of n times an argument.
@@ -31,8 +31,8 @@ constexpr int sines[7][4] = {{0, 0, 0, 0}, {0, -1, 0, 1}, {2, 0, 0, 0}, {0, 2, 0
 
 }  // namespace
 
-/// An argument as a sum of rational multiples of terms, over the denominator that all arguments share; `turns`, where it
-/// is asked for, gets the rational multiple of π.
+/// An argument as a sum of rational multiples of terms, over the denominator that all arguments share;
+/// `turns`, where it is asked for, gets the rational multiple of π.
 Combination Translator::combination(const Fraction& argument, cl_RA* turns) {
   const Polynomial rest = *quotient(argument.denominator, Polynomial(argument.denominator.content()));
   Fraction scaled = argument;
@@ -61,16 +61,19 @@ Pair Translator::phase(const Fraction& phase) {
   const Interval range = ring_.range_of(phase);
   Fraction c = ring_.generator("cos " + key, [&] {
     Generator g;
-    g.kind = Kind::cosine, g.of = phase, g.meaning = GiNaC::cos(ring_.meaning_of(phase)), g.range = rederive::call("cos", range);
+    g.kind = Kind::cosine, g.of = phase, g.meaning = GiNaC::cos(ring_.meaning_of(phase)),
+    g.range = rederive::call("cos", range);
     return g;
   });
   Fraction s = ring_.generator("sin " + key, [&] {
     Generator g;
-    g.kind = Kind::sine, g.of = phase, g.meaning = GiNaC::sin(ring_.meaning_of(phase)), g.range = rederive::call("sin", range);
+    g.kind = Kind::sine, g.of = phase, g.meaning = GiNaC::sin(ring_.meaning_of(phase)),
+    g.range = rederive::call("sin", range);
     g.degree = 2, g.value = 1 - c * c;
     return g;
   });
-  for (const auto& g : ring_.generators()) {  // the angle of an inverse function: its cosine and sine are algebraic
+  for (const auto& g :
+       ring_.generators()) {  // the angle of an inverse function: its cosine and sine are algebraic
     if (g.kind != Kind::angle) continue;
     const Fraction a = Polynomial::variable(static_cast<int>(&g - ring_.generators().data()));
     const int c_index = *ring_.find("cos " + key), s_index = *ring_.find("sin " + key);
@@ -99,7 +102,8 @@ Fraction chebyshev(const Ring& ring, const Fraction& c, int n) {
   return now;
 }
 
-/// cos qπ and sin qπ: roots of whole numbers for multiples of π/12; else polynomials in cos(π/n), which is algebraic.
+/// cos qπ and sin qπ: roots of whole numbers for multiples of π/12; else polynomials in cos(π/n), which is
+/// algebraic.
 Pair Translator::turn(const cl_RA& q) {
   const cl_RA twelfths = q * 12;
   if (cln::denominator(twelfths) != 1) {
@@ -145,9 +149,11 @@ Pair Translator::circular(const Fraction& argument) {
   Pair result{1, 0};
   for (const Multiple& m : *multiples) result = add(ring_, result, multiple(ring_, phase(m.phase), m.times));
   if (!cln::zerop(turns)) result = add(ring_, result, turn(turns));
-  if (multiples->size() + (cln::zerop(turns) ? 0 : 1) > 1 || (multiples->size() == 1 && (*multiples)[0].times != 1)) {
+  if (multiples->size() + (cln::zerop(turns) ? 0 : 1) > 1 ||
+      (multiples->size() == 1 && (*multiples)[0].times != 1)) {
     const Interval range = ring_.range_of(argument);
-    ring_.learn(result.first, rederive::call("cos", range)), ring_.learn(result.second, rederive::call("sin", range));
+    ring_.learn(result.first, rederive::call("cos", range)),
+        ring_.learn(result.second, rederive::call("sin", range));
   }
   arguments_.try_emplace(argument.key(), Argument{argument, result.first, result.second});
   return result;
@@ -164,8 +170,10 @@ Fraction Translator::exponential(const Fraction& argument) {
       phases.emplace(key, term);
       continue;
     }
-    if (cln::abs(term.second) > 64 || cln::denominator(term.second) > 12) throw Undecidable("an exponent that is too large");
-    const int n = cln::cl_I_to_int(cln::numerator(term.second)), order = cln::cl_I_to_int(cln::denominator(term.second));
+    if (cln::abs(term.second) > 64 || cln::denominator(term.second) > 12)
+      throw Undecidable("an exponent that is too large");
+    const int n = cln::cl_I_to_int(cln::numerator(term.second)),
+              order = cln::cl_I_to_int(cln::denominator(term.second));
     const Fraction u = ring_.generators()[used[0]].of;
     powers = ring_.normal(powers * power(order > 1 ? root(u, order) : u, n));
   }

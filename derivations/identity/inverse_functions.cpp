@@ -78,11 +78,13 @@ std::pair<Fraction, Fraction> Translator::circular_of_angle(const Generator& ang
 std::optional<Fraction> Translator::inverted(bool is_sine, const Fraction& value) {
   const auto within = [&](const Fraction& x, int low, int high) {  // between these halves of π
     const Interval range = ring_.range_of(x);
-    return compare(range.low, End{{0, cl_RA(low) / 2}}) >= 0 && compare(range.high, End{{0, cl_RA(high) / 2}}) <= 0;
+    return compare(range.low, End{{0, cl_RA(low) / 2}}) >= 0 &&
+           compare(range.high, End{{0, cl_RA(high) / 2}}) <= 0;
   };
   for (const auto& [key, a] : std::map<std::string, Argument>(arguments_)) {
     const auto is_zero = [&](const Fraction& f) { return ring_.normal(f).is_zero(); };
-    if (is_zero(value * (is_sine ? Fraction(1) : a.cosine) - a.sine) && within(a.argument, -1, 1)) return a.argument;
+    if (is_zero(value * (is_sine ? Fraction(1) : a.cosine) - a.sine) && within(a.argument, -1, 1))
+      return a.argument;
     if (is_zero(value * (is_sine ? Fraction(1) : a.sine) - a.cosine) && within(a.argument, 0, 2))
       return ring_.normal(pi() / 2 - a.argument);
   }

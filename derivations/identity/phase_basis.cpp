@@ -1,6 +1,7 @@
 #include <cln/integer.h>
 
 #include <algorithm>
+#include <derivations/identity/linear_system.hpp>
 #include <derivations/identity/phase_basis.hpp>
 #include <set>
 
@@ -22,33 +23,16 @@ std::set<std::string> keys_of(const std::vector<Combination>& combinations) {
   return keys;
 }
 
-/// x with Σ xₖ columns[k] = wanted, by elimination; nothing where there is none. The columns are independent.
-std::optional<std::vector<cl_RA>> solve(const std::vector<Combination>& columns, const Combination& wanted) {
-  std::vector<Combination> all = columns;
-  all.push_back(wanted);
+/// x with Σ xₖ columns[k] = wanted; nothing where there is none, or where the columns are dependent.
+std::optional<std::vector<cl_RA>> coordinates_in(std::vector<Combination> columns,
+                                                 const Combination& wanted) {
+  columns.push_back(wanted);
   std::vector<std::vector<cl_RA>> rows;
-  for (const std::string& key : keys_of(all)) {
+  for (const std::string& key : keys_of(columns)) {
     rows.emplace_back();
-    for (const Combination& c : all) rows.back().push_back(coefficient(c, key));
+    for (const Combination& c : columns) rows.back().push_back(coefficient(c, key));
   }
-  const std::size_t n = columns.size();
-  std::size_t rank = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const auto pivot = std::find_if(rows.begin() + rank, rows.end(), [&](auto& row) { return !cln::zerop(row[k]); });
-    if (pivot == rows.end()) return std::nullopt;  // not independent
-    std::swap(*pivot, rows[rank]);
-    for (std::size_t other = 0; other < rows.size(); ++other) {
-      if (other == rank || cln::zerop(rows[other][k])) continue;
-      const cl_RA factor = rows[other][k] / rows[rank][k];
-      for (std::size_t j = 0; j <= n; ++j) rows[other][j] = rows[other][j] - factor * rows[rank][j];
-    }
-    ++rank;
-  }
-  for (std::size_t row = rank; row < rows.size(); ++row)
-    if (!cln::zerop(rows[row][n])) return std::nullopt;
-  std::vector<cl_RA> x;
-  for (std::size_t k = 0; k < n; ++k) x.push_back(rows[k][n] / rows[k][k]);
-  return x;
+  return solve(std::move(rows));
 }
 
 Fraction value_of(const Combination& c, const cln::cl_I& divisor) {
@@ -61,7 +45,7 @@ Fraction value_of(const Combination& c, const cln::cl_I& divisor) {
 
 std::optional<std::vector<cl_RA>> PhaseBasis::coordinates(const Combination& argument) const {
   if (argument.empty()) return std::vector<cl_RA>(basis_.size(), 0);
-  return solve(basis_, argument);
+  return coordinates_in(basis_, argument);
 }
 
 std::optional<std::vector<Multiple>> PhaseBasis::multiples(const Combination& argument) const {
@@ -98,7 +82,7 @@ void PhaseBasis::rebuild(bool each_term) {
     if (c.empty()) continue;
     auto larger = basis_;
     larger.push_back(c);
-    if (!solve(basis_, c)) basis_ = std::move(larger);
+    if (!coordinates_in(basis_, c)) basis_ = std::move(larger);
   }
   for (const Combination& c : sorted)
     for (const auto& [key, term] : c)

@@ -24,8 +24,8 @@ class PhaseBasis {
   std::optional<std::vector<Multiple>> multiples(const Combination& argument) const;
   /// Takes an argument in; true if that is a new one.
   bool add(const Combination& argument);
-  /// Phases for all arguments that were taken in: the terms, or the arguments themselves where these are fewer (all
-  /// multiples of α + θ need one phase, not two); each divided so that all multiples are whole.
+  /// Phases for all arguments that were taken in: the terms, or the arguments themselves where these are
+  /// fewer (all multiples of α + θ need one phase, not two); each divided so that all multiples are whole.
   /// `each_term`: in any case the terms.
   void rebuild(bool each_term);
 

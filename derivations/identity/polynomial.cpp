@@ -174,7 +174,9 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   return result;
 }
 bool operator<(const Polynomial& a, const Polynomial& b) { return fmpz_mpoly_cmp(a.p_, b.p_, context()) < 0; }
-bool operator==(const Polynomial& a, const Polynomial& b) { return fmpz_mpoly_equal(a.p_, b.p_, context()) != 0; }
+bool operator==(const Polynomial& a, const Polynomial& b) {
+  return fmpz_mpoly_equal(a.p_, b.p_, context()) != 0;
+}
 
 Polynomial power(const Polynomial& base, int exponent) {
   Polynomial result = 1;
@@ -294,7 +296,8 @@ std::vector<std::pair<cln::cl_RA, Fraction>> terms_of(const Fraction& f) {
   const Polynomial rest = *quotient(f.denominator, Polynomial(number));
   std::vector<std::pair<cln::cl_RA, Fraction>> result;
   for (std::size_t k = 0; k < f.numerator.terms(); ++k)
-    result.emplace_back(f.numerator.coefficient(k) / cln::cl_RA(number), Fraction(f.numerator.monomial(k), rest));
+    result.emplace_back(f.numerator.coefficient(k) / cln::cl_RA(number),
+                        Fraction(f.numerator.monomial(k), rest));
   return result;
 }
 

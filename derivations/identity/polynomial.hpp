@@ -1,8 +1,8 @@
 // Polynomials in the generators of the ring, with whole coefficients, and fractions of them.
 //
-// FLINT's multivariate polynomials do the arithmetic (fmpz_mpoly: sparse multiplication and heap division after
-// Monagan and Pearce, greatest common divisors after Zippel, factors after Wang). Every polynomial has the same
-// variables, 0 to Polynomial::variables - 1; what they stand for is said in exponential_ring.hpp.
+// FLINT's multivariate polynomials do the arithmetic (fmpz_mpoly: sparse multiplication and heap division
+// after Monagan and Pearce, greatest common divisors after Zippel, factors after Wang). Every polynomial has
+// the same variables, 0 to Polynomial::variables - 1; what they stand for is said in exponential_ring.hpp.
 #pragma once
 
 #include <cln/integer.h>
@@ -46,14 +46,15 @@ class Polynomial {
   cln::cl_I constant() const;  ///< of a constant
   std::size_t terms() const;
   int degree(int variable) const;
-  std::vector<int> used() const;                         ///< the variables that occur, sorted
-  std::vector<Polynomial> coefficients(int variable) const;  ///< of the powers of a variable, from the power 0 on
-  cln::cl_I coefficient(std::size_t term) const;         ///< terms in the order of FLINT: the leading one first
-  Polynomial monomial(std::size_t term) const;           ///< without its coefficient
+  std::vector<int> used() const;  ///< the variables that occur, sorted
+  std::vector<Polynomial> coefficients(
+      int variable) const;                        ///< of the powers of a variable, from the power 0 on
+  cln::cl_I coefficient(std::size_t term) const;  ///< terms in the order of FLINT: the leading one first
+  Polynomial monomial(std::size_t term) const;    ///< without its coefficient
   std::vector<std::pair<int, int>> powers(std::size_t term) const;  ///< (variable, exponent > 0)
-  cln::cl_I content() const;                             ///< the positive number that all coefficients have in common
+  cln::cl_I content() const;  ///< the positive number that all coefficients have in common
   bool leads_with_minus() const;
-  std::string key() const;                               ///< the same text for the same polynomial
+  std::string key() const;                                          ///< the same text for the same polynomial
   friend bool operator<(const Polynomial& a, const Polynomial& b);  ///< some order, for tables
 
   Polynomial operator-() const;
@@ -85,7 +86,8 @@ struct Fraction {
   Fraction(long value = 0) : numerator(value) {}
   Fraction(Polynomial p) : numerator(std::move(p)) {}
   Fraction(const Polynomial& n, const Polynomial& d);
-  explicit Fraction(const cln::cl_RA& value) : numerator(cln::numerator(value)), denominator(cln::denominator(value)) {}
+  explicit Fraction(const cln::cl_RA& value)
+      : numerator(cln::numerator(value)), denominator(cln::denominator(value)) {}
 
   bool is_zero() const { return numerator.is_zero(); }
   bool is_constant() const { return numerator.is_constant() && denominator.is_constant(); }

@@ -1,6 +1,7 @@
-// Roots and sizes: what is known to have no negative values comes out of a root or its bars, factor by factor.
-#include <derivations/identity/translator.hpp>
+// Roots and sizes: what is known to have no negative values comes out of a root or its bars, factor by
+// factor.
 #include <algorithm>
+#include <derivations/identity/translator.hpp>
 #include <numeric>
 
 namespace rederive {
@@ -25,7 +26,8 @@ Fraction Translator::root_of_number(const cln::cl_I& number, int order) {
   const auto take = [&](const cln::cl_I& prime, int count) {
     for (int k = 0; k < count / order; ++k) result = result * Fraction(Polynomial(prime));
     if (count % order != 0)
-      for (int k = 0; k < count % order; ++k) result = ring_.normal(result * root_generator(Polynomial(prime), order));
+      for (int k = 0; k < count % order; ++k)
+        result = ring_.normal(result * root_generator(Polynomial(prime), order));
   };
   for (cln::cl_I prime = 2; prime * prime <= rest && prime < 2000; prime = prime + 1) {
     int count = 0;
@@ -70,7 +72,8 @@ Fraction Translator::root(const Fraction& value, int order) {
   std::vector<std::pair<Polynomial, int>> unknown;
   for (const auto& [factor, exponent] : list) {
     const Signs signs = ring_.signs_of(factor);
-    const bool negative = signs.within(Signs::nonpositive()), has_sign = negative || signs.within(Signs::nonnegative());
+    const bool negative = signs.within(Signs::nonpositive()),
+               has_sign = negative || signs.within(Signs::nonnegative());
     if (!has_sign || (!is_known && !signs.is_definite())) {  // where it is 0 the rest may have no root
       unknown.emplace_back(factor, exponent);
       continue;
@@ -83,7 +86,8 @@ Fraction Translator::root(const Fraction& value, int order) {
   Polynomial odd = 1;
   for (const auto& [factor, exponent] : unknown)
     if (exponent % 2 != 0) odd = odd * factor;
-  const bool stays = !odd.is_constant() || inside.leads_with_minus();  // then a root of the rest may be missing
+  const bool stays =
+      !odd.is_constant() || inside.leads_with_minus();  // then a root of the rest may be missing
   for (const auto& [factor, exponent] : unknown) {
     // an even power is a size; together with what may be negative it comes out only where it is not 0
     const bool comes_out = !stays || ring_.signs_of(factor).is_definite();
@@ -91,7 +95,8 @@ Fraction Translator::root(const Fraction& value, int order) {
     const Polynomial size = absolute(factor).numerator;
     if (!comes_out) inside = inside * power(factor, even);
     for (int k = 0; comes_out && k < even / order; ++k) outside = ring_.normal(outside * size);
-    for (int k = 0; comes_out && k < even % order; ++k) outside = ring_.normal(outside * root_generator(size, order));
+    for (int k = 0; comes_out && k < even % order; ++k)
+      outside = ring_.normal(outside * root_generator(size, order));
   }
   inside = inside * odd;
   outside = ring_.normal(outside * root_of_number(cln::abs(number), order));

@@ -15,7 +15,9 @@ class Signs {
 
   constexpr bool within(Signs other) const { return (bits_ & ~other.bits_) == 0; }
   constexpr bool is_definite() const { return within(nonzero()); }
-  constexpr bool is_none() const { return bits_ == 0; }  ///< no number at all: the facts contradict each other
+  constexpr bool is_none() const {
+    return bits_ == 0;
+  }  ///< no number at all: the facts contradict each other
   friend constexpr Signs operator&(Signs a, Signs b) { return Signs(a.bits_ & b.bits_); }
   friend constexpr Signs operator|(Signs a, Signs b) { return Signs(a.bits_ | b.bits_); }
   constexpr Signs operator-() const { return Signs((bits_ & 2) | (bits_ & 1) << 2 | (bits_ & 4) >> 2); }
@@ -32,7 +34,8 @@ class Signs {
     if (a == zero()) return b;
     if (b == zero()) return a;
     for (const Signs side : {nonnegative(), nonpositive()})
-      if (a.within(side) && b.within(side)) return a.is_definite() || b.is_definite() ? side & nonzero() : side;
+      if (a.within(side) && b.within(side))
+        return a.is_definite() || b.is_definite() ? side & nonzero() : side;
     return any();
   }
   /// Of the power with a whole exponent above 0.

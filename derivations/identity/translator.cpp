@@ -11,7 +11,8 @@ using Kind = Generator::Kind;
 namespace {
 
 bool has_call(const Tree& tree) {
-  return tree->kind == Node::Kind::call || std::any_of(tree->children.begin(), tree->children.end(), has_call);
+  return tree->kind == Node::Kind::call ||
+         std::any_of(tree->children.begin(), tree->children.end(), has_call);
 }
 
 }  // namespace
@@ -50,7 +51,8 @@ Fraction Translator::exponential_of(const Fraction& argument) {
 /// The angles of inverse functions are phases each, for their cosines are known.
 void Translator::rebuild() {
   const auto& all = ring_.generators();
-  const bool has_angles = std::any_of(all.begin(), all.end(), [](const Generator& g) { return g.kind == Kind::angle; });
+  const bool has_angles =
+      std::any_of(all.begin(), all.end(), [](const Generator& g) { return g.kind == Kind::angle; });
   circular_.rebuild(has_angles), real_.rebuild(false);
 }
 
@@ -87,7 +89,7 @@ void Translator::collect(const Tree& tree) {
 void Translator::require(const Fraction& value, Signs allowed, const Tree& tree) {
   if (value.is_constant()) {
     const cl_RA number = value.constant();
-    const Signs sign = cln::zerop(number)    ? Signs::zero()
+    const Signs sign = cln::zerop(number)   ? Signs::zero()
                        : cln::plusp(number) ? Signs::positive()
                                             : Signs::negative();
     if (!sign.within(allowed)) throw NoValue("a part of it has no value anywhere");
@@ -140,12 +142,14 @@ Fraction Translator::product(const Node& node) {
 Fraction Translator::power_of(const Node& node) {
   const Fraction base = translate(node.children[0]), exponent = translate(node.children[1]);
   if (!exponent.is_constant()) {
-    if (ring_.signs_of(base) != Signs::positive())  // of a negative one there are values for whole exponents only
+    if (ring_.signs_of(base) !=
+        Signs::positive())  // of a negative one there are values for whole exponents only
       throw Undecidable("a power with a symbolic exponent, of a base that is not known to be positive");
     return exponential(ring_.normal(exponent * logarithm(base)));
   }
   const cl_RA number = exponent.constant();
-  if (cln::abs(number) > 64 || cln::denominator(number) > 12) throw Undecidable("an exponent that is too large");
+  if (cln::abs(number) > 64 || cln::denominator(number) > 12)
+    throw Undecidable("an exponent that is too large");
   const int n = cln::cl_I_to_int(cln::numerator(number)), order = cln::cl_I_to_int(cln::denominator(number));
   if (order > 1) require(base, n > 0 ? Signs::nonnegative() : Signs::positive(), node.children[0]);
   if (order == 1 && n < 0) require(base, Signs::nonzero(), node.children[0]);
@@ -210,7 +214,8 @@ Fraction Translator::call_of_exponential(const std::string& name, const Fraction
     require(1 + x, Signs::positive(), shifted(one, argument, false));
     return ring_.normal((logarithm(ring_.normal((1 + x) / (1 - x)))) / 2);
   }
-  const Fraction e = exponential(x), sinh = ring_.normal((e - 1 / e) / 2), cosh = ring_.normal((e + 1 / e) / 2);
+  const Fraction e = exponential(x), sinh = ring_.normal((e - 1 / e) / 2),
+                 cosh = ring_.normal((e + 1 / e) / 2);
   if (name == "sinh") return sinh;
   if (name == "cosh") return cosh;
   if (name == "tanh") return ring_.normal(sinh / cosh);

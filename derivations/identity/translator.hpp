@@ -77,7 +77,7 @@ class Translator {
   const Symbols& symbols_;
   std::vector<DomainCondition>* conditions_ = nullptr;
   PhaseBasis circular_, real_;
-  Polynomial denominator_ = 1;             ///< sums that arguments are divided by
+  Polynomial denominator_ = 1;              ///< sums that arguments are divided by
   std::map<std::string, int> root_orders_;  ///< key of a base → the least common multiple of its roots
   struct Argument {
     Fraction argument, cosine, sine;

@@ -49,9 +49,10 @@ std::set<int> variables_of(const Polynomial& p) {
   return {used.begin(), used.end()};
 }
 
-/// The facts that share a generator with the claim, or with one that does; and the ranges of all generators in
-/// them.
-std::vector<Fact> relevant(const Ring& ring, const std::vector<Fact>& facts, const std::vector<Fact>& negated) {
+/// The facts that share a generator with the claim, or with one that does; and the ranges of all generators
+/// in them.
+std::vector<Fact> relevant(const Ring& ring, const std::vector<Fact>& facts,
+                           const std::vector<Fact>& negated) {
   std::set<int> reached;
   std::vector<Fact> result = negated;
   for (const Fact& f : negated) reached.merge(variables_of(f.value));
@@ -60,7 +61,8 @@ std::vector<Fact> relevant(const Ring& ring, const std::vector<Fact>& facts, con
     grown = false;
     for (std::size_t k = 0; k < facts.size(); ++k) {
       const std::set<int> used = variables_of(facts[k].value);
-      const bool shares = reached.empty() || std::any_of(used.begin(), used.end(), [&](int v) { return reached.contains(v); });
+      const bool shares = reached.empty() ||
+                          std::any_of(used.begin(), used.end(), [&](int v) { return reached.contains(v); });
       if (taken[k] || !shares || result.size() >= most_facts) continue;
       taken[k] = grown = true;
       result.push_back(facts[k]);
@@ -90,14 +92,16 @@ std::vector<Polynomial> roots_of_squares(const std::vector<Fact>& facts, const s
   return {roots.begin(), roots.end()};
 }
 
-/// Products of facts in pairs, squares of generators and of their differences, and equations times generators.
+/// Products of facts in pairs, squares of generators and of their differences, and equations times
+/// generators.
 std::vector<Column> columns_of(const Ring& ring, const std::vector<Fact>& facts) {
   std::vector<Column> columns{{{}, 1, true, false}};
   const auto add = [&](std::vector<Polynomial> factors, bool is_strict, bool is_zero) {
     Polynomial product = 1;
     for (const Polynomial& f : factors) product = product * f;
     const auto value = reduced(ring, product);
-    if (!value || value->terms() > 40 || (value->is_zero() && !is_strict) || columns.size() >= most_columns) return;
+    if (!value || value->terms() > 40 || (value->is_zero() && !is_strict) || columns.size() >= most_columns)
+      return;
     columns.push_back({std::move(factors), *value, is_strict, is_zero});
   };
   std::set<int> variables;
@@ -124,9 +128,9 @@ std::vector<Column> columns_of(const Ring& ring, const std::vector<Fact>& facts)
 
 /// What holds where a value has none of these signs, if a fact can say it.
 Signs negation(Signs claim) {
-  for (const auto& [one, other] : {std::pair{Signs::positive(), Signs::nonpositive()},
-                                   std::pair{Signs::negative(), Signs::nonnegative()},
-                                   std::pair{Signs::nonzero(), Signs::zero()}}) {
+  for (const auto& [one, other] :
+       {std::pair{Signs::positive(), Signs::nonpositive()},
+        std::pair{Signs::negative(), Signs::nonnegative()}, std::pair{Signs::nonzero(), Signs::zero()}}) {
     if (claim == one) return other;
     if (claim == other) return one;
   }
@@ -139,7 +143,7 @@ std::optional<Certificate> combine(const std::vector<Column>& columns) {
   for (const Column& c : columns)
     for (std::size_t t = 0; t < c.value.terms(); ++t) rows.try_emplace(c.value.monomial(t), rows.size());
   if (rows.size() > most_rows) return std::nullopt;
-  LinearProgram program;
+  std::vector<std::vector<cl_RA>> all;
   std::vector<std::pair<std::size_t, int>> of;  // which column, with which sign
   for (std::size_t k = 0; k < columns.size(); ++k)
     for (const int side : {1, -1}) {
@@ -148,13 +152,12 @@ std::optional<Certificate> combine(const std::vector<Column>& columns) {
       const Polynomial& p = columns[k].value;
       for (std::size_t t = 0; t < p.terms(); ++t) entries[rows.at(p.monomial(t))] = side * p.coefficient(t);
       entries.back() = columns[k].is_strict ? 1 : 0;
-      program.columns.push_back(std::move(entries));
-      program.gains.push_back(0);
+      all.push_back(std::move(entries));
       of.emplace_back(k, side);
     }
-  program.sum.assign(rows.size() + 1, 0);
-  program.sum.back() = 1;
-  const auto solution = largest_solution(program);
+  std::vector<cl_RA> one(rows.size() + 1, 0);
+  one.back() = 1;
+  const auto solution = nonnegative_solution(all, one);
   if (!solution) return std::nullopt;
   Certificate result;
   Fraction sum = 0;
@@ -163,7 +166,6 @@ std::optional<Certificate> combine(const std::vector<Column>& columns) {
     const cl_RA& x = (*solution)[k];
     if (cln::zerop(x)) continue;
     const Column& c = columns[of[k].first];
-    if (cln::minusp(x)) return std::nullopt;
     result.parts.push_back({x * of[k].second, c.factors});
     sum = sum + Fraction(x * of[k].second) * Fraction(c.value);
     if (c.is_strict) strict = strict + x;
@@ -173,15 +175,19 @@ std::optional<Certificate> combine(const std::vector<Column>& columns) {
 }
 
 /// The signs of a product, factor by factor: by the ring, or by a certificate for one factor.
-Signs signs_of_product(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p, Certificate& used) {
+Signs signs_of_product(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p,
+                       Certificate& used) {
   const auto& [number, list] = factors(p);
   Signs result = cln::minusp(number) ? Signs::negative() : Signs::positive();
   const bool is_one = list.size() == 1 && list[0].second == 1;
   for (const auto& [factor, exponent] : list) {
     Signs signs = ring.signs_of(factor);
-    for (const Signs wanted : {Signs::positive(), Signs::negative(), Signs::nonnegative(), Signs::nonpositive()}) {
-      if (is_one || signs == Signs::positive() || signs == Signs::negative() || (signs & wanted) == signs) continue;
-      const auto found = combine(columns_of(ring, relevant(ring, facts, facts_of(ring, factor, negation(wanted)))));
+    for (const Signs wanted :
+         {Signs::positive(), Signs::negative(), Signs::nonnegative(), Signs::nonpositive()}) {
+      if (is_one || signs == Signs::positive() || signs == Signs::negative() || (signs & wanted) == signs)
+        continue;
+      const auto found =
+          combine(columns_of(ring, relevant(ring, facts, facts_of(ring, factor, negation(wanted)))));
       if (!found) continue;
       signs = signs & wanted;
       used.parts.insert(used.parts.end(), found->parts.begin(), found->parts.end());
@@ -208,12 +214,13 @@ std::vector<Fact> facts_of(const Ring& ring, const Fraction& value, Signs signs)
     p = below == Signs::positive() ? p : below == Signs::negative() ? -p : p * f.denominator;
   }
   if (signs == Signs::negative() || signs == Signs::nonpositive()) p = -p, signs = -signs;
-  if (signs == Signs::zero() || signs == Signs::positive() || signs == Signs::nonnegative()) return {{p, signs}};
+  if (signs == Signs::zero() || signs == Signs::positive() || signs == Signs::nonnegative())
+    return {{p, signs}};
   return {};
 }
 
-std::optional<Certificate> prove_signs(const Ring& ring, const std::vector<Fact>& facts, const Fraction& value,
-                                       Signs claim, bool searches) {
+std::optional<Certificate> prove_signs(const Ring& ring, const std::vector<Fact>& facts,
+                                       const Fraction& value, Signs claim, bool searches) {
   if (!claim.is_none() && ring.signs_of(ring.normal(value)).within(claim)) return Certificate{};
   if (!searches) return std::nullopt;
   if (claim.is_none()) return refute_all(ring, facts, 0, Signs::any());

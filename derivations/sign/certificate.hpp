@@ -2,11 +2,11 @@
 //
 // First by intervals and products, as the ring knows them. Then by Positivstellensatz of low degree: from the
 // hypotheses, the ranges of the generators and the negated claim, their products in pairs and squares of
-// generators, a combination with non-negative rational coefficients, one of a strict inequality among them, that is
-// identically 0. Then the hypotheses and the negated claim cannot hold together (the easy direction of Stengle's
-// theorem 1974; Parrilo 2003). Farkas' lemma makes the search for the coefficients a linear program; they are
-// multiplied out in exact arithmetic before they are believed. What is found is true; that there is one of low degree is
-// not certain, so that nothing found says nothing.
+// generators, a combination with non-negative rational coefficients, one of a strict inequality among them,
+// that is identically 0. Then the hypotheses and the negated claim cannot hold together (the easy direction
+// of Stengle's theorem 1974; Parrilo 2003). Farkas' lemma makes the search for the coefficients a linear
+// program; they are multiplied out in exact arithmetic before they are believed. What is found is true; that
+// there is one of low degree is not certain, so that nothing found says nothing.
 #pragma once
 
 #include <derivations/identity/exponential_ring.hpp>
@@ -31,10 +31,10 @@ struct Certificate {
 /// What value = 0, value > 0 … says: facts with numerator · denominator; none of what is not 0.
 std::vector<Fact> facts_of(const Ring& ring, const Fraction& value, Signs signs);
 
-/// A proof that under the facts the value has one of these signs wherever the ring's generators have values. An
-/// empty set of signs asks for a contradiction between the facts. `searches`: also for a combination; else by intervals
-/// and products alone.
-std::optional<Certificate> prove_signs(const Ring& ring, const std::vector<Fact>& facts, const Fraction& value,
-                                       Signs claim, bool searches = true);
+/// A proof that under the facts the value has one of these signs wherever the ring's generators have values.
+/// An empty set of signs asks for a contradiction between the facts. `searches`: also for a combination; else
+/// by intervals and products alone.
+std::optional<Certificate> prove_signs(const Ring& ring, const std::vector<Fact>& facts,
+                                       const Fraction& value, Signs claim, bool searches = true);
 
 }  // namespace rederive

@@ -1,9 +1,12 @@
 #include <cln/float.h>
 #include <cln/real.h>
+#include <glpk.h>
 
-#include <cstddef>
+#include <algorithm>
+#include <cmath>
+#include <derivations/identity/linear_system.hpp>
 #include <derivations/sign/linear_program.hpp>
-#include <type_traits>
+#include <memory>
 
 namespace rederive {
 
@@ -11,140 +14,58 @@ using cln::cl_RA;
 
 namespace {
 
-constexpr int most_steps = 400;
+constexpr int most_steps = 2000;
+constexpr double largest = 1e12;   ///< of an entry: doubles would say nothing of the others
+constexpr double rounding = 1e-9;  ///< what is smaller is 0
 
-/// What the method asks of numbers; a double is 0 within this.
-constexpr double rounding = 1e-9;
-bool is_positive(const cl_RA& x) { return cln::plusp(x); }
-bool is_positive(double x) { return x > rounding; }
-bool is_zero(const cl_RA& x) { return cln::zerop(x); }
-bool is_zero(double x) { return x < rounding && x > -rounding; }
-template <class Number>
-Number as(const cl_RA& x) {
-  if constexpr (std::is_same_v<Number, double>)
-    return cln::double_approx(x);
-  else
-    return x;
+/// The columns that a basic solution takes, in their order, so that they are independent; nothing where
+/// doubles find none.
+std::optional<std::vector<std::size_t>> columns_taken(const std::vector<std::vector<cl_RA>>& columns,
+                                                      const std::vector<cl_RA>& sum) {
+  const std::unique_ptr<glp_prob, decltype(&glp_delete_prob)> program(glp_create_prob(), &glp_delete_prob);
+  glp_add_rows(program.get(), static_cast<int>(sum.size())),
+      glp_add_cols(program.get(), static_cast<int>(columns.size()));
+  for (std::size_t row = 0; row < sum.size(); ++row)
+    glp_set_row_bnds(program.get(), static_cast<int>(row) + 1, GLP_FX, cln::double_approx(sum[row]), 0);
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    std::vector<int> rows(1);  // GLPK counts from 1
+    std::vector<double> entries(1);
+    for (std::size_t row = 0; row < sum.size(); ++row)
+      if (!cln::zerop(columns[k][row]))
+        rows.push_back(static_cast<int>(row) + 1), entries.push_back(cln::double_approx(columns[k][row]));
+    if (std::any_of(entries.begin(), entries.end(), [](double x) { return !(std::abs(x) < largest); }))
+      return std::nullopt;
+    glp_set_col_bnds(program.get(), static_cast<int>(k) + 1, GLP_LO, 0, 0);
+    glp_set_mat_col(program.get(), static_cast<int>(k) + 1, static_cast<int>(rows.size()) - 1, rows.data(),
+                    entries.data());
+  }
+  glp_smcp settings;
+  glp_init_smcp(&settings);
+  settings.msg_lev = GLP_MSG_OFF, settings.it_lim = most_steps;
+  if (glp_simplex(program.get(), &settings) != 0 || glp_get_status(program.get()) != GLP_OPT)
+    return std::nullopt;
+  std::vector<std::size_t> taken;
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    if (glp_get_col_prim(program.get(), static_cast<int>(k) + 1) > rounding) taken.push_back(k);
+  return taken;
 }
-
-/// The equations, solved for the basis: a row each, with the sum at its end. Columns past `real` are made up:
-/// with one for each row there is a solution to begin with.
-template <class Number>
-class Tableau {
- public:
-  explicit Tableau(const LinearProgram& program)
-      : real_(program.columns.size()), width_(real_ + program.sum.size()) {
-    for (std::size_t row = 0; row < program.sum.size(); ++row) {
-      const Number sign = cln::minusp(program.sum[row]) ? -1 : 1;
-      std::vector<Number> entries(width_ + 1, 0);
-      for (std::size_t k = 0; k < real_; ++k) entries[k] = sign * as<Number>(program.columns[k][row]);
-      entries[real_ + row] = 1, entries[width_] = sign * as<Number>(program.sum[row]);
-      rows_.push_back(std::move(entries));
-      basis_.push_back(real_ + row);
-    }
-  }
-
-  /// First that nothing made up is left, then the gain. Whether there is a solution; the gain is as large as
-  /// it can be, or as it was when there were too many steps, or no bound.
-  bool solve(const std::vector<cl_RA>& gains) {
-    std::vector<Number> nothing_made_up(width_, 0), of_columns;
-    for (std::size_t k = real_; k < width_; ++k) nothing_made_up[k] = -1;
-    for (const cl_RA& gain : gains) of_columns.push_back(as<Number>(gain));
-    if (!maximize(nothing_made_up) || !has_solution()) return false;
-    maximize(of_columns);
-    return has_solution();
-  }
-
-  /// The columns that the solution is made of.
-  std::vector<std::size_t> basis() const {
-    std::vector<std::size_t> result;
-    for (const std::size_t k : basis_)
-      if (k < real_) result.push_back(k);
-    return result;
-  }
-
-  std::vector<Number> solution() const {
-    std::vector<Number> result(real_, 0);
-    for (std::size_t row = 0; row < rows_.size(); ++row)
-      if (basis_[row] < real_) result[basis_[row]] = rows_[row][width_];
-    return result;
-  }
-
- private:
-  /// As large as it can be, or without bound. False where there were too many steps.
-  bool maximize(std::vector<Number> left) {  // what one more of a column would gain
-    left.resize(width_ + 1, 0);
-    for (std::size_t row = 0; row < rows_.size(); ++row)
-      if (const Number gain = left[basis_[row]]; !is_zero(gain)) subtract(left, gain, rows_[row]);
-    for (; steps_ < most_steps; ++steps_) {
-      std::size_t entering = 0;
-      while (entering < real_ && !is_positive(left[entering])) ++entering;
-      if (entering == real_) return true;
-      const auto row = leaving(entering);
-      if (!row) return true;  // without bound
-      pivot(*row, entering);
-      const Number gain = left[entering];
-      subtract(left, gain, rows_[*row]);
-    }
-    return false;
-  }
-
-  bool has_solution() const {
-    for (std::size_t row = 0; row < rows_.size(); ++row)
-      if (basis_[row] >= real_ && !is_zero(rows_[row][width_])) return false;
-    return true;
-  }
-
-  static void subtract(std::vector<Number>& from, const Number& factor, const std::vector<Number>& row) {
-    for (std::size_t k = 0; k < row.size(); ++k)
-      if (!is_zero(row[k])) from[k] = from[k] - factor * row[k];
-  }
-
-  /// The row that stays within bounds: the smallest quotient, and of equals the first in the basis. What was
-  /// made up and is 0 goes first, whatever the sign: it must not grow again.
-  std::optional<std::size_t> leaving(std::size_t entering) const {
-    std::optional<std::size_t> best;
-    for (std::size_t row = 0; row < rows_.size(); ++row) {
-      const auto& entries = rows_[row];
-      if (basis_[row] >= real_ && is_zero(entries[width_]) && !is_zero(entries[entering])) return row;
-      if (!is_positive(entries[entering])) continue;
-      const auto quotient = [&](std::size_t r) { return rows_[r][width_] / rows_[r][entering]; };
-      if (!best || quotient(row) < quotient(*best) ||
-          (quotient(row) == quotient(*best) && basis_[row] < basis_[*best]))
-        best = row;
-    }
-    return best;
-  }
-
-  void pivot(std::size_t row, std::size_t entering) {
-    const Number divisor = rows_[row][entering];
-    for (Number& entry : rows_[row]) entry = entry / divisor;
-    for (std::size_t other = 0; other < rows_.size(); ++other)
-      if (const Number factor = rows_[other][entering]; other != row && !is_zero(factor))
-        subtract(rows_[other], factor, rows_[row]);
-    basis_[row] = entering;
-  }
-
-  std::size_t real_, width_;
-  std::vector<std::vector<Number>> rows_;
-  std::vector<std::size_t> basis_;
-  int steps_ = 0;
-};
 
 }  // namespace
 
-std::optional<std::vector<cl_RA>> largest_solution(const LinearProgram& program) {
-  Tableau<double> rounded(program);
-  if (!rounded.solve(program.gains)) return std::nullopt;
-  const std::vector<std::size_t> basis = rounded.basis();
-  LinearProgram exact{{}, program.sum, {}};
-  for (const std::size_t k : basis)
-    exact.columns.push_back(program.columns[k]), exact.gains.push_back(program.gains[k]);
-  Tableau<cl_RA> tableau(exact);
-  if (!tableau.solve(exact.gains)) return std::nullopt;
-  std::vector<cl_RA> solution(program.columns.size(), 0);
-  const std::vector<cl_RA> parts = tableau.solution();
-  for (std::size_t k = 0; k < basis.size(); ++k) solution[basis[k]] = parts[k];
+std::optional<std::vector<cl_RA>> nonnegative_solution(const std::vector<std::vector<cl_RA>>& columns,
+                                                       const std::vector<cl_RA>& sum) {
+  const auto taken = columns_taken(columns, sum);
+  if (!taken) return std::nullopt;
+  std::vector<std::vector<cl_RA>> rows(sum.size());
+  for (std::size_t row = 0; row < sum.size(); ++row) {
+    for (const std::size_t k : *taken) rows[row].push_back(columns[k][row]);
+    rows[row].push_back(sum[row]);
+  }
+  const auto parts = solve(std::move(rows));
+  if (!parts || std::any_of(parts->begin(), parts->end(), [](const cl_RA& x) { return cln::minusp(x); }))
+    return std::nullopt;
+  std::vector<cl_RA> solution(columns.size(), 0);
+  for (std::size_t k = 0; k < taken->size(); ++k) solution[(*taken)[k]] = (*parts)[k];
   return solution;
 }
 

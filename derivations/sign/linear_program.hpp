@@ -1,4 +1,4 @@
-// Linear equations with a solution of which no part is negative: the simplex method, and exact numbers.
+// Linear equations with a solution of which no part is negative.
 #pragma once
 
 #include <cln/rational.h>
@@ -8,17 +8,10 @@
 
 namespace rederive {
 
-/// What is to be found: x_k >= 0 with sum_k x_k columns[k] = sum, and of these one with the largest
-/// sum_k gains[k] x_k. All columns are as long as the sum; there is one gain for each column.
-struct LinearProgram {
-  std::vector<std::vector<cln::cl_RA>> columns;
-  std::vector<cln::cl_RA> sum, gains;
-};
-
-/// The parts of a solution, one for each column, exactly. Which columns it is made of is found with doubles,
-/// so that there may be a solution where nothing is found, and the gain is the largest one but for rounding;
-/// or, of one without bound or found only after some hundred steps, that of a solution which was met.
-/// Dantzig's method with Bland's rule, which never goes round in a circle.
-std::optional<std::vector<cln::cl_RA>> largest_solution(const LinearProgram& program);
+/// x_k >= 0 with sum_k x_k columns[k] = sum, exactly; all columns are as long as the sum. GLPK's simplex
+/// method, in doubles, says which columns a solution is made of; the exact solution with these is taken where
+/// no part of it is negative. So there may be one where nothing is found.
+std::optional<std::vector<cln::cl_RA>> nonnegative_solution(
+    const std::vector<std::vector<cln::cl_RA>>& columns, const std::vector<cln::cl_RA>& sum);
 
 }  // namespace rederive
