@@ -10,17 +10,6 @@ namespace rederive {
 
 namespace {
 
-/// The variables of all polynomials, in degree-lexicographic order.
-const fmpz_mpoly_ctx_struct* context() {
-  struct Context {
-    Context() { fmpz_mpoly_ctx_init(c, Polynomial::variables, ORD_DEGLEX); }
-    ~Context() { fmpz_mpoly_ctx_clear(c); }
-    fmpz_mpoly_ctx_t c;
-  };
-  static const Context context;
-  return context.c;
-}
-
 /// FLINT's integer, freed at the end of its life.
 struct Integer {
   Integer() { fmpz_init(z); }
@@ -46,52 +35,24 @@ struct Integer {
   fmpz_t z;
 };
 
-void check_size(std::size_t terms) {
-  if (terms > Polynomial::most_terms) throw Undecidable("too many terms, once it is multiplied out");
-}
-
 }  // namespace
 
-Polynomial::Polynomial(long value) {
-  fmpz_mpoly_init(p_, context());
-  if (value != 0) fmpz_mpoly_set_si(p_, value, context());
+const fmpz_mpoly_ctx_struct* Polynomial::context() {
+  struct Context {
+    Context() { fmpz_mpoly_ctx_init(c, Polynomial::variables, ORD_DEGLEX); }
+    ~Context() { fmpz_mpoly_ctx_clear(c); }
+    fmpz_mpoly_ctx_t c;
+  };
+  static const Context context;
+  return context.c;
 }
-Polynomial::Polynomial(const cln::cl_I& value) {
-  fmpz_mpoly_init(p_, context());
+
+Polynomial::Polynomial(const cln::cl_I& value) : Polynomial() {
   fmpz_mpoly_set_fmpz(p_, Integer(value).z, context());
 }
-Polynomial::Polynomial(const Polynomial& other) {
-  fmpz_mpoly_init(p_, context());
-  fmpz_mpoly_set(p_, other.p_, context());
-}
-Polynomial::Polynomial(Polynomial&& other) noexcept {
-  fmpz_mpoly_init(p_, context());
-  fmpz_mpoly_swap(p_, other.p_, context());
-}
-Polynomial& Polynomial::operator=(Polynomial other) noexcept {
-  fmpz_mpoly_swap(p_, other.p_, context());
-  return *this;
-}
-Polynomial::~Polynomial() { fmpz_mpoly_clear(p_, context()); }
 
-Polynomial Polynomial::variable(int k) {
-  Polynomial result;
-  fmpz_mpoly_gen(result.p_, k, context());
-  return result;
-}
-
-bool Polynomial::is_zero() const { return fmpz_mpoly_is_zero(p_, context()) != 0; }
-bool Polynomial::is_one() const { return fmpz_mpoly_is_one(p_, context()) != 0; }
-bool Polynomial::is_constant() const { return fmpz_mpoly_is_fmpz(p_, context()) != 0; }
-std::size_t Polynomial::terms() const { return fmpz_mpoly_length(p_, context()); }
 int Polynomial::degree(int variable) const {
   return std::max(0, static_cast<int>(fmpz_mpoly_degree_si(p_, variable, context())));
-}
-
-cln::cl_I Polynomial::constant() const {
-  Integer value;
-  fmpz_mpoly_get_fmpz(value.z, p_, context());
-  return value.value();
 }
 
 std::vector<int> Polynomial::used() const {
@@ -119,12 +80,6 @@ cln::cl_I Polynomial::coefficient(std::size_t term) const {
   return value.value();
 }
 
-Polynomial Polynomial::monomial(std::size_t term) const {
-  Polynomial result;
-  fmpz_mpoly_get_term_monomial(result.p_, p_, term, context());
-  return result;
-}
-
 std::vector<std::pair<int, int>> Polynomial::powers(std::size_t term) const {
   ulong exponents[variables];
   fmpz_mpoly_get_term_exp_ui(exponents, p_, term, context());
@@ -140,8 +95,6 @@ cln::cl_I Polynomial::content() const {
   return result;
 }
 
-bool Polynomial::leads_with_minus() const { return !is_zero() && cln::minusp(coefficient(0)); }
-
 std::string Polynomial::key() const {
   char* text = fmpz_mpoly_get_str_pretty(p_, nullptr, context());
   std::string result(text);
@@ -149,33 +102,10 @@ std::string Polynomial::key() const {
   return result;
 }
 
-Polynomial Polynomial::operator-() const {
-  Polynomial result;
-  fmpz_mpoly_neg(result.p_, p_, context());
-  return result;
-}
-Polynomial operator+(const Polynomial& a, const Polynomial& b) {
-  Polynomial result;
-  fmpz_mpoly_add(result.p_, a.p_, b.p_, context());
-  check_size(result.terms());
-  return result;
-}
-Polynomial operator-(const Polynomial& a, const Polynomial& b) {
-  Polynomial result;
-  fmpz_mpoly_sub(result.p_, a.p_, b.p_, context());
-  check_size(result.terms());
-  return result;
-}
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
-  if (a.terms() > 1 && b.terms() > 1) check_size(a.terms() * b.terms() / 100);
-  Polynomial result;
-  fmpz_mpoly_mul(result.p_, a.p_, b.p_, context());
-  check_size(result.terms());
-  return result;
-}
-bool operator<(const Polynomial& a, const Polynomial& b) { return fmpz_mpoly_cmp(a.p_, b.p_, context()) < 0; }
-bool operator==(const Polynomial& a, const Polynomial& b) {
-  return fmpz_mpoly_equal(a.p_, b.p_, context()) != 0;
+  if (a.terms() > 1 && b.terms() > 1 && a.terms() * b.terms() > 100 * Polynomial::most_terms)
+    throw Undecidable("too many terms, once it is multiplied out");
+  return Polynomial::of<fmpz_mpoly_mul>(a.p_, b.p_);
 }
 
 Polynomial power(const Polynomial& base, int exponent) {
@@ -186,13 +116,14 @@ Polynomial power(const Polynomial& base, int exponent) {
 
 std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b) {
   Polynomial result;
-  if (b.is_zero() || fmpz_mpoly_divides(result.p_, a.p_, b.p_, context()) == 0) return std::nullopt;
+  if (b.is_zero() || fmpz_mpoly_divides(result.p_, a.p_, b.p_, Polynomial::context()) == 0)
+    return std::nullopt;
   return result;
 }
 
 Polynomial gcd(const Polynomial& a, const Polynomial& b) {
   Polynomial result;
-  if (fmpz_mpoly_gcd(result.p_, a.p_, b.p_, context()) == 0)
+  if (fmpz_mpoly_gcd(result.p_, a.p_, b.p_, Polynomial::context()) == 0)
     throw Undecidable("a greatest common divisor that is too large");
   return result;
 }
@@ -200,7 +131,7 @@ Polynomial gcd(const Polynomial& a, const Polynomial& b) {
 bool has_real_zero(const Polynomial& p, int variable) {
   fmpz_poly_t univariate;
   fmpz_poly_init(univariate);
-  const bool is_univariate = fmpz_mpoly_get_fmpz_poly(univariate, p.p_, variable, context()) != 0;
+  const bool is_univariate = fmpz_mpoly_get_fmpz_poly(univariate, p.p_, variable, Polynomial::context()) != 0;
   const bool result = !is_univariate || fmpz_poly_num_real_roots(univariate) != 0;
   fmpz_poly_clear(univariate);
   return result;
@@ -217,16 +148,16 @@ Factors factors(const Polynomial& p) {
     return result;
   }
   fmpz_mpoly_factor_t found;
-  fmpz_mpoly_factor_init(found, context());
-  const bool is_done = fmpz_mpoly_factor(found, p.p_, context()) != 0;
+  fmpz_mpoly_factor_init(found, Polynomial::context());
+  const bool is_done = fmpz_mpoly_factor(found, p.p_, Polynomial::context()) != 0;
   if (is_done) {
     Integer constant;
-    fmpz_mpoly_factor_get_constant_fmpz(constant.z, found, context());
+    fmpz_mpoly_factor_get_constant_fmpz(constant.z, found, Polynomial::context());
     result.first = constant.value();
-    for (slong k = 0; k < fmpz_mpoly_factor_length(found, context()); ++k) {
+    for (slong k = 0; k < fmpz_mpoly_factor_length(found, Polynomial::context()); ++k) {
       Polynomial base;
-      fmpz_mpoly_factor_get_base(base.p_, found, k, context());
-      const int exponent = static_cast<int>(fmpz_mpoly_factor_get_exp_si(found, k, context()));
+      fmpz_mpoly_factor_get_base(base.p_, found, k, Polynomial::context());
+      const int exponent = static_cast<int>(fmpz_mpoly_factor_get_exp_si(found, k, Polynomial::context()));
       if (base.leads_with_minus()) {
         base = -base;
         if (exponent % 2 != 0) result.first = -result.first;
@@ -234,7 +165,7 @@ Factors factors(const Polynomial& p) {
       result.second.emplace_back(std::move(base), exponent);
     }
   }
-  fmpz_mpoly_factor_clear(found, context());
+  fmpz_mpoly_factor_clear(found, Polynomial::context());
   if (!is_done) throw Undecidable("a polynomial whose factors are not found");
   if (known.size() > 4000) known.clear();
   return known[p] = std::move(result);

@@ -32,38 +32,46 @@ class Polynomial {
   static constexpr int variables = 48;
   static constexpr std::size_t most_terms = 4000;
 
-  Polynomial(long value = 0);
+  Polynomial(long value = 0) { fmpz_mpoly_init(p_, context()), fmpz_mpoly_set_si(p_, value, context()); }
   explicit Polynomial(const cln::cl_I& value);
-  Polynomial(const Polynomial& other);
-  Polynomial(Polynomial&& other) noexcept;
-  Polynomial& operator=(Polynomial other) noexcept;
-  ~Polynomial();
-  static Polynomial variable(int k);
+  Polynomial(const Polynomial& other) : Polynomial() { fmpz_mpoly_set(p_, other.p_, context()); }
+  Polynomial(Polynomial&& other) noexcept : Polynomial() { fmpz_mpoly_swap(p_, other.p_, context()); }
+  Polynomial& operator=(Polynomial other) noexcept { return fmpz_mpoly_swap(p_, other.p_, context()), *this; }
+  ~Polynomial() { fmpz_mpoly_clear(p_, context()); }
+  static Polynomial variable(int k) { return of<fmpz_mpoly_gen>(k); }
 
-  bool is_zero() const;
-  bool is_one() const;
-  bool is_constant() const;
-  cln::cl_I constant() const;  ///< of a constant
-  std::size_t terms() const;
+  bool is_zero() const { return fmpz_mpoly_is_zero(p_, context()); }
+  bool is_one() const { return fmpz_mpoly_is_one(p_, context()); }
+  bool is_constant() const { return fmpz_mpoly_is_fmpz(p_, context()); }
+  cln::cl_I constant() const { return is_zero() ? 0 : coefficient(0); }  ///< of a constant
+  std::size_t terms() const { return fmpz_mpoly_length(p_, context()); }
   int degree(int variable) const;
   std::vector<int> used() const;  ///< the variables that occur, sorted
   std::vector<Polynomial> coefficients(
       int variable) const;                        ///< of the powers of a variable, from the power 0 on
   cln::cl_I coefficient(std::size_t term) const;  ///< terms in the order of FLINT: the leading one first
-  Polynomial monomial(std::size_t term) const;    ///< without its coefficient
+  /// Without its coefficient.
+  Polynomial monomial(std::size_t term) const { return of<fmpz_mpoly_get_term_monomial>(p_, term); }
   std::vector<std::pair<int, int>> powers(std::size_t term) const;  ///< (variable, exponent > 0)
   cln::cl_I content() const;  ///< the positive number that all coefficients have in common
-  bool leads_with_minus() const;
-  std::string key() const;                                          ///< the same text for the same polynomial
-  friend bool operator<(const Polynomial& a, const Polynomial& b);  ///< some order, for tables
+  bool leads_with_minus() const { return !is_zero() && cln::minusp(coefficient(0)); }
+  std::string key() const;  ///< the same text for the same polynomial
 
-  Polynomial operator-() const;
-  friend Polynomial operator+(const Polynomial& a, const Polynomial& b);
-  friend Polynomial operator-(const Polynomial& a, const Polynomial& b);
+  Polynomial operator-() const { return of<fmpz_mpoly_neg>(p_); }
+  friend Polynomial operator+(const Polynomial& a, const Polynomial& b) {
+    return of<fmpz_mpoly_add>(a.p_, b.p_);
+  }
+  friend Polynomial operator-(const Polynomial& a, const Polynomial& b) {
+    return of<fmpz_mpoly_sub>(a.p_, b.p_);
+  }
   friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
-  friend bool operator==(const Polynomial& a, const Polynomial& b);
-  /// Throws Undecidable where the power has too many terms.
-  friend Polynomial power(const Polynomial& base, int exponent);
+  friend bool operator==(const Polynomial& a, const Polynomial& b) {
+    return fmpz_mpoly_equal(a.p_, b.p_, context());
+  }
+  /// Some order, for tables.
+  friend bool operator<(const Polynomial& a, const Polynomial& b) {
+    return fmpz_mpoly_cmp(a.p_, b.p_, context()) < 0;
+  }
   /// a/b, if that leaves nothing.
   friend std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b);
   friend Polynomial gcd(const Polynomial& a, const Polynomial& b);
@@ -73,8 +81,22 @@ class Polynomial {
   friend Factors factors(const Polynomial& p);
 
  private:
+  /// The variables of all polynomials, in degree-lexicographic order.
+  static const fmpz_mpoly_ctx_struct* context();
+  void check_size() const {
+    if (terms() > most_terms) throw Undecidable("too many terms, once it is multiplied out");
+  }
+  template <auto function, class... Arguments>
+  static Polynomial of(const Arguments&... arguments) {
+    Polynomial result;
+    function(result.p_, arguments..., context());
+    return result.check_size(), result;
+  }
   fmpz_mpoly_t p_;
 };
+
+/// Throws Undecidable where the power has too many terms.
+Polynomial power(const Polynomial& base, int exponent);
 
 /// c^degree = value for c = cos(π/n), from the minimal polynomial of 2·cos(2π/2n).
 std::pair<int, struct Fraction> relation_of_cosine(const Polynomial& c, int n);
