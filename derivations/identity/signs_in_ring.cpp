@@ -1,0 +1,248 @@
+// Signs and ranges of polynomials in the generators: what is known of them, and what follows.
+#include <algorithm>
+#include <derivations/identity/exponential_ring.hpp>
+
+namespace rederive {
+
+namespace {
+
+/// ±p with content 1 that leads with plus, and the number that was taken out.
+std::pair<cln::cl_I, Polynomial> primitive(const Polynomial& p) {
+  cln::cl_I number = p.content();
+  if (p.leads_with_minus()) number = -number;
+  return {number, *quotient(p, Polynomial(number))};
+}
+
+Signs signs_of_interval(const Interval& i) {
+  Signs result = Signs::any();
+  if (i.is_positive()) return Signs::positive();
+  if (i.is_negative()) return Signs::negative();
+  if (i.is_nonnegative()) result = Signs::nonnegative();
+  if (i.is_nonpositive()) result = result & Signs::nonpositive();
+  return result;
+}
+
+Signs sign_of_number(const cln::cl_RA& n) {
+  return cln::zerop(n) ? Signs::zero() : cln::plusp(n) ? Signs::positive() : Signs::negative();
+}
+
+}  // namespace
+
+void Ring::learn(const Fraction& value, Signs signs) {
+  found_.clear();
+  const Fraction f = normal(value);
+  const Polynomial product = f.numerator * f.denominator;
+  if (product.is_constant()) return;
+  const auto& [number, list] = factors(product);
+  Polynomial rest = 1;  // the factors of which the sign is not known yet
+  Signs outside = sign_of_number(number);
+  for (const auto& [factor, exponent] : list) {
+    const Signs known = power(signs_of(factor), exponent);
+    if (known.is_definite() && (known == Signs::positive() || known == Signs::negative())) {
+      outside = outside * known;
+      continue;
+    }
+    const bool is_odd = exponent % 2 != 0;
+    if (signs.is_definite()) {  // no factor of what is not 0 is 0
+      known_signs_.try_emplace(factor, Signs::any()).first->second = signs_of(factor) & Signs::nonzero();
+      if (!is_odd || signs_of(factor) == Signs::positive() || signs_of(factor) == Signs::negative()) {
+        if (is_odd) outside = outside * signs_of(factor);
+        continue;
+      }
+    }
+    rest = rest * power(factor, is_odd ? 1 : 2);
+  }
+  if (rest.is_constant()) return;
+  const Signs of_rest = outside == Signs::negative() ? -signs : signs;
+  Signs& known = known_signs_.try_emplace(rest, Signs::any()).first->second;
+  known = known & of_rest;
+  narrow(rest, of_rest);
+}
+
+/// c·x + d > 0 bounds x by the values of -d/c, for a number c and a d without x.
+void Ring::narrow(const Polynomial& p, Signs signs) {
+  bool has_changed = false;
+  for (const int k : p.used()) {
+    if (p.degree(k) != 1) continue;
+    const auto c = p.coefficients(k);
+    if (!c[1].is_constant()) continue;
+    const Interval end = range_of(Fraction(-c[0], c[1]));
+    const Signs of_x = cln::minusp(c[1].constant()) ? -signs : signs;  // of x + d/c
+    Interval bound;
+    const bool closed = Signs::zero().within(of_x);
+    if (of_x.within(Signs::nonnegative()) && end.low.infinite == 0)
+      bound.low = end.low, bound.low.closed = closed && end.low.closed;
+    if (of_x.within(Signs::nonpositive()) && end.high.infinite == 0)
+      bound.high = end.high, bound.high.closed = closed && end.high.closed;
+    has_changed = narrow(k, bound) || has_changed;
+  }
+  if (has_changed) propagate();
+}
+
+/// Whether that says something new.
+bool Ring::narrow(int generator, const Interval& range) {
+  Interval& known = generators_[generator].range;
+  const Interval both = overlap(known, range);
+  const auto is_same = [](const End& a, const End& b) { return compare(a, b) == 0 && a.closed == b.closed; };
+  if (is_same(both.low, known.low) && is_same(both.high, known.high)) return false;
+  known = both;
+  return true;
+}
+
+/// The range of x from that of f(c·x + d), where f can be inverted.
+bool Ring::narrow_backwards(const Generator& g) {
+  using Kind = Generator::Kind;
+  const auto used = g.of.numerator.used();
+  if (used.size() != 1 || g.of.numerator.degree(used[0]) != 1 || !g.of.denominator.is_constant())
+    return false;
+  const Interval inside = range_of(g.of);
+  const auto lies_between = [&](const Constant& low, const Constant& high) {
+    return compare(inside.low, End{low}) >= 0 && compare(inside.high, End{high}) <= 0;
+  };
+  const cln::cl_RA half = cln::cl_RA(1) / 2;
+  Interval argument;
+  if (g.kind == Kind::exponential) argument = call("log", g.range);
+  if (g.kind == Kind::logarithm) argument = call("exp", g.range);
+  if (g.kind == Kind::root) argument = power(g.range, g.order);
+  if (g.kind == Kind::angle) argument = call(g.order == 1 ? "sin" : "tan", g.range);
+  if (g.kind == Kind::cosine && lies_between({}, {0, 1})) argument = call("acos", g.range);
+  if (g.kind == Kind::cosine && lies_between({0, -half}, {0, half})) {
+    const Interval size = call("acos", g.range);
+    argument = overlap(argument, hull(size, -size));
+  }
+  if (g.kind == Kind::sine && lies_between({0, -half}, {0, half})) argument = call("asin", g.range);
+  const auto c = g.of.numerator.coefficients(used[0]);
+  if (!c[0].is_constant() || !c[1].is_constant()) return false;
+  const cln::cl_RA below = g.of.denominator.constant(), slope = below / cln::cl_RA(c[1].constant());
+  return narrow(used[0], (argument - point({c[0].constant() / below})) * point({slope}));
+}
+
+/// What a function makes of a narrower range, and the other way round.
+void Ring::propagate() {
+  using Kind = Generator::Kind;
+  static const std::map<Kind, const char*> functions{{Kind::cosine, "cos"},
+                                                     {Kind::sine, "sin"},
+                                                     {Kind::exponential, "exp"},
+                                                     {Kind::absolute, "fabs"},
+                                                     {Kind::logarithm, "log"}};
+  bool has_changed = true;
+  for (int round = 0; round < 3 && has_changed; ++round) {
+    has_changed = false;
+    for (std::size_t k = 0; k < generators_.size(); ++k) {
+      const Generator g = generators_[k];
+      const auto function = functions.find(g.kind);
+      const bool is_angle = g.kind == Kind::angle, is_root = g.kind == Kind::root && g.order == 2;
+      if (function != functions.end() || is_angle || is_root) {
+        const char* name = is_angle ? (g.order == 1 ? "asin" : "atan") : is_root ? "sqrt" : function->second;
+        has_changed = narrow(static_cast<int>(k), call(name, range_of(g.of))) || has_changed;
+      }
+      if (g.kind != Kind::symbol && g.kind != Kind::pi)
+        has_changed = narrow_backwards(generators_[k]) || has_changed;
+    }
+  }
+}
+
+void Ring::learn(const Fraction& value, const Interval& range) {
+  found_.clear();
+  const Fraction f = normal(value);
+  if (!f.denominator.is_constant() || f.numerator.is_constant()) return;
+  const auto [number, p] = primitive(f.numerator);
+  const Interval bound = range * point({cln::cl_RA(f.denominator.constant()) / number});
+  const auto [place, is_new] = known_.try_emplace(p, bound);
+  if (!is_new) place->second = overlap(place->second, bound);
+}
+
+Interval Ring::range_of(const Polynomial& p) const {
+  if (p.is_zero()) return point({});
+  Interval sum = point({});
+  for (std::size_t t = 0; t < p.terms(); ++t) {
+    Interval product = point({p.coefficient(t)});
+    for (const auto& [k, exponent] : p.powers(t)) product = product * power(generators_[k].range, exponent);
+    sum = sum + product;
+  }
+  if (p.is_constant() || (known_.empty() && known_signs_.empty())) return sum;
+  const auto [number, q] = primitive(p);
+  if (const auto known = known_.find(q); known != known_.end())
+    sum = overlap(sum, known->second * point({number}));
+  if (const auto known = known_signs_.find(q); known != known_signs_.end()) {
+    const Signs signs = cln::minusp(number) ? -known->second : known->second;
+    if (signs == Signs::positive()) sum = overlap(sum, positive_numbers());
+    if (signs == Signs::negative()) sum = overlap(sum, -positive_numbers());
+  }
+  return sum;
+}
+
+Interval Ring::range_of(const Fraction& f) const {
+  const Interval above = range_of(f.numerator);
+  return f.denominator.is_one() ? above : above * reciprocal(range_of(f.denominator));
+}
+
+Signs Ring::signs_of(const Polynomial& p) const {
+  if (const auto found = found_.find(p); found != found_.end()) return found->second;
+  return found_.emplace(p, signs_of(p, 2)).first->second;
+}
+
+Signs Ring::signs_of(const Polynomial& p, int depth) const {
+  if (p.is_constant()) return sign_of_number(p.constant());
+  Signs result = signs_of_interval(range_of(p));
+  const auto [number, q] = primitive(p);
+  if (const auto known = known_signs_.find(q); known != known_signs_.end())
+    result = result & (cln::minusp(number) ? -known->second : known->second);
+  if (depth == 0 || result == Signs::positive() || result == Signs::negative() || result.is_none())
+    return result;
+  const auto& [constant, list] = factors(p);
+  if (list.size() == 1 && list[0].second == 1)
+    return result & signs_of_coefficients(p, depth - 1) & signs_of_quadratic(p, depth - 1) &
+           signs_of_univariate(p);
+  Signs product = sign_of_number(constant);
+  for (const auto& [factor, exponent] : list)
+    product = product * power(signs_of(factor, depth - 1), exponent);
+  return result & product;
+}
+
+/// As a polynomial in the symbols, the other generators in its coefficients: g·(4s - 3s³) + a·(c - c³) term
+/// by term.
+Signs Ring::signs_of_coefficients(const Polynomial& p, int depth) const {
+  if (p.terms() > 40) return Signs::any();
+  std::map<Polynomial, Polynomial> coefficients;
+  for (std::size_t t = 0; t < p.terms(); ++t) {
+    Polynomial of_symbols = 1, other = Polynomial(p.coefficient(t));
+    for (const auto& [k, exponent] : p.powers(t)) {
+      Polynomial& part = generators_[k].kind == Generator::Kind::symbol ? of_symbols : other;
+      part = part * power(Polynomial::variable(k), exponent);
+    }
+    Polynomial& sum = coefficients[of_symbols];
+    sum = sum + other;
+  }
+  if (coefficients.size() == p.terms() || coefficients.size() == 1) return Signs::any();
+  Signs all = Signs::zero();
+  for (const auto& [monomial, coefficient] : coefficients)
+    all = sum_of(all, signs_of(monomial, 0) * signs_of(coefficient, depth));
+  return all;
+}
+
+/// A polynomial in one generator without a real zero has the sign of its value at 0.
+Signs Ring::signs_of_univariate(const Polynomial& p) const {
+  const auto used = p.used();
+  if (used.size() != 1 || p.degree(used[0]) < 3 || has_real_zero(p, used[0])) return Signs::any();
+  return sign_of_number(p.coefficients(used[0])[0].constant());
+}
+
+/// 4a·(a x² + b x + c) = (2a x + b)² - (b² - 4ac).
+Signs Ring::signs_of_quadratic(const Polynomial& p, int depth) const {
+  for (const int k : p.used()) {
+    auto c = p.coefficients(k);
+    if (c.size() == 5 && c[1].is_zero() && c[3].is_zero()) c = {c[0], c[2], c[4]};  // in the square
+    if (c.size() != 3) continue;
+    const Signs leading = signs_of(c[2], depth);
+    if (leading != Signs::positive() && leading != Signs::negative()) continue;
+    const Fraction discriminant = reduced(c[1] * c[1] - 4 * c[0] * c[2]);
+    const Signs of_discriminant =
+        signs_of(discriminant.numerator, depth) * signs_of(discriminant.denominator, depth);
+    if (of_discriminant == Signs::negative()) return leading;
+    if (of_discriminant.within(Signs::nonpositive())) return leading | Signs::zero();
+  }
+  return Signs::any();
+}
+
+}  // namespace rederive
