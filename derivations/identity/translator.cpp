@@ -1,7 +1,7 @@
 #include <algorithm>
+#include <derivations/identity/rewrite_rules.hpp>
 #include <derivations/identity/translator.hpp>
-#include <derivations/language/symbols.hpp>
-#include <derivations/language/syntax.hpp>
+#include <utility>
 
 namespace rederive {
 
@@ -21,6 +21,7 @@ bool has_call(const Tree& tree) {
 template <class Work>
 auto Translator::in_rounds(const Work& work) {
   for (int round = 0; round < 24; ++round) try {
+      argument_.reset();
       return work();
     } catch (const AnotherRound&) {
       rebuild();
@@ -88,11 +89,7 @@ void Translator::collect(const Tree& tree) {
 
 void Translator::require(const Fraction& value, Signs allowed, const Tree& tree) {
   if (value.is_constant()) {
-    const cl_RA number = value.constant();
-    const Signs sign = cln::zerop(number)   ? Signs::zero()
-                       : cln::plusp(number) ? Signs::positive()
-                                            : Signs::negative();
-    if (!sign.within(allowed)) throw NoValue("a part of it has no value anywhere");
+    if (!ring_.signs_of(value).within(allowed)) throw NoValue("a part of it has no value anywhere");
     return;
   }
   conditions_->push_back({value, allowed, tree});
@@ -108,6 +105,7 @@ Fraction Translator::translate(const Tree& tree) {
     case Node::Kind::number:
       return Fraction(exact(tree->text));
     case Node::Kind::symbol:
+      if (argument_ && tree->text == "u") return *argument_;
       return tree->text == "pi" ? pi() : symbol(tree->text);
     case Node::Kind::negative:
       return -translate(tree->children[0]);
@@ -124,7 +122,7 @@ Fraction Translator::translate(const Tree& tree) {
     case Node::Kind::power:
       return power_of(*tree);
     case Node::Kind::call:
-      return call(*tree, tree);
+      return call(*tree);
   }
   throw Undecidable("a form that is not known");
 }
@@ -159,69 +157,30 @@ Fraction Translator::power_of(const Node& node) {
   return n < 0 ? ring_.normal(1 / result) : result;
 }
 
-Fraction Translator::call(const Node& node, const Tree& tree) {
+Fraction Translator::call(const Node& node) {
   const std::string& name = node.text;
   const Tree& argument = node.children[0];
   const Fraction x = translate(argument);
-  const auto also = [&](const char* other) { return make_tree(Node::Kind::call, other, {argument}); };
+  if (const RewriteRule* rule = rewrite_rule(name)) {
+    const auto of_x = [&](const Tree& tree) {  // the conditions of the parts are those of the whole
+      const std::size_t known = conditions_->size();
+      const auto outer = std::exchange(argument_, x);
+      const Fraction result = translate(tree);
+      argument_ = outer;  // if something is thrown, at the next round
+      conditions_->erase(conditions_->begin() + static_cast<std::ptrdiff_t>(known), conditions_->end());
+      return result;
+    };
+    for (const auto& [value, signs] : rule->domain)
+      require(of_x(value), signs, with_argument(value, argument));
+    if (rule->result) return of_x(rule->result);
+  }
   if (name == "sin") return circular(x).second;
   if (name == "cos") return circular(x).first;
-  if (name == "tan" || name == "sec" || name == "cot" || name == "csc") {
-    const auto [c, s] = circular(x);
-    if (name == "tan") return divide(s, c, also("cos"));
-    if (name == "sec") return divide(1, c, also("cos"));
-    return divide(name == "cot" ? c : Fraction(1), s, also("sin"));
-  }
-  if (name == "sqrt") {
-    require(x, Signs::nonnegative(), argument);
-    return root_of(argument, 2);
-  }
+  if (name == "sqrt") return root_of(argument, 2);
   if (name == "fabs") return absolute(x);
   if (name == "exp") return exponential(x);
-  if (name == "log") {
-    require(x, Signs::positive(), argument);
-    return logarithm(x);
-  }
-  if (name == "atan") return angle(false, x);
-  if (name == "asin" || name == "acos") {
-    const Tree one = make_tree(Node::Kind::number, "1"), two = make_tree(Node::Kind::number, "2");
-    const Tree square = make_tree(Node::Kind::power, "", {argument, two});
-    require(1 - x * x, Signs::nonnegative(), make_tree(Node::Kind::sum, "", {one, square}, {false, true}));
-    return name == "asin" ? angle(true, x) : pi() / 2 - angle(true, x);
-  }
-  (void)tree;
-  return call_of_exponential(name, x, argument);
-}
-
-/// Hyperbolic functions and their inverses.
-Fraction Translator::call_of_exponential(const std::string& name, const Fraction& x, const Tree& argument) {
-  const auto shifted = [&](const Tree& first, const Tree& second, bool minus) {
-    return make_tree(Node::Kind::sum, "", {first, second}, {false, minus});
-  };
-  const Tree one = make_tree(Node::Kind::number, "1");
-  if (name == "asinh") {
-    const Fraction inside = ring_.normal(x + root(x * x + 1, 2));
-    ring_.learn(inside, Signs::positive());
-    return logarithm(inside);
-  }
-  if (name == "acosh") {
-    require(x - 1, Signs::nonnegative(), shifted(argument, one, true));
-    const Fraction inside = ring_.normal(x + root(x * x - 1, 2));
-    return logarithm(inside);
-  }
-  if (name == "atanh") {
-    require(1 - x, Signs::positive(), shifted(one, argument, true));
-    require(1 + x, Signs::positive(), shifted(one, argument, false));
-    return ring_.normal((logarithm(ring_.normal((1 + x) / (1 - x)))) / 2);
-  }
-  const Fraction e = exponential(x), sinh = ring_.normal((e - 1 / e) / 2),
-                 cosh = ring_.normal((e + 1 / e) / 2);
-  if (name == "sinh") return sinh;
-  if (name == "cosh") return cosh;
-  if (name == "tanh") return ring_.normal(sinh / cosh);
-  if (name == "sech") return ring_.normal(1 / cosh);
-  if (name == "coth") return divide(cosh, sinh, argument);
-  if (name == "csch") return divide(1, sinh, argument);
+  if (name == "log") return logarithm(x);
+  if (name == "atan" || name == "asin") return angle(name == "asin", x);
   throw Undecidable("the function " + name);
 }
 

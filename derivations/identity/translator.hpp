@@ -49,8 +49,7 @@ class Translator {
   Fraction translate(const Tree& tree);
   Fraction product(const Node& node);
   Fraction power_of(const Node& node);
-  Fraction call(const Node& node, const Tree& tree);
-  Fraction call_of_exponential(const std::string& name, const Fraction& x, const Tree& argument);
+  Fraction call(const Node& node);
   Fraction divide(const Fraction& a, const Fraction& b, const Tree& divisor);
   void require(const Fraction& value, Signs allowed, const Tree& tree);
 
@@ -76,6 +75,7 @@ class Translator {
   Ring& ring_;
   const Symbols& symbols_;
   std::vector<DomainCondition>* conditions_ = nullptr;
+  std::optional<Fraction> argument_;  ///< u of the rule that is applied
   PhaseBasis circular_, real_;
   Polynomial denominator_ = 1;              ///< sums that arguments are divided by
   std::map<std::string, int> root_orders_;  ///< key of a base → the least common multiple of its roots
