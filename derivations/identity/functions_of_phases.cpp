@@ -1,5 +1,6 @@
 // Circular functions and exponentials: of whole multiples of independent phases, so by the addition theorems.
 #include <derivations/identity/translator.hpp>
+#include <numeric>
 #include <utility>
 
 namespace rederive {
@@ -102,27 +103,35 @@ Fraction chebyshev(const Ring& ring, const Fraction& c, int n) {
   return now;
 }
 
-/// cos qπ and sin qπ: roots of whole numbers for multiples of π/12; else polynomials in cos(π/n), which is
-/// algebraic.
-Pair Translator::turn(const cl_RA& q) {
-  const cl_RA twelfths = q * 12;
-  if (cln::denominator(twelfths) != 1) {
-    const cln::cl_I even = cln::denominator(q) * (cln::evenp(cln::denominator(q)) ? 1 : 2);
-    if (even > 60) throw Undecidable("a multiple of pi with a denominator above 60");
-    const int n = cln::cl_I_to_int(even), k = cln::cl_I_to_int(cln::mod(cln::numerator(q * n), 2 * n));
-    const Fraction c = ring_.generator("cos pi/" + std::to_string(n), [&] {
-      Generator g;
-      g.kind = Kind::cosine, g.of = pi() / n, g.meaning = GiNaC::cos(GiNaC::Pi / n);
-      g.range = rederive::call("cos", point({0, cl_RA(1) / n}));
-      return g;
-    });
-    const int index = *ring_.find("cos pi/" + std::to_string(n));
-    if (ring_.generators()[index].degree == 0) {
-      const auto [degree, value] = relation_of_cosine(c.numerator, n);
-      ring_.relate(index, degree, value);
-    }
-    return {chebyshev(ring_, c, k), chebyshev(ring_, c, n / 2 - k)};
+/// cos kπ/n, by cos π/n, which is algebraic.
+Fraction Translator::cosine_of_part(int k, int n) {
+  const std::string key = "cos pi/" + std::to_string(n);
+  const Fraction c = ring_.generator(key, [&] {
+    Generator g;
+    g.kind = Kind::cosine, g.of = pi() / n, g.meaning = GiNaC::cos(GiNaC::Pi / n);
+    g.range = rederive::call("cos", point({0, cl_RA(1) / n}));
+    return g;
+  });
+  const int index = *ring_.find(key);
+  if (ring_.generators()[index].degree == 0) {
+    const auto [degree, value] = relation_of_cosine(c.numerator, n);
+    ring_.relate(index, degree, value);
   }
+  return chebyshev(ring_, c, k);
+}
+
+/// cos qπ and sin qπ: of multiples of π/12 by roots of whole numbers; where there are others, too, all by one
+/// cosine.
+Pair Translator::turn(const cl_RA& q) {
+  const cln::cl_I parts = cln::lcm(cln::cl_I(parts_of_pi_), cln::denominator(q));
+  if (parts > 60) throw Undecidable("multiples of pi with a denominator above 60");
+  if (const int n = cln::cl_I_to_int(parts); n != std::exchange(parts_of_pi_, n) && 12 % n != 0)
+    throw AnotherRound();
+  if (12 % parts_of_pi_ != 0) {
+    const int n = std::lcm(parts_of_pi_, 2), k = cln::cl_I_to_int(cln::mod(cln::numerator(q * n), 2 * n));
+    return {cosine_of_part(k, n), cosine_of_part(n / 2 - k, n)};
+  }
+  const cl_RA twelfths = q * 12;
   const int k = cln::cl_I_to_int(cln::mod(cln::numerator(twelfths), 24));
   const auto sine = [&](int n) -> Fraction {
     n = (n % 24 + 24) % 24;

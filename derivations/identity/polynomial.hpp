@@ -32,7 +32,10 @@ class Polynomial {
   static constexpr int variables = 48;
   static constexpr std::size_t most_terms = 4000;
 
-  Polynomial(long value = 0) { fmpz_mpoly_init(p_, context()), fmpz_mpoly_set_si(p_, value, context()); }
+  Polynomial(long value = 0) {
+    fmpz_mpoly_init(p_, context());
+    if (value != 0) fmpz_mpoly_set_si(p_, value, context());
+  }
   explicit Polynomial(const cln::cl_I& value);
   Polynomial(const Polynomial& other) : Polynomial() { fmpz_mpoly_set(p_, other.p_, context()); }
   Polynomial(Polynomial&& other) noexcept : Polynomial() { fmpz_mpoly_swap(p_, other.p_, context()); }

@@ -58,6 +58,7 @@ class Translator {
   Combination combination(const Fraction& argument, cln::cl_RA* turns);
   std::pair<Fraction, Fraction> phase(const Fraction& phase);
   std::pair<Fraction, Fraction> turn(const cln::cl_RA& q);
+  Fraction cosine_of_part(int k, int n);
   std::pair<Fraction, Fraction> circular_of_angle(const Generator& angle);
 
   // radicals.cpp
@@ -78,6 +79,7 @@ class Translator {
   std::optional<Fraction> argument_;  ///< u of the rule that is applied
   PhaseBasis circular_, real_;
   Polynomial denominator_ = 1;              ///< sums that arguments are divided by
+  int parts_of_pi_ = 1;                     ///< the least common denominator of all multiples of π
   std::map<std::string, int> root_orders_;  ///< key of a base → the least common multiple of its roots
   struct Argument {
     Fraction argument, cosine, sine;
