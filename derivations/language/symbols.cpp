@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <derivations/language/symbols.hpp>
-#include <derivations/language/unicode.hpp>
 #include <regex>
-#include <sstream>
 #include <stdexcept>
 
 namespace rederive {
@@ -26,18 +24,6 @@ bool is_plainly_nonnegative(const std::string& end) {
   return std::regex_match(end, form);
 }
 
-constexpr std::array<const char*, 3> base_units = {"kg", "m", "s"};
-
-std::string power_text(const char* unit, const GiNaC::numeric& power) {
-  if (power == 1) return unit;
-  std::ostringstream plain;
-  plain << power;
-  if (!power.is_integer()) return std::string(unit) + "^(" + plain.str() + ")";
-  std::string text = unit;
-  for (char digit : plain.str()) text += superscript(digit);
-  return text;
-}
-
 }  // namespace
 
 Range read_range(std::string_view text) {
@@ -54,26 +40,13 @@ Dimension parse_unit(std::string_view text) {
   std::ptrdiff_t read = text == "1" ? 1 : 0;
   std::cregex_iterator part(text.begin(), text.end(), factor), none;
   for (; part != none && part->position() == read; read += part->length(), ++part) {
-    const std::string sign = (*part)[1], power = (*part)[3];
-    const auto base = std::find(base_units.begin(), base_units.end(), (*part)[2].str());
-    dimension[static_cast<std::size_t>(base - base_units.begin())] +=
-        (sign.ends_with('/') ? -1 : 1) * (power.empty() ? 1 : power[0] - '0');
+    const std::string sign = (*part)[1], base = (*part)[2], power = (*part)[3];
+    dimension[base == "kg"  ? 0
+              : base == "m" ? 1
+                            : 2] += (sign.ends_with('/') ? -1 : 1) * (power.empty() ? 1 : power[0] - '0');
   }
   if (!text.empty() && read == std::ssize(text)) return dimension;
   throw std::invalid_argument("a unit is written like 'kg*m^2/s^2', not '" + std::string(text) + "'");
-}
-
-std::string unit_text(const Dimension& dimension) {
-  std::string above, below;
-  for (std::size_t i = 0; i < base_units.size(); ++i) {
-    if (dimension[i].is_zero()) continue;
-    std::string& side = dimension[i].is_negative() ? below : above;
-    side += (side.empty() ? "" : "·") + power_text(base_units[i], GiNaC::abs(dimension[i]));
-  }
-  if (above.empty()) above = "1";
-  if (below.empty()) return above;
-  const bool several = below.find("·") != std::string::npos;
-  return above + "/" + (several ? "(" + below + ")" : below);
 }
 
 const Symbol& Symbols::declare(std::string name, std::string latex, std::string unicode, std::string unit,
