@@ -3,7 +3,6 @@
 #include <cmath>
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lower.hpp>
-#include <derivations/language/syntax_error.hpp>
 
 namespace rederive {
 

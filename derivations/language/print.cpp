@@ -180,7 +180,11 @@ class Printer {
     const std::string inside = print(node.children[0]);
     const Function* function = find_function(node.text);
     if (notation_ == Notation::plain || function == nullptr) return node.text + exponent + bracket(inside);
-    if (notation_ == Notation::unicode) return std::string(function->unicode) + exponent + bracket(inside);
+    if (notation_ == Notation::unicode)
+      return (node.text == "sqrt"   ? "√"
+              : node.text == "fabs" ? "abs"
+                                    : node.text) +
+             exponent + bracket(inside);
     const std::string name = std::string(function->latex) + exponent;
     if (node.text == "sqrt") return "\\sqrt{" + inside + "}";
     if (node.text == "fabs") return "\\left|" + inside + "\\right|";
