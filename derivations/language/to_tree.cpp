@@ -198,19 +198,17 @@ bool has_function(const Tree& tree) {
   return tree && (tree->kind == Kind::call || std::ranges::any_of(tree->children, has_function));
 }
 
-class Writer {
- public:
-  explicit Writer(const Symbols& symbols) : symbols_(symbols) {}
+struct Writer {
+  const Symbols& symbols;
 
   Tree tree(const ex& e) const { return sum_tree(terms(e)); }
 
- private:
   /// Those of a sum; anything else is one.
   std::vector<Term> terms(const ex& e) const {
     if (!is_a<GiNaC::add>(e)) return {term(e)};
     std::vector<Term> result;
     for (const ex& part : e) result.push_back(term(part));
-    std::ranges::stable_sort(result, [&](auto& a, auto& b) { return is_before(a, b, symbols_); });
+    std::ranges::stable_sort(result, [&](auto& a, auto& b) { return is_before(a, b, symbols); });
     return result;
   }
 
@@ -224,7 +222,7 @@ class Writer {
       else
         result.factors.push_back(factor(part, result.coefficient));
     if (!result.coefficient.is_rational()) throw std::invalid_argument("a number that is not rational");
-    std::ranges::sort(result.factors, [&](auto& a, auto& b) { return compare(a, b, symbols_) < 0; });
+    std::ranges::sort(result.factors, [&](auto& a, auto& b) { return compare(a, b, symbols) < 0; });
     result.transcendental = std::ranges::any_of(
         result.factors, [](const Factor& f) { return has_function(f.base) || has_function(f.symbolic); });
     return result;
@@ -284,12 +282,10 @@ class Writer {
     const numeric raised = is_power ? std::exchange(first.factors[0].exponent, 1) : 1;
     return {make_tree(Kind::call, "fabs", {sum_tree(inside)}), raised * exponent};
   }
-
-  const Symbols& symbols_;
 };
 
 }  // namespace
 
-Tree to_tree(const GiNaC::ex& expression, const Symbols& symbols) { return Writer(symbols).tree(expression); }
+Tree to_tree(const GiNaC::ex& expression, const Symbols& symbols) { return Writer{symbols}.tree(expression); }
 
 }  // namespace rederive
