@@ -20,13 +20,10 @@ constexpr char32_t dot_above = 0x307, diaeresis = 0x308, macron = 0x304;
 
 /// The precomposed letters that a keyboard or NFC normalisation makes of a letter and a mark, each before its
 /// letter.
-struct Composed {
-  char32_t mark;
-  std::u32string_view pairs;
-};
-constexpr Composed composed[] = {{dot_above, U"ȧaḃbċcḋdėeḟfġgḣhṁmṅnȯoṗpṙrṡsṫtẇwẋxẏyżzĖEḢHṘR"},
-                                 {diaeresis, U"äaëeḧhïiöoẗtüuẅwẍxÿyÄAÖOÜU"},
-                                 {macron, U"ĀAāaĒEēeūu"}};
+constexpr std::pair<char32_t, std::u32string_view> composed[] = {
+    {dot_above, U"ȧaḃbċcḋdėeḟfġgḣhṁmṅnȯoṗpṙrṡsṫtẇwẋxẏyżzĖEḢHṘR"},
+    {diaeresis, U"äaëeḧhïiöoẗtüuẅwẍxÿyÄAÖOÜU"},
+    {macron, U"ĀAāaĒEēeūu"}};
 
 /// Letters with dots come back as the letter and its combining mark (ü is u and U+0308), other spaces as ' '.
 /// Throws SyntaxError "character" for bytes that are not UTF-8 and for control characters.
@@ -116,12 +113,7 @@ class Tokenizer {
   }
 
   std::vector<Token> run() {
-    for (; at_ < characters_.size(); start_ = at_) {
-      if (code() == ' ')
-        ++at_;
-      else
-        read();
-    }
+    for (; at_ < characters_.size(); start_ = at_) code() == ' ' ? void(++at_) : read();
     add(Token::Kind::end, "");
     return std::move(tokens_);
   }
@@ -148,17 +140,18 @@ class Tokenizer {
       if (code() == pair.characters[0] && code(1) == pair.characters[1]) return add(pair, 2);
     for (const Spelling& single : singles)
       if (single.characters.find(code()) != std::u32string_view::npos) return add(single, 1);
-    const std::string shown = is_invisible(code())
-                                  ? fmt::format("the invisible character U+{:04X}", std::uint32_t{code()})
-                                  : "'" + here() + "'";
-    refuse("character", shown + " has no meaning here");
+    const std::string unseen = fmt::format("the invisible character U+{:04X}", std::uint32_t{code()});
+    refuse("character",
+           (is_invisible(code()) ? unseen : "'" + typed(at_ + 1) + "'") + " has no meaning here");
   }
 
-  /// The character, as it is in the text.
-  std::string here() const { return std::string(text_.substr(byte(at_), byte(at_ + 1) - byte(at_))); }
+  /// From the start of the token, as it is in the text.
+  std::string typed(std::size_t end) const {
+    return std::string(text_.substr(byte(start_), byte(end) - byte(start_)));
+  }
 
   void add(const Spelling& spelling, std::size_t size) {
-    if (spelling.kind == slip) refuse("syntax", fmt::format(fmt::runtime(spelling.text), here()));
+    if (spelling.kind == slip) refuse("syntax", fmt::format(fmt::runtime(spelling.text), typed(at_ + 1)));
     at_ += size;
     add(spelling.kind, spelling.text);
   }
@@ -202,7 +195,8 @@ class Tokenizer {
     if (code(end) == '*' || code(end) == '-' || code(end) == U'−') return true;
     while (code(end) == ' ') ++end;
     const char32_t next = code(end);
-    return is_digit(next) || is_letter(next) || next == '(' || next == '.' || next == '_' || next == U'√';
+    return is_digit(next) || is_letter(next) ||
+           std::u32string_view(U"(._√").find(next) != std::u32string_view::npos;
   }
 
   /// Whether this spelling of a symbol stands here and ends here.
@@ -256,9 +250,8 @@ class Tokenizer {
   /// The constant may be written Pi. A capital Π, PI and pI may stand for anything.
   std::string checked_pi(const std::string& name) const {
     if (name != "Pi" && name != "PI" && name != "pI") return name;
-    const std::string typed(text_.substr(byte(start_), byte(at_) - byte(start_)));
-    if (typed == "Pi") return "pi";
-    refuse("unknown_symbol", "'" + typed + "' is no symbol here: the constant is written pi");
+    if (typed(at_) == "Pi") return "pi";
+    refuse("unknown_symbol", "'" + typed(at_) + "' is no symbol here: the constant is written pi");
   }
 
   std::string_view text_;

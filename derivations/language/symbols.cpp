@@ -49,12 +49,6 @@ Dimension parse_unit(std::string_view text) {
   throw std::invalid_argument("a unit is written like 'kg*m^2/s^2', not '" + std::string(text) + "'");
 }
 
-const Symbol& Symbols::declare(std::string name, std::string latex, std::string unicode, std::string unit,
-                               std::string range, std::string meaning, std::string introduced) {
-  return declare({std::move(name), std::move(latex), std::move(unicode), std::move(unit), std::move(range),
-                  std::move(meaning), std::move(introduced), SymbolExpression()});
-}
-
 const Symbol& Symbols::declare(Symbol symbol) {
   if (!is_name(symbol.name))
     refuse("a name is letters, digits and '_', and neither 'pi' nor 'inf'", symbol.name);
@@ -97,8 +91,6 @@ const SymbolExpression& Symbols::operator[](std::string_view name) const {
   if (const Symbol* found = find(name)) return found->ginac;
   throw std::out_of_range("no symbol '" + std::string(name) + "' is declared");
 }
-
-std::vector<std::string> Symbols::names() const { return order_; }
 
 std::size_t Symbols::rank(std::string_view name) const {
   return static_cast<std::size_t>(std::find(order_.begin(), order_.end(), name) - order_.begin());

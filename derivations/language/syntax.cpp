@@ -117,9 +117,8 @@ class Parser {
     Tree base = primary();
     if (now().kind == Token::Kind::superscript) {
       base = make(Kind::power, "", {base, superscript()}, position);
-      if (now().is("^") || now().kind == Token::Kind::superscript) {
+      if (now().is("^") || now().kind == Token::Kind::superscript)
         refuse("syntax", "a power of a power needs parentheses: (x^2)^3");
-      }
     }
     if (!now().is("^")) return base;
     go_down();
@@ -195,12 +194,10 @@ class Parser {
 
   static void check_arguments(const Token& function, std::size_t given, std::size_t wanted) {
     if (given == wanted) return;
-    const std::string arguments = wanted == 1 ? " argument, not " : " arguments, not ",
+    const std::string arguments = std::to_string(wanted) + (wanted == 1 ? " argument" : " arguments"),
+                      counts = "' takes " + arguments + ", not " + std::to_string(given),
                       point = given == 2 ? "; decimal numbers are written with a point" : "";
-    refuse(
-        "arguments",
-        "'" + function.text + "' takes " + std::to_string(wanted) + arguments + std::to_string(given) + point,
-        function);
+    refuse("arguments", "'" + function.text + counts + point, function);
   }
 
   const Limits& limits_;
