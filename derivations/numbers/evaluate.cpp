@@ -59,7 +59,8 @@ std::string without_zeros(const std::string& text, const cl_RA& whole) {
 
 /// A rational number, where both ends are the same and there is no tree; or what a tree is worth; or its zero
 /// between the ends, which move towards it by quadratic interval refinement
-/// (Abbott 2006): the secant guesses a cell, signs confirm it, and cells get smaller each time; else by bisection.
+/// (Abbott 2006): the secant guesses a cell, signs confirm it, and cells get smaller each time; else by
+/// bisection.
 struct Number::State {
   cl_RA low, high;
   Tree tree = {};
@@ -80,7 +81,8 @@ struct Number::State {
     if (low != high && !is(Sign::negative, Sign::positive) && !is(Sign::positive, Sign::negative)) return {};
     long log_cells = 1;
     while ((high - low) * cln::ash(cl_I(1), precision) > std::max(cln::abs(low), cln::abs(high))) {
-      const cl_RA cell = (high - low) / cln::ash(cl_I(1), log_cells), guess = low + cells_before(log_cells, precision) * cell;
+      const cl_RA cell = (high - low) / cln::ash(cl_I(1), log_cells),
+                  guess = low + cells_before(log_cells, precision) * cell;
       if (sign(guess, precision) == first && sign(guess + cell, precision) == last) {
         low = guess, high = guess + cell, log_cells *= 2;
         continue;
@@ -103,7 +105,9 @@ struct Number::State {
     };
     const cl_RA first = at(low), change = first - at(high);
     const cl_I cells = cln::ash(cl_I(1), log_cells);
-    return cln::zerop(change) ? cl_I(0) : std::max(cl_I(0), std::min(cl_I(cells - 1), cln::floor1(first * cells / change)));
+    return cln::zerop(change)
+               ? cl_I(0)
+               : std::max(cl_I(0), std::min(cl_I(cells - 1), cln::floor1(first * cells / change)));
   }
 
   Sign sign(const cl_RA& at, long precision) const {

@@ -1,6 +1,7 @@
 #include <derivations/language/syntax.hpp>
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/numbers/interval.hpp>
+#include <map>
 
 namespace rederive {
 
@@ -56,29 +57,52 @@ Interval absolute(const Interval& x) {
   return x.is_nonpositive() ? -x : overlap(hull(x, -x), nonnegative);
 }
 
+/// A piece of the line on which a function is monotone: its whole domain, but of circular functions and of
+/// even ones; and the values at the ends of it, in this order.
+struct Piece {
+  Interval domain, values;
+  int turned = 0;  ///< of a circular function: f(x + pi)/f(x)
+  Interval range = hull({values.low, values.low}, {values.high, values.high});
+};
+
+const Piece& piece_of(const std::string& name) {
+  static const auto piece = [](const char* domain, const char* values, int turned = 0) {
+    return Piece{parse_range(domain), parse_range(values), turned};
+  };
+  static const std::map<std::string, Piece> table = {
+      {"sin", piece("[-pi/2, pi/2]", "[-1, 1]", -1)},   {"cos", piece("[0, pi]", "[1, -1]", -1)},
+      {"tan", piece("(-pi/2, pi/2)", all_numbers, +1)}, {"cot", piece("(0, pi)", "(inf, -inf)", +1)},
+      {"asin", piece("[-1, 1]", "[-pi/2, pi/2]")},      {"acos", piece("[-1, 1]", "[pi, 0]")},
+      {"atan", piece(all_numbers, "(-pi/2, pi/2)")},    {"sinh", piece(all_numbers, all_numbers)},
+      {"cosh", piece("[0, inf)", "[1, inf)")},          {"tanh", piece(all_numbers, "(-1, 1)")},
+      {"asinh", piece(all_numbers, all_numbers)},       {"acosh", piece("[1, inf)", "[0, inf)")},
+      {"atanh", piece("(-1, 1)", all_numbers)},         {"exp", piece(all_numbers, "(0, inf)")},
+      {"log", piece("(0, inf)", all_numbers)},          {"sqrt", piece("[0, inf)", "[0, inf)")},
+      {"fabs", piece("[0, inf)", "[0, inf)")}};
+  return table.at(name);
+}
+
 /// Where the function is monotone; empty where x lies outside.
 Interval image_on_piece(const std::string& name, const Interval& given) {
-  const RealFunction& f = real_function(name);
-  const Interval x = overlap(given, parse_range(f.domain)), range = parse_range(f.range);
-  const End &at_low = f.slope > 0 ? range.low : range.high, &at_high = f.slope > 0 ? range.high : range.low;
-  return x.is_empty()
-             ? x
-             : overlap(range, image(x, at_low, at_high, [&](const Value& v) { return call(name, v); }));
+  const Piece& f = piece_of(name);
+  const Interval x = overlap(given, f.domain);
+  const auto value = [&](const Value& v) { return call(name, v); };
+  return x.is_empty() ? x : overlap(f.range, image(x, f.values.low, f.values.high, value));
 }
 
 /// The hull of what the pieces give on which a circular function is monotone, each moved to the one around 0.
 Interval image_on_pieces(const std::string& name, const Interval& x) {
   constexpr int most = 8;  // half turns from 0
-  const RealFunction& f = real_function(name);
-  if (compare(x.low, {{0, -most}}) < 0 || compare(x.high, {{0, most}}) > 0) return parse_range(f.range);
+  const auto& [domain, values, turned, range] = piece_of(name);
+  if (compare(x.low, {{0, -most}}) < 0 || compare(x.high, {{0, most}}) > 0) return range;
   std::optional<Interval> result;
   for (int k = -most - 1; k <= most; ++k) {
     Interval piece = image_on_piece(name, x - point({0, k}));
     if (piece.is_empty()) continue;
-    if (f.turned < 0 && k % 2 != 0) piece = -piece;
+    if (turned < 0 && k % 2 != 0) piece = -piece;
     result = result ? hull(*result, piece) : piece;
   }
-  return result.value_or(parse_range(f.range));  // a pole alone
+  return result.value_or(range);  // a pole alone
 }
 
 /// An end as an interval; around an end that is not a + b*pi.
@@ -157,9 +181,8 @@ Interval power(const Interval& x, long n) {
 
 Interval call(const std::string& name, const Interval& x) {
   if (const char* other = reciprocal_of(name)) return reciprocal(call(other, x));
-  if (real_function(name).turned != 0) return image_on_pieces(name, x);
-  const bool is_even = name == "cosh" || name == "abs" || name == "fabs";
-  return image_on_piece(name, is_even ? absolute(x) : x);
+  if (piece_of(name).turned != 0) return image_on_pieces(name, x);
+  return image_on_piece(name, name == "cosh" || name == "fabs" ? absolute(x) : x);
 }
 
 }  // namespace rederive

@@ -63,6 +63,19 @@ long length(const cl_RA& q) {
 
 constexpr long most_length = 20'000;  // of an exact number
 
+Ball image(const std::string& name, const Ball& x) {
+  static const std::map<std::string, Ball::ArbFunction> table = {
+      {"sin", arb_sin},     {"cos", arb_cos},
+      {"tan", arb_tan},     {"cot", arb_cot},
+      {"asin", arb_asin},   {"acos", arb_acos},
+      {"atan", arb_atan},   {"sinh", arb_sinh},
+      {"cosh", arb_cosh},   {"tanh", arb_tanh},
+      {"asinh", arb_asinh}, {"acosh", arb_acosh},
+      {"atanh", arb_atanh}, {"exp", arb_exp},
+      {"log", arb_log},     {"fabs", [](arb_t y, const arb_t of, slong) { arb_abs(y, of); }}};
+  return x.image(table.at(name));
+}
+
 }  // namespace
 
 Ball Constant::ball(long bits) const {
@@ -139,12 +152,10 @@ Value pow(const Value& x, const Value& y) {
 
 Value call(const std::string& name, const Value& x) {
   if (const char* other = reciprocal_of(name)) return known(Ball(1)) / call(other, x);
-  const RealFunction& f = real_function(name);
   if (x.is != Is::certain) return x;
   const long bits = x.ball.bits();
   if (name == "sqrt") return pow(x, known(Ball(1) / Ball(2)));
-  if (x.constant && (name == "abs" || name == "fabs"))
-    return x.constant->sign() < 0 ? known(Ball(-1)) * x : x;
+  if (name == "fabs" && x.constant) return x.constant->sign() < 0 ? known(Ball(-1)) * x : x;
   if (x.constant && cln::zerop(x.constant->a)) {
     if (const auto q = circular(name, x.constant->b))
       return known(Constant{q->first}, bits) / known(Constant{q->second}, bits);
@@ -152,32 +163,8 @@ Value call(const std::string& name, const Value& x) {
   if (x.exact) {
     if (const auto angle = arc(name, *x.exact)) return known(*angle, bits);
   }
-  const Ball result = x.ball.image(f.of);
+  const Ball result = image(name, x.ball);
   return !result.is_finite() && is_outside(*find_function(name), x) ? Value{Is::nowhere} : known(result);
-}
-
-const RealFunction& real_function(const std::string& name) {
-  static const auto size = [](arb_t result, const arb_t x, slong) { arb_abs(result, x); };
-  static const std::map<std::string, RealFunction> table = {
-      {"sin", {arb_sin, +1, "[-pi/2, pi/2]", "[-1, 1]", -1}},
-      {"cos", {arb_cos, -1, "[0, pi]", "[-1, 1]", -1}},
-      {"tan", {arb_tan, +1, "(-pi/2, pi/2)", all_numbers, +1}},
-      {"cot", {arb_cot, -1, "(0, pi)", all_numbers, +1}},
-      {"asin", {arb_asin, +1, "[-1, 1]", "[-pi/2, pi/2]"}},
-      {"acos", {arb_acos, -1, "[-1, 1]", "[0, pi]"}},
-      {"atan", {arb_atan, +1, all_numbers, "(-pi/2, pi/2)"}},
-      {"sinh", {arb_sinh, +1, all_numbers, all_numbers}},
-      {"cosh", {arb_cosh, +1, "[0, inf)", "[1, inf)"}},
-      {"tanh", {arb_tanh, +1, all_numbers, "(-1, 1)"}},
-      {"asinh", {arb_asinh, +1, all_numbers, all_numbers}},
-      {"acosh", {arb_acosh, +1, "[1, inf)", "[0, inf)"}},
-      {"atanh", {arb_atanh, +1, "(-1, 1)", all_numbers}},
-      {"exp", {arb_exp, +1, all_numbers, "(0, inf)"}},
-      {"log", {arb_log, +1, "(0, inf)", all_numbers}},
-      {"sqrt", {arb_sqrt, +1, "[0, inf)", "[0, inf)"}},
-      {"abs", {size, +1, "[0, inf)", "[0, inf)"}},
-      {"fabs", {size, +1, "[0, inf)", "[0, inf)"}}};
-  return table.at(name);
 }
 
 const char* reciprocal_of(const std::string& name) {
