@@ -82,29 +82,6 @@ const Piece& piece_of(const std::string& name) {
   return table.at(name);
 }
 
-/// Where the function is monotone; empty where x lies outside.
-Interval image_on_piece(const std::string& name, const Interval& given) {
-  const Piece& f = piece_of(name);
-  const Interval x = overlap(given, f.domain);
-  const auto value = [&](const Value& v) { return call(name, v); };
-  return x.is_empty() ? x : overlap(f.range, image(x, f.values.low, f.values.high, value));
-}
-
-/// The hull of what the pieces give on which a circular function is monotone, each moved to the one around 0.
-Interval image_on_pieces(const std::string& name, const Interval& x) {
-  constexpr int most = 8;  // half turns from 0
-  const auto& [domain, values, turned, range] = piece_of(name);
-  if (compare(x.low, {{0, -most}}) < 0 || compare(x.high, {{0, most}}) > 0) return range;
-  std::optional<Interval> result;
-  for (int k = -most - 1; k <= most; ++k) {
-    Interval piece = image_on_piece(name, x - point({0, k}));
-    if (piece.is_empty()) continue;
-    if (turned < 0 && k % 2 != 0) piece = -piece;
-    result = result ? hull(*result, piece) : piece;
-  }
-  return result.value_or(range);  // a pole alone
-}
-
 /// An end as an interval; around an end that is not a + b*pi.
 Interval read_end(const std::string& text, bool is_closed) {
   if (text == "inf" || text == "-inf")
@@ -181,8 +158,23 @@ Interval power(const Interval& x, long n) {
 
 Interval call(const std::string& name, const Interval& x) {
   if (const char* other = reciprocal_of(name)) return reciprocal(call(other, x));
-  if (piece_of(name).turned != 0) return image_on_pieces(name, x);
-  return image_on_piece(name, name == "cosh" || name == "fabs" ? absolute(x) : x);
+  const auto& [domain, values, turned, range] = piece_of(name);
+  const auto on_piece = [&](const Interval& y) {
+    const Interval given = overlap(y, domain);
+    const auto value = [&](const Value& v) { return call(name, v); };
+    return given.is_empty() ? given : overlap(range, image(given, values.low, values.high, value));
+  };
+  if (turned == 0) return on_piece(name == "cosh" || name == "fabs" ? absolute(x) : x);
+  constexpr int most = 8;  // half turns from 0
+  if (compare(x.low, {{0, -most}}) < 0 || compare(x.high, {{0, most}}) > 0) return range;
+  std::optional<Interval> result;  // the hull of what the pieces give, each moved to the one around 0
+  for (int k = -most - 1; k <= most; ++k) {
+    Interval piece = on_piece(x - point({0, k}));
+    if (piece.is_empty()) continue;
+    if (turned < 0 && k % 2 != 0) piece = -piece;
+    result = result ? hull(*result, piece) : piece;
+  }
+  return result.value_or(range);  // a pole alone
 }
 
 }  // namespace rederive
