@@ -14,8 +14,6 @@ ex absolute(const ex& x) {
   return is_root ? x : GiNaC::abs(x);
 }
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // clang-format off
 constexpr Function table[] = {
     {"sin", "\\sin", "", [](const ex& x) -> ex { return sin(x); }},
@@ -37,7 +35,7 @@ constexpr Function table[] = {
     {"acosh", "\\operatorname{arcosh}", "arccosh arcosh", [](const ex& x) -> ex { return acosh(x); }, 1},
     {"atanh", "\\operatorname{artanh}", "arctanh artanh", [](const ex& x) -> ex { return atanh(x); }, -1, 1, true},
     {"exp", "", "", [](const ex& x) -> ex { return exp(x); }},
-    {"log", "\\ln", "ln", [](const ex& x) -> ex { return log(x); }, 0, infinity, true},
+    {"log", "\\ln", "ln", [](const ex& x) -> ex { return log(x); }, 0, HUGE_VAL, true},
     {"sqrt", "", "root", [](const ex& x) -> ex { return sqrt(x); }, 0},
     {"fabs", "", "", absolute},
 };

@@ -144,11 +144,8 @@ struct Printer {
   std::string raise(const Tree& exponent) const {
     const bool negative = exponent->kind == Kind::negative;
     const Node& digits = negative ? *exponent->children[0] : *exponent;
-    if (notation == Notation::unicode && is_integer(digits)) {
-      std::string text = negative ? "⁻" : "";
-      for (char c : digits.text) text += superscript(c);
-      return text;
-    }
+    if (notation == Notation::unicode && is_integer(digits))
+      return (negative ? "⁻" : "") + superscript(digits.text);
     const std::string text = print(exponent, is_latex() ? Place::whole : Place::exponent);
     return "^" + (is_latex() && text.size() > 1 ? "{" + text + "}" : text);
   }

@@ -11,19 +11,6 @@ namespace {
   throw std::invalid_argument("symbol '" + name + "': " + what);
 }
 
-/// Letters, digits and '_'; no look-alike of pi, which is the constant.
-bool is_name(const std::string& name) {
-  static const std::regex form("(?![Pp][Ii]$|inf$)[A-Za-z_][A-Za-z_0-9]*");
-  return std::regex_match(name, form);
-}
-
-/// Whether the end of a range is not negative, as its form shows: nothing is subtracted, and what functions
-/// there are have no negative values.
-bool is_plainly_nonnegative(const std::string& end) {
-  static const std::regex form("([^-A-Za-z]|pi|sqrt|exp)*");
-  return std::regex_match(end, form);
-}
-
 }  // namespace
 
 Range read_range(std::string_view text) {
@@ -50,7 +37,10 @@ Dimension parse_unit(std::string_view text) {
 }
 
 const Symbol& Symbols::declare(Symbol symbol) {
-  if (!is_name(symbol.name))
+  static const std::regex name_form("(?![Pp][Ii]$|inf$)[A-Za-z_][A-Za-z_0-9]*");
+  // Of an end that is not negative: nothing is subtracted, and no function in it has negative values.
+  static const std::regex nonnegative("([^-A-Za-z]|pi|sqrt|exp)*");
+  if (!std::regex_match(symbol.name, name_form))
     refuse("a name is letters, digits and '_', and neither 'pi' nor 'inf'", symbol.name);
   Range ends;
   try {
@@ -61,7 +51,7 @@ const Symbol& Symbols::declare(Symbol symbol) {
   }
   if (!GiNaC::is_a<GiNaC::symbol>(symbol.ginac)) {
     // GiNaC simplifies sqrt(x^2) to x where it knows that x is not negative.
-    symbol.ginac = is_plainly_nonnegative(ends.lower)
+    symbol.ginac = std::regex_match(ends.lower, nonnegative)
                        ? SymbolExpression(GiNaC::possymbol(symbol.name, symbol.latex))
                        : SymbolExpression(GiNaC::realsymbol(symbol.name, symbol.latex));
   }

@@ -12,10 +12,6 @@ namespace {
 
 using Kind = Node::Kind;
 
-Tree make(Kind kind, std::string text, std::vector<Tree> children, std::size_t position) {
-  return make_tree(kind, std::move(text), std::move(children), {}, position);
-}
-
 class Parser {
  public:
   Parser(std::string_view text, const Symbols& symbols, const Limits& limits)
@@ -82,7 +78,7 @@ class Parser {
     const bool minus = take_if("-");
     if (!minus) take_if("+");
     Tree first = product();
-    if (minus) first = make(Kind::negative, "", {first}, position);
+    if (minus) first = make_tree(Kind::negative, "", {first}, {}, position);
     return back_up(chain(Kind::sum, first, "+", "-", &Parser::product, position));
   }
 
@@ -99,7 +95,7 @@ class Parser {
     go_down();
     const Token& sign = take();
     Tree inside = back_up(with_signs(operand));
-    return sign.text == "+" ? inside : make(Kind::negative, "", {inside}, sign.position);
+    return sign.text == "+" ? inside : make_tree(Kind::negative, "", {inside}, {}, sign.position);
   }
 
   Tree factor() { return with_signs(&Parser::unsigned_factor); }
@@ -116,7 +112,7 @@ class Parser {
     const std::size_t position = now().position;
     Tree base = primary();
     if (now().kind == Token::Kind::superscript) {
-      base = make(Kind::power, "", {base, superscript()}, position);
+      base = make_tree(Kind::power, "", {base, superscript()}, {}, position);
       if (now().is("^") || now().kind == Token::Kind::superscript)
         refuse("syntax", "a power of a power needs parentheses: (x^2)^3");
     }
@@ -126,15 +122,15 @@ class Parser {
     const Token& start = now();
     Tree exponent = back_up(this->exponent());
     check_exponent(*exponent, start);
-    return make(Kind::power, "", {base, exponent}, position);
+    return make_tree(Kind::power, "", {base, exponent}, {}, position);
   }
 
   Tree superscript() {
     const Token& token = take();
     const bool minus = token.text[0] == '-';
-    Tree digits = make(Kind::number, token.text.substr(minus ? 1 : 0), {}, token.position);
+    Tree digits = make_tree(Kind::number, token.text.substr(minus ? 1 : 0), {}, {}, token.position);
     check_exponent(*digits, token);
-    return minus ? make(Kind::negative, "", {digits}, token.position) : digits;
+    return minus ? make_tree(Kind::negative, "", {digits}, {}, token.position) : digits;
   }
 
   void check_exponent(const Node& exponent, const Token& where) const {
@@ -145,7 +141,8 @@ class Parser {
 
   Tree primary() {
     const Token& token = now();
-    if (token.kind == Token::Kind::number) return make(Kind::number, take().text, {}, token.position);
+    if (token.kind == Token::Kind::number)
+      return make_tree(Kind::number, take().text, {}, {}, token.position);
     if (token.kind == Token::Kind::name) return name();
     if (take_if("(")) {
       Tree inside = sum();
@@ -154,7 +151,7 @@ class Parser {
     }
     if (!take_if("sqrt")) throw missing_operand(formula_, at_);
     go_down();
-    return back_up(make(Kind::call, "sqrt", {primary()}, token.position));
+    return back_up(make_tree(Kind::call, "sqrt", {primary()}, {}, token.position));
   }
 
   void close(const Token& opened) {
@@ -170,7 +167,7 @@ class Parser {
     if (!is_known && is_function(token)) return call(token);
     if (!is_known) throw unknown_name(formula_, at_ - 1);
     if (now().is("(")) throw called_symbol(formula_, at_ - 1);
-    return make(Kind::symbol, token.text, {}, token.position);
+    return make_tree(Kind::symbol, token.text, {}, {}, token.position);
   }
 
   Tree call(const Token& function) {
@@ -186,10 +183,10 @@ class Parser {
     close(opened);
     const bool is_power = function.text == "pow";
     check_arguments(function, arguments.size(), is_power ? 2 : 1);
-    Tree value = make(is_power ? Kind::power : Kind::call,
-                      is_power ? "" : std::string(find_function(function.text)->name), std::move(arguments),
-                      function.position);
-    return raised ? make(Kind::power, "", {value, exponent}, function.position) : value;
+    Tree value = make_tree(is_power ? Kind::power : Kind::call,
+                           is_power ? "" : std::string(find_function(function.text)->name),
+                           std::move(arguments), {}, function.position);
+    return raised ? make_tree(Kind::power, "", {value, exponent}, {}, function.position) : value;
   }
 
   static void check_arguments(const Token& function, std::size_t given, std::size_t wanted) {

@@ -70,10 +70,12 @@ inline std::string greek_name(char32_t code) {
   return name;
 }
 
-/// "²" for '2'.
-inline std::string superscript(char digit) {
-  constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  return digits[digit - '0'];
+/// "²³" for "23".
+inline std::string superscript(std::string_view digits) {
+  constexpr const char* raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text;
+  for (const char digit : digits) text += raised[digit - '0'];
+  return text;
 }
 
 /// The digit of a superscript or subscript, or -1.

@@ -28,9 +28,7 @@ std::string power_text(const char* unit, const GiNaC::numeric& power) {
   std::ostringstream plain;
   plain << power;
   if (!power.is_integer()) return std::string(unit) + "^(" + plain.str() + ")";
-  std::string text = unit;
-  for (char digit : plain.str()) text += superscript(digit);
-  return text;
+  return unit + superscript(plain.str());
 }
 
 std::string named(const Dimension& dimension) {
