@@ -98,10 +98,9 @@ class Tokenizer {
   Tokenizer(std::string_view text, const Symbols& symbols, const Limits& limits)
       : text_(text), symbols_(symbols), limits_(limits) {
     if (text.size() <= 4 * limits.characters) characters_ = decode(text);
-    if (text.size() > 4 * limits.characters || characters_.size() > limits.characters) {
+    if (text.size() > 4 * limits.characters || characters_.size() > limits.characters)
       throw SyntaxError("too_long", characters_.empty() ? 0 : byte(limits.characters),
                         "this is longer than " + std::to_string(limits.characters) + " characters");
-    }
     for (const std::string& name : symbols.names()) {
       const std::string& spelling = symbols.find(name)->unicode;
       if (spelling != name) spellings_.emplace_back(decode(spelling), name);
@@ -165,15 +164,14 @@ class Tokenizer {
     std::size_t digits = number.size();
     const bool sign = code(1) == '+' || code(1) == '-';
     if ((code() == 'e' || code() == 'E') && is_digit(code(sign ? 2 : 1))) {
-      std::string exponent = code(1) == '-' ? "-" : "";
+      number += code(1) == '-' ? "e-" : "e";
       at_ += sign ? 2 : 1;
       const std::string power = read_digits();
       digits += power.size() > 6 ? limits_.digits : std::stoul(power);
-      number += "e" + exponent + power;
+      number += power;
     }
-    if (digits > limits_.digits + (number.find('.') == std::string::npos ? 0 : 1)) {
+    if (digits > limits_.digits + (number.find('.') == std::string::npos ? 0 : 1))
       refuse("too_large", "this number needs more than " + std::to_string(limits_.digits) + " digits");
-    }
     add(Token::Kind::number, number);
   }
 
@@ -207,10 +205,8 @@ class Tokenizer {
 
   void read_name() {
     const std::pair<std::vector<Character>, std::string>* best = nullptr;
-    for (const auto& entry : spellings_) {
-      const bool longer = best == nullptr || entry.first.size() > best->first.size();
-      if (longer && stands_here(entry.first)) best = &entry;
-    }
+    for (const auto& entry : spellings_)
+      if ((!best || entry.first.size() > best->first.size()) && stands_here(entry.first)) best = &entry;
     if (best == nullptr) return add_transliterated();
     at_ += best->first.size();
     add(Token::Kind::name, best->second);

@@ -79,10 +79,9 @@ struct Lowering {
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       const auto [value, bits, parts] = lower(node.children[i]);
       all.bits += bits, all.parts += parts;
-      const bool is_inverse = node.inverse[i];
-      if (is_inverse && !is_sum && value.is_zero())
+      if (node.inverse[i] && !is_sum && value.is_zero())
         refuse(*node.children[i], "undefined", "this divisor is zero");
-      values.push_back(!is_inverse ? value : is_sum ? -value : pow(value, -1));
+      values.push_back(!node.inverse[i] ? value : is_sum ? -value : pow(value, -1));
     }
     check_size(node, all.bits, all.parts);
     all.value = is_sum ? ex(GiNaC::add(values)) : ex(GiNaC::mul(values));

@@ -122,10 +122,7 @@ std::string call(const Formula& f, std::size_t& at) {
   const std::string name = f.tokens[at++].text;
   std::string power, argument = "(x)";
   if (f.tokens[at].kind == Kind::superscript) power = "^" + f.tokens[at++].text;
-  if (f.tokens[at].is("^") && f.tokens[at + 1].kind == Kind::number) {
-    power = "^" + f.tokens[at + 1].text;
-    at += 2;
-  }
+  if (f.tokens[at].is("^") && is_number(f, at + 1)) power = "^" + f.tokens[++at].text, ++at;
   if (f.tokens[at].is("("))
     argument = group(f, at);
   else if (is_function(f.tokens[at]) || f.tokens[at].is("sqrt"))

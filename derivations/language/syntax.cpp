@@ -18,14 +18,14 @@ class Parser {
       : limits_(limits), tokens_(tokenize(text, symbols, limits)), formula_{text, tokens_, symbols} {}
 
   Relation statement() {
-    if (now().kind == Token::Kind::end) refuse("empty", "there is no formula here");
+    if (now().kind == Token::Kind::end) refuse("empty", "there is no formula here", now());
     Relation relation;
     relation.sides.push_back(sum());
     while (now().kind == Token::Kind::relation) {
       relation.operators.push_back(take().text);
       relation.sides.push_back(sum());
     }
-    if (now().is(")")) refuse("syntax", "this parenthesis closes nothing");
+    if (now().is(")")) refuse("syntax", "this parenthesis closes nothing", now());
     if (now().is(",")) throw stray_comma(formula_, at_);
     return relation;
   }
@@ -42,9 +42,6 @@ class Parser {
   const Token& take() { return tokens_[at_++]; }
   bool take_if(std::string_view mark) { return now().is(mark) && ++at_ > 0; }
   bool is_either(std::string_view a, std::string_view b) const { return now().is(a) || now().is(b); }
-  [[noreturn]] void refuse(const char* note, const std::string& message) const {
-    refuse(note, message, now());
-  }
   [[noreturn]] static void refuse(const char* note, const std::string& message, const Token& where) {
     throw SyntaxError(note, where.position, message);
   }
@@ -53,7 +50,7 @@ class Parser {
   void go_down() {
     constexpr std::size_t bearable = 500;
     if (++depth_ <= std::min(limits_.depth, bearable)) return;
-    refuse("too_deep", "this is nested deeper than " + std::to_string(depth_ - 1) + " levels");
+    refuse("too_deep", "this is nested deeper than " + std::to_string(depth_ - 1) + " levels", now());
   }
   Tree back_up(Tree result) {
     --depth_;
@@ -114,7 +111,7 @@ class Parser {
     if (now().kind == Token::Kind::superscript) {
       base = make_tree(Kind::power, "", {base, superscript()}, {}, position);
       if (now().is("^") || now().kind == Token::Kind::superscript)
-        refuse("syntax", "a power of a power needs parentheses: (x^2)^3");
+        refuse("syntax", "a power of a power needs parentheses: (x^2)^3", now());
     }
     if (!now().is("^")) return base;
     go_down();
@@ -156,7 +153,8 @@ class Parser {
 
   void close(const Token& opened) {
     if (take_if(")")) return;
-    if (now().kind == Token::Kind::relation) refuse("relation", "a relation cannot stand inside parentheses");
+    if (now().kind == Token::Kind::relation)
+      refuse("relation", "a relation cannot stand inside parentheses", now());
     if (now().is(",")) throw stray_comma(formula_, at_);
     refuse("syntax", "this parenthesis is never closed", opened);
   }
