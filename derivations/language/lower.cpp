@@ -1,4 +1,3 @@
-#include <cmath>
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lower.hpp>
 

@@ -12,7 +12,6 @@ using cln::cl_RA;
 constexpr long bits = 96;
 
 End infinity(int sign) { return {{}, sign}; }
-Interval opened(Interval x) { return x.low.closed = x.high.closed = false, x; }
 const Interval nonnegative{{{}, 0, true}, infinity(1)};
 
 /// The one further to a side; of equal ones the closed or the open one, as wanted.
@@ -22,8 +21,8 @@ const End& further(int side, const End& x, const End& y, bool closed) {
 }
 
 /// The value as an interval. The margin makes sure that no end that was rounded is attained.
-Interval enclosing(const Value& value) {
-  if (value.constant) return point(*value.constant);
+Interval enclosing(const Value& value, bool closed) {
+  if (value.constant) return {{*value.constant, 0, closed}, {*value.constant, 0, closed}};
   const cl_RA low = value.ball.lower(), high = value.ball.upper(), margin = high - low;
   return {{{low - margin}}, {{high + margin}}};
 }
@@ -32,8 +31,7 @@ Interval enclosing(const Value& value) {
 template <class F>
 Interval image(const End& end, const End& limit, const F& f) {
   const Value value = end.infinite ? Value{} : f(known(Constant(end), bits));
-  if (value.is != Value::Is::certain) return {limit, limit};
-  return end.closed ? enclosing(value) : opened(enclosing(value));
+  return value.is == Value::Is::certain ? enclosing(value, end.closed) : Interval{limit, limit};
 }
 
 /// Of a monotone f, with its limits at ends that have no value.
@@ -49,7 +47,7 @@ Interval product(const End& x, const End& y) {
   if (x.infinite || y.infinite) return {infinity(sign), infinity(sign)};
   const Value value = known(Constant(x), bits) * known(Constant(y), bits);
   if (value.is != Value::Is::certain) return sign > 0 ? nonnegative : -nonnegative;
-  return x.closed && y.closed ? enclosing(value) : opened(enclosing(value));
+  return enclosing(value, x.closed && y.closed);
 }
 
 Interval absolute(const Interval& x) {
@@ -84,11 +82,11 @@ const Piece& piece_of(const std::string& name) {
 
 /// An end as an interval; around an end that is not a + b*pi.
 Interval read_end(const std::string& text, bool is_closed) {
-  if (text == "inf" || text == "-inf")
-    return {infinity(text == "inf" ? 1 : -1), infinity(text == "inf" ? 1 : -1)};
+  if (text == "inf") return {infinity(1), infinity(1)};
+  if (text == "-inf") return {infinity(-1), infinity(-1)};
   const Value value = value_at(parse(text, Symbols()), {}, bits);
   if (value.is != Value::Is::certain) throw std::invalid_argument("an end of a range has no value: " + text);
-  return is_closed ? enclosing(value) : opened(enclosing(value));
+  return enclosing(value, is_closed);
 }
 
 }  // namespace
