@@ -24,7 +24,7 @@ Tree tree(const std::string& text, const Limits& limits = {}) {
 std::string at(const std::string& text, const Point& point = {}) {
   const Value value = value_at(tree(text), point, 192);
   if (value.is != Is::certain) return value.is == Is::nowhere ? "nowhere" : "unknown";
-  if (value.exact) CHECK((value.ball - Ball(*value.exact, 300)).contains_zero());
+  if (value.exact) CHECK(value.ball.contains(Ball(*value.exact, 300)));
   std::ostringstream exact;
   if (value.exact) exact << *value.exact;
   return value.exact ? exact.str() : value.ball.digits(5).value_or("no digits");
