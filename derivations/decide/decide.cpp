@@ -6,7 +6,6 @@
 #include <derivations/decide/domain.hpp>
 #include <derivations/decide/test_points.hpp>
 #include <derivations/language/print.hpp>
-#include <derivations/language/syntax_error.hpp>
 
 namespace rederive {
 

@@ -3,7 +3,6 @@
 #include <derivations/identity/zero_test.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
-#include <derivations/language/syntax_error.hpp>
 
 namespace rederive {
 

@@ -4,7 +4,6 @@
 #include <derivations/decide/witness.hpp>
 #include <derivations/language/print.hpp>
 #include <derivations/language/lower.hpp>
-#include <derivations/language/syntax_error.hpp>
 #include <derivations/numbers/interval.hpp>
 #include <sstream>
 #include <tuple>

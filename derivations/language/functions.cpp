@@ -14,33 +14,30 @@ ex absolute(const ex& x) {
   return is_root ? x : GiNaC::abs(x);
 }
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // clang-format off
 constexpr Function table[] = {
-    {"sin", "\\sin", "sin", "", [](const ex& x) -> ex { return sin(x); }},
-    {"cos", "\\cos", "cos", "", [](const ex& x) -> ex { return cos(x); }},
-    {"tan", "\\tan", "tan", "tg", [](const ex& x) -> ex { return tan(x); }},
-    {"cot", "\\cot", "cot", "ctg", [](const ex& x) -> ex { return cos(x) / sin(x); }},
-    {"sec", "\\sec", "sec", "", [](const ex& x) -> ex { return 1 / cos(x); }},
-    {"csc", "\\csc", "csc", "cosec", [](const ex& x) -> ex { return 1 / sin(x); }},
-    {"asin", "\\arcsin", "asin", "arcsin", [](const ex& x) -> ex { return asin(x); }, -1, 1},
-    {"acos", "\\arccos", "acos", "arccos", [](const ex& x) -> ex { return acos(x); }, -1, 1},
-    {"atan", "\\arctan", "atan", "arctan atan2", [](const ex& x) -> ex { return atan(x); }},
-    {"sinh", "\\sinh", "sinh", "sh", [](const ex& x) -> ex { return sinh(x); }},
-    {"cosh", "\\cosh", "cosh", "ch", [](const ex& x) -> ex { return cosh(x); }},
-    {"tanh", "\\tanh", "tanh", "th", [](const ex& x) -> ex { return tanh(x); }},
-    {"coth", "\\coth", "coth", "", [](const ex& x) -> ex { return cosh(x) / sinh(x); }},
-    {"sech", "\\operatorname{sech}", "sech", "", [](const ex& x) -> ex { return 1 / cosh(x); }},
-    {"csch", "\\operatorname{csch}", "csch", "", [](const ex& x) -> ex { return 1 / sinh(x); }},
-    {"asinh", "\\operatorname{arsinh}", "asinh", "arcsinh arsinh", [](const ex& x) -> ex { return asinh(x); }},
-    {"acosh", "\\operatorname{arcosh}", "acosh", "arccosh arcosh", [](const ex& x) -> ex { return acosh(x); }, 1},
-    {"atanh", "\\operatorname{artanh}", "atanh", "arctanh artanh",
-     [](const ex& x) -> ex { return atanh(x); }, -1, 1, true},
-    {"exp", "", "exp", "", [](const ex& x) -> ex { return exp(x); }},
-    {"log", "\\ln", "log", "ln", [](const ex& x) -> ex { return log(x); }, 0, infinity, true},
-    {"sqrt", "", "√", "root", [](const ex& x) -> ex { return sqrt(x); }, 0},
-    {"fabs", "", "abs", "", absolute},
+    {"sin", "\\sin", "", [](const ex& x) -> ex { return sin(x); }},
+    {"cos", "\\cos", "", [](const ex& x) -> ex { return cos(x); }},
+    {"tan", "\\tan", "tg", [](const ex& x) -> ex { return tan(x); }},
+    {"cot", "\\cot", "ctg", [](const ex& x) -> ex { return cos(x) / sin(x); }},
+    {"sec", "\\sec", "", [](const ex& x) -> ex { return 1 / cos(x); }},
+    {"csc", "\\csc", "cosec", [](const ex& x) -> ex { return 1 / sin(x); }},
+    {"asin", "\\arcsin", "arcsin", [](const ex& x) -> ex { return asin(x); }, -1, 1},
+    {"acos", "\\arccos", "arccos", [](const ex& x) -> ex { return acos(x); }, -1, 1},
+    {"atan", "\\arctan", "arctan atan2", [](const ex& x) -> ex { return atan(x); }},
+    {"sinh", "\\sinh", "sh", [](const ex& x) -> ex { return sinh(x); }},
+    {"cosh", "\\cosh", "ch", [](const ex& x) -> ex { return cosh(x); }},
+    {"tanh", "\\tanh", "th", [](const ex& x) -> ex { return tanh(x); }},
+    {"coth", "\\coth", "", [](const ex& x) -> ex { return cosh(x) / sinh(x); }},
+    {"sech", "\\operatorname{sech}", "", [](const ex& x) -> ex { return 1 / cosh(x); }},
+    {"csch", "\\operatorname{csch}", "", [](const ex& x) -> ex { return 1 / sinh(x); }},
+    {"asinh", "\\operatorname{arsinh}", "arcsinh arsinh", [](const ex& x) -> ex { return asinh(x); }},
+    {"acosh", "\\operatorname{arcosh}", "arccosh arcosh", [](const ex& x) -> ex { return acosh(x); }, 1},
+    {"atanh", "\\operatorname{artanh}", "arctanh artanh", [](const ex& x) -> ex { return atanh(x); }, -1, 1, true},
+    {"exp", "", "", [](const ex& x) -> ex { return exp(x); }},
+    {"log", "\\ln", "ln", [](const ex& x) -> ex { return log(x); }, 0, HUGE_VAL, true},
+    {"sqrt", "", "root", [](const ex& x) -> ex { return sqrt(x); }, 0},
+    {"fabs", "", "", absolute},
 };
 // clang-format on
 

@@ -3,7 +3,7 @@
 
 #include <ginac/ginac.h>
 
-#include <limits>
+#include <cmath>
 #include <span>
 #include <string_view>
 
@@ -13,11 +13,10 @@ namespace rederive {
 struct Function {
   std::string_view name;              ///< as in C, in our syntax and in GiNaC
   std::string_view latex;             ///< the command; empty where LaTeX has a sign of its own: √, |x|, e^x
-  std::string_view unicode;           ///< "√", "abs"
   std::string_view abroad;            ///< what it is called elsewhere, in small letters: "arctan atan2"
   GiNaC::ex (*of)(const GiNaC::ex&);  ///< its value; throws as GiNaC does at a pole
-  double least = -std::numeric_limits<double>::infinity();  ///< the ends of its domain
-  double most = std::numeric_limits<double>::infinity();
+  double least = -HUGE_VAL;           ///< the ends of its domain
+  double most = HUGE_VAL;
   bool is_open = false;  ///< whether these ends are outside
 };
 

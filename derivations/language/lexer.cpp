@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <derivations/language/lexer.hpp>
-#include <derivations/language/syntax_error.hpp>
 #include <derivations/language/unicode.hpp>
 #include <utility>
 
@@ -21,13 +20,10 @@ constexpr char32_t dot_above = 0x307, diaeresis = 0x308, macron = 0x304;
 
 /// The precomposed letters that a keyboard or NFC normalisation makes of a letter and a mark, each before its
 /// letter.
-struct Composed {
-  char32_t mark;
-  std::u32string_view pairs;
-};
-constexpr Composed composed[] = {{dot_above, U"ȧaḃbċcḋdėeḟfġgḣhṁmṅnȯoṗpṙrṡsṫtẇwẋxẏyżzĖEḢHṘR"},
-                                 {diaeresis, U"äaëeḧhïiöoẗtüuẅwẍxÿyÄAÖOÜU"},
-                                 {macron, U"ĀAāaĒEēeūu"}};
+constexpr std::pair<char32_t, std::u32string_view> composed[] = {
+    {dot_above, U"ȧaḃbċcḋdėeḟfġgḣhṁmṅnȯoṗpṙrṡsṫtẇwẋxẏyżzĖEḢHṘR"},
+    {diaeresis, U"äaëeḧhïiöoẗtüuẅwẍxÿyÄAÖOÜU"},
+    {macron, U"ĀAāaĒEēeūu"}};
 
 /// Letters with dots come back as the letter and its combining mark (ü is u and U+0308), other spaces as ' '.
 /// Throws SyntaxError "character" for bytes that are not UTF-8 and for control characters.
@@ -82,18 +78,14 @@ constexpr Spelling singles[] = {
     {U"=", relation, "="}, {U"<", relation, "<"}, {U">", relation, ">"}, {U"≤", relation, "<="}, {U"≥", relation, ">="},
     {U"+", mark, "+"}, {U"-−", mark, "-"}, {U"*·⋅×", mark, "*"}, {U"/∕⁄÷", mark, "/"}, {U"^", mark, "^"},
     {U"(", mark, "("}, {U")", mark, ")"}, {U",", mark, ","}, {U"√", mark, "sqrt"},
-    {U"[{", slip, "write '(' instead of '{}'"},
-    {U"]}", slip, "write ')' instead of '{}'"},
+    {U"[{", slip, "write '(' instead of '{}'"}, {U"]}", slip, "write ')' instead of '{}'"},
     {U"≠≈", slip, "'{}' is no relation that can be read here: use =, <, <=, > or >="},
     {U"!", slip, "'!' is not used here: relations are =, <, <=, > and >=, and factorials are numbers"},
-    {U"½", slip, "write 1/2 instead of '½'"},
-    {U"¼", slip, "write 1/4 instead of '¼'"},
+    {U"½", slip, "write 1/2 instead of '½'"}, {U"¼", slip, "write 1/4 instead of '¼'"},
     {U"¾", slip, "write 3/4 instead of '¾'"},
-    {U"–—", slip, "write '-' for a minus"},
-    {U"∞", slip, "infinity is no number"},
+    {U"–—", slip, "write '-' for a minus"}, {U"∞", slip, "infinity is no number"},
     {U"\\", slip, "LaTeX is not read here: write names without '\\'"},
-    {U";", slip, "';' is not used here"},
-    {U":", slip, "write '/' for a division"},
+    {U";", slip, "';' is not used here"}, {U":", slip, "write '/' for a division"},
     {U"±", slip, "'±' stands for two statements: write them one by one"},
     {U"|", slip, "write fabs(x) for |x|"},
     {U"'", slip, "primes are not used here: the rate of theta is thetadot"},
@@ -106,10 +98,9 @@ class Tokenizer {
   Tokenizer(std::string_view text, const Symbols& symbols, const Limits& limits)
       : text_(text), symbols_(symbols), limits_(limits) {
     if (text.size() <= 4 * limits.characters) characters_ = decode(text);
-    if (text.size() > 4 * limits.characters || characters_.size() > limits.characters) {
+    if (text.size() > 4 * limits.characters || characters_.size() > limits.characters)
       throw SyntaxError("too_long", characters_.empty() ? 0 : byte(limits.characters),
                         "this is longer than " + std::to_string(limits.characters) + " characters");
-    }
     for (const std::string& name : symbols.names()) {
       const std::string& spelling = symbols.find(name)->unicode;
       if (spelling != name) spellings_.emplace_back(decode(spelling), name);
@@ -117,12 +108,7 @@ class Tokenizer {
   }
 
   std::vector<Token> run() {
-    for (; at_ < characters_.size(); start_ = at_) {
-      if (code() == ' ')
-        ++at_;
-      else
-        read();
-    }
+    for (; at_ < characters_.size(); start_ = at_) code() == ' ' ? void(++at_) : read();
     add(Token::Kind::end, "");
     return std::move(tokens_);
   }
@@ -149,17 +135,18 @@ class Tokenizer {
       if (code() == pair.characters[0] && code(1) == pair.characters[1]) return add(pair, 2);
     for (const Spelling& single : singles)
       if (single.characters.find(code()) != std::u32string_view::npos) return add(single, 1);
-    const std::string shown = is_invisible(code())
-                                  ? fmt::format("the invisible character U+{:04X}", std::uint32_t{code()})
-                                  : "'" + here() + "'";
-    refuse("character", shown + " has no meaning here");
+    const std::string unseen = fmt::format("the invisible character U+{:04X}", std::uint32_t{code()});
+    refuse("character",
+           (is_invisible(code()) ? unseen : "'" + typed(at_ + 1) + "'") + " has no meaning here");
   }
 
-  /// The character, as it is in the text.
-  std::string here() const { return std::string(text_.substr(byte(at_), byte(at_ + 1) - byte(at_))); }
+  /// From the start of the token, as it is in the text.
+  std::string typed(std::size_t end) const {
+    return std::string(text_.substr(byte(start_), byte(end) - byte(start_)));
+  }
 
   void add(const Spelling& spelling, std::size_t size) {
-    if (spelling.kind == slip) refuse("syntax", fmt::format(fmt::runtime(spelling.text), here()));
+    if (spelling.kind == slip) refuse("syntax", fmt::format(fmt::runtime(spelling.text), typed(at_ + 1)));
     at_ += size;
     add(spelling.kind, spelling.text);
   }
@@ -177,15 +164,14 @@ class Tokenizer {
     std::size_t digits = number.size();
     const bool sign = code(1) == '+' || code(1) == '-';
     if ((code() == 'e' || code() == 'E') && is_digit(code(sign ? 2 : 1))) {
-      std::string exponent = code(1) == '-' ? "-" : "";
+      number += code(1) == '-' ? "e-" : "e";
       at_ += sign ? 2 : 1;
       const std::string power = read_digits();
       digits += power.size() > 6 ? limits_.digits : std::stoul(power);
-      number += "e" + exponent + power;
+      number += power;
     }
-    if (digits > limits_.digits + (number.find('.') == std::string::npos ? 0 : 1)) {
+    if (digits > limits_.digits + (number.find('.') == std::string::npos ? 0 : 1))
       refuse("too_large", "this number needs more than " + std::to_string(limits_.digits) + " digits");
-    }
     add(Token::Kind::number, number);
   }
 
@@ -203,7 +189,8 @@ class Tokenizer {
     if (code(end) == '*' || code(end) == '-' || code(end) == U'−') return true;
     while (code(end) == ' ') ++end;
     const char32_t next = code(end);
-    return is_digit(next) || is_letter(next) || next == '(' || next == '.' || next == '_' || next == U'√';
+    return is_digit(next) || is_letter(next) ||
+           std::u32string_view(U"(._√").find(next) != std::u32string_view::npos;
   }
 
   /// Whether this spelling of a symbol stands here and ends here.
@@ -218,10 +205,8 @@ class Tokenizer {
 
   void read_name() {
     const std::pair<std::vector<Character>, std::string>* best = nullptr;
-    for (const auto& entry : spellings_) {
-      const bool longer = best == nullptr || entry.first.size() > best->first.size();
-      if (longer && stands_here(entry.first)) best = &entry;
-    }
+    for (const auto& entry : spellings_)
+      if ((!best || entry.first.size() > best->first.size()) && stands_here(entry.first)) best = &entry;
     if (best == nullptr) return add_transliterated();
     at_ += best->first.size();
     add(Token::Kind::name, best->second);
@@ -257,9 +242,8 @@ class Tokenizer {
   /// The constant may be written Pi. A capital Π, PI and pI may stand for anything.
   std::string checked_pi(const std::string& name) const {
     if (name != "Pi" && name != "PI" && name != "pI") return name;
-    const std::string typed(text_.substr(byte(start_), byte(at_) - byte(start_)));
-    if (typed == "Pi") return "pi";
-    refuse("unknown_symbol", "'" + typed + "' is no symbol here: the constant is written pi");
+    if (typed(at_) == "Pi") return "pi";
+    refuse("unknown_symbol", "'" + typed(at_) + "' is no symbol here: the constant is written pi");
   }
 
   std::string_view text_;

@@ -1,9 +1,5 @@
-#include <cln/cln.h>
-
-#include <cmath>
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lower.hpp>
-#include <derivations/language/syntax_error.hpp>
 
 namespace rederive {
 
@@ -34,19 +30,17 @@ void check_size(const Node& node, double bits, double parts) {
 }
 
 bool is_outside(const Function& function, const ex& x) {
-  if (!is_a<numeric>(x)) return false;
-  const numeric& value = GiNaC::ex_to<numeric>(x);
   const auto is_beyond = [&](double end, int side) {
-    if (std::isinf(end)) return false;
-    const numeric past = side * (value - static_cast<long>(end));
-    return past.is_positive() || (past.is_zero() && function.is_open);
+    if (!is_a<numeric>(x) || std::isinf(end)) return false;
+    const ex past = side * (x - static_cast<long>(end));
+    return past.info(GiNaC::info_flags::positive) || (past.is_zero() && function.is_open);
   };
   return is_beyond(function.least, -1) || is_beyond(function.most, 1);
 }
 
-class Lowering {
- public:
-  Lowering(const Symbols& symbols, const Limits& limits) : symbols_(symbols), limits_(limits) {}
+struct Lowering {
+  const Symbols& symbols;
+  const Limits& limits;
 
   Lowered lower(const Tree& tree) const {
     try {
@@ -64,30 +58,17 @@ class Lowering {
     }
   }
 
- private:
   Lowered build(const Node& node) const {
-    switch (node.kind) {
-      case Kind::number: {
-        const cln::cl_RA value = exact(node.text);
-        const auto bits =
-            cln::integer_length(cln::numerator(value)) + cln::integer_length(cln::denominator(value));
-        return {numeric(value), static_cast<double>(bits)};
-      }
-      case Kind::symbol:
-        return {node.text == "pi" ? ex(GiNaC::Pi) : ex(symbols_[node.text])};
-      case Kind::negative: {
-        const Lowered operand = lower(node.children[0]);
-        return {-operand.value, operand.bits, operand.parts};
-      }
-      case Kind::sum:
-      case Kind::product:
-        return combine(node);
-      case Kind::power:
-        return power(node);
-      case Kind::call:
-        return call(node);
+    if (node.kind == Kind::number) {
+      const numeric value(exact(node.text));
+      return {value, 1.0 * value.numer().int_length() + value.denom().int_length()};
     }
-    throw std::logic_error("a kind of node that there is not");
+    if (node.kind == Kind::symbol) return {node.text == "pi" ? ex(GiNaC::Pi) : ex(symbols[node.text])};
+    if (node.kind == Kind::power) return power(node);
+    if (node.kind == Kind::call) return call(node);
+    if (node.kind != Kind::negative) return combine(node);
+    const Lowered operand = lower(node.children[0]);
+    return {-operand.value, operand.bits, operand.parts};
   }
 
   Lowered combine(const Node& node) const {
@@ -97,10 +78,9 @@ class Lowering {
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       const auto [value, bits, parts] = lower(node.children[i]);
       all.bits += bits, all.parts += parts;
-      const bool is_inverse = node.inverse[i];
-      if (is_inverse && !is_sum && value.is_zero())
+      if (node.inverse[i] && !is_sum && value.is_zero())
         refuse(*node.children[i], "undefined", "this divisor is zero");
-      values.push_back(!is_inverse ? value : is_sum ? -value : GiNaC::pow(value, -1));
+      values.push_back(!node.inverse[i] ? value : is_sum ? -value : pow(value, -1));
     }
     check_size(node, all.bits, all.parts);
     all.value = is_sum ? ex(GiNaC::add(values)) : ex(GiNaC::mul(values));
@@ -110,12 +90,12 @@ class Lowering {
   Lowered power(const Node& node) const {
     const Lowered base = lower(node.children[0]), exponent = lower(node.children[1]);
     if (!is_a<numeric>(exponent.value))
-      return {GiNaC::pow(base.value, exponent.value), base.bits + exponent.bits, base.parts + exponent.parts};
+      return {pow(base.value, exponent.value), base.bits + exponent.bits, base.parts + exponent.parts};
     const numeric n = GiNaC::ex_to<numeric>(exponent.value);
     const ex inner = is_a<GiNaC::power>(base.value) ? base.value.op(1) : ex(1);
     const numeric total = is_a<numeric>(inner) ? n * GiNaC::ex_to<numeric>(inner) : n;
-    if (GiNaC::abs(total) > limits_.exponent)
-      refuse(*node.children[1], "too_large", "exponents go up to " + std::to_string(limits_.exponent));
+    if (GiNaC::abs(total) > limits.exponent)
+      refuse(*node.children[1], "too_large", "exponents go up to " + std::to_string(limits.exponent));
     if (n.denom() > largest_root)
       refuse(*node.children[1], "too_large",
              "as a fraction, an exponent has a denominator up to " + std::to_string(largest_root) +
@@ -126,7 +106,7 @@ class Lowering {
       refuse(node, "undefined", "a root of a negative number has no real value");
     if (base.value.is_zero() && !n.is_positive())
       refuse(node, "undefined", "this divides by zero, or is 0^0");
-    return {GiNaC::pow(base.value, n), bits, base.parts + 1};
+    return {pow(base.value, n), bits, base.parts + 1};
   }
 
   Lowered call(const Node& node) const {
@@ -139,9 +119,6 @@ class Lowering {
     check_size(node, bits, parts);
     return {function->of(argument.value), bits, parts};
   }
-
-  const Symbols& symbols_;
-  const Limits& limits_;
 };
 
 /// The same for real values of all symbols and functions: what GiNaC thinks may be complex is its own
@@ -161,7 +138,7 @@ class Real : public GiNaC::map_function {
 }  // namespace
 
 ex lower(const Tree& tree, const Symbols& symbols, const Limits& limits) {
-  const ex value = Lowering(symbols, limits).lower(tree).value;
+  const ex value = Lowering{symbols, limits}.lower(tree).value;
   try {
     return Real()(value);
   } catch (const std::domain_error&) {  // GiNaC's pole_error is one

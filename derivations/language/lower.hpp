@@ -1,4 +1,4 @@
-// Tree → the GiNaC expression that it stands for.
+// Tree ⇄ the GiNaC expression that it stands for.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -13,5 +13,10 @@ namespace rederive {
 /// make a number of more digits than anybody wants. Whether an irrational constant is in the domain of a
 /// function, as in sqrt(3 - pi), is not looked at.
 GiNaC::ex lower(const Tree& tree, const Symbols& symbols, const Limits& limits = {});
+
+/// The canonical tree of an expression, as a person would write it: constants, then the symbols in the order
+/// of their table, powers descending, fractions for negative powers, no "+ -1*". Throws std::invalid_argument
+/// for what our syntax cannot write.
+Tree to_tree(const GiNaC::ex& expression, const Symbols& symbols);
 
 }  // namespace rederive

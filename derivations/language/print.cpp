@@ -49,10 +49,10 @@ bool is_named_or_power(const Node& node) {
   return is_named(node) || (node.kind == Kind::power && is_named(*node.children[0]));
 }
 
-class Printer {
- public:
-  Printer(Notation notation, const Symbols& symbols)
-      : notation_(notation), signs_(signs_of(notation)), symbols_(symbols) {}
+struct Printer {
+  const Notation notation;
+  const Symbols& symbols;
+  const Signs& signs = signs_of(notation);
 
   /// `last`: nothing follows in the same product, so that \sin\alpha needs no parentheses either.
   std::string print(const Tree& tree, Place place = Place::whole, bool last = true) const {
@@ -60,9 +60,8 @@ class Printer {
     return needs_parentheses(*tree, place) ? bracket(text) : text;
   }
 
- private:
-  bool is_latex() const { return notation_ == Notation::latex; }
-  std::string bracket(const std::string& text) const { return signs_.opening + text + signs_.closing; }
+  bool is_latex() const { return notation == Notation::latex; }
+  std::string bracket(const std::string& text) const { return signs.opening + text + signs.closing; }
 
   bool needs_parentheses(const Node& node, Place place) const {
     if (node.kind == Kind::sum || node.kind == Kind::negative) return place != Place::whole;
@@ -72,23 +71,13 @@ class Printer {
   }
 
   std::string bare(const Node& node, bool last) const {
-    switch (node.kind) {
-      case Kind::number:
-        return number(node.text);
-      case Kind::symbol:
-        return symbol(node.text);
-      case Kind::negative:
-        return signs_.minus + print(node.children[0], Place::term);
-      case Kind::sum:
-        return sum(node);
-      case Kind::product:
-        return is_latex() ? fractions(node) : product(node);
-      case Kind::power:
-        return power(node, last);
-      case Kind::call:
-        return call(node, "", last);
-    }
-    return {};
+    if (node.kind == Kind::number) return number(node.text);
+    if (node.kind == Kind::symbol) return symbol(node.text);
+    if (node.kind == Kind::negative) return signs.minus + print(node.children[0], Place::term);
+    if (node.kind == Kind::sum) return chain(node, Place::term, " + ", " " + signs.minus + " ");
+    if (node.kind == Kind::power) return power(node, last);
+    if (node.kind == Kind::call) return call(node, "", last);
+    return is_latex() ? fractions(node) : chain(node, Place::factor, signs.times, "/");
   }
 
   std::string number(const std::string& digits) const {
@@ -97,23 +86,18 @@ class Printer {
   }
 
   std::string symbol(const std::string& name) const {
-    if (name == "pi") return signs_.pi;
-    const Symbol* known = symbols_.find(name);
-    return known == nullptr ? name : known->*signs_.name;
+    if (name == "pi") return signs.pi;
+    const Symbol* known = symbols.find(name);
+    return known == nullptr ? name : known->*signs.name;
   }
 
-  std::string sum(const Node& node) const {
-    const bool leading_minus = node.children[0]->kind == Kind::negative;
-    std::string text = print(node.children[0], leading_minus ? Place::whole : Place::term);
+  /// Terms or factors, and what stands between them.
+  std::string chain(const Node& node, Place place, const std::string& plain,
+                    const std::string& inverse) const {
+    const bool leading_minus = node.kind == Kind::sum && node.children[0]->kind == Kind::negative;
+    std::string text = print(node.children[0], leading_minus ? Place::whole : place);
     for (std::size_t i = 1; i < node.children.size(); ++i)
-      text += " " + (node.inverse[i] ? signs_.minus : "+") + " " + print(node.children[i], Place::term);
-    return text;
-  }
-
-  std::string product(const Node& node) const {
-    std::string text = print(node.children[0], Place::factor);
-    for (std::size_t i = 1; i < node.children.size(); ++i)
-      text += (node.inverse[i] ? "/" : signs_.times) + print(node.children[i], Place::factor);
+      text += (node.inverse[i] ? inverse : plain) + print(node.children[i], place);
     return text;
   }
 
@@ -132,7 +116,7 @@ class Printer {
 
   void append(std::string& text, const std::string& factor) const {
     const bool digit = !factor.empty() && factor[0] >= '0' && factor[0] <= '9';
-    text += (text.empty() ? "" : digit ? " \\cdot " : signs_.times) + factor;
+    text += (text.empty() ? "" : digit ? " \\cdot " : signs.times) + factor;
   }
 
   /// Factors side by side; one alone needs no parentheses in the parts of a fraction.
@@ -149,7 +133,7 @@ class Printer {
   std::string power(const Node& node, bool last) const {
     const Node &base = *node.children[0], &exponent = *node.children[1];
     const bool is_raised_name = is_latex() ? is_named(base) && exponent.kind == Kind::number  // sin²(x)
-                                           : notation_ == Notation::unicode && base.kind == Kind::call &&
+                                           : notation == Notation::unicode && base.kind == Kind::call &&
                                                  base.text != "sqrt" && is_integer(exponent);
     const std::string raised = raise(node.children[1]);
     if (is_raised_name) return call(base, raised, last);
@@ -160,11 +144,8 @@ class Printer {
   std::string raise(const Tree& exponent) const {
     const bool negative = exponent->kind == Kind::negative;
     const Node& digits = negative ? *exponent->children[0] : *exponent;
-    if (notation_ == Notation::unicode && is_integer(digits)) {
-      std::string text = negative ? "⁻" : "";
-      for (char c : digits.text) text += superscript(c);
-      return text;
-    }
+    if (notation == Notation::unicode && is_integer(digits))
+      return (negative ? "⁻" : "") + superscript(digits.text);
     const std::string text = print(exponent, is_latex() ? Place::whole : Place::exponent);
     return "^" + (is_latex() && text.size() > 1 ? "{" + text + "}" : text);
   }
@@ -179,8 +160,9 @@ class Printer {
   std::string call(const Node& node, const std::string& exponent, bool last) const {
     const std::string inside = print(node.children[0]);
     const Function* function = find_function(node.text);
-    if (notation_ == Notation::plain || function == nullptr) return node.text + exponent + bracket(inside);
-    if (notation_ == Notation::unicode) return std::string(function->unicode) + exponent + bracket(inside);
+    if (notation == Notation::plain || function == nullptr) return node.text + exponent + bracket(inside);
+    const std::string typed = node.text == "sqrt" ? "√" : node.text == "fabs" ? "abs" : node.text;
+    if (notation == Notation::unicode) return typed + exponent + bracket(inside);
     const std::string name = std::string(function->latex) + exponent;
     if (node.text == "sqrt") return "\\sqrt{" + inside + "}";
     if (node.text == "fabs") return "\\left|" + inside + "\\right|";
@@ -188,16 +170,12 @@ class Printer {
     if (!last || !is_atom(*node.children[0])) return name + bracket(inside);
     return name + (inside[0] == '\\' ? "" : " ") + inside;
   }
-
-  Notation notation_;
-  const Signs& signs_;
-  const Symbols& symbols_;
 };
 
 }  // namespace
 
 std::string print(const Tree& tree, Notation notation, const Symbols& symbols) {
-  return Printer(notation, symbols).print(tree);
+  return Printer{notation, symbols}.print(tree);
 }
 
 std::string print(const Relation& relation, Notation notation, const Symbols& symbols) {

@@ -1,7 +1,7 @@
 // GiNaC expression or tree → text; the same bytes on every run, in the order a person would choose.
 #pragma once
 
-#include <derivations/language/to_tree.hpp>
+#include <derivations/language/lower.hpp>
 
 namespace rederive {
 

@@ -90,6 +90,8 @@ std::string written(const Formula& f, std::size_t first, std::size_t last) {
 
 std::string quoted(const Formula& f, std::size_t at) { return "'" + written(f, at, at) + "'"; }
 
+bool is_number(const Formula& f, std::size_t at) { return f.tokens[at].kind == Kind::number; }
+
 std::string did_you_mean(const std::string& name) {
   return name.empty() ? "" : ": did you mean '" + name + "'?";
 }
@@ -109,10 +111,8 @@ std::string factors(const Formula& f, std::size_t& at);
 std::string group(const Formula& f, std::size_t& at) {
   const std::size_t opening = at;
   int open = 0;
-  do {
-    open += f.tokens[at].is("(") ? 1 : f.tokens[at].is(")") ? -1 : 0;
-    ++at;
-  } while (open > 0 && f.tokens[at].kind != Kind::end);
+  do open += f.tokens[at].is("(") ? 1 : f.tokens[at].is(")") ? -1 : 0;
+  while (f.tokens[++at].kind != Kind::end && open > 0);
   const std::string text = written(f, opening, at - 1);
   return text == "…" ? "(…)" : text;
 }
@@ -122,10 +122,7 @@ std::string call(const Formula& f, std::size_t& at) {
   const std::string name = f.tokens[at++].text;
   std::string power, argument = "(x)";
   if (f.tokens[at].kind == Kind::superscript) power = "^" + f.tokens[at++].text;
-  if (f.tokens[at].is("^") && f.tokens[at + 1].kind == Kind::number) {
-    power = "^" + f.tokens[at + 1].text;
-    at += 2;
-  }
+  if (f.tokens[at].is("^") && is_number(f, at + 1)) power = "^" + f.tokens[++at].text, ++at;
   if (f.tokens[at].is("("))
     argument = group(f, at);
   else if (is_function(f.tokens[at]) || f.tokens[at].is("sqrt"))
@@ -160,10 +157,10 @@ std::string operand(const Formula& f, std::size_t& at) {
 
 /// The argument of a function without parentheses: 2x in sin 2x cos y, 2*x in sin 2*x.
 std::string factors(const Formula& f, std::size_t& at) {
-  const bool is_number = f.tokens[at].kind == Kind::number;
+  const bool starts_with_number = is_number(f, at);
   std::string text = operand(f, at);
   while (text.size() < longest_text) {
-    std::size_t next = at + (is_number && f.tokens[at].is("*") ? 1 : 0);
+    std::size_t next = at + (starts_with_number && f.tokens[at].is("*") ? 1 : 0);
     if (f.tokens[next].kind != Kind::name || is_function(f.tokens[next])) break;
     text += "*" + operand(f, next);
     at = next;
@@ -200,8 +197,7 @@ SyntaxError juxtaposition(const Formula& f, std::size_t product, std::size_t fir
     return {"syntax", position, "one statement at a time: '" + text + "' is not read here"};
   std::string head = first > product ? written(f, product, first - 1) : "";
   if (head == "…") head = "";
-  const auto is_number = [&](std::size_t k) { return f.tokens[k].kind == Kind::number; };
-  const bool fraction = first >= 2 && is_number(first) && is_number(first - 2) &&
+  const bool fraction = first >= 2 && is_number(f, first) && is_number(f, first - 2) &&
                         (first == 2 || !f.tokens[first - 3].is("^"));  // 3/2 x is 3/2*x; a/2g may be either
   std::string tail = operand(f, first);
   while (starts_operand(f.tokens[at]) && tail.size() < longest_text) tail += "*" + operand(f, at);
@@ -212,9 +208,9 @@ SyntaxError juxtaposition(const Formula& f, std::size_t product, std::size_t fir
 SyntaxError called_symbol(const Formula& f, std::size_t name) {
   std::size_t opening = name + 1;
   const std::size_t position = f.tokens[opening].position;
+  const std::string product = written(f, name, name) + "*" + group(f, opening);
   return {"implicit_multiplication", position,
-          quoted(f, name) + " is no function: write " + written(f, name, name) + "*" + group(f, opening) +
-              " for a product"};
+          quoted(f, name) + " is no function: write " + product + " for a product"};
 }
 
 SyntaxError ambiguous_inverse(const Token& function, const Token& at) {
@@ -267,12 +263,11 @@ SyntaxError missing_operand(const Formula& f, std::size_t at) {
 }
 
 SyntaxError stray_comma(const Formula& f, std::size_t at) {
-  const auto is_number = [&](std::size_t k) { return f.tokens[k].kind == Kind::number; };
-  const bool is_decimal = at > 0 && is_number(at - 1) && is_number(at + 1);
-  return {"syntax", f.tokens[at].position,
-          is_decimal ? "a decimal number is written with a point: " + f.tokens[at - 1].text + "." +
-                           f.tokens[at + 1].text
-                     : "a comma can only stand between the arguments of a function"};
+  const std::size_t position = f.tokens[at].position;
+  if (at == 0 || !is_number(f, at - 1) || !is_number(f, at + 1))
+    return {"syntax", position, "a comma can only stand between the arguments of a function"};
+  const std::string decimal = f.tokens[at - 1].text + "." + f.tokens[at + 1].text;
+  return {"syntax", position, "a decimal number is written with a point: " + decimal};
 }
 
 }  // namespace rederive

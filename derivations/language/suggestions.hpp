@@ -2,7 +2,6 @@
 #pragma once
 
 #include <derivations/language/lexer.hpp>
-#include <derivations/language/syntax_error.hpp>
 
 namespace rederive {
 

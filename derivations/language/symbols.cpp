@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <derivations/language/symbols.hpp>
-#include <derivations/language/unicode.hpp>
 #include <regex>
-#include <sstream>
 #include <stdexcept>
 
 namespace rederive {
@@ -11,31 +9,6 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what, const std::string& name) {
   throw std::invalid_argument("symbol '" + name + "': " + what);
-}
-
-/// Letters, digits and '_'; no look-alike of pi, which is the constant.
-bool is_name(const std::string& name) {
-  static const std::regex form("(?![Pp][Ii]$|inf$)[A-Za-z_][A-Za-z_0-9]*");
-  return std::regex_match(name, form);
-}
-
-/// Whether the end of a range is not negative, as its form shows: nothing is subtracted, and what functions
-/// there are have no negative values.
-bool is_plainly_nonnegative(const std::string& end) {
-  static const std::regex form("([^-A-Za-z]|pi|sqrt|exp)*");
-  return std::regex_match(end, form);
-}
-
-constexpr std::array<const char*, 3> base_units = {"kg", "m", "s"};
-
-std::string power_text(const char* unit, const GiNaC::numeric& power) {
-  if (power == 1) return unit;
-  std::ostringstream plain;
-  plain << power;
-  if (!power.is_integer()) return std::string(unit) + "^(" + plain.str() + ")";
-  std::string text = unit;
-  for (char digit : plain.str()) text += superscript(digit);
-  return text;
 }
 
 }  // namespace
@@ -54,36 +27,20 @@ Dimension parse_unit(std::string_view text) {
   std::ptrdiff_t read = text == "1" ? 1 : 0;
   std::cregex_iterator part(text.begin(), text.end(), factor), none;
   for (; part != none && part->position() == read; read += part->length(), ++part) {
-    const std::string sign = (*part)[1], power = (*part)[3];
-    const auto base = std::find(base_units.begin(), base_units.end(), (*part)[2].str());
-    dimension[static_cast<std::size_t>(base - base_units.begin())] +=
-        (sign.ends_with('/') ? -1 : 1) * (power.empty() ? 1 : power[0] - '0');
+    const std::string sign = (*part)[1], base = (*part)[2], power = (*part)[3];
+    dimension[base == "kg"  ? 0
+              : base == "m" ? 1
+                            : 2] += (sign.ends_with('/') ? -1 : 1) * (power.empty() ? 1 : power[0] - '0');
   }
   if (!text.empty() && read == std::ssize(text)) return dimension;
   throw std::invalid_argument("a unit is written like 'kg*m^2/s^2', not '" + std::string(text) + "'");
 }
 
-std::string unit_text(const Dimension& dimension) {
-  std::string above, below;
-  for (std::size_t i = 0; i < base_units.size(); ++i) {
-    if (dimension[i].is_zero()) continue;
-    std::string& side = dimension[i].is_negative() ? below : above;
-    side += (side.empty() ? "" : "·") + power_text(base_units[i], GiNaC::abs(dimension[i]));
-  }
-  if (above.empty()) above = "1";
-  if (below.empty()) return above;
-  const bool several = below.find("·") != std::string::npos;
-  return above + "/" + (several ? "(" + below + ")" : below);
-}
-
-const Symbol& Symbols::declare(std::string name, std::string latex, std::string unicode, std::string unit,
-                               std::string range, std::string meaning, std::string introduced) {
-  return declare({std::move(name), std::move(latex), std::move(unicode), std::move(unit), std::move(range),
-                  std::move(meaning), std::move(introduced), SymbolExpression()});
-}
-
 const Symbol& Symbols::declare(Symbol symbol) {
-  if (!is_name(symbol.name))
+  static const std::regex name_form("(?![Pp][Ii]$|inf$)[A-Za-z_][A-Za-z_0-9]*");
+  // Of an end that is not negative: nothing is subtracted, and no function in it has negative values.
+  static const std::regex nonnegative("([^-A-Za-z]|pi|sqrt|exp)*");
+  if (!std::regex_match(symbol.name, name_form))
     refuse("a name is letters, digits and '_', and neither 'pi' nor 'inf'", symbol.name);
   Range ends;
   try {
@@ -94,7 +51,7 @@ const Symbol& Symbols::declare(Symbol symbol) {
   }
   if (!GiNaC::is_a<GiNaC::symbol>(symbol.ginac)) {
     // GiNaC simplifies sqrt(x^2) to x where it knows that x is not negative.
-    symbol.ginac = is_plainly_nonnegative(ends.lower)
+    symbol.ginac = std::regex_match(ends.lower, nonnegative)
                        ? SymbolExpression(GiNaC::possymbol(symbol.name, symbol.latex))
                        : SymbolExpression(GiNaC::realsymbol(symbol.name, symbol.latex));
   }
@@ -124,8 +81,6 @@ const SymbolExpression& Symbols::operator[](std::string_view name) const {
   if (const Symbol* found = find(name)) return found->ginac;
   throw std::out_of_range("no symbol '" + std::string(name) + "' is declared");
 }
-
-std::vector<std::string> Symbols::names() const { return order_; }
 
 std::size_t Symbols::rank(std::string_view name) const {
   return static_cast<std::size_t>(std::find(order_.begin(), order_.end(), name) - order_.begin());

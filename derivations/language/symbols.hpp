@@ -54,9 +54,6 @@ Range read_range(std::string_view text);
 
 /// Exponents of kg, m, s.
 using Dimension = std::array<GiNaC::numeric, 3>;
-
-/// "kg·m²/s²"; "1" for a pure number.
-std::string unit_text(const Dimension& dimension);
 /// Reads "kg*m^2/s^2" or "1". Throws std::invalid_argument.
 Dimension parse_unit(std::string_view text);
 
@@ -66,7 +63,9 @@ class Symbols {
   /// Declares a symbol, or declares it anew (a user's assumption replaces the range).
   /// Throws std::invalid_argument if the range or the unit cannot be read.
   const Symbol& declare(std::string name, std::string latex, std::string unicode, std::string unit,
-                        std::string range, std::string meaning, std::string introduced);
+                        std::string range, std::string meaning, std::string introduced) {
+    return declare({name, latex, unicode, unit, range, meaning, introduced, SymbolExpression()});
+  }
   /// The same with the GiNaC symbol of `symbol`, or with a new one where that has none.
   const Symbol& declare(Symbol symbol);
   /// Replaces the range alone: the GiNaC symbol, and so every expression that has it, stays the same.
@@ -76,7 +75,7 @@ class Symbols {
   const Symbol* find(const GiNaC::ex& symbol) const;  ///< by its GiNaC symbol
   /// The GiNaC symbol of that name; throws std::out_of_range naming it if there is none.
   const SymbolExpression& operator[](std::string_view name) const;
-  std::vector<std::string> names() const;         ///< in the order of declaration
+  const std::vector<std::string>& names() const { return order_; }  ///< in the order of declaration
   std::size_t rank(std::string_view name) const;  ///< place in that order: the printing order
 
  private:

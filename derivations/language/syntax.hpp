@@ -21,7 +21,6 @@
 #pragma once
 
 #include <derivations/language/symbols.hpp>
-#include <derivations/language/syntax_error.hpp>
 #include <derivations/language/tree.hpp>
 #include <string_view>
 
@@ -35,5 +34,8 @@ Tree parse(std::string_view text, const Symbols& symbols, const Limits& limits =
 Relation parse_relation(std::string_view text, const Symbols& symbols, const Limits& limits = {});
 /// Reads either: an expression comes back as a Relation with one side and no operator. Throws SyntaxError.
 Relation parse_statement(std::string_view text, const Symbols& symbols, const Limits& limits = {});
+
+/// The message, the line and a caret under the character at fault: three lines for a terminal.
+std::string explain(const SyntaxError& error, std::string_view text);
 
 }  // namespace rederive

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,6 +69,17 @@ struct Limits {
   std::size_t depth = 200;  ///< not beyond 500, whatever is asked: the stack bears no more
   std::size_t digits = 40;  ///< in one number, its decimal exponent included
   long exponent = 64;       ///< the largest integer exponent
+};
+
+/// A text that could not be read: a stable word for it, where, why, and what would be right.
+struct SyntaxError : std::runtime_error {
+  /// `message` is a sentence that what() gives.
+  SyntaxError(std::string word, std::size_t where, const std::string& message)
+      : std::runtime_error(message), note(std::move(word)), position(where) {}
+  /// "syntax", "character", "empty", "unknown_symbol", "unknown_function", "arguments",
+  /// "implicit_multiplication", "relation", "too_long", "too_deep", "too_large", "undefined"
+  std::string note;
+  std::size_t position;  ///< byte offset in the text
 };
 
 }  // namespace rederive

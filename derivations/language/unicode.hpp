@@ -54,11 +54,38 @@ inline bool is_space(char32_t code) {
 inline bool is_combining(char32_t code) { return code >= 0x300 && code < 0x370; }
 
 /// "theta" for θ; empty if it is no Greek letter.
-std::string greek_name(char32_t code);
+inline std::string greek_name(char32_t code) {
+  constexpr const char* names[] = {"alpha",   "beta", "gamma", "delta",  "epsilon", "zeta", "eta",
+                                   "theta",   "iota", "kappa", "lambda", "mu",      "nu",   "xi",
+                                   "omicron", "pi",   "rho",   "sigma",  "sigma",   "tau",  "upsilon",
+                                   "phi",     "chi",  "psi",   "omega"};
+  constexpr char32_t variants[][2] = {
+      {0x3D1, U'θ'}, {0x3D5, U'φ'}, {0x3F5, U'ε'}, {0xB5, U'μ'}, {0x2126, U'Ω'}};  // second code points
+  for (const auto& [variant, letter] : variants)
+    if (code == variant) code = letter;
+  if (code >= U'α' && code <= U'ω') return names[code - U'α'];
+  if (code < U'Α' || code > U'Ω' || code == 0x3A2) return {};  // where a final Σ would stand
+  std::string name = names[code - U'Α'];
+  name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  return name;
+}
+
+/// "²³" for "23".
+inline std::string superscript(std::string_view digits) {
+  constexpr const char* raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text;
+  for (const char digit : digits) text += raised[digit - '0'];
+  return text;
+}
+
 /// The digit of a superscript or subscript, or -1.
-int superscript_digit(char32_t code);
-int subscript_digit(char32_t code);
-/// "²" for '2'.
-std::string superscript(char digit);
+inline int superscript_digit(char32_t code) {
+  constexpr std::u32string_view digits = U"⁰¹²³⁴⁵⁶⁷⁸⁹";
+  const std::size_t digit = digits.find(code);
+  return digit == digits.npos ? -1 : static_cast<int>(digit);
+}
+inline int subscript_digit(char32_t code) {
+  return code >= U'₀' && code <= U'₉' ? static_cast<int>(code - U'₀') : -1;
+}
 
 }  // namespace rederive

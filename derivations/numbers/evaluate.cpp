@@ -11,43 +11,6 @@ using cln::cl_I;
 using cln::cl_RA;
 using Is = Value::Is;
 
-struct Evaluation {
-  const Point& point;
-  long bits;
-
-  Value number(const std::string& text) const {
-    const bool is_short = text.size() < 18 && text.find_first_not_of("0123456789") == std::string::npos;
-    return known(Constant{is_short ? cl_RA(std::stol(text)) : exact(text)}, bits);
-  }
-
-  Value of(const Node& node) const {
-    const auto child = [&](std::size_t i) { return of(*node.children[i]); };
-    const bool is_sum = node.kind == Node::Kind::sum;
-    switch (node.kind) {
-      case Node::Kind::number:
-        return number(node.text);
-      case Node::Kind::symbol:
-        return node.text == "pi" ? known(Constant{0, 1}, bits) : point.at(node.text).value(bits);
-      case Node::Kind::negative:
-        return known(Constant{-1}, bits) * child(0);
-      case Node::Kind::power:
-        return pow(child(0), child(1));
-      case Node::Kind::call:
-        return call(node.text, child(0));
-      default:
-        break;
-    }
-    Value result = known(Constant{is_sum ? 0 : 1}, bits);
-    for (std::size_t i = 0; i < node.children.size(); ++i) {
-      const bool inverse = node.inverse[i];
-      result = is_sum    ? (inverse ? result - child(i) : result + child(i))
-               : inverse ? result / child(i)
-                         : result * child(i);
-    }
-    return result;
-  }
-};
-
 /// "0.25" of "0.25000", if that is the whole number.
 std::string without_zeros(const std::string& text, const cl_RA& whole) {
   const std::string shorter =
@@ -59,7 +22,8 @@ std::string without_zeros(const std::string& text, const cl_RA& whole) {
 
 /// A rational number, where both ends are the same and there is no tree; or what a tree is worth; or its zero
 /// between the ends, which move towards it by quadratic interval refinement
-/// (Abbott 2006): the secant guesses a cell, signs confirm it, and cells get smaller each time; else by bisection.
+/// (Abbott 2006): the secant guesses a cell, signs confirm it, and cells get smaller each time; else by
+/// bisection.
 struct Number::State {
   cl_RA low, high;
   Tree tree = {};
@@ -67,27 +31,33 @@ struct Number::State {
   long bits = 0;  // of the value
   Value value = {};
 
-  Value find(long precision) {
-    if (!tree) return known(Constant{low}, precision);
-    return symbol.empty() ? value_at(tree, {}, precision) : zero(precision);
+  void find(long precision) {
+    value = !tree            ? known(Constant{low}, precision)
+            : symbol.empty() ? value_at(tree, {}, precision)
+                             : zero(precision);
+    bits = precision;
   }
 
   Value zero(long precision) {
-    const Sign first = sign(low, precision), last = sign(high, precision);
-    const auto is = [&](Sign a, Sign b) { return first == a && last == b; };
+    const Tree nought = make_tree(Node::Kind::number, "0");
+    const auto sign = [&](const cl_RA& x) {
+      return sign_at(tree, nought, {{symbol, x}}, 4 * precision + 256);
+    };
+    const Sign first = sign(low), last = sign(high);
     if (first == Sign::zero) high = low;
     if (last == Sign::zero) low = high;
-    if (low != high && !is(Sign::negative, Sign::positive) && !is(Sign::positive, Sign::negative)) return {};
+    if (low != high && std::minmax({first, last}) != std::pair(Sign::negative, Sign::positive)) return {};
     long log_cells = 1;
     while ((high - low) * cln::ash(cl_I(1), precision) > std::max(cln::abs(low), cln::abs(high))) {
-      const cl_RA cell = (high - low) / cln::ash(cl_I(1), log_cells), guess = low + cells_before(log_cells, precision) * cell;
-      if (sign(guess, precision) == first && sign(guess + cell, precision) == last) {
+      const cl_RA cell = (high - low) / cln::ash(cl_I(1), log_cells),
+                  guess = low + cells_before(log_cells, precision) * cell;
+      if (sign(guess) == first && sign(guess + cell) == last) {
         low = guess, high = guess + cell, log_cells *= 2;
         continue;
       }
       log_cells = std::max(1L, log_cells / 2);
       const cl_RA middle = (low + high) / 2;
-      const Sign there = sign(middle, precision);
+      const Sign there = sign(middle);
       if (there == Sign::undefined || there == Sign::unknown) break;
       if (there != first) high = middle;
       if (there == first || there == Sign::zero) low = middle;
@@ -97,17 +67,14 @@ struct Number::State {
 
   /// In which of 2^log_cells cells the secant between the ends is 0.
   cl_I cells_before(long log_cells, long precision) const {
-    const auto at = [&](const cl_RA& x) -> cl_RA {
+    const auto at = [&](const cl_RA& x) {
       const Value v = value_at(tree, {{symbol, x}}, 2 * precision);
       return v.is == Is::certain ? cl_RA(v.ball.lower()) : cl_RA(0);
     };
     const cl_RA first = at(low), change = first - at(high);
-    const cl_I cells = cln::ash(cl_I(1), log_cells);
-    return cln::zerop(change) ? cl_I(0) : std::max(cl_I(0), std::min(cl_I(cells - 1), cln::floor1(first * cells / change)));
-  }
-
-  Sign sign(const cl_RA& at, long precision) const {
-    return sign_at(tree, make_tree(Node::Kind::number, "0"), {{symbol, at}}, 4 * precision + 256);
+    if (cln::zerop(change)) return 0;
+    const cl_I cells = cln::ash(cl_I(1), log_cells), before = cln::floor1(first * cells / change);
+    return std::max(cl_I(0), std::min(cl_I(cells - 1), before));
   }
 };
 
@@ -117,11 +84,29 @@ Number::Number(const Tree& tree, const std::string& symbol, const cl_RA& low, co
     : state_(new State{low, high, tree, symbol}) {}
 
 const Value& Number::value(long bits) const {
-  if (state_->bits < bits) state_->value = state_->find(bits), state_->bits = bits;
+  if (state_->bits < bits) state_->find(bits);
   return state_->value;
 }
 
-Value value_at(const Tree& tree, const Point& point, long bits) { return Evaluation{point, bits}.of(*tree); }
+Value value_at(const Tree& tree, const Point& point, long bits) {
+  using Kind = Node::Kind;
+  const Node& node = *tree;
+  const auto child = [&](std::size_t i) { return value_at(node.children[i], point, bits); };
+  if (node.kind == Kind::number) return known(Constant{exact(node.text)}, bits);
+  if (node.kind == Kind::symbol && node.text == "pi") return known(Constant{0, 1}, bits);
+  if (node.kind == Kind::symbol) return point.at(node.text).value(bits);
+  if (node.kind == Kind::negative) return known(Constant{-1}, bits) * child(0);
+  if (node.kind == Kind::power) return pow(child(0), child(1));
+  if (node.kind == Kind::call) return call(node.text, child(0));
+  const bool is_sum = node.kind == Kind::sum;
+  Value result = known(Constant{is_sum ? 0 : 1}, bits);
+  for (std::size_t i = 0; i < node.children.size(); ++i)
+    if (node.inverse[i])
+      result = is_sum ? result - child(i) : result / child(i);
+    else
+      result = is_sum ? result + child(i) : result * child(i);
+  return result;
+}
 
 Sign sign_at(const Tree& left, const Tree& right, const Point& point, long most) {
   if (left == right) {  // the very same
@@ -131,9 +116,8 @@ Sign sign_at(const Tree& left, const Tree& right, const Point& point, long most)
   for (long bits = 64; bits <= most; bits *= 3) {
     const Value rest = value_at(left, point, bits) - value_at(right, point, bits);
     if (rest.is == Is::nowhere) return Sign::undefined;
-    if (const auto sign = rest.sign()) {
+    if (const auto sign = rest.sign())
       return *sign < 0 ? Sign::negative : *sign > 0 ? Sign::positive : Sign::zero;
-    }
   }
   return Sign::unknown;
 }

@@ -1,6 +1,7 @@
 #include <derivations/language/syntax.hpp>
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/numbers/interval.hpp>
+#include <map>
 
 namespace rederive {
 
@@ -11,7 +12,6 @@ using cln::cl_RA;
 constexpr long bits = 96;
 
 End infinity(int sign) { return {{}, sign}; }
-Interval opened(Interval x) { return x.low.closed = x.high.closed = false, x; }
 const Interval nonnegative{{{}, 0, true}, infinity(1)};
 
 /// The one further to a side; of equal ones the closed or the open one, as wanted.
@@ -21,8 +21,8 @@ const End& further(int side, const End& x, const End& y, bool closed) {
 }
 
 /// The value as an interval. The margin makes sure that no end that was rounded is attained.
-Interval enclosing(const Value& value) {
-  if (value.constant) return point(*value.constant);
+Interval enclosing(const Value& value, bool closed) {
+  if (value.constant) return {{*value.constant, 0, closed}, {*value.constant, 0, closed}};
   const cl_RA low = value.ball.lower(), high = value.ball.upper(), margin = high - low;
   return {{{low - margin}}, {{high + margin}}};
 }
@@ -31,8 +31,7 @@ Interval enclosing(const Value& value) {
 template <class F>
 Interval image(const End& end, const End& limit, const F& f) {
   const Value value = end.infinite ? Value{} : f(known(Constant(end), bits));
-  if (value.is != Value::Is::certain) return {limit, limit};
-  return end.closed ? enclosing(value) : opened(enclosing(value));
+  return value.is == Value::Is::certain ? enclosing(value, end.closed) : Interval{limit, limit};
 }
 
 /// Of a monotone f, with its limits at ends that have no value.
@@ -48,7 +47,7 @@ Interval product(const End& x, const End& y) {
   if (x.infinite || y.infinite) return {infinity(sign), infinity(sign)};
   const Value value = known(Constant(x), bits) * known(Constant(y), bits);
   if (value.is != Value::Is::certain) return sign > 0 ? nonnegative : -nonnegative;
-  return x.closed && y.closed ? enclosing(value) : opened(enclosing(value));
+  return enclosing(value, x.closed && y.closed);
 }
 
 Interval absolute(const Interval& x) {
@@ -56,38 +55,38 @@ Interval absolute(const Interval& x) {
   return x.is_nonpositive() ? -x : overlap(hull(x, -x), nonnegative);
 }
 
-/// Where the function is monotone; empty where x lies outside.
-Interval image_on_piece(const std::string& name, const Interval& given) {
-  const RealFunction& f = real_function(name);
-  const Interval x = overlap(given, parse_range(f.domain)), range = parse_range(f.range);
-  const End &at_low = f.slope > 0 ? range.low : range.high, &at_high = f.slope > 0 ? range.high : range.low;
-  return x.is_empty()
-             ? x
-             : overlap(range, image(x, at_low, at_high, [&](const Value& v) { return call(name, v); }));
-}
+/// A piece of the line on which a function is monotone: its whole domain, but of circular functions and of
+/// even ones; and the values at the ends of it, in this order.
+struct Piece {
+  Interval domain, values;
+  int turned = 0;  ///< of a circular function: f(x + pi)/f(x)
+  Interval range = hull({values.low, values.low}, {values.high, values.high});
+};
 
-/// The hull of what the pieces give on which a circular function is monotone, each moved to the one around 0.
-Interval image_on_pieces(const std::string& name, const Interval& x) {
-  constexpr int most = 8;  // half turns from 0
-  const RealFunction& f = real_function(name);
-  if (compare(x.low, {{0, -most}}) < 0 || compare(x.high, {{0, most}}) > 0) return parse_range(f.range);
-  std::optional<Interval> result;
-  for (int k = -most - 1; k <= most; ++k) {
-    Interval piece = image_on_piece(name, x - point({0, k}));
-    if (piece.is_empty()) continue;
-    if (f.turned < 0 && k % 2 != 0) piece = -piece;
-    result = result ? hull(*result, piece) : piece;
-  }
-  return result.value_or(parse_range(f.range));  // a pole alone
+const Piece& piece_of(const std::string& name) {
+  static const auto piece = [](const char* domain, const char* values, int turned = 0) {
+    return Piece{parse_range(domain), parse_range(values), turned};
+  };
+  static const std::map<std::string, Piece> table = {
+      {"sin", piece("[-pi/2, pi/2]", "[-1, 1]", -1)},   {"cos", piece("[0, pi]", "[1, -1]", -1)},
+      {"tan", piece("(-pi/2, pi/2)", all_numbers, +1)}, {"cot", piece("(0, pi)", "(inf, -inf)", +1)},
+      {"asin", piece("[-1, 1]", "[-pi/2, pi/2]")},      {"acos", piece("[-1, 1]", "[pi, 0]")},
+      {"atan", piece(all_numbers, "(-pi/2, pi/2)")},    {"sinh", piece(all_numbers, all_numbers)},
+      {"cosh", piece("[0, inf)", "[1, inf)")},          {"tanh", piece(all_numbers, "(-1, 1)")},
+      {"asinh", piece(all_numbers, all_numbers)},       {"acosh", piece("[1, inf)", "[0, inf)")},
+      {"atanh", piece("(-1, 1)", all_numbers)},         {"exp", piece(all_numbers, "(0, inf)")},
+      {"log", piece("(0, inf)", all_numbers)},          {"sqrt", piece("[0, inf)", "[0, inf)")},
+      {"fabs", piece("[0, inf)", "[0, inf)")}};
+  return table.at(name);
 }
 
 /// An end as an interval; around an end that is not a + b*pi.
 Interval read_end(const std::string& text, bool is_closed) {
-  if (text == "inf" || text == "-inf")
-    return {infinity(text == "inf" ? 1 : -1), infinity(text == "inf" ? 1 : -1)};
+  if (text == "inf") return {infinity(1), infinity(1)};
+  if (text == "-inf") return {infinity(-1), infinity(-1)};
   const Value value = value_at(parse(text, Symbols()), {}, bits);
   if (value.is != Value::Is::certain) throw std::invalid_argument("an end of a range has no value: " + text);
-  return is_closed ? enclosing(value) : opened(enclosing(value));
+  return enclosing(value, is_closed);
 }
 
 }  // namespace
@@ -157,9 +156,23 @@ Interval power(const Interval& x, long n) {
 
 Interval call(const std::string& name, const Interval& x) {
   if (const char* other = reciprocal_of(name)) return reciprocal(call(other, x));
-  if (real_function(name).turned != 0) return image_on_pieces(name, x);
-  const bool is_even = name == "cosh" || name == "abs" || name == "fabs";
-  return image_on_piece(name, is_even ? absolute(x) : x);
+  const auto& [domain, values, turned, range] = piece_of(name);
+  const auto on_piece = [&](const Interval& y) {
+    const Interval given = overlap(y, domain);
+    const auto value = [&](const Value& v) { return call(name, v); };
+    return given.is_empty() ? given : overlap(range, image(given, values.low, values.high, value));
+  };
+  if (turned == 0) return on_piece(name == "cosh" || name == "fabs" ? absolute(x) : x);
+  constexpr int most = 8;  // half turns from 0
+  if (compare(x.low, {{0, -most}}) < 0 || compare(x.high, {{0, most}}) > 0) return range;
+  std::optional<Interval> result;  // the hull of what the pieces give, each moved to the one around 0
+  for (int k = -most - 1; k <= most; ++k) {
+    Interval piece = on_piece(x - point({0, k}));
+    if (piece.is_empty()) continue;
+    if (turned < 0 && k % 2 != 0) piece = -piece;
+    result = result ? hull(*result, piece) : piece;
+  }
+  return result.value_or(range);  // a pole alone
 }
 
 }  // namespace rederive

@@ -27,7 +27,6 @@ struct Interval {
   bool is_negative() const { return sign(high) < 0 || (sign(high) == 0 && !high.closed); }
   bool is_nonnegative() const { return sign(low) >= 0; }
   bool is_nonpositive() const { return sign(high) <= 0; }
-  bool is_nonzero() const { return is_positive() || is_negative(); }
 
  private:
   static int sign(const End& end) { return compare(end, {}); }

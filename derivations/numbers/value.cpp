@@ -1,4 +1,5 @@
 #include <cln/integer.h>
+#include <cln/integer_io.h>
 
 #include <derivations/language/functions.hpp>
 #include <derivations/numbers/value.hpp>
@@ -11,6 +12,12 @@ namespace {
 using cln::cl_I;
 using cln::cl_RA;
 using Is = Value::Is;
+
+Ball whole(const cln::cl_I& n) {
+  if (cln::integer_length(n) < 63) return Ball(cln::cl_I_to_long(n));
+  const cln::cl_I above = cln::ash(n, -62);
+  return whole(above) * Ball(1L << 62) + Ball(cln::cl_I_to_long(n - cln::ash(above, 62)));
+}
 
 /// sin(turn*pi) where it is rational: 2 sin is a whole number at some multiples of pi/6 (Niven 1956).
 std::optional<cl_RA> sine_of_turn(const cl_RA& turn) {
@@ -63,7 +70,48 @@ long length(const cl_RA& q) {
 
 constexpr long most_length = 20'000;  // of an exact number
 
+Ball image(const std::string& name, const Ball& x) {
+  static const std::map<std::string, Ball::ArbFunction> table = {
+      {"sin", arb_sin},     {"cos", arb_cos},
+      {"tan", arb_tan},     {"cot", arb_cot},
+      {"asin", arb_asin},   {"acos", arb_acos},
+      {"atan", arb_atan},   {"sinh", arb_sinh},
+      {"cosh", arb_cosh},   {"tanh", arb_tanh},
+      {"asinh", arb_asinh}, {"acosh", arb_acosh},
+      {"atanh", arb_atanh}, {"exp", arb_exp},
+      {"log", arb_log},     {"fabs", [](arb_t y, const arb_t of, slong) { arb_abs(y, of); }}};
+  return x.image(table.at(name));
+}
+
 }  // namespace
+
+Ball::Ball(const cln::cl_RA& q, long bits)
+    : Ball(whole(cln::numerator(q)).at(bits) / whole(cln::denominator(q)).at(bits)) {}
+
+bool Ball::is_moderate() const {
+  constexpr long most = 100'000;
+  const auto* middle = arb_midref(x_);
+  const auto* radius = arb_radref(x_);
+  return is_finite() &&
+         (arf_is_zero(middle) ||
+          (arf_cmpabs_2exp_si(middle, most) < 0 && arf_cmpabs_2exp_si(middle, -most) > 0)) &&
+         (mag_is_zero(radius) ||
+          (mag_cmp_2exp_si(radius, most) < 0 && mag_cmp_2exp_si(radius, -2 * most) > 0));
+}
+
+Ball::operator cln::cl_RA() const {
+  if (!is_moderate()) throw std::domain_error("a ball too large, or too small, to be written");
+  fmpz_t mantissa, exponent;
+  fmpz_init(mantissa), fmpz_init(exponent);
+  arf_get_fmpz_2exp(mantissa, exponent, arb_midref(x_));
+  std::string text(fmpz_sizeinbase(mantissa, 10) + 2, '\0');
+  const bool is_short = fmpz_fits_si(mantissa);
+  const cln::cl_I whole =
+      is_short ? cln::cl_I(fmpz_get_si(mantissa)) : cln::cl_I(fmpz_get_str(text.data(), 10, mantissa));
+  const cln::cl_RA unit = cln::expt(cln::cl_RA(2), fmpz_get_si(exponent));
+  fmpz_clear(mantissa), fmpz_clear(exponent);
+  return whole * unit;
+}
 
 Ball Constant::ball(long bits) const {
   return is_rational() ? Ball(a, bits) : Ball(a, bits) + Ball(b, bits) * Ball::pi(bits);
@@ -139,12 +187,10 @@ Value pow(const Value& x, const Value& y) {
 
 Value call(const std::string& name, const Value& x) {
   if (const char* other = reciprocal_of(name)) return known(Ball(1)) / call(other, x);
-  const RealFunction& f = real_function(name);
   if (x.is != Is::certain) return x;
   const long bits = x.ball.bits();
   if (name == "sqrt") return pow(x, known(Ball(1) / Ball(2)));
-  if (x.constant && (name == "abs" || name == "fabs"))
-    return x.constant->sign() < 0 ? known(Ball(-1)) * x : x;
+  if (name == "fabs" && x.constant) return x.constant->sign() < 0 ? known(Ball(-1)) * x : x;
   if (x.constant && cln::zerop(x.constant->a)) {
     if (const auto q = circular(name, x.constant->b))
       return known(Constant{q->first}, bits) / known(Constant{q->second}, bits);
@@ -152,32 +198,8 @@ Value call(const std::string& name, const Value& x) {
   if (x.exact) {
     if (const auto angle = arc(name, *x.exact)) return known(*angle, bits);
   }
-  const Ball result = x.ball.image(f.of);
+  const Ball result = image(name, x.ball);
   return !result.is_finite() && is_outside(*find_function(name), x) ? Value{Is::nowhere} : known(result);
-}
-
-const RealFunction& real_function(const std::string& name) {
-  static const auto size = [](arb_t result, const arb_t x, slong) { arb_abs(result, x); };
-  static const std::map<std::string, RealFunction> table = {
-      {"sin", {arb_sin, +1, "[-pi/2, pi/2]", "[-1, 1]", -1}},
-      {"cos", {arb_cos, -1, "[0, pi]", "[-1, 1]", -1}},
-      {"tan", {arb_tan, +1, "(-pi/2, pi/2)", all_numbers, +1}},
-      {"cot", {arb_cot, -1, "(0, pi)", all_numbers, +1}},
-      {"asin", {arb_asin, +1, "[-1, 1]", "[-pi/2, pi/2]"}},
-      {"acos", {arb_acos, -1, "[-1, 1]", "[0, pi]"}},
-      {"atan", {arb_atan, +1, all_numbers, "(-pi/2, pi/2)"}},
-      {"sinh", {arb_sinh, +1, all_numbers, all_numbers}},
-      {"cosh", {arb_cosh, +1, "[0, inf)", "[1, inf)"}},
-      {"tanh", {arb_tanh, +1, all_numbers, "(-1, 1)"}},
-      {"asinh", {arb_asinh, +1, all_numbers, all_numbers}},
-      {"acosh", {arb_acosh, +1, "[1, inf)", "[0, inf)"}},
-      {"atanh", {arb_atanh, +1, "(-1, 1)", all_numbers}},
-      {"exp", {arb_exp, +1, all_numbers, "(0, inf)"}},
-      {"log", {arb_log, +1, "(0, inf)", all_numbers}},
-      {"sqrt", {arb_sqrt, +1, "[0, inf)", "[0, inf)"}},
-      {"abs", {size, +1, "[0, inf)", "[0, inf)"}},
-      {"fabs", {size, +1, "[0, inf)", "[0, inf)"}}};
-  return table.at(name);
 }
 
 const char* reciprocal_of(const std::string& name) {

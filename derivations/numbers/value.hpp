@@ -49,16 +49,6 @@ Value pow(const Value& x, const Value& y);
 /// A function of our syntax by its name. Throws std::out_of_range for an unknown one.
 Value call(const std::string& function, const Value& x);
 
-/// A function of Arb, and a piece of the line on which it is monotone.
-struct RealFunction {
-  Ball::ArbFunction of;
-  int slope;           ///< +1 or -1, there
-  const char* domain;  ///< the whole one, but of circular functions and of even ones
-  const char* range;   ///< of its values there
-  int turned = 0;      ///< of a circular function: f(x + pi)/f(x)
-};
-/// Throws std::out_of_range for an unknown name, and for sec, csc, sech, csch and coth.
-const RealFunction& real_function(const std::string& name);
 /// "cos" of "sec"; nullptr where a function is not defined as 1/f.
 const char* reciprocal_of(const std::string& name);
 

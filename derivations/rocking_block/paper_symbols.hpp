@@ -3,10 +3,10 @@
 // products and sums are printed.
 #pragma once
 
-#include <derivations/language/dimension.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
 #include <derivations/language/syntax.hpp>
+#include <derivations/mechanics/dimension.hpp>
 
 namespace rederive {
 

@@ -8,6 +8,9 @@
 
 namespace rederive {
 
+/// "kg·m²/s²"; "1" for a pure number.
+std::string unit_text(const Dimension& dimension);
+
 struct DimensionReport {
   bool consistent;
   std::optional<Dimension> dimension;  ///< of the whole, where consistent; none for what fits any (a bare 0)

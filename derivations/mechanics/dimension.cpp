@@ -1,8 +1,10 @@
 // A dimension for every node, from the leaves up; where two disagree, the terms are named.
 #include <algorithm>
-#include <derivations/language/dimension.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
+#include <derivations/language/unicode.hpp>
+#include <derivations/mechanics/dimension.hpp>
+#include <sstream>
 
 namespace rederive {
 
@@ -18,6 +20,16 @@ const Dimension pure = {0, 0, 0};
 struct Inconsistent {
   std::string explanation;
 };
+
+constexpr std::array<const char*, 3> base_units = {"kg", "m", "s"};
+
+std::string power_text(const char* unit, const GiNaC::numeric& power) {
+  if (power == 1) return unit;
+  std::ostringstream plain;
+  plain << power;
+  if (!power.is_integer()) return std::string(unit) + "^(" + plain.str() + ")";
+  return unit + superscript(plain.str());
+}
 
 std::string named(const Dimension& dimension) {
   return dimension == pure ? "a pure number" : unit_text(dimension);
@@ -139,6 +151,19 @@ std::string side_name(std::size_t side, std::size_t sides) {
 }
 
 }  // namespace
+
+std::string unit_text(const Dimension& dimension) {
+  std::string above, below;
+  for (std::size_t i = 0; i < dimension.size(); ++i) {
+    if (dimension[i].is_zero()) continue;
+    std::string& side = dimension[i].is_negative() ? below : above;
+    side += (side.empty() ? "" : "·") + power_text(base_units[i], GiNaC::abs(dimension[i]));
+  }
+  if (above.empty()) above = "1";
+  if (below.empty()) return above;
+  const bool several = below.find("·") != std::string::npos;
+  return above + "/" + (several ? "(" + below + ")" : below);
+}
 
 DimensionReport dimension(const Relation& relation, const Symbols& symbols) try {
   const std::vector<Tree>& sides = relation.sides;
