@@ -11,12 +11,14 @@ void append(Certificate& to, const Certificate& from) {
   to.parts.insert(to.parts.end(), from.parts.begin(), from.parts.end());
 }
 
-bool is_definite(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p, Certificate& certificate,
-                 bool searches = true) {
+bool is_definite(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p,
+                 Certificate& certificate, bool searches = true) {
   for (const auto& [factor, exponent] : factors(p).second) {
     const auto found = prove_signs(ring, facts, Fraction(factor), Signs::nonzero(), searches);
-    const auto positive = found || !searches ? found : prove_signs(ring, facts, Fraction(factor), Signs::positive());
-    const auto either = positive || !searches ? positive : prove_signs(ring, facts, Fraction(factor), Signs::negative());
+    const auto positive =
+        found || !searches ? found : prove_signs(ring, facts, Fraction(factor), Signs::positive());
+    const auto either =
+        positive || !searches ? positive : prove_signs(ring, facts, Fraction(factor), Signs::negative());
     if (!either) return false;
     certificate.parts.insert(certificate.parts.end(), either->parts.begin(), either->parts.end());
   }
@@ -36,7 +38,9 @@ std::optional<Sameness> same_up_to_a_factor(const Comparison& setting, const Ato
     return left.signs == Signs::zero() || cln::plusp(q.constant()) ? std::optional(result) : std::nullopt;
   if (setting.effort < 1) return std::nullopt;
   const auto fits = [&](const Fraction& f) {
-    if (left.signs == Signs::zero()) return is_definite(ring, setting.facts, f.numerator * f.denominator, result.certificate, (setting.effort > 1));
+    if (left.signs == Signs::zero())
+      return is_definite(ring, setting.facts, f.numerator * f.denominator, result.certificate,
+                         (setting.effort > 1));
     const auto positive = prove_signs(ring, setting.facts, f, Signs::positive(), (setting.effort > 1));
     if (positive) append(result.certificate, *positive);
     return positive.has_value();
@@ -59,11 +63,13 @@ std::optional<Ring> with_solution(const Comparison& setting, const Atom& equatio
     const auto c = p.coefficients(k);
     Certificate unused;
     const auto occurs_in = [&](const Generator& other) {
-      return other.of.numerator.degree(k) > 0 || other.of.denominator.degree(k) > 0 || other.value.numerator.degree(k) > 0 ||
-             other.value.denominator.degree(k) > 0;
+      return other.of.numerator.degree(k) > 0 || other.of.denominator.degree(k) > 0 ||
+             other.value.numerator.degree(k) > 0 || other.value.denominator.degree(k) > 0;
     };
     const auto& all = setting.ring.generators();
-    if (std::any_of(all.begin(), all.end(), occurs_in) || !is_definite(setting.ring, setting.facts, c[1], unused)) continue;
+    if (std::any_of(all.begin(), all.end(), occurs_in) ||
+        !is_definite(setting.ring, setting.facts, c[1], unused))
+      continue;
     Ring ring = setting.ring;
     ring.relate(k, 1, Fraction(-c[0], c[1]));
     return ring;
@@ -72,7 +78,8 @@ std::optional<Ring> with_solution(const Comparison& setting, const Atom& equatio
 }
 
 /// One relation follows from others.
-std::optional<Certificate> follows(const Comparison& setting, const std::vector<Atom>& from, const Atom& claim) {
+std::optional<Certificate> follows(const Comparison& setting, const std::vector<Atom>& from,
+                                   const Atom& claim) {
   Ring ring = setting.ring;  // with what the others say
   for (const Atom& atom : from) ring.learn(atom.value, atom.signs);
   std::vector<Fact> facts = setting.facts;
@@ -82,9 +89,11 @@ std::optional<Certificate> follows(const Comparison& setting, const std::vector<
     if (!fits) continue;
     const Fraction q = ring.rationalized(claim.value / atom.value);
     Certificate certificate;
-    if (atom.signs == Signs::zero() && is_definite(ring, setting.facts, q.denominator, certificate)) return certificate;
+    if (atom.signs == Signs::zero() && is_definite(ring, setting.facts, q.denominator, certificate))
+      return certificate;
     const Fraction square = ring.rationalized(claim.value * claim.value / atom.value);
-    if (atom.signs == Signs::zero() && is_definite(ring, setting.facts, square.denominator, certificate)) return certificate;
+    if (atom.signs == Signs::zero() && is_definite(ring, setting.facts, square.denominator, certificate))
+      return certificate;
   }
   for (const Atom& atom : from) {
     if (atom.signs != Signs::zero()) continue;
@@ -98,7 +107,8 @@ std::optional<Certificate> follows(const Comparison& setting, const std::vector<
     if (auto found = prove_signs(*solved, reduced, rest, claim.signs)) return found;
   }
   if (auto found = prove_signs(ring, facts, claim.value, claim.signs)) return found;
-  return prove_signs(ring, facts, claim.value.is_zero() ? Fraction(1) : Fraction(0), Signs::zero() & Signs::positive());
+  return prove_signs(ring, facts, claim.value.is_zero() ? Fraction(1) : Fraction(0),
+                     Signs::zero() & Signs::positive());
 }
 
 std::optional<Certificate> all_follow(const Comparison& setting, const std::vector<Atom>& from,
@@ -112,8 +122,8 @@ std::optional<Certificate> all_follow(const Comparison& setting, const std::vect
   return all;
 }
 
-/// The irreducible factors of an equation that may be 0, what vanishes only with its argument replaced by that: a root, a
-/// size, an inverse function; log u by u - 1, e^u - 1 by u.
+/// The irreducible factors of an equation that may be 0, what vanishes only with its argument replaced by
+/// that: a root, a size, an inverse function; log u by u - 1, e^u - 1 by u.
 std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
   using Kind = Generator::Kind;
   std::set<Polynomial> result;
@@ -123,10 +133,14 @@ std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
     const Generator& g = ring.generators()[used[0]];
     const Polynomial x = Polynomial::variable(used[0]);
     const bool is_plain = factor == x;
-    const bool is_argument = is_plain && (g.kind == Kind::root || g.kind == Kind::absolute || g.kind == Kind::angle);
-    if (is_argument || (g.kind == Kind::exponential && factor == x - 1)) result.merge(zero_set(ring, g.of));
-    else if (is_plain && g.kind == Kind::logarithm) result.merge(zero_set(ring, g.of - 1));
-    else result.insert(factor);
+    const bool is_argument =
+        is_plain && (g.kind == Kind::root || g.kind == Kind::absolute || g.kind == Kind::angle);
+    if (is_argument || (g.kind == Kind::exponential && factor == x - 1))
+      result.merge(zero_set(ring, g.of));
+    else if (is_plain && g.kind == Kind::logarithm)
+      result.merge(zero_set(ring, g.of - 1));
+    else
+      result.insert(factor);
   }
   return result;
 }
@@ -140,7 +154,8 @@ std::optional<Sameness> same_zeros(const Comparison& setting, const Atom& left, 
     const std::set<Polynomial> known = zero_set(setting.ring, b.value);
     for (const Polynomial& factor : zero_set(setting.ring, a.value)) {
       if (known.contains(factor)) continue;
-      const auto found = setting.effort < 2 ? std::nullopt : follows(setting, {{Fraction(factor), Signs::zero()}}, b);
+      const auto found =
+          setting.effort < 2 ? std::nullopt : follows(setting, {{Fraction(factor), Signs::zero()}}, b);
       if (!found) return false;
       result.by = "sign", append(result.certificate, *found);
     }
@@ -158,8 +173,11 @@ std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::
     if (!one && setting.effort > 0) one = same_zeros(setting, left[k], right[k]);
     if (!one) return std::nullopt;
     const bool by_sign = one->by == "sign" || (all && all->by == "sign");
-    if (!all) all = one;
-    else append(all->certificate, one->certificate), all->has_factor = all->has_factor && one->has_factor && all->factor == 1 && one->factor == 1;
+    if (!all)
+      all = one;
+    else
+      append(all->certificate, one->certificate),
+          all->has_factor = all->has_factor && one->has_factor && all->factor == 1 && one->factor == 1;
     if (by_sign) all->by = "sign";
   }
   return all;
@@ -172,7 +190,8 @@ std::optional<Sameness> same(Comparison& setting) {
   if (left.expression) {
     const Fraction difference = setting.ring.normal(*left.expression - *right.expression);
     if (vanishes(difference, setting.ring, setting.translator)) return Sameness{"identity"};
-    const auto found = prove_signs(setting.ring, setting.facts, difference, Signs::zero(), (setting.effort > 1));
+    const auto found =
+        prove_signs(setting.ring, setting.facts, difference, Signs::zero(), (setting.effort > 1));
     return found ? std::optional(Sameness{"sign", 1, false, *found}) : std::nullopt;
   }
   for (const auto* of_left : {&left.atoms, &left.inverted})
@@ -218,7 +237,9 @@ bool hides_a_solution(const Comparison& setting) {
         continue;
       for (const Atom& atom : other.atoms)
         if (atom.signs != Signs::positive() &&
-            (atom.value.is_zero() || !gcd(norm(setting.ring, atom.value.numerator), norm(setting.ring, setting.ring.normal(c.value).numerator)).is_constant()))
+            (atom.value.is_zero() || !gcd(norm(setting.ring, atom.value.numerator),
+                                          norm(setting.ring, setting.ring.normal(c.value).numerator))
+                                          .is_constant()))
           return true;
     }
     return false;

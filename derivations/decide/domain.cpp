@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <derivations/decide/domain.hpp>
-#include <derivations/language/print.hpp>
 #include <derivations/language/lower.hpp>
+#include <derivations/language/print.hpp>
 
 namespace rederive {
 
@@ -54,7 +54,9 @@ bool is_definite(const Tree& part, const Ring& known, const Symbols& symbols) {
 /// Of plain symbols: the factors that matter; of anything else: what is written.
 std::vector<Said> say(const DomainCondition& c, const Ring& ring, const Symbols& symbols) {
   std::vector<Said> result;
-  const auto text = [&](const Polynomial& p) { return print(ring.meaning_of(Fraction(p)), Notation::plain, symbols); };
+  const auto text = [&](const Polynomial& p) {
+    return print(ring.meaning_of(Fraction(p)), Notation::plain, symbols);
+  };
   const Polynomial product = c.value.numerator * c.value.denominator;
   if (!has_symbols_only(ring, product)) {
     std::vector<Tree> parts{c.tree};
@@ -64,8 +66,11 @@ std::vector<Said> say(const DomainCondition& c, const Ring& ring, const Symbols&
       if (c.allowed == Signs::nonzero()) {
         if (is_definite(part, ring, symbols)) continue;
         if (!GiNaC::is_a<GiNaC::function>(value)) value = numerator(value);
-        const std::string one = print(value, Notation::plain, symbols), other = print(-value, Notation::plain, symbols);
-        result.push_back({other.size() < one.size() || (other.size() == one.size() && other < one) ? other : one, c.allowed});
+        const std::string one = print(value, Notation::plain, symbols),
+                          other = print(-value, Notation::plain, symbols);
+        result.push_back(
+            {other.size() < one.size() || (other.size() == one.size() && other < one) ? other : one,
+             c.allowed});
         continue;
       }
       result.push_back({print(value, Notation::plain, symbols), c.allowed});
@@ -100,9 +105,12 @@ std::vector<std::string> in_words(const std::vector<DomainCondition>& conditions
   std::vector<Said> all;
   for (const DomainCondition& c : conditions)
     for (const Said& said : say(c, ring, symbols)) {
-      const auto same = std::find_if(all.begin(), all.end(), [&](const Said& s) { return s.text == said.text; });
-      if (same == all.end()) all.push_back(said);
-      else same->signs = same->signs & said.signs;
+      const auto same =
+          std::find_if(all.begin(), all.end(), [&](const Said& s) { return s.text == said.text; });
+      if (same == all.end())
+        all.push_back(said);
+      else
+        same->signs = same->signs & said.signs;
     }
   std::vector<std::string> words;
   for (const Said& s : all)

@@ -24,7 +24,8 @@ struct Series {
 
 class Expansion {
  public:
-  Expansion(const GiNaC::symbol& size, int terms, const Symbols& symbols, const std::vector<std::string>& small)
+  Expansion(const GiNaC::symbol& size, int terms, const Symbols& symbols,
+            const std::vector<std::string>& small)
       : size_(size), terms_(terms), symbols_(symbols), small_(small) {}
 
   /// Throws Undecidable where there is no series.
@@ -56,7 +57,8 @@ class Expansion {
       if (!e.op(0).has(size_)) require(e.op(0), Signs::positive(), " > 0");
       return of(GiNaC::exp(e.op(1) * GiNaC::log(e.op(0))));
     }
-    if (!GiNaC::is_a<GiNaC::function>(e) || e.nops() != 1) throw Undecidable("there is no series of this form");
+    if (!GiNaC::is_a<GiNaC::function>(e) || e.nops() != 1)
+      throw Undecidable("there is no series of this form");
     const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
     if (name == "tan" || name == "tanh") {
       const ex x = e.op(0);
@@ -118,7 +120,8 @@ class Expansion {
     const Signs known = ring.signs_of(f);
     if ((known & signs).is_none()) throw Undecidable("there is no series of what has no value");
     const Fraction said = signs == Signs::nonzero() ? Fraction(f.numerator) : f;
-    if (!known.within(signs)) conditions.push_back(print(ring.meaning_of(said), Notation::plain, symbols_) + text);
+    if (!known.within(signs))
+      conditions.push_back(print(ring.meaning_of(said), Notation::plain, symbols_) + text);
   }
   Series reciprocal(const Series& given) {
     const Series s = from_its_lowest_term(given);
@@ -164,7 +167,8 @@ class Expansion {
 /// What an equation says of a symbol: y of c·y + d = 0.
 std::optional<ex> said_of(const Relation& equation, const ex& y, const Symbols& symbols) {
   const ex residual = (lower(equation.sides[0], symbols) - lower(equation.sides[1], symbols)).expand();
-  if (!residual.is_polynomial(y) || residual.degree(y) != 1 || residual.coeff(y, 1).has(y)) return std::nullopt;
+  if (!residual.is_polynomial(y) || residual.degree(y) != 1 || residual.coeff(y, 1).has(y))
+    return std::nullopt;
   return -residual.coeff(y, 0) / residual.coeff(y, 1);
 }
 
@@ -182,7 +186,8 @@ std::vector<std::string> symbols_to_solve_for(const Relation& left, const Relati
 bool ties(const std::vector<Relation>& assumptions, const std::vector<std::string>& small) {
   return std::any_of(assumptions.begin(), assumptions.end(), [&](const Relation& a) {
     const auto names = names_of(a);
-    return a.operators[0] == "=" && std::any_of(small.begin(), small.end(), [&](auto& s) { return names.contains(s); });
+    return a.operators[0] == "=" &&
+           std::any_of(small.begin(), small.end(), [&](auto& s) { return names.contains(s); });
   });
 }
 
@@ -207,8 +212,9 @@ std::pair<ex, ex> compared(const Relation& left, const Relation& right, const st
 
 }  // namespace
 
-Proof decide_to_order(const Relation& left, const Relation& right, const std::vector<std::string>& small, int order,
-                      const Symbols& symbols, const std::vector<Given>& given, const std::vector<Relation>& assumptions) {
+Proof decide_to_order(const Relation& left, const Relation& right, const std::vector<std::string>& small,
+                      int order, const Symbols& symbols, const std::vector<Given>& given,
+                      const std::vector<Relation>& assumptions) {
   Proof proof;
   try {
     const Problem problem = with_values({left, right, assumptions, symbols}, given);
@@ -229,11 +235,13 @@ Proof decide_to_order(const Relation& left, const Relation& right, const std::ve
       proof.verdict = Verdict::approximation, proof.by = "expansion";
       proof.reason = "the series in the small symbols are the same up to this order";
       for (const std::string& condition : expansion.conditions)
-        if (std::find(proof.side_conditions.begin(), proof.side_conditions.end(), condition) == proof.side_conditions.end())
+        if (std::find(proof.side_conditions.begin(), proof.side_conditions.end(), condition) ==
+            proof.side_conditions.end())
           proof.side_conditions.push_back(condition);
     } else if (proof.verdict == Verdict::refuted && ties(problem.assumptions, small)) {
       proof = Proof{};
-      proof.reason = "the series would differ, but an assumption ties what is small to other symbols; say what changes";
+      proof.reason =
+          "the series would differ, but an assumption ties what is small to other symbols; say what changes";
     } else if (proof.verdict == Verdict::refuted) {
       proof.by = "expansion", proof.reason = "the series differ at the witness, which shows their values";
     }
