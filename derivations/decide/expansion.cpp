@@ -32,23 +32,15 @@ class Expansion {
   Series of(const ex& e) {
     if (!e.has(size_)) return constant(e);
     if (e.is_equal(size_)) return truncated({1, {1}});
-    if (GiNaC::is_a<GiNaC::add>(e)) {
-      Series sum = of(e.op(0));
-      for (std::size_t k = 1; k < e.nops(); ++k) sum = plus(sum, of(e.op(k)));
-      return sum;
-    }
-    if (GiNaC::is_a<GiNaC::mul>(e)) {
-      Series product = of(e.op(0));
-      for (std::size_t k = 1; k < e.nops(); ++k) product = times(product, of(e.op(k)));
-      return product;
-    }
-    if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::integer)) {
-      const int n = GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int();
-      const Series base = n < 0 ? reciprocal(of(e.op(0))) : of(e.op(0));
-      Series result = constant(1);
-      for (int k = 0; k < std::abs(n); ++k) result = times(result, base);
+    const bool is_sum = GiNaC::is_a<GiNaC::add>(e);
+    if (is_sum || GiNaC::is_a<GiNaC::mul>(e)) {
+      Series result = of(e.op(0));
+      for (std::size_t k = 1; k < e.nops(); ++k)
+        result = is_sum ? plus(result, of(e.op(k))) : times(result, of(e.op(k)));
       return result;
     }
+    if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::integer))
+      return power(of(e.op(0)), GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int());
     if (GiNaC::is_a<GiNaC::power>(e) && !e.op(1).has(size_)) {
       const GiNaC::symbol x("x");
       return composed(GiNaC::pow(x, e.op(1)), x, of(e.op(0)));
@@ -123,14 +115,16 @@ class Expansion {
     if (!known.within(signs))
       conditions.push_back(print(ring.meaning_of(said), Notation::plain, symbols_) + text);
   }
-  Series reciprocal(const Series& given) {
-    const Series s = from_its_lowest_term(given);
-    Series result{-s.low, {1 / s.c[0]}};
-    for (std::size_t k = 1; k < s.c.size(); ++k) {
-      ex sum = 0;
-      for (std::size_t j = 1; j <= k; ++j) sum -= s.c[j] * result.c[k - j];
-      result.c.push_back((sum / s.c[0]).expand());
-    }
+  /// Of a negative exponent: (c·sizeᵐ(1 + …))ⁿ = sizeᵐⁿ·(c + …)ⁿ.
+  Series power(Series base, int n) {
+    Series result = constant(1);
+    for (int k = 0; k < n; ++k) result = times(result, base);
+    if (n >= 0) return result;
+    base = from_its_lowest_term(std::move(base));
+    const GiNaC::symbol x("x");
+    const int low = std::exchange(base.low, 0);
+    result = composed(GiNaC::pow(x, n), x, base);
+    result.low = low * n;
     return result;
   }
   /// f(a + δ) = Σ f⁽ᵏ⁾(a) δᵏ/k!, where f is analytic at a.
@@ -141,7 +135,8 @@ class Expansion {
     Series delta = inside, power = constant(1);
     if (delta.low <= 0 && delta.known() > 0) delta.c[static_cast<std::size_t>(-delta.low)] = 0;
     if (delta.low < 0) throw Undecidable("there is no series of a function of what is infinite");
-    if (GiNaC::is_a<GiNaC::power>(f) || f.is_equal(GiNaC::log(x))) {
+    const bool is_root = GiNaC::is_a<GiNaC::power>(f) && !f.op(1).info(GiNaC::info_flags::integer);
+    if (is_root || f.is_equal(GiNaC::log(x))) {
       if (is_zero(a)) throw Undecidable("there is no series of a root or a logarithm of what is small");
       require(a, Signs::positive(), " > 0");
     }
