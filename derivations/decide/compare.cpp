@@ -12,12 +12,12 @@ void append(Certificate& to, const Certificate& from) {
 }
 
 /// Whether no factor of p is 0.
-bool is_definite(const Comparison& setting, const Polynomial& p, Certificate& certificate,
-                 bool searches = true) {
+bool is_definite(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p,
+                 Certificate& certificate, bool searches = true) {
   for (const auto& [factor, exponent] : factors(p).second) {
     std::optional<Certificate> found;
     for (const Signs signs : {Signs::nonzero(), Signs::positive(), Signs::negative()})
-      if (!found) found = prove_signs(setting.ring, setting.facts, Fraction(factor), signs, searches);
+      if (!found) found = prove_signs(ring, facts, Fraction(factor), signs, searches);
     if (!found) return false;
     append(certificate, *found);
   }
@@ -38,7 +38,8 @@ std::optional<Sameness> same_up_to_a_factor(const Comparison& setting, const Ato
   if (setting.effort < 1) return std::nullopt;
   const auto fits = [&](const Fraction& f) {
     if (left.signs == Signs::zero())
-      return is_definite(setting, f.numerator * f.denominator, result.certificate, setting.effort > 1);
+      return is_definite(ring, setting.facts, f.numerator * f.denominator, result.certificate,
+                         setting.effort > 1);
     const auto positive = prove_signs(ring, setting.facts, f, Signs::positive(), setting.effort > 1);
     if (positive) append(result.certificate, *positive);
     return positive.has_value();
@@ -64,7 +65,9 @@ std::optional<Ring> with_solution(const Comparison& setting, const Atom& equatio
     if (p.degree(k) != 1 || all[k].degree != 0 || all[k].kind != Generator::Kind::symbol) continue;
     const auto c = p.coefficients(k);
     Certificate unused;
-    if (std::any_of(all.begin(), all.end(), occurs_in) || !is_definite(setting, c[1], unused)) continue;
+    if (std::any_of(all.begin(), all.end(), occurs_in) ||
+        !is_definite(setting.ring, setting.facts, c[1], unused))
+      continue;
     Ring ring = setting.ring;
     ring.relate(k, 1, Fraction(-c[0], c[1]));
     return ring;
@@ -83,7 +86,7 @@ std::optional<Certificate> follows(const Comparison& setting, const std::vector<
     if (atom.signs != Signs::zero() || claim.signs != Signs::zero() || atom.value.is_zero()) continue;
     for (const Fraction& multiple : {claim.value, claim.value * claim.value}) {  // of what is 0
       Certificate certificate;
-      if (is_definite(setting, ring.rationalized(multiple / atom.value).denominator, certificate))
+      if (is_definite(ring, setting.facts, ring.rationalized(multiple / atom.value).denominator, certificate))
         return certificate;
     }
   }
