@@ -6,7 +6,7 @@
 
 #include <derivations/decide/compare.hpp>
 #include <derivations/decide/decide.hpp>
-#include <derivations/decide/test_points.hpp>
+#include <derivations/decide/points.hpp>
 #include <derivations/language/syntax.hpp>
 #include <random>
 #include <sstream>

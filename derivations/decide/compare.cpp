@@ -11,14 +11,15 @@ void append(Certificate& to, const Certificate& from) {
   to.parts.insert(to.parts.end(), from.parts.begin(), from.parts.end());
 }
 
-bool is_definite(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p, Certificate& certificate,
-                 bool searches = true) {
+/// Whether no factor of p is 0.
+bool is_definite(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p,
+                 Certificate& certificate, bool searches = true) {
   for (const auto& [factor, exponent] : factors(p).second) {
-    const auto found = prove_signs(ring, facts, Fraction(factor), Signs::nonzero(), searches);
-    const auto positive = found || !searches ? found : prove_signs(ring, facts, Fraction(factor), Signs::positive());
-    const auto either = positive || !searches ? positive : prove_signs(ring, facts, Fraction(factor), Signs::negative());
-    if (!either) return false;
-    certificate.parts.insert(certificate.parts.end(), either->parts.begin(), either->parts.end());
+    std::optional<Certificate> found;
+    for (const Signs signs : {Signs::nonzero(), Signs::positive(), Signs::negative()})
+      if (!found) found = prove_signs(ring, facts, Fraction(factor), signs, searches);
+    if (!found) return false;
+    append(certificate, *found);
   }
   return true;
 }
@@ -36,8 +37,10 @@ std::optional<Sameness> same_up_to_a_factor(const Comparison& setting, const Ato
     return left.signs == Signs::zero() || cln::plusp(q.constant()) ? std::optional(result) : std::nullopt;
   if (setting.effort < 1) return std::nullopt;
   const auto fits = [&](const Fraction& f) {
-    if (left.signs == Signs::zero()) return is_definite(ring, setting.facts, f.numerator * f.denominator, result.certificate, (setting.effort > 1));
-    const auto positive = prove_signs(ring, setting.facts, f, Signs::positive(), (setting.effort > 1));
+    if (left.signs == Signs::zero())
+      return is_definite(ring, setting.facts, f.numerator * f.denominator, result.certificate,
+                         setting.effort > 1);
+    const auto positive = prove_signs(ring, setting.facts, f, Signs::positive(), setting.effort > 1);
     if (positive) append(result.certificate, *positive);
     return positive.has_value();
   };
@@ -53,17 +56,18 @@ std::optional<Sameness> same_up_to_a_factor(const Comparison& setting, const Ato
 /// The ring with y = value put in for an equation c·y + d = 0 with a c that has a sign.
 std::optional<Ring> with_solution(const Comparison& setting, const Atom& equation) {
   const Polynomial& p = equation.value.numerator;
+  const auto& all = setting.ring.generators();
   for (const int k : p.used()) {
-    const Generator& g = setting.ring.generators()[k];
-    if (p.degree(k) != 1 || g.degree != 0 || g.kind != Generator::Kind::symbol) continue;
+    const auto has = [&](const Fraction& f) {
+      return f.numerator.degree(k) > 0 || f.denominator.degree(k) > 0;
+    };
+    const auto occurs_in = [&](const Generator& other) { return has(other.of) || has(other.value); };
+    if (p.degree(k) != 1 || all[k].degree != 0 || all[k].kind != Generator::Kind::symbol) continue;
     const auto c = p.coefficients(k);
     Certificate unused;
-    const auto occurs_in = [&](const Generator& other) {
-      return other.of.numerator.degree(k) > 0 || other.of.denominator.degree(k) > 0 || other.value.numerator.degree(k) > 0 ||
-             other.value.denominator.degree(k) > 0;
-    };
-    const auto& all = setting.ring.generators();
-    if (std::any_of(all.begin(), all.end(), occurs_in) || !is_definite(setting.ring, setting.facts, c[1], unused)) continue;
+    if (std::any_of(all.begin(), all.end(), occurs_in) ||
+        !is_definite(setting.ring, setting.facts, c[1], unused))
+      continue;
     Ring ring = setting.ring;
     ring.relate(k, 1, Fraction(-c[0], c[1]));
     return ring;
@@ -72,19 +76,19 @@ std::optional<Ring> with_solution(const Comparison& setting, const Atom& equatio
 }
 
 /// One relation follows from others.
-std::optional<Certificate> follows(const Comparison& setting, const std::vector<Atom>& from, const Atom& claim) {
+std::optional<Certificate> follows(const Comparison& setting, const std::vector<Atom>& from,
+                                   const Atom& claim) {
   Ring ring = setting.ring;  // with what the others say
   for (const Atom& atom : from) ring.learn(atom.value, atom.signs);
   std::vector<Fact> facts = setting.facts;
   for (const Atom& atom : from) {
     for (Fact& fact : facts_of(ring, atom.value, atom.signs)) facts.push_back(std::move(fact));
-    const bool fits = atom.signs == claim.signs && !atom.value.is_zero();
-    if (!fits) continue;
-    const Fraction q = ring.rationalized(claim.value / atom.value);
-    Certificate certificate;
-    if (atom.signs == Signs::zero() && is_definite(ring, setting.facts, q.denominator, certificate)) return certificate;
-    const Fraction square = ring.rationalized(claim.value * claim.value / atom.value);
-    if (atom.signs == Signs::zero() && is_definite(ring, setting.facts, square.denominator, certificate)) return certificate;
+    if (atom.signs != Signs::zero() || claim.signs != Signs::zero() || atom.value.is_zero()) continue;
+    for (const Fraction& multiple : {claim.value, claim.value * claim.value}) {  // of what is 0
+      Certificate certificate;
+      if (is_definite(ring, setting.facts, ring.rationalized(multiple / atom.value).denominator, certificate))
+        return certificate;
+    }
   }
   for (const Atom& atom : from) {
     if (atom.signs != Signs::zero()) continue;
@@ -98,7 +102,8 @@ std::optional<Certificate> follows(const Comparison& setting, const std::vector<
     if (auto found = prove_signs(*solved, reduced, rest, claim.signs)) return found;
   }
   if (auto found = prove_signs(ring, facts, claim.value, claim.signs)) return found;
-  return prove_signs(ring, facts, claim.value.is_zero() ? Fraction(1) : Fraction(0), Signs::zero() & Signs::positive());
+  return prove_signs(ring, facts, claim.value.is_zero() ? Fraction(1) : Fraction(0),
+                     Signs::zero() & Signs::positive());
 }
 
 std::optional<Certificate> all_follow(const Comparison& setting, const std::vector<Atom>& from,
@@ -112,8 +117,8 @@ std::optional<Certificate> all_follow(const Comparison& setting, const std::vect
   return all;
 }
 
-/// The irreducible factors of an equation that may be 0, what vanishes only with its argument replaced by that: a root, a
-/// size, an inverse function; log u by u - 1, e^u - 1 by u.
+/// The irreducible factors of an equation that may be 0, what vanishes only with its argument replaced by
+/// that: a root, a size, an inverse function; log u by u - 1, e^u - 1 by u.
 std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
   using Kind = Generator::Kind;
   std::set<Polynomial> result;
@@ -123,10 +128,14 @@ std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
     const Generator& g = ring.generators()[used[0]];
     const Polynomial x = Polynomial::variable(used[0]);
     const bool is_plain = factor == x;
-    const bool is_argument = is_plain && (g.kind == Kind::root || g.kind == Kind::absolute || g.kind == Kind::angle);
-    if (is_argument || (g.kind == Kind::exponential && factor == x - 1)) result.merge(zero_set(ring, g.of));
-    else if (is_plain && g.kind == Kind::logarithm) result.merge(zero_set(ring, g.of - 1));
-    else result.insert(factor);
+    const bool is_argument =
+        is_plain && (g.kind == Kind::root || g.kind == Kind::absolute || g.kind == Kind::angle);
+    if (is_argument || (g.kind == Kind::exponential && factor == x - 1))
+      result.merge(zero_set(ring, g.of));
+    else if (is_plain && g.kind == Kind::logarithm)
+      result.merge(zero_set(ring, g.of - 1));
+    else
+      result.insert(factor);
   }
   return result;
 }
@@ -140,7 +149,8 @@ std::optional<Sameness> same_zeros(const Comparison& setting, const Atom& left, 
     const std::set<Polynomial> known = zero_set(setting.ring, b.value);
     for (const Polynomial& factor : zero_set(setting.ring, a.value)) {
       if (known.contains(factor)) continue;
-      const auto found = setting.effort < 2 ? std::nullopt : follows(setting, {{Fraction(factor), Signs::zero()}}, b);
+      const auto found =
+          setting.effort < 2 ? std::nullopt : follows(setting, {{Fraction(factor), Signs::zero()}}, b);
       if (!found) return false;
       result.by = "sign", append(result.certificate, *found);
     }
@@ -151,16 +161,16 @@ std::optional<Sameness> same_zeros(const Comparison& setting, const Atom& left, 
 
 std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::vector<Atom>& left,
                                           const std::vector<Atom>& right) {
-  if (left.size() != right.size()) return std::nullopt;
-  std::optional<Sameness> all;
+  if (left.empty() || left.size() != right.size()) return std::nullopt;
+  Sameness all{"identity", 1, true};
   for (std::size_t k = 0; k < left.size(); ++k) {
     auto one = same_up_to_a_factor(setting, left[k], right[k]);
     if (!one && setting.effort > 0) one = same_zeros(setting, left[k], right[k]);
     if (!one) return std::nullopt;
-    const bool by_sign = one->by == "sign" || (all && all->by == "sign");
-    if (!all) all = one;
-    else append(all->certificate, one->certificate), all->has_factor = all->has_factor && one->has_factor && all->factor == 1 && one->factor == 1;
-    if (by_sign) all->by = "sign";
+    append(all.certificate, one->certificate);
+    if (one->by == "sign") all.by = "sign";
+    all.has_factor = all.has_factor && one->has_factor && (left.size() == 1 || one->factor == 1);
+    all.factor = one->factor;
   }
   return all;
 }
@@ -172,18 +182,17 @@ std::optional<Sameness> same(Comparison& setting) {
   if (left.expression) {
     const Fraction difference = setting.ring.normal(*left.expression - *right.expression);
     if (vanishes(difference, setting.ring, setting.translator)) return Sameness{"identity"};
-    const auto found = prove_signs(setting.ring, setting.facts, difference, Signs::zero(), (setting.effort > 1));
+    const auto found =
+        prove_signs(setting.ring, setting.facts, difference, Signs::zero(), setting.effort > 1);
     return found ? std::optional(Sameness{"sign", 1, false, *found}) : std::nullopt;
   }
-  for (const auto* of_left : {&left.atoms, &left.inverted})
-    for (const auto* of_right : {&right.atoms, &right.inverted})
-      if (const auto found = same_link_by_link(setting, *of_left, *of_right)) return found;
-  if (setting.effort < 2) return std::nullopt;
-  for (const bool inverted : {false, true}) {
-    const auto& a = inverted ? left.inverted : left.atoms;
-    const auto& b = inverted ? right.inverted : right.atoms;
-    auto forth = all_follow(setting, a, b);
-    const auto back = forth ? all_follow(setting, b, a) : std::nullopt;
+  const auto readings = {&Translated::atoms, &Translated::inverted};
+  for (const auto of_left : readings)
+    for (const auto of_right : readings)
+      if (const auto found = same_link_by_link(setting, left.*of_left, right.*of_right)) return found;
+  for (const auto reading : readings) {
+    auto forth = setting.effort < 2 ? std::nullopt : all_follow(setting, left.*reading, right.*reading);
+    const auto back = forth ? all_follow(setting, right.*reading, left.*reading) : std::nullopt;
     if (!back) continue;
     append(*forth, *back);
     return Sameness{"sign", 1, false, *forth};
@@ -209,16 +218,20 @@ Polynomial norm(const Ring& ring, const Polynomial& p) {
 }  // namespace
 
 bool hides_a_solution(const Comparison& setting) {
+  const auto has = [](const std::vector<DomainCondition>& list, const DomainCondition& c) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const DomainCondition& d) { return d.value == c.value; });
+  };
+  const auto vanish_together = [&](const Fraction& a, const Fraction& b) {
+    return !gcd(norm(setting.ring, a.numerator), norm(setting.ring, b.numerator)).is_constant();
+  };
   const auto hidden = [&](const Translated& divided, const Translated& other) {
     for (const DomainCondition& c : divided.conditions) {
-      const auto is_same = [&](const DomainCondition& d) { return d.value == c.value; };
-      const auto& granted = setting.conditions;
-      if (c.allowed == Signs::nonnegative() || std::none_of(granted.begin(), granted.end(), is_same) ||
-          std::any_of(other.conditions.begin(), other.conditions.end(), is_same))
+      if (c.allowed == Signs::nonnegative() || !has(setting.conditions, c) || has(other.conditions, c))
         continue;
+      const Fraction divisor = setting.ring.normal(c.value);
       for (const Atom& atom : other.atoms)
-        if (atom.signs != Signs::positive() &&
-            (atom.value.is_zero() || !gcd(norm(setting.ring, atom.value.numerator), norm(setting.ring, setting.ring.normal(c.value).numerator)).is_constant()))
+        if (atom.signs != Signs::positive() && (atom.value.is_zero() || vanish_together(atom.value, divisor)))
           return true;
     }
     return false;

@@ -4,13 +4,14 @@
 #include <derivations/decide/compare.hpp>
 #include <derivations/decide/decide.hpp>
 #include <derivations/decide/domain.hpp>
-#include <derivations/decide/test_points.hpp>
+#include <derivations/decide/points.hpp>
 #include <derivations/language/print.hpp>
 
 namespace rederive {
 
 std::string to_string(Verdict verdict) {
-  constexpr const char* words[] = {"proved", "proved_under", "approximation", "refuted", "definition", "undecided"};
+  constexpr const char* words[] = {"proved",  "proved_under", "approximation",
+                                   "refuted", "definition",   "undecided"};
   return words[static_cast<int>(verdict)];
 }
 
@@ -59,8 +60,8 @@ Proof proved(const Comparison& setting, const Sameness& found, const Symbols& sy
   if (is_expression && found.by == "identity") proof.factor = "1";
   proof.side_conditions = setting.in_words;
   proof.grounds = grounds_of(setting, found.certificate, symbols);
-  proof.reason = found.by == "sign"   ? "each follows from the other one by the signs of products"
-                 : is_expression      ? "the numerator of the difference vanishes identically"
+  proof.reason = found.by == "sign"    ? "each follows from the other one by the signs of products"
+                 : is_expression       ? "the numerator of the difference vanishes identically"
                  : proof.factor == "1" ? "the two are the same, identically"
                                        : "the two differ by a factor that is neither 0 nor infinite";
   return proof;
@@ -70,9 +71,8 @@ Proof proved(const Comparison& setting, const Sameness& found, const Symbols& sy
 Tree between_bars(const Tree& tree) {
   for (const Tree& child : tree->children)
     if (Tree found = between_bars(child)) return found;
-  std::set<std::string> names;
-  collect_names(tree, names);
-  return tree->kind == Node::Kind::call && tree->text == "fabs" && !names.empty() ? tree->children[0] : nullptr;
+  return tree->kind == Node::Kind::call && tree->text == "fabs" && !names_of(tree).empty() ? tree->children[0]
+                                                                                           : nullptr;
 }
 
 Tree between_bars(const Problem& problem) {
@@ -84,12 +84,11 @@ Tree between_bars(const Problem& problem) {
 
 /// The problem where u has a sign, without the bars around it.
 Problem without_bars(Problem problem, const Tree& u, bool is_negative) {
-  const Tree zero = make_tree(Node::Kind::number, "0");
   const Tree size = is_negative ? make_tree(Node::Kind::negative, "", {u}) : u;
   const Tree bars = make_tree(Node::Kind::call, "fabs", {u});
   for (Relation* relation : {&problem.left, &problem.right})
     for (Tree& side : relation->sides) side = put_in(side, bars, size);
-  problem.assumptions.push_back({{u, zero}, {is_negative ? "<=" : ">="}});
+  problem.assumptions.push_back({{u, zero()}, {is_negative ? "<=" : ">="}});
   return problem;
 }
 
@@ -124,7 +123,8 @@ Proof confirmed(const Problem& problem, const Comparison& setting, const Samenes
   return proved(setting, found, problem.symbols);
 }
 
-/// Links at the ends of a chain that always hold: of K = a = b, where a = b is an identity, K = a is left for the search.
+/// Links at the ends of a chain that always hold: of K = a = b, where a = b is an identity, K = a is left for
+/// the search.
 void drop_identities(Relation& chain, const Translated& translated) {
   std::size_t k = translated.atoms.size();
   while (k > 1 && translated.atoms[k - 1].signs == Signs::zero() && translated.atoms[k - 1].value.is_zero()) {
@@ -140,7 +140,8 @@ void drop_identities(Relation& chain, const Translated& translated) {
 /// Identity, then points, then signs, then more points. `by_points`: whether points are asked at all.
 Proof decide_problem(Problem problem, bool by_points) {
   Proof open = undecided(
-      "the sides agree wherever they were compared, but neither the difference vanishes identically nor a certificate of "
+      "the sides agree wherever they were compared, but neither the difference vanishes identically nor a "
+      "certificate of "
       "signs was found");
   try {
     Comparison setting(problem.symbols);
@@ -163,8 +164,8 @@ Proof decide_problem(Problem problem, bool by_points) {
 
 }  // namespace
 
-Proof decide(const Relation& left, const Relation& right, const Symbols& symbols, const std::vector<Given>& given,
-             const std::vector<Relation>& assumptions) {
+Proof decide(const Relation& left, const Relation& right, const Symbols& symbols,
+             const std::vector<Given>& given, const std::vector<Relation>& assumptions) {
   if (left.operators.empty() != right.operators.empty())
     return undecided("an expression cannot be compared with a relation");
   const auto is_equation = [](const Relation& a) {
@@ -172,7 +173,8 @@ Proof decide(const Relation& left, const Relation& right, const Symbols& symbols
   };
   try {
     const Problem problem = with_values({left, right, assumptions, symbols}, given);
-    if (std::none_of(assumptions.begin(), assumptions.end(), is_equation)) return decide_problem(problem, true);
+    if (std::none_of(assumptions.begin(), assumptions.end(), is_equation))
+      return decide_problem(problem, true);
     std::vector<Relation> others;  // it may hold without the equations
     std::remove_copy_if(assumptions.begin(), assumptions.end(), std::back_inserter(others), is_equation);
     Proof proof = decide_problem(with_values({left, right, others, symbols}, given), false);
@@ -187,7 +189,8 @@ Proof decide(const Relation& left, const Relation& right, const Symbols& symbols
 
 std::string in_plain_words(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) throw;
-  if (dynamic_cast<const Undecidable*>(&error) != nullptr || dynamic_cast<const SyntaxError*>(&error) != nullptr)
+  if (dynamic_cast<const Undecidable*>(&error) != nullptr ||
+      dynamic_cast<const SyntaxError*>(&error) != nullptr)
     return error.what();
   if (dynamic_cast<const std::domain_error*>(&error) != nullptr)  // GiNaC's pole_error among them
     return "on the way to a decision something has no value: a division by 0, or a pole of a function";

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <derivations/decide/domain.hpp>
-#include <derivations/language/print.hpp>
 #include <derivations/language/lower.hpp>
+#include <derivations/language/print.hpp>
 
 namespace rederive {
 
@@ -51,45 +51,43 @@ bool is_definite(const Tree& part, const Ring& known, const Symbols& symbols) {
   }
 }
 
-/// Of plain symbols: the factors that matter; of anything else: what is written.
-std::vector<Said> say(const DomainCondition& c, const Ring& ring, const Symbols& symbols) {
+/// The factors that matter.
+std::vector<Said> say_factors(const DomainCondition& c, const Ring& ring, const Symbols& symbols) {
   std::vector<Said> result;
-  const auto text = [&](const Polynomial& p) { return print(ring.meaning_of(Fraction(p)), Notation::plain, symbols); };
-  const Polynomial product = c.value.numerator * c.value.denominator;
-  if (!has_symbols_only(ring, product)) {
-    std::vector<Tree> parts{c.tree};
-    if (c.allowed == Signs::nonzero()) parts.clear(), divide_up(c.tree, parts);
-    for (const Tree& part : parts) {
-      GiNaC::ex value = lower(part, symbols);
-      if (c.allowed == Signs::nonzero()) {
-        if (is_definite(part, ring, symbols)) continue;
-        if (!GiNaC::is_a<GiNaC::function>(value)) value = numerator(value);
-        const std::string one = print(value, Notation::plain, symbols), other = print(-value, Notation::plain, symbols);
-        result.push_back({other.size() < one.size() || (other.size() == one.size() && other < one) ? other : one, c.allowed});
-        continue;
-      }
-      result.push_back({print(value, Notation::plain, symbols), c.allowed});
-    }
-    return result;
-  }
-  const auto& [number, list] = factors(product);
-  if (c.allowed == Signs::nonzero()) {
-    for (const auto& [factor, exponent] : list)
-      if (!ring.signs_of(factor).is_definite()) result.push_back({text(factor), c.allowed});
-    return result;
-  }
+  const auto text = [&](const Polynomial& p) {
+    return print(ring.meaning_of(Fraction(p)), Notation::plain, symbols);
+  };
+  const auto& [number, list] = factors(c.value.numerator * c.value.denominator);
   Polynomial rest = cln::minusp(number) ? -1 : 1;
   for (const auto& [factor, exponent] : list) {
     const Signs signs = ring.signs_of(factor);
-    if (signs == Signs::positive() || signs == Signs::negative()) {
-      if (signs == Signs::negative() && exponent % 2 != 0) rest = -rest;
-    } else if (exponent % 2 != 0) {
+    if (signs == Signs::negative() && exponent % 2 != 0) rest = -rest;
+    if (signs == Signs::positive() || signs == Signs::negative()) continue;
+    if (c.allowed != Signs::nonzero() && exponent % 2 != 0)
       rest = rest * factor;
-    } else if (c.allowed == Signs::positive()) {
+    else if (c.allowed != Signs::nonnegative() && !signs.is_definite())
       result.push_back({text(factor), Signs::nonzero()});
-    }
   }
   if (!rest.is_constant()) result.push_back({text(rest), c.allowed});
+  return result;
+}
+
+/// Of plain symbols: the factors that matter; of anything else: what is written.
+std::vector<Said> say(const DomainCondition& c, const Ring& ring, const Symbols& symbols) {
+  const auto text = [&](const GiNaC::ex& value) { return print(value, Notation::plain, symbols); };
+  if (has_symbols_only(ring, c.value.numerator * c.value.denominator)) return say_factors(c, ring, symbols);
+  if (c.allowed != Signs::nonzero()) return {{text(lower(c.tree, symbols)), c.allowed}};
+  std::vector<Said> result;
+  std::vector<Tree> parts;
+  divide_up(c.tree, parts);
+  for (const Tree& part : parts) {
+    if (is_definite(part, ring, symbols)) continue;
+    GiNaC::ex value = lower(part, symbols);
+    if (!GiNaC::is_a<GiNaC::function>(value)) value = numerator(value);
+    const std::string one = text(value), other = text(-value);
+    const bool is_shorter = std::pair(other.size(), other) < std::pair(one.size(), one);
+    result.push_back({is_shorter ? other : one, c.allowed});
+  }
   return result;
 }
 
@@ -100,9 +98,12 @@ std::vector<std::string> in_words(const std::vector<DomainCondition>& conditions
   std::vector<Said> all;
   for (const DomainCondition& c : conditions)
     for (const Said& said : say(c, ring, symbols)) {
-      const auto same = std::find_if(all.begin(), all.end(), [&](const Said& s) { return s.text == said.text; });
-      if (same == all.end()) all.push_back(said);
-      else same->signs = same->signs & said.signs;
+      const auto same =
+          std::find_if(all.begin(), all.end(), [&](const Said& s) { return s.text == said.text; });
+      if (same == all.end())
+        all.push_back(said);
+      else
+        same->signs = same->signs & said.signs;
     }
   std::vector<std::string> words;
   for (const Said& s : all)

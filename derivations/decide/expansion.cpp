@@ -23,30 +23,23 @@ struct Series {
 
 class Expansion {
  public:
-  Expansion(const GiNaC::symbol& size, int terms, const Symbols& symbols, const std::vector<std::string>& small)
+  Expansion(const GiNaC::symbol& size, int terms, const Symbols& symbols,
+            const std::vector<std::string>& small)
       : size_(size), terms_(terms), symbols_(symbols), small_(small) {}
 
   /// Throws Undecidable where there is no series.
   Series of(const ex& e) {
     if (!e.has(size_)) return constant(e);
     if (e.is_equal(size_)) return truncated({1, {1}});
-    if (GiNaC::is_a<GiNaC::add>(e)) {
-      Series sum = of(e.op(0));
-      for (std::size_t k = 1; k < e.nops(); ++k) sum = plus(sum, of(e.op(k)));
-      return sum;
-    }
-    if (GiNaC::is_a<GiNaC::mul>(e)) {
-      Series product = of(e.op(0));
-      for (std::size_t k = 1; k < e.nops(); ++k) product = times(product, of(e.op(k)));
-      return product;
-    }
-    if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::integer)) {
-      const int n = GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int();
-      const Series base = n < 0 ? reciprocal(of(e.op(0))) : of(e.op(0));
-      Series result = constant(1);
-      for (int k = 0; k < std::abs(n); ++k) result = times(result, base);
+    const bool is_sum = GiNaC::is_a<GiNaC::add>(e);
+    if (is_sum || GiNaC::is_a<GiNaC::mul>(e)) {
+      Series result = of(e.op(0));
+      for (std::size_t k = 1; k < e.nops(); ++k)
+        result = is_sum ? plus(result, of(e.op(k))) : times(result, of(e.op(k)));
       return result;
     }
+    if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::integer))
+      return power(of(e.op(0)), GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int());
     if (GiNaC::is_a<GiNaC::power>(e) && !e.op(1).has(size_)) {
       const GiNaC::symbol x("x");
       return composed(GiNaC::pow(x, e.op(1)), x, of(e.op(0)));
@@ -55,7 +48,8 @@ class Expansion {
       if (!e.op(0).has(size_)) require(e.op(0), Signs::positive(), " > 0");
       return of(GiNaC::exp(e.op(1) * GiNaC::log(e.op(0))));
     }
-    if (!GiNaC::is_a<GiNaC::function>(e) || e.nops() != 1) throw Undecidable("there is no series of this form");
+    if (!GiNaC::is_a<GiNaC::function>(e) || e.nops() != 1)
+      throw Undecidable("there is no series of this form");
     const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
     if (name == "tan" || name == "tanh") {
       const ex x = e.op(0);
@@ -117,16 +111,19 @@ class Expansion {
     const Signs known = ring.signs_of(f);
     if ((known & signs).is_none()) throw Undecidable("there is no series of what has no value");
     const Fraction said = signs == Signs::nonzero() ? Fraction(f.numerator) : f;
-    if (!known.within(signs)) conditions.push_back(print(ring.meaning_of(said), Notation::plain, symbols_) + text);
+    if (!known.within(signs))
+      conditions.push_back(print(ring.meaning_of(said), Notation::plain, symbols_) + text);
   }
-  Series reciprocal(const Series& given) {
-    const Series s = from_its_lowest_term(given);
-    Series result{-s.low, {1 / s.c[0]}};
-    for (std::size_t k = 1; k < s.c.size(); ++k) {
-      ex sum = 0;
-      for (std::size_t j = 1; j <= k; ++j) sum -= s.c[j] * result.c[k - j];
-      result.c.push_back((sum / s.c[0]).expand());
-    }
+  /// Of a negative exponent: (c·sizeᵐ(1 + …))ⁿ = sizeᵐⁿ·(c + …)ⁿ.
+  Series power(Series base, int n) {
+    Series result = constant(1);
+    for (int k = 0; k < n; ++k) result = times(result, base);
+    if (n >= 0) return result;
+    base = from_its_lowest_term(std::move(base));
+    const GiNaC::symbol x("x");
+    const int low = std::exchange(base.low, 0);
+    result = composed(GiNaC::pow(x, n), x, base);
+    result.low = low * n;
     return result;
   }
   /// f(a + δ) = Σ f⁽ᵏ⁾(a) δᵏ/k!, where f is analytic at a.
@@ -137,7 +134,8 @@ class Expansion {
     Series delta = inside, power = constant(1);
     if (delta.low <= 0 && delta.known() > 0) delta.c[static_cast<std::size_t>(-delta.low)] = 0;
     if (delta.low < 0) throw Undecidable("there is no series of a function of what is infinite");
-    if (GiNaC::is_a<GiNaC::power>(f) || f.is_equal(GiNaC::log(x))) {
+    const bool is_root = GiNaC::is_a<GiNaC::power>(f) && !f.op(1).info(GiNaC::info_flags::integer);
+    if (is_root || f.is_equal(GiNaC::log(x))) {
       if (is_zero(a)) throw Undecidable("there is no series of a root or a logarithm of what is small");
       require(a, Signs::positive(), " > 0");
     }
@@ -163,7 +161,8 @@ class Expansion {
 /// What an equation says of a symbol: y of c·y + d = 0.
 std::optional<ex> said_of(const Relation& equation, const ex& y, const Symbols& symbols) {
   const ex residual = (lower(equation.sides[0], symbols) - lower(equation.sides[1], symbols)).expand();
-  if (!residual.is_polynomial(y) || residual.degree(y) != 1 || residual.coeff(y, 1).has(y)) return std::nullopt;
+  if (!residual.is_polynomial(y) || residual.degree(y) != 1 || residual.coeff(y, 1).has(y))
+    return std::nullopt;
   return -residual.coeff(y, 0) / residual.coeff(y, 1);
 }
 
@@ -181,7 +180,8 @@ std::vector<std::string> symbols_to_solve_for(const Relation& left, const Relati
 bool ties(const std::vector<Relation>& assumptions, const std::vector<std::string>& small) {
   return std::any_of(assumptions.begin(), assumptions.end(), [&](const Relation& a) {
     const auto names = names_of(a);
-    return a.operators[0] == "=" && std::any_of(small.begin(), small.end(), [&](auto& s) { return names.contains(s); });
+    return a.operators[0] == "=" &&
+           std::any_of(small.begin(), small.end(), [&](auto& s) { return names.contains(s); });
   });
 }
 
@@ -206,8 +206,9 @@ std::pair<ex, ex> compared(const Relation& left, const Relation& right, const st
 
 }  // namespace
 
-Proof decide_to_order(const Relation& left, const Relation& right, const std::vector<std::string>& small, int order,
-                      const Symbols& symbols, const std::vector<Given>& given, const std::vector<Relation>& assumptions) {
+Proof decide_to_order(const Relation& left, const Relation& right, const std::vector<std::string>& small,
+                      int order, const Symbols& symbols, const std::vector<Given>& given,
+                      const std::vector<Relation>& assumptions) {
   Proof proof;
   try {
     const Problem problem = with_values({left, right, assumptions, symbols}, given);
@@ -228,11 +229,13 @@ Proof decide_to_order(const Relation& left, const Relation& right, const std::ve
       proof.verdict = Verdict::approximation, proof.by = "expansion";
       proof.reason = "the series in the small symbols are the same up to this order";
       for (const std::string& condition : expansion.conditions)
-        if (std::find(proof.side_conditions.begin(), proof.side_conditions.end(), condition) == proof.side_conditions.end())
+        if (std::find(proof.side_conditions.begin(), proof.side_conditions.end(), condition) ==
+            proof.side_conditions.end())
           proof.side_conditions.push_back(condition);
     } else if (proof.verdict == Verdict::refuted && ties(problem.assumptions, small)) {
       proof = Proof{};
-      proof.reason = "the series would differ, but an assumption ties what is small to other symbols; say what changes";
+      proof.reason =
+          "the series would differ, but an assumption ties what is small to other symbols; say what changes";
     } else if (proof.verdict == Verdict::refuted) {
       proof.by = "expansion", proof.reason = "the series differ at the witness, which shows their values";
     }

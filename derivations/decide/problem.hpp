@@ -1,22 +1,29 @@
 // A question: two statements, under assumptions, about symbols in their ranges.
 #pragma once
 
-#include <derivations/numbers/interval.hpp>
 #include <derivations/language/symbols.hpp>
 #include <derivations/language/tree.hpp>
+#include <derivations/numbers/evaluate.hpp>
+#include <derivations/numbers/interval.hpp>
 #include <set>
 
 namespace rederive {
 
 struct Problem {
   Relation left, right;               ///< expressions have one side and no operator
-  std::vector<Relation> assumptions;  ///< sign conditions and equations that hold
+  std::vector<Relation> assumptions;  ///< sign conditions and equations that hold, of two sides each
   Symbols symbols;
   std::map<std::string, Tree> values = {};  ///< what was put in for a symbol, in the others
 };
 
-/// The names that occur; pi is none.
-void collect_names(const Tree& tree, std::set<std::string>& names);
+bool is_symbol(const Tree& tree);                       ///< pi is none
+bool is_equation(const Relation& r);                    ///< a = b = …
+std::vector<Relation> links_of(const Relation& chain);  ///< a = b < c: a = b and b < c
+std::vector<Relation> equations_of(const std::vector<Relation>& relations);
+/// All that stands in a problem.
+std::vector<Tree> trees_of(const Problem& problem);
+
+/// The names that occur.
 std::set<std::string> names_of(const Tree& tree);
 std::set<std::string> names_of(const Relation& relation);
 
@@ -26,17 +33,20 @@ Relation put_in(Relation relation, const std::string& symbol, const Tree& value)
 /// The tree with a value in the place of every part that has the same form as `part`.
 Tree put_in(const Tree& tree, const Tree& part, const Tree& value);
 
-/// a + b*pi as a tree.
+/// a + b*pi as a tree, and as a coordinate.
 Tree tree_of(const Constant& c);
+Number number_of(const Constant& c);
+Tree zero();
 /// a - b.
 Tree difference(const Tree& a, const Tree& b);
 
-/// Puts in what is given and what equations among the assumptions say a symbol is. The range of the symbol, and what
-/// else is assumed of it, stays as a sign condition on its value. Throws Undecidable where they go round in a circle.
+/// Puts in what is given and what equations among the assumptions say a symbol is. The range of the symbol,
+/// and what else is assumed of it, stays as a sign condition on its value. Throws Undecidable where they go
+/// round in a circle.
 Problem with_values(Problem problem, const std::vector<Given>& given);
 
-/// f(u) = v as u = g(v), for the inversion g of a monotone function f, where v lies in the values of f: x = asin(u) says
-/// sin(x) = u where -pi/2 <= x <= pi/2. Likewise inequalities; and f(u) = f(v) as u = v.
+/// f(u) = v as u = g(v), for the inversion g of a monotone function f, where v lies in the values of f: x =
+/// asin(u) says sin(x) = u where -pi/2 <= x <= pi/2. Likewise inequalities; and f(u) = f(v) as u = v.
 Relation with_inversions(const Relation& relation, const Symbols& symbols);
 
 }  // namespace rederive

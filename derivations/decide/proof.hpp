@@ -8,21 +8,22 @@
 
 namespace rederive {
 
-/// `decide` says proved, proved_under, refuted or undecided, `decide_to_order` also approximation; the ledger has
-/// definitions.
+/// `decide` says proved, proved_under, refuted or undecided, `decide_to_order` also approximation; the ledger
+/// has definitions.
 enum class Verdict { proved, proved_under, approximation, refuted, definition, undecided };
 /// "proved", "proved_under" …
 std::string to_string(Verdict verdict);
 
-/// A point at which the two sides differ, to check by hand. `printed` is the left statement's value there, `derived`
-/// the right one's: of the expressions; of the right-hand sides where both equations have the same left one; else of
-/// left minus right.
+/// A point at which the two sides differ, to check by hand. `printed` is the left statement's value there,
+/// `derived` the right one's: of the expressions; of the right-hand sides where both equations have the same
+/// left one; else of left minus right.
 struct Witness {
-  std::map<std::string, std::string> at;            ///< symbol → rational number as text, or digits of what follows
-  std::string printed, derived;                     ///< 30 digits
+  std::map<std::string, std::string> at;  ///< symbol → rational number as text, or digits of what follows
+  std::string printed, derived;           ///< 30 digits
   std::map<std::string, std::string> exactly = {};  ///< symbol → the constant that it is: "pi/6"
-  std::map<std::string, std::pair<std::string, std::string>> between = {};  ///< symbol → bounds of the zero that it is
-  std::string solves = {};                          ///< of this equation: "y - cos(y) = 0"
+  std::map<std::string, std::pair<std::string, std::string>> between =
+      {};                   ///< symbol → bounds of the zero that it is
+  std::string solves = {};  ///< of this equation: "y - cos(y) = 0"
 };
 
 /// "x = 2/5", "alpha = pi/6", "y between 0.739 and 0.740 where y - cos(y) = 0": a text for every symbol.
@@ -30,18 +31,19 @@ std::vector<std::string> in_words(const Witness& witness);
 
 /// What a verdict rests on, for a reader and for a kernel that checks it.
 struct Grounds {
-  std::vector<std::string> phases;     ///< "cos(theta)", "exp(p*t)": the independent generators
-  std::vector<std::string> divisors;   ///< "alpha - theta > 0": what is divided by, with the sign that it has
-  std::vector<std::string> certificate;  ///< "2 * (x) * (y - 1)": parts of a sum that is 0, though none is negative
+  std::vector<std::string> phases;    ///< "cos(theta)", "exp(p*t)": the independent generators
+  std::vector<std::string> divisors;  ///< "alpha - theta > 0": what is divided by, with the sign that it has
+  std::vector<std::string>
+      certificate;  ///< "2 * (x) * (y - 1)": parts of a sum that is 0, though none is negative
 };
 
 struct Proof {
   Verdict verdict = Verdict::undecided;
-  std::string factor = {};                        ///< left = factor * right, of relations; empty where there is none
+  std::string factor = {};  ///< left = factor * right, of relations; empty where there is none
   std::vector<std::string> side_conditions = {};  ///< "w != 0", in our syntax
   std::optional<Witness> witness = {};            ///< with refuted, and only then
   std::string reason = {};                        ///< one line for a reader; why, where undecided
-  std::string by = {};                            ///< "identity", "sign", "points", "expansion"; empty if undecided
+  std::string by = {};  ///< "identity", "sign", "points", "expansion"; empty if undecided
   Grounds grounds = {};
 };
 

@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <derivations/decide/comparison.hpp>
 #include <derivations/decide/domain.hpp>
-#include <derivations/decide/setting.hpp>
 
 namespace rederive {
 
@@ -11,37 +11,28 @@ Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b) {
 
 namespace {
 
-std::vector<Tree> trees_of(const Problem& problem) {
-  std::vector<Tree> trees = problem.left.sides;
-  trees.insert(trees.end(), problem.right.sides.begin(), problem.right.sides.end());
-  for (const Relation& a : problem.assumptions) trees.insert(trees.end(), a.sides.begin(), a.sides.end());
-  for (const auto& [name, value] : problem.values) trees.push_back(value);
-  return trees;
-}
-
-/// A statement as atoms, as it stands and with inversions; the conditions are those of the statement as it stands.
-Translated translate(const Relation& statement, const Problem& problem, const Ring& ring, Translator& translator) {
+/// A statement as atoms, as it stands and with inversions; the conditions are those of the statement as it
+/// stands.
+Translated translate(const Relation& statement, const Problem& problem, const Ring& ring,
+                     Translator& translator) {
   Translated result;
-  std::vector<Fraction> sides;
-  for (const Tree& side : statement.sides) sides.push_back(translator(side, result.conditions));
   if (statement.operators.empty()) {
-    result.expression = sides[0];
+    result.expression = translator(statement.sides[0], result.conditions);
     return result;
   }
-  for (std::size_t k = 0; k < statement.operators.size(); ++k) {
-    const Relation link{{statement.sides[k], statement.sides[k + 1]}, {statement.operators[k]}};
+  const auto atom_of_link = [&](const Relation& link, std::vector<DomainCondition>& conditions) {
+    const Fraction left = translator(link.sides[0], conditions),
+                   right = translator(link.sides[1], conditions);
+    Atom atom = atom_of(left, link.operators[0], right);
+    atom.value = ring.normal(atom.value);
+    return atom;
+  };
+  std::vector<DomainCondition> unused;
+  for (const Relation& link : links_of(statement)) {
     const Relation inverted = with_inversions(link, problem.symbols);
-    std::vector<DomainCondition> unused;
-    const bool is_same = inverted.sides == link.sides;
-    const auto add = [&](std::vector<Atom>& atoms, Atom atom) {
-      atom.value = ring.normal(atom.value);
-      atoms.push_back(std::move(atom));
-    };
-    add(result.atoms, atom_of(sides[k], link.operators[0], sides[k + 1]));
-    if (is_same) result.inverted.push_back(result.atoms.back());
-    else
-      add(result.inverted, atom_of(translator(inverted.sides[0], unused), inverted.operators[0],
-                                   translator(inverted.sides[1], unused)));
+    result.atoms.push_back(atom_of_link(link, result.conditions));
+    result.inverted.push_back(inverted.sides == link.sides ? result.atoms.back()
+                                                           : atom_of_link(inverted, unused));
   }
   return result;
 }
@@ -75,22 +66,22 @@ void relate(Ring& ring, const Fraction& value) {
   }
 }
 
-/// What is assumed holds, and has a value.
-void assume(Comparison& setting, const Relation& assumption, Translator& translator) {
+/// A value is one, as its conditions say.
+Fraction defined(Comparison& setting, const Tree& tree) {
   std::vector<DomainCondition> conditions;
-  std::vector<Fraction> sides;
-  for (const Tree& side : assumption.sides) sides.push_back(translator(side, conditions));
+  const Fraction value = setting.translator(tree, conditions);
   for (const DomainCondition& c : conditions) learn(setting, c.value, c.allowed);
-  for (std::size_t k = 0; k < assumption.operators.size(); ++k) {
-    const std::string& op = assumption.operators[k];
-    if (op == "!=") {
-      setting.ring.learn(sides[k] - sides[k + 1], Signs::nonzero());
-      continue;
-    }
-    const Atom atom = atom_of(sides[k], op, sides[k + 1]);
-    if (atom.signs == Signs::zero()) relate(setting.ring, atom.value);
-    learn(setting, atom.value, atom.signs);
-  }
+  return value;
+}
+
+/// What is assumed holds, and has a value.
+void assume(Comparison& setting, const Relation& assumption) {
+  const Fraction left = defined(setting, assumption.sides[0]), right = defined(setting, assumption.sides[1]);
+  const std::string& op = assumption.operators[0];
+  if (op == "!=") return setting.ring.learn(left - right, Signs::nonzero());
+  const Atom atom = atom_of(left, op, right);
+  if (atom.signs == Signs::zero()) relate(setting.ring, atom.value);
+  learn(setting, atom.value, atom.signs);
 }
 
 /// Whether the ranges and the assumptions say it already.
@@ -105,8 +96,8 @@ void translate(Comparison& setting, const Problem& problem) {
   translator.collect(trees_of(problem));
   for (int round = 0; round < 2; ++round) {  // the second one with what the first one said
     setting.facts.clear();
-    for (const auto& [name, value] : problem.values) assume(setting, {{value}, {}}, translator);
-    for (const Relation& a : problem.assumptions) assume(setting, a, translator);
+    for (const auto& [name, value] : problem.values) defined(setting, value);
+    for (const Relation& a : problem.assumptions) assume(setting, a);
   }
   const auto translate_both = [&] {
     setting.left = translate(problem.left, problem, setting.ring, translator);

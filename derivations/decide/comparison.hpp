@@ -16,7 +16,7 @@ struct Atom {
 /// A statement in the ring: an expression, or atoms that hold together.
 struct Translated {
   std::optional<Fraction> expression;
-  std::vector<Atom> atoms, inverted;  ///< as it stands, and with inversions of monotone functions
+  std::vector<Atom> atoms, inverted;        ///< as it stands, and with inversions of monotone functions
   std::vector<DomainCondition> conditions;  ///< for its sides to have values
 };
 
@@ -30,16 +30,16 @@ struct Comparison {
   Translated left, right;
   std::vector<DomainCondition> conditions;  ///< those that neither the ranges nor the assumptions grant
   std::vector<std::string> in_words;        ///< the same: "x - 1 > 0", "cos(theta) != 0"
-  /// What is tried: 0, that the two are the same but for a number; 1, also a factor with a sign by intervals and
-  /// products; 2, also certificates of signs.
+  /// What is tried: 0, that the two are the same but for a number; 1, also a factor with a sign by intervals
+  /// and products; 2, also certificates of signs.
   int effort = 0;
 };
 
 /// The value and the sign that a link a op b asks for.
 Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b);
 
-/// Both statements in one ring, where both have values: what must hold for that is learned, and all is translated
-/// once more with it. Throws Undecidable and NoValue.
+/// Both statements in one ring, where both have values: what must hold for that is learned, and all is
+/// translated once more with it. Throws Undecidable and NoValue.
 void translate(Comparison& setting, const Problem& problem);
 
 }  // namespace rederive

@@ -1,0 +1,219 @@
+#include <algorithm>
+#include <derivations/decide/points.hpp>
+#include <derivations/identity/polynomial.hpp>
+#include <derivations/numbers/interval.hpp>
+
+namespace rederive {
+
+using cln::cl_RA;
+
+Truth truth_at(const Relation& relation, const Point& point, long bits) {
+  Truth result = Truth::holds;
+  for (const Relation& link : links_of(relation)) {
+    const Sign sign = sign_at(link.sides[0], link.sides[1], point, bits);
+    if (sign == Sign::undefined) return Truth::undefined;
+    const std::string& op = link.operators[0];
+    const char found = sign == Sign::zero ? '=' : sign == Sign::negative ? '<' : '>';
+    const bool holds = op == "!=" ? found != '=' : op.find(found) != std::string::npos;
+    if (sign != Sign::unknown && !holds) result = Truth::fails;
+    if (sign == Sign::unknown && result == Truth::holds) result = Truth::unknown;
+  }
+  return result;
+}
+
+namespace {
+
+/// Values of a symbol: small numbers first; and ends and multiples of pi, which are easily overlooked.
+struct Candidates {
+  std::vector<cl_RA> plain;
+  std::vector<Number> special;
+};
+
+/// Numbers inside a bounded range, as short as they can be.
+std::vector<cl_RA> shares_of(const Interval& range) {
+  std::vector<cl_RA> result;
+  const double low = range.low.ball(64).to_double(), width = range.high.ball(64).to_double() - low;
+  for (const double share : {0.5, 0.3, 0.7, 0.15, 0.85, 0.05, 0.95})
+    for (const int d : {1, 2, 4, 10, 100, 1000}) {
+      const double scaled = (low + share * width) * d;
+      const cl_RA value = cl_RA(std::lround(scaled)) / d;
+      if (std::abs(scaled - std::lround(scaled)) > 0.2 * d * width || !range.contains({value})) continue;
+      result.push_back(value);
+      break;
+    }
+  return result;
+}
+
+Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks) {
+  Candidates result;
+  const auto add = [&](const cl_RA& value) {
+    auto& list = result.plain;
+    if (range.contains({value}) && std::find(list.begin(), list.end(), value) == list.end())
+      list.push_back(value);
+  };
+  for (const char* text : {"1",   "1/2",   "2",     "3/2",  "1/3", "-1",   "3",   "-1/2",   "2/3", "-2",
+                           "1/4", "5/2",   "3/4",   "-1/3", "5",   "-3/2", "4",   "1/10",   "-3",  "-5/2",
+                           "7",   "1/100", "-1/10", "10",   "-7",  "30",   "-10", "1/1000", "200"})
+    add(cl_RA(text));
+  const bool has_low = range.low.infinite == 0, has_high = range.high.infinite == 0;
+  if (has_low && has_high)
+    for (const cl_RA& value : shares_of(range)) add(value);
+  for (const int n : {1, 2, 3, 5, 8, 40}) {
+    if (has_low && range.low.is_rational()) add(range.low.a + cl_RA(1) / n), add(range.low.a + n);
+    if (has_high && range.high.is_rational()) add(range.high.a - cl_RA(1) / n), add(range.high.a - n);
+  }
+  const cl_RA little = cl_RA(1) / 100;
+  for (const cl_RA& n : landmarks)
+    for (const cl_RA& value : {n, cl_RA(-n), n + little, n - little, 2 * n, -2 * n, n / 2}) add(value);
+  std::vector<Constant> special{{}};
+  for (const End* end : {&range.low, &range.high})
+    if (end->infinite == 0) special.push_back(*end);
+  for (const char* q : {"1/2", "1", "1/6", "1/4", "1/3", "-1/2", "2/3", "-1/6", "3/2", "-1/4", "2"})
+    special.push_back({0, q});
+  for (const Constant& c : special)
+    if (range.contains(c)) result.special.push_back(number_of(c));
+  return result;
+}
+
+/// The constant parts that are rational and neither small nor whole: where something may turn.
+void collect_landmarks(const Tree& tree, std::vector<cl_RA>& landmarks) {
+  if (!names_of(tree).empty() || landmarks.size() >= 12) {
+    for (const Tree& child : tree->children) collect_landmarks(child, landmarks);
+    return;
+  }
+  const Value value = value_at(tree, {}, 64);
+  if (value.exact && (cln::abs(*value.exact) > 3 || cln::denominator(*value.exact) > 4))
+    landmarks.push_back(*value.exact);
+  if (value.is == Value::Is::certain && !value.exact && value.ball.is_moderate())
+    landmarks.push_back(cln::cl_RA(cln::round1(cl_RA(value.ball.lower()) * 100)) / 100);
+}
+
+/// The range under x > 2, an assumption with a number beside the symbol.
+void narrow(Interval& range, const Relation& a, const std::string& name) {
+  const std::string& op = a.operators[0];
+  for (const int side : {0, 1}) {
+    const Tree &symbol = a.sides[side], &bound = a.sides[1 - side];
+    if (!is_symbol(symbol) || symbol->text != name || !names_of(bound).empty() || op == "!=") continue;
+    const auto value = value_at(bound, {}, 128).constant;
+    if (!value) continue;
+    const End end{*value, 0, op.size() == 2};
+    range = overlap(range, (op[0] == '<') == (side == 0) ? Interval{{{}, -1}, end} : Interval{end, {{}, +1}});
+  }
+}
+
+using Table = std::vector<std::pair<std::string, Candidates>>;
+
+Table table_of(const Problem& problem) {
+  std::set<std::string> names;
+  std::vector<cl_RA> landmarks;
+  for (const Tree& tree : trees_of(problem)) names.merge(names_of(tree));
+  for (const Relation* relation : {&problem.left, &problem.right})
+    for (const Tree& side : relation->sides) collect_landmarks(side, landmarks);
+  Table result;
+  for (const std::string& name : names) {
+    const Symbol* symbol = problem.symbols.find(name);
+    if (symbol == nullptr) throw Undecidable("the symbol " + name + ", which is not declared");
+    Interval range = parse_range(symbol->range);
+    for (const Relation& a : problem.assumptions) narrow(range, a, name);
+    result.emplace_back(name, candidates(range, landmarks));
+  }
+  return result;
+}
+
+/// A fixed sequence of points: symbol k takes its candidates in a stride of its own; every third point from
+/// the tenth on has special values, and every fourth has equal values where it can.
+std::optional<Point> point_of(const Table& table, int index) {
+  Point point;
+  int place = 0;
+  for (const auto& [name, c] : table) {
+    ++place;
+    if (c.plain.empty() && c.special.empty()) return std::nullopt;
+    const int mixed = index < 1 ? place - 1 : index + place * (index % 7 + 1) + index * index * place / 3;
+    const bool is_alone =
+        index % 5 == 4 && index / 5 % static_cast<int>(table.size()) == place - 1;  // mostly 0
+    const bool is_special = index > 9 && index % 3 == 0 && (mixed / 2 + place) % 2 == 0;
+    const int turn = is_alone                        ? 0
+                     : is_special || c.plain.empty() ? mixed / 3
+                     : index % 4 == 3                ? index / 4
+                                                     : mixed;
+    if (c.plain.empty() || (!c.special.empty() && (is_alone || is_special)))
+      point.emplace(name, c.special[turn % c.special.size()]);
+    else
+      point.emplace(name, c.plain[turn % std::min<std::size_t>(c.plain.size(), 4 + index)]);
+  }
+  return point;
+}
+
+bool has_value(const Tree& tree, const Point& point) {
+  return value_at(tree, point, 200).is == Value::Is::certain;
+}
+
+/// Whether the assumptions hold, the equations among them by construction.
+bool is_admitted(const Problem& problem, const Point& point) {
+  for (const auto& [name, value] : problem.values)
+    if (!has_value(value, point)) return false;
+  return std::all_of(problem.assumptions.begin(), problem.assumptions.end(), [&](const Relation& a) {
+    const Truth truth = truth_at(a, point, 200);
+    return truth == Truth::holds || (truth == Truth::unknown && is_equation(a));
+  });
+}
+
+/// What the two say at a point: +1 the same, 0 nothing, -1 they differ.
+int compare_at(const Problem& problem, const Point& point, long bits) {
+  if (problem.left.operators.empty()) {
+    const Sign sign = sign_at(problem.left.sides[0], problem.right.sides[0], point, bits);
+    if (sign == Sign::positive || sign == Sign::negative) return -1;
+    return sign == Sign::zero || (sign == Sign::unknown && has_value(problem.left.sides[0], point)) ? 1 : 0;
+  }
+  const Truth left = truth_at(problem.left, point, bits), right = truth_at(problem.right, point, bits);
+  const auto is_known = [](Truth t) { return t == Truth::holds || t == Truth::fails; };
+  return !is_known(left) || !is_known(right) ? 0 : left == right ? 1 : -1;
+}
+
+/// Whether the two differ at a point where the sides of one of them, `solved`, are equal.
+bool differ_at(const Relation& solved, const Relation& other, const Point& point) {
+  const Relation equal{solved.sides, std::vector<std::string>(solved.operators.size(), "=")};
+  const bool holds = solved.operators[0].find('=') != std::string::npos;
+  if (truth_at(other, point, 200) != (holds ? Truth::fails : Truth::holds)) return false;
+  const Truth own = truth_at(equal, point, 200);
+  return (own == Truth::holds || own == Truth::unknown) &&
+         std::all_of(solved.sides.begin(), solved.sides.end(),
+                     [&](const Tree& side) { return has_value(side, point); });
+}
+
+std::optional<Witness> at_solutions(const Problem& problem, const Point& point, int turn) {
+  for (const bool of_left : {false, true}) {
+    const Relation& solved = of_left ? problem.left : problem.right;
+    if (!is_equation(solved) && solved.operators.size() != 1) continue;
+    std::vector<Relation> equations = equations_of(problem.assumptions);
+    equations.push_back(solved);
+    const auto solution = solve(equations, point, problem.symbols, turn);
+    if (!solution || !is_admitted(problem, solution->point) ||
+        !differ_at(solved, of_left ? problem.right : problem.left, solution->point))
+      continue;
+    if (auto witness = make_witness(problem, *solution, of_left)) return witness;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Search search(const Problem& problem, const Effort& effort) {
+  Search result;
+  const Table table = table_of(problem);
+  const bool solves = effort.solves && !problem.left.operators.empty();
+  for (int k = 0; k < (table.empty() ? 1 : effort.points) && !result.witness; ++k) {
+    const auto point = point_of(table, k);
+    if (!point) break;
+    const auto solution = solve(equations_of(problem.assumptions), *point, problem.symbols, k);
+    if (solution && is_admitted(problem, solution->point)) {
+      const int said = compare_at(problem, solution->point, effort.bits);
+      if (said < 0) result.witness = make_witness(problem, *solution, std::nullopt);
+      if (said > 0) ++result.agreed;
+    }
+    if (!result.witness && solves && k < 24) result.witness = at_solutions(problem, *point, k);
+  }
+  return result;
+}
+
+}  // namespace rederive

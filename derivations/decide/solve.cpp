@@ -1,0 +1,144 @@
+// Points that solve equations.
+#include <algorithm>
+#include <derivations/decide/points.hpp>
+#include <derivations/language/lower.hpp>
+#include <derivations/language/syntax_error.hpp>
+#include <derivations/language/to_tree.hpp>
+#include <derivations/numbers/interval.hpp>
+
+namespace rederive {
+
+using cln::cl_RA;
+
+namespace {
+
+/// What is 0 where an equation holds: the difference of its sides; of a product or a power beside 0 one
+/// factor, or the base.
+Tree residual_of(const Tree& a, const Tree& b, int turn) {
+  const auto is_zero = [](const Tree& t) {
+    return t->kind == Node::Kind::number && cln::zerop(exact(t->text));
+  };
+  if (is_zero(a) && !is_zero(b)) return residual_of(b, a, turn);
+  if (!is_zero(b)) return difference(a, b);
+  const std::size_t k = static_cast<std::size_t>(turn) % std::max<std::size_t>(a->children.size(), 1);
+  if (a->kind == Node::Kind::power && a->children[1]->kind == Node::Kind::number)
+    return residual_of(a->children[0], b, turn);
+  if (a->kind == Node::Kind::product && !a->inverse[k]) return residual_of(a->children[k], b, turn);
+  return a;
+}
+
+/// The tree with every coordinate but one put in; nothing where a coordinate is no constant a + b*pi.
+Tree with_coordinates(Tree tree, const Point& point, const std::string& but) {
+  for (const auto& [name, number] : point) {
+    if (name == but) continue;
+    const auto constant = number.value(128).constant;
+    if (!constant) return nullptr;
+    tree = put_in(tree, name, tree_of(*constant));
+  }
+  return tree;
+}
+
+bool lies_in(const Number& number, const Interval& range) {
+  const Value& value = number.value(64);
+  if (value.constant) return range.contains(*value.constant);
+  return value.is == Value::Is::certain && compare(End{{value.ball.lower()}}, range.low) > 0 &&
+         compare(End{{value.ball.upper()}}, range.high) < 0;
+}
+
+/// y of c·y + d = 0, put into the solution.
+bool solve_linear(Solution& solution, const Tree& residual, const std::string& name, const Symbols& symbols) {
+  const GiNaC::ex e = lower(residual, symbols).expand(), y = symbols[name];
+  if (!e.is_polynomial(y) || e.degree(y) != 1) return false;
+  Tree value = to_tree(-e.coeff(y, 0) / e.coeff(y, 1), symbols);
+  const Value found = value_at(value, solution.point, 128);
+  if (found.is != Value::Is::certain) return false;
+  if (!found.constant) {
+    value = with_coordinates(value, solution.point, name);
+    if (!value) return false;
+    solution.constants[name] = value;
+  }
+  solution.point.insert_or_assign(name, found.constant ? number_of(*found.constant) : Number(value));
+  return true;
+}
+
+/// A zero between two neighbours on a grid over the range, narrowed.
+bool enclose(Solution& solution, const Tree& residual, const std::string& name, const Interval& range) {
+  const Tree tree = solution.enclosed.empty() ? with_coordinates(residual, solution.point, name) : nullptr;
+  if (!tree) return false;
+  const auto sign = [&](const cl_RA& x) { return sign_at(tree, zero(), {{name, Number(x)}}, 400); };
+  const auto found = [&](const Number& x) { return solution.point.insert_or_assign(name, x), true; };
+  cl_RA low = 0, high = 0;
+  Sign before = Sign::unknown;
+  for (int k = -40; k <= 40; ++k, low = high) {
+    high = cl_RA(2 * k + 1) / 8;
+    if (!range.contains({high})) continue;
+    const Sign here = sign(high), last = std::exchange(before, here);
+    if (here == Sign::zero) return found(high);
+    if (!(last == Sign::negative && here == Sign::positive) &&
+        !(last == Sign::positive && here == Sign::negative))
+      continue;
+    cl_RA a = low, b = high;
+    for (int step = 0; step < 34; ++step) {
+      const cl_RA middle = (a + b) / 2;
+      const Sign there = sign(middle);
+      if (there == Sign::zero) return found(middle);
+      (there == last ? a : b) = middle;
+    }
+    for (const int places : {1000, 1000000}) {  // shorter bounds, if the zero is alone between them
+      const cl_RA below = cl_RA(cln::floor1(a * places)) / places,
+                  above = cl_RA(cln::ceiling1(b * places)) / places;
+      if (sign(below) != last || sign(above) != here) continue;
+      a = below, b = above;
+      break;
+    }
+    const Number zero(tree, name, a, b);
+    // a finite ball over the whole of it: continuous there, no pole
+    if (value_at(tree, {{name, zero}}, 128).is == Value::Is::certain) {
+      solution.enclosed = name, solution.low = a, solution.high = b, solution.equals_zero = tree;
+      return found(zero);
+    }
+  }
+  return false;
+}
+
+/// Solves one equation for one of the symbols that are not fixed yet, and fixes it.
+bool solve_one(Solution& solution, const Tree& residual, const std::vector<std::string>& names,
+               const Symbols& symbols, std::set<std::string>& fixed) {
+  for (const bool is_linear : {true, false})
+    for (const std::string& name : names) {
+      if (fixed.contains(name)) continue;
+      Solution next = solution;
+      const Interval range = parse_range(symbols.find(name)->range);
+      try {
+        if (!(is_linear ? solve_linear(next, residual, name, symbols) : enclose(next, residual, name, range)))
+          continue;
+        if (!lies_in(next.point.at(name), range)) continue;
+      } catch (const SyntaxError&) {  // GiNaC meets a pole as it builds
+        continue;
+      }
+      solution = next, fixed.insert(name);
+      return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+std::optional<Solution> solve(const std::vector<Relation>& equations, const Point& point,
+                              const Symbols& symbols, int turn) {
+  Solution result{point};
+  std::set<std::string> fixed;
+  for (const Relation& chain : equations)
+    for (const Relation& link : links_of(chain)) {
+      const Tree residual = residual_of(link.sides[0], link.sides[1], turn);
+      if (fixed.empty() && sign_at(residual, zero(), result.point, 200) == Sign::zero) continue;
+      const std::set<std::string> all = names_of(residual);
+      std::vector<std::string> names(all.begin(), all.end());
+      if (names.empty()) return std::nullopt;
+      std::rotate(names.begin(), names.begin() + turn % static_cast<int>(names.size()), names.end());
+      if (!solve_one(result, residual, names, symbols, fixed)) return std::nullopt;
+    }
+  return result;
+}
+
+}  // namespace rederive
