@@ -2,127 +2,80 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <lessons/ledger/claims_checks.hpp>
 #include <lessons/ledger/claims_readings.hpp>
 
 namespace rederive {
 
 namespace {
 
-Finding least_below_handover(Workbench& bench, const Claim&) {
-  std::string found;
+Finding least_below_handover(Bench& bench, const Claim&) {
   bool always = true;
-  for (const double ratio : {0.2, 0.5, 0.8, 1.0, 2.0, 3.0, 4.0}) {
-    const Window least = bench.thresholds().least(pulse_case(ratio));
+  const std::string found = each({0.2, 0.5, 0.8, 1, 2, 3, 4}, [&](double ratio) {
+    const Window least = bench.least(pulse_case(ratio));
     always = always && least.code == 2;
-    found += fmt::format("{}{:g}: {:.4f} after {}", found.empty() ? "" : ", ", ratio, least.from,
-                         std::abs(least.code) - 1);
-  }
-  return decided(always, "least amplitude in αg by ω_p/p, after how many impacts: " + found,
-                 "After one impact everywhere.",
-                 "Not for slow pulses: there the least amplitude overturns after three or more impacts.");
+    return fmt::format("{:.4f} after {}", least.from, impacts_of(least));
+  });
+  return {decided(always), {found}};
 }
 
-Finding order_of_modes(Workbench& bench, const Claim&) {
+Finding order_of_modes(Bench& bench, const Claim&) {
   std::string found;
   bool holds_for_one = false;
   for (const std::optional<double> e : {std::optional<double>{}, std::optional<double>{0.9}}) {
     const PulseCase asked = pulse_case(1, Model::linear, e);
-    const double from = bench.thresholds().handover_of(asked).value_or(0),
-                 to = bench.thresholds().end_of(asked).value_or(0);
+    const double from = bench.handover_of(asked), to = bench.end_of(asked);
     holds_for_one = holds_for_one || (from <= 4.8 && to >= 6.7);
-    found += fmt::format("{}e {}: from {:.4f} to {:.4f}", found.empty() ? "" : "; ", e ? "= 0.9" : "of (46)",
-                         from, to);
+    add(found, fmt::format("e {}: from {:.4f} to {:.4f}", e ? "= 0.9" : "of (46)", from, to), "; ");
   }
-  const Window inside = bench.thresholds().least(pulse_case(5.5));
-  found += fmt::format("; code {:+d} at 5.5", inside.code);
-  if (inside.code != 2) return refuted(found, "Another mode is least there.");
-  if (holds_for_one) return confirmed(found, "For the whole range.");
-  return qualified(
-      found,
-      "The order of the modes is right, the limits are not: no single restitution gives both of them.");
+  const int inside = bench.least(pulse_case(5.5)).code;
+  return {inside != 2 ? refuted : holds_for_one ? confirmed : qualified, {found, inside}};
 }
 
-Finding end_of_curve(Workbench& bench, const Claim& claim) {
-  const auto matches = compare_with(claim.printed, end_readings(bench.thresholds()));
-  const double own = bench.thresholds().end_of(pulse_case(1)).value_or(0),
-               rounded = bench.thresholds().end_of(pulse_case(1, Model::linear, 0.9)).value_or(0);
-  const std::string found =
-      fmt::format("linear: {:.4f} with e of (46), {:.4f} with e = 0.9; {}", own, rounded, summary(matches));
-  const auto fits = fitting(matches);
-  if (fits.empty())
-    return refuted(found,
-                   "No convention with a name gives it; the value lies between those of e = 0.9 and of e of "
-                   "(46), and seems read off the curve, which ends steeply.");
-  return qualified(found, "By the reading above only.");
+Finding end_of_curve(Bench& bench, const Claim& claim) {
+  const auto matches = compare_with(claim.printed, end_readings(bench));
+  const double own = bench.end_of(pulse_case(1)), rounded = bench.end_of(pulse_case(1, Model::linear, 0.9));
+  return {fitting(matches).empty() ? refuted : qualified, {own, rounded, summary(matches)}};
 }
 
-Finding beyond_the_end(Workbench& bench, const Claim&) {
+Finding beyond_the_end(Bench& bench, const Claim&) {
   const auto after_impact = [&](double ratio, Model model) {
-    return bench.thresholds().mode_2(pulse_case(ratio, model)).has_value();
+    return bench.mode_2(pulse_case(ratio, model)) > 0;
   };
   const bool still = after_impact(6.8, Model::linear), full = after_impact(7.5, Model::nonlinear),
-             gone = !after_impact(7, Model::linear) && !after_impact(10, Model::linear);
-  const std::string found = fmt::format(
-      "after one impact up to 20 αg with e of (46): at 6.8 {}, at 7 and 10 {}; nonlinear at 7.5 {}",
-      still ? "yes" : "no", gone ? "no" : "yes", full ? "yes" : "no");
-  if (!gone) return refuted(found, "It goes on.");
-  if (!still && !full) return confirmed(found, "It does.");
-  return qualified(
-      found, fmt::format("From {:.2f} on in the linear model with e of (46); later in the nonlinear one.",
-                         bench.thresholds().end_of(pulse_case(1)).value_or(0)));
+             on = after_impact(7, Model::linear) || after_impact(10, Model::linear);
+  const auto word = [](bool is) { return is ? "yes" : "no"; };
+  return {on              ? refuted
+          : still || full ? qualified
+                          : confirmed,
+          {word(still), word(on), word(full), bench.end_of(pulse_case(1))}};
 }
 
-Finding smallest_amplitude(Workbench& bench, const Claim&) {
-  std::vector<std::pair<double, double>> least;
-  for (const double ratio : {0.2, 0.5, 0.8, 1.0, 2.0, 4.0})
-    least.emplace_back(ratio, bench.thresholds().least(pulse_case(ratio)).from);
-  const bool lowest_at_1 = least[3].second < least[2].second && least[3].second < least[4].second;
-  const bool is_one = std::abs(least[3].second - 1) < 0.005;
-  return decided(
-      lowest_at_1 && is_one, "least amplitude in αg by ω_p/p: " + paired(least), "It is.",
-      "No minimum lies at ω_p/p = 1: the slower the pulse, the smaller the amplitude, and it tends to αg as "
-      "ω_p/p → 0 without reaching it. αg is where rocking begins, not where the block overturns.");
+Finding smallest_amplitude(Bench& bench, const Claim&) {
+  const auto least = [&](double ratio) { return bench.least(pulse_case(ratio)).from; };
+  return {decided(least(1) < std::min(least(0.8), least(2)) && std::abs(least(1) - 1) < 0.005),
+          {each({0.2, 0.5, 0.8, 1, 2, 4}, least)}};
 }
 
-Finding in_units_of_g(Workbench& bench, const Claim&) {
-  const double here = 0.25 * bench.thresholds().least(pulse_case(1)).from, level = std::tan(0.25);
-  return decided(
-      std::abs(here - 0.25) < 0.005,
-      fmt::format(
-          "least amplitude at ω_p/p = 1: {:.4f} g; rocking of this block begins at g·tan α = {:.4f} g", here,
-          level),
-      "It is.", "0.25 g overturns nothing: it does not even set this block in motion.");
+Finding in_units_of_g(Bench& bench, const Claim&) {
+  const double here = 0.25 * bench.least(pulse_case(1)).from, level = std::tan(0.25);
+  return {decided(std::abs(here - 0.25) < 0.005), {here, level}};
 }
 
-Finding phase_at_1(Workbench& bench, const Claim&) {
-  const double root = roots_of(Form::eq86_88, pulse_case(1)).at(0).amplitude,
-               least = bench.thresholds().least(pulse_case(1)).from;
+Finding phase_at_1(Bench& bench, const Claim&) {
+  const double root = root_of(Form::eq86_88, pulse_case(1)).amplitude;
   const int code = outcome_at(pulse_case(1), 1.0000001).code;
-  return decided(std::abs(root - 1) < 0.005,
-                 fmt::format("1/sin ψ at ω_p/p = 1: {:.4f} by (86), (88), {:.4f} for the least amplitude; "
-                             "code at 1.0000001 αg: {}",
-                             root, least, code),
-                 "It is.",
-                 "With sin ψ = 1 the pulse reaches αg at its crest only, and the block stays where it is.");
+  return {decided(std::abs(root - 1) < 0.005), {root, bench.least(pulse_case(1)).from, code}};
 }
 
-Finding amplitude_at_4(Workbench& bench, const Claim&) {
-  std::vector<Reading> readings;
-  for (const Reading& reading : threshold_readings(bench.thresholds(), 4, 1))
-    if (reading.says.find("reciprocal") == std::string::npos &&
-        reading.says.find("in g") != reading.says.size() - 4)
-      readings.push_back(reading);
+Finding amplitude_at_4(Bench& bench, const Claim&) {
+  auto readings = threshold_readings(bench, 4, 1);
+  std::erase_if(readings, [](const Reading& reading) {
+    return reading.says.find("reciprocal") != std::string::npos || reading.says.ends_with("in g");
+  });
   const auto matches = compare_with("2.0", readings);
-  const double own = bench.thresholds().mode_2(pulse_case(4)).value_or(0);
-  const std::string found =
-      fmt::format("linear, e of (46): {:.4f} αg = {:.4f} g; {}", own, own / 4, summary(matches));
-  if (!fitting(matches).empty()) return qualified(found, "By the reading above only.");
-  return refuted(
-      found,
-      fmt::format(
-          "A round number: {:.0f} % above the least amplitude, on the unsafe side, and no reading gives 2.0.",
-          100 * (2 / own - 1)));
+  const double own = bench.mode_2(pulse_case(4));
+  return {fitting(matches).empty() ? refuted : qualified,
+          {own, own / 4, summary(matches), 100 * (2 / own - 1)}};
 }
 
 }  // namespace

@@ -13,9 +13,7 @@ constexpr std::size_t width = 100;
 
 std::string painted(const std::string& text, ClaimVerdict verdict, bool colour) {
   if (!colour) return text;
-  const char* code = verdict == ClaimVerdict::refuted     ? "31"
-                     : verdict == ClaimVerdict::confirmed ? "32"
-                                                          : "33";
+  const char* code = verdict == refuted ? "31" : verdict == confirmed ? "32" : "33";
   return fmt::format("\033[{}m{}\033[0m", code, text);
 }
 
@@ -48,14 +46,14 @@ std::string unexpected(const JudgedClaim& judged) {
 
 nlohmann::ordered_json claims_json(const std::vector<JudgedClaim>& judged) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const auto& [claim, finding] : judged)
+  for (const auto& [claim, verdict, found, explanation] : judged)
     list.push_back({{"id", claim.id},
                     {"where", claim.where},
                     {"statement", claim.statement},
-                    {"verdict", to_string(finding.verdict)},
+                    {"verdict", to_string(verdict)},
                     {"printed", claim.printed},
-                    {"found", finding.found},
-                    {"explanation", finding.explanation},
+                    {"found", found},
+                    {"explanation", explanation},
                     {"expected", claim.expected},
                     {"method", claim.method}});
   return {{"claims", list}};
@@ -66,14 +64,14 @@ std::string claims_table(const std::vector<JudgedClaim>& judged, bool colour) {
   std::string text;
   std::map<std::string, int> counts;
   for (const JudgedClaim& one : judged) {
-    const auto& [claim, finding] = one;
-    const std::string verdict = to_string(finding.verdict);
+    const Claim& claim = one.claim;
+    const std::string verdict = to_string(one.verdict);
     ++counts[verdict];
-    text += fmt::format("{:<6} {}  {}{}\n", claim.id,
-                        painted(fmt::format("{:<9}", verdict), finding.verdict, colour), claim.where,
-                        unexpected(one));
-    text += filled(margin, margin, claim.statement) + filled(margin + "-> ", margin + "   ", finding.found) +
-            "\n";
+    text +=
+        fmt::format("{:<6} {}  {}{}\n", claim.id, painted(fmt::format("{:<9}", verdict), one.verdict, colour),
+                    claim.where, unexpected(one));
+    text +=
+        filled(margin, margin, claim.statement) + filled(margin + "-> ", margin + "   ", one.found) + "\n";
   }
   text += fmt::format("{} claims:", judged.size());
   for (const auto& [verdict, count] : counts) text += fmt::format(" {} {},", count, verdict);
@@ -82,7 +80,7 @@ std::string claims_table(const std::vector<JudgedClaim>& judged, bool colour) {
 }
 
 std::string claim_page(const JudgedClaim& judged, bool colour) {
-  const auto& [claim, finding] = judged;
+  const Claim& claim = judged.claim;
   std::string text = fmt::format("{}  {}\n\n", claim.id, claim.where);
   const auto line = [&](const std::string& name, const std::string& value) {
     if (!value.empty()) text += filled(fmt::format("  {:<12} ", name), std::string(15, ' '), value);
@@ -90,9 +88,9 @@ std::string claim_page(const JudgedClaim& judged, bool colour) {
   line("the paper", claim.statement);
   line("printed", claim.printed);
   text += fmt::format("  {:<12} {}{}\n", "verdict",
-                      painted(to_string(finding.verdict), finding.verdict, colour), unexpected(judged));
-  line("found", finding.found);
-  line("that means", finding.explanation);
+                      painted(to_string(judged.verdict), judged.verdict, colour), unexpected(judged));
+  line("found", judged.found);
+  line("that means", judged.explanation);
   line("decided by", claim.method);
   return text;
 }

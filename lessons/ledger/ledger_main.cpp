@@ -12,7 +12,6 @@
 #include <derivations/paper/mutate.hpp>
 #include <lessons/bounded.hpp>
 #include <lessons/ledger/claims.hpp>
-#include <lessons/ledger/claims_command.hpp>
 #include <lessons/ledger/prove_command.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <lessons/ledger/reading.hpp>
@@ -231,12 +230,17 @@ int main(int argc, char** argv) {
   proving->footer(
       "To ask whether an inequality holds wherever it has a value, compare it with 0 < 1.\n\n"
       "proved holds without the equations that are assumed, proved_under needs them; approximation: with\n"
-      "--small, where the two themselves are not the same, but their series are. An identity is proved where\n"
-      "both sides are defined; if one side is defined where the other is not, that is a side condition, and it\n"
+      "--small, where the two themselves are not the same, but their series are. An identity is proved "
+      "where\n"
+      "both sides are defined; if one side is defined where the other is not, that is a side condition, and "
+      "it\n"
       "is listed. The line by says what a verdict rests on: identity, sign, points or expansion.\n\n"
-      "A witness shows the values of two expressions, or of A and B for y = A and y = B; for other equations\n"
-      "and inequalities the differences of their sides. In JSON, at gives every symbol: as the rational number\n"
-      "that it is, or its digits; then exactly says what it is, or between has rational bounds of a root of the\n"
+      "A witness shows the values of two expressions, or of A and B for y = A and y = B; for other "
+      "equations\n"
+      "and inequalities the differences of their sides. In JSON, at gives every symbol: as the rational "
+      "number\n"
+      "that it is, or its digits; then exactly says what it is, or between has rational bounds of a root of "
+      "the\n"
       "equation solves. in_words says the same to a reader.\n"
       "Exit code: 0 proved, 1 refuted, 3 undecided, 2 for input that cannot be read.\n");
   auto* table = proving

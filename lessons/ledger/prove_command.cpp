@@ -15,9 +15,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const std::vector<std::string> greek{
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta",   "theta", "iota", "kappa", "lambda",
-    "mu",    "nu",   "xi",    "rho",   "sigma",   "tau",  "phi",   "chi",   "psi",  "omega", "upsilon",
-    "Gamma", "Xi",   "Delta", "Theta", "Lambda",  "Sigma", "Phi",   "Psi",  "Omega"};
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta",  "eta", "theta", "iota", "kappa", "lambda",
+    "mu",    "nu",   "xi",    "rho",   "sigma",   "tau",   "phi", "chi",   "psi",  "omega", "upsilon",
+    "Gamma", "Xi",   "Delta", "Theta", "Lambda",  "Sigma", "Phi", "Psi",   "Omega"};
 
 void declare_free(Symbols& symbols, const std::string& name) {
   if (symbols.find(name) == nullptr) symbols.declare(name, name, name, "1", all_numbers, "a real number", "");
@@ -79,19 +79,22 @@ struct Question {
 
 Question read(const ProveRequest& request) {
   Question question{declared_symbols(request), {}, {}, {}};
-  question.left = read(request.left, question.symbols), question.right = read(request.right, question.symbols);
+  question.left = read(request.left, question.symbols),
+  question.right = read(request.right, question.symbols);
   for (const std::string& text : request.assumptions) {
     question.assumptions.push_back(read_assumption(text, question.symbols));
     if (names_of(question.assumptions.back()).empty())
       throw BadInput("the assumption '" + text + "' says nothing of a symbol");
   }
   if (contradict(question.assumptions, question.symbols))
-    throw BadInput("no numbers in their ranges meet all assumptions: they contradict each other, or have no value");
+    throw BadInput(
+        "no numbers in their ranges meet all assumptions: they contradict each other, or have no value");
   return question;
 }
 
 void check_order(const ProveRequest& request, const Question& question) {
-  if (request.order.has_value() == request.small.empty()) throw BadInput("--small and --order belong together");
+  if (request.order.has_value() == request.small.empty())
+    throw BadInput("--small and --order belong together");
   if (request.order && (*request.order < 0 || *request.order > 12))
     throw BadInput(fmt::format("the order of an approximation is 0 to 12, not {}", *request.order));
   for (const std::string& name : request.small) {
@@ -119,10 +122,15 @@ Proof decide_once(const Question& q, const ProveRequest& request) {
 
 /// "b < h" as it is said: 0 < x is x > 0.
 std::string in_words(const Relation& link, const Symbols& symbols) {
-  const auto text = [&](std::size_t k) { return print(lower(link.sides[k], symbols), Notation::plain, symbols); };
+  const auto text = [&](std::size_t k) {
+    return print(lower(link.sides[k], symbols), Notation::plain, symbols);
+  };
   std::string op = link.operators[0];
-  const bool turn = op != "=" && link.sides[1]->kind == Node::Kind::symbol && link.sides[0]->kind != Node::Kind::symbol;
-  if (op == "!=") return print(lower(difference(link.sides[0], link.sides[1]), symbols), Notation::plain, symbols) + " != 0";
+  const bool turn =
+      op != "=" && link.sides[1]->kind == Node::Kind::symbol && link.sides[0]->kind != Node::Kind::symbol;
+  if (op == "!=")
+    return print(lower(difference(link.sides[0], link.sides[1]), symbols), Notation::plain, symbols) +
+           " != 0";
   if (turn) op[0] = op[0] == '<' ? '>' : '<';
   return text(turn ? 1 : 0) + " " + op + " " + text(turn ? 0 : 1);
 }
@@ -131,7 +139,9 @@ std::string in_words(const Relation& link, const Symbols& symbols) {
 std::vector<std::string> conditions_used(Question q, const ProveRequest& request, Verdict verdict) {
   constexpr std::size_t most = 10;
   std::vector<std::string> used;
-  const auto goes_through = [&](const Question& other) { return decide_once(other, request).verdict == verdict; };
+  const auto goes_through = [&](const Question& other) {
+    return decide_once(other, request).verdict == verdict;
+  };
   std::vector<Relation> links;
   for (const Relation& a : q.assumptions)
     for (std::size_t k = 0; k < a.operators.size(); ++k)
@@ -191,7 +201,8 @@ Proof decide(const ProveRequest& request) {
   Proof proof = decide_once(question, request);
   if (proof.verdict == Verdict::refuted || proof.verdict == Verdict::undecided) return proof;
   for (const std::string& condition : conditions_used(question, request, proof.verdict))
-    if (std::find(proof.side_conditions.begin(), proof.side_conditions.end(), condition) == proof.side_conditions.end())
+    if (std::find(proof.side_conditions.begin(), proof.side_conditions.end(), condition) ==
+        proof.side_conditions.end())
       proof.side_conditions.push_back(condition);
   return proof;
 }
