@@ -12,9 +12,7 @@
 #include <derivations/paper/mutate.hpp>
 #include <lessons/bounded.hpp>
 #include <lessons/ledger/claims.hpp>
-#include <lessons/ledger/prove_command.hpp>
 #include <lessons/ledger/prove_table.hpp>
-#include <lessons/ledger/reading.hpp>
 #include <lessons/ledger/report.hpp>
 
 using namespace rederive;
