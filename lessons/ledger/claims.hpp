@@ -23,7 +23,7 @@ struct Claim {
   std::map<ClaimVerdict, std::string> meaning;  ///< what a verdict means for a reader, with {4} for a number
   std::vector<std::string> rows;                ///< the rows of equations.toml that a check looks at
   double omega_ratio = 0, amplitude = 0;        ///< omega_p/p and a_p/(alpha g), where a check takes them
-  double impacts = 0;                           ///< before overturning: 0 or 1
+  int impacts = 0;                              ///< before overturning: 0 or 1
 };
 
 /// What a check computed: the verdict, and the numbers (or computed words) that the claim's words tell.
@@ -45,16 +45,13 @@ struct JudgedClaim {
 using Check = Finding (*)(Bench&, const Claim&);
 /// The name of a check in claims.toml → the function.
 using Checks = std::map<std::string, Check>;
-Checks checks_of_symbols();       ///< decided by algebra alone
-Checks checks_of_rows();          ///< decided by the verdicts of the ledger's rows
+Checks checks_of_symbols();       ///< decided by derivations and by the verdicts of the rows
 Checks checks_of_start();         ///< section 1: how it starts, its modes, friction
 Checks checks_of_impact();        ///< section 2: restitution and reactions
-Checks checks_of_linear_model();  ///< section 3: thresholds of the one-sine pulse
-Checks checks_of_one_impact();    ///< section 3: after one impact
+Checks checks_of_linear_model();  ///< section 3: one-sine pulse, without and after one impact
 Checks checks_of_cosine();        ///< section 3 and Fig. 14: the cosine pulse, initial conditions
 Checks checks_of_figures();       ///< section 4: printed numbers and captions
-Checks checks_of_minima();        ///< section 4: which mode is least, where, and how much
-Checks checks_of_spectra();       ///< section 4 and conclusion 9: periods and Eurocode 8
+Checks checks_of_spectra();       ///< section 4 and conclusion 9: least amplitudes, periods, Eurocode 8
 const Checks& claim_checks();     ///< all of them
 
 /// The file that ships with the project.

@@ -1,8 +1,8 @@
 // claims.toml → claims, and their words. Every complaint names the file, the row and what would be right.
 #include <fmt/args.h>
-#include <toml++/toml.h>
 
 #include <derivations/paper/ledger.hpp>
+#include <derivations/paper/toml_rows.hpp>
 #include <lessons/ledger/claims.hpp>
 #include <set>
 #include <stdexcept>
@@ -11,45 +11,26 @@ namespace rederive {
 
 namespace {
 
-Claim read_claim(const toml::table& table, const std::string& where) {
+Claim read_claim(TomlRow table) {
   Claim claim;
-  const std::map<std::string, std::string*> texts{{"id", &claim.id},
-                                                  {"where", &claim.where},
-                                                  {"statement", &claim.statement},
-                                                  {"printed", &claim.printed},
-                                                  {"expected", &claim.expected},
-                                                  {"check", &claim.check},
-                                                  {"method", &claim.method},
-                                                  {"found", &claim.found},
-                                                  {"confirmed", &claim.meaning[confirmed]},
-                                                  {"refuted", &claim.meaning[refuted]},
-                                                  {"qualified", &claim.meaning[qualified]},
-                                                  {"undecided", &claim.meaning[undecided]}};
-  const std::map<std::string, double*> numbers{
-      {"omega_ratio", &claim.omega_ratio}, {"amplitude", &claim.amplitude}, {"impacts", &claim.impacts}};
-  const auto fail = [&](const std::string& what) { throw std::runtime_error(where + ": " + what); };
-  for (const auto& [key, value] : table) {
-    const std::string name(key.str());
-    if (const auto text = texts.find(name); text != texts.end()) {
-      if (!value.is_string()) fail("'" + name + "' must be a string");
-      *text->second = value.value_or(std::string());
-    } else if (const auto number = numbers.find(name); number != numbers.end()) {
-      if (!value.is_number()) fail("'" + name + "' must be a number");
-      *number->second = value.value_or(0.0);
-    } else if (name == "rows" && value.is_array()) {
-      for (const auto& row : *value.as_array()) claim.rows.push_back(row.value_or(std::string()));
-    } else {
-      std::string known;
-      for (const auto& [text, place] : texts) known += " " + text;
-      fail("unknown key '" + name + "'; the keys are" + known + ", rows, omega_ratio, amplitude, impacts");
-    }
-  }
-  for (const char* needed : {"id", "where", "statement", "expected", "check", "method"})
-    if (texts.at(needed)->empty()) fail(std::string("a claim needs '") + needed + "'");
+  claim.id = table.text("id", true);
+  claim.where = table.text("where", true);
+  claim.statement = table.text("statement", true);
+  claim.printed = table.text("printed");
+  claim.expected = table.text("expected", true);
+  claim.check = table.text("check", true);
+  claim.method = table.text("method", true);
+  claim.found = table.text("found");
+  for (const ClaimVerdict verdict : {confirmed, refuted, qualified, undecided})
+    claim.meaning[verdict] = table.text(to_string(verdict));
+  claim.rows = table.texts("rows");
+  claim.omega_ratio = table.number("omega_ratio");
+  claim.amplitude = table.number("amplitude");
+  claim.impacts = static_cast<int>(table.whole("impacts").value_or(0));
+  table.done();
   for (const auto& [verdict, words] : claim.meaning)
     if (to_string(verdict) == claim.expected) return claim;
-  fail("claim " + claim.id + ": 'expected' is one of confirmed, refuted, qualified, undecided");
-  return claim;
+  table.fail("claim " + claim.id + ": 'expected' is one of confirmed, refuted, qualified, undecided");
 }
 
 /// Words that a claim lacks are those of the first claim with the same check.
@@ -80,25 +61,12 @@ std::vector<Claim> read_claims(const std::filesystem::path& file) {
   std::vector<Claim> claims;
   std::set<std::string> ids;
   std::map<std::string, Claim> first;
-  try {
-    const toml::table document = toml::parse_file(file.string());
-    const auto* list = document["claim"].as_array();
-    if (list == nullptr) throw std::runtime_error(file.string() + ": no [[claim]] in it");
-    for (const auto& entry : *list) {
-      const std::string where = file.string() + ":" + std::to_string(entry.source().begin.line);
-      if (!entry.is_table()) throw std::runtime_error(where + ": [[claim]] must be a table");
-      claims.push_back(read_claim(*entry.as_table(), where));
-      Claim& claim = claims.back();
-      if (!ids.insert(claim.id).second)
-        throw std::runtime_error(where + ": the id " + claim.id + " stands twice");
-      if (!claim_checks().contains(claim.check))
-        throw std::runtime_error(file.string() + ": claim " + claim.id + " names the check '" + claim.check +
-                                 "', which there is not");
-      take_words(claim, first.emplace(claim.check, claim).first->second);
-    }
-  } catch (const toml::parse_error& error) {
-    throw std::runtime_error(file.string() + ":" + std::to_string(error.source().begin.line) + ": " +
-                             std::string(error.description()));
+  for (const TomlRow& table : toml_rows(file, "claim")) {
+    Claim& claim = claims.emplace_back(read_claim(table));
+    if (!ids.insert(claim.id).second) table.fail("the id " + claim.id + " stands twice");
+    if (!claim_checks().contains(claim.check))
+      table.fail("claim " + claim.id + " names the check '" + claim.check + "', which there is not");
+    take_words(claim, first.emplace(claim.check, claim).first->second);
   }
   return claims;
 }
@@ -106,9 +74,9 @@ std::vector<Claim> read_claims(const std::filesystem::path& file) {
 const Checks& claim_checks() {
   static const Checks table = [] {
     Checks all;
-    for (const auto& part : {checks_of_symbols(), checks_of_rows(), checks_of_start(), checks_of_impact(),
-                             checks_of_linear_model(), checks_of_one_impact(), checks_of_cosine(),
-                             checks_of_figures(), checks_of_minima(), checks_of_spectra()})
+    for (const auto& part :
+         {checks_of_symbols(), checks_of_start(), checks_of_impact(), checks_of_linear_model(),
+          checks_of_cosine(), checks_of_figures(), checks_of_spectra()})
       for (const auto& [name, check] : part)
         if (!all.emplace(name, check).second)
           throw std::logic_error("the check " + name + " is listed twice");
