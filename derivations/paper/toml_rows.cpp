@@ -7,7 +7,7 @@ namespace rederive {
 
 std::string TomlRow::text(const std::string& key, bool is_needed) {
   const auto found = value<std::string>(key, "a string");
-  if (is_needed && found.value_or("").empty()) fail("a row needs '" + key + "'");
+  if (is_needed && found.value_or("").empty()) missing_ = key;
   return found.value_or("");
 }
 
@@ -27,6 +27,7 @@ void TomlRow::done() const {
   for (const auto& [key, value] : table_)
     if (!asked_.contains(std::string(key.str())))
       fail(fmt::format("unknown key '{}'; the keys are {}", key.str(), fmt::join(asked_, ", ")));
+  if (!missing_.empty()) fail("a row needs '" + missing_ + "'");
 }
 
 void TomlRow::fail(const std::string& what) const { throw std::runtime_error(where_ + ": " + what); }

@@ -27,7 +27,7 @@ class TomlRow {
     return value<std::int64_t>(key, "a whole number");
   }
 
-  /// Refuses a key that nobody asked for.
+  /// Refuses a key that nobody asked for, then a text that is needed and missing.
   void done() const;
   [[noreturn]] void fail(const std::string& what) const;
 
@@ -43,7 +43,7 @@ class TomlRow {
   }
 
   toml::table table_;
-  std::string where_;
+  std::string where_, missing_;
   std::set<std::string> asked_;
 };
 

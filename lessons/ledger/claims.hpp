@@ -58,7 +58,7 @@ const Checks& claim_checks();     ///< all of them
 std::filesystem::path claims_file();
 /// Reads claims.toml. Throws std::runtime_error naming file, line and what would be right.
 std::vector<Claim> read_claims(const std::filesystem::path& file);
-/// Decides one claim. Throws std::runtime_error if it has no words for what its check found.
+/// Decides one claim. Throws BadInput if it has no words for what its check found, or words that do not fit.
 JudgedClaim judge(const Claim& claim, Bench& bench);
 
 /// {"claims": [{"id", "where", "statement", "verdict", "printed", "found", "explanation", "expected",

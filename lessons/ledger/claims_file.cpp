@@ -1,6 +1,8 @@
 // claims.toml → claims, and their words. Every complaint names the file, the row and what would be right.
 #include <fmt/args.h>
+#include <fmt/format.h>
 
+#include <derivations/emit/command_line.hpp>
 #include <derivations/paper/ledger.hpp>
 #include <derivations/paper/toml_rows.hpp>
 #include <lessons/ledger/claims.hpp>
@@ -89,9 +91,12 @@ JudgedClaim judge(const Claim& claim, Bench& bench) {
   const auto [verdict, values] = claim_checks().at(claim.check)(bench, claim);
   const std::string& meaning = claim.meaning.at(verdict);
   if (claim.found.empty() || meaning.empty())
-    throw std::runtime_error("claim " + claim.id + " is " + to_string(verdict) +
-                             ", and says nothing of that");
-  return {claim, verdict, told(claim.found, values), told(meaning, values)};
+    throw BadInput("claim " + claim.id + " is " + to_string(verdict) + ", and has no words for that");
+  try {
+    return {claim, verdict, told(claim.found, values), told(meaning, values)};
+  } catch (const fmt::format_error& error) {
+    throw BadInput("the words of claim " + claim.id + " do not fit its numbers: " + error.what());
+  }
 }
 
 }  // namespace rederive
