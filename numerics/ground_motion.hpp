@@ -37,7 +37,7 @@ struct Range {
   Real low, high;
 };
 /// Bounds of the ground acceleration over [from, to] inside the piece.
-Range ground_range(const Piece& piece, Real from, Real to);
+numeric::Range ground_range(const Piece& piece, Real from, Real to);
 
 /// A stretch of time in which |ground| is above the level, and the side to which it drives the block.
 struct Push {

@@ -1,4 +1,5 @@
 #include <numerics/ground_motion.hpp>
+#include <numerics/response.hpp>
 
 #include "run_program.hpp"
 
@@ -118,4 +119,34 @@ TEST_CASE("a record is interpolated linearly in units of alpha g against p t") {
   REQUIRE(all.size() == 2);
   CHECK(all[0].to == doctest::Approx(3));
   CHECK(all[1].from == doctest::Approx(5));
+}
+
+TEST_CASE("a record that turns at every sample is followed to its end, even without loss at impacts") {
+  const Block block = make_block(0.25, 2.14, 1);
+  Record record;
+  for (int i = 0; i < 8000; ++i)
+    record.time.push_back(i * 0.01), record.acceleration.push_back(i % 2 == 0 ? 0.4 : -0.4);
+  for (Model model : {Model::linear, Model::nonlinear})
+    CHECK(respond(block, model, record_motion(record, block), {}).end.time ==
+          doctest::Approx(79.99 * 2.14).epsilon(1e-12));
+}
+
+TEST_CASE("a record in the shape of a pulse moves the block as the pulse does") {
+  const Block block = make_block(0.25, 2.14);
+  const auto pulse = pulse_motion(Pulse::sine, 2, 2, 1);
+  Record record;
+  const int count = 20'000;
+  for (int i = 0; i <= count; ++i) {
+    const Real tau = pulse[0].to * i / count;
+    record.time.push_back(static_cast<double>(tau / block.p));
+    record.acceleration.push_back(static_cast<double>(ground_at(pulse[0], tau) * block.alpha));
+  }
+  for (Model model : {Model::linear, Model::nonlinear}) {
+    const auto level = start_level(block, model);
+    const auto by_pulse = respond(block, model, pulse_motion(Pulse::sine, 2, 2 * level, level), {}).end;
+    const auto by_record =
+        respond(block, model, record_motion(record, block, static_cast<double>(level)), {}).end;
+    CHECK(static_cast<double>(by_record.angle) ==
+          doctest::Approx(static_cast<double>(by_pulse.angle)).epsilon(1e-6));
+  }
 }

@@ -248,16 +248,6 @@ TEST_CASE("cutting a chain of impacts short changes nothing: a history and its o
   CHECK(rests > 20);
 }
 
-TEST_CASE("a record that turns at every sample is followed to its end, even without loss at impacts") {
-  const Block block = make_block(0.25, 2.14, 1);
-  Record record;
-  for (int i = 0; i < 8000; ++i)
-    record.time.push_back(i * 0.01), record.acceleration.push_back(i % 2 == 0 ? 0.4 : -0.4);
-  for (Model model : {Model::linear, Model::nonlinear})
-    CHECK(respond(block, model, record_motion(record, block), {}).end.time ==
-          doctest::Approx(79.99 * 2.14).epsilon(1e-12));
-}
-
 TEST_CASE("initial conditions go to the branch that the motion takes") {
   CHECK(response_to(Model::linear, 2, 1.5, {0, 0.4L}).arcs.front().side == 1);
   CHECK(response_to(Model::linear, 2, 1.5, {0, -0.4L}).arcs.front().side == -1);
@@ -276,26 +266,6 @@ TEST_CASE("a cosine pulse from rest moves the block only in its negative lobe, t
   CHECK(response.arcs.front().side == 1);
   CHECK(static_cast<double>(response.arcs.front().start.time) ==
         doctest::Approx((std::numbers::pi - 2 * std::acos(0.5)) / 3).epsilon(1e-14));
-}
-
-TEST_CASE("a record in the shape of a pulse moves the block as the pulse does") {
-  const Block block = make_block(0.25, 2.14);
-  const auto pulse = pulse_motion(Pulse::sine, 2, 2, 1);
-  Record record;
-  const int count = 20'000;
-  for (int i = 0; i <= count; ++i) {
-    const Real tau = pulse[0].to * i / count;
-    record.time.push_back(static_cast<double>(tau / block.p));
-    record.acceleration.push_back(static_cast<double>(ground_at(pulse[0], tau) * block.alpha));
-  }
-  for (Model model : {Model::linear, Model::nonlinear}) {
-    const auto level = start_level(block, model);
-    const auto by_pulse = respond(block, model, pulse_motion(Pulse::sine, 2, 2 * level, level), {}).end;
-    const auto by_record =
-        respond(block, model, record_motion(record, block, static_cast<double>(level)), {}).end;
-    CHECK(static_cast<double>(by_record.angle) ==
-          doctest::Approx(static_cast<double>(by_pulse.angle)).epsilon(1e-6));
-  }
 }
 
 TEST_CASE("the last sample of a history is the end of the motion, whatever the length rounds to") {

@@ -2,48 +2,64 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace rederive {
 
-class Workbench;
+class Bench;
 
 enum class ClaimVerdict { confirmed, refuted, qualified, undecided };
+using enum ClaimVerdict;
 std::string to_string(ClaimVerdict verdict);
 
 /// A row of claims.toml: what the paper says, in our words, and how it is decided. No answer is stored.
 struct Claim {
   std::string id, where, statement, printed, expected, check, method;
+  std::string found;                            ///< how the numbers of the check are told: {} stands for one
+  std::map<ClaimVerdict, std::string> meaning;  ///< what a verdict means for a reader, with {4} for a number
+  std::vector<std::string> rows;                ///< the rows of equations.toml that a check looks at
+  double omega_ratio = 0, amplitude = 0;        ///< omega_p/p and a_p/(alpha g), where a check takes them
+  int impacts = 0;                              ///< before overturning: 0 or 1
 };
 
-/// What a check computed: the verdict, the numbers, and what they mean.
+/// What a check computed: the verdict, and the numbers (or computed words) that the claim's words tell.
+using Item = std::variant<double, int, std::string>;
+using Items = std::vector<Item>;
 struct Finding {
-  ClaimVerdict verdict = ClaimVerdict::undecided;
-  std::string found, explanation;
+  ClaimVerdict verdict;
+  Items values;
 };
 
 struct JudgedClaim {
   Claim claim;
-  Finding finding;
-  bool as_expected() const { return to_string(finding.verdict) == claim.expected; }
+  ClaimVerdict verdict;
+  std::string found, explanation;
+  bool as_expected() const { return to_string(verdict) == claim.expected; }
 };
 
-/// A check decides one claim from computed numbers alone; `claim` gives it what is printed.
-using Check = Finding (*)(Workbench&, const Claim&);
+/// A check decides a claim from computed numbers alone; `claim` gives it what is printed.
+using Check = Finding (*)(Bench&, const Claim&);
 /// The name of a check in claims.toml → the function.
-const std::map<std::string, Check>& claim_checks();
+using Checks = std::map<std::string, Check>;
+Checks checks_of_symbols();       ///< decided by derivations and by the verdicts of the rows
+Checks checks_of_start();         ///< section 1: how it starts, its modes, friction
+Checks checks_of_impact();        ///< section 2: restitution and reactions
+Checks checks_of_linear_model();  ///< section 3: one-sine pulse, without and after one impact
+Checks checks_of_cosine();        ///< section 3 and Fig. 14: the cosine pulse, initial conditions
+Checks checks_of_figures();       ///< section 4: printed numbers and captions
+Checks checks_of_spectra();       ///< section 4 and conclusion 9: least amplitudes, periods, Eurocode 8
+const Checks& claim_checks();     ///< all of them
 
 /// The file that ships with the project.
 std::filesystem::path claims_file();
 /// Reads claims.toml. Throws std::runtime_error naming file, line and what would be right.
 std::vector<Claim> read_claims(const std::filesystem::path& file);
-
-/// Decides one claim. Throws std::runtime_error if its check is not listed.
-JudgedClaim judge(const Claim& claim, Workbench& bench);
+/// Decides one claim. Throws BadInput if it has no words for what its check found, or words that do not fit.
+JudgedClaim judge(const Claim& claim, Bench& bench);
 
 /// {"claims": [{"id", "where", "statement", "verdict", "printed", "found", "explanation", "expected",
 /// "method"}]}
@@ -52,5 +68,10 @@ nlohmann::ordered_json claims_json(const std::vector<JudgedClaim>& judged);
 std::string claims_table(const std::vector<JudgedClaim>& judged, bool colour);
 /// All about one claim.
 std::string claim_page(const JudgedClaim& judged, bool colour);
+
+/// `ledger claims [ID] [--json]`: decides all claims, or the one with that id, and writes them to standard
+/// output. Returns the exit code: 1 if a verdict differs from the expected one. Throws BadInput for an id
+/// that does not exist, and for a file that cannot be used.
+int show_claims(const std::string& file, const std::string& id, bool json);
 
 }  // namespace rederive

@@ -1,7 +1,10 @@
-// claims.toml → claims. Every complaint names the file, the row and what would be right.
-#include <toml++/toml.h>
+// claims.toml → claims, and their words. Every complaint names the file, the row and what would be right.
+#include <fmt/args.h>
+#include <fmt/format.h>
 
+#include <derivations/emit/command_line.hpp>
 #include <derivations/paper/ledger.hpp>
+#include <derivations/paper/toml_rows.hpp>
 #include <lessons/ledger/claims.hpp>
 #include <set>
 #include <stdexcept>
@@ -10,45 +13,48 @@ namespace rederive {
 
 namespace {
 
-Claim read_claim(const toml::table& table, const std::string& where) {
+Claim read_claim(TomlRow table) {
   Claim claim;
-  const std::map<std::string, std::string*> fields{
-      {"id", &claim.id},           {"where", &claim.where},       {"statement", &claim.statement},
-      {"printed", &claim.printed}, {"expected", &claim.expected}, {"check", &claim.check},
-      {"method", &claim.method}};
-  const auto fail = [&](const std::string& what) { throw std::runtime_error(where + ": " + what); };
-  for (const auto& [key, value] : table) {
-    const auto field = fields.find(std::string(key.str()));
-    if (field == fields.end()) {
-      std::string known;
-      for (const auto& [name, place] : fields) known += " " + name;
-      fail("unknown key '" + std::string(key.str()) + "'; the keys are" + known);
-    }
-    if (!value.is_string()) fail("'" + field->first + "' must be a string");
-    *field->second = value.value_or(std::string());
-  }
-  for (const char* needed : {"id", "where", "statement", "expected", "check", "method"})
-    if (fields.at(needed)->empty()) fail(std::string("a claim needs '") + needed + "'");
-  for (const ClaimVerdict verdict :
-       {ClaimVerdict::confirmed, ClaimVerdict::refuted, ClaimVerdict::qualified, ClaimVerdict::undecided})
+  claim.id = table.text("id", true);
+  claim.where = table.text("where", true);
+  claim.statement = table.text("statement", true);
+  claim.printed = table.text("printed");
+  claim.expected = table.text("expected", true);
+  claim.check = table.text("check", true);
+  claim.method = table.text("method", true);
+  claim.found = table.text("found");
+  for (const ClaimVerdict verdict : {confirmed, refuted, qualified, undecided})
+    claim.meaning[verdict] = table.text(to_string(verdict));
+  claim.rows = table.texts("rows");
+  claim.omega_ratio = table.number("omega_ratio");
+  claim.amplitude = table.number("amplitude");
+  claim.impacts = static_cast<int>(table.whole("impacts").value_or(0));
+  table.done();
+  for (const auto& [verdict, words] : claim.meaning)
     if (to_string(verdict) == claim.expected) return claim;
-  fail("claim " + claim.id + ": 'expected' is one of confirmed, refuted, qualified, undecided");
-  return claim;
+  table.fail("claim " + claim.id + ": 'expected' is one of confirmed, refuted, qualified, undecided");
+}
+
+/// Words that a claim lacks are those of the first claim with the same check.
+void take_words(Claim& claim, const Claim& first) {
+  if (claim.found.empty()) claim.found = first.found;
+  for (auto& [verdict, words] : claim.meaning)
+    if (words.empty()) words = first.meaning.at(verdict);
+}
+
+std::string told(const std::string& words, const Items& values) {
+  fmt::dynamic_format_arg_store<fmt::format_context> store;
+  for (const Item& value : values) std::visit([&](const auto& it) { store.push_back(it); }, value);
+  return fmt::vformat(words, store);
 }
 
 }  // namespace
 
 std::string to_string(ClaimVerdict verdict) {
-  switch (verdict) {
-    case ClaimVerdict::confirmed:
-      return "confirmed";
-    case ClaimVerdict::refuted:
-      return "refuted";
-    case ClaimVerdict::qualified:
-      return "qualified";
-    default:
-      return "undecided";
-  }
+  return verdict == confirmed   ? "confirmed"
+         : verdict == refuted   ? "refuted"
+         : verdict == qualified ? "qualified"
+                                : "undecided";
 }
 
 std::filesystem::path claims_file() { return equations_file().parent_path() / "claims.toml"; }
@@ -56,29 +62,41 @@ std::filesystem::path claims_file() { return equations_file().parent_path() / "c
 std::vector<Claim> read_claims(const std::filesystem::path& file) {
   std::vector<Claim> claims;
   std::set<std::string> ids;
-  try {
-    const toml::table document = toml::parse_file(file.string());
-    const auto* list = document["claim"].as_array();
-    if (list == nullptr) throw std::runtime_error(file.string() + ": no [[claim]] in it");
-    for (const auto& entry : *list) {
-      const std::string where = file.string() + ":" + std::to_string(entry.source().begin.line);
-      if (!entry.is_table()) throw std::runtime_error(where + ": [[claim]] must be a table");
-      claims.push_back(read_claim(*entry.as_table(), where));
-      if (!ids.insert(claims.back().id).second)
-        throw std::runtime_error(where + ": the id " + claims.back().id + " stands twice");
-    }
-  } catch (const toml::parse_error& error) {
-    throw std::runtime_error(file.string() + ":" + std::to_string(error.source().begin.line) + ": " +
-                             std::string(error.description()));
+  std::map<std::string, Claim> first;
+  for (const TomlRow& table : toml_rows(file, "claim")) {
+    Claim& claim = claims.emplace_back(read_claim(table));
+    if (!ids.insert(claim.id).second) table.fail("the id " + claim.id + " stands twice");
+    if (!claim_checks().contains(claim.check))
+      table.fail("claim " + claim.id + " names the check '" + claim.check + "', which there is not");
+    take_words(claim, first.emplace(claim.check, claim).first->second);
   }
   return claims;
 }
 
-JudgedClaim judge(const Claim& claim, Workbench& bench) {
-  const auto check = claim_checks().find(claim.check);
-  if (check == claim_checks().end())
-    throw std::runtime_error("claim " + claim.id + ": there is no check '" + claim.check + "'");
-  return {claim, check->second(bench, claim)};
+const Checks& claim_checks() {
+  static const Checks table = [] {
+    Checks all;
+    for (const auto& part :
+         {checks_of_symbols(), checks_of_start(), checks_of_impact(), checks_of_linear_model(),
+          checks_of_cosine(), checks_of_figures(), checks_of_spectra()})
+      for (const auto& [name, check] : part)
+        if (!all.emplace(name, check).second)
+          throw std::logic_error("the check " + name + " is listed twice");
+    return all;
+  }();
+  return table;
+}
+
+JudgedClaim judge(const Claim& claim, Bench& bench) {
+  const auto [verdict, values] = claim_checks().at(claim.check)(bench, claim);
+  const std::string& meaning = claim.meaning.at(verdict);
+  if (claim.found.empty() || meaning.empty())
+    throw BadInput("claim " + claim.id + " is " + to_string(verdict) + ", and has no words for that");
+  try {
+    return {claim, verdict, told(claim.found, values), told(meaning, values)};
+  } catch (const fmt::format_error& error) {
+    throw BadInput("the words of claim " + claim.id + " do not fit its numbers: " + error.what());
+  }
 }
 
 }  // namespace rederive

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <lessons/ledger/claims_checks.hpp>
 #include <lessons/ledger/claims_readings.hpp>
 #include <numerics/story.hpp>
 
@@ -11,7 +10,7 @@ namespace rederive {
 
 namespace {
 
-/// "a/b" or "a < b": the two numbers as printed.
+/// "a/b": the two numbers as printed.
 std::pair<std::string, std::string> two_numbers(const std::string& printed) {
   const auto slash = printed.find('/');
   return {printed.substr(0, slash), printed.substr(slash + 1)};
@@ -20,7 +19,7 @@ std::pair<std::string, std::string> two_numbers(const std::string& printed) {
 std::string list_of(const std::vector<Reading>& readings) {
   std::string text;
   for (const Reading& reading : readings)
-    text += fmt::format("{}{}: {:.6f}", text.empty() ? "" : "; ", reading.says, reading.value);
+    add(text, fmt::format("{}: {:.6f}", reading.says, reading.value), "; ");
   return text.empty() ? "none" : text;
 }
 
@@ -29,136 +28,97 @@ std::string outcome_says(int code) {
 }
 
 /// A threshold that two printed numbers bracket: as labelled (linear, alpha*g), and read in every other way.
-Finding bracket(Workbench& bench, const Claim& claim, double ratio, int impacts) {
+Finding bracket(Bench& bench, const Claim& claim) {
   const auto [below, above] = two_numbers(claim.printed);
-  const PulseCase asked = pulse_case(ratio);
-  const int wanted = impacts == 0 ? -1 : 2;
+  const PulseCase asked = pulse_case(claim.omega_ratio);
+  const int wanted = claim.impacts == 0 ? -1 : 2;
   const auto code = [&](const std::string& amplitude) {
     return outcome_at(asked, std::stod(amplitude)).code;
   };
   const int code_below = code(below), code_above = code(above);
-  const double labelled =
-      (impacts == 0 ? bench.thresholds().mode_1(asked) : bench.thresholds().mode_2(asked)).value_or(0);
-  const auto readings = threshold_readings(bench.thresholds(), ratio, impacts);
+  const double labelled = bench.mode(claim.impacts, asked);
+  const auto readings = threshold_readings(bench, claim.omega_ratio, claim.impacts);
   const auto inside = between(below, above, readings);
   const auto matches = compare_with(below, readings);
   const auto fits = inside.empty() ? fitting(matches) : inside;
-  const std::string between_them =
-      inside.empty() ? fmt::format("none lies between the two numbers; {} {}", below, summary(matches))
-                     : "between the two numbers lies " + list_of(inside);
-  const std::string found = fmt::format(
-      "as labelled the threshold is {:.6f} αg, and it {} at {} and {} at {}; of {} readings {}", labelled,
-      outcome_says(code_below), below, outcome_says(code_above), above, readings.size(), between_them);
-  if (code_below != wanted && code_above == wanted) return confirmed(found, "As labelled.");
-  std::string meaning =
-      code_below == wanted ? fmt::format("As labelled the block overturns at {} already.", below)
-      : labelled > std::stod(above)
-          ? fmt::format("As labelled neither overturns{}.",
-                        std::stod(above) < 1 ? "; below 1 αg the block does not even move" : "")
-          : "As labelled neither overturns.";
-  if (!fits.empty())
-    meaning +=
-        fmt::format(" The numbers fit another reading ({}){}.", fits.front().says,
-                    fits.front().says.starts_with("nonlinear")
-                        ? ": the figure is not linearized, and its quantity is not the one in the caption"
-                        : "");
-  return refuted(found, meaning);
+  Items found{labelled,
+              outcome_says(code_below),
+              below,
+              outcome_says(code_above),
+              above,
+              static_cast<int>(readings.size()),
+              inside.empty()
+                  ? fmt::format("none lies between the two numbers; {} {}", below, summary(matches))
+                  : "between the two numbers lies " + list_of(inside)};
+  if (code_below != wanted && code_above == wanted) return {confirmed, found};
+  found.push_back(code_below == wanted ? fmt::format("the block overturns at {} already", below)
+                  : labelled > std::stod(above) && std::stod(above) < 1
+                      ? "neither overturns; below 1 αg the block does not even move"
+                      : "neither overturns");
+  const bool full = !fits.empty() && fits.front().says.starts_with("nonlinear");
+  found.push_back(
+      fits.empty()
+          ? ""
+          : fmt::format(" The numbers fit another reading ({}){}.", fits.front().says,
+                        full
+                            ? ": the figure is not linearized, and its quantity is not the one in the caption"
+                            : ""));
+  return {refuted, found};
 }
 
-Finding number_at_2(Workbench& bench, const Claim& claim) { return bracket(bench, claim, 2, 0); }
-Finding number_at_4(Workbench& bench, const Claim& claim) { return bracket(bench, claim, 4, 0); }
-Finding number_at_3(Workbench& bench, const Claim& claim) { return bracket(bench, claim, 3, 1); }
-
 /// Which model do the numbers of a figure belong to?
-Finding linearized(Workbench& bench, const Claim& claim, double ratio, int impacts) {
+Finding linearized(Bench& bench, const Claim& claim) {
   const auto [below, above] = two_numbers(claim.printed);
-  const auto readings = threshold_readings(bench.thresholds(), ratio, impacts);
+  const auto readings = threshold_readings(bench, claim.omega_ratio, claim.impacts);
   auto fits = between(below, above, readings);
   for (const std::string& number : {below, above})
     for (const Reading& reading : fitting(compare_with(number, readings))) fits.push_back(reading);
   int linear = 0;
   for (const Reading& reading : fits) linear += reading.says.starts_with("linear");
-  const std::string found = fmt::format("readings of {} that fit: {} linear, {} nonlinear", claim.printed,
-                                        linear, fits.size() - static_cast<std::size_t>(linear));
-  if (fits.empty()) return undecided(found, "No reading fits.");
-  return decided(linear > 0, found, "A linear reading fits.",
-                 "Only the nonlinear equations give these numbers; the caption says linearized solutions.");
+  return {fits.empty() ? undecided : decided(linear > 0),
+          {claim.printed, linear, static_cast<int>(fits.size()) - linear}};
 }
 
-Finding linearized_figure_8(Workbench& bench, const Claim& claim) { return linearized(bench, claim, 2, 0); }
-Finding linearized_figure_9(Workbench& bench, const Claim& claim) { return linearized(bench, claim, 4, 0); }
-Finding linearized_figure_12(Workbench& bench, const Claim& claim) { return linearized(bench, claim, 3, 1); }
-
-Finding order_of_numbers(Workbench& bench, const Claim& claim) {
+Finding order_of_numbers(Bench& bench, const Claim& claim) {
   const auto [below, above] = two_numbers(claim.printed);
   const PulseCase asked = pulse_case(3, Model::nonlinear, 0.9);
-  const double threshold = bench.thresholds().mode_2(asked).value_or(0), level = std::tan(0.25) / 0.25;
+  const double level = std::tan(0.25) / 0.25, far = 0.001;
   const auto code = [&](double share) { return outcome_at(asked, level / share).code; };
-  const double far = 0.001;
   const int small = code(std::stod(below) - far), large = code(std::stod(above) + far);
-  return decided(
-      large == 2 && small == 0,
-      fmt::format(
-          "sin ψ at the threshold, nonlinear, e = 0.9: {:.7f}; the block {} at {} − 0.001, {} at {} + 0.001",
-          level / threshold, outcome_says(small), below, outcome_says(large), above),
-      "So it is.",
-      "The number is sin ψ = g·tan α/a_p, which falls as the amplitude grows: the smaller number overturns, "
-      "the larger does not.");
+  return {decided(large == 2 && small == 0),
+          {level / bench.mode_2(asked), outcome_says(small), below, outcome_says(large), above}};
 }
 
-Finding restitution_behind_figures(Workbench& bench, const Claim&) {
-  const auto threshold = fitting(compare_with("0.71156", threshold_readings(bench.thresholds(), 3, 1)));
-  const auto handover = fitting(compare_with("4.8", handover_readings(bench.thresholds())));
+Finding restitution_behind_figures(Bench& bench, const Claim&) {
+  const auto threshold = fitting(compare_with("0.71156", threshold_readings(bench, 3, 1)));
+  const auto handover = fitting(compare_with("4.8", handover_readings(bench)));
   bool own = false;
   for (const auto& fits : {threshold, handover})
     for (const Reading& reading : fits) own = own || reading.says.find("(46)") != std::string::npos;
-  const double derived = bench.thresholds().mode_2(pulse_case(3, Model::nonlinear)).value_or(0);
-  return decided(own,
-                 fmt::format("e of (46) is {:.5f}; 0.71156 fits {}; 4.8 fits {}; with e of (46) the "
-                             "reciprocal of the nonlinear threshold is {:.5f}",
-                             paper_block().restitution, list_of(threshold), list_of(handover),
-                             1 / in_tangent(pulse_case(3), derived)),
-                 "It is.",
-                 "The numbers need the restitution of these readings, which the paper does not state; e of "
-                 "(46) gives neither.");
+  const double derived = bench.mode_2(pulse_case(3, Model::nonlinear));
+  return {decided(own),
+          {paper_block().restitution, list_of(threshold), list_of(handover),
+           1 / in_tangent(pulse_case(3), derived)}};
 }
 
-Finding impact_in_figure(Workbench& bench, double ratio, bool during) {
-  const PulseCase asked = pulse_case(ratio);
-  const double amplitude = bench.thresholds().mode_2(asked).value_or(0);
-  const Story story =
-      tell(asked.block, asked.model, pulse_motion(asked.pulse, ratio, amplitude, 1), asked.initial);
-  double impact = 0, end = 0;
-  for (const Event& event : story.response.events) {
-    if (event.kind == EventKind::impact && impact == 0) impact = static_cast<double>(event.time);
-    if (event.kind == EventKind::pulse_end) end = static_cast<double>(event.time);
-  }
-  return decided(
-      (impact < end) == during && impact > 0,
-      fmt::format("ω_p/p = {:g}, {:.4f} αg: p·t_i = {:.4f}, p·T_ex = {:.4f}", ratio, amplitude, impact, end),
-      "So it is.", "It is the other way round.");
+/// Does the impact of the critical motion come during the pulse, or after it?
+Finding impact_in_figure(Bench& bench, const Claim& claim) {
+  const PulseCase asked = pulse_case(claim.omega_ratio);
+  const double amplitude = bench.mode_2(asked);
+  const Response motion = tell(asked.block, asked.model, ground_of(asked, amplitude), asked.initial).response;
+  const double impact = first_time(motion, EventKind::impact), end = first_time(motion, EventKind::pulse_end);
+  return {decided((impact < end) == (claim.check == "impact_during_pulse") && impact > 0),
+          {claim.omega_ratio, amplitude, impact, end}};
 }
 
-Finding impact_in_figure_12(Workbench& bench, const Claim&) { return impact_in_figure(bench, 3, true); }
-Finding impact_in_figure_13(Workbench& bench, const Claim&) { return impact_in_figure(bench, 5.5, false); }
-
-Finding returns_to_rest(Workbench&, const Claim&) {
+Finding returns_to_rest(Bench&, const Claim&) {
   const PulseCase asked = pulse_case(2, Model::nonlinear);
-  const double amplitude = 2.35766 * std::tan(0.25) / 0.25;
-  const Response motion =
-      tell(asked.block, asked.model,
-           pulse_motion(asked.pulse, 2, amplitude, start_level(asked.block, asked.model)), asked.initial, 200)
-          .response;
+  const GroundMotion ground = ground_of(asked, 2.35766 * std::tan(0.25) / 0.25);
+  const Response motion = tell(asked.block, asked.model, ground, asked.initial, 200).response;
   int impacts = 0;
-  double rest = 0;
-  for (const Event& event : motion.events) {
-    impacts += event.kind == EventKind::impact;
-    if (event.kind == EventKind::rest) rest = static_cast<double>(event.time);
-  }
-  return decided(
-      rest > 0,
-      fmt::format("nonlinear, 2.35766 g·tan α: after {} impacts at rest at p·t = {:.2f}", impacts, rest),
-      "After a chain of ever smaller impacts.", "It does not come to rest.");
+  for (const Event& event : motion.events) impacts += event.kind == EventKind::impact;
+  const double rest = first_time(motion, EventKind::rest);
+  return {decided(rest > 0), {impacts, rest}};
 }
 
 /// Relative differences between the models, nonlinear in alpha*g and in g*tan(alpha).
@@ -168,80 +128,60 @@ struct Differences {
   double least_size = 1e9, most_size = 0;  ///< in either unit
 };
 
-Differences differences(Thresholds& bench, double alpha) {
+Differences differences(Bench& bench, double alpha) {
   Differences all;
-  for (const double ratio : {1.0, 2.0, 4.0, 5.5}) {
+  const auto say = [&](double ratio) {
     const PulseCase linear = with_alpha(pulse_case(ratio), alpha),
                     full = with_alpha(pulse_case(ratio, Model::nonlinear), alpha);
     std::string pair;
-    for (const bool impact : {false, true}) {
-      const double a = (impact ? bench.mode_2(linear) : bench.mode_1(linear)).value_or(0),
-                   b = (impact ? bench.mode_2(full) : bench.mode_1(full)).value_or(0);
+    for (const int impacts : {0, 1}) {
+      const double a = bench.mode(impacts, linear), b = bench.mode(impacts, full);
       const double in_alpha = 100 * (b / a - 1), in_tan = 100 * (in_tangent(full, b) / a - 1);
-      const double small = std::min(std::abs(in_alpha), std::abs(in_tan)),
-                   large = std::max(std::abs(in_alpha), std::abs(in_tan));
+      const auto [small, large] = std::minmax({std::abs(in_alpha), std::abs(in_tan)});
       all.least = std::min(all.least, in_alpha), all.most = std::max(all.most, in_alpha);
       all.least_size = std::min(all.least_size, small), all.most_size = std::max(all.most_size, large);
-      pair += fmt::format("{}{:+.1f} ({:+.1f}) % {}", pair.empty() ? "" : ", ", in_alpha, in_tan,
-                          impact ? "after one impact" : "without");
+      add(pair, fmt::format("{:+.1f} ({:+.1f}) % {}", in_alpha, in_tan,
+                            impacts == 1 ? "after one impact" : "without"));
     }
-    all.text += fmt::format("{}{:g}: {}", all.text.empty() ? "" : "; ", ratio, pair);
-  }
+    return pair;
+  };
+  all.text = each({1, 2, 4, 5.5}, say, "; ");
   return all;
 }
 
-Finding slender_blocks(Workbench& bench, const Claim&) {
-  const Differences d = differences(bench.thresholds(), std::atan(0.25));
-  const std::string found =
-      "b/h = 0.25, nonlinear against linear thresholds in αg (in g·tan α) by ω_p/p: " + d.text;
-  if (d.most_size < 1) return confirmed(found, "Within one percent.");
-  if (d.least_size > 10) return refuted(found, "Nowhere within ten percent.");
-  return qualified(
-      found, fmt::format("Between {:+.1f} % and {:+.1f} % in αg here; where the difference is positive the "
-                         "linear block falls sooner, which is the safe side, where negative it is not. "
-                         "In which unit the amplitude is compared matters as much as the model.",
-                         d.least, d.most));
+Finding slender_blocks(Bench& bench, const Claim&) {
+  const Differences d = differences(bench, std::atan(0.25));
+  return {d.most_size < 1 ? confirmed : d.least_size > 10 ? refuted : qualified, {d.text, d.least, d.most}};
 }
 
-Finding good_agreement(Workbench& bench, const Claim& claim) {
-  const Differences d = differences(bench.thresholds(), 0.25);
-  std::string found = "α = 0.25, nonlinear against linear thresholds in αg (in g·tan α) by ω_p/p: " + d.text;
-  const auto linear = bench.thresholds().mode_2(pulse_case(7.5)),
-             full = bench.thresholds().mode_2(pulse_case(7.5, Model::nonlinear));
-  const double without = bench.thresholds().mode_1(pulse_case(7.5)).value_or(0);
-  found +=
-      fmt::format("; at 7.5 the linear block overturns {}, the nonlinear one {}",
-                  linear ? fmt::format("after one impact from {:.2f} αg on", *linear)
-                         : fmt::format("without impact only, from {:.2f} αg", without),
-                  full ? fmt::format("after one impact from {:.2f} αg on", *full) : "without impact only");
-  const bool parted = full.has_value() != linear.has_value();
+Finding good_agreement(Bench& bench, const Claim& claim) {
+  const Differences d = differences(bench, 0.25);
+  const double linear = bench.mode_2(pulse_case(7.5)), without = bench.mode_1(pulse_case(7.5)),
+               full = bench.mode_2(pulse_case(7.5, Model::nonlinear));
+  const auto from = [](double amplitude) {
+    return fmt::format("after one impact from {:.2f} αg on", amplitude);
+  };
+  const bool parted = (full > 0) != (linear > 0);
+  const Items found{d.text,
+                    linear > 0 ? from(linear) : fmt::format("without impact only, from {:.2f} αg", without),
+                    full > 0 ? from(full) : "without impact only", std::ceil(d.most_size),
+                    parted ? " Beyond the end of the linear curve after one impact they part: the nonlinear "
+                             "block still overturns so, far below what the linear curve allows."
+                           : ""};
   if (claim.check == "regions_of_agreement")
-    return decided(d.least_size < 2 && (d.most_size > 4 || parted), found, "Both are there.",
-                   "There is only one of the two.");
-  if (d.most_size < 2 && !parted) return confirmed(found, "Everywhere.");
-  if (d.least_size > 10) return refuted(found, "Nowhere.");
-  return qualified(
-      found,
-      fmt::format("Within {:.0f} % here.{} Conclusion 3 speaks of disagreement itself.",
-                  std::ceil(d.most_size),
-                  parted ? " Beyond the end of the linear curve after one impact they part: the nonlinear "
-                           "block still overturns so, far below what the linear curve allows."
-                         : ""));
+    return {decided(d.least_size < 2 && (d.most_size > 4 || parted)), found};
+  return {d.most_size < 2 && !parted ? confirmed : d.least_size > 10 ? refuted : qualified, found};
 }
 
 }  // namespace
 
 Checks checks_of_figures() {
-  return {{"number_at_2", number_at_2},
-          {"number_at_4", number_at_4},
-          {"number_at_3", number_at_3},
-          {"linearized_figure_8", linearized_figure_8},
-          {"linearized_figure_9", linearized_figure_9},
-          {"linearized_figure_12", linearized_figure_12},
+  return {{"bracket", bracket},
+          {"linearized", linearized},
           {"order_of_numbers", order_of_numbers},
           {"restitution_behind_figures", restitution_behind_figures},
-          {"impact_in_figure_12", impact_in_figure_12},
-          {"impact_in_figure_13", impact_in_figure_13},
+          {"impact_during_pulse", impact_in_figure},
+          {"impact_after_pulse", impact_in_figure},
           {"returns_to_rest", returns_to_rest},
           {"slender_blocks", slender_blocks},
           {"good_agreement", good_agreement},

@@ -1,11 +1,9 @@
-// Section 3: the thresholds of the one-sine pulse in the linear model.
+// Section 3: the thresholds of the one-sine pulse in the linear model, without and after one impact.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <emitted/rocking_block.hpp>
-#include <lessons/ledger/claims_checks.hpp>
-#include <lessons/ledger/claims_motion.hpp>
-#include <lessons/ledger/claims_thresholds.hpp>
+#include <lessons/ledger/claims_readings.hpp>
 #include <numbers>
 
 namespace rederive {
@@ -14,185 +12,187 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Finding threshold_71(Workbench& bench, const Claim&) {
-  std::vector<std::pair<double, double>> roots;
+Finding threshold_71(Bench& bench, const Claim&) {
   double largest = 0;
-  for (const double ratio : {0.2, 0.5, 1.0, 2.0, 3.0, 4.0, 6.0}) {
-    const double root = roots_of(Form::eq71, pulse_case(ratio)).at(0).amplitude;
-    roots.emplace_back(ratio, root);
-    largest =
-        std::max(largest, std::abs(bench.thresholds().mode_1(pulse_case(ratio)).value_or(0) / root - 1));
-  }
-  return decided(
-      largest < 1e-9,
-      fmt::format("roots of (71) by ω_p/p, in αg: {}; simulation differs by at most {:.0e} of that",
-                  paired(roots), largest),
-      "The root is the least amplitude of the linear block without impact.",
-      "Simulation finds other thresholds.");
+  const std::string roots = each({0.2, 0.5, 1, 2, 3, 4, 6}, [&](double ratio) {
+    const double root = root_of(Form::eq71, pulse_case(ratio)).amplitude;
+    largest = std::max(largest, std::abs(bench.mode_1(pulse_case(ratio)) / root - 1));
+    return root;
+  });
+  return {decided(largest < 1e-9), {roots, largest}};
 }
 
-Finding admissible_71(Workbench& bench, const Claim&) {
+Finding admissible_71(Bench& bench, const Claim&) {
   double highest = -1e9;
   for (const double ratio : {1.0, 2.0, 4.0})
-    for (const Sample& sample :
-         samples_at(pulse_case(ratio), bench.thresholds().mode_1(pulse_case(ratio)).value_or(2)))
+    for (const Sample& sample : samples_at(pulse_case(ratio), bench.mode_1(pulse_case(ratio))))
       if (sample.time > 0.01L) highest = std::max(highest, static_cast<double>(sample.angle));
-  return decided(
-      highest < 0,
-      fmt::format("ω_p/p = 1, 2, 4 at the threshold: θ/α at most {:.1e} from p·t = 0.01 to T_ex", highest),
-      "θ stays negative.", "θ changes its sign.");
+  return {decided(highest < 0), {highest}};
 }
 
 /// The critical motions at the end of the pulse: how far from the separatrix, and how far out.
-Finding separatrix(Workbench& bench, const Claim& claim) {
+Finding separatrix(Bench& bench, const Claim& claim) {
   double off = 0, farthest = 0;
-  for (const double ratio : {1.0, 2.0, 3.0, 4.0, 6.0}) {
-    const PulseCase asked = pulse_case(ratio);
-    for (const auto& amplitude :
-         {bench.thresholds().mode_1(asked), ratio < 4.5 ? bench.thresholds().mode_2(asked) : std::nullopt}) {
-      if (!amplitude) continue;
-      const Point end = respond(asked.block, asked.model, ground_of(asked, *amplitude), asked.initial).end;
+  for (const double ratio : {1.0, 2.0, 3.0, 4.0, 6.0})
+    for (const int impacts : {0, 1}) {
+      const PulseCase asked = pulse_case(ratio);
+      if (impacts == 1 && ratio > 4.5) continue;
+      const Point end = motion_at(asked, bench.mode(impacts, asked)).end;
       const double side = end.angle < 0 ? -1 : 1;
       off = std::max(off, std::abs(static_cast<double>(end.velocity + end.angle) - side));
       farthest = std::max(farthest, std::abs(static_cast<double>(end.angle)));
     }
-  }
-  const std::string found = fmt::format(
-      "ten critical motions: |θ̇/p + θ ∓ α| ≤ {:.0e} α at T_ex; |θ(T_ex)|/α up to {:.3f}", off, farthest);
-  if (off > 1e-9) return refuted(found, "They end elsewhere.");
-  if (claim.check == "separatrix_reason")
-    return qualified(
-        found,
-        "The condition is right; its reason is not. Nothing oscillates about an unstable equilibrium and the "
-        "block never arrives: the growing part of the free motion vanishes.");
-  return confirmed(
-      found, farthest > 1
-                 ? "After the pulse they run along θ̇ = −p(θ ∓ α) towards the corner: ∓ for the side, θ = −α "
-                   "for θ < 0. Some come from beyond it: the "
-                   "block may pass α while the ground moves and still be critical."
-                 : "After the pulse they run along θ̇ = −p(θ ∓ α) towards the corner: θ = −α for θ < 0.");
+  const char* beyond =
+      " Some come from beyond it: the block may pass α while the ground moves and still be critical.";
+  return {off > 1e-9                           ? refuted
+          : claim.check == "separatrix_reason" ? qualified
+                                               : confirmed,
+          {off, farthest, farthest > 1 ? beyond : ""}};
 }
 
-Finding roots_of_78(Workbench&, const Claim&) {
+Finding roots_of_78(Bench&, const Claim&) {
   double least = 1e9;
-  std::string roots;
-  for (const double ratio : {0.5, 1.0, 2.0, 4.0, 8.0}) {
+  const std::string roots = each({0.5, 1, 2, 4, 8}, [&](double ratio) {
     for (int i = 1; i < 1000; ++i)
       least = std::min(least, emitted::overturning_without_impact_positive(ratio, i * pi / 2000));
-    roots += fmt::format("{}{:g}: ψ = {:.4f}", roots.empty() ? "" : ", ", ratio,
-                         roots_of(Form::eq78, pulse_case(ratio)).at(0).psi);
-  }
-  return decided(
-      least <= 0,
-      fmt::format("left side less right side of (78) for 0 < ψ < π/2: at least {:.4f}; roots by ω_p/p: {}",
-                  least, roots),
-      "It has roots where a pulse starts the block.",
-      "It has no root with ψ < π/2, where a pulse sets the block in motion; those it has lie where the "
-      "acceleration falls already. No amplitude goes with it.");
+    return fmt::format("ψ = {:.4f}", root_of(Form::eq78, pulse_case(ratio)).psi);
+  });
+  return {decided(least <= 0), {least, roots}};
 }
 
-Finding admissible_78(Workbench&, const Claim&) {
+Finding admissible_78(Bench&, const Claim&) {
   double highest = -1e9;
+  bool occurs = false;
   for (const double ratio : {0.5, 1.0, 2.0, 4.0}) {
-    const ClosedForm root = roots_of(Form::eq78, pulse_case(ratio)).at(0);
-    if (root.admissible) return refuted("admissible at " + fixed(ratio, 1), "It occurs.");
-    for (const double t : {0.01, 0.1}) {
-      const double angle =
-          emitted::linear_response_positive(0.25, 1.0, ratio, 0.25 * root.amplitude, root.psi, 0.0, 0.0, t);
-      highest = std::max(highest, angle / 0.25);
-    }
+    const ClosedForm root = root_of(Form::eq78, pulse_case(ratio));
+    occurs = occurs || root.admissible;
+    for (const double t : {0.01, 0.1})
+      highest = std::max(highest, emitted::linear_response_positive(0.25, 1.0, ratio, 0.25 * root.amplitude,
+                                                                    root.psi, 0.0, 0.0, t) /
+                                      0.25);
   }
-  return decided(highest < 0,
-                 fmt::format("motion by (57b) from rest with ψ of (78), ω_p/p = 0.5, 1, 2, 4: θ/α ≤ {:.1e} "
-                             "at p·t = 0.01 and 0.1",
-                             highest),
-                 "θ turns negative at once, on the branch that is for θ > 0.", "θ is positive.");
+  return {decided(highest < 0 && !occurs), {highest}};
 }
 
-Finding sides_under_sine(Workbench& bench, const Claim&) {
-  int without = 0, after = 0;
+Finding sides_under_sine(Bench& bench, const Claim&) {
+  int without = 0, after = 0, wrong = 0;
   std::string found;
   for (const double ratio : {1.0, 2.0, 3.0, 5.5})
-    for (const Window& window : bench.thresholds().windows(pulse_case(ratio))) {
+    for (const Window& window : bench.windows(pulse_case(ratio))) {
       (std::abs(window.code) == 1 ? without : after) += 1;
-      if (std::abs(window.code) == 1 && window.code != -1)
-        return refuted(fmt::format("code {:+d} at ω_p/p = {:g}", window.code, ratio),
-                       "Also without impact it falls to θ > 0.");
-      if (window.code == 2)
-        found += fmt::format("{}{:g}: {:.4f}", found.empty() ? "" : ", ", ratio, window.from);
+      wrong += window.code == 1;
+      if (window.code == 2) add(found, fmt::format("{:g}: {:.4f}", ratio, window.from));
     }
-  if (found.empty()) return confirmed("codes −1 only", "It only falls to θ < 0.");
-  return qualified(fmt::format("from rest: {} windows without impact, all to θ < 0; {} after impacts, to θ > "
-                               "0, from (by ω_p/p, in αg) {}",
-                               without, after, found),
-                   "True of overturning without impact. After one impact it falls over O', to θ > 0, and at "
-                   "smaller amplitudes.");
+  return {wrong > 0       ? refuted
+          : found.empty() ? confirmed
+                          : qualified,
+          {without, wrong == 0 ? "all" : "not all", after, found}};
 }
 
-Finding pulse_of_other_sign(Workbench& bench, const Claim&) {
+/// The pulse with its sign changed.
+GroundMotion reversed(GroundMotion ground) {
+  ground.front().phase += pi;
+  return ground;
+}
+
+Finding pulse_of_other_sign(Bench& bench, const Claim&) {
   int mirrored = 0, tried = 0;
   for (const double ratio : {1.0, 2.0, 4.0})
     for (const double share : {0.9999, 1.0001}) {
       const PulseCase asked = pulse_case(ratio);
-      const double amplitude = bench.thresholds().mode_1(asked).value_or(2) * share;
-      GroundMotion ground = ground_of(asked, amplitude);
-      const int code = outcome_of(asked.block, asked.model, ground, asked.initial).code;
-      ground.front().phase += pi;
-      mirrored += outcome_of(asked.block, asked.model, ground, asked.initial).code == -code;
-      ++tried;
+      const GroundMotion ground = ground_of(asked, bench.mode_1(asked) * share);
+      const auto code = [&](const GroundMotion& motion) {
+        return outcome_of(asked.block, asked.model, motion, asked.initial).code;
+      };
+      ++tried, mirrored += code(reversed(ground)) == -code(ground);
     }
-  return decided(
-      mirrored == tried,
-      fmt::format("{} of {} pairs of pulses of either sign, just below and above (71), end as mirror images",
-                  mirrored, tried),
-      "The same threshold, on the other side.", "They do not.");
+  return {decided(mirrored == tried), {mirrored, tried}};
 }
 
 /// Where the critical motion of Fig. 8 creeps to, under either sign of the pulse.
-Finding end_of_portrait(Workbench& bench, const Claim&) {
+Finding end_of_portrait(Bench& bench, const Claim&) {
   const PulseCase asked = pulse_case(2);
-  GroundMotion ground = ground_of(asked, bench.thresholds().mode_1(asked).value_or(2));
-  const auto corner = [&] {
-    return respond(asked.block, asked.model, ground, asked.initial).end.angle < 0 ? -1 : 1;
+  const GroundMotion ground = ground_of(asked, bench.mode_1(asked));
+  const auto corner = [&](const GroundMotion& motion) {
+    return respond(asked.block, asked.model, motion, asked.initial).end.angle < 0 ? -1 : 1;
   };
-  const int positive = corner();
-  ground.front().phase += pi;
-  const int negative = corner();
-  const std::string found = fmt::format(
-      "corner of the critical motion of (71): {:+d} α under the positive pulse of (52), {:+d} α under the "
-      "negative one",
-      positive, negative);
-  if (positive == 1) return confirmed(found, "At +α.");
-  if (negative != 1) return refuted(found, "Never at +α.");
-  return qualified(found,
-                   "For the pulse as it is defined in (52) the corner is −α; +α needs the pulse reversed, or "
-                   "the sign convention of the figure is another one.");
+  const int positive = corner(ground), negative = corner(reversed(ground));
+  return {positive == 1 ? confirmed : negative != 1 ? refuted : qualified, {positive, negative}};
 }
 
-Finding independent_of_p(Workbench& bench, const Claim&) {
+Finding independent_of_p(Bench& bench, const Claim&) {
   PulseCase other = pulse_case(2);
   other.block.p = 5;
-  const double here = bench.thresholds().mode_1(pulse_case(2)).value_or(0),
-               there = roots_of(Form::eq71, other).at(0).amplitude;
-  const double after = bench.thresholds().mode_2(pulse_case(2)).value_or(0);
+  const double here = bench.mode_1(pulse_case(2)), there = root_of(Form::eq71, other).amplitude,
+               after = bench.mode_2(pulse_case(2));
   const int below = outcome_at(other, after * 0.9999).code, above = outcome_at(other, after * 1.0001).code;
-  return decided(std::abs(here / there - 1) < 1e-9 && below != 2 && above == 2,
-                 fmt::format("ω_p/p = 2, without impact: {:.6f} αg with p = 2.14, {:.6f} with p = 5; after "
-                             "one impact from {:.4f} with either",
-                             here, there, after),
-                 "Against ω_p/p and p·t nothing depends on p; the value in the captions matters for periods "
-                 "in seconds and for θ̇_0/p only.",
-                 "They depend on p.");
+  return {decided(std::abs(here / there - 1) < 1e-9 && below != 2 && above == 2), {here, there, after}};
 }
 
-Finding limit_of_tanh(Workbench&, const Claim&) {
+Finding limit_of_tanh(Bench&, const Claim&) {
   const double at_5 = 1 - std::tanh(5.0), at_10 = 1 - std::tanh(10.0);
-  const std::string found =
-      fmt::format("1 − tanh x = {:.1e} at x = 5, {:.1e} at x = 10; 0 nowhere", at_5, at_10);
-  if (!(at_10 > 0)) return confirmed(found, "It becomes 1.");
-  return qualified(found,
-                   "It is approached, never reached; (67) and (74) are right as limits, and as the condition "
-                   "that the growing part vanishes they need no large time.");
+  return {at_10 > 0 ? qualified : confirmed, {at_5, at_10}};
+}
+
+Finding admissible_86_88(Bench&, const Claim& claim) {
+  std::string found;
+  int fine = 0, tried = 0;
+  for (const double ratio : {0.2, 0.5, 1.0, 2.0, 3.0, 4.0, 4.75}) {
+    ++tried;
+    for (const ClosedForm& root : roots_of(Form::eq86_88, pulse_case(ratio, Model::linear, 0.9)))
+      if (root.admissible) {
+        ++fine, add(found, fmt::format("{:g}: {:.4f}", ratio, root.amplitude));
+        break;
+      }
+  }
+  return {decided(fine == tried), {found, fine, tried, claim.printed}};
+}
+
+Finding handover(Bench& bench, const Claim& claim) {
+  const auto matches = compare_with(claim.printed, handover_readings(bench));
+  const double derived = bench.handover_of(pulse_case(1));
+  bool own = false;
+  for (const Reading& fit : fitting(matches)) own = own || std::abs(fit.value - derived) < 1e-12;
+  return {own ? confirmed : fitting(matches).empty() ? refuted : qualified, {derived, summary(matches)}};
+}
+
+Finding beyond_handover(Bench&, const Claim&) {
+  std::string found;
+  bool all_late = true;
+  for (const double ratio : {5.0, 5.5, 6.0, 8.0})
+    for (const ClosedForm& root : roots_of(Form::eq86_88, pulse_case(ratio))) {
+      all_late = all_late && !root.admissible && *root.impact_time > root.pulse_end;
+      add(found, fmt::format("{:g}: {:.4f} > {:.4f}", ratio, *root.impact_time, root.pulse_end));
+    }
+  return {decided(all_late && !found.empty()), {found}};
+}
+
+Finding two_roots_of_96(Bench& bench, const Claim&) {
+  const PulseCase asked = pulse_case(5.5);
+  std::string found;
+  int minima = 0, tried = 0;
+  for (const ClosedForm& root : roots_of(Form::eq92a_96, asked)) {
+    ++tried, minima += root.admissible;
+    add(found, fmt::format("{:.4f} αg{}", root.amplitude, root.admissible ? "" : " (" + root.why_not + ")"),
+        "; ");
+  }
+  return {minima == 1 && tried == 1 ? confirmed
+          : minima == 0             ? refuted
+                                    : qualified,
+          {found, bench.mode_2(asked), bench.mode_2_upper(asked)}};
+}
+
+Finding independent_of_alpha(Bench& bench, const Claim&) {
+  const auto threshold = [&](double alpha, std::optional<double> e) {
+    return bench.mode_2(with_alpha(pulse_case(3), alpha, e));
+  };
+  const auto own = [&](double alpha) { return threshold(alpha, {}); };
+  const auto with_e = [&](double alpha) { return threshold(alpha, 0.9); };
+  const auto depends = [](const auto& of) { return std::abs(of(0.4) - of(0.1)) > 1e-9; };
+  return {depends(with_e) ? refuted
+          : depends(own)  ? qualified
+                          : confirmed,
+          {each({0.1, 0.25, 0.4}, own), each({0.1, 0.25, 0.4}, with_e)}};
 }
 
 }  // namespace
@@ -208,7 +208,12 @@ Checks checks_of_linear_model() {
           {"pulse_of_other_sign", pulse_of_other_sign},
           {"end_of_portrait", end_of_portrait},
           {"independent_of_p", independent_of_p},
-          {"limit_of_tanh", limit_of_tanh}};
+          {"limit_of_tanh", limit_of_tanh},
+          {"admissible_86_88", admissible_86_88},
+          {"handover", handover},
+          {"beyond_handover", beyond_handover},
+          {"two_roots_of_96", two_roots_of_96},
+          {"independent_of_alpha", independent_of_alpha}};
 }
 
 }  // namespace rederive

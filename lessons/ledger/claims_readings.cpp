@@ -79,15 +79,15 @@ std::string summary(const std::vector<Match>& matches) {
   return fmt::format("none of {} readings fits; nearest {}", matches.size(), summary_of(matches.front()));
 }
 
-std::vector<Reading> threshold_readings(Thresholds& bench, double omega_ratio, int impacts) {
+std::vector<Reading> threshold_readings(Bench& bench, double omega_ratio, int impacts) {
   std::vector<Reading> list;
   for (const Shape& shape : shapes(omega_ratio, impacts == 1)) {
-    const auto amplitude = impacts == 0 ? bench.mode_1(shape.asked) : bench.mode_2(shape.asked);
-    if (!amplitude) continue;
+    const double amplitude = bench.mode(impacts, shape.asked);
+    if (amplitude == 0) continue;
     const double alpha = shape.asked.block.alpha;
-    const std::vector<Reading> units{{"alpha*g", *amplitude},
-                                     {"g*tan(alpha)", in_tangent(shape.asked, *amplitude)},
-                                     {"g", *amplitude * alpha}};
+    const std::vector<Reading> units{{"alpha*g", amplitude},
+                                     {"g*tan(alpha)", in_tangent(shape.asked, amplitude)},
+                                     {"g", amplitude * alpha}};
     for (const Reading& unit : units) {
       list.push_back({shape.says + ", in " + unit.says, unit.value});
       list.push_back({shape.says + ", reciprocal of " + unit.says, 1 / unit.value});
@@ -96,7 +96,7 @@ std::vector<Reading> threshold_readings(Thresholds& bench, double omega_ratio, i
   return list;
 }
 
-std::vector<Reading> period_readings(Thresholds& bench, double omega_ratio, double printed_amplitude) {
+std::vector<Reading> period_readings(Bench& bench, double omega_ratio, double printed_amplitude) {
   const double omega = omega_ratio * paper_block().p;
   std::vector<Reading> list;
   const std::vector<Reading> amplitudes{{fmt::format("amplitude {:g}", printed_amplitude), printed_amplitude},
@@ -113,21 +113,21 @@ std::vector<Reading> period_readings(Thresholds& bench, double omega_ratio, doub
   return list;
 }
 
-std::vector<Reading> handover_readings(Thresholds& bench) {
+std::vector<Reading> handover_readings(Bench& bench) {
   std::vector<Reading> list;
   for (const Shape& shape : shapes(1, true)) {
     if (shape.asked.model != Model::linear || shape.asked.block.restitution == 1) continue;
-    if (const auto point = bench.handover_of(shape.asked)) list.push_back({shape.says, *point});
+    if (const double ratio = bench.handover_of(shape.asked); ratio > 0) list.push_back({shape.says, ratio});
   }
   return list;
 }
 
-std::vector<Reading> end_readings(Thresholds& bench) {
+std::vector<Reading> end_readings(Bench& bench) {
   std::vector<Reading> list;
   for (const Shape& shape : shapes(1, true)) {
     if (shape.asked.block.restitution == 1) continue;  // without loss it never ends
     if (shape.asked.model == Model::nonlinear && shape.asked.block.alpha != 0.25) continue;
-    if (const auto point = bench.end_of(shape.asked)) list.push_back({shape.says, *point});
+    if (const double ratio = bench.end_of(shape.asked); ratio > 0) list.push_back({shape.says, ratio});
   }
   return list;
 }

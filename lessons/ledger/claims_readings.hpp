@@ -1,7 +1,7 @@
 // Which reading of a printed number reproduces it? Readings are conventions with a name; nothing is fitted.
 #pragma once
 
-#include <lessons/ledger/claims_thresholds.hpp>
+#include <lessons/ledger/claims_bench.hpp>
 
 namespace rederive {
 
@@ -33,12 +33,12 @@ std::vector<Reading> fitting(const std::vector<Match>& matches);
 
 /// A threshold read in every way: linear or nonlinear, alpha = 0.25 or atan(0.25), e of (46), 0.9 or 1, in
 /// alpha*g, g*tan(alpha) or g, as it is or as its reciprocal. `impacts` is 0 or 1.
-std::vector<Reading> threshold_readings(Thresholds& bench, double omega_ratio, int impacts);
+std::vector<Reading> threshold_readings(Bench& bench, double omega_ratio, int impacts);
 /// T_ex = (2 pi - psi)/(omega_p/p * p) with sin(psi) = 1/amplitude: 2 pi exact or 6.28, psi exact or with
 /// pi = 3.14 in it, the amplitude as printed or the least one computed; and the period 2 pi/omega_p.
-std::vector<Reading> period_readings(Thresholds& bench, double omega_ratio, double printed_amplitude);
+std::vector<Reading> period_readings(Bench& bench, double omega_ratio, double printed_amplitude);
 /// Where the impact passes the end of the pulse, and where overturning after one impact ends.
-std::vector<Reading> handover_readings(Thresholds& bench);
-std::vector<Reading> end_readings(Thresholds& bench);
+std::vector<Reading> handover_readings(Bench& bench);
+std::vector<Reading> end_readings(Bench& bench);
 
 }  // namespace rederive

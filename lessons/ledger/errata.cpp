@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <derivations/language/unicode.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/report.hpp>
+#include <sstream>
 
 namespace rederive {
 
@@ -31,77 +33,32 @@ std::vector<Entry> refuted(const std::vector<Entry>& entries) {
   return sorted;
 }
 
-std::string latex_escaped(const std::string& text) {
-  static const std::map<std::string, std::string> replaced{{"%", "\\%"},
-                                                           {"&", "\\&"},
-                                                           {"#", "\\#"},
-                                                           {"_", "\\_"},
-                                                           {"$", "\\$"},
-                                                           {"{", "\\{"},
-                                                           {"}", "\\}"},
-                                                           {"^", "\\textasciicircum{}"},
-                                                           {"~", "\\textasciitilde{}"},
-                                                           {"\\", "\\textbackslash{}"},
-                                                           {"<", "\\textless{}"},
-                                                           {">", "\\textgreater{}"}};
-  static const std::map<std::string, std::string> signs{{"θ̈", "$\\ddot\\theta$"},
-                                                        {"θ̇", "$\\dot\\theta$"},
-                                                        {"θ", "$\\theta$"},
-                                                        {"α", "$\\alpha$"},
-                                                        {"ψ", "$\\psi$"},
-                                                        {"ω", "$\\omega$"},
-                                                        {"π", "$\\pi$"},
-                                                        {"μ", "$\\mu$"},
-                                                        {"λ", "$\\lambda$"},
-                                                        {"τ", "$\\tau$"},
-                                                        {"²", "$^2$"},
-                                                        {"³", "$^3$"},
-                                                        {"·", "$\\cdot$"},
-                                                        {"−", "$-$"},
-                                                        {"≥", "$\\ge$"},
-                                                        {"≤", "$\\le$"},
-                                                        {"≠", "$\\ne$"},
-                                                        {"′", "$'$"},
-                                                        {"ẍ", "$\\ddot x$"},
-                                                        {"ÿ", "$\\ddot y$"},
-                                                        {"ü", "$\\ddot u$"},
-                                                        {"Ω", "$\\Omega$"},
-                                                        {"ρ", "$\\rho$"},
-                                                        {"φ", "$\\varphi$"},
-                                                        {"∂", "$\\partial$"},
-                                                        {"→", "$\\to$"},
-                                                        {"∞", "$\\infty$"},
-                                                        {"–", "--"},
-                                                        {"—", "---"},
-                                                        {"’", "'"},
-                                                        {"½", "$\\frac12$"},
-                                                        {"×", "$\\times$"},
-                                                        {"…", "\\dots{}"},
-                                                        {"ẋ", "$\\dot x$"},
-                                                        {"ẏ", "$\\dot y$"},
-                                                        {"u̇", "$\\dot u$"},
-                                                        {"≈", "$\\approx$"},
-                                                        {"√", "$\\surd$"},
-                                                        {"ξ", "$\\xi$"},
-                                                        {"η", "$\\eta$"},
-                                                        {"ε", "$\\varepsilon$"},
-                                                        {"∫", "$\\int$"}};
+/// A sign, what LaTeX has for it, and a bar.
+constexpr auto latex_signs =
+    R"(% \%|& \&|# \#|_ \_|$ \$|{ \{|} \}|^ \textasciicircum{}|~ \textasciitilde{}|\ \textbackslash{}|
+< \textless{}|> \textgreater{}|θ̈ $\ddot\theta$|θ̇ $\dot\theta$|θ $\theta$|α $\alpha$|ψ $\psi$|
+ω $\omega$|π $\pi$|μ $\mu$|λ $\lambda$|τ $\tau$|² $^2$|³ $^3$|· $\cdot$|− $-$|≥ $\ge$|≤ $\le$|≠ $\ne$|
+′ $'$|ẍ $\ddot x$|ÿ $\ddot y$|ü $\ddot u$|Ω $\Omega$|ρ $\rho$|φ $\varphi$|∂ $\partial$|→ $\to$|
+∞ $\infty$|– --|— ---|’ '|½ $\frac12$|× $\times$|… \dots{}|ẋ $\dot x$|ẏ $\dot y$|u̇ $\dot u$|≈ $\approx$|
+√ $\surd$|ξ $\xi$|η $\eta$|ε $\varepsilon$|∫ $\int$|)";
+
+/// Text for LaTeX. Where one sign of the table begins another, the longer one counts; for any other sign
+/// beyond ASCII, at which pdflatex would stop, stands "?".
+std::string latex_escaped(std::string_view text) {
+  static const auto table = [] {
+    std::map<std::string, std::string, std::greater<>> result;  // the longer one first
+    std::istringstream signs(latex_signs);
+    for (std::string sign, with; signs >> sign >> std::ws && std::getline(signs, with, '|');)
+      result[sign] = with;
+    return result;
+  }();
   std::string out;
-  for (std::size_t k = 0; k < text.size();) {
-    std::size_t best = 0;
-    const std::string* with = nullptr;
-    for (const auto* table : {&signs, &replaced})
-      for (const auto& [from, to] : *table)
-        if (from.size() > best && text.compare(k, from.size(), from) == 0) best = from.size(), with = &to;
-    if (with != nullptr)
-      out += *with, k += best;
-    else if (static_cast<unsigned char>(text[k]) < 128)
-      out += text[k++];
-    else {  // any other sign: pdflatex would stop at it
-      out += "?";
-      ++k;
-      while (k < text.size() && (static_cast<unsigned char>(text[k]) & 0xC0) == 0x80) ++k;
-    }
+  while (!text.empty()) {
+    const auto known = std::find_if(table.begin(), table.end(),
+                                    [&](const auto& entry) { return text.starts_with(entry.first); });
+    const std::size_t bytes = std::max<std::size_t>(first_character(text).bytes, 1);
+    out += known != table.end() ? known->second : bytes == 1 ? std::string(text.substr(0, 1)) : "?";
+    text.remove_prefix(known != table.end() ? known->first.size() : bytes);
   }
   return out;
 }

@@ -12,10 +12,7 @@
 #include <derivations/paper/mutate.hpp>
 #include <lessons/bounded.hpp>
 #include <lessons/ledger/claims.hpp>
-#include <lessons/ledger/claims_command.hpp>
-#include <lessons/ledger/prove_command.hpp>
 #include <lessons/ledger/prove_table.hpp>
-#include <lessons/ledger/reading.hpp>
 #include <lessons/ledger/report.hpp>
 
 using namespace rederive;
@@ -94,39 +91,38 @@ int show_one(const Options& options) {
   return exit_code({entry});
 }
 
+nlohmann::ordered_json counts_of(const Mutation& m) {
+  return {{"mutants", m.mutants}, {"refuted", m.refuted}, {"equal", m.equal}, {"survived", m.survived}};
+}
+
+std::string line_of(const Mutation& m) {
+  return fmt::format("{:<6} {:>4} mutants {:>4} refuted {:>4} equal {:>4} survived\n", m.id, m.mutants,
+                     m.refuted, m.equal, m.survived);
+}
+
 int show_mutation(const Options& options) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   Mutation total;
+  total.id = "all";
   const auto rows = rows_of(options);
   if (!options.id.empty()) (void)row_of(options.id, rows);
   for (const Row& row : rows) {
     if (!options.id.empty() && row.id != options.id) continue;
     if (is_lively(2)) fmt::print(stderr, "\r{:<8}", row.id);
     const Mutation m = mutate(row, options.seed);
-    list.push_back({{"id", m.id},
-                    {"mutants", m.mutants},
-                    {"refuted", m.refuted},
-                    {"equal", m.equal},
-                    {"survived", m.survived}});
+    list.push_back({{"id", m.id}});
+    list.back().update(counts_of(m));
     total.mutants += m.mutants, total.refuted += m.refuted, total.equal += m.equal,
         total.survived += m.survived;
     if (options.json) continue;
-    if (m.mutants > 0)
-      fmt::print("{:<6} {:>4} mutants {:>4} refuted {:>4} equal {:>4} survived\n", m.id, m.mutants, m.refuted,
-                 m.equal, m.survived);
-    for (const std::string& text : m.survivors) fmt::print("         survived: {}\n", text);
+    if (m.mutants > 0) put(line_of(m));
+    for (const std::string& text : m.survivors) put("         survived: " + text + "\n");
   }
   if (is_lively(2)) fmt::print(stderr, "\r{:<8}\r", "");
   if (options.json)
-    put(nlohmann::ordered_json{{"rows", list},
-                               {"totals",
-                                {{"mutants", total.mutants},
-                                 {"refuted", total.refuted},
-                                 {"equal", total.equal},
-                                 {"survived", total.survived}}}});
+    put(nlohmann::ordered_json{{"rows", list}, {"totals", counts_of(total)}});
   else
-    fmt::print("{:<6} {:>4} mutants {:>4} refuted {:>4} equal {:>4} survived\n", "all", total.mutants,
-               total.refuted, total.equal, total.survived);
+    put(line_of(total));
   return total.survived == 0 ? as_expected : not_as_expected;
 }
 
@@ -231,12 +227,17 @@ int main(int argc, char** argv) {
   proving->footer(
       "To ask whether an inequality holds wherever it has a value, compare it with 0 < 1.\n\n"
       "proved holds without the equations that are assumed, proved_under needs them; approximation: with\n"
-      "--small, where the two themselves are not the same, but their series are. An identity is proved where\n"
-      "both sides are defined; if one side is defined where the other is not, that is a side condition, and it\n"
+      "--small, where the two themselves are not the same, but their series are. An identity is proved "
+      "where\n"
+      "both sides are defined; if one side is defined where the other is not, that is a side condition, and "
+      "it\n"
       "is listed. The line by says what a verdict rests on: identity, sign, points or expansion.\n\n"
-      "A witness shows the values of two expressions, or of A and B for y = A and y = B; for other equations\n"
-      "and inequalities the differences of their sides. In JSON, at gives every symbol: as the rational number\n"
-      "that it is, or its digits; then exactly says what it is, or between has rational bounds of a root of the\n"
+      "A witness shows the values of two expressions, or of A and B for y = A and y = B; for other "
+      "equations\n"
+      "and inequalities the differences of their sides. In JSON, at gives every symbol: as the rational "
+      "number\n"
+      "that it is, or its digits; then exactly says what it is, or between has rational bounds of a root of "
+      "the\n"
       "equation solves. in_words says the same to a reader.\n"
       "Exit code: 0 proved, 1 refuted, 3 undecided, 2 for input that cannot be read.\n");
   auto* table = proving

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <derivations/emit/command_line.hpp>
+#include <derivations/paper/toml_rows.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <map>
 #include <set>
@@ -16,72 +16,34 @@ using Json = nlohmann::ordered_json;
 const std::set<std::string> verdicts{"proved",  "proved_under", "approximation",
                                      "refuted", "undecided",    "refused"};
 
-/// A row of the table, of which every complaint names the file, the line and what would be right.
-class RowReader {
- public:
-  RowReader(const toml::node& node, const std::filesystem::path& file)
-      : row_(node.as_table()), where_(fmt::format("{}:{}", file.string(), node.source().begin.line)) {
-    if (row_ == nullptr) fail("a row is a table");
-    const std::set<std::string> keys{"group", "left",  "right", "assume",  "small",
-                                     "order", "limit", "why",   "expected"};
-    for (const auto& [key, value] : *row_)
-      if (!keys.contains(std::string(key.str())))
-        fail(fmt::format("unknown key '{}'; the keys are {}", key.str(), fmt::join(keys, ", ")));
-  }
-
-  TableRow read() const {
-    TableRow row{text("group", true),
-                 text("why", false),
-                 text("expected", true),
-                 value<bool>("limit", "true or false").value_or(false),
-                 {}};
-    row.request = {text("left", true), text("right", true), list("assume"), list("small"), {}};
-    if (const auto order = value<std::int64_t>("order", "a whole number")) {
-      if (*order < 0 || *order > 12) fail("'order' is 0 to 12");
-      row.request.order = static_cast<int>(*order);
-    }
-    if (!verdicts.contains(row.expected))
-      fail(fmt::format("'{}' is no verdict; right is one of {}", row.expected, fmt::join(verdicts, ", ")));
-    return row;
-  }
-
- private:
-  [[noreturn]] void fail(const std::string& what) const { throw BadInput(where_ + ": " + what); }
-
-  template <class T>
-  std::optional<T> value(const char* key, const char* right) const {
-    const toml::node* node = row_->get(key);
-    if (node == nullptr) return std::nullopt;
-    const auto found = node->value_exact<T>();
-    if (!found) fail(fmt::format("'{}' must be {}", key, right));
-    return found;
-  }
-
-  std::string text(const char* key, bool is_needed) const {
-    const auto found = value<std::string>(key, "a string");
-    if (!found && is_needed) fail(fmt::format("a row needs '{}'", key));
-    return line(found.value_or(""), key);
-  }
-
-  std::string line(std::string text, const char* key) const {
-    if (printable_line(text) != text) fail(fmt::format("'{}' is one line of printable characters", key));
+TableRow read_row(TomlRow table) {
+  const auto line = [&](const std::string& text) {
+    if (printable_line(text) != text)
+      table.fail("'" + printable_line(text) + "' is no line of printable characters");
     return text;
+  };
+  const auto lines = [&](const std::string& key) {
+    auto texts = table.texts(key);
+    for (const std::string& text : texts) (void)line(text);
+    return texts;
+  };
+  TableRow row{line(table.text("group", true)),
+               line(table.text("why")),
+               table.text("expected", true),
+               table.flag("limit"),
+               {}};
+  row.request = {
+      line(table.text("left", true)), line(table.text("right", true)), lines("assume"), lines("small"), {}};
+  if (const auto order = table.whole("order")) {
+    if (*order < 0 || *order > 12) table.fail("'order' is 0 to 12");
+    row.request.order = static_cast<int>(*order);
   }
-
-  std::vector<std::string> list(const char* key) const {
-    std::vector<std::string> items;
-    const toml::node* node = row_->get(key);
-    if (node == nullptr) return items;
-    const toml::array* array = node->as_array();
-    if (array == nullptr || !array->is_homogeneous(toml::node_type::string))
-      fail(fmt::format("'{}' must be a list of strings", key));
-    for (const toml::node& item : *array) items.push_back(line(item.value_or(std::string()), key));
-    return items;
-  }
-
-  const toml::table* row_;
-  std::string where_;
-};
+  table.done();
+  if (!verdicts.contains(row.expected))
+    table.fail(fmt::format("'{}' is no verdict; right is one of {}", printable_line(row.expected),
+                           fmt::join(verdicts, ", ")));
+  return row;
+}
 
 /// A text in which some characters mean nothing to Markdown.
 std::string escaped(std::string text, const char* characters) {
@@ -94,15 +56,12 @@ std::string escaped(std::string text, const char* characters) {
 std::string cell(const std::string& formula) { return "`" + escaped(formula, "|") + "`"; }
 
 std::string assumptions(const ProveRequest& request) {
-  std::string result;
-  for (const std::string& assumption : request.assumptions)
-    result += (result.empty() ? "" : ", ") + cell(assumption);
-  if (request.order) {
-    std::string small;
-    for (const std::string& name : request.small) small += (small.empty() ? "" : ", ") + name;
-    result += fmt::format("{}{} small, order {}", result.empty() ? "" : ", ", cell(small), *request.order);
-  }
-  return result;
+  std::vector<std::string> cells;
+  for (const std::string& assumption : request.assumptions) cells.push_back(cell(assumption));
+  if (request.order)
+    cells.push_back(fmt::format("{} small, order {}", cell(fmt::format("{}", fmt::join(request.small, ", "))),
+                                *request.order));
+  return fmt::format("{}", fmt::join(cells, ", "));
 }
 
 }  // namespace
@@ -110,12 +69,9 @@ std::string assumptions(const ProveRequest& request) {
 std::vector<TableRow> read_table(const std::filesystem::path& file) {
   std::vector<TableRow> rows;
   try {
-    const toml::table table = toml::parse_file(file.string());
-    const toml::array* array = table["row"].as_array();
-    if (array == nullptr) throw BadInput("'" + file.string() + "' has no [[row]]");
-    for (const toml::node& node : *array) rows.push_back(RowReader(node, file).read());
-  } catch (const toml::parse_error& error) {
-    throw BadInput(fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
+    for (const TomlRow& table : toml_rows(file, "row")) rows.push_back(read_row(table));
+  } catch (const std::runtime_error& error) {
+    throw BadInput(error.what());
   }
   return rows;
 }

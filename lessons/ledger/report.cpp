@@ -48,8 +48,7 @@ std::map<std::string, int> counts(const std::vector<Entry>& entries) {
 Json to_json(const Witness& witness) {
   Json json{{"at", witness.at}, {"printed", witness.printed}, {"derived", witness.derived}};
   if (!witness.exactly.empty()) json["exactly"] = witness.exactly;
-  for (const auto& [name, bounds] : witness.between)
-    json["between"][name] = {bounds.first, bounds.second};
+  for (const auto& [name, bounds] : witness.between) json["between"][name] = {bounds.first, bounds.second};
   if (!witness.between.empty()) json["solves"] = witness.solves;
   json["in_words"] = in_words(witness);
   return json;
@@ -57,12 +56,9 @@ Json to_json(const Witness& witness) {
 
 Json to_json(const Proof& proof) {
   const Json witness = proof.witness ? to_json(*proof.witness) : Json();
-  return {{"verdict", to_string(proof.verdict)},
-          {"factor", or_null(proof.factor)},
-          {"side_conditions", proof.side_conditions},
-          {"witness", witness},
-          {"reason", or_null(proof.reason)},
-          {"by", or_null(proof.by)}};
+  return {{"verdict", to_string(proof.verdict)},      {"factor", or_null(proof.factor)},
+          {"side_conditions", proof.side_conditions}, {"witness", witness},
+          {"reason", or_null(proof.reason)},          {"by", or_null(proof.by)}};
 }
 
 Json to_json(const Entry& entry) {

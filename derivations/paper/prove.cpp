@@ -1,0 +1,205 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <derivations/decide/expansion.hpp>
+#include <derivations/paper/prove.hpp>
+#include <regex>
+
+namespace rederive {
+
+namespace {
+
+const std::vector<std::string> greek{
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta",  "eta", "theta", "iota", "kappa", "lambda",
+    "mu",    "nu",   "xi",    "rho",   "sigma",   "tau",   "phi", "chi",   "psi",  "omega", "upsilon",
+    "Gamma", "Xi",   "Delta", "Theta", "Lambda",  "Sigma", "Phi", "Psi",   "Omega"};
+
+void declare_free(Symbols& symbols, const std::string& name) {
+  if (symbols.find(name) == nullptr) symbols.declare(name, name, name, "1", all_numbers, "a real number", "");
+}
+
+/// Letters stand for real numbers, alone or with an index or dots: x, x1, k_2, omega_0, betadot. Not so
+/// alphaa, a slip of the pen.
+void declare_names_in(const std::string& text, Symbols& symbols) {
+  static const std::regex tail("([0-9]{0,3}|_[A-Za-z0-9]{1,3}|d?dot)(_[A-Za-z0-9]{1,3})?");
+  if (text.size() > Limits{}.characters) return;  // the parser says so
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const auto belongs = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  for (std::size_t start = 0, end; start < text.size(); start = end) {
+    end = start;
+    while (end < text.size() && belongs(text[end])) ++end;
+    if (end == start || !is_letter(text[start])) {
+      end = std::max(end, start + 1);
+      continue;
+    }
+    const std::string name = text.substr(start, end - start);
+    const auto after = text.find_first_not_of(' ', end);
+    if (name.size() > 24 || name == "pi" || (after != std::string::npos && text[after] == '(')) continue;
+    const bool indexed =
+        name.size() > 1 && (name[1] == '_' || std::isdigit(static_cast<unsigned char>(name[1])) != 0);
+    std::size_t stem = indexed || name.ends_with("dot") ? 1 : 0;
+    for (const std::string& letter : greek)
+      if (name.starts_with(letter)) stem = std::max(stem, letter.size());
+    if (stem > 0 && std::regex_match(name.substr(stem), tail)) declare_free(symbols, name);
+  }
+}
+
+/// A statement that a user typed. Throws BadInput, with a caret.
+Relation read(const std::string& text, const Symbols& symbols) {
+  return reading(text, [&] {
+    Relation relation = parse_statement(text, symbols);
+    for (const Tree& side : relation.sides) (void)lower(side, symbols);  // refuses what has no value at once
+    return relation;
+  });
+}
+
+/// "x != y", too: the right side is read where it stands, so that an error is shown there.
+Relation read_assumption(const std::string& text, const Symbols& symbols) {
+  const auto at = text.find("!=");
+  if (at == std::string::npos) {
+    Relation relation = read(text, symbols);
+    if (relation.operators.empty()) throw BadInput("the assumption '" + text + "' is no relation");
+    return relation;
+  }
+  const auto side = [&](const std::string& it) { return reading(text, [&] { return parse(it, symbols); }); };
+  return {{side(text.substr(0, at)), side(std::string(at + 2, ' ') + text.substr(at + 2))}, {"!="}};
+}
+
+/// What is asked, read.
+struct Question {
+  Symbols symbols;
+  Relation left, right;
+  std::vector<Relation> assumptions;
+};
+
+Question read(const ProveRequest& request) {
+  Question question{declared_symbols(request), {}, {}, {}};
+  question.left = read(request.left, question.symbols),
+  question.right = read(request.right, question.symbols);
+  for (const std::string& text : request.assumptions) {
+    question.assumptions.push_back(read_assumption(text, question.symbols));
+    if (names_of(question.assumptions.back()).empty())
+      throw BadInput("the assumption '" + text + "' says nothing of a symbol");
+  }
+  if (contradict(question.assumptions, question.symbols))
+    throw BadInput(
+        "no numbers in their ranges meet all assumptions: they contradict each other, or have no value");
+  return question;
+}
+
+void check_order(const ProveRequest& request, const Question& question) {
+  if (request.order.has_value() == request.small.empty())
+    throw BadInput("--small and --order belong together");
+  if (request.order && (*request.order < 0 || *request.order > 12))
+    throw BadInput(fmt::format("the order of an approximation is 0 to 12, not {}", *request.order));
+  for (const std::string& name : request.small) {
+    const Symbol* symbol = question.symbols.find(name);
+    if (symbol == nullptr)
+      throw BadInput("--small names '" + printable_line(name) + "', which is no symbol here");
+    if (std::count(request.small.begin(), request.small.end(), name) > 1)
+      throw BadInput("--small names '" + name + "' twice");
+    Interval range = parse_range(symbol->range);
+    range.low.closed = range.high.closed = true;
+    if (!range.contains_zero())
+      throw BadInput("--small names '" + name + "', which is in " + symbol->range + ", away from 0");
+    for (const Relation& a : question.assumptions)
+      if (a.operators[0] == "=" && (a.sides[0]->text == name || a.sides[1]->text == name))
+        throw BadInput("--small names '" + name + "', which an assumption replaces; name what stands for it");
+  }
+}
+
+Proof decide_once(const Question& q, const ProveRequest& request) {
+  Proof proof = decide(q.left, q.right, q.symbols, {}, q.assumptions);
+  if (request.order && proof.verdict != Verdict::proved && proof.verdict != Verdict::proved_under)
+    proof = decide_to_order(q.left, q.right, request.small, *request.order, q.symbols, {}, q.assumptions);
+  return proof;
+}
+
+/// "b < h" as it is said: 0 < x is x > 0.
+std::string in_words(const Relation& link, const Symbols& symbols) {
+  const auto text = [&](std::size_t k) {
+    return print(lower(link.sides[k], symbols), Notation::plain, symbols);
+  };
+  std::string op = link.operators[0];
+  const bool turn =
+      op != "=" && link.sides[1]->kind == Node::Kind::symbol && link.sides[0]->kind != Node::Kind::symbol;
+  if (op == "!=")
+    return print(lower(difference(link.sides[0], link.sides[1]), symbols), Notation::plain, symbols) +
+           " != 0";
+  if (turn) op[0] = op[0] == '<' ? '>' : '<';
+  return text(turn ? 1 : 0) + " " + op + " " + text(turn ? 0 : 1);
+}
+
+/// The assumed inequalities and declared ranges without which the proof does not go through.
+std::vector<std::string> conditions_used(Question q, const ProveRequest& request, Verdict verdict) {
+  constexpr std::size_t most = 10;
+  std::vector<std::string> used;
+  const auto goes_through = [&](const Question& other) {
+    return decide_once(other, request).verdict == verdict;
+  };
+  std::vector<Relation> links;
+  for (const Relation& a : q.assumptions)
+    for (std::size_t k = 0; k < a.operators.size(); ++k)
+      links.push_back({{a.sides[k], a.sides[k + 1]}, {a.operators[k]}});
+  q.assumptions = links;
+  for (std::size_t k = 0, tried = 0; k < q.assumptions.size();) {
+    if (q.assumptions[k].operators[0] == "=") {
+      ++k;
+      continue;
+    }
+    Question other = q;
+    other.assumptions.erase(other.assumptions.begin() + static_cast<std::ptrdiff_t>(k));
+    if (tried++ < most && goes_through(other)) {
+      q = std::move(other);
+      continue;
+    }
+    used.push_back(in_words(q.assumptions[k], q.symbols)), ++k;
+  }
+  std::set<std::string> names = names_of(q.left);
+  names.merge(names_of(q.right));
+  for (const Relation& a : q.assumptions) names.merge(names_of(a));
+  std::size_t tried = 0;
+  for (const std::string& name : names) {
+    const std::string range = q.symbols.find(name)->range;
+    if (range == all_numbers) continue;
+    Question other = q;
+    other.symbols.narrow(name, all_numbers);
+    if (tried++ < most && goes_through(other)) {
+      q = std::move(other);
+      continue;
+    }
+    const Range ends = read_range(range);
+    if (ends.lower != "-inf") used.push_back(name + (ends.lower_closed ? " >= " : " > ") + ends.lower);
+    if (ends.upper != "inf") used.push_back(name + (ends.upper_closed ? " <= " : " < ") + ends.upper);
+  }
+  return used;
+}
+
+}  // namespace
+
+Symbols declared_symbols(const ProveRequest& request) {
+  Symbols symbols = paper_symbols();
+  for (const char* name : {"t", "r", "d"})
+    symbols.declare(name, name, name, symbols.find(name)->unit, all_numbers, "a real number", "");
+  for (char c = 'a'; c <= 'z'; ++c) declare_free(symbols, std::string(1, c));
+  for (char c = 'A'; c <= 'Z'; ++c) declare_free(symbols, std::string(1, c));
+  for (const std::string& letter : greek) declare_free(symbols, letter);
+  declare_names_in(request.left, symbols);
+  declare_names_in(request.right, symbols);
+  for (const std::string& text : request.assumptions) declare_names_in(text, symbols);
+  return symbols;
+}
+
+Proof decide(const ProveRequest& request) {
+  const Question question = read(request);
+  check_order(request, question);
+  Proof proof = decide_once(question, request);
+  if (proof.verdict == Verdict::refuted || proof.verdict == Verdict::undecided) return proof;
+  for (const std::string& condition : conditions_used(question, request, proof.verdict))
+    if (std::find(proof.side_conditions.begin(), proof.side_conditions.end(), condition) ==
+        proof.side_conditions.end())
+      proof.side_conditions.push_back(condition);
+  return proof;
+}
+
+}  // namespace rederive

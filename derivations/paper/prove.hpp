@@ -1,0 +1,40 @@
+// The decision procedure on anything that a user types.
+#pragma once
+
+#include <derivations/decide/decide.hpp>
+#include <derivations/emit/command_line.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rederive {
+
+/// What was asked.
+struct ProveRequest {
+  std::string left, right;
+  std::vector<std::string> assumptions;  ///< "x > 0", "0 < x < 1", "b < h", "x != 0", "theta = 0"
+  std::vector<std::string> small;        ///< expansion symbols, with order
+  std::optional<int> order;              ///< compare the series up to this order
+};
+
+/// The symbols of the paper, and every letter and Greek letter (with an index or dots) that the texts use. t,
+/// r and d are any real numbers: everybody uses them for something else than the paper does.
+Symbols declared_symbols(const ProveRequest& request);
+
+/// Decides. Among the side conditions are the declared ranges and the assumed inequalities without which the
+/// proof does not go through. Throws BadInput (with a caret) for what cannot be read, and for assumptions
+/// that contradict each other.
+Proof decide(const ProveRequest& request);
+
+/// Runs `read`; what it finds wrong with `text`, which a user typed, becomes BadInput, with a caret.
+template <class Read>
+auto reading(const std::string& text, Read read) {
+  try {
+    return read();
+  } catch (const SyntaxError& error) {
+    throw BadInput(explain(error, text));
+  }
+}
+
+}  // namespace rederive

@@ -1,0 +1,95 @@
+// What the checks of the claims share: judged rows, thresholds and motions, each computed once, and words.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <derivations/paper/ledger.hpp>
+#include <lessons/ledger/claims.hpp>
+#include <numerics/closed_form.hpp>
+#include <numerics/windows.hpp>
+
+namespace rederive {
+
+/// One bench serves all claims of one run, and keeps what is expensive.
+class Bench {
+ public:
+  /// A row of equations.toml. Throws std::out_of_range if there is none with that id.
+  const Entry& row(const std::string& id);
+  std::string verdict_of(const std::string& id) { return to_string(row(id).proof.verdict); }
+  /// Whether it is proved, proved_under or approximation.
+  bool stands(const std::string& id);
+  /// "(24b) proved, (88) refuted: right is …".
+  std::string say(const std::vector<std::string>& ids);
+
+  /// All windows up to 12 alpha*g.
+  const std::vector<Window>& windows(const PulseCase& asked);
+  /// The least amplitude that overturns at all, with its code.
+  Window least(const PulseCase& asked);
+  /// The least amplitude without impact, and the least and the largest after one impact, by bisection on the
+  /// simulation, in alpha*g; 0 if none up to 20 alpha*g.
+  double mode_1(const PulseCase& asked) { return edge(asked, -1, false); }
+  double mode_2(const PulseCase& asked) { return edge(asked, 2, false); }
+  double mode_2_upper(const PulseCase& asked) { return edge(asked, 2, true); }
+  double mode(int impacts, const PulseCase& asked) { return impacts == 0 ? mode_1(asked) : mode_2(asked); }
+  /// omega_p/p at which the critical impact meets the end of the pulse, and at which mode_2 ends, 0 if at
+  /// none; see claims_ratios.hpp.
+  double handover_of(const PulseCase& asked);
+  double end_of(const PulseCase& asked);
+
+ private:
+  double edge(const PulseCase& asked, int code_under_sine, bool upper);
+
+  std::vector<Row> rows_ = read_rows(equations_file());
+  std::map<std::string, Entry> entries_;
+  std::map<std::string, std::vector<Window>> windows_;
+  std::map<std::string, double> edges_, ratios_;
+};
+
+/// The block of the captions: alpha = 0.25, p = 2.14; without a restitution that of (46).
+Block paper_block(std::optional<double> restitution = {});
+/// One-sine or one-cosine pulse on it, from rest.
+PulseCase pulse_case(double omega_ratio, Model model = Model::linear, std::optional<double> restitution = {});
+PulseCase cosine_case(double omega_ratio);
+/// With theta_0 in rad and thetadot_0 in rad/s.
+PulseCase with_initial(PulseCase asked, double theta_0, double thetadot_0);
+/// The same pulse on a block of another alpha.
+PulseCase with_alpha(PulseCase asked, double alpha, std::optional<double> restitution = {});
+
+/// The roots of one closed form, and the first of them.
+std::vector<ClosedForm> roots_of(Form form, const PulseCase& asked);
+ClosedForm root_of(Form form, const PulseCase& asked);
+/// Amplitude in units of g*tan(alpha) instead of alpha*g.
+double in_tangent(const PulseCase& asked, double amplitude);
+/// Before it overturns.
+int impacts_of(const Window& window);
+
+/// The pulse of a case as ground motion, the motion under it, and 400 states of that until the pulse ends.
+GroundMotion ground_of(const PulseCase& asked, double amplitude);
+Response motion_at(const PulseCase& asked, double amplitude);
+std::vector<Sample> samples_at(const PulseCase& asked, double amplitude);
+/// When an event of that kind comes first; 0 if never.
+double first_time(const Response& motion, EventKind kind);
+
+/// "2.3577": `digits` after the point.
+std::string fixed(double value, int digits = 4);
+/// Adds an item to a list in words.
+void add(std::string& list, const std::string& item, const char* separator = ", ");
+/// "1: 1.4183, 2: 2.3499": what is said (text, or a number to four digits) at each number.
+template <class Say>
+std::string each(const std::vector<double>& numbers, Say say, const char* separator = ", ") {
+  std::string list;
+  for (const double number : numbers)
+    if constexpr (std::is_same_v<decltype(say(number)), double>)
+      add(list, fmt::format("{:g}: {:.4f}", number, say(number)), separator);
+    else
+      add(list, fmt::format("{:g}: {}", number, say(number)), separator);
+  return list;
+}
+
+inline ClaimVerdict decided(bool holds) { return holds ? confirmed : refuted; }
+/// Confirmed where it holds of all, refuted where of none, else qualified.
+inline ClaimVerdict of_all(int holds, int tried) {
+  return holds == tried ? confirmed : holds == 0 ? refuted : qualified;
+}
+
+}  // namespace rederive
