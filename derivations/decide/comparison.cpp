@@ -100,8 +100,12 @@ void translate(Comparison& setting, const Problem& problem) {
     for (const Relation& a : problem.assumptions) assume(setting, a);
   }
   const auto translate_both = [&] {
-    setting.left = translate(problem.left, problem, setting.ring, translator);
-    setting.right = translate(problem.right, problem, setting.ring, translator);
+    int basis = -1;  // both in the same one
+    for (int round = 0; round < 6 && basis != translator.bases(); ++round) {
+      basis = translator.bases();
+      setting.left = translate(problem.left, problem, setting.ring, translator);
+      setting.right = translate(problem.right, problem, setting.ring, translator);
+    }
   };
   translate_both();
   for (const Translated* side : {&setting.left, &setting.right})

@@ -17,8 +17,7 @@ const char* inversion_of(const std::string& f) {
   return found == table.end() ? nullptr : found->second;
 }
 
-bool is_within(const Tree& tree, const char* interval, const Symbols& symbols) {
-  const Interval bounds = parse_range(interval);
+bool is_within(const Tree& tree, const Interval& bounds, const Symbols& symbols) {
   if (bounds.low.infinite != 0 && bounds.high.infinite != 0) return true;
   try {
     Ring ring;
@@ -39,7 +38,7 @@ bool is_within(const Tree& tree, const char* interval, const Symbols& symbols) {
 /// domain.
 bool is_monotone(const Tree& side, const Symbols& symbols) {
   if (side->kind != Node::Kind::call || inversion_of(side->text) == nullptr) return false;
-  const RealFunction& f = real_function(side->text);
+  const MonotonePiece& f = monotone_piece(side->text);
   return f.turned == 0 || is_within(side->children[0], f.domain, symbols);
 }
 
@@ -50,9 +49,10 @@ Relation with_inversions(const Relation& relation, const Symbols& symbols) {
   for (const int side : {0, 1}) {
     const Tree &of = relation.sides[side], &other = relation.sides[1 - side];
     if (!is_monotone(of, symbols)) continue;
-    const RealFunction& f = real_function(of->text);
+    const MonotonePiece& f = monotone_piece(of->text);
     Relation result = relation;
-    if (std::string& op = result.operators[0]; f.slope < 0 && op != "=") op[0] = op[0] == '<' ? '>' : '<';
+    const bool falls = compare(f.values.low, f.values.high) > 0;
+    if (std::string& op = result.operators[0]; falls && op != "=") op[0] = op[0] == '<' ? '>' : '<';
     result.sides[side] = of->children[0];
     if (other->kind == Node::Kind::call && other->text == of->text && is_monotone(other, symbols))
       result.sides[1 - side] = other->children[0];

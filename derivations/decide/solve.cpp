@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <derivations/decide/points.hpp>
 #include <derivations/language/lower.hpp>
-#include <derivations/language/syntax_error.hpp>
-#include <derivations/language/to_tree.hpp>
 #include <derivations/numbers/interval.hpp>
 
 namespace rederive {

@@ -4,8 +4,8 @@
 
 #include <derivations/decide/points.hpp>
 #include <derivations/language/lower.hpp>
-#include <derivations/numbers/interval.hpp>
 #include <derivations/language/print.hpp>
+#include <derivations/numbers/interval.hpp>
 #include <sstream>
 
 namespace rederive {

@@ -51,6 +51,7 @@ Fraction Translator::exponential_of(const Fraction& argument) {
 
 /// The angles of inverse functions are phases each, for their cosines are known.
 void Translator::rebuild() {
+  ++bases_;
   const auto& all = ring_.generators();
   const bool has_angles =
       std::any_of(all.begin(), all.end(), [](const Generator& g) { return g.kind == Kind::angle; });

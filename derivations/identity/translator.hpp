@@ -32,6 +32,9 @@ class Translator {
   /// Makes the phases for all arguments in these trees, before any of them is translated.
   void collect(const std::vector<Tree>& trees);
 
+  /// How often the phases were made anew: what was translated before then has others.
+  int bases() const { return bases_; }
+
   /// cos and sin of an argument in the ring, and e^argument. Throw Undecidable.
   std::pair<Fraction, Fraction> circular_of(const Fraction& argument);
   Fraction exponential_of(const Fraction& argument);
@@ -78,6 +81,7 @@ class Translator {
   std::vector<DomainCondition>* conditions_ = nullptr;
   std::optional<Fraction> argument_;  ///< u of the rule that is applied
   PhaseBasis circular_, real_;
+  int bases_ = 0;
   Polynomial denominator_ = 1;              ///< sums that arguments are divided by
   int parts_of_pi_ = 1;                     ///< the least common denominator of all multiples of π
   std::map<std::string, int> root_orders_;  ///< key of a base → the least common multiple of its roots

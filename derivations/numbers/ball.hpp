@@ -36,8 +36,8 @@ class Ball {
     arf_set_mpfr(arb_midref(x_), exact), mpfr_clear(exact);
   }
   Ball(const cln::cl_RA& q, long bits);
-  Ball(const Ball& y) : Ball(0, y.bits_) { arb_set(x_, y.x_); }
-  Ball(Ball&& y) noexcept : Ball(0, y.bits_) { arb_swap(x_, y.x_); }
+  Ball(const Ball& y) : bits_(y.bits_) { arb_init(x_), arb_set(x_, y.x_); }
+  Ball(Ball&& y) noexcept : bits_(y.bits_) { arb_init(x_), arb_swap(x_, y.x_); }
   Ball& operator=(Ball y) noexcept { return arb_swap(x_, y.x_), bits_ = y.bits_, *this; }
   ~Ball() { arb_clear(x_); }
   /// A decimal number as it is written. Throws std::invalid_argument.

@@ -55,19 +55,22 @@ Interval absolute(const Interval& x) {
   return x.is_nonpositive() ? -x : overlap(hull(x, -x), nonnegative);
 }
 
-/// A piece of the line on which a function is monotone: its whole domain, but of circular functions and of
-/// even ones; and the values at the ends of it, in this order.
-struct Piece {
-  Interval domain, values;
-  int turned = 0;  ///< of a circular function: f(x + pi)/f(x)
-  Interval range = hull({values.low, values.low}, {values.high, values.high});
-};
+/// An end as an interval; around an end that is not a + b*pi.
+Interval read_end(const std::string& text, bool is_closed) {
+  if (text == "inf") return {infinity(1), infinity(1)};
+  if (text == "-inf") return {infinity(-1), infinity(-1)};
+  const Value value = value_at(parse(text, Symbols()), {}, bits);
+  if (value.is != Value::Is::certain) throw std::invalid_argument("an end of a range has no value: " + text);
+  return enclosing(value, is_closed);
+}
 
-const Piece& piece_of(const std::string& name) {
+}  // namespace
+
+const MonotonePiece& monotone_piece(const std::string& name) {
   static const auto piece = [](const char* domain, const char* values, int turned = 0) {
-    return Piece{parse_range(domain), parse_range(values), turned};
+    return MonotonePiece{parse_range(domain), parse_range(values), turned};
   };
-  static const std::map<std::string, Piece> table = {
+  static const std::map<std::string, MonotonePiece> table = {
       {"sin", piece("[-pi/2, pi/2]", "[-1, 1]", -1)},   {"cos", piece("[0, pi]", "[1, -1]", -1)},
       {"tan", piece("(-pi/2, pi/2)", all_numbers, +1)}, {"cot", piece("(0, pi)", "(inf, -inf)", +1)},
       {"asin", piece("[-1, 1]", "[-pi/2, pi/2]")},      {"acos", piece("[-1, 1]", "[pi, 0]")},
@@ -79,17 +82,6 @@ const Piece& piece_of(const std::string& name) {
       {"fabs", piece("[0, inf)", "[0, inf)")}};
   return table.at(name);
 }
-
-/// An end as an interval; around an end that is not a + b*pi.
-Interval read_end(const std::string& text, bool is_closed) {
-  if (text == "inf") return {infinity(1), infinity(1)};
-  if (text == "-inf") return {infinity(-1), infinity(-1)};
-  const Value value = value_at(parse(text, Symbols()), {}, bits);
-  if (value.is != Value::Is::certain) throw std::invalid_argument("an end of a range has no value: " + text);
-  return enclosing(value, is_closed);
-}
-
-}  // namespace
 
 int compare(const End& x, const End& y) {
   return x.infinite || y.infinite ? x.infinite - y.infinite : (x - y).sign();
@@ -156,7 +148,7 @@ Interval power(const Interval& x, long n) {
 
 Interval call(const std::string& name, const Interval& x) {
   if (const char* other = reciprocal_of(name)) return reciprocal(call(other, x));
-  const auto& [domain, values, turned, range] = piece_of(name);
+  const auto& [domain, values, turned, range] = monotone_piece(name);
   const auto on_piece = [&](const Interval& y) {
     const Interval given = overlap(y, domain);
     const auto value = [&](const Value& v) { return call(name, v); };

@@ -51,4 +51,14 @@ Interval power(const Interval& x, long n);
 /// unknown one.
 Interval call(const std::string& function, const Interval& x);
 
+/// A piece of the line on which a function is monotone: its whole domain, but of circular functions and of
+/// even ones; and the values at the ends of it, in this order.
+struct MonotonePiece {
+  Interval domain, values;
+  int turned = 0;  ///< of a circular function: f(x + pi)/f(x)
+  Interval range = hull({values.low, values.low}, {values.high, values.high});
+};
+/// Throws std::out_of_range for an unknown name, and for those that are defined as 1/f.
+const MonotonePiece& monotone_piece(const std::string& function);
+
 }  // namespace rederive

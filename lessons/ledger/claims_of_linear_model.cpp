@@ -37,7 +37,7 @@ Finding separatrix(Bench& bench, const Claim& claim) {
     for (const int impacts : {0, 1}) {
       const PulseCase asked = pulse_case(ratio);
       if (impacts == 1 && ratio > 4.5) continue;
-      const Point end = motion_at(asked, bench.mode(impacts, asked)).end;
+      const numeric::Point end = motion_at(asked, bench.mode(impacts, asked)).end;
       const double side = end.angle < 0 ? -1 : 1;
       off = std::max(off, std::abs(static_cast<double>(end.velocity + end.angle) - side));
       farthest = std::max(farthest, std::abs(static_cast<double>(end.angle)));
