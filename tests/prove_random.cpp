@@ -167,9 +167,8 @@ Point random_point(const std::set<std::string>& names, const Symbols& symbols, s
 
 /// Whether 600 bits at some points tell the two apart; nothing where they have no values in common.
 std::optional<bool> are_different(const Tree& a, const Tree& b, const Symbols& symbols) {
-  std::set<std::string> names;
-  collect_names(a, names);
-  collect_names(b, names);
+  std::set<std::string> names = names_of(a);
+  names.merge(names_of(b));
   std::mt19937 random(1);
   int both = 0;
   for (int k = 0; k < 60 && both < 12; ++k) {
