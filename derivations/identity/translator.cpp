@@ -140,8 +140,9 @@ Fraction Translator::product(const Node& node) {
 /// b^e: roots where the exponent is a fraction, else e^{e log b} of a base that is positive.
 Fraction Translator::power_of(const Node& node) {
   const Fraction base = translate(node.children[0]), exponent = translate(node.children[1]);
-  if (!exponent.is_constant()) {  // of a negative base there are values for whole exponents only
-    if (ring_.signs_of(base) != Signs::positive()) require(base, Signs::positive(), node.children[0]);
+  if (!exponent.is_constant()) {
+    if (ring_.signs_of(base) != Signs::positive())  // of a negative one there are values for whole exponents only
+      throw Undecidable("a power with a symbolic exponent, of a base that is not known to be positive");
     return exponential(ring_.normal(exponent * logarithm(base)));
   }
   const cl_RA number = exponent.constant();

@@ -7,7 +7,7 @@ namespace rederive {
 
 std::string TomlRow::text(const std::string& key, bool is_needed) {
   const auto found = value<std::string>(key, "a string");
-  if (is_needed && found.value_or("").empty()) missing_ = key;
+  if (is_needed && missing_.empty() && found.value_or("").empty()) missing_ = key;
   return found.value_or("");
 }
 

@@ -19,7 +19,7 @@ const std::set<std::string> verdicts{"proved",  "proved_under", "approximation",
 TableRow read_row(TomlRow table) {
   const auto line = [&](const std::string& text) {
     if (printable_line(text) != text)
-      table.fail("'" + printable_line(text) + "' is no line of printable characters");
+      table.fail("'" + printable_line(text) + "' must be one line of printable characters");
     return text;
   };
   const auto lines = [&](const std::string& key) {
@@ -29,7 +29,7 @@ TableRow read_row(TomlRow table) {
   };
   TableRow row{line(table.text("group", true)),
                line(table.text("why")),
-               table.text("expected", true),
+               line(table.text("expected", true)),
                table.flag("limit"),
                {}};
   row.request = {
