@@ -5,7 +5,7 @@
 //
 // Sample runs:  lesson-02-lagrange-twice-over
 //               lesson-02-lagrange-twice-over --step 2
-#include <lessons/lesson.hpp>
+#include <lessons/run_lesson.hpp>
 
 using namespace rederive;
 

@@ -8,7 +8,7 @@
 
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/drawings.hpp>
-#include <lessons/lesson.hpp>
+#include <lessons/run_lesson.hpp>
 
 using namespace rederive;
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include <lessons/drawings.hpp>
-#include <lessons/lesson.hpp>
+#include <lessons/run_lesson.hpp>
 
 using namespace rederive;
 

@@ -8,7 +8,7 @@
 
 #include <lessons/drawings.hpp>
 #include <lessons/experiments.hpp>
-#include <lessons/lesson.hpp>
+#include <lessons/run_lesson.hpp>
 
 using namespace rederive;
 

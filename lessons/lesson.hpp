@@ -1,4 +1,4 @@
-// What a lesson is made of, and the one main that all lessons share.
+// What a lesson is made of.
 //
 // A lesson is a list of steps, each a function that writes on a Page when its turn comes: sentences, formulas
 // computed at that moment, the ledger's verdicts, tables, figures, things to try. The renderers turn a page
@@ -103,8 +103,5 @@ Relation derived_with(const std::string& id, const Values& values);
 Relation printed_with(const std::string& id, const Values& values);
 /// The number that an expression comes to. Throws std::invalid_argument if a symbol is left.
 double number_of(const GiNaC::ex& expression, const Values& values = {});
-
-/// Parses the flags that all lessons share, and prints what they ask for. Gives the exit code.
-int run_lesson(const Lesson& lesson, int argc, char** argv);
 
 }  // namespace rederive

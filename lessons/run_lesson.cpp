@@ -6,6 +6,7 @@
 #include <derivations/emit/command_line.hpp>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
+#include <lessons/run_lesson.hpp>
 #include <map>
 #include <optional>
 

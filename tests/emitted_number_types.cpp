@@ -10,7 +10,6 @@ using namespace rederive;
 namespace {
 
 /// A number type that counts what is done with it, found by argument-dependent lookup alone.
-
 namespace counting {
 std::size_t operations = 0;
 struct Number {

@@ -49,31 +49,6 @@ std::set<std::string> names_of(const Relation& relation) {
   return names;
 }
 
-namespace {
-
-bool is_same(const Tree& a, const Tree& b) {
-  return a == b || (a->kind == b->kind && a->text == b->text && a->inverse == b->inverse &&
-                    std::equal(a->children.begin(), a->children.end(), b->children.begin(), b->children.end(),
-                               is_same));
-}
-
-}  // namespace
-
-Tree put_in(const Tree& tree, const Tree& part, const Tree& value) {
-  if (is_same(tree, part)) return value;
-  std::vector<Tree> children;
-  bool is_unchanged = true;
-  for (const Tree& child : tree->children) {
-    children.push_back(put_in(child, part, value));
-    is_unchanged = is_unchanged && children.back() == child;
-  }
-  return is_unchanged ? tree : make_tree(tree->kind, tree->text, std::move(children), tree->inverse);
-}
-
-Tree put_in(const Tree& tree, const std::string& symbol, const Tree& value) {
-  return put_in(tree, make_tree(Node::Kind::symbol, symbol), value);
-}
-
 Relation put_in(Relation relation, const std::string& symbol, const Tree& value) {
   for (Tree& side : relation.sides) side = put_in(side, symbol, value);
   return relation;

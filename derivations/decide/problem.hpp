@@ -27,11 +27,8 @@ std::vector<Tree> trees_of(const Problem& problem);
 std::set<std::string> names_of(const Tree& tree);
 std::set<std::string> names_of(const Relation& relation);
 
-/// The tree with a value in the place of a symbol.
-Tree put_in(const Tree& tree, const std::string& symbol, const Tree& value);
+/// The relation with a value in the place of a symbol.
 Relation put_in(Relation relation, const std::string& symbol, const Tree& value);
-/// The tree with a value in the place of every part that has the same form as `part`.
-Tree put_in(const Tree& tree, const Tree& part, const Tree& value);
 
 /// a + b*pi as a tree, and as a coordinate.
 Tree tree_of(const Constant& c);

@@ -2,8 +2,8 @@
 //
 // Every function of the paper becomes a rational function of generators: the symbols, π, the cosine and the
 // sine of independent phases, exponentials of independent real arguments, roots, sizes, logarithms, inverse
-// functions. Between them hold true relations, each for a power of one generator in terms of earlier ones: s²
-// = 1 - c², y² = u, a² = u². What reduces to 0 modulo these is 0 wherever it has a value: that proves an
+// functions. Between them hold true relations, each for a power of one generator in terms of earlier ones:
+// s² = 1 - c², y² = u, a² = u². What reduces to 0 modulo these is 0 wherever it has a value: that proves an
 // identity. Exponentials of arguments that are linearly independent over the rationals are algebraically
 // independent (Lindemann-Weierstrass for numbers, Ax 1971 for functions; Risch's structure theorem for towers
 // of them), so that within the class the converse holds, too. Davenport, Siret, Tournier, Computer Algebra,

@@ -43,11 +43,4 @@ const RewriteRule* rewrite_rule(const std::string& function) {
   return found == rules.end() ? nullptr : &found->second;
 }
 
-Tree with_argument(const Tree& tree, const Tree& value) {
-  if (tree->kind == Node::Kind::symbol && tree->text == "u") return value;
-  std::vector<Tree> children;
-  for (const Tree& child : tree->children) children.push_back(with_argument(child, value));
-  return make_tree(tree->kind, tree->text, std::move(children), tree->inverse);
-}
-
 }  // namespace rederive

@@ -17,7 +17,4 @@ struct RewriteRule {
 /// replaced.
 const RewriteRule* rewrite_rule(const std::string& function);
 
-/// The tree with a value in the place of u.
-Tree with_argument(const Tree& tree, const Tree& value);
-
 }  // namespace rederive

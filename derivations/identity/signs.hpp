@@ -15,9 +15,8 @@ class Signs {
 
   constexpr bool within(Signs other) const { return (bits_ & ~other.bits_) == 0; }
   constexpr bool is_definite() const { return within(nonzero()); }
-  constexpr bool is_none() const {
-    return bits_ == 0;
-  }  ///< no number at all: the facts contradict each other
+  /// No number at all: the facts contradict each other.
+  constexpr bool is_none() const { return bits_ == 0; }
   friend constexpr Signs operator&(Signs a, Signs b) { return Signs(a.bits_ & b.bits_); }
   friend constexpr Signs operator|(Signs a, Signs b) { return Signs(a.bits_ | b.bits_); }
   constexpr Signs operator-() const { return Signs((bits_ & 2) | (bits_ & 1) << 2 | (bits_ & 4) >> 2); }

@@ -141,7 +141,8 @@ Fraction Translator::product(const Node& node) {
 Fraction Translator::power_of(const Node& node) {
   const Fraction base = translate(node.children[0]), exponent = translate(node.children[1]);
   if (!exponent.is_constant()) {
-    if (ring_.signs_of(base) != Signs::positive())  // of a negative one there are values for whole exponents only
+    if (ring_.signs_of(base) !=
+        Signs::positive())  // of a negative one there are values for whole exponents only
       throw Undecidable("a power with a symbolic exponent, of a base that is not known to be positive");
     return exponential(ring_.normal(exponent * logarithm(base)));
   }
@@ -170,8 +171,7 @@ Fraction Translator::call(const Node& node) {
       conditions_->erase(conditions_->begin() + static_cast<std::ptrdiff_t>(known), conditions_->end());
       return result;
     };
-    for (const auto& [value, signs] : rule->domain)
-      require(of_x(value), signs, with_argument(value, argument));
+    for (const auto& [value, signs] : rule->domain) require(of_x(value), signs, put_in(value, "u", argument));
     if (rule->result) return of_x(rule->result);
   }
   if (name == "sin") return circular(x).second;

@@ -5,6 +5,7 @@
 #include <cln/integer_io.h>
 #include <cln/rational.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <stdexcept>
@@ -40,6 +41,29 @@ inline Tree make_tree(Node::Kind kind, std::string text, std::vector<Tree> child
                       std::vector<bool> inverse = {}, std::size_t position = 0) {
   return std::make_shared<const Node>(
       Node{kind, std::move(text), std::move(children), std::move(inverse), position});
+}
+
+/// Whether two trees have the same form, wherever they were parsed.
+inline bool is_same(const Tree& a, const Tree& b) {
+  return a == b || (a->kind == b->kind && a->text == b->text && a->inverse == b->inverse &&
+                    std::equal(a->children.begin(), a->children.end(), b->children.begin(), b->children.end(),
+                               is_same));
+}
+
+/// The tree with a value in the place of every part that has the same form as `part`.
+inline Tree put_in(const Tree& tree, const Tree& part, const Tree& value) {
+  if (is_same(tree, part)) return value;
+  std::vector<Tree> children;
+  bool is_unchanged = true;
+  for (const Tree& child : tree->children) {
+    children.push_back(put_in(child, part, value));
+    is_unchanged = is_unchanged && children.back() == child;
+  }
+  return is_unchanged ? tree : make_tree(tree->kind, tree->text, std::move(children), tree->inverse);
+}
+/// The tree with a value in the place of a symbol.
+inline Tree put_in(const Tree& tree, const std::string& symbol, const Tree& value) {
+  return put_in(tree, make_tree(Node::Kind::symbol, symbol), value);
 }
 
 /// The exact value of a number as written: "0.25" is 1/4, "1e-3" is 1/1000. It must be the text of a number

@@ -139,8 +139,7 @@ std::vector<std::string> conditions_used(Question q, const ProveRequest& request
   };
   std::vector<Relation> links;
   for (const Relation& a : q.assumptions)
-    for (std::size_t k = 0; k < a.operators.size(); ++k)
-      links.push_back({{a.sides[k], a.sides[k + 1]}, {a.operators[k]}});
+    for (Relation& link : links_of(a)) links.push_back(std::move(link));
   q.assumptions = links;
   for (std::size_t k = 0, tried = 0; k < q.assumptions.size();) {
     if (q.assumptions[k].operators[0] == "=") {
