@@ -24,6 +24,14 @@ std::optional<Polynomial> reduced(const Ring& ring, const Polynomial& p) {
   return f.numerator;  // a positive multiple
 }
 
+/// The number, or one further out (side +1: below it) if it is long: products of bounds must fit into
+/// doubles.
+cl_RA shortened(const cl_RA& end, int side) {
+  const cl_RA unit = cl_RA(1) / 4096;
+  if (cln::integer_length(cln::denominator(end)) < 24) return end;
+  return (side > 0 ? cln::floor1(end / unit) : cln::ceiling1(end / unit)) * unit;
+}
+
 /// What the range of a generator says: g - low >= 0, high - g >= 0, for rational ends.
 void add_range(const Ring& ring, int k, std::vector<Fact>& facts) {
   const Generator& g = ring.generators()[k];
@@ -31,7 +39,7 @@ void add_range(const Ring& ring, int k, std::vector<Fact>& facts) {
   const auto add = [&](const End& end, int side) {
     if (end.infinite != 0) return;
     const Signs signs = end.closed ? Signs::nonnegative() : Signs::positive();
-    Fraction bound = Fraction(end.a);
+    Fraction bound(shortened(end.a, side));
     if (!cln::zerop(end.b)) {
       const auto pi = ring.find("pi");
       if (!pi) return;
@@ -144,16 +152,19 @@ std::optional<Certificate> combine(const std::vector<Column>& columns) {
     for (std::size_t t = 0; t < c.value.terms(); ++t) rows.try_emplace(c.value.monomial(t), rows.size());
   if (rows.size() > most_rows) return std::nullopt;
   std::vector<std::vector<cl_RA>> all;
-  std::vector<std::pair<std::size_t, int>> of;  // which column, with which sign
+  std::vector<std::pair<std::size_t, cl_RA>> of;  // which column, and times what: no entry is above 1
   for (std::size_t k = 0; k < columns.size(); ++k)
     for (const int side : {1, -1}) {
       if (side < 0 && !columns[k].is_zero) continue;
-      std::vector<cl_RA> entries(rows.size() + 1, 0);
       const Polynomial& p = columns[k].value;
-      for (std::size_t t = 0; t < p.terms(); ++t) entries[rows.at(p.monomial(t))] = side * p.coefficient(t);
+      cln::cl_I largest = 1;
+      for (std::size_t t = 0; t < p.terms(); ++t) largest = cln::max(largest, cln::abs(p.coefficient(t)));
+      const cl_RA factor = cl_RA(side) / largest;
+      std::vector<cl_RA> entries(rows.size() + 1, 0);
+      for (std::size_t t = 0; t < p.terms(); ++t) entries[rows.at(p.monomial(t))] = factor * p.coefficient(t);
       entries.back() = columns[k].is_strict ? 1 : 0;
       all.push_back(std::move(entries));
-      of.emplace_back(k, side);
+      of.emplace_back(k, factor);
     }
   std::vector<cl_RA> one(rows.size() + 1, 0);
   one.back() = 1;

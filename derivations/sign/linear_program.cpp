@@ -3,7 +3,6 @@
 #include <glpk.h>
 
 #include <algorithm>
-#include <cmath>
 #include <derivations/identity/linear_system.hpp>
 #include <derivations/sign/linear_program.hpp>
 #include <memory>
@@ -15,13 +14,11 @@ using cln::cl_RA;
 namespace {
 
 constexpr int most_steps = 2000;
-constexpr double largest = 1e12;   ///< of an entry: doubles would say nothing of the others
-constexpr double rounding = 1e-9;  ///< what is smaller is 0
 
-/// The columns that a basic solution takes, in their order, so that they are independent; nothing where
-/// doubles find none.
-std::optional<std::vector<std::size_t>> columns_taken(const std::vector<std::vector<cl_RA>>& columns,
-                                                      const std::vector<cl_RA>& sum) {
+/// The columns in the basis of a solution, in their order: they are independent. Those that are 0 in doubles
+/// may take up what rounding left. Nothing where doubles find no solution.
+std::optional<std::vector<std::size_t>> basis_of(const std::vector<std::vector<cl_RA>>& columns,
+                                                 const std::vector<cl_RA>& sum) {
   const std::unique_ptr<glp_prob, decltype(&glp_delete_prob)> program(glp_create_prob(), &glp_delete_prob);
   glp_add_rows(program.get(), static_cast<int>(sum.size())),
       glp_add_cols(program.get(), static_cast<int>(columns.size()));
@@ -33,8 +30,6 @@ std::optional<std::vector<std::size_t>> columns_taken(const std::vector<std::vec
     for (std::size_t row = 0; row < sum.size(); ++row)
       if (!cln::zerop(columns[k][row]))
         rows.push_back(static_cast<int>(row) + 1), entries.push_back(cln::double_approx(columns[k][row]));
-    if (std::any_of(entries.begin(), entries.end(), [](double x) { return !(std::abs(x) < largest); }))
-      return std::nullopt;
     glp_set_col_bnds(program.get(), static_cast<int>(k) + 1, GLP_LO, 0, 0);
     glp_set_mat_col(program.get(), static_cast<int>(k) + 1, static_cast<int>(rows.size()) - 1, rows.data(),
                     entries.data());
@@ -44,28 +39,28 @@ std::optional<std::vector<std::size_t>> columns_taken(const std::vector<std::vec
   settings.msg_lev = GLP_MSG_OFF, settings.it_lim = most_steps;
   if (glp_simplex(program.get(), &settings) != 0 || glp_get_status(program.get()) != GLP_OPT)
     return std::nullopt;
-  std::vector<std::size_t> taken;
+  std::vector<std::size_t> basis;
   for (std::size_t k = 0; k < columns.size(); ++k)
-    if (glp_get_col_prim(program.get(), static_cast<int>(k) + 1) > rounding) taken.push_back(k);
-  return taken;
+    if (glp_get_col_stat(program.get(), static_cast<int>(k) + 1) == GLP_BS) basis.push_back(k);
+  return basis;
 }
 
 }  // namespace
 
 std::optional<std::vector<cl_RA>> nonnegative_solution(const std::vector<std::vector<cl_RA>>& columns,
                                                        const std::vector<cl_RA>& sum) {
-  const auto taken = columns_taken(columns, sum);
-  if (!taken) return std::nullopt;
+  const auto basis = basis_of(columns, sum);
+  if (!basis) return std::nullopt;
   std::vector<std::vector<cl_RA>> rows(sum.size());
   for (std::size_t row = 0; row < sum.size(); ++row) {
-    for (const std::size_t k : *taken) rows[row].push_back(columns[k][row]);
+    for (const std::size_t k : *basis) rows[row].push_back(columns[k][row]);
     rows[row].push_back(sum[row]);
   }
   const auto parts = solve(std::move(rows));
   if (!parts || std::any_of(parts->begin(), parts->end(), [](const cl_RA& x) { return cln::minusp(x); }))
     return std::nullopt;
   std::vector<cl_RA> solution(columns.size(), 0);
-  for (std::size_t k = 0; k < taken->size(); ++k) solution[(*taken)[k]] = (*parts)[k];
+  for (std::size_t k = 0; k < basis->size(); ++k) solution[(*basis)[k]] = (*parts)[k];
   return solution;
 }
 
