@@ -2,6 +2,7 @@
 #include <derivations/decide/domain.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
+#include <numeric>
 
 namespace rederive {
 
@@ -68,7 +69,8 @@ std::vector<Said> say_factors(const DomainCondition& c, const Ring& ring, const 
     else if (c.allowed != Signs::nonnegative() && !signs.is_definite())
       result.push_back({text(factor), Signs::nonzero()});
   }
-  if (!rest.is_constant()) result.push_back({text(rest), c.allowed});
+  if (!rest.is_constant())
+    result.push_back({print(ring.meaning_of(Fraction(rest)).expand(), Notation::plain, symbols), c.allowed});
   return result;
 }
 
@@ -91,26 +93,46 @@ std::vector<Said> say(const DomainCondition& c, const Ring& ring, const Symbols&
   return result;
 }
 
+/// Without those that follow from the others; u >= 0 and u != 0 are u > 0.
+std::vector<DomainCondition> independent(const std::vector<DomainCondition>& conditions, const Ring& ring) {
+  std::vector<DomainCondition> result;
+  for (const DomainCondition& c : conditions) {
+    const auto same =
+        std::find_if(result.begin(), result.end(), [&](auto& known) { return known.value == c.value; });
+    if (same == result.end())
+      result.push_back(c);
+    else
+      same->allowed = same->allowed & c.allowed;
+  }
+  std::vector<std::size_t> order(result.size());  // the longest first
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return result[a].value.key().size() > result[b].value.key().size();
+  });
+  for (const std::size_t k : order) {
+    Ring with_others = ring;
+    for (std::size_t j = 0; j < result.size(); ++j)
+      if (j != k) with_others.learn(result[j].value, result[j].allowed);
+    if (with_others.signs_of(with_others.normal(result[k].value)).within(result[k].allowed))
+      result[k].allowed = Signs::any();
+  }
+  std::erase_if(result, [](const DomainCondition& c) { return c.allowed == Signs::any(); });
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::string> in_words(const std::vector<DomainCondition>& conditions, const Ring& ring,
                                   const Symbols& symbols) {
-  std::vector<Said> all;
-  for (const DomainCondition& c : conditions)
-    for (const Said& said : say(c, ring, symbols)) {
-      const auto same =
-          std::find_if(all.begin(), all.end(), [&](const Said& s) { return s.text == said.text; });
-      if (same == all.end())
-        all.push_back(said);
-      else
-        same->signs = same->signs & said.signs;
-    }
   std::vector<std::string> words;
-  for (const Said& s : all)
-    words.push_back(s.text + (s.signs == Signs::nonzero()       ? " != 0"
-                              : s.signs == Signs::nonnegative() ? " >= 0"
-                              : s.signs == Signs::positive()    ? " > 0"
-                                                                : " < 0"));
+  for (const DomainCondition& c : independent(conditions, ring))
+    for (const auto& [text, signs] : say(c, ring, symbols)) {
+      const std::string word = text + (signs == Signs::nonzero()       ? " != 0"
+                                       : signs == Signs::nonnegative() ? " >= 0"
+                                       : signs == Signs::positive()    ? " > 0"
+                                                                       : " < 0");
+      if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+    }
   return words;
 }
 

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <derivations/decide/comparison.hpp>
+#include <derivations/decide/domain.hpp>
 #include <derivations/decide/expansion.hpp>
+#include <derivations/identity/rewrite_rules.hpp>
 #include <derivations/identity/zero_test.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
@@ -23,47 +26,93 @@ struct Series {
 
 class Expansion {
  public:
+  /// Keeps references, which must outlive it; `known` holds the assumptions.
   Expansion(const GiNaC::symbol& size, int terms, const Symbols& symbols,
-            const std::vector<std::string>& small)
-      : size_(size), terms_(terms), symbols_(symbols), small_(small) {}
+            const std::vector<std::string>& small, Comparison& known)
+      : size_(size), terms_(terms), symbols_(symbols), small_(small), known_(known) {
+    for (const std::string& name : small) scaled_[symbols[name]] = size * symbols[name];
+  }
 
+  /// In the size of the small symbols. What its parts need to have values near 0 is kept in `conditions`.
   /// Throws Undecidable where there is no series.
-  Series of(const ex& e) {
+  Series of(const Tree& tree) {
+    require_domain(tree);
+    return of(lower(tree, symbols_));
+  }
+  Series of(const ex& e) { return of_scaled(e.subs(scaled_, GiNaC::subs_options::no_pattern)); }
+
+  /// Whether the logarithm of a small symbol stands in it: as the symbol goes to 0, it grows.
+  bool has_log_of_small(const ex& e) const {
+    if (GiNaC::is_a<GiNaC::function>(e) && GiNaC::ex_to<GiNaC::function>(e).get_name() == "log")
+      return std::any_of(small_.begin(), small_.end(), [&](auto& name) { return e.has(symbols_[name]); });
+    return std::any_of(e.begin(), e.end(), [&](const ex& part) { return has_log_of_small(part); });
+  }
+
+  /// What the assumptions do not grant.
+  std::vector<DomainCondition> conditions;
+
+  /// The sign that the lowest term must have, for what is near 0 to have it; and what is known of it.
+  Signs require(const Series& series, Signs signs) {
+    const Tree lowest = to_tree(from_its_lowest_term(series).c[0], symbols_);
+    std::vector<DomainCondition> unused;
+    const Fraction f = known_.translator(lowest, unused);
+    const Signs known = known_.ring.signs_of(f);
+    if ((known & signs).is_none()) throw Undecidable("there is no series of what has no value");
+    if (!prove_signs(known_.ring, known_.facts, f, signs)) conditions.push_back({f, signs, lowest});
+    return known;
+  }
+
+ private:
+  void require_domain(const Tree& tree) {
+    for (const Tree& child : tree->children) require_domain(child);
+    const auto need = [&](const Tree& part, Signs signs) {
+      require(of(lower(part, symbols_)), signs == Signs::nonnegative() ? Signs::positive() : signs);
+    };
+    for (std::size_t k = 0; k < tree->children.size() && tree->kind == Node::Kind::product; ++k)
+      if (tree->inverse[k]) need(tree->children[k], Signs::nonzero());
+    if (tree->kind == Node::Kind::power) {
+      const ex exponent = lower(tree->children[1], symbols_);
+      if (!exponent.info(GiNaC::info_flags::integer))
+        need(tree->children[0], Signs::positive());
+      else if (exponent.info(GiNaC::info_flags::negative))
+        need(tree->children[0], Signs::nonzero());
+    }
+    const RewriteRule* rule = tree->kind == Node::Kind::call ? rewrite_rule(tree->text) : nullptr;
+    if (rule == nullptr) return;
+    for (const auto& [value, signs] : rule->domain) need(put_in(value, "u", tree->children[0]), signs);
+  }
+
+  Series of_scaled(const ex& e) {
     if (!e.has(size_)) return constant(e);
     if (e.is_equal(size_)) return truncated({1, {1}});
     const bool is_sum = GiNaC::is_a<GiNaC::add>(e);
     if (is_sum || GiNaC::is_a<GiNaC::mul>(e)) {
-      Series result = of(e.op(0));
+      Series result = of_scaled(e.op(0));
       for (std::size_t k = 1; k < e.nops(); ++k)
-        result = is_sum ? plus(result, of(e.op(k))) : times(result, of(e.op(k)));
+        result = is_sum ? plus(result, of_scaled(e.op(k))) : times(result, of_scaled(e.op(k)));
       return result;
     }
-    if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::integer))
-      return power(of(e.op(0)), GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int());
-    if (GiNaC::is_a<GiNaC::power>(e) && !e.op(1).has(size_)) {
-      const GiNaC::symbol x("x");
-      return composed(GiNaC::pow(x, e.op(1)), x, of(e.op(0)));
-    }
+    const GiNaC::symbol x("x");
     if (GiNaC::is_a<GiNaC::power>(e)) {
-      if (!e.op(0).has(size_)) require(e.op(0), Signs::positive(), " > 0");
-      return of(GiNaC::exp(e.op(1) * GiNaC::log(e.op(0))));
+      if (e.op(1).info(GiNaC::info_flags::integer))
+        return power(of_scaled(e.op(0)), GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int());
+      if (!e.op(1).has(size_)) return composed(GiNaC::pow(x, e.op(1)), x, of_scaled(e.op(0)));
+      return of_scaled(GiNaC::exp(e.op(1) * GiNaC::log(e.op(0))));
     }
     if (!GiNaC::is_a<GiNaC::function>(e) || e.nops() != 1)
       throw Undecidable("there is no series of this form");
     const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
-    if (name == "tan" || name == "tanh") {
-      const ex x = e.op(0);
-      return of(name == "tan" ? GiNaC::sin(x) / GiNaC::cos(x) : GiNaC::sinh(x) / GiNaC::cosh(x));
-    }
+    if (name == "tan") return of_scaled(GiNaC::sin(e.op(0)) / GiNaC::cos(e.op(0)));
+    if (name == "tanh") return of_scaled(GiNaC::sinh(e.op(0)) / GiNaC::cosh(e.op(0)));
     if (name == "abs") throw Undecidable("there is no series of what stands between bars");
-    const GiNaC::symbol x("x");
-    return composed(GiNaC::function(GiNaC::ex_to<GiNaC::function>(e).get_serial(), x), x, of(e.op(0)));
+    Series inside = of_scaled(e.op(0));
+    if (name == "log") {  // log(size^m (c + ...)) = m log(size) + log(c + ...), and the size is 1 in the end
+      inside = from_its_lowest_term(std::move(inside));
+      inside.low = 0;
+    }
+    return composed(GiNaC::function(GiNaC::ex_to<GiNaC::function>(e).get_serial(), x), x, inside);
   }
 
-  /// What must not be 0: the lowest terms of divisors.
-  std::vector<std::string> conditions;
-
- private:
   Series constant(const ex& e) const { return truncated({0, {e}}); }
   Series truncated(Series s) const {
     s.c.resize(static_cast<std::size_t>(std::max(0, terms_ - s.low)), 0);
@@ -85,34 +134,20 @@ class Expansion {
     }
     return result;
   }
-  bool is_zero(const ex& e) const {
+  bool is_zero(const ex& e) {
     if (e.expand().is_zero()) return true;
-    Ring ring;
-    Translator translator(ring, symbols_);
     std::vector<DomainCondition> unused;
-    return vanishes(translator(to_tree(e, symbols_), unused), ring, translator);
+    const Fraction f = known_.translator(to_tree(e, symbols_), unused);
+    return vanishes(f, known_.ring, known_.translator);
   }
-  /// Without the lowest terms that are 0; the first one that is left must not be 0.
+  /// Without the lowest terms that are 0.
   Series from_its_lowest_term(Series s) {
     while (!s.c.empty() && is_zero(s.c[0])) s.c.erase(s.c.begin()), ++s.low;
     if (s.c.empty()) throw Undecidable("a divisor that is 0 to all orders that were looked at");
     for (const std::string& name : small_)
       if (small_.size() > 1 && s.c[0].has(symbols_[name]))
         throw Undecidable("a divisor whose lowest terms may be smaller than the rest");
-    require(s.c[0], Signs::nonzero(), " != 0");
     return s;
-  }
-  /// A condition, where the ranges do not grant it. Throws Undecidable where they exclude it.
-  void require(const ex& value, Signs signs, const std::string& text) {
-    Ring ring;
-    Translator translator(ring, symbols_);
-    std::vector<DomainCondition> unused;
-    const Fraction f = translator(to_tree(value, symbols_), unused);
-    const Signs known = ring.signs_of(f);
-    if ((known & signs).is_none()) throw Undecidable("there is no series of what has no value");
-    const Fraction said = signs == Signs::nonzero() ? Fraction(f.numerator) : f;
-    if (!known.within(signs))
-      conditions.push_back(print(ring.meaning_of(said), Notation::plain, symbols_) + text);
   }
   /// Of a negative exponent: (c·sizeᵐ(1 + …))ⁿ = sizeᵐⁿ·(c + …)ⁿ.
   Series power(Series base, int n) {
@@ -127,19 +162,16 @@ class Expansion {
     return result;
   }
   /// f(a + δ) = Σ f⁽ᵏ⁾(a) δᵏ/k!, where f is analytic at a.
-  Series composed(const ex& f, const GiNaC::symbol& x, const Series& inside) {
-    if (inside.low < 0 && !is_zero(inside.coefficient(-1)))
-      throw Undecidable("there is no series of a function of what is infinite");
-    const ex a = inside.coefficient(0);
-    Series delta = inside, power = constant(1);
-    if (delta.low <= 0 && delta.known() > 0) delta.c[static_cast<std::size_t>(-delta.low)] = 0;
+  Series composed(const ex& f, const GiNaC::symbol& x, Series delta) {
+    while (delta.low < 0 && !delta.c.empty() && is_zero(delta.c[0]))
+      delta.c.erase(delta.c.begin()), ++delta.low;
     if (delta.low < 0) throw Undecidable("there is no series of a function of what is infinite");
-    const bool is_root = GiNaC::is_a<GiNaC::power>(f) && !f.op(1).info(GiNaC::info_flags::integer);
-    if (is_root || f.is_equal(GiNaC::log(x))) {
-      if (is_zero(a)) throw Undecidable("there is no series of a root or a logarithm of what is small");
-      require(a, Signs::positive(), " > 0");
-    }
-    Series sum{0, std::vector<ex>(inside.c.size() + static_cast<std::size_t>(inside.low), 0)};
+    const ex a = delta.coefficient(0);
+    if (has_log_of_small(a)) throw Undecidable("there is no series of a function of what is infinite");
+    if (GiNaC::is_a<GiNaC::power>(f) && !f.op(1).info(GiNaC::info_flags::integer) && is_zero(a))
+      throw Undecidable("there is no series of a root of what is small");
+    Series sum{0, std::vector<ex>(static_cast<std::size_t>(delta.known()), 0)}, power = constant(1);
+    if (delta.low == 0 && delta.known() > 0) delta.c[0] = 0;
     ex derivative = f;
     for (int k = 0; k < terms_; ++k) {
       try {
@@ -156,24 +188,29 @@ class Expansion {
   int terms_;
   const Symbols& symbols_;
   const std::vector<std::string>& small_;
+  Comparison& known_;
+  GiNaC::exmap scaled_;
 };
 
-/// What an equation says of a symbol: y of c·y + d = 0.
-std::optional<ex> said_of(const Relation& equation, const ex& y, const Symbols& symbols) {
-  const ex residual = (lower(equation.sides[0], symbols) - lower(equation.sides[1], symbols)).expand();
+/// What a relation says of a symbol: y op value, from c·y + d op 0.
+struct Said {
+  ex value, coefficient;
+};
+std::optional<Said> said_of(const Relation& relation, const ex& y, const Symbols& symbols) {
+  const ex residual = (lower(relation.sides[0], symbols) - lower(relation.sides[1], symbols)).expand();
   if (!residual.is_polynomial(y) || residual.degree(y) != 1 || residual.coeff(y, 1).has(y))
     return std::nullopt;
-  return -residual.coeff(y, 0) / residual.coeff(y, 1);
+  return Said{-residual.coeff(y, 0) / residual.coeff(y, 1), residual.coeff(y, 1)};
 }
 
+/// Those that stand alone on a side first.
 std::vector<std::string> symbols_to_solve_for(const Relation& left, const Relation& right) {
-  std::vector<std::string> alone, others;
+  std::vector<std::string> names;
   for (const Relation* relation : {&left, &right})
     for (const Tree& side : relation->sides)
-      if (side->kind == Node::Kind::symbol && side->text != "pi") alone.push_back(side->text);
-  for (const std::string& name : names_of(left)) others.push_back(name);
-  alone.insert(alone.end(), others.begin(), others.end());
-  return alone;
+      if (is_symbol(side)) names.push_back(side->text);
+  for (const std::string& name : names_of(left)) names.push_back(name);
+  return names;
 }
 
 /// An equation that could not be put in, with what is small in it.
@@ -185,23 +222,43 @@ bool ties(const std::vector<Relation>& assumptions, const std::vector<std::strin
   });
 }
 
-std::pair<ex, ex> compared(const Relation& left, const Relation& right, const std::vector<std::string>& small,
-                           const Symbols& symbols) {
-  if (left.operators.empty()) return {lower(left.sides[0], symbols), lower(right.sides[0], symbols)};
-  const std::vector<std::string> equation{"="};
-  if (left.operators != equation || right.operators != equation)
-    throw Undecidable("of relations, the series of two equations are compared");
-  const auto is_other = [](const Tree& a, const Tree& b) {
-    return a->kind == Node::Kind::symbol && b->kind == Node::Kind::symbol && a->text != b->text;
+/// Both statements to an order: the polynomials of two expressions; of two relations, what they say of one
+/// symbol.
+std::pair<Relation, Relation> to_order(const Problem& problem, const std::vector<std::string>& small,
+                                       int order, Expansion& expansion) {
+  const Relation &left = problem.left, &right = problem.right;
+  const Symbols& symbols = problem.symbols;
+  const auto polynomial = [&](const Series& series) {
+    if (series.known() <= order + 1) throw Undecidable("poles that are too deep for this order");
+    if (expansion.has_log_of_small(series.coefficient(order + 1)))
+      throw Undecidable("what is left out is larger than the next power, by a logarithm");
+    ex sum = 0;
+    for (int k = series.low; k <= order; ++k) sum += series.coefficient(k);
+    return to_tree(sum, symbols);
   };
-  if (is_other(left.sides[0], right.sides[0]))
-    throw Undecidable("the two equations say what different symbols are, and the order may differ");
+  if (left.operators.empty())
+    return {{{polynomial(expansion.of(left.sides[0]))}, {}},
+            {{polynomial(expansion.of(right.sides[0]))}, {}}};
+  if (left.operators.size() != 1 || right.operators.size() != 1 || is_equation(left) != is_equation(right))
+    throw Undecidable("of relations, the series of two equations or of two inequalities are compared");
+  if (is_symbol(left.sides[0]) && is_symbol(right.sides[0]) && left.sides[0]->text != right.sides[0]->text)
+    throw Undecidable("the two say what different symbols are, and the order may differ");
   for (const std::string& name : symbols_to_solve_for(left, right)) {
     if (std::find(small.begin(), small.end(), name) != small.end()) continue;
     const auto a = said_of(left, symbols[name], symbols), b = said_of(right, symbols[name], symbols);
-    if (a && b) return {*a, *b};
+    if (!a || !b) continue;
+    const auto says = [&](const Relation& relation, const Said& said) {
+      for (const Tree& side : relation.sides) (void)expansion.of(side);  // for its conditions
+      std::string op = relation.operators[0];
+      const Signs signs = expansion.require(expansion.of(said.coefficient), Signs::nonzero());
+      if (op != "=" && signs == Signs::negative()) op[0] = op[0] == '<' ? '>' : '<';
+      if (op != "=" && signs != Signs::positive() && signs != Signs::negative())
+        throw Undecidable("a factor of " + name + " of which the sign is not known");
+      return Relation{{to_tree(symbols[name], symbols), polynomial(expansion.of(said.value))}, {op}};
+    };
+    return {says(left, *a), says(right, *b)};
   }
-  throw Undecidable("there is no symbol for which both equations can be solved");
+  throw Undecidable("there is no symbol for which both can be solved");
 }
 
 }  // namespace
@@ -212,26 +269,19 @@ Proof decide_to_order(const Relation& left, const Relation& right, const std::ve
   Proof proof;
   try {
     const Problem problem = with_values({left, right, assumptions, symbols}, given);
-    const GiNaC::symbol size("size");
-    GiNaC::exmap scaled;
-    for (const std::string& name : small) scaled[symbols[name]] = size * symbols[name];
-    Expansion expansion(size, order + 6, symbols, small);
-    const auto series_of = [&](const ex& e) {
-      const Series series = expansion.of(e.subs(scaled, GiNaC::subs_options::no_pattern));
-      if (series.known() <= order) throw Undecidable("poles that are too deep for this order");
-      ex sum = 0;
-      for (int k = series.low; k <= order; ++k) sum += series.coefficient(k);
-      return Relation{{to_tree(sum, symbols)}, {}};
-    };
-    const auto [a, b] = compared(problem.left, problem.right, small, symbols);
-    proof = decide(series_of(a), series_of(b), symbols, {}, problem.assumptions);
+    Comparison known(symbols);
+    translate(known, {{{zero()}, {}}, {{zero()}, {}}, problem.assumptions, symbols, problem.values});
+    Expansion expansion(GiNaC::symbol("size"), order + 6, symbols, small, known);
+    const auto [a, b] = to_order(problem, small, order, expansion);
+    std::vector<Relation> holds = problem.assumptions;
+    for (const DomainCondition& c : expansion.conditions)
+      holds.push_back({{c.tree, zero()}, {c.allowed == Signs::nonzero() ? "!=" : ">"}});
+    proof = decide(a, b, symbols, {}, holds);
     if (proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under) {
       proof.verdict = Verdict::approximation, proof.by = "expansion";
       proof.reason = "the series in the small symbols are the same up to this order";
-      for (const std::string& condition : expansion.conditions)
-        if (std::find(proof.side_conditions.begin(), proof.side_conditions.end(), condition) ==
-            proof.side_conditions.end())
-          proof.side_conditions.push_back(condition);
+      for (std::string& condition : in_words(expansion.conditions, known.ring, symbols))
+        proof.side_conditions.push_back(std::move(condition));
     } else if (proof.verdict == Verdict::refuted && ties(problem.assumptions, small)) {
       proof = Proof{};
       proof.reason =

@@ -61,7 +61,6 @@ void Ring::learn(const Fraction& value, Signs signs) {
 
 /// c·x + d > 0 bounds x by the values of -d/c, for a number c and a d without x.
 void Ring::narrow(const Polynomial& p, Signs signs) {
-  bool has_changed = false;
   for (const int k : p.used()) {
     if (p.degree(k) != 1) continue;
     const auto c = p.coefficients(k);
@@ -74,9 +73,9 @@ void Ring::narrow(const Polynomial& p, Signs signs) {
       bound.low = end.low, bound.low.closed = closed && end.low.closed;
     if (of_x.within(Signs::nonpositive()) && end.high.infinite == 0)
       bound.high = end.high, bound.high.closed = closed && end.high.closed;
-    has_changed = narrow(k, bound) || has_changed;
+    narrow(k, bound);
   }
-  if (has_changed) propagate();
+  propagate();
 }
 
 /// Whether that says something new.
@@ -101,10 +100,16 @@ bool Ring::narrow_backwards(const Generator& g) {
   };
   const cln::cl_RA half = cln::cl_RA(1) / 2;
   Interval argument;
-  if (g.kind == Kind::exponential) argument = call("log", g.range);
-  if (g.kind == Kind::logarithm) argument = call("exp", g.range);
-  if (g.kind == Kind::root) argument = power(g.range, g.order);
-  if (g.kind == Kind::angle) argument = call(g.order == 1 ? "sin" : "tan", g.range);
+  const auto invert = [&](const Interval& always, const Interval& inverse) {
+    argument = inverse;  // an end that f always has says no more than that f has a value
+    if (compare(g.range.low, always.low) == 0) argument.low = Interval{}.low;
+    if (compare(g.range.high, always.high) == 0) argument.high = Interval{}.high;
+  };
+  if (g.kind == Kind::exponential) invert(positive_numbers(), call("log", g.range));
+  if (g.kind == Kind::logarithm) invert({}, call("exp", g.range));
+  if (g.kind == Kind::root) invert(nonnegative_numbers(), power(g.range, g.order));
+  if (g.kind == Kind::angle)
+    invert(monotone_piece("asin").range, call(g.order == 1 ? "sin" : "tan", g.range));
   if (g.kind == Kind::cosine && lies_between({}, {0, 1})) argument = call("acos", g.range);
   if (g.kind == Kind::cosine && lies_between({0, -half}, {0, half})) {
     const Interval size = call("acos", g.range);
