@@ -53,26 +53,32 @@ std::optional<Sameness> same_up_to_a_factor(const Comparison& setting, const Ato
   return result;
 }
 
-/// The ring with y = value put in for an equation c·y + d = 0 with a c that has a sign.
-std::optional<Ring> with_solution(const Comparison& setting, const Atom& equation) {
-  const Polynomial& p = equation.value.numerator;
-  const auto& all = setting.ring.generators();
-  for (const int k : p.used()) {
-    const auto has = [&](const Fraction& f) {
-      return f.numerator.degree(k) > 0 || f.denominator.degree(k) > 0;
+/// The ring with y = value put in for every equation c·y + d = 0 among the atoms with a c that has a sign.
+Ring with_solutions(const Comparison& setting, const std::vector<Atom>& atoms) {
+  Ring ring = setting.ring;
+  const auto solve_for = [&](int k, const Polynomial& p) {
+    const auto occurs_in = [&](const Generator& other) {
+      const auto has = [&](const Fraction& f) {
+        return f.numerator.degree(k) > 0 || f.denominator.degree(k) > 0;
+      };
+      return has(other.of) || (has(other.value) && other.kind != Generator::Kind::symbol);
     };
-    const auto occurs_in = [&](const Generator& other) { return has(other.of) || has(other.value); };
-    if (p.degree(k) != 1 || all[k].degree != 0 || all[k].kind != Generator::Kind::symbol) continue;
+    const auto& all = ring.generators();
     const auto c = p.coefficients(k);
     Certificate unused;
-    if (std::any_of(all.begin(), all.end(), occurs_in) ||
-        !is_definite(setting.ring, setting.facts, c[1], unused))
-      continue;
-    Ring ring = setting.ring;
+    if (p.degree(k) != 1 || all[k].degree != 0 || all[k].kind != Generator::Kind::symbol ||
+        std::any_of(all.begin(), all.end(), occurs_in) || !is_definite(ring, setting.facts, c[1], unused))
+      return false;
     ring.relate(k, 1, Fraction(-c[0], c[1]));
-    return ring;
+    return true;
+  };
+  for (const Atom& atom : atoms) {
+    if (atom.signs != Signs::zero()) continue;
+    const Polynomial p = ring.normal(atom.value).numerator;
+    for (const int k : p.used())
+      if (solve_for(k, p)) break;
   }
-  return std::nullopt;
+  return ring;
 }
 
 /// One relation follows from others.
@@ -90,17 +96,13 @@ std::optional<Certificate> follows(const Comparison& setting, const std::vector<
         return certificate;
     }
   }
-  for (const Atom& atom : from) {
-    if (atom.signs != Signs::zero()) continue;
-    const auto solved = with_solution(setting, atom);
-    if (!solved) continue;
-    const Fraction rest = solved->normal(claim.value);
-    if (rest.is_zero()) return claim.signs == Signs::positive() ? std::nullopt : std::optional(Certificate{});
-    std::vector<Fact> reduced;
-    for (const Fact& f : setting.facts)
-      for (Fact& fact : facts_of(*solved, Fraction(f.value), f.signs)) reduced.push_back(std::move(fact));
-    if (auto found = prove_signs(*solved, reduced, rest, claim.signs)) return found;
-  }
+  const Ring solved = with_solutions(setting, from);
+  const Fraction rest = solved.normal(claim.value);
+  if (rest.is_zero()) return claim.signs == Signs::positive() ? std::nullopt : std::optional(Certificate{});
+  std::vector<Fact> reduced;
+  for (const Fact& f : setting.facts)
+    for (Fact& fact : facts_of(solved, Fraction(f.value), f.signs)) reduced.push_back(std::move(fact));
+  if (auto found = prove_signs(solved, reduced, rest, claim.signs)) return found;
   if (auto found = prove_signs(ring, facts, claim.value, claim.signs)) return found;
   return prove_signs(ring, facts, claim.value.is_zero() ? Fraction(1) : Fraction(0),
                      Signs::zero() & Signs::positive());
@@ -117,8 +119,8 @@ std::optional<Certificate> all_follow(const Comparison& setting, const std::vect
   return all;
 }
 
-/// The irreducible factors of an equation that may be 0, what vanishes only with its argument replaced by
-/// that: a root, a size, an inverse function; log u by u - 1, e^u - 1 by u.
+/// The irreducible factors of an equation that may be 0. A root, a size or a sine by the
+/// factors of its power; an inverse function by its argument, log u by u - 1, e^u - 1 by u.
 std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
   using Kind = Generator::Kind;
   std::set<Polynomial> result;
@@ -128,9 +130,10 @@ std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
     const Generator& g = ring.generators()[used[0]];
     const Polynomial x = Polynomial::variable(used[0]);
     const bool is_plain = factor == x;
-    const bool is_argument =
-        is_plain && (g.kind == Kind::root || g.kind == Kind::absolute || g.kind == Kind::angle);
-    if (is_argument || (g.kind == Kind::exponential && factor == x - 1))
+    const bool is_power = g.kind == Kind::root || g.kind == Kind::absolute || g.kind == Kind::sine;
+    if (is_plain && is_power && g.degree > 1)
+      result.merge(zero_set(ring, g.value));
+    else if ((is_plain && g.kind == Kind::angle) || (factor == x - 1 && g.kind == Kind::exponential))
       result.merge(zero_set(ring, g.of));
     else if (is_plain && g.kind == Kind::logarithm)
       result.merge(zero_set(ring, g.of - 1));
@@ -186,13 +189,16 @@ std::optional<Sameness> same(Comparison& setting) {
         prove_signs(setting.ring, setting.facts, difference, Signs::zero(), setting.effort > 1);
     return found ? std::optional(Sameness{"sign", 1, false, *found}) : std::nullopt;
   }
-  const auto readings = {&Translated::atoms, &Translated::inverted};
-  for (const auto of_left : readings)
-    for (const auto of_right : readings)
-      if (const auto found = same_link_by_link(setting, left.*of_left, right.*of_right)) return found;
-  for (const auto reading : readings) {
-    auto forth = setting.effort < 2 ? std::nullopt : all_follow(setting, left.*reading, right.*reading);
-    const auto back = forth ? all_follow(setting, right.*reading, left.*reading) : std::nullopt;
+  for (const auto& of_left : left.readings)
+    for (const auto& of_right : right.readings)
+      if (auto found = same_link_by_link(setting, of_left, of_right)) {
+        found->has_factor = found->has_factor && &of_left == &left.atoms() && &of_right == &right.atoms();
+        return found;
+      }
+  if (setting.effort < 2) return std::nullopt;
+  for (const std::size_t k : {0, 1}) {  // as they stand, and with inversions
+    auto forth = all_follow(setting, left.readings[k], right.readings[k]);
+    const auto back = forth ? all_follow(setting, right.readings[k], left.readings[k]) : std::nullopt;
     if (!back) continue;
     append(*forth, *back);
     return Sameness{"sign", 1, false, *forth};
@@ -230,7 +236,7 @@ bool hides_a_solution(const Comparison& setting) {
       if (c.allowed == Signs::nonnegative() || !has(setting.conditions, c) || has(other.conditions, c))
         continue;
       const Fraction divisor = setting.ring.normal(c.value);
-      for (const Atom& atom : other.atoms)
+      for (const Atom& atom : other.atoms())
         if (atom.signs != Signs::positive() && (atom.value.is_zero() || vanish_together(atom.value, divisor)))
           return true;
     }

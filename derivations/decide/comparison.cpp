@@ -11,10 +11,37 @@ Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b) {
 
 namespace {
 
-/// A statement as atoms, as it stands and with inversions; the conditions are those of the statement as it
-/// stands.
-Translated translate(const Relation& statement, const Problem& problem, const Ring& ring,
-                     Translator& translator) {
+/// The logarithm of both terms of an equation between two positive ones: u e^x = v says x + log u = log v.
+std::optional<Fraction> by_logarithm(const Ring& ring, Translator& translator, const Polynomial& p) {
+  if (p.terms() != 2 || cln::signum(p.coefficient(0)) == cln::signum(p.coefficient(1))) return std::nullopt;
+  const auto term = [&](int k) { return Polynomial(cln::abs(p.coefficient(k))) * p.monomial(k); };
+  for (const int k : p.used())
+    if (ring.signs_of(Polynomial::variable(k)) != Signs::positive()) return std::nullopt;
+  return translator.logarithm_of(Fraction(term(0), term(1)));
+}
+
+/// Of an angle d, a sum of multiples of symbols and of pi: d = 0 where sin d = 0, if it lies between -pi and
+/// pi, and where cos d = 1, if between -2 pi and 2 pi.
+std::optional<Fraction> by_angle(const Ring& ring, Translator& translator, const Fraction& d, bool is_sine) {
+  using Kind = Generator::Kind;
+  const int most = is_sine ? 1 : 2;
+  const Interval range = ring.range_of(d);
+  if (!d.denominator.is_constant() || compare(range.low, End{{0, -most}}) <= 0 ||
+      compare(range.high, End{{0, most}}) >= 0)
+    return std::nullopt;
+  for (std::size_t t = 0; t < d.numerator.terms(); ++t) {
+    const auto powers = d.numerator.powers(t);
+    const Kind kind = powers.size() == 1 ? ring.generators()[powers[0].first].kind : Kind::cosine;
+    if (kind != Kind::symbol && kind != Kind::pi && kind != Kind::angle) return std::nullopt;
+  }
+  const auto [cosine, sine] = translator.circular_of(d);
+  return is_sine ? sine : 1 - cosine;
+}
+
+/// A statement as atoms; the conditions are those of the statement as it stands.
+Translated translate(const Relation& statement, const Symbols& symbols, Comparison& setting) {
+  const Ring& ring = setting.ring;
+  Translator& translator = setting.translator;
   Translated result;
   if (statement.operators.empty()) {
     result.expression = translator(statement.sides[0], result.conditions);
@@ -29,11 +56,16 @@ Translated translate(const Relation& statement, const Problem& problem, const Ri
   };
   std::vector<DomainCondition> unused;
   for (const Relation& link : links_of(statement)) {
-    const Relation inverted = with_inversions(link, problem.symbols);
-    result.atoms.push_back(atom_of_link(link, result.conditions));
-    result.inverted.push_back(inverted.sides == link.sides ? result.atoms.back()
-                                                           : atom_of_link(inverted, unused));
+    result.readings[0].push_back(atom_of_link(link, result.conditions));
+    result.readings[1].push_back(atom_of_link(with_inversions(link, symbols), unused));
   }
+  if (setting.effort < 1 || result.atoms().size() != 1 || result.atoms()[0].signs != Signs::zero())
+    return result;
+  const Fraction value = result.atoms()[0].value;
+  for (const auto& other :
+       {by_logarithm(ring, translator, value.numerator), by_angle(ring, translator, value, true),
+        by_angle(ring, translator, value, false)})
+    if (other) result.readings.push_back({{ring.normal(*other), Signs::zero()}});
   return result;
 }
 
@@ -91,30 +123,30 @@ bool is_granted(const Comparison& setting, const DomainCondition& c) {
 
 }  // namespace
 
+void translate_statements(Comparison& setting, const Problem& problem) {
+  int basis = -1;  // both in the same one
+  for (int round = 0; round < 6 && basis != setting.translator.bases(); ++round) {
+    basis = setting.translator.bases();
+    setting.left = translate(problem.left, problem.symbols, setting);
+    setting.right = translate(problem.right, problem.symbols, setting);
+  }
+}
+
 void translate(Comparison& setting, const Problem& problem) {
-  Translator& translator = setting.translator;
-  translator.collect(trees_of(problem));
+  setting.translator.collect(trees_of(problem));
   for (int round = 0; round < 2; ++round) {  // the second one with what the first one said
     setting.facts.clear();
     for (const auto& [name, value] : problem.values) defined(setting, value);
     for (const Relation& a : problem.assumptions) assume(setting, a);
   }
-  const auto translate_both = [&] {
-    int basis = -1;  // both in the same one
-    for (int round = 0; round < 6 && basis != translator.bases(); ++round) {
-      basis = translator.bases();
-      setting.left = translate(problem.left, problem, setting.ring, translator);
-      setting.right = translate(problem.right, problem, setting.ring, translator);
-    }
-  };
-  translate_both();
+  translate_statements(setting, problem);
   for (const Translated* side : {&setting.left, &setting.right})
     for (const DomainCondition& c : side->conditions)
       if (!is_granted(setting, c)) setting.conditions.push_back(c);
   setting.in_words = in_words(setting.conditions, setting.ring, problem.symbols);
   for (int round = 0; round < 2 && !setting.conditions.empty(); ++round) {
     for (const DomainCondition& c : setting.conditions) learn(setting, c.value, c.allowed);
-    translate_both();
+    translate_statements(setting, problem);
   }
 }
 

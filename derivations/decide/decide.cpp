@@ -101,8 +101,8 @@ std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& settin
     const Problem part = without_bars(problem, u, is_negative);
     Comparison of_part(part.symbols);
     try {
-      translate(of_part, part);
       of_part.effort = setting.effort;
+      translate(of_part, part);
       const auto found = same_in_cases(part, of_part, depth - 1);
       if (!found) return std::nullopt;
       if (found->by == "sign") both.by = "sign";
@@ -126,12 +126,13 @@ Proof confirmed(const Problem& problem, const Comparison& setting, const Samenes
 /// Links at the ends of a chain that always hold: of K = a = b, where a = b is an identity, K = a is left for
 /// the search.
 void drop_identities(Relation& chain, const Translated& translated) {
-  std::size_t k = translated.atoms.size();
-  while (k > 1 && translated.atoms[k - 1].signs == Signs::zero() && translated.atoms[k - 1].value.is_zero()) {
+  const std::vector<Atom>& atoms = translated.atoms();
+  std::size_t k = atoms.size();
+  while (k > 1 && atoms[k - 1].signs == Signs::zero() && atoms[k - 1].value.is_zero()) {
     chain.sides.pop_back(), chain.operators.pop_back();
     --k;
   }
-  if (k == 1 && translated.atoms[0].signs == Signs::zero() && translated.atoms[0].value.is_zero()) {
+  if (k == 1 && atoms[0].signs == Signs::zero() && atoms[0].value.is_zero()) {
     const Tree both = make_tree(Node::Kind::sum, "", chain.sides, {false, false});
     chain.sides = {both, both};  // holds wherever both have values, and a point can tell
   }
@@ -147,6 +148,7 @@ Proof decide_problem(Problem problem, bool by_points) {
     Comparison setting(problem.symbols);
     translate(setting, problem);
     for (; setting.effort <= 2; ++setting.effort) {
+      if (setting.effort == 1) translate_statements(setting, problem);
       if (const auto found = same_in_cases(problem, setting, setting.effort == 0 ? 0 : 3))
         return confirmed(problem, setting, *found);
       if (setting.effort > 0 || !by_points) continue;

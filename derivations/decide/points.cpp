@@ -129,14 +129,14 @@ std::optional<Point> point_of(const Table& table, int index) {
     ++place;
     if (c.plain.empty() && c.special.empty()) return std::nullopt;
     const int mixed = index < 1 ? place - 1 : index + place * (index % 7 + 1) + index * index * place / 3;
-    const bool is_alone =
-        index % 5 == 4 && index / 5 % static_cast<int>(table.size()) == place - 1;  // mostly 0
+    const bool is_alone = index / 5 % static_cast<int>(table.size()) == place - 1;
+    const bool is_zero = is_alone ? index % 5 == 4 : index % 10 == 7;  // it alone, or all others
     const bool is_special = index > 9 && index % 3 == 0 && (mixed / 2 + place) % 2 == 0;
-    const int turn = is_alone                        ? 0
+    const int turn = is_zero                         ? 0
                      : is_special || c.plain.empty() ? mixed / 3
                      : index % 4 == 3                ? index / 4
                                                      : mixed;
-    if (c.plain.empty() || (!c.special.empty() && (is_alone || is_special)))
+    if (c.plain.empty() || (!c.special.empty() && (is_zero || is_special)))
       point.emplace(name, c.special[turn % c.special.size()]);
     else
       point.emplace(name, c.plain[turn % std::min<std::size_t>(c.plain.size(), 4 + index)]);

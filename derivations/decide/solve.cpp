@@ -25,13 +25,14 @@ Tree residual_of(const Tree& a, const Tree& b, int turn) {
   return a;
 }
 
-/// The tree with every coordinate but one put in; nothing where a coordinate is no constant a + b*pi.
-Tree with_coordinates(Tree tree, const Point& point, const std::string& but) {
-  for (const auto& [name, number] : point) {
+/// The tree with every coordinate but one put in; nothing where a coordinate is no constant.
+Tree with_coordinates(Tree tree, const Solution& solution, const std::string& but) {
+  for (const auto& [name, number] : solution.point) {
     if (name == but) continue;
+    const auto known = solution.constants.find(name);
     const auto constant = number.value(128).constant;
-    if (!constant) return nullptr;
-    tree = put_in(tree, name, tree_of(*constant));
+    if (known == solution.constants.end() && !constant) return nullptr;
+    tree = put_in(tree, name, constant ? tree_of(*constant) : known->second);
   }
   return tree;
 }
@@ -45,13 +46,15 @@ bool lies_in(const Number& number, const Interval& range) {
 
 /// y of c·y + d = 0, put into the solution.
 bool solve_linear(Solution& solution, const Tree& residual, const std::string& name, const Symbols& symbols) {
-  const GiNaC::ex e = lower(residual, symbols).expand(), y = symbols[name];
+  GiNaC::ex e = lower(residual, symbols).expand();
+  const GiNaC::ex y = symbols[name];
+  if (!e.is_polynomial(y)) e = e.normal().numer().expand();
   if (!e.is_polynomial(y) || e.degree(y) != 1) return false;
   Tree value = to_tree(-e.coeff(y, 0) / e.coeff(y, 1), symbols);
   const Value found = value_at(value, solution.point, 128);
   if (found.is != Value::Is::certain) return false;
   if (!found.constant) {
-    value = with_coordinates(value, solution.point, name);
+    value = with_coordinates(value, solution, name);
     if (!value) return false;
     solution.constants[name] = value;
   }
@@ -59,18 +62,19 @@ bool solve_linear(Solution& solution, const Tree& residual, const std::string& n
   return true;
 }
 
-/// A zero between two neighbours on a grid over the range, narrowed.
-bool enclose(Solution& solution, const Tree& residual, const std::string& name, const Interval& range) {
-  const Tree tree = solution.enclosed.empty() ? with_coordinates(residual, solution.point, name) : nullptr;
+/// A zero between two neighbours on a grid over the range, narrowed: the first one from below, or from above.
+bool enclose(Solution& solution, const Tree& residual, const std::string& name, const Interval& range,
+             bool from_above) {
+  const Tree tree = solution.enclosed.empty() ? with_coordinates(residual, solution, name) : nullptr;
   if (!tree) return false;
   const auto sign = [&](const cl_RA& x) { return sign_at(tree, zero(), {{name, Number(x)}}, 400); };
   const auto found = [&](const Number& x) { return solution.point.insert_or_assign(name, x), true; };
   cl_RA low = 0, high = 0;
   Sign before = Sign::unknown;
   for (int k = -40; k <= 40; ++k, low = high) {
-    high = cl_RA(2 * k + 1) / 8;
+    high = cl_RA(from_above ? -2 * k - 1 : 2 * k + 1) / 8;
     if (!range.contains({high})) continue;
-    const Sign here = sign(high), last = std::exchange(before, here);
+    Sign here = sign(high), last = std::exchange(before, here);
     if (here == Sign::zero) return found(high);
     if (!(last == Sign::negative && here == Sign::positive) &&
         !(last == Sign::positive && here == Sign::negative))
@@ -82,6 +86,7 @@ bool enclose(Solution& solution, const Tree& residual, const std::string& name, 
       if (there == Sign::zero) return found(middle);
       (there == last ? a : b) = middle;
     }
+    if (from_above) std::swap(a, b), std::swap(last, here);
     for (const int places : {1000, 1000000}) {  // shorter bounds, if the zero is alone between them
       const cl_RA below = cl_RA(cln::floor1(a * places)) / places,
                   above = cl_RA(cln::ceiling1(b * places)) / places;
@@ -99,22 +104,23 @@ bool enclose(Solution& solution, const Tree& residual, const std::string& name, 
   return false;
 }
 
-/// Solves one equation for one of the symbols that are not fixed yet, and fixes it.
+/// Solves one equation for one of the symbols that are not fixed yet.
 bool solve_one(Solution& solution, const Tree& residual, const std::vector<std::string>& names,
-               const Symbols& symbols, std::set<std::string>& fixed) {
+               const Symbols& symbols, const std::set<std::string>& fixed, int turn) {
   for (const bool is_linear : {true, false})
     for (const std::string& name : names) {
       if (fixed.contains(name)) continue;
       Solution next = solution;
       const Interval range = parse_range(symbols.find(name)->range);
       try {
-        if (!(is_linear ? solve_linear(next, residual, name, symbols) : enclose(next, residual, name, range)))
+        if (!(is_linear ? solve_linear(next, residual, name, symbols)
+                        : enclose(next, residual, name, range, turn % 2 != 0)))
           continue;
         if (!lies_in(next.point.at(name), range)) continue;
       } catch (const SyntaxError&) {  // GiNaC meets a pole as it builds
         continue;
       }
-      solution = next, fixed.insert(name);
+      solution = next;
       return true;
     }
   return false;
@@ -126,16 +132,21 @@ std::optional<Solution> solve(const std::vector<Relation>& equations, const Poin
                               const Symbols& symbols, int turn) {
   Solution result{point};
   std::set<std::string> fixed;
+  std::vector<Relation> links;
   for (const Relation& chain : equations)
-    for (const Relation& link : links_of(chain)) {
-      const Tree residual = residual_of(link.sides[0], link.sides[1], turn);
-      if (fixed.empty() && sign_at(residual, zero(), result.point, 200) == Sign::zero) continue;
-      const std::set<std::string> all = names_of(residual);
-      std::vector<std::string> names(all.begin(), all.end());
-      if (names.empty()) return std::nullopt;
-      std::rotate(names.begin(), names.begin() + turn % static_cast<int>(names.size()), names.end());
-      if (!solve_one(result, residual, names, symbols, fixed)) return std::nullopt;
-    }
+    for (Relation& link : links_of(chain)) links.push_back(std::move(link));
+  std::stable_sort(links.begin(), links.end(),
+                   [](auto& a, auto& b) { return names_of(a).size() < names_of(b).size(); });
+  for (const Relation& link : links) {
+    const Tree residual = residual_of(link.sides[0], link.sides[1], turn);
+    if (fixed.empty() && sign_at(residual, zero(), result.point, 200) == Sign::zero) continue;
+    const std::set<std::string> all = names_of(residual);
+    std::vector<std::string> names(all.begin(), all.end());
+    if (names.empty()) return std::nullopt;
+    std::rotate(names.begin(), names.begin() + turn % static_cast<int>(names.size()), names.end());
+    if (!solve_one(result, residual, names, symbols, fixed, turn)) return std::nullopt;
+    fixed.insert(all.begin(), all.end());
+  }
   return result;
 }
 

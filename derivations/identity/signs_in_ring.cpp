@@ -29,6 +29,7 @@ Signs sign_of_number(const cln::cl_RA& n) {
 }  // namespace
 
 void Ring::learn(const Fraction& value, Signs signs) {
+  if (signs == Signs::any()) return;
   found_.clear();
   const Fraction f = normal(value);
   const Polynomial product = f.numerator * f.denominator;

@@ -49,6 +49,10 @@ Fraction Translator::exponential_of(const Fraction& argument) {
   return in_rounds([&] { return exponential(argument); });
 }
 
+Fraction Translator::logarithm_of(const Fraction& value) {
+  return in_rounds([&] { return logarithm(value); });
+}
+
 /// The angles of inverse functions are phases each, for their cosines are known.
 void Translator::rebuild() {
   ++bases_;

@@ -35,9 +35,11 @@ class Translator {
   /// How often the phases were made anew: what was translated before then has others.
   int bases() const { return bases_; }
 
-  /// cos and sin of an argument in the ring, and e^argument. Throw Undecidable.
+  /// cos and sin of an argument in the ring, e^argument, and the logarithm of a positive value. Throw
+  /// Undecidable.
   std::pair<Fraction, Fraction> circular_of(const Fraction& argument);
   Fraction exponential_of(const Fraction& argument);
+  Fraction logarithm_of(const Fraction& value);
 
  private:
   std::pair<Fraction, Fraction> circular(const Fraction& argument);
