@@ -112,7 +112,6 @@ TEST_CASE("where one side has no value is a side condition, and nothing said twi
   CHECK(decided("tan(x)*cos(x)", "sin(x)").side_conditions == Texts{"cos(x) != 0"});
 }
 
-// sqrt(x) > 0 is listed beside x > 0 today.
 TEST_CASE("of a root that is divided by only the symbol is a side condition") {
   CHECK(decided("log(x)/sqrt(x)", "2*log(sqrt(x))/sqrt(x)").side_conditions == Texts{"x > 0"});
 }
