@@ -46,9 +46,7 @@ bool lies_in(const Number& number, const Interval& range) {
 
 /// y of c·y + d = 0, put into the solution.
 bool solve_linear(Solution& solution, const Tree& residual, const std::string& name, const Symbols& symbols) {
-  GiNaC::ex e = lower(residual, symbols).expand();
-  const GiNaC::ex y = symbols[name];
-  if (!e.is_polynomial(y)) e = e.normal().numer().expand();
+  const GiNaC::ex e = lower(residual, symbols).expand(), y = symbols[name];
   if (!e.is_polynomial(y) || e.degree(y) != 1) return false;
   Tree value = to_tree(-e.coeff(y, 0) / e.coeff(y, 1), symbols);
   const Value found = value_at(value, solution.point, 128);
