@@ -119,8 +119,8 @@ std::optional<Certificate> all_follow(const Comparison& setting, const std::vect
   return all;
 }
 
-/// The irreducible factors of an equation that may be 0. A root, a size or a sine counts by the factors of its power,
-/// an inverse function by its argument, log u by u - 1, e^u - 1 by u.
+/// The irreducible factors of an equation that may be 0. A root, a size or a sine counts by the factors of
+/// its power, an inverse function by its argument, log u by u - 1, e^u - 1 by u.
 std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
   using Kind = Generator::Kind;
   std::set<Polynomial> result;
