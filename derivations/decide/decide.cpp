@@ -63,7 +63,8 @@ Proof proved(const Comparison& setting, const Sameness& found, const Symbols& sy
   proof.reason = found.by == "sign"    ? "each follows from the other one by the signs of products"
                  : is_expression       ? "the numerator of the difference vanishes identically"
                  : proof.factor == "1" ? "the two are the same, identically"
-                                       : "the two differ by a factor that is neither 0 nor infinite";
+                 : found.has_factor    ? "the two differ by a factor that is neither 0 nor infinite"
+                                       : "the two hold at the same points";
   return proof;
 }
 
