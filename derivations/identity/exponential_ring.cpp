@@ -80,11 +80,17 @@ Fraction Ring::rationalized(const Fraction& f) const {
 }
 
 GiNaC::ex Ring::meaning_of(const Fraction& f) const {
+  std::vector<GiNaC::ex> names;
+  for (const Generator& g : generators_) names.push_back(g.meaning);
+  return meaning_of(f, names);
+}
+
+GiNaC::ex Ring::meaning_of(const Fraction& f, const std::vector<GiNaC::ex>& names) {
   const auto polynomial = [&](const Polynomial& p) {
     GiNaC::ex sum = 0;
     for (std::size_t t = 0; t < p.terms(); ++t) {
       GiNaC::ex product = to_ginac(p.coefficient(t));
-      for (const auto& [k, exponent] : p.powers(t)) product *= GiNaC::pow(generators_[k].meaning, exponent);
+      for (const auto& [k, exponent] : p.powers(t)) product *= GiNaC::pow(names[k], exponent);
       sum += product;
     }
     return sum;

@@ -72,8 +72,9 @@ class Ring {
   Signs signs_of(const Polynomial& p) const;
   Signs signs_of(const Fraction& f) const { return signs_of(f.numerator) * signs_of(f.denominator); }
 
-  /// Back in the symbols of the statement.
+  /// Back in the symbols of the statement; or with other names of the generators.
   GiNaC::ex meaning_of(const Fraction& f) const;
+  static GiNaC::ex meaning_of(const Fraction& f, const std::vector<GiNaC::ex>& names);
 
  private:
   Fraction add(const std::string& key, Generator generator);

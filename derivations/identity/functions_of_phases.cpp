@@ -147,19 +147,19 @@ Pair Translator::turn(const cl_RA& q) {
   return {sine(k + 6), sine(k)};
 }
 
+std::vector<Multiple> Translator::multiples(const Combination& argument, PhaseBasis& basis) {
+  if (auto found = basis.multiples(argument)) return *found;
+  basis.add(argument);
+  throw AnotherRound();
+}
+
 Pair Translator::circular(const Fraction& argument) {
   cl_RA turns = 0;
-  const Combination phases = combination(argument, &turns);
-  const auto multiples = circular_.multiples(phases);
-  if (!multiples) {
-    circular_.add(phases);
-    throw AnotherRound();
-  }
+  const auto phases = multiples(combination(argument, &turns), circular_);
   Pair result{1, 0};
-  for (const Multiple& m : *multiples) result = add(ring_, result, multiple(ring_, phase(m.phase), m.times));
+  for (const Multiple& m : phases) result = add(ring_, result, multiple(ring_, phase(m.phase), m.times));
   if (!cln::zerop(turns)) result = add(ring_, result, turn(turns));
-  if (multiples->size() + (cln::zerop(turns) ? 0 : 1) > 1 ||
-      (multiples->size() == 1 && (*multiples)[0].times != 1)) {
+  if (phases.size() + (cln::zerop(turns) ? 0 : 1) > 1 || (phases.size() == 1 && phases[0].times != 1)) {
     const Interval range = ring_.range_of(argument);
     ring_.learn(result.first, rederive::call("cos", range)),
         ring_.learn(result.second, rederive::call("sin", range));
@@ -186,12 +186,7 @@ Fraction Translator::exponential(const Fraction& argument) {
     const Fraction u = ring_.generators()[used[0]].of;
     powers = ring_.normal(powers * power(order > 1 ? root(u, order) : u, n));
   }
-  const auto multiples = real_.multiples(phases);
-  if (!multiples) {
-    real_.add(phases);
-    throw AnotherRound();
-  }
-  for (const Multiple& m : *multiples) {
+  for (const Multiple& m : multiples(phases, real_)) {
     const Fraction e = ring_.generator("exp " + m.key, [&] {
       Generator g;
       g.kind = Kind::exponential, g.of = m.phase, g.meaning = GiNaC::exp(ring_.meaning_of(m.phase));

@@ -53,6 +53,10 @@ Fraction Translator::logarithm_of(const Fraction& value) {
   return in_rounds([&] { return logarithm(value); });
 }
 
+std::vector<Multiple> Translator::phases_of(const Fraction& argument, cl_RA* turns) {
+  return in_rounds([&] { return multiples(combination(argument, turns), turns ? circular_ : real_); });
+}
+
 /// The angles of inverse functions are phases each, for their cosines are known.
 void Translator::rebuild() {
   ++bases_;

@@ -41,6 +41,10 @@ class Translator {
   Fraction exponential_of(const Fraction& argument);
   Fraction logarithm_of(const Fraction& value);
 
+  /// The argument of a circular function, or of an exponential, as whole multiples of independent phases;
+  /// `turns`, of a circular function alone, gets the rational multiple of π beside them. Throws Undecidable.
+  std::vector<Multiple> phases_of(const Fraction& argument, cln::cl_RA* turns);
+
  private:
   std::pair<Fraction, Fraction> circular(const Fraction& argument);
   Fraction exponential(const Fraction& argument);
@@ -61,6 +65,7 @@ class Translator {
   Fraction symbol(const std::string& name);
   Fraction pi();
   Combination combination(const Fraction& argument, cln::cl_RA* turns);
+  std::vector<Multiple> multiples(const Combination& argument, PhaseBasis& basis);
   std::pair<Fraction, Fraction> phase(const Fraction& phase);
   std::pair<Fraction, Fraction> turn(const cln::cl_RA& q);
   Fraction cosine_of_part(int k, int n);

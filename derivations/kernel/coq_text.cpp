@@ -1,0 +1,92 @@
+#include <derivations/decide/problem.hpp>
+#include <derivations/identity/rewrite_rules.hpp>
+#include <derivations/identity/polynomial.hpp>
+#include <derivations/kernel/coq_text.hpp>
+#include <derivations/language/print.hpp>
+
+namespace rederive {
+
+namespace {
+
+using Kind = Node::Kind;
+
+Tree one() { return make_tree(Kind::number, "1"); }
+
+/// The number that a tree without symbols is, if it is rational.
+std::optional<cln::cl_RA> number_in(const Tree& tree) {
+  return names_of(tree).empty() ? value_at(tree, {}, 64).exact : std::nullopt;
+}
+
+/// A name of Coq's library or of the prelude.
+std::string function_name(const std::string& name) {
+  static const std::map<std::string, std::string> others{{"log", "ln"}, {"fabs", "Rabs"}, {"asinh", "arcsinh"}};
+  if (name == "acosh" || name == "atanh") throw Undecidable("the prelude has no " + name);
+  const auto found = others.find(name);
+  return found == others.end() ? name : found->second;
+}
+
+/// Only what Coq reads as we do: natural exponents, whole numbers.
+Tree in_coq(const Tree& tree) {
+  if (tree->kind == Kind::number) return tree_of({exact(tree->text)});
+  if (tree->kind == Kind::symbol) return make_tree(Kind::symbol, coq_name(tree->text));
+  std::vector<Tree> children;
+  for (const Tree& child : tree->children) children.push_back(in_coq(child));
+  if (tree->kind == Kind::call) return make_tree(Kind::call, function_name(tree->text), children);
+  if (tree->kind != Kind::power) return make_tree(tree->kind, tree->text, children, tree->inverse);
+  const auto exponent = number_in(tree->children[1]);
+  if (!exponent || cln::denominator(*exponent) > 2) throw Undecidable("a power of another kind than roots");
+  const Tree base = cln::denominator(*exponent) == 2 ? make_tree(Kind::call, "sqrt", {children[0]}) : children[0];
+  const Tree size = tree_of({cln::abs(cln::numerator(*exponent))});
+  const Tree power = size->text == "1" ? base : make_tree(Kind::power, "", {base, size});
+  return cln::minusp(*exponent) ? make_tree(Kind::product, "", {one(), power}, {false, true}) : power;
+}
+
+}  // namespace
+
+std::string coq_name(const std::string& symbol) {
+  return symbol == "R" ? "R'" : symbol == "pi" ? "PI" : symbol;
+}
+
+std::string coq_text(const Tree& tree) { return print(in_coq(tree), Notation::plain, Symbols()); }
+
+std::string coq_text(const Relation& relation) {
+  std::string text;
+  for (const Relation& link : links_of(relation)) {
+    std::string left = coq_text(link.sides[0]), right = coq_text(link.sides[1]), op = link.operators[0];
+    if (op[0] == '>') std::swap(left, right), op[0] = '<';
+    if (op == "!=") op = "<>";
+    text += (text.empty() ? "" : " /\\ ") + left + " " + op + " " + right;
+  }
+  return text;
+}
+
+std::string coq_text(const Tree& value, Signs signs) {
+  if (signs == Signs::nonzero()) return coq_text(value) + " <> 0";
+  return (signs == Signs::positive() ? "0 < " : "0 <= ") + coq_text(value);
+}
+
+std::vector<std::pair<Tree, Signs>> needs_of(const std::vector<Tree>& trees) {
+  std::vector<std::pair<Tree, Signs>> result;
+  const auto need = [&](const Tree& value, Signs signs) {
+    const auto is_known = [&](auto& other) { return is_same(other.first, value) && other.second == signs; };
+    if (!names_of(value).empty() && std::none_of(result.begin(), result.end(), is_known))
+      result.emplace_back(value, signs);
+  };
+  for (const Tree& tree : trees) {
+    for (const auto& [value, signs] : needs_of(tree->children)) need(value, signs);
+    for (std::size_t k = 0; k < tree->children.size() && tree->kind == Kind::product; ++k)
+      if (tree->inverse[k]) need(tree->children[k], Signs::nonzero());
+    if (tree->kind == Kind::power) {
+      const cln::cl_RA exponent = number_in(tree->children[1]).value_or(0);
+      const bool is_whole = cln::denominator(exponent) == 1;
+      if (is_whole && cln::minusp(exponent)) need(tree->children[0], Signs::nonzero());
+      if (!is_whole) need(tree->children[0], cln::minusp(exponent) ? Signs::positive() : Signs::nonnegative());
+    }
+    const RewriteRule* rule = tree->kind == Kind::call ? rewrite_rule(tree->text) : nullptr;
+    if (rule == nullptr) continue;
+    for (const auto& [value, signs] : rule->domain) need(put_in(value, "u", tree->children[0]), signs);
+  }
+  return result;
+}
+
+}  // namespace rederive
