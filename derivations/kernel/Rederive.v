@@ -2,6 +2,7 @@
    and each root exists, and there the two statements say the same. Division and roots are total in Coq, so
    that the first half is part of what is proved. *)
 Require Export Reals Lra Psatz.
+From Interval Require Export Tactic.
 Open Scope R_scope.
 (* The paper calls a length R: it is R' here. *)
 Notation real := R.
@@ -151,3 +152,8 @@ Tactic Notation "identity" tactic3(polynomial) "or" tactic3(fraction) :=
 Ltac links :=
   split; intros; repeat match goal with H : _ /\ _ |- _ => destruct H end; repeat split;
   first [ lra | by_squares | pos ].
+(* A conjunction at a point: numbers, and functions of numbers. *)
+Ltac differs := first [ lra | apply Rgt_not_eq; interval | apply Rlt_not_eq; interval ].
+Ltac at_the_point :=
+  repeat apply conj;
+  first [ reflexivity | lra | interval | differs | solve [ field; repeat apply conj; differs ] ].

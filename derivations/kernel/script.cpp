@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <derivations/kernel/coq_text.hpp>
+#include <derivations/kernel/script.hpp>
+#include <derivations/language/lower.hpp>
+
+namespace rederive {
+
+namespace {
+
+using Kind = Generator::Kind;
+
+/// a - b for a > b and a != b, a for a > 0.
+Tree difference_of(const Relation& a) {
+  const bool is_zero = a.sides[1]->kind == Node::Kind::number && a.sides[1]->text == "0";
+  return is_zero ? a.sides[0] : difference(a.sides[0], a.sides[1]);
+}
+
+bool has_symbols_only(const Ring& ring, const Polynomial& p) {
+  const auto used = p.used();
+  return std::all_of(used.begin(), used.end(), [&](int k) { return ring.generators()[k].kind == Kind::symbol; });
+}
+
+/// With cos² = 1 - sin².
+Polynomial in_sines(const Ring& ring, const Polynomial& p) {
+  Polynomial result = p;
+  for (const int k : p.used()) {
+    const Generator& g = ring.generators()[k];
+    if (g.kind != Kind::sine || g.degree != 2) continue;
+    const int cosine = g.value.numerator.used().at(0);
+    const auto coefficients = result.coefficients(cosine);
+    result = 0;
+    for (int n = 0; n < static_cast<int>(coefficients.size()); ++n)
+      result = result + coefficients[n] * power(Polynomial::variable(cosine), n % 2) *
+                            power(1 - Polynomial::variable(k) * Polynomial::variable(k), n / 2);
+  }
+  return result;
+}
+
+/// Without the symbols, sines and exponentials that are its factors.
+Polynomial without_monomials(const Polynomial& p) {
+  Polynomial result = p;
+  for (const auto& [factor, exponent] : factors(p).second)
+    if (factor.terms() == 1) result = *quotient(result, power(factor, exponent));
+  return result;
+}
+
+}  // namespace
+
+Script::Script(const Problem& problem) : problem_(problem), known_(problem.symbols), names_(problem.symbols) {
+  translate(known_, problem_);
+  for (const Tree& tree : trees_of(problem_)) say_arguments(tree);
+  say_facts();
+}
+
+Fraction Script::value(const Tree& tree) {
+  std::vector<DomainCondition> unused;
+  return known_.translator(tree, unused);
+}
+
+std::string Script::text_of(const Fraction& f) const {
+  return coq_text(to_tree(Ring::meaning_of(f, meanings_), names_));
+}
+
+const Symbol& Script::declare(const std::string& name) {
+  return names_.declare(name, name, name, "1", all_numbers, "a name in a script", "");
+}
+
+/// The name of a phase: itself, if it is a symbol.
+std::string Script::name_of(const Fraction& phase) {
+  const GiNaC::ex meaning = known_.ring.meaning_of(phase);
+  if (const Symbol* symbol = problem_.symbols.find(meaning)) return symbol->name;
+  const std::string text = coq_text(to_tree(meaning, problem_.symbols));
+  for (const auto& [name, known] : phases_)
+    if (known == text) return name;
+  phases_.emplace_back("phase" + std::to_string(phases_.size() + 1), text);
+  return declare(phases_.back().first).name;
+}
+
+void Script::say_arguments(const Tree& tree) {
+  static const std::set<std::string> circular{"sin", "cos", "tan", "cot", "sec", "csc"};
+  static const std::set<std::string> real{"exp", "sinh", "cosh", "tanh", "coth", "sech", "csch"};
+  for (const Tree& child : tree->children) say_arguments(child);
+  if (tree->kind != Node::Kind::call) return;
+  if (tree->text == "sqrt") roots_.push_back(tree);
+  if (circular.contains(tree->text) || real.contains(tree->text))
+    say_argument(tree->children[0], circular.contains(tree->text));
+}
+
+void Script::say_argument(const Tree& argument, bool is_circular) {
+  has_arguments_ = true;
+  std::string sum;
+  const auto add = [&](const std::string& term) { sum += (sum.empty() ? "" : " + ") + term; };
+  cln::cl_RA turns = 0;
+  for (const Multiple& m : known_.translator.phases_of(value(argument), is_circular ? &turns : nullptr)) {
+    const std::string name = coq_name(name_of(m.phase));
+    for (int k = 0; k < std::abs(m.times); ++k) add(m.times > 0 ? name : "- " + name);
+  }
+  if (cln::denominator(2 * turns) != 1) throw Undecidable("there is no script for parts of a right angle");
+  const int right_angles = cln::cl_I_to_int(cln::mod(cln::numerator(2 * turns), 4));
+  for (int k = 0; k < right_angles; ++k) add("PI / 2");
+  if (sum.empty()) add("0");
+  const std::string text = coq_text(argument);
+  const std::string line = std::string(is_circular ? "angle" : "exponent") + " (" + text + ") (" + sum + ")";
+  if (text != sum && std::find(arguments_.begin(), arguments_.end(), line) == arguments_.end())
+    arguments_.push_back(line);
+}
+
+/// The base of a root, as the statement has it if it is there.
+std::string Script::base_of(const Generator& root, int index) {
+  for (const Tree& tree : roots_)
+    if (value(tree) == Fraction(Polynomial::variable(index))) return coq_text(tree->children[0]);
+  return text_of(root.of);
+}
+
+void Script::say_facts() {
+  for (const Generator& g : std::vector<Generator>(known_.ring.generators())) {
+    GiNaC::ex meaning = g.meaning;
+    if (g.kind == Kind::cosine || g.kind == Kind::sine || g.kind == Kind::exponential) {
+      const std::string name = name_of(g.of);
+      const GiNaC::ex x = names_[name];
+      meaning = g.kind == Kind::cosine ? cos(x) : g.kind == Kind::sine ? sin(x) : exp(x);
+      if (g.kind == Kind::sine) say_fact("assert (# := pyth " + coq_name(name) + ")");
+    } else if (g.kind == Kind::root && g.order == 2) {
+      const int index = static_cast<int>(meanings_.size());
+      const std::string name = "root" + std::to_string(index);
+      say_fact("square_root " + name + " # (" + base_of(g, index) + ")");
+      meaning = declare(name).ginac;
+    } else if (g.kind == Kind::root || g.kind == Kind::absolute || g.kind == Kind::logarithm) {
+      throw Undecidable("there is no script for roots of higher order, bars and logarithms");
+    }
+    meanings_.push_back(meaning);
+  }
+}
+
+/// A fact gets a name in the place of #.
+void Script::say_fact(std::string text) {
+  const std::string name = "F" + std::to_string(facts_.size() + 1);
+  names_of_facts_ += (names_of_facts_.empty() ? "" : " ") + name;
+  facts_.push_back(text.replace(text.find('#'), 1, name));
+}
+
+std::string Script::steps() {
+  std::vector<std::string> lines;
+  for (const auto& [name, phase] : phases_) lines.push_back("phase " + name + " (" + phase + ")");
+  lines.insert(lines.end(), arguments_.begin(), arguments_.end());
+  if (has_arguments_) lines.push_back("addition_theorems");
+  lines.insert(lines.end(), facts_.begin(), facts_.end());
+  for (const Tree& root : roots_) {
+    const std::string by = " by (field [" + names_of_facts_ + "]; nz)";
+    const std::string base = coq_text(root->children[0]);
+    lines.push_back("root (" + base + ") (" + text_of(value(root)) + ")" + by);
+    if (std::find(lines.begin(), lines.end() - 1, lines.back()) != lines.end() - 1) lines.pop_back();
+  }
+  std::string text;
+  for (const std::string& line : lines) text += "  " + line + ".\n";
+  return text;
+}
+
+std::string Script::identity() const {
+  if (names_of_facts_.empty()) return "identity ring or field";
+  return "identity (ring [" + names_of_facts_ + "]) or (field [" + names_of_facts_ + "])";
+}
+
+std::string Script::meets(const Tree& need, Signs signs) {
+  if (need->kind != Node::Kind::sum) return "defined";
+  const Fraction f = value(need);
+  for (const Relation& a : problem_.assumptions) {
+    const Tree known = difference_of(a);
+    const Fraction ratio = known_.ring.normal(value(known) / f);
+    if (is_same(known, need) || ratio.numerator.terms() != 1 || ratio.denominator.terms() != 1) continue;
+    if (signs == Signs::nonzero()) return "(multiple (" + text_of(ratio) + ") (" + identity() + "))";
+    if (ratio == Fraction(1)) return "(as_known (" + identity() + "))";
+  }
+  if (signs != Signs::nonzero() || has_symbols_only(known_.ring, f.numerator)) return "defined";
+  const Fraction positive = known_.ring.normal(without_monomials(in_sines(known_.ring, f.numerator)));
+  return "(apply (nonzero_by (" + text_of(known_.ring.normal(positive / f)) + ") (" + text_of(positive) + ")); [ nz | " + identity() +
+         " ])";
+}
+
+std::optional<std::string> Script::factor(const Tree& left, const Tree& right) {
+  const Fraction a = value(left), b = value(right);
+  if (a.is_zero() && b.is_zero()) return "1";
+  if (a.is_zero() || b.is_zero()) return std::nullopt;
+  const Fraction ratio = known_.ring.rationalized(a / b);
+  for (const auto& [factor, exponent] : factors(ratio.numerator * ratio.denominator).second)
+    if (!known_.ring.signs_of(factor).is_definite()) return std::nullopt;
+  return text_of(ratio);
+}
+
+}  // namespace rederive
