@@ -1,7 +1,7 @@
 (* What the lemmas are proved with. A lemma says: where the symbols lie in their ranges, each divisor is not 0
    and each root exists, and there the two statements say the same. Division and roots are total in Coq, so
    that the first half is part of what is proved. *)
-Require Export Reals Lra Psatz.
+Require Export Reals Ranalysis5 Lra Psatz.
 From Interval Require Export Tactic.
 Open Scope R_scope.
 (* The paper calls a length R: it is R' here. *)
@@ -152,8 +152,23 @@ Tactic Notation "identity" tactic3(polynomial) "or" tactic3(fraction) :=
 Ltac links :=
   split; intros; repeat match goal with H : _ /\ _ |- _ => destruct H end; repeat split;
   first [ lra | by_squares | pos ].
+(* A root between two numbers at which a continuous function has different signs. *)
+Lemma intermediate_value f a b :
+  a < b -> (forall x, a <= x <= b -> continuity_pt f x) -> f a < 0 < f b \/ f b < 0 < f a ->
+  exists x, a <= x <= b /\ f x = 0.
+Proof.
+  intros L C [S | S].
+  - destruct (IVT_interv f a b C L (proj1 S) (proj2 S)) as [x P]; now exists x.
+  - destruct (IVT_interv (opp_fct f) a b) as [x [P Q]]; unfold opp_fct in *; try lra.
+    + intros; apply continuity_pt_opp; auto.
+    + exists x; split; [ exact P | lra ].
+Qed.
+Ltac continuous := intros; reg; lra.
+Tactic Notation "zero_between" ident(x) constr(a) constr(b) constr(f) :=
+  destruct (intermediate_value f a b) as [x [? ?]];
+  [ lra | continuous | first [ left; split; interval | right; split; interval ] | cbv beta in * ].
 (* A conjunction at a point: numbers, and functions of numbers. *)
-Ltac differs := first [ lra | apply Rgt_not_eq; interval | apply Rlt_not_eq; interval ].
+Ltac differs := first [ lra | apply Rminus_not_eq; first [ apply Rgt_not_eq; interval | apply Rlt_not_eq; interval ] ].
 Ltac at_the_point :=
   repeat apply conj;
   first [ reflexivity | lra | interval | differs | solve [ field; repeat apply conj; differs ] ].

@@ -86,13 +86,42 @@ std::string conclusion(const Problem& problem, Script& script) {
          " ]";
 }
 
+/// What the symbols are at a witness: numbers, what is given, a symbol itself where it is a root between bounds.
+std::map<std::string, Tree> values_at(const Witness& witness, const Statement& s) {
+  std::map<std::string, Tree> at;
+  for (const std::string& symbol : s.names) {
+    const auto names_it = [&](const Given& g) { return s.q.symbols.find(g.name)->name == symbol; };
+    if (std::any_of(s.q.given.begin(), s.q.given.end(), names_it)) continue;
+    const auto exact = witness.exactly.find(symbol);
+    const std::string& text = witness.between.contains(symbol)     ? symbol
+                              : exact != witness.exactly.end() ? exact->second
+                                                                 : witness.at.at(symbol);
+    at[symbol] = parse(text, s.q.symbols);
+  }
+  for (const Given& g : s.q.given) {
+    Tree value = to_tree(g.value, s.q.symbols);
+    for (const auto& [symbol, other] : at) value = put_in(value, symbol, other);
+    at[s.q.symbols.find(g.name)->name] = value;
+  }
+  return at;
+}
+
+/// Whether a statement holds at a witness; `residual` is its value there, if a root of it is only enclosed.
+bool holds_at(const Relation& statement, const Witness& witness, const std::map<std::string, Tree>& at,
+              const std::string& residual) {
+  if (!witness.between.empty()) return residual == "0";
+  Point point;
+  for (const auto& [symbol, value] : at) point.emplace(symbol, Number(value));
+  return truth_at(statement, point) == Truth::holds;
+}
+
 /// The arguments of functions as the numbers that they are at a point.
 void say_arguments(const Tree& tree, const std::map<std::string, Tree>& at, std::string& steps) {
   for (const Tree& child : tree->children) say_arguments(child, at, steps);
   if (tree->kind != Node::Kind::call) return;
   Tree argument = tree->children[0];
   for (const auto& [symbol, value] : at) argument = put_in(argument, symbol, value);
-  const auto number = value_at(argument, {}, 64).exact;
+  const auto number = names_of(argument).empty() ? value_at(argument, {}, 64).exact : std::nullopt;
   if (!number) return;
   const bool is_circular = tree->text == "sin" || tree->text == "cos" || tree->text == "tan";
   const std::string size = coq_text(tree_of({cln::abs(*number)}));
@@ -124,22 +153,23 @@ std::string lemma(const std::string& name, const Question& question, const Proof
 std::string refutation(const std::string& name, const Question& question, const Proof& proof) {
   const Statement s(question, proof);
   const Question& q = s.q;
-  if (!proof.witness->between.empty()) throw Undecidable("the witness is a root that is only enclosed");
-  std::map<std::string, Tree> at;
-  for (const std::string& symbol : s.names) {
-    const auto exact = proof.witness->exactly.find(symbol);
-    at[symbol] = parse(exact != proof.witness->exactly.end() ? exact->second : proof.witness->at.at(symbol), q.symbols);
-  }
-  Point point;
-  for (const auto& [symbol, value] : at) point.emplace(symbol, Number(value));
-  const bool holds_left = truth_at(q.left, point) == Truth::holds;
+  const std::map<std::string, Tree> at = values_at(*proof.witness, s);
+  const auto put = [&](Tree tree) {
+    for (const auto& [symbol, value] : at) tree = put_in(tree, symbol, value);
+    return coq_text(tree);
+  };
+  const bool holds_left = holds_at(q.left, *proof.witness, at, proof.witness->printed);
   std::string text = "Lemma " + name + " : exists " + s.variables() + "\n  ", values, steps;
   for (const std::string& h : s.hypotheses()) text += h + " /\\\n  ";
   for (const auto& [need, signs] : s.needs) text += coq_text(need, signs) + " /\\\n  ";
   text += (holds_left ? "(" : "~ (") + coq_text(q.left) + ") /\\\n  " + (holds_left ? "~ (" : "(") + coq_text(q.right) + ")";
   for (const auto& [symbol, value] : at) values += (values.empty() ? "" : ", ") + ("(" + coq_text(value) + ")");
   for (const Tree& tree : s.trees) say_arguments(tree, at, steps);
-  return text + ".\nProof.\n  exists " + values + ".\n  start.\n" + steps + "  addition_theorems.\n  at_the_point.\nQed.\n";
+  text += ".\nProof.\n";
+  for (const auto& [symbol, ends] : proof.witness->between)
+    text += "  zero_between " + coq_name(symbol) + " (" + ends.first + ") (" + ends.second + ") (fun " + coq_name(symbol) +
+            " => " + put(residual(holds_left ? q.left : q.right)) + ").\n";
+  return text + "  exists " + values + ".\n  start.\n" + steps + "  addition_theorems.\n  at_the_point.\nQed.\n";
 }
 
 }  // namespace rederive
