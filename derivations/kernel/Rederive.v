@@ -2,8 +2,14 @@
    and each root exists, and there the two statements say the same. Division and roots are total in Coq, so
    that the first half is part of what is proved. *)
 Require Export Reals Ranalysis5 Lra Psatz.
+From Interval Require Import Float.Specific_stdz Float.Specific_ops.
 From Interval Require Export Tactic.
 Open Scope R_scope.
+(* Interval arithmetic with Coq's own integers: it assumes nothing of the machine's numbers. *)
+Module Integers := SpecificFloat StdZRadix2.
+Module Bounds := IntervalTactic Integers.
+Export Bounds.
+Ltac bounds := interval with (i_prec 60).
 (* The paper calls a length R: it is R' here. *)
 Notation real := R.
 
@@ -166,9 +172,9 @@ Qed.
 Ltac continuous := intros; reg; lra.
 Tactic Notation "zero_between" ident(x) constr(a) constr(b) constr(f) :=
   destruct (intermediate_value f a b) as [x [? ?]];
-  [ lra | continuous | first [ left; split; interval | right; split; interval ] | cbv beta in * ].
+  [ lra | continuous | first [ left; split; bounds | right; split; bounds ] | cbv beta in * ].
 (* A conjunction at a point: numbers, and functions of numbers. *)
-Ltac differs := first [ lra | apply Rminus_not_eq; first [ apply Rgt_not_eq; interval | apply Rlt_not_eq; interval ] ].
+Ltac differs := first [ lra | apply Rminus_not_eq; first [ apply Rgt_not_eq; bounds | apply Rlt_not_eq; bounds ] ].
 Ltac at_the_point :=
   repeat apply conj;
-  first [ reflexivity | lra | interval | differs | solve [ field; repeat apply conj; differs ] ].
+  first [ reflexivity | lra | bounds | differs | solve [ field; repeat apply conj; differs ] ].

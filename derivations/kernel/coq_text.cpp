@@ -1,6 +1,6 @@
 #include <derivations/decide/problem.hpp>
-#include <derivations/identity/rewrite_rules.hpp>
 #include <derivations/identity/polynomial.hpp>
+#include <derivations/identity/rewrite_rules.hpp>
 #include <derivations/kernel/coq_text.hpp>
 #include <derivations/language/print.hpp>
 
@@ -19,7 +19,8 @@ std::optional<cln::cl_RA> number_in(const Tree& tree) {
 
 /// A name of Coq's library or of the prelude.
 std::string function_name(const std::string& name) {
-  static const std::map<std::string, std::string> others{{"log", "ln"}, {"fabs", "Rabs"}, {"asinh", "arcsinh"}};
+  static const std::map<std::string, std::string> others{
+      {"log", "ln"}, {"fabs", "Rabs"}, {"asinh", "arcsinh"}};
   if (name == "acosh" || name == "atanh") throw Undecidable("the prelude has no " + name);
   const auto found = others.find(name);
   return found == others.end() ? name : found->second;
@@ -35,7 +36,8 @@ Tree in_coq(const Tree& tree) {
   if (tree->kind != Kind::power) return make_tree(tree->kind, tree->text, children, tree->inverse);
   const auto exponent = number_in(tree->children[1]);
   if (!exponent || cln::denominator(*exponent) > 2) throw Undecidable("a power of another kind than roots");
-  const Tree base = cln::denominator(*exponent) == 2 ? make_tree(Kind::call, "sqrt", {children[0]}) : children[0];
+  const Tree base =
+      cln::denominator(*exponent) == 2 ? make_tree(Kind::call, "sqrt", {children[0]}) : children[0];
   const Tree size = tree_of({cln::abs(cln::numerator(*exponent))});
   const Tree power = size->text == "1" ? base : make_tree(Kind::power, "", {base, size});
   return cln::minusp(*exponent) ? make_tree(Kind::product, "", {one(), power}, {false, true}) : power;
@@ -80,7 +82,8 @@ std::vector<std::pair<Tree, Signs>> needs_of(const std::vector<Tree>& trees) {
       const cln::cl_RA exponent = number_in(tree->children[1]).value_or(0);
       const bool is_whole = cln::denominator(exponent) == 1;
       if (is_whole && cln::minusp(exponent)) need(tree->children[0], Signs::nonzero());
-      if (!is_whole) need(tree->children[0], cln::minusp(exponent) ? Signs::positive() : Signs::nonnegative());
+      if (!is_whole)
+        need(tree->children[0], cln::minusp(exponent) ? Signs::positive() : Signs::nonnegative());
     }
     const RewriteRule* rule = tree->kind == Kind::call ? rewrite_rule(tree->text) : nullptr;
     if (rule == nullptr) continue;

@@ -55,7 +55,8 @@ struct Statement {
         result.push_back(coq_name(name) + (range.upper_closed ? " <= " : " < ") + end(range.upper));
     }
     for (const Given& g : q.given)
-      result.push_back(coq_name(q.symbols.find(g.name)->name) + " = " + coq_text(to_tree(g.value, q.symbols)));
+      result.push_back(coq_name(q.symbols.find(g.name)->name) + " = " +
+                       coq_text(to_tree(g.value, q.symbols)));
     for (const Relation& r : q.assumptions) result.push_back(coq_text(r));
     return result;
   }
@@ -82,20 +83,21 @@ std::string conclusion(const Problem& problem, Script& script) {
   const auto factor = script.factor(residual(left), residual(right));
   if (!factor) return "links";
   const std::string by = is_equation(left) ? "eq_by" : kind(left).empty() ? "lt_by" : "le_by";
-  return "apply (" + by + " (" + *factor + ")); [ " + (is_equation(left) ? "nz" : "pos") + " | " + script.identity() +
-         " ]";
+  return "apply (" + by + " (" + *factor + ")); [ " + (is_equation(left) ? "nz" : "pos") + " | " +
+         script.identity() + " ]";
 }
 
-/// What the symbols are at a witness: numbers, what is given, a symbol itself where it is a root between bounds.
+/// What the symbols are at a witness: numbers, what is given, a symbol itself where it is a root between
+/// bounds.
 std::map<std::string, Tree> values_at(const Witness& witness, const Statement& s) {
   std::map<std::string, Tree> at;
   for (const std::string& symbol : s.names) {
     const auto names_it = [&](const Given& g) { return s.q.symbols.find(g.name)->name == symbol; };
     if (std::any_of(s.q.given.begin(), s.q.given.end(), names_it)) continue;
     const auto exact = witness.exactly.find(symbol);
-    const std::string& text = witness.between.contains(symbol)     ? symbol
+    const std::string& text = witness.between.contains(symbol) ? symbol
                               : exact != witness.exactly.end() ? exact->second
-                                                                 : witness.at.at(symbol);
+                                                               : witness.at.at(symbol);
     at[symbol] = parse(text, s.q.symbols);
   }
   for (const Given& g : s.q.given) {
@@ -125,8 +127,8 @@ void say_arguments(const Tree& tree, const std::map<std::string, Tree>& at, std:
   if (!number) return;
   const bool is_circular = tree->text == "sin" || tree->text == "cos" || tree->text == "tan";
   const std::string size = coq_text(tree_of({cln::abs(*number)}));
-  const std::string line = std::string("  ") + (is_circular ? "angle (" : "exponent (") + coq_text(argument) + ") (" +
-                           (cln::minusp(*number) ? "- (" + size + ")" : size) + ").\n";
+  const std::string line = std::string("  ") + (is_circular ? "angle (" : "exponent (") + coq_text(argument) +
+                           ") (" + (cln::minusp(*number) ? "- (" + size + ")" : size) + ").\n";
   if (coq_text(argument) != size && steps.find(line) == std::string::npos) steps += line;
 }
 
@@ -136,7 +138,8 @@ std::string lemma(const std::string& name, const Question& question, const Proof
   const Statement s(question, proof);
   const Question& q = s.q;
   const Problem problem = with_values({q.left, q.right, q.assumptions, q.symbols}, q.given);
-  std::string text = "Lemma " + name + " :" + (s.names.empty() ? "" : " forall " + s.variables()) + "\n  ", steps;
+  std::string text = "Lemma " + name + " :" + (s.names.empty() ? "" : " forall " + s.variables()) + "\n  ",
+              steps;
   for (const std::string& h : s.hypotheses()) text += h + " ->\n  ";
   Script script(problem);
   for (const auto& [need, signs] : s.needs) {
@@ -147,7 +150,8 @@ std::string lemma(const std::string& name, const Question& question, const Proof
   }
   text += q.left.operators.empty() ? coq_text(q.left.sides[0]) + " = " + coq_text(q.right.sides[0])
                                    : "(" + coq_text(q.left) + " <->\n   " + coq_text(q.right) + ")";
-  return text + ".\nProof.\n  start.\n" + script.steps() + steps + "  " + conclusion(problem, script) + ".\nQed.\n";
+  return text + ".\nProof.\n  start.\n" + script.steps() + steps + "  " + conclusion(problem, script) +
+         ".\nQed.\n";
 }
 
 std::string refutation(const std::string& name, const Question& question, const Proof& proof) {
@@ -162,14 +166,17 @@ std::string refutation(const std::string& name, const Question& question, const 
   std::string text = "Lemma " + name + " : exists " + s.variables() + "\n  ", values, steps;
   for (const std::string& h : s.hypotheses()) text += h + " /\\\n  ";
   for (const auto& [need, signs] : s.needs) text += coq_text(need, signs) + " /\\\n  ";
-  text += (holds_left ? "(" : "~ (") + coq_text(q.left) + ") /\\\n  " + (holds_left ? "~ (" : "(") + coq_text(q.right) + ")";
-  for (const auto& [symbol, value] : at) values += (values.empty() ? "" : ", ") + ("(" + coq_text(value) + ")");
+  text += (holds_left ? "(" : "~ (") + coq_text(q.left) + ") /\\\n  " + (holds_left ? "~ (" : "(") +
+          coq_text(q.right) + ")";
+  for (const auto& [symbol, value] : at)
+    values += (values.empty() ? "" : ", ") + ("(" + coq_text(value) + ")");
   for (const Tree& tree : s.trees) say_arguments(tree, at, steps);
   text += ".\nProof.\n";
   for (const auto& [symbol, ends] : proof.witness->between)
-    text += "  zero_between " + coq_name(symbol) + " (" + ends.first + ") (" + ends.second + ") (fun " + coq_name(symbol) +
-            " => " + put(residual(holds_left ? q.left : q.right)) + ").\n";
-  return text + "  exists " + values + ".\n  start.\n" + steps + "  addition_theorems.\n  at_the_point.\nQed.\n";
+    text += "  zero_between " + coq_name(symbol) + " (" + ends.first + ") (" + ends.second + ") (fun " +
+            coq_name(symbol) + " => " + put(residual(holds_left ? q.left : q.right)) + ").\n";
+  return text + "  exists " + values + ".\n  start.\n" + steps +
+         "  addition_theorems.\n  at_the_point.\nQed.\n";
 }
 
 }  // namespace rederive

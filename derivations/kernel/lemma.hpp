@@ -9,6 +9,7 @@
 
 #include <derivations/decide/problem.hpp>
 #include <derivations/decide/proof.hpp>
+#include <derivations/identity/polynomial.hpp>
 
 namespace rederive {
 

@@ -17,7 +17,8 @@ Tree difference_of(const Relation& a) {
 
 bool has_symbols_only(const Ring& ring, const Polynomial& p) {
   const auto used = p.used();
-  return std::all_of(used.begin(), used.end(), [&](int k) { return ring.generators()[k].kind == Kind::symbol; });
+  return std::all_of(used.begin(), used.end(),
+                     [&](int k) { return ring.generators()[k].kind == Kind::symbol; });
 }
 
 /// With cos² = 1 - sin².
@@ -173,8 +174,8 @@ std::string Script::meets(const Tree& need, Signs signs) {
   }
   if (signs != Signs::nonzero() || has_symbols_only(known_.ring, f.numerator)) return "defined";
   const Fraction positive = known_.ring.normal(without_monomials(in_sines(known_.ring, f.numerator)));
-  return "(apply (nonzero_by (" + text_of(known_.ring.normal(positive / f)) + ") (" + text_of(positive) + ")); [ nz | " + identity() +
-         " ])";
+  return "(apply (nonzero_by (" + text_of(known_.ring.normal(positive / f)) + ") (" + text_of(positive) +
+         ")); [ nz | " + identity() + " ])";
 }
 
 std::optional<std::string> Script::factor(const Tree& left, const Tree& right) {

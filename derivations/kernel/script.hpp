@@ -17,8 +17,8 @@ class Script {
   std::string steps();
   /// The tactic that proves an identity of fractions with the facts.
   std::string identity() const;
-  /// The tactic that proves that a part of the problem is not 0, positive, not negative. A sum is a multiple of
-  /// what is assumed, or of a sum of positive terms.
+  /// The tactic that proves that a part of the problem is not 0, positive, not negative. A sum is a multiple
+  /// of what is assumed, or of a sum of positive terms.
   std::string meets(const Tree& need, Signs signs);
   /// left/right, of expressions that are 0 at the same points because this is neither 0 nor infinite; nothing
   /// where that is not known.

@@ -189,6 +189,11 @@ Symbols declared_symbols(const ProveRequest& request) {
   return symbols;
 }
 
+Problem problem_of(const ProveRequest& request) {
+  const Question q = read(request);
+  return {q.left, q.right, q.assumptions, q.symbols};
+}
+
 Proof decide(const ProveRequest& request) {
   const Question question = read(request);
   check_order(request, question);

@@ -22,6 +22,9 @@ struct ProveRequest {
 /// r and d are any real numbers: everybody uses them for something else than the paper does.
 Symbols declared_symbols(const ProveRequest& request);
 
+/// What was asked, read. Throws BadInput, as `decide` does.
+Problem problem_of(const ProveRequest& request);
+
 /// Decides. Among the side conditions are the declared ranges and the assumed inequalities without which the
 /// proof does not go through. Throws BadInput (with a caret) for what cannot be read, and for assumptions
 /// that contradict each other.

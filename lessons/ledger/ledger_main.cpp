@@ -11,6 +11,7 @@
 #include <derivations/language/lexer.hpp>
 #include <derivations/paper/mutate.hpp>
 #include <lessons/bounded.hpp>
+#include <lessons/certify/certify_command.hpp>
 #include <lessons/ledger/claims.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <lessons/ledger/report.hpp>
@@ -23,7 +24,9 @@ struct Options {
   bool json = false;
   std::string equations = equations_file();
   std::string claims = claims_file();
-  std::string id, format = "text", table;
+  std::string id, format = "text", table, certificate;
+  bool coq = false;
+  CertifyOptions scripts;
   unsigned seed = 1;
   ProveRequest request;
 };
@@ -84,7 +87,9 @@ int show_all(const Options& options) {
 int show_one(const Options& options) {
   const auto rows = rows_of(options);
   const Entry entry = judged(row_of(options.id, rows), rows);
-  if (options.json)
+  if (options.coq)
+    put(lemma_page(entry));
+  else if (options.json)
     put(to_json(entry));
   else
     put(ledger_page(entry, is_lively(1)));
@@ -193,6 +198,11 @@ int main(int argc, char** argv) {
 
   auto* show = app.add_subcommand("show", "All about one equation");
   show->add_option("id", options.id, "Its number, such as 17b")->required();
+  show->add_flag("--coq", options.coq, "Its lemma for Coq");
+  auto* certifying = app.add_subcommand("certify", "The rows as lemmas of Coq");
+  certifying->add_option("dir", options.scripts.folder, "The folder for the scripts");
+  certifying->add_option("id", options.scripts.ids, "Rows alone, such as 71 17b");
+  certifying->add_flag("--check", options.scripts.checks, "Lets coqc say, row by row, what passes");
   auto* sheet = app.add_subcommand("errata", "The errors alone, the most consequential first");
   sheet->add_option("--format", options.format, "text, markdown, latex or json")
       ->check(CLI::IsMember({"text", "markdown", "latex", "json"}));
@@ -245,6 +255,12 @@ int main(int argc, char** argv) {
                                  "Decides every row of a table and writes a page in Markdown, or JSON")
                     ->check(CLI::ExistingFile);
   for (auto* other : {lhs, rhs, assume, small, order}) table->excludes(other);
+  auto* certificate =
+      proving->add_option("--certificate", options.certificate, "Writes the proof as a Coq script")
+          ->check(file_name)
+          ->excludes(table)
+          ->excludes(small)
+          ->option_text("FILE.v");
 
   return run_command(app, argc, argv, [&]() -> int {
     if (*show) return show_one(options);
@@ -256,7 +272,10 @@ int main(int argc, char** argv) {
           "prove wants two statements; right is, for example, ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
     for (std::string* text : {&options.request.left, &options.request.right}) CLI::detail::trim(*text);
     for (std::string& name : options.request.small) name = symbol_name(name);
+    if (*certificate) return write_certificate(options.request, options.certificate);
     if (*proving) return show_proof(options);
+    options.scripts.json = options.json;
+    if (*certifying) return certify(all(options), options.scripts);
     if (*dot) return put(graph(all(options))), as_expected;
     if (*sheet) return put(errata(all(options), options.json ? "json" : options.format)), as_expected;
     return show_all(options);

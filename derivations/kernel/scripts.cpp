@@ -1,0 +1,78 @@
+#include <derivations/emit/command_line.hpp>
+#include <derivations/kernel/lemma.hpp>
+#include <derivations/kernel/scripts.hpp>
+#include <sstream>
+
+namespace rederive {
+
+namespace {
+
+/// What a reader sees first. No text of ours may end the comment.
+std::string comment(const Entry& entry) {
+  const Row& row = entry.row;
+  std::string text = "(* (" + row.id + ")" + (row.domain.empty() ? "" : " " + row.domain) + " " +
+                     (row.kind == "result" ? "Stated: " : "Printed: ") + row.claim() +
+                     "\n   Verdict: " + to_string(entry.proof.verdict);
+  if (entry.derivation && !entry.derivation->assumption.empty())
+    text += ". Assumed: " + entry.derivation->assumption;
+  if (entry.proof.verdict == Verdict::refuted) text += ". Right is: " + entry.derived;
+  for (std::size_t end; (end = text.find("*)", 2)) != std::string::npos;) text.insert(end + 1, " ");
+  return text + ". *)\n";
+}
+
+std::string makefile() {
+  return "all: CoqMakefile ; $(MAKE) -f CoqMakefile\n"
+         "CoqMakefile: _CoqProject ; coq_makefile -f _CoqProject -o CoqMakefile\n"
+         ".PHONY: all\n";
+}
+
+}  // namespace
+
+std::optional<Lemma> lemma_of(const Entry& entry) {
+  if (!entry.derivation || entry.proof.verdict == Verdict::definition) return std::nullopt;
+  const bool is_refuted = entry.proof.verdict == Verdict::refuted;
+  Lemma result{entry.row.id,
+               "Ledger.v",
+               "equation_" + entry.row.id + (is_refuted ? "_refuted" : ""),
+               is_refuted ? "refutation" : "row",
+               "",
+               ""};
+  try {
+    const Symbols symbols = symbols_in(entry.row.domain);
+    const Question question{parse_statement(entry.row.claim(), symbols), derived_relation(*entry.derivation),
+                            symbols, entry.derivation->given};
+    if (entry.proof.verdict == Verdict::undecided) throw Undecidable("the verdict is undecided");
+    result.text = comment(entry) + (is_refuted ? refutation : lemma)(result.name, question, entry.proof);
+  } catch (const Undecidable& error) {
+    result.why = error.what();
+  }
+  return result;
+}
+
+std::string prelude() {
+  std::ifstream file(REDERIVE_PRELUDE);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::map<std::string, std::string> files_of(const std::vector<Lemma>& lemmas) {
+  std::map<std::string, std::string> files{{"Rederive.v", prelude()}};
+  std::string project = "-R . Rederive\nRederive.v\n";
+  for (const Lemma& lemma : lemmas) {
+    const auto [place, is_new] = files.try_emplace(lemma.file, "From Rederive Require Import Rederive.\n");
+    if (is_new) project += lemma.file + "\n";
+    if (!lemma.text.empty()) place->second += "\n" + lemma.text;
+  }
+  files["_CoqProject"] = project, files["Makefile"] = makefile();
+  return files;
+}
+
+void write_scripts(const std::filesystem::path& folder, const std::vector<Lemma>& lemmas) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw BadInput("cannot make the folder '" + folder.string() + "': " + error.message());
+  for (const auto& [name, text] : files_of(lemmas)) write_whole(folder / name, text);
+}
+
+}  // namespace rederive

@@ -1,0 +1,27 @@
+// The ledger as a folder of Coq scripts.
+#pragma once
+
+#include <derivations/paper/ledger.hpp>
+#include <filesystem>
+
+namespace rederive {
+
+/// A lemma with its proof, and the comment that stands before it.
+struct Lemma {
+  std::string id, file, name, kind;  ///< "71", "Ledger.v", "equation_71", "row" or "refutation"
+  std::string text;                  ///< empty where there is no script
+  std::string why;                   ///< then: why
+};
+
+/// The lemma of a row: proved, or refuted by its witness. None of a definition.
+std::optional<Lemma> lemma_of(const Entry& entry);
+
+/// The prelude, as text.
+std::string prelude();
+
+/// The files by their names: Rederive.v, those of the lemmas, _CoqProject and a Makefile.
+std::map<std::string, std::string> files_of(const std::vector<Lemma>& lemmas);
+/// Writes them into a folder, each file whole or not at all. Throws BadInput where that is not possible.
+void write_scripts(const std::filesystem::path& folder, const std::vector<Lemma>& lemmas);
+
+}  // namespace rederive

@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <derivations/kernel/lemma.hpp>
+#include <lessons/bounded.hpp>
+#include <lessons/certify/certify_command.hpp>
+#include <lessons/certify/check.hpp>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace rederive {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<Lemma> lemmas_of(const std::vector<Entry>& entries, const std::vector<std::string>& ids) {
+  std::vector<Lemma> lemmas;
+  for (const std::string& id : ids)
+    if (std::none_of(entries.begin(), entries.end(), [&](auto& e) { return e.row.id == id; }))
+      throw BadInput("there is no equation '" + printable_line(id) + "'; 'ledger' lists them all");
+  for (const Entry& entry : entries) {
+    const bool is_wanted = ids.empty() || std::find(ids.begin(), ids.end(), entry.row.id) != ids.end();
+    if (const auto lemma = is_wanted ? lemma_of(entry) : std::nullopt) lemmas.push_back(*lemma);
+  }
+  return lemmas;
+}
+
+std::string first_error(const std::string& output) {
+  const auto at = output.find("Error:");
+  const auto start = output.find_first_not_of(" \n", at == std::string::npos ? 0 : at + 6);
+  return start == std::string::npos ? "" : output.substr(start, output.find('\n', start) - start);
+}
+
+int count(const std::vector<Lemma>& lemmas, const std::string& kind) {
+  return static_cast<int>(
+      std::count_if(lemmas.begin(), lemmas.end(), [&](auto& l) { return l.kind == kind; }));
+}
+
+int report(const std::vector<Lemma>& lemmas, const std::vector<Checked>& checked, bool json) {
+  Json list = Json::array();
+  std::set<std::string> axioms;
+  int passed = 0;
+  for (std::size_t k = 0; k < lemmas.size(); ++k) {
+    const Lemma& lemma = lemmas[k];
+    const Checked& found = checked[k];
+    list.push_back({{"id", lemma.id},
+                    {"file", lemma.file},
+                    {"name", lemma.name},
+                    {"kind", lemma.kind},
+                    {"passed", found.passed},
+                    {"axioms", found.axioms}});
+    axioms.insert(found.axioms.begin(), found.axioms.end());
+    passed += found.passed ? 1 : 0;
+    if (!json)
+      fmt::print("{:<6} {:<24} {}\n", lemma.id, lemma.name,
+                 found.passed ? "passed" : "failed: " + first_error(found.error));
+  }
+  const int failed = static_cast<int>(lemmas.size()) - passed;
+  if (json) {
+    const Json counts{{"rows", count(lemmas, "row")},
+                      {"refutations", count(lemmas, "refutation")},
+                      {"derivations", count(lemmas, "derivation")},
+                      {"passed", passed},
+                      {"failed", failed}};
+    fmt::print("{}\n", Json{{"lemmas", list}, {"counts", counts}}.dump(2));
+  } else {
+    fmt::print("\n{} lemmas: {} passed, {} failed. What they assume:\n", lemmas.size(), passed, failed);
+    for (const std::string& axiom : axioms) fmt::print("  {}\n", axiom);
+  }
+  return failed == 0 ? as_expected : not_as_expected;
+}
+
+}  // namespace
+
+int certify(const std::vector<Entry>& entries, const CertifyOptions& options) {
+  if (options.folder.empty() && !options.checks)
+    throw BadInput(
+        "certify wants a folder for the scripts, or --check; right is, for example, ledger certify proofs");
+  const std::vector<Lemma> lemmas = lemmas_of(entries, options.ids);
+  if (!options.folder.empty()) write_scripts(options.folder, lemmas);
+  if (options.checks) {
+    if (!has_coq())
+      throw std::runtime_error("there is no coqc; install coq and coq-interval (on Debian libcoq-interval)");
+    const auto progress = [](const std::string& file) {
+      if (is_lively(2)) fmt::print(stderr, "\rcoqc {:<20}\r", file);
+    };
+    return report(lemmas, check(lemmas, progress), options.json);
+  }
+  for (const Lemma& lemma : lemmas)
+    if (lemma.text.empty()) fmt::print(stderr, "{}: there is no script: {}\n", lemma.id, lemma.why);
+  if (options.json)
+    fmt::print("{}\n", Json{{"folder", options.folder}, {"lemmas", lemmas.size()}}.dump(2));
+  else
+    fmt::print("{} lemmas in {}; make in that folder runs coqc\n", lemmas.size(), options.folder);
+  return as_expected;
+}
+
+std::string lemma_page(const Entry& entry) {
+  const auto lemma = lemma_of(entry);
+  if (!lemma) throw BadInput("row " + entry.row.id + " is a definition: there is nothing to prove");
+  if (lemma->text.empty()) throw BadInput("row " + entry.row.id + " has no script: " + lemma->why);
+  return lemma->text;
+}
+
+int write_certificate(const ProveRequest& request, const std::string& file) {
+  const auto work = [&]() -> std::string {
+    try {
+      const Proof proof = decide(request);
+      const Problem problem = problem_of(request);
+      const bool is_proved = proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
+      if (!is_proved) return "N" + to_string(proof.verdict) + ": there is no certificate";
+      if (proof.by != "identity") return "Nthis proof is by " + proof.by + ", for which there is no script";
+      const Question question{problem.left, problem.right, problem.symbols, {}, problem.assumptions};
+      return "J" + prelude() + "\n" + lemma("proved", question, proof);
+    } catch (const BadInput& error) {
+      return std::string("B") + error.what();
+    } catch (const Undecidable& error) {
+      return std::string("Nthis proof is by identity, but ") + error.what();
+    }
+  };
+  const Bounded outcome = run_bounded(work, 4, 480);
+  if (!outcome.result) throw std::runtime_error("given up: " + outcome.why);
+  const std::string text = outcome.result->substr(1);
+  if (outcome.result->front() == 'B') throw BadInput(text);
+  if (outcome.result->front() == 'N') return fmt::print(stderr, "{}\n", text), undecided_or_failed;
+  write_whole(file, text);
+  return as_expected;
+}
+
+}  // namespace rederive

@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <derivations/emit/command_line.hpp>
+#include <lessons/certify/check.hpp>
+#include <regex>
+#include <sstream>
+
+namespace rederive {
+
+namespace {
+
+/// A folder that goes with its owner.
+struct Folder {
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "rederive-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder can be made");
+    path = name;
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  std::filesystem::path path;
+};
+
+struct Run {
+  int status;
+  std::string output;
+};
+
+/// Runs a command in a folder whose name needs no quotes.
+Run run_in(const std::filesystem::path& folder, const std::string& command) {
+  std::FILE* pipe = ::popen(("cd '" + folder.string() + "' && " + command + " 2>&1").c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error("no process can be started");
+  Run run;
+  std::array<char, 4096> piece;
+  for (std::size_t size; (size = std::fread(piece.data(), 1, piece.size(), pipe)) > 0;)
+    run.output.append(piece.data(), size);
+  run.status = ::pclose(pipe);
+  return run;
+}
+
+Run compile(const Folder& folder, const std::string& file) {
+  return run_in(folder.path, "coqc -q -R . Rederive " + file);
+}
+
+/// The lemma in which a line of a file lies; `line` counts from 1.
+const Lemma* lemma_at(int line, const std::string& text, const std::vector<const Lemma*>& lemmas) {
+  std::size_t at = 0;
+  for (int k = 1; k < line && at != std::string::npos; ++k) at = text.find('\n', at + (k > 1 ? 1 : 0));
+  const Lemma* found = nullptr;
+  for (const Lemma* lemma : lemmas)
+    if (const auto start = text.find(lemma->text); start != std::string::npos && start <= at) found = lemma;
+  return found;
+}
+
+/// The names that Print Assumptions gives.
+std::vector<std::string> axioms_in(const std::string& output) {
+  static const std::regex name("^([A-Za-z_][\\w.']*)( :.*)?$");
+  std::vector<std::string> result;
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch found;
+    if (line != "Axioms:" && std::regex_match(line, found, name)) result.push_back(found[1]);
+  }
+  return result;
+}
+
+/// What lemmas of one file assume, taken together: asked for one by one, each goes through all of Coq's
+/// reals.
+std::vector<std::string> axioms_of(const Folder& folder, const std::string& file,
+                                   const std::vector<const Lemma*>& lemmas) {
+  std::string names;
+  for (const Lemma* lemma : lemmas) names += (names.empty() ? "" : ", ") + lemma->name;
+  write_whole(folder.path / "Assumptions.v", "From Rederive Require Import " +
+                                                 file.substr(0, file.size() - 2) + ".\nDefinition all := (" +
+                                                 names + ").\nPrint Assumptions all.\n");
+  const Run run = compile(folder, "Assumptions.v");
+  if (run.status != 0) throw std::runtime_error("coqc does not say what the lemmas assume: " + run.output);
+  return axioms_in(run.output);
+}
+
+/// Lemmas of one file that pass together; the errors of the others are kept.
+std::vector<const Lemma*> passing(const Folder& folder, const std::string& file,
+                                  std::vector<const Lemma*> lemmas,
+                                  std::map<const Lemma*, std::string>& errors) {
+  static const std::regex place("line (\\d+), characters");
+  while (!lemmas.empty()) {
+    std::string text = "From Rederive Require Import Rederive.\n";
+    for (const Lemma* lemma : lemmas) text += lemma->text + "\n";
+    write_whole(folder.path / file, text);
+    const Run run = compile(folder, file);
+    if (run.status == 0) break;
+    std::smatch where;
+    const bool is_placed = std::regex_search(run.output, where, place);
+    const Lemma* failed = is_placed ? lemma_at(std::stoi(where[1]), text, lemmas) : nullptr;
+    if (failed == nullptr) throw std::runtime_error("coqc fails on " + file + ": " + run.output);
+    errors[failed] = run.output;
+    std::erase(lemmas, failed);
+  }
+  return lemmas;
+}
+
+}  // namespace
+
+bool has_coq() { return std::system("command -v coqc >/dev/null 2>&1") == 0; }
+
+std::vector<Checked> check(const std::vector<Lemma>& lemmas,
+                           const std::function<void(const std::string&)>& progress) {
+  const Folder folder;
+  write_scripts(folder.path, lemmas);
+  progress("Rederive.v");
+  if (const Run run = compile(folder, "Rederive.v"); run.status != 0)
+    throw std::runtime_error("coqc does not take the prelude (is libcoq-interval there?): " + run.output);
+  std::map<std::string, std::vector<const Lemma*>> by_file;
+  std::map<const Lemma*, std::string> errors;
+  std::map<const Lemma*, std::vector<std::string>> axioms;
+  for (const Lemma& lemma : lemmas)
+    if (lemma.text.empty())
+      errors[&lemma] = "there is no script: " + lemma.why;
+    else
+      by_file[lemma.file].push_back(&lemma);
+  for (const auto& [file, all] : by_file) {
+    progress(file);
+    const auto passed = passing(folder, file, all, errors);
+    std::map<std::string, std::vector<const Lemma*>> by_kind;
+    for (const Lemma* lemma : passed) by_kind[lemma->kind].push_back(lemma);
+    for (const auto& [kind, some] : by_kind) {
+      const auto found = axioms_of(folder, file, some);
+      for (const Lemma* lemma : some) axioms[lemma] = found;
+    }
+  }
+  std::vector<Checked> result;
+  for (const Lemma& lemma : lemmas) {
+    const bool has_passed = !errors.contains(&lemma);
+    result.push_back({has_passed, errors[&lemma], axioms[&lemma]});
+  }
+  return result;
+}
+
+}  // namespace rederive
