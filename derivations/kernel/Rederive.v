@@ -1,15 +1,8 @@
 (* What the lemmas are proved with. A lemma says: where the symbols lie in their ranges, each divisor is not 0
    and each root exists, and there the two statements say the same. Division and roots are total in Coq, so
    that the first half is part of what is proved. *)
-Require Export Reals Ranalysis5 Lra Psatz.
-From Interval Require Import Float.Specific_stdz Float.Specific_ops.
-From Interval Require Export Tactic.
+Require Export Reals Lra Psatz.
 Open Scope R_scope.
-(* Interval arithmetic with Coq's own integers: it assumes nothing of the machine's numbers. *)
-Module Integers := SpecificFloat StdZRadix2.
-Module Bounds := IntervalTactic Integers.
-Export Bounds.
-Ltac bounds := interval with (i_prec 60).
 (* The paper calls a length R: it is R' here. *)
 Notation real := R.
 
@@ -53,7 +46,7 @@ Proof. intro; split; nra. Qed.
 
 (* Signs of what is built from positive things: products, sums, powers, roots, functions. *)
 Ltac known := first [ assumption | lra ].
-Ltac by_squares := timeout 2 nra.
+Ltac by_squares := nra.
 Ltac pos :=
   lazymatch goal with
   | |- _ > _ => unfold Rgt; pos
@@ -158,23 +151,3 @@ Tactic Notation "identity" tactic3(polynomial) "or" tactic3(fraction) :=
 Ltac links :=
   split; intros; repeat match goal with H : _ /\ _ |- _ => destruct H end; repeat split;
   first [ lra | by_squares | pos ].
-(* A root between two numbers at which a continuous function has different signs. *)
-Lemma intermediate_value f a b :
-  a < b -> (forall x, a <= x <= b -> continuity_pt f x) -> f a < 0 < f b \/ f b < 0 < f a ->
-  exists x, a <= x <= b /\ f x = 0.
-Proof.
-  intros L C [S | S].
-  - destruct (IVT_interv f a b C L (proj1 S) (proj2 S)) as [x P]; now exists x.
-  - destruct (IVT_interv (opp_fct f) a b) as [x [P Q]]; unfold opp_fct in *; try lra.
-    + intros; apply continuity_pt_opp; auto.
-    + exists x; split; [ exact P | lra ].
-Qed.
-Ltac continuous := intros; reg; lra.
-Tactic Notation "zero_between" ident(x) constr(a) constr(b) constr(f) :=
-  destruct (intermediate_value f a b) as [x [? ?]];
-  [ lra | continuous | first [ left; split; bounds | right; split; bounds ] | cbv beta in * ].
-(* A conjunction at a point: numbers, and functions of numbers. *)
-Ltac differs := first [ lra | apply Rminus_not_eq; first [ apply Rgt_not_eq; bounds | apply Rlt_not_eq; bounds ] ].
-Ltac at_the_point :=
-  repeat apply conj;
-  first [ reflexivity | lra | bounds | differs | solve [ field; repeat apply conj; differs ] ].

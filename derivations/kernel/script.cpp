@@ -50,6 +50,8 @@ Polynomial without_monomials(const Polynomial& p) {
 Script::Script(const Problem& problem) : problem_(problem), known_(problem.symbols), names_(problem.symbols) {
   translate(known_, problem_);
   for (const Tree& tree : trees_of(problem_)) say_arguments(tree);
+  for (const std::string& call : inverse_)  // a name that both have
+    if (inverse_.count(call) < 2) throw Undecidable("there is no script for the inverse of a function");
   say_facts();
 }
 
@@ -80,9 +82,11 @@ std::string Script::name_of(const Fraction& phase) {
 void Script::say_arguments(const Tree& tree) {
   static const std::set<std::string> circular{"sin", "cos", "tan", "cot", "sec", "csc"};
   static const std::set<std::string> real{"exp", "sinh", "cosh", "tanh", "coth", "sech", "csch"};
+  static const std::set<std::string> inverse{"log", "asin", "acos", "atan", "asinh"};
   for (const Tree& child : tree->children) say_arguments(child);
   if (tree->kind != Node::Kind::call) return;
   if (tree->text == "sqrt") roots_.push_back(tree);
+  if (inverse.contains(tree->text)) inverse_.insert(coq_text(tree));
   if (circular.contains(tree->text) || real.contains(tree->text))
     say_argument(tree->children[0], circular.contains(tree->text));
 }
@@ -184,7 +188,8 @@ std::optional<std::string> Script::factor(const Tree& left, const Tree& right) {
   if (a.is_zero() || b.is_zero()) return std::nullopt;
   const Fraction ratio = known_.ring.rationalized(a / b);
   for (const auto& [factor, exponent] : factors(ratio.numerator * ratio.denominator).second)
-    if (!known_.ring.signs_of(factor).is_definite()) return std::nullopt;
+    if (!known_.ring.signs_of(factor).is_definite())
+      throw Undecidable("there is no script for two that hold at the same points, but not by a factor");
   return text_of(ratio);
 }
 

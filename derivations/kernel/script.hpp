@@ -2,6 +2,7 @@
 #pragma once
 
 #include <derivations/decide/comparison.hpp>
+#include <set>
 
 namespace rederive {
 
@@ -21,7 +22,7 @@ class Script {
   /// of what is assumed, or of a sum of positive terms.
   std::string meets(const Tree& need, Signs signs);
   /// left/right, of expressions that are 0 at the same points because this is neither 0 nor infinite; nothing
-  /// where that is not known.
+  /// where one of them is always 0. Throws Undecidable where that is not known.
   std::optional<std::string> factor(const Tree& left, const Tree& right);
 
  private:
@@ -42,6 +43,7 @@ class Script {
   std::vector<std::string> arguments_, facts_;
   std::string names_of_facts_;
   std::vector<Tree> roots_;
+  std::multiset<std::string> inverse_;
   std::vector<GiNaC::ex> meanings_;  ///< of the generators, in the names of the phases and roots
   bool has_arguments_ = false;
 };

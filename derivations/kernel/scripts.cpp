@@ -49,18 +49,21 @@ std::optional<Lemma> lemma_of(const Entry& entry) {
   return result;
 }
 
-std::string prelude() {
-  std::ifstream file(REDERIVE_PRELUDE);
+std::string shipped(const std::string& name) {
+  std::ifstream file(std::filesystem::path(REDERIVE_KERNEL_FOLDER) / name);
   std::ostringstream text;
   text << file.rdbuf();
+  if (!file) throw std::runtime_error("a file that ships with the project cannot be read: " + name);
   return text.str();
 }
 
 std::map<std::string, std::string> files_of(const std::vector<Lemma>& lemmas) {
-  std::map<std::string, std::string> files{{"Rederive.v", prelude()}};
-  std::string project = "-R . Rederive\nRederive.v\n";
+  std::map<std::string, std::string> files;
+  std::string project = "-R . Rederive\n";
+  for (const char* name : {"Rederive.v", "Bounds.v"})
+    files[name] = shipped(name), project += name + std::string("\n");
   for (const Lemma& lemma : lemmas) {
-    const auto [place, is_new] = files.try_emplace(lemma.file, "From Rederive Require Import Rederive.\n");
+    const auto [place, is_new] = files.try_emplace(lemma.file, imports);
     if (is_new) project += lemma.file + "\n";
     if (!lemma.text.empty()) place->second += "\n" + lemma.text;
   }

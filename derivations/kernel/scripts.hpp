@@ -16,10 +16,14 @@ struct Lemma {
 /// The lemma of a row: proved, or refuted by its witness. None of a definition.
 std::optional<Lemma> lemma_of(const Entry& entry);
 
-/// The prelude, as text.
-std::string prelude();
+/// The first line of every file of lemmas.
+inline constexpr const char* imports = "From Rederive Require Import Rederive Bounds.\n";
 
-/// The files by their names: Rederive.v, those of the lemmas, _CoqProject and a Makefile.
+/// The text of a file that ships with this room: Rederive.v, the prelude; Bounds.v, interval arithmetic.
+/// Throws std::runtime_error.
+std::string shipped(const std::string& name);
+
+/// The files by their names: what ships, those of the lemmas, _CoqProject and a Makefile.
 std::map<std::string, std::string> files_of(const std::vector<Lemma>& lemmas);
 /// Writes them into a folder, each file whole or not at all. Throws BadInput where that is not possible.
 void write_scripts(const std::filesystem::path& folder, const std::vector<Lemma>& lemmas);

@@ -112,7 +112,7 @@ int write_certificate(const ProveRequest& request, const std::string& file) {
       if (!is_proved) return "N" + to_string(proof.verdict) + ": there is no certificate";
       if (proof.by != "identity") return "Nthis proof is by " + proof.by + ", for which there is no script";
       const Question question{problem.left, problem.right, problem.symbols, {}, problem.assumptions};
-      return "J" + prelude() + "\n" + lemma("proved", question, proof);
+      return "J" + shipped("Rederive.v") + "\n" + lemma("proved", question, proof);
     } catch (const BadInput& error) {
       return std::string("B") + error.what();
     } catch (const Undecidable& error) {

@@ -90,7 +90,7 @@ std::vector<const Lemma*> passing(const Folder& folder, const std::string& file,
                                   std::map<const Lemma*, std::string>& errors) {
   static const std::regex place("line (\\d+), characters");
   while (!lemmas.empty()) {
-    std::string text = "From Rederive Require Import Rederive.\n";
+    std::string text = imports;
     for (const Lemma* lemma : lemmas) text += lemma->text + "\n";
     write_whole(folder.path / file, text);
     const Run run = compile(folder, file);
@@ -113,9 +113,12 @@ std::vector<Checked> check(const std::vector<Lemma>& lemmas,
                            const std::function<void(const std::string&)>& progress) {
   const Folder folder;
   write_scripts(folder.path, lemmas);
-  progress("Rederive.v");
-  if (const Run run = compile(folder, "Rederive.v"); run.status != 0)
-    throw std::runtime_error("coqc does not take the prelude (is libcoq-interval there?): " + run.output);
+  for (const char* name : {"Rederive.v", "Bounds.v"}) {
+    progress(name);
+    if (const Run run = compile(folder, name); run.status != 0)
+      throw std::runtime_error(std::string("coqc does not take ") + name +
+                               " (is libcoq-interval there?): " + run.output);
+  }
   std::map<std::string, std::vector<const Lemma*>> by_file;
   std::map<const Lemma*, std::string> errors;
   std::map<const Lemma*, std::vector<std::string>> axioms;

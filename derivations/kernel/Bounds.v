@@ -1,0 +1,32 @@
+(* Numbers: what is proved by interval arithmetic. *)
+From Rederive Require Export Rederive.
+From Interval Require Import Float.Specific_stdz Float.Specific_ops.
+From Interval Require Export Tactic.
+Require Export Ranalysis5.
+
+(* Interval arithmetic with Coq's own integers: it assumes nothing of the machine's numbers. *)
+Module Integers := SpecificFloat StdZRadix2.
+Module Bounds := IntervalTactic Integers.
+Export Bounds.
+Ltac bounds := interval with (i_prec 60).
+
+(* A root between two numbers at which a continuous function has different signs. *)
+Lemma intermediate_value f a b :
+  a < b -> (forall x, a <= x <= b -> continuity_pt f x) -> f a < 0 < f b \/ f b < 0 < f a ->
+  exists x, a <= x <= b /\ f x = 0.
+Proof.
+  intros L C [S | S].
+  - destruct (IVT_interv f a b C L (proj1 S) (proj2 S)) as [x P]; now exists x.
+  - destruct (IVT_interv (opp_fct f) a b) as [x [P Q]]; unfold opp_fct in *; try lra.
+    + intros; apply continuity_pt_opp; auto.
+    + exists x; split; [ exact P | lra ].
+Qed.
+Ltac continuous := intros; reg; lra.
+Tactic Notation "zero_between" ident(x) constr(a) constr(b) constr(f) :=
+  destruct (intermediate_value f a b) as [x [? ?]];
+  [ lra | continuous | first [ left; split; bounds | right; split; bounds ] | cbv beta in * ].
+(* A conjunction at a point: numbers, and functions of numbers. *)
+Ltac differs := first [ lra | apply Rminus_not_eq; first [ apply Rgt_not_eq; bounds | apply Rlt_not_eq; bounds ] ].
+Ltac at_the_point :=
+  repeat apply conj;
+  first [ reflexivity | lra | bounds | differs | solve [ field; repeat apply conj; differs ] ].
