@@ -1,6 +1,7 @@
 #include <derivations/emit/command_line.hpp>
 #include <derivations/kernel/lemma.hpp>
 #include <derivations/kernel/scripts.hpp>
+#include <regex>
 #include <sstream>
 
 namespace rederive {
@@ -57,13 +58,33 @@ std::string shipped(const std::string& name) {
   return text.str();
 }
 
+std::vector<Lemma> shipped_theorems() {
+  static const std::regex theorem("\nTheorem ((derivation_)?(\\w+))");
+  std::vector<Lemma> result;
+  for (const char* file : {"Derivations.v", "Thresholds.v"}) {
+    const std::string text = shipped(file);
+    for (std::sregex_iterator found(text.begin(), text.end(), theorem), end; found != end; ++found) {
+      const bool is_derivation = (*found)[2].matched, is_claim = (*found)[1] == "figure_8_is_not_linear";
+      result.push_back({is_derivation ? (*found)[3].str()
+                        : is_claim    ? "c54"
+                                      : "71",
+                        file, (*found)[1],
+                        is_derivation ? "derivation"
+                        : is_claim    ? "claim"
+                                      : "threshold",
+                        "", ""});
+    }
+  }
+  return result;
+}
+
 std::map<std::string, std::string> files_of(const std::vector<Lemma>& lemmas) {
   std::map<std::string, std::string> files;
   std::string project = "-R . Rederive\n";
   for (const char* name : {"Rederive.v", "Bounds.v"})
     files[name] = shipped(name), project += name + std::string("\n");
   for (const Lemma& lemma : lemmas) {
-    const auto [place, is_new] = files.try_emplace(lemma.file, imports);
+    const auto [place, is_new] = files.try_emplace(lemma.file, ships(lemma) ? shipped(lemma.file) : imports);
     if (is_new) project += lemma.file + "\n";
     if (!lemma.text.empty()) place->second += "\n" + lemma.text;
   }

@@ -8,13 +8,20 @@ namespace rederive {
 
 /// A lemma with its proof, and the comment that stands before it.
 struct Lemma {
-  std::string id, file, name, kind;  ///< "71", "Ledger.v", "equation_71", "row" or "refutation"
-  std::string text;                  ///< empty where there is no script
-  std::string why;                   ///< then: why
+  std::string id, file, name;  ///< "71", "Ledger.v", "equation_71"
+  std::string kind;            ///< row, refutation, derivation, threshold, claim
+  std::string text;            ///< empty where there is no script, and of a theorem whose file ships
+  std::string why;             ///< then: why
 };
 
 /// The lemma of a row: proved, or refuted by its witness. None of a definition.
 std::optional<Lemma> lemma_of(const Entry& entry);
+
+/// The theorems of the files that ship: Derivations.v, the equation of motion and the restitution from
+/// positions; Thresholds.v, the response (57) and its threshold (71).
+std::vector<Lemma> shipped_theorems();
+/// Whether a lemma is one of these.
+inline bool ships(const Lemma& lemma) { return lemma.file != "Ledger.v"; }
 
 /// The first line of every file of lemmas.
 inline constexpr const char* imports = "From Rederive Require Import Rederive Bounds.\n";

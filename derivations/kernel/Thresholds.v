@@ -1,0 +1,221 @@
+(* The amplitude at which a block that rocks to one side overturns without impact, (71). The pulse is
+   a_p sin(omega_p t + psi) with sin psi = alpha g/a_p, from rest, until T_ex = (2 pi - psi)/omega_p; the block
+   is linear. w stands for omega_p/p. *)
+From Rederive Require Import Rederive Bounds.
+From Coquelicot Require Import Coquelicot.
+
+(* (71) says that this is 0. *)
+Definition excess w psi := cos psi - w * sin psi - exp (- ((2 * PI - psi) / w)).
+
+(* One threshold, whatever w is: positive at 0, decreasing to the right angle, negative beyond. *)
+Lemma excess_at_rest w : 0 < w -> 0 < excess w 0.
+Proof.
+  intro W; unfold excess; rewrite cos_0, sin_0.
+  assert (P : 0 < (2 * PI - 0) / w) by (assert (Q := PI_RGT_0); pos).
+  assert (E := exp_increasing _ _ (Ropp_lt_gt_0_contravar _ P)); rewrite exp_0 in E; lra.
+Qed.
+Lemma excess_decreases w x y : 0 < w -> 0 <= x -> x < y -> y <= PI / 2 -> excess w y < excess w x.
+Proof.
+  intros W X L Y; assert (P := PI_RGT_0); unfold excess.
+  assert (C : cos y < cos x) by (apply cos_decreasing_1; lra).
+  assert (S : sin x < sin y) by (apply sin_increasing_1; lra).
+  assert (E : exp (- ((2 * PI - x) / w)) < exp (- ((2 * PI - y) / w))).
+  { apply exp_increasing, Ropp_lt_contravar, Rmult_lt_compat_r; [ apply Rinv_0_lt_compat | ]; lra. }
+  nra.
+Qed.
+Lemma excess_negative w x : 0 < w -> PI / 2 <= x <= PI -> excess w x < 0.
+Proof.
+  intros W X; unfold excess.
+  assert (C := cos_le_0 x); assert (S := sin_ge_0 x); assert (E := exp_pos (- ((2 * PI - x) / w))).
+  assert (P := PI_RGT_0); nra.
+Qed.
+Lemma excess_continuous w x : 0 < w -> continuity_pt (excess w) x.
+Proof. intro W; unfold excess; reg; lra. Qed.
+
+Theorem threshold_exists w : 0 < w -> exists psi, 0 < psi < PI / 2 /\ excess w psi = 0.
+Proof.
+  intro W; assert (P := PI_RGT_0); assert (A := excess_at_rest w W).
+  assert (B : excess w (PI / 2) < 0) by (apply excess_negative; lra).
+  destruct (intermediate_value (excess w) 0 (PI / 2)) as [psi [I Z]];
+    [ lra | intros; now apply excess_continuous | right; lra | ].
+  exists psi; repeat split; try assumption.
+  - destruct (Req_dec psi 0) as [-> |]; lra.
+  - destruct (Req_dec psi (PI / 2)) as [-> |]; lra.
+Qed.
+Lemma sign_of_excess w psi x :
+  0 < w -> 0 < psi < PI -> excess w psi = 0 -> 0 < x < PI -> (x < psi <-> 0 < excess w x).
+Proof.
+  intros W I Z X.
+  assert (H : psi < PI / 2) by (apply Rnot_le_lt; intro; assert (N := excess_negative w psi W); lra).
+  split; intro L.
+  - rewrite <- Z; apply excess_decreases; lra.
+  - apply Rnot_le_lt; intro N; destruct (Rle_lt_dec x (PI / 2)) as [S | S].
+    + destruct N as [N | N]; [ assert (D := excess_decreases w psi x W); lra | subst; lra ].
+    + assert (D := excess_negative w x W); lra.
+Qed.
+Theorem threshold_is_unique w x y :
+  0 < w -> 0 < x < PI -> 0 < y < PI -> excess w x = 0 -> excess w y = 0 -> x = y.
+Proof.
+  intros W X Y A B.
+  assert (P := sign_of_excess w x y W X A Y); assert (Q := sign_of_excess w y x W Y B X); lra.
+Qed.
+Lemma enclosed w a b psi :
+  0 < w -> 0 < a < b -> b < PI -> 0 < excess w a -> excess w b < 0 -> 0 < psi < PI -> excess w psi = 0 -> a < psi < b.
+Proof.
+  intros W A B P N I Z.
+  assert (Q := sign_of_excess w psi a W I Z); assert (R := sign_of_excess w psi b W I Z).
+  split; [ lra | apply Rnot_le_lt; intros [L | <-]; lra ].
+Qed.
+
+(* The response (57a) with the constants (70), and its rate (59a), in hyperbolic functions by exponentials. *)
+Section Response.
+Variables alpha p omega_p psi : R.
+Hypotheses (alpha_pos : 0 < alpha) (p_pos : 0 < p) (omega_pos : 0 < omega_p) (psi_range : 0 < psi < PI).
+
+Let A_1 := - (alpha * omega_p * p * cos psi) / (sin psi * (omega_p ^ 2 + p ^ 2)).
+Let A_2 := alpha * omega_p ^ 2 / (omega_p ^ 2 + p ^ 2).
+Definition theta t :=
+  A_1 * ((exp (p * t) - exp (- (p * t))) / 2) + A_2 * ((exp (p * t) + exp (- (p * t))) / 2) +
+  alpha * p ^ 2 * sin (omega_p * t + psi) / (sin psi * (omega_p ^ 2 + p ^ 2)) - alpha.
+Definition thetadot t :=
+  p * (A_1 * ((exp (p * t) + exp (- (p * t))) / 2) + A_2 * ((exp (p * t) - exp (- (p * t))) / 2)) +
+  alpha * p ^ 2 * omega_p * cos (omega_p * t + psi) / (sin psi * (omega_p ^ 2 + p ^ 2)).
+Definition T_ex := (2 * PI - psi) / omega_p.
+
+Lemma sin_psi_pos : 0 < sin psi. Proof. apply sin_gt_0; lra. Qed.
+Lemma squares_pos : 0 < omega_p ^ 2 + p ^ 2. Proof. nra. Qed.
+
+(* It solves (56a) with a_p/g = alpha/sin psi, from rest. *)
+Lemma theta_derivative t : is_derive theta t (thetadot t).
+Proof.
+  assert (S := sin_psi_pos); assert (Q := squares_pos).
+  unfold theta, thetadot; auto_derive; [ repeat split; lra | field; split; lra ].
+Qed.
+Theorem response_solves t :
+  is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (alpha / sin psi) * sin (omega_p * t + psi)).
+Proof.
+  assert (S := sin_psi_pos); assert (Q := squares_pos).
+  unfold theta, thetadot; auto_derive; [ repeat split; lra | field; split; lra ].
+Qed.
+Theorem response_starts_at_rest : theta 0 = 0 /\ thetadot 0 = 0.
+Proof.
+  assert (S := sin_psi_pos); assert (Q := squares_pos); unfold theta, thetadot, A_1, A_2.
+  rewrite !Rmult_0_r, Ropp_0, !exp_0, Rplus_0_l; split; field; split; lra.
+Qed.
+
+(* The free motion after the pulse, (62a) with (66); s is the time since T_ex. *)
+Definition free s :=
+  thetadot T_ex / p * ((exp (p * s) - exp (- (p * s))) / 2) +
+  (theta T_ex + alpha) * ((exp (p * s) + exp (- (p * s))) / 2) - alpha.
+Theorem free_solves s :
+  exists rate, (forall x, is_derive free x (rate x)) /\ is_derive rate s (p ^ 2 * free s + p ^ 2 * alpha) /\
+               free 0 = theta T_ex /\ rate 0 = thetadot T_ex.
+Proof.
+  exists (fun s => thetadot T_ex * ((exp (p * s) + exp (- (p * s))) / 2) +
+                   p * (theta T_ex + alpha) * ((exp (p * s) - exp (- (p * s))) / 2)).
+  unfold free; split; [ | split; [ | split ] ].
+  - intro; auto_derive; [ lra | field; lra ].
+  - auto_derive; [ lra | field; lra ].
+  - rewrite !Rmult_0_r, Ropp_0, !exp_0; field; lra.
+  - cbv beta; rewrite !Rmult_0_r, Ropp_0, !exp_0; lra.
+Qed.
+
+(* (71) from (68): what decides is theta + alpha + thetadot/p at the end of the pulse. *)
+Lemma growing_part :
+  theta T_ex + alpha + thetadot T_ex / p =
+  - (alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 + p ^ 2))) * excess (omega_p / p) psi.
+Proof.
+  assert (S := sin_psi_pos); assert (Q := squares_pos).
+  assert (E : exp (- ((2 * PI - psi) / (omega_p / p))) = / exp (p * T_ex)).
+  { rewrite <- exp_Ropp; f_equal; unfold T_ex; field; lra. }
+  assert (C : omega_p * T_ex + psi = 0 + 2 * INR 1 * PI) by (unfold T_ex; simpl; field; lra).
+  unfold theta, thetadot, excess, A_1, A_2; rewrite E, C, sin_period, cos_period, sin_0, cos_0, exp_Ropp.
+  assert (N := exp_nonzero (p * T_ex)); field; repeat split; try lra; assumption.
+Qed.
+Lemma free_by_exponentials s :
+  free s = (theta T_ex + alpha + thetadot T_ex / p) / 2 * exp (p * s) +
+           (theta T_ex + alpha - thetadot T_ex / p) / 2 * exp (- (p * s)) - alpha.
+Proof. unfold free; field; lra. Qed.
+
+Lemma exponential_beats k c m :
+  0 < k -> exists T, forall s, T < s -> m < k * exp (p * s) + c * exp (- (p * s)).
+Proof.
+  intro K; exists (Rmax 0 ((Rabs c + Rabs m) / (k * p))); intros s L.
+  assert (P : 0 < s) by (eapply Rle_lt_trans; [ apply Rmax_l | exact L ]).
+  assert (B : (Rabs c + Rabs m) / (k * p) < s) by (eapply Rle_lt_trans; [ apply Rmax_r | exact L ]).
+  assert (D : Rabs c + Rabs m < k * (p * s)).
+  { apply (Rmult_lt_compat_r (k * p)) in B; [ | nra ]; unfold Rdiv in B.
+    rewrite Rmult_assoc, Rinv_l in B; nra. }
+  assert (G := exp_ineq1 (p * s)); assert (U : exp (- (p * s)) <= 1).
+  { rewrite <- exp_0; apply Rlt_le, exp_increasing; nra. }
+  assert (V := exp_pos (- (p * s))); assert (X := Rle_abs m).
+  assert (Y : - Rabs c <= c) by (unfold Rabs; destruct (Rcase_abs c); lra).
+  assert (Z := Rabs_pos c); assert (p * s <> 0) by nra; nra.
+Qed.
+
+(* Above the threshold, where psi is smaller, the block overturns; below it, it comes back. *)
+Theorem overturns : 0 < excess (omega_p / p) psi -> forall m, exists T, forall s, T < s -> free s < m.
+Proof.
+  intros E m; assert (S := sin_psi_pos); assert (Q := squares_pos).
+  assert (G : theta T_ex + alpha + thetadot T_ex / p < 0).
+  { rewrite growing_part; assert (0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 + p ^ 2))) by pos; nra. }
+  destruct (exponential_beats (- ((theta T_ex + alpha + thetadot T_ex / p) / 2))
+             (- ((theta T_ex + alpha - thetadot T_ex / p) / 2)) (- (m + alpha))) as [T H]; [ lra | ].
+  exists T; intros s L; rewrite free_by_exponentials; specialize (H s L); lra.
+Qed.
+Theorem comes_back : excess (omega_p / p) psi < 0 -> forall m, exists T, forall s, T < s -> m < free s.
+Proof.
+  intros E m; assert (S := sin_psi_pos); assert (Q := squares_pos).
+  assert (G : 0 < theta T_ex + alpha + thetadot T_ex / p).
+  { rewrite growing_part; assert (0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 + p ^ 2))) by pos; nra. }
+  destruct (exponential_beats ((theta T_ex + alpha + thetadot T_ex / p) / 2)
+             ((theta T_ex + alpha - thetadot T_ex / p) / 2) (m + alpha)) as [T H]; [ lra | ].
+  exists T; intros s L; rewrite free_by_exponentials; specialize (H s L); lra.
+Qed.
+End Response.
+
+(* The thresholds for omega_p/p = 1, 2, 3, 4: one root between 0 and pi, and the amplitude a_p/(alpha g) = 1/sin psi. *)
+Definition is_threshold w psi := 0 < psi < PI /\ excess w psi = 0.
+Ltac signs := unfold excess; interval with (i_prec 100).
+Lemma threshold_between w a b :
+  0 < w -> 0 < a < b -> b < PI -> 0 < excess w a -> excess w b < 0 ->
+  exists psi, is_threshold w psi /\ a < psi < b /\ forall x, is_threshold w x -> x = psi.
+Proof.
+  intros W A B P N; destruct (threshold_exists w W) as [psi [I Z]]; assert (L := PI_RGT_0).
+  assert (I' : 0 < psi < PI) by lra; exists psi; repeat split; try lra.
+  - now apply (enclosed w a b psi).
+  - now apply (enclosed w a b psi).
+  - intros x [X Y]; now apply (threshold_is_unique w).
+Qed.
+Ltac threshold w a b :=
+  let psi := fresh "psi" in
+  destruct (threshold_between w a b) as [psi [T [I U]]]; [ lra | lra | bounds | signs | signs | ];
+  exists psi; split; [ exact T | split; [ exact I | split; [ exact U | split; interval with (i_prec 100) ] ] ].
+Theorem threshold_at_1 : exists psi, is_threshold 1 psi /\ 78251032547928250/10^17 < psi < 78251032547928251/10^17 /\
+  (forall x, is_threshold 1 x -> x = psi) /\ 1418315335578850/10^15 < / sin psi < 1418315335578851/10^15.
+Proof. threshold 1 (78251032547928250/10^17) (78251032547928251/10^17). Qed.
+Theorem threshold_at_2 : exists psi, is_threshold 2 psi /\ 43956897744261313/10^17 < psi < 43956897744261314/10^17 /\
+  (forall x, is_threshold 2 x -> x = psi) /\ 2349903126955640/10^15 < / sin psi < 2349903126955641/10^15.
+Proof. threshold 2 (43956897744261313/10^17) (43956897744261314/10^17). Qed.
+Theorem threshold_at_3 : exists psi, is_threshold 3 psi /\ 27900041809555304/10^17 < psi < 27900041809555305/10^17 /\
+  (forall x, is_threshold 3 x -> x = psi) /\ 3631149872444794/10^15 < / sin psi < 3631149872444795/10^15.
+Proof. threshold 3 (27900041809555304/10^17) (27900041809555305/10^17). Qed.
+Theorem threshold_at_4 : exists psi, is_threshold 4 psi /\ 19205592348801668/10^17 < psi < 19205592348801669/10^17 /\
+  (forall x, is_threshold 4 x -> x = psi) /\ 5238964357601738/10^15 < / sin psi < 5238964357601739/10^15.
+Proof. threshold 4 (19205592348801668/10^17) (19205592348801669/10^17). Qed.
+
+(* Fig. 8: with omega_p/p = 2 the linear block is said not to overturn without impact at 2.35766 alpha g. It does. *)
+Theorem figure_8_is_not_linear alpha p psi :
+  0 < alpha -> 0 < p -> 0 < psi <= PI / 2 -> / sin psi = 235766/10^5 ->
+  forall m, exists T, forall s, T < s -> free alpha p (2 * p) psi s < m.
+Proof.
+  intros A P I S; assert (L := PI_RGT_0); apply overturns; try lra.
+  replace (2 * p / p) with 2 by (field; lra).
+  destruct threshold_at_2 as [x [[X Z] [B [U C]]]].
+  apply (sign_of_excess 2 x psi); try lra.
+  apply Rnot_le_lt; intro N.
+  assert (D : sin x <= sin psi) by (apply sin_incr_1; lra).
+  assert (E : 0 < sin x) by (apply sin_gt_0; lra).
+  assert (F : / sin psi <= / sin x) by (apply Rinv_le_contravar; lra).
+  rewrite S in F; lra.
+Qed.
