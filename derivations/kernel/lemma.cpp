@@ -154,6 +154,16 @@ std::string lemma(const std::string& name, const Question& question, const Proof
          ".\nQed.\n";
 }
 
+bool has_script(const Question& q) try {
+  const Problem problem = with_values({q.left, q.right, q.assumptions, q.symbols}, q.given);
+  Script script(problem);
+  if (q.left.operators.empty())
+    return script.factor(difference(problem.left.sides[0], problem.right.sides[0]), zero()) == "1";
+  return conclusion(problem, script) != "links";
+} catch (const Undecidable&) {
+  return false;
+}
+
 std::string refutation(const std::string& name, const Question& question, const Proof& proof) {
   const Statement s(question, proof);
   const Question& q = s.q;

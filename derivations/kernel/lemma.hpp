@@ -25,6 +25,10 @@ struct Question {
 /// Undecidable, saying why, where there is no script for a proof of its kind.
 std::string lemma(const std::string& name, const Question& question, const Proof& proof);
 
+/// Whether the script of a question ends: two expressions are the same in the ring, two relations differ by a
+/// factor that has a sign. Then `lemma` may be asked with an empty proof.
+bool has_script(const Question& question);
+
 /// The same for what was refuted: there is a point in the ranges at which both have values, one holds and the
 /// other one does not.
 std::string refutation(const std::string& name, const Question& question, const Proof& proof);

@@ -24,7 +24,7 @@ bool has_symbols_only(const Ring& ring, const Polynomial& p) {
 /// With cos² = 1 - sin².
 Polynomial in_sines(const Ring& ring, const Polynomial& p) {
   Polynomial result = p;
-  for (const int k : p.used()) {
+  for (int k = 0; k < static_cast<int>(ring.generators().size()); ++k) {
     const Generator& g = ring.generators()[k];
     if (g.kind != Kind::sine || g.degree != 2) continue;
     const int cosine = g.value.numerator.used().at(0);
@@ -47,7 +47,8 @@ Polynomial without_monomials(const Polynomial& p) {
 
 }  // namespace
 
-Script::Script(const Problem& problem) : problem_(problem), known_(problem.symbols), names_(problem.symbols) {
+Script::Script(const Problem& problem)
+    : problem_(problem), known_(problem_.symbols), names_(problem.symbols) {
   translate(known_, problem_);
   for (const Tree& tree : trees_of(problem_)) say_arguments(tree);
   for (const std::string& call : inverse_)  // a name that both have
@@ -92,6 +93,9 @@ void Script::say_arguments(const Tree& tree) {
 }
 
 void Script::say_argument(const Tree& argument, bool is_circular) {
+  for (const std::string& call : inverse_)
+    if (coq_text(argument).find(call) != std::string::npos)
+      throw Undecidable("there is no script for functions of inverse functions");
   has_arguments_ = true;
   std::string sum;
   const auto add = [&](const std::string& term) { sum += (sum.empty() ? "" : " + ") + term; };
@@ -161,6 +165,8 @@ std::string Script::steps() {
   return text;
 }
 
+bool Script::grants(const Tree& need, Signs signs) { return known_.ring.signs_of(value(need)).within(signs); }
+
 std::string Script::identity() const {
   if (names_of_facts_.empty()) return "identity ring or field";
   return "identity (ring [" + names_of_facts_ + "]) or (field [" + names_of_facts_ + "])";
@@ -170,9 +176,10 @@ std::string Script::meets(const Tree& need, Signs signs) {
   if (need->kind != Node::Kind::sum) return "defined";
   const Fraction f = value(need);
   for (const Relation& a : problem_.assumptions) {
+    if (is_same(difference_of(a), need)) return "defined";
     const Tree known = difference_of(a);
     const Fraction ratio = known_.ring.normal(value(known) / f);
-    if (is_same(known, need) || ratio.numerator.terms() != 1 || ratio.denominator.terms() != 1) continue;
+    if (ratio.numerator.terms() != 1 || ratio.denominator.terms() != 1) continue;
     if (signs == Signs::nonzero()) return "(multiple (" + text_of(ratio) + ") (" + identity() + "))";
     if (ratio == Fraction(1)) return "(as_known (" + identity() + "))";
   }
@@ -186,10 +193,14 @@ std::optional<std::string> Script::factor(const Tree& left, const Tree& right) {
   const Fraction a = value(left), b = value(right);
   if (a.is_zero() && b.is_zero()) return "1";
   if (a.is_zero() || b.is_zero()) return std::nullopt;
-  const Fraction ratio = known_.ring.rationalized(a / b);
+  Fraction ratio = known_.ring.rationalized(a / b);
+  ratio = Fraction(in_sines(known_.ring, ratio.numerator), in_sines(known_.ring, ratio.denominator));
   for (const auto& [factor, exponent] : factors(ratio.numerator * ratio.denominator).second)
     if (!known_.ring.signs_of(factor).is_definite())
       throw Undecidable("there is no script for two that hold at the same points, but not by a factor");
+  for (const int k : ratio.numerator.used())
+    if (known_.ring.generators()[k].kind == Kind::exponential && ratio.numerator.degree(k) > 1)
+      throw Undecidable("there is no script for a factor with powers of exponentials");
   return text_of(ratio);
 }
 

@@ -16,6 +16,8 @@ class Script {
 
   /// Tactics, one a line.
   std::string steps();
+  /// Whether the ranges and the assumptions say it.
+  bool grants(const Tree& need, Signs signs);
   /// The tactic that proves an identity of fractions with the facts.
   std::string identity() const;
   /// The tactic that proves that a part of the problem is not 0, positive, not negative. A sum is a multiple

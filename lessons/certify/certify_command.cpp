@@ -5,6 +5,7 @@
 #include <lessons/bounded.hpp>
 #include <lessons/certify/certify_command.hpp>
 #include <lessons/certify/check.hpp>
+#include <lessons/certify/steps.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -23,6 +24,9 @@ std::vector<Lemma> lemmas_of(const std::vector<Entry>& entries, const std::vecto
     const bool is_wanted = ids.empty() || std::find(ids.begin(), ids.end(), entry.row.id) != ids.end();
     if (const auto lemma = is_wanted ? lemma_of(entry) : std::nullopt) lemmas.push_back(*lemma);
   }
+  for (Lemma& step : steps_of(entries))
+    if (ids.empty() || std::find(ids.begin(), ids.end(), step.id) != ids.end())
+      lemmas.push_back(std::move(step));
   if (ids.empty())
     for (Lemma& theorem : shipped_theorems()) lemmas.push_back(std::move(theorem));
   return lemmas;

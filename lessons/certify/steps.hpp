@@ -1,0 +1,13 @@
+// Each row from the rows that it follows from.
+#pragma once
+
+#include <derivations/kernel/scripts.hpp>
+
+namespace rederive {
+
+/// A lemma for every row that follows by algebra from the rows before it: what these say are hypotheses, and
+/// either the row is an equation between what they make equal, or one of them, under the others, says the
+/// same as the row. Not those that differentiate, integrate or go to a moment.
+std::vector<Lemma> steps_of(const std::vector<Entry>& entries);
+
+}  // namespace rederive
