@@ -133,13 +133,17 @@ void translate_statements(Comparison& setting, const Problem& problem) {
 }
 
 void translate(Comparison& setting, const Problem& problem) {
-  setting.translator.collect(trees_of(problem));
-  for (int round = 0; round < 2; ++round) {  // the second one with what the first one said
-    setting.facts.clear();
-    for (const auto& [name, value] : problem.values) defined(setting, value);
-    for (const Relation& a : problem.assumptions) assume(setting, a);
+  int basis = -1;
+  for (int round = 0; round < 6 && basis != setting.translator.bases(); ++round) {
+    basis = setting.translator.bases();
+    setting.translator.forget();
+    for (int pass = 0; pass < 2; ++pass) {  // the second one with what the first one said
+      setting.facts.clear();
+      for (const auto& [name, value] : problem.values) defined(setting, value);
+      for (const Relation& a : problem.assumptions) assume(setting, a);
+    }
+    translate_statements(setting, problem);
   }
-  translate_statements(setting, problem);
   for (const Translated* side : {&setting.left, &setting.right})
     for (const DomainCondition& c : side->conditions)
       if (!is_granted(setting, c)) setting.conditions.push_back(c);

@@ -26,34 +26,21 @@ Pair multiple(const Ring& ring, const Pair& a, int n) {
   return result;
 }
 
-/// sin(k·π/12) for k = 0 … 6, as (a + b·√2 + c·√3 + d·√6)/4.
-constexpr int sines[7][4] = {{0, 0, 0, 0}, {0, -1, 0, 1}, {2, 0, 0, 0}, {0, 2, 0, 0},
-                             {0, 0, 2, 0}, {0, 1, 0, 1},  {4, 0, 0, 0}};
-
 }  // namespace
 
-/// An argument as a sum of rational multiples of terms, over the denominator that all arguments share;
-/// `turns`, where it is asked for, gets the rational multiple of π.
-Combination Translator::combination(const Fraction& argument, cl_RA* turns) {
-  const Polynomial rest = *quotient(argument.denominator, Polynomial(argument.denominator.content()));
-  Fraction scaled = argument;
-  if (rest.terms() > 1 || denominator_.terms() > 1) {
-    if (!quotient(denominator_, rest)) {
-      denominator_ = *quotient(denominator_ * rest, gcd(denominator_, rest));
-      throw AnotherRound();
-    }
-    scaled = argument * denominator_;
-  }
-  Combination result;
-  for (const auto& [number, term] : terms_of(scaled)) {
-    const Fraction whole = denominator_.is_one() ? term : term / denominator_;
-    const std::string key = whole.key();
-    if (turns != nullptr && whole == pi())
-      *turns = number;
-    else
-      result.emplace(key, std::pair{whole, number});
-  }
-  return result;
+/// A term of an argument as a whole multiple of a phase: of the term over the least common denominator that
+/// all its multiples have. Terms are linearly independent over the rationals, and so are the phases.
+Translator::Multiple Translator::multiple_of_phase(const std::string& function, const cl_RA& number,
+                                                   const Fraction& term) {
+  const auto [place, is_new] = denominators_.try_emplace(function + term.key(), 1);
+  cln::cl_I& known = place->second;
+  const cln::cl_I before = known;
+  known = cln::lcm(before, cln::denominator(number));
+  if (known > 60) throw Undecidable("a phase with a denominator above 60");
+  if (!is_new && known != before) throw AnotherRound();
+  const cl_RA times = number * known;
+  if (cln::abs(times) > 64) throw Undecidable("a multiple of a phase above 64");
+  return {term / Fraction(known), cln::cl_I_to_int(cln::numerator(times))};
 }
 
 /// cos and sin of a phase of the basis, as generators with c² + s² = 1.
@@ -105,6 +92,7 @@ Fraction chebyshev(const Ring& ring, const Fraction& c, int n) {
 
 /// cos kπ/n, by cos π/n, which is algebraic.
 Fraction Translator::cosine_of_part(int k, int n) {
+  if (n <= 2) return k % 2 != 0 && n == 2 ? 0 : k % (2 * n) == 0 ? 1 : -1;
   const std::string key = "cos pi/" + std::to_string(n);
   const Fraction c = ring_.generator(key, [&] {
     Generator g;
@@ -120,83 +108,62 @@ Fraction Translator::cosine_of_part(int k, int n) {
   return chebyshev(ring_, c, k);
 }
 
-/// cos qπ and sin qπ: of multiples of π/12 by roots of whole numbers; where there are others, too, all by one
-/// cosine.
+/// cos qπ and sin qπ, all by one cosine.
 Pair Translator::turn(const cl_RA& q) {
-  const cln::cl_I parts = cln::lcm(cln::cl_I(parts_of_pi_), cln::denominator(q));
+  const cln::cl_I parts = cln::lcm(cln::cl_I(parts_of_pi_), cln::lcm(cln::denominator(q), 2));
   if (parts > 60) throw Undecidable("multiples of pi with a denominator above 60");
-  if (const int n = cln::cl_I_to_int(parts); n != std::exchange(parts_of_pi_, n) && 12 % n != 0)
-    throw AnotherRound();
-  if (12 % parts_of_pi_ != 0) {
-    const int n = std::lcm(parts_of_pi_, 2), k = cln::cl_I_to_int(cln::mod(cln::numerator(q * n), 2 * n));
-    return {cosine_of_part(k, n), cosine_of_part(n / 2 - k, n)};
-  }
-  const cl_RA twelfths = q * 12;
-  const int k = cln::cl_I_to_int(cln::mod(cln::numerator(twelfths), 24));
-  const auto sine = [&](int n) -> Fraction {
-    n = (n % 24 + 24) % 24;
-    const int sign = n < 12 ? 1 : -1;
-    n %= 12;
-    const int* parts = sines[n <= 6 ? n : 12 - n];
-    Fraction sum = parts[0];
-    if (parts[1] != 0) sum = sum + parts[1] * root_of_number(2, 2);
-    if (parts[2] != 0) sum = sum + parts[2] * root_of_number(3, 2);
-    if (parts[3] != 0) sum = sum + parts[3] * root_of_number(6, 2);
-    return sum * Fraction(cl_RA(sign) / 4);
-  };
-  return {sine(k + 6), sine(k)};
-}
-
-std::vector<Multiple> Translator::multiples(const Combination& argument, PhaseBasis& basis) {
-  if (auto found = basis.multiples(argument)) return *found;
-  basis.add(argument);
-  throw AnotherRound();
+  const int n = cln::cl_I_to_int(parts);
+  if (const int before = std::exchange(parts_of_pi_, n); n != before && n > 2) throw AnotherRound();
+  const int k = cln::cl_I_to_int(cln::mod(cln::numerator(q * n), 2 * n));
+  return {cosine_of_part(k, n), cosine_of_part(n / 2 - k, n)};
 }
 
 Pair Translator::circular(const Fraction& argument) {
-  cl_RA turns = 0;
-  const auto phases = multiples(combination(argument, &turns), circular_);
   Pair result{1, 0};
-  for (const Multiple& m : phases) result = add(ring_, result, multiple(ring_, phase(m.phase), m.times));
-  if (!cln::zerop(turns)) result = add(ring_, result, turn(turns));
-  if (phases.size() + (cln::zerop(turns) ? 0 : 1) > 1 || (phases.size() == 1 && phases[0].times != 1)) {
+  const auto terms = terms_of(argument);
+  for (const auto& [number, term] : terms) {
+    if (term == pi()) {
+      result = add(ring_, result, turn(number));
+      continue;
+    }
+    const auto [part, times] = multiple_of_phase("cos ", number, term);
+    result = add(ring_, result, multiple(ring_, phase(part), times));
+  }
+  if (!result.first.is_constant()) {
     const Interval range = ring_.range_of(argument);
-    ring_.learn(result.first, rederive::call("cos", range)),
-        ring_.learn(result.second, rederive::call("sin", range));
+    ring_.learn(result.first, rederive::call("cos", range));
+    ring_.learn(result.second, rederive::call("sin", range));
   }
   arguments_.try_emplace(argument.key(), Argument{argument, result.first, result.second});
   return result;
 }
 
+/// e^argument: e^{q log u} is u^q.
 Fraction Translator::exponential(const Fraction& argument) {
-  Combination phases;
-  Fraction powers = 1;
-  for (const auto& [key, term] : combination(argument, nullptr)) {  // e^{q log u} = u^q
-    const auto used = term.first.numerator.used();
-    const bool is_variable = term.first.denominator.is_one() && used.size() == 1 &&
-                             term.first == Fraction(Polynomial::variable(used[0]));
-    if (!is_variable || ring_.generators()[used[0]].kind != Kind::logarithm) {
-      phases.emplace(key, term);
-      continue;
+  Fraction result = 1;
+  for (const auto& [number, term] : terms_of(argument)) {
+    const auto used = term.numerator.used();
+    if (used.size() == 1 && term == Fraction(Polynomial::variable(used[0])) &&
+        ring_.generators()[used[0]].kind == Kind::logarithm) {
+      if (cln::abs(number) > 64 || cln::denominator(number) > 12)
+        throw Undecidable("an exponent that is too large");
+      const int order = cln::cl_I_to_int(cln::denominator(number));
+      const Fraction u = ring_.generators()[used[0]].of;
+      result = result * power(order > 1 ? root(u, order) : u, cln::cl_I_to_int(cln::numerator(number)));
+    } else {
+      const auto [phase, times] = multiple_of_phase("exp ", number, term);
+      const Fraction e = ring_.generator("exp " + phase.key(), [&] {
+        Generator g;
+        g.kind = Kind::exponential, g.of = phase, g.meaning = GiNaC::exp(ring_.meaning_of(phase));
+        g.range = overlap(rederive::call("exp", ring_.range_of(phase)), positive_numbers());
+        return g;
+      });
+      result = result * power(e, times);
     }
-    if (cln::abs(term.second) > 64 || cln::denominator(term.second) > 12)
-      throw Undecidable("an exponent that is too large");
-    const int n = cln::cl_I_to_int(cln::numerator(term.second)),
-              order = cln::cl_I_to_int(cln::denominator(term.second));
-    const Fraction u = ring_.generators()[used[0]].of;
-    powers = ring_.normal(powers * power(order > 1 ? root(u, order) : u, n));
+    result = ring_.normal(result);
   }
-  for (const Multiple& m : multiples(phases, real_)) {
-    const Fraction e = ring_.generator("exp " + m.key, [&] {
-      Generator g;
-      g.kind = Kind::exponential, g.of = m.phase, g.meaning = GiNaC::exp(ring_.meaning_of(m.phase));
-      g.range = overlap(rederive::call("exp", ring_.range_of(m.phase)), positive_numbers());
-      return g;
-    });
-    powers = ring_.normal(powers * power(e, m.times));
-  }
-  ring_.learn(powers - 1, ring_.signs_of(argument));  // e^x > 1 where x > 0
-  return powers;
+  ring_.learn(result - 1, ring_.signs_of(argument));  // e^x > 1 where x > 0
+  return result;
 }
 
 }  // namespace rederive

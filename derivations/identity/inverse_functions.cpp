@@ -88,12 +88,13 @@ std::optional<Fraction> Translator::inverted(bool is_sine, const Fraction& value
     if (is_zero(value * (is_sine ? Fraction(1) : a.sine) - a.cosine) && within(a.argument, 0, 2))
       return ring_.normal(pi() / 2 - a.argument);
   }
-  for (int k = 0; k <= 6 && value.denominator.is_constant(); ++k) {  // multiples of π/12
-    if (k == 6 && !is_sine) break;
-    const auto [c, s] = turn(cl_RA(k) / 12);
-    for (const int sign : {1, -1})
-      if (ring_.normal(value * (is_sine ? Fraction(1) : c) - Fraction(sign) * s).is_zero())
-        return pi() * Fraction(cl_RA(sign * k) / 12);
+  const Interval range = rederive::call(is_sine ? "asin" : "atan", ring_.range_of(value));
+  std::vector<cl_RA> turns;  // the multiples of π/12 that it may be
+  for (int k = -6; k <= 6; ++k)
+    if (range.contains({0, cl_RA(k) / 12})) turns.push_back(cl_RA(k) / 12);
+  if (turns.size() == 1) {
+    const auto [c, s] = turn(turns[0]);
+    if (ring_.normal(value * (is_sine ? Fraction(1) : c) - s).is_zero()) return pi() * Fraction(turns[0]);
   }
   return std::nullopt;
 }

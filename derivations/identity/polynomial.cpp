@@ -121,6 +121,14 @@ std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b) {
   return result;
 }
 
+Division divided(const Polynomial& a, const Polynomial& b) {
+  Division result;
+  Integer scale;
+  fmpz_mpoly_quasidivrem(scale.z, result.whole.p_, result.rest.p_, a.p_, b.p_, Polynomial::context());
+  result.scale = scale.value();
+  return result;
+}
+
 Polynomial gcd(const Polynomial& a, const Polynomial& b) {
   Polynomial result;
   if (fmpz_mpoly_gcd(result.p_, a.p_, b.p_, Polynomial::context()) == 0)
@@ -225,10 +233,12 @@ Fraction power(const Fraction& base, int exponent) {
 std::vector<std::pair<cln::cl_RA, Fraction>> terms_of(const Fraction& f) {
   const cln::cl_I number = f.denominator.content();
   const Polynomial rest = *quotient(f.denominator, Polynomial(number));
+  const auto [scale, whole, remainder] = divided(f.numerator, rest);
   std::vector<std::pair<cln::cl_RA, Fraction>> result;
-  for (std::size_t k = 0; k < f.numerator.terms(); ++k)
-    result.emplace_back(f.numerator.coefficient(k) / cln::cl_RA(number),
-                        Fraction(f.numerator.monomial(k), rest));
+  for (const auto& [part, below] : {std::pair{whole, Polynomial(1)}, std::pair{remainder, rest}})
+    for (std::size_t k = 0; k < part.terms(); ++k)
+      result.emplace_back(part.coefficient(k) / cln::cl_RA(number * scale),
+                          Fraction(part.monomial(k), below));
   return result;
 }
 

@@ -23,6 +23,7 @@ struct Undecidable : std::runtime_error {
 };
 
 class Polynomial;
+struct Division;
 /// A number, and irreducible polynomials with their exponents.
 using Factors = std::pair<cln::cl_I, std::vector<std::pair<Polynomial, int>>>;
 
@@ -77,6 +78,8 @@ class Polynomial {
   }
   /// a/b, if that leaves nothing.
   friend std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b);
+  /// What is left has no term that the leading term of b divides.
+  friend Division divided(const Polynomial& a, const Polynomial& b);
   friend Polynomial gcd(const Polynomial& a, const Polynomial& b);
   /// Of a polynomial in one variable (Sturm).
   friend bool has_real_zero(const Polynomial& p, int variable);
@@ -96,6 +99,12 @@ class Polynomial {
     return result.check_size(), result;
   }
   fmpz_mpoly_t p_;
+};
+
+/// scale · a = whole · b + rest.
+struct Division {
+  cln::cl_I scale = 1;
+  Polynomial whole, rest;
 };
 
 /// Throws Undecidable where the power has too many terms.
@@ -130,7 +139,7 @@ bool operator==(const Fraction& a, const Fraction& b);
 /// A negative exponent turns the fraction over.
 Fraction power(const Fraction& base, int exponent);
 
-/// The sum of coefficient · term that a fraction is, its denominator shared: 2·x/(y + 1) + 3/(y + 1).
+/// The sum of coefficient · term that a fraction is: (2·x·y + 3)/(y + 1) = 2·x - 2·x/(y + 1) + 3/(y + 1).
 std::vector<std::pair<cln::cl_RA, Fraction>> terms_of(const Fraction& f);
 
 }  // namespace rederive

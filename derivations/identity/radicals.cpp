@@ -41,7 +41,7 @@ Fraction Translator::root_of_number(const cln::cl_I& number, int order) {
 /// y with y^order = base, y >= 0: a power of the generator whose order all roots of this base share.
 Fraction Translator::root_generator(const Polynomial& base, int order) {
   const int part = base == 2 ? 4 : base == 3 ? 6 : 0;  // √2 = 2 cos π/4, √3 = 2 cos π/6
-  if (order == 2 && part != 0 && 12 % parts_of_pi_ != 0 && parts_of_pi_ % part == 0)
+  if (order == 2 && part != 0 && parts_of_pi_ % part == 0)
     return 2 * cosine_of_part(parts_of_pi_ / part, parts_of_pi_);
   const std::string key = base.key();
   int& common = root_orders_.try_emplace(key, order).first->second;

@@ -8,15 +8,6 @@ namespace rederive {
 using cln::cl_RA;
 using Kind = Generator::Kind;
 
-namespace {
-
-bool has_call(const Tree& tree) {
-  return tree->kind == Node::Kind::call ||
-         std::any_of(tree->children.begin(), tree->children.end(), has_call);
-}
-
-}  // namespace
-
 /// The work, as often as it meets phases that need another basis.
 template <class Work>
 auto Translator::in_rounds(const Work& work) {
@@ -24,7 +15,7 @@ auto Translator::in_rounds(const Work& work) {
       argument_.reset();
       return work();
     } catch (const AnotherRound&) {
-      rebuild();
+      ++bases_;
     } catch (const std::domain_error&) {
       throw NoValue("a divisor is 0");
     }
@@ -53,47 +44,16 @@ Fraction Translator::logarithm_of(const Fraction& value) {
   return in_rounds([&] { return logarithm(value); });
 }
 
-std::vector<Multiple> Translator::phases_of(const Fraction& argument, cl_RA* turns) {
-  return in_rounds([&] { return multiples(combination(argument, turns), turns ? circular_ : real_); });
-}
-
-/// The angles of inverse functions are phases each, for their cosines are known.
-void Translator::rebuild() {
-  ++bases_;
-  const auto& all = ring_.generators();
-  const bool has_angles =
-      std::any_of(all.begin(), all.end(), [](const Generator& g) { return g.kind == Kind::angle; });
-  circular_.rebuild(has_angles), real_.rebuild(false);
-}
-
-void Translator::collect(const std::vector<Tree>& trees) {
-  for (int round = 0; round < 3; ++round) {
-    try {
-      for (const Tree& tree : trees) collect(tree);
-      break;
-    } catch (const AnotherRound&) {  // a new denominator
-    }
-  }
-  rebuild();
-}
-
-/// The arguments that have no functions in them.
-void Translator::collect(const Tree& tree) {
-  static const std::set<std::string> circular{"sin", "cos", "tan", "cot", "sec", "csc"};
-  static const std::set<std::string> real{"exp", "sinh", "cosh", "tanh", "coth", "sech", "csch"};
-  for (const Tree& child : tree->children) collect(child);
-  if (tree->kind != Node::Kind::call || has_call(tree->children[0])) return;
-  const bool is_circular = circular.contains(tree->text);
-  if (!is_circular && !real.contains(tree->text)) return;
-  std::vector<DomainCondition> unused;
-  conditions_ = &unused;
-  cl_RA turns = 0;
-  try {
-    const Combination argument = combination(translate(tree->children[0]), is_circular ? &turns : nullptr);
-    (is_circular ? circular_ : real_).add(argument);
-  } catch (const Undecidable&) {  // said when all is translated
-  } catch (const std::domain_error&) {
-  }
+std::vector<Translator::Multiple> Translator::phases_of(const Fraction& argument, cl_RA* turns) {
+  return in_rounds([&] {
+    std::vector<Multiple> result;
+    for (const auto& [number, term] : terms_of(argument))
+      if (turns != nullptr && term == pi())
+        *turns = number;
+      else
+        result.push_back(multiple_of_phase(turns != nullptr ? "cos " : "exp ", number, term));
+    return result;
+  });
 }
 
 void Translator::require(const Fraction& value, Signs allowed, const Tree& tree) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <derivations/identity/exponential_ring.hpp>
-#include <derivations/identity/phase_basis.hpp>
 #include <derivations/language/symbols.hpp>
 #include <derivations/language/tree.hpp>
 #include <set>
@@ -29,11 +28,10 @@ class Translator {
   /// The tree in the ring, and what must hold for it to have a value. Throws NoValue and Undecidable.
   Fraction operator()(const Tree& tree, std::vector<DomainCondition>& conditions);
 
-  /// Makes the phases for all arguments in these trees, before any of them is translated.
-  void collect(const std::vector<Tree>& trees);
-
-  /// How often the phases were made anew: what was translated before then has others.
+  /// How often phases or roots were divided further: what was translated before then has others.
   int bases() const { return bases_; }
+  /// An empty ring; what is known of denominators stays.
+  void forget() { ring_ = Ring(), arguments_.clear(); }
 
   /// cos and sin of an argument in the ring, e^argument, and the logarithm of a positive value. Throw
   /// Undecidable.
@@ -41,8 +39,10 @@ class Translator {
   Fraction exponential_of(const Fraction& argument);
   Fraction logarithm_of(const Fraction& value);
 
-  /// The argument of a circular function, or of an exponential, as whole multiples of independent phases;
-  /// `turns`, of a circular function alone, gets the rational multiple of π beside them. Throws Undecidable.
+  /// A phase, and how often it stands in an argument.
+  using Multiple = std::pair<Fraction, int>;
+  /// The argument of a circular function, or of an exponential, as multiples of independent phases; `turns`,
+  /// of a circular function alone, gets the rational multiple of π beside them. Throws Undecidable.
   std::vector<Multiple> phases_of(const Fraction& argument, cln::cl_RA* turns);
 
  private:
@@ -53,8 +53,6 @@ class Translator {
   /// A phase or a root was met that needs another basis: all must be translated once more.
   struct AnotherRound {};
 
-  void collect(const Tree& tree);
-  void rebuild();
   Fraction translate(const Tree& tree);
   Fraction product(const Node& node);
   Fraction power_of(const Node& node);
@@ -64,8 +62,7 @@ class Translator {
 
   Fraction symbol(const std::string& name);
   Fraction pi();
-  Combination combination(const Fraction& argument, cln::cl_RA* turns);
-  std::vector<Multiple> multiples(const Combination& argument, PhaseBasis& basis);
+  Multiple multiple_of_phase(const std::string& function, const cln::cl_RA& number, const Fraction& term);
   std::pair<Fraction, Fraction> phase(const Fraction& phase);
   std::pair<Fraction, Fraction> turn(const cln::cl_RA& q);
   Fraction cosine_of_part(int k, int n);
@@ -87,10 +84,9 @@ class Translator {
   const Symbols& symbols_;
   std::vector<DomainCondition>* conditions_ = nullptr;
   std::optional<Fraction> argument_;  ///< u of the rule that is applied
-  PhaseBasis circular_, real_;
   int bases_ = 0;
-  Polynomial denominator_ = 1;              ///< sums that arguments are divided by
-  int parts_of_pi_ = 1;                     ///< the least common denominator of all multiples of π
+  std::map<std::string, cln::cl_I> denominators_;  ///< the least common one of all multiples of a term
+  int parts_of_pi_ = 1;                            ///< … of all multiples of π
   std::map<std::string, int> root_orders_;  ///< key of a base → the least common multiple of its roots
   struct Argument {
     Fraction argument, cosine, sine;

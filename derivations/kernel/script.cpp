@@ -100,9 +100,10 @@ void Script::say_argument(const Tree& argument, bool is_circular) {
   std::string sum;
   const auto add = [&](const std::string& term) { sum += (sum.empty() ? "" : " + ") + term; };
   cln::cl_RA turns = 0;
-  for (const Multiple& m : known_.translator.phases_of(value(argument), is_circular ? &turns : nullptr)) {
-    const std::string name = coq_name(name_of(m.phase));
-    for (int k = 0; k < std::abs(m.times); ++k) add(m.times > 0 ? name : "- " + name);
+  for (const auto& [phase, times] :
+       known_.translator.phases_of(value(argument), is_circular ? &turns : nullptr)) {
+    const std::string name = coq_name(name_of(phase));
+    for (int k = 0; k < std::abs(times); ++k) add(times > 0 ? name : "- " + name);
   }
   if (cln::denominator(2 * turns) != 1) throw Undecidable("there is no script for parts of a right angle");
   const int right_angles = cln::cl_I_to_int(cln::mod(cln::numerator(2 * turns), 4));
@@ -124,7 +125,10 @@ std::string Script::base_of(const Generator& root, int index) {
 void Script::say_facts() {
   for (const Generator& g : std::vector<Generator>(known_.ring.generators())) {
     GiNaC::ex meaning = g.meaning;
-    if (g.kind == Kind::cosine || g.kind == Kind::sine || g.kind == Kind::exponential) {
+    const bool is_part_of_pi = g.kind == Kind::cosine && !known_.ring.find("sin " + g.of.key());
+    if (is_part_of_pi) {
+      // no phase: a number
+    } else if (g.kind == Kind::cosine || g.kind == Kind::sine || g.kind == Kind::exponential) {
       const std::string name = name_of(g.of);
       const GiNaC::ex x = names_[name];
       meaning = g.kind == Kind::cosine ? cos(x) : g.kind == Kind::sine ? sin(x) : exp(x);

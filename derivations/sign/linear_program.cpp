@@ -3,8 +3,8 @@
 #include <glpk.h>
 
 #include <algorithm>
-#include <derivations/identity/linear_system.hpp>
 #include <derivations/sign/linear_program.hpp>
+#include <derivations/sign/linear_system.hpp>
 #include <memory>
 
 namespace rederive {

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <derivations/identity/linear_system.hpp>
+#include <derivations/sign/linear_system.hpp>
 
 namespace rederive {
 
