@@ -93,7 +93,7 @@ bool are_found_the_same(const Relation& statement, const Relation& other, const 
     const Problem problem = with_values({statement, other, assumptions, symbols}, {});
     Comparison setting(problem.symbols);
     translate(setting, problem);
-    setting.effort = 2;
+    setting.is_thorough = true;
     return same(setting).has_value();
   } catch (const Undecidable&) {
     return false;

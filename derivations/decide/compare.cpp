@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/decide/compare.hpp>
 #include <derivations/identity/zero_test.hpp>
+#include <numeric>
 #include <set>
 
 namespace rederive {
@@ -12,12 +13,11 @@ void append(Certificate& to, const Certificate& from) {
 }
 
 /// Whether no factor of p is 0.
-bool is_definite(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p,
-                 Certificate& certificate, bool searches = true) {
+bool is_definite(const Comparison& setting, const Polynomial& p, Certificate& certificate) {
   for (const auto& [factor, exponent] : factors(p).second) {
     std::optional<Certificate> found;
     for (const Signs signs : {Signs::nonzero(), Signs::positive(), Signs::negative()})
-      if (!found) found = prove_signs(ring, facts, Fraction(factor), signs, searches);
+      if (!found) found = prove_signs(setting.ring, setting.facts, Fraction(factor), signs);
     if (!found) return false;
     append(certificate, *found);
   }
@@ -31,16 +31,15 @@ std::optional<Sameness> same_up_to_a_factor(const Comparison& setting, const Ato
   if (left.value.is_zero() && right.value.is_zero()) return Sameness{"identity", 1, true};
   if (left.value.is_zero() || right.value.is_zero()) return std::nullopt;
   const Fraction ratio = left.value / right.value;
-  Sameness result{"identity", setting.effort < 1 ? ring.normal(ratio) : ring.rationalized(ratio), true};
+  Sameness result{"identity", setting.is_thorough ? ring.rationalized(ratio) : ring.normal(ratio), true};
   const Fraction& q = result.factor;
   if (q.is_constant())
     return left.signs == Signs::zero() || cln::plusp(q.constant()) ? std::optional(result) : std::nullopt;
-  if (setting.effort < 1) return std::nullopt;
+  if (!setting.is_thorough) return std::nullopt;
   const auto fits = [&](const Fraction& f) {
     if (left.signs == Signs::zero())
-      return is_definite(ring, setting.facts, f.numerator * f.denominator, result.certificate,
-                         setting.effort > 1);
-    const auto positive = prove_signs(ring, setting.facts, f, Signs::positive(), setting.effort > 1);
+      return is_definite(setting, f.numerator * f.denominator, result.certificate);
+    const auto positive = prove_signs(ring, setting.facts, f, Signs::positive());
     if (positive) append(result.certificate, *positive);
     return positive.has_value();
   };
@@ -53,70 +52,35 @@ std::optional<Sameness> same_up_to_a_factor(const Comparison& setting, const Ato
   return result;
 }
 
-/// The ring with y = value put in for every equation c·y + d = 0 among the atoms with a c that has a sign.
-Ring with_solutions(const Comparison& setting, const std::vector<Atom>& atoms) {
-  Ring ring = setting.ring;
-  const auto solve_for = [&](int k, const Polynomial& p) {
-    const auto occurs_in = [&](const Generator& other) {
-      const auto has = [&](const Fraction& f) {
-        return f.numerator.degree(k) > 0 || f.denominator.degree(k) > 0;
-      };
-      return has(other.of) || (has(other.value) && other.kind != Generator::Kind::symbol);
-    };
-    const auto& all = ring.generators();
-    const auto c = p.coefficients(k);
-    Certificate unused;
-    if (p.degree(k) != 1 || all[k].degree != 0 || all[k].kind != Generator::Kind::symbol ||
-        std::any_of(all.begin(), all.end(), occurs_in) || !is_definite(ring, setting.facts, c[1], unused))
-      return false;
-    ring.relate(k, 1, Fraction(-c[0], c[1]));
-    return true;
-  };
-  for (const Atom& atom : atoms) {
-    if (atom.signs != Signs::zero()) continue;
-    const Polynomial p = ring.normal(atom.value).numerator;
-    for (const int k : p.used())
-      if (solve_for(k, p)) break;
-  }
-  return ring;
-}
-
-/// One relation follows from others.
-std::optional<Certificate> follows(const Comparison& setting, const std::vector<Atom>& from,
-                                   const Atom& claim) {
-  Ring ring = setting.ring;  // with what the others say
-  for (const Atom& atom : from) ring.learn(atom.value, atom.signs);
-  std::vector<Fact> facts = setting.facts;
-  for (const Atom& atom : from) {
-    for (Fact& fact : facts_of(ring, atom.value, atom.signs)) facts.push_back(std::move(fact));
-    if (atom.signs != Signs::zero() || claim.signs != Signs::zero() || atom.value.is_zero()) continue;
-    for (const Fraction& multiple : {claim.value, claim.value * claim.value}) {  // of what is 0
-      Certificate certificate;
-      if (is_definite(ring, setting.facts, ring.rationalized(multiple / atom.value).denominator, certificate))
-        return certificate;
-    }
-  }
-  const Ring solved = with_solutions(setting, from);
-  const Fraction rest = solved.normal(claim.value);
-  if (rest.is_zero()) return claim.signs == Signs::positive() ? std::nullopt : std::optional(Certificate{});
-  std::vector<Fact> reduced;
-  for (const Fact& f : setting.facts)
-    for (Fact& fact : facts_of(solved, Fraction(f.value), f.signs)) reduced.push_back(std::move(fact));
-  if (auto found = prove_signs(solved, reduced, rest, claim.signs)) return found;
-  if (auto found = prove_signs(ring, facts, claim.value, claim.signs)) return found;
-  return prove_signs(ring, facts, claim.value.is_zero() ? Fraction(1) : Fraction(0),
-                     Signs::zero() & Signs::positive());
-}
-
-std::optional<Certificate> all_follow(const Comparison& setting, const std::vector<Atom>& from,
-                                      const std::vector<Atom>& claims) {
-  Certificate all;
-  for (const Atom& claim : claims) {
-    const auto found = follows(setting, from, claim);
-    if (!found) return std::nullopt;
-    append(all, *found);
+std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::vector<Atom>& left,
+                                          const std::vector<Atom>& right) {
+  if (left.empty() || left.size() != right.size()) return std::nullopt;
+  Sameness all{"identity", 1, true};
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    const auto one = same_up_to_a_factor(setting, left[k], right[k]);
+    if (!one) return std::nullopt;
+    append(all.certificate, one->certificate);
+    if (one->by == "sign") all.by = "sign";
+    all.has_factor = all.has_factor && (left.size() == 1 || one->factor == 1);
+    all.factor = one->factor;
   }
   return all;
+}
+
+/// Of a^n + b^n or a^n - b^n, with the same zeros: a ± b for an odd n, a^2 ± b^2 for an even one.
+Polynomial without_powers(const Polynomial& p) {
+  if (p.terms() != 2) return p;
+  int common = 0;
+  for (const std::size_t term : {0, 1})
+    for (const auto& [k, exponent] : p.powers(term)) common = std::gcd(common, exponent);
+  if (common < 3 || cln::abs(p.coefficient(0)) != 1 || cln::abs(p.coefficient(1)) != 1) return p;
+  const auto root = [&](std::size_t term) {
+    Polynomial result(p.coefficient(term));
+    for (const auto& [k, exponent] : p.powers(term))
+      result = result * power(Polynomial::variable(k), exponent / common * (common % 2 != 0 ? 1 : 2));
+    return result;
+  };
+  return root(0) + root(1);
 }
 
 /// The irreducible factors of an equation that may be 0. A root, a size or a sine counts by the factors of
@@ -124,7 +88,7 @@ std::optional<Certificate> all_follow(const Comparison& setting, const std::vect
 std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
   using Kind = Generator::Kind;
   std::set<Polynomial> result;
-  for (const auto& [factor, exponent] : factors(value.numerator).second) {
+  for (const auto& [factor, exponent] : factors(without_powers(value.numerator)).second) {
     if (ring.signs_of(factor).is_definite()) continue;
     const auto used = factor.used();
     const Generator& g = ring.generators()[used[0]];
@@ -143,37 +107,43 @@ std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
   return result;
 }
 
-/// Two equations with the same zeros, factor by factor.
-std::optional<Sameness> same_zeros(const Comparison& setting, const Atom& left, const Atom& right) {
-  if (left.signs != Signs::zero() || right.signs != Signs::zero()) return std::nullopt;
-  if (left.value.is_zero() || right.value.is_zero()) return std::nullopt;  // an identity: it holds everywhere
-  Sameness result{"identity"};
-  const auto all_in = [&](const Atom& a, const Atom& b) {
-    const std::set<Polynomial> known = zero_set(setting.ring, b.value);
-    for (const Polynomial& factor : zero_set(setting.ring, a.value)) {
-      if (known.contains(factor)) continue;
-      const auto found =
-          setting.effort < 2 ? std::nullopt : follows(setting, {{Fraction(factor), Signs::zero()}}, b);
-      if (!found) return false;
-      result.by = "sign", append(result.certificate, *found);
-    }
-    return true;
-  };
-  return all_in(left, right) && all_in(right, left) ? std::optional(result) : std::nullopt;
+/// A relation follows from others by the signs of products.
+std::optional<Certificate> follows_by_signs(const Comparison& setting, const std::vector<Atom>& from,
+                                            const Atom& claim) {
+  std::vector<Fact> facts = setting.facts;
+  for (const Atom& atom : from)
+    for (Fact& fact : facts_of(setting.ring, atom.value, atom.signs)) facts.push_back(std::move(fact));
+  Ring ring = setting.ring;  // with what the others say
+  for (const Atom& atom : from) ring.learn(atom.value, atom.signs);
+  if (auto found = prove_signs(ring, facts, claim.value, claim.signs)) return found;
+  return prove_signs(ring, facts, 0, Signs::zero() & Signs::positive());
 }
 
-std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::vector<Atom>& left,
-                                          const std::vector<Atom>& right) {
-  if (left.empty() || left.size() != right.size()) return std::nullopt;
-  Sameness all{"identity", 1, true};
-  for (std::size_t k = 0; k < left.size(); ++k) {
-    auto one = same_up_to_a_factor(setting, left[k], right[k]);
-    if (!one && setting.effort > 0) one = same_zeros(setting, left[k], right[k]);
-    if (!one) return std::nullopt;
-    append(all.certificate, one->certificate);
-    if (one->by == "sign") all.by = "sign";
-    all.has_factor = all.has_factor && one->has_factor && (left.size() == 1 || one->factor == 1);
-    all.factor = one->factor;
+/// All claims follow from a statement. An equation of it is 0 where one of its factors is: a case each.
+std::optional<Sameness> all_follow(const Comparison& setting, const std::vector<Atom>& from,
+                                   const std::vector<Atom>& claims) {
+  Sameness all{"identity"};
+  const auto by_signs = [&](const std::vector<Atom>& case_of, const Atom& claim) {
+    const auto found = follows_by_signs(setting, case_of, claim);
+    if (found) all.by = "sign", append(all.certificate, *found);
+    return found.has_value();
+  };
+  const auto in_cases = [&](std::size_t k, const Atom& claim) {
+    if (from[k].signs != Signs::zero() || from[k].value.is_zero() || claim.signs != Signs::zero())
+      return false;
+    const std::set<Polynomial> zeros = zero_set(setting.ring, claim.value),
+                               cases = zero_set(setting.ring, from[k].value);
+    return std::all_of(cases.begin(), cases.end(), [&](const Polynomial& factor) {
+      auto case_of = from;
+      case_of[k].value = factor;
+      return zeros.contains(factor) || by_signs(case_of, claim);
+    });
+  };
+  for (const Atom& claim : claims) {
+    if (claim.value.is_zero() && claim.signs != Signs::positive()) continue;
+    bool is_found = false;
+    for (std::size_t k = 0; k < from.size() && !is_found; ++k) is_found = in_cases(k, claim);
+    if (!is_found && !by_signs(from, claim)) return std::nullopt;
   }
   return all;
 }
@@ -185,24 +155,27 @@ std::optional<Sameness> same(Comparison& setting) {
   if (left.expression) {
     const Fraction difference = setting.ring.normal(*left.expression - *right.expression);
     if (vanishes(difference, setting.ring, setting.translator)) return Sameness{"identity"};
-    const auto found =
-        prove_signs(setting.ring, setting.facts, difference, Signs::zero(), setting.effort > 1);
+    if (!setting.is_thorough) return std::nullopt;
+    const auto found = prove_signs(setting.ring, setting.facts, difference, Signs::zero());
     return found ? std::optional(Sameness{"sign", 1, false, *found}) : std::nullopt;
   }
   for (const auto& of_left : left.readings)
-    for (const auto& of_right : right.readings)
-      if (auto found = same_link_by_link(setting, of_left, of_right)) {
-        found->has_factor = found->has_factor && &of_left == &left.atoms() && &of_right == &right.atoms();
-        return found;
-      }
-  if (setting.effort < 2) return std::nullopt;
-  for (const std::size_t k : {0, 1}) {  // as they stand, and with inversions
-    auto forth = all_follow(setting, left.readings[k], right.readings[k]);
-    const auto back = forth ? all_follow(setting, right.readings[k], left.readings[k]) : std::nullopt;
-    if (!back) continue;
-    append(*forth, *back);
-    return Sameness{"sign", 1, false, *forth};
-  }
+    for (const auto& of_right : right.readings) {
+      auto found = same_link_by_link(setting, of_left, of_right);
+      if (!found) continue;
+      found->has_factor = found->has_factor && &of_left == &left.atoms() && &of_right == &right.atoms();
+      return found;
+    }
+  if (!setting.is_thorough) return std::nullopt;
+  for (const auto& of_left : left.readings)
+    for (const auto& of_right : right.readings) {
+      auto forth = all_follow(setting, of_left, of_right);
+      const auto back = forth ? all_follow(setting, of_right, of_left) : std::nullopt;
+      if (!back) continue;
+      if (back->by == "sign") forth->by = "sign";
+      append(forth->certificate, back->certificate);
+      return forth;
+    }
   return std::nullopt;
 }
 

@@ -54,12 +54,21 @@ Translated translate(const Relation& statement, const Symbols& symbols, Comparis
     atom.value = ring.normal(atom.value);
     return atom;
   };
+  std::vector<Atom> atoms, inverted;
+  bool is_inverted = false;
   std::vector<DomainCondition> unused;
   for (const Relation& link : links_of(statement)) {
-    result.readings[0].push_back(atom_of_link(link, result.conditions));
-    result.readings[1].push_back(atom_of_link(with_inversions(link, symbols), unused));
+    atoms.push_back(atom_of_link(link, result.conditions));
+    const Relation inverse = setting.is_thorough ? with_inversions(link, symbols) : link;
+    is_inverted = is_inverted || inverse.sides != link.sides;
+    inverted.push_back(inverse.sides == link.sides ? atoms.back() : atom_of_link(inverse, unused));
   }
-  if (setting.effort < 1 || result.atoms().size() != 1 || result.atoms()[0].signs != Signs::zero())
+  const auto says_nothing = [](const Atom& a) { return a.value.is_zero() && a.signs != Signs::positive(); };
+  if (!is_inverted && !std::all_of(atoms.begin(), atoms.end(), says_nothing))
+    std::erase_if(atoms, says_nothing);
+  result.readings.push_back(std::move(atoms));
+  if (is_inverted) result.readings.push_back(std::move(inverted));
+  if (!setting.is_thorough || result.atoms().size() != 1 || result.atoms()[0].signs != Signs::zero())
     return result;
   const Fraction value = result.atoms()[0].value;
   for (const auto& other :
@@ -70,15 +79,17 @@ Translated translate(const Relation& statement, const Symbols& symbols, Comparis
 }
 
 void learn(Comparison& setting, const Fraction& value, Signs signs) {
+  for (Fact& fact : facts_of(setting.ring, value, signs)) {
+    const auto is_same = [&](const Fact& f) { return f.value == fact.value && f.signs == fact.signs; };
+    if (std::none_of(setting.facts.begin(), setting.facts.end(), is_same))
+      setting.facts.push_back(std::move(fact));
+  }
   setting.ring.learn(value, signs);
-  for (Fact& fact : facts_of(setting.ring, value, signs)) setting.facts.push_back(std::move(fact));
 }
 
 /// A polynomial equation, monic in a symbol: a relation of the ring, g^n = rest.
 void relate(Ring& ring, const Fraction& value) {
-  Polynomial p = 1;  // without the factors that are not 0
-  for (const auto& [factor, exponent] : factors(ring.normal(value).numerator).second)
-    if (!ring.signs_of(factor).is_definite()) p = p * factor;
+  const Polynomial p = ring.essential(value, Signs::zero()).value;
   for (const int k : p.used()) {
     const Generator& g = ring.generators()[k];
     const int degree = p.degree(k);
@@ -136,9 +147,8 @@ void translate(Comparison& setting, const Problem& problem) {
   int basis = -1;
   for (int round = 0; round < 6 && basis != setting.translator.bases(); ++round) {
     basis = setting.translator.bases();
-    setting.translator.forget();
+    setting.translator.forget(), setting.facts.clear();
     for (int pass = 0; pass < 2; ++pass) {  // the second one with what the first one said
-      setting.facts.clear();
       for (const auto& [name, value] : problem.values) defined(setting, value);
       for (const Relation& a : problem.assumptions) assume(setting, a);
     }

@@ -18,7 +18,7 @@ struct Translated {
   std::optional<Fraction> expression;
   /// Atoms that hold where the statement does: as it stands; with inversions of monotone functions; and
   /// equations with the logarithm, the sine or the cosine of both sides, where that can be inverted.
-  std::vector<std::vector<Atom>> readings{2};
+  std::vector<std::vector<Atom>> readings;
   const std::vector<Atom>& atoms() const { return readings.at(0); }
   std::vector<DomainCondition> conditions;  ///< for its sides to have values
 };
@@ -33,15 +33,15 @@ struct Comparison {
   Translated left, right;
   std::vector<DomainCondition> conditions;  ///< those that neither the ranges nor the assumptions grant
   std::vector<std::string> in_words;        ///< the same: "x - 1 > 0", "cos(theta) != 0"
-  /// What is tried: 0, that the two are the same but for a number; 1, also a factor with a sign by intervals
-  /// and products, of all readings; 2, also certificates of signs.
-  int effort = 0;
+  /// Whether all readings are compared, up to factors and by certificates of signs; else whether the two are
+  /// the same but for a number.
+  bool is_thorough = false;
 };
 
 /// The value and the sign that a link a op b asks for.
 Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b);
 
-/// Both statements once more, as an effort asks for it.
+/// Both statements once more, with all their readings where the comparison is thorough.
 void translate_statements(Comparison& setting, const Problem& problem);
 
 /// Both statements in one ring, where both have values: what must hold for that is learned, and all is

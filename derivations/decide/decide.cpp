@@ -102,7 +102,7 @@ std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& settin
     const Problem part = without_bars(problem, u, is_negative);
     Comparison of_part(part.symbols);
     try {
-      of_part.effort = setting.effort;
+      of_part.is_thorough = setting.is_thorough;
       translate(of_part, part);
       const auto found = same_in_cases(part, of_part, depth - 1);
       if (!found) return std::nullopt;
@@ -124,23 +124,8 @@ Proof confirmed(const Problem& problem, const Comparison& setting, const Samenes
   return proved(setting, found, problem.symbols);
 }
 
-/// Links at the ends of a chain that always hold: of K = a = b, where a = b is an identity, K = a is left for
-/// the search.
-void drop_identities(Relation& chain, const Translated& translated) {
-  const std::vector<Atom>& atoms = translated.atoms();
-  std::size_t k = atoms.size();
-  while (k > 1 && atoms[k - 1].signs == Signs::zero() && atoms[k - 1].value.is_zero()) {
-    chain.sides.pop_back(), chain.operators.pop_back();
-    --k;
-  }
-  if (k == 1 && atoms[0].signs == Signs::zero() && atoms[0].value.is_zero()) {
-    const Tree both = make_tree(Node::Kind::sum, "", chain.sides, {false, false});
-    chain.sides = {both, both};  // holds wherever both have values, and a point can tell
-  }
-}
-
 /// Identity, then points, then signs, then more points. `by_points`: whether points are asked at all.
-Proof decide_problem(Problem problem, bool by_points) {
+Proof decide_problem(const Problem& problem, bool by_points) {
   Proof open = undecided(
       "the sides agree wherever they were compared, but neither the difference vanishes identically nor a "
       "certificate of "
@@ -148,14 +133,12 @@ Proof decide_problem(Problem problem, bool by_points) {
   try {
     Comparison setting(problem.symbols);
     translate(setting, problem);
-    for (; setting.effort <= 2; ++setting.effort) {
-      if (setting.effort == 1) translate_statements(setting, problem);
-      if (const auto found = same_in_cases(problem, setting, setting.effort == 0 ? 0 : 3))
-        return confirmed(problem, setting, *found);
-      if (setting.effort > 0 || !by_points) continue;
-      drop_identities(problem.left, setting.left), drop_identities(problem.right, setting.right);
+    if (const auto found = same(setting)) return confirmed(problem, setting, *found);
+    if (by_points)
       if (const Search tried = search(problem, some); tried.witness) return refuted(*tried.witness);
-    }
+    setting.is_thorough = true;
+    translate_statements(setting, problem);
+    if (const auto found = same_in_cases(problem, setting, 3)) return confirmed(problem, setting, *found);
   } catch (const Undecidable& error) {
     open = undecided(error.what());
   }

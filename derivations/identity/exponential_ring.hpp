@@ -39,6 +39,15 @@ struct Generator {
 inline Interval nonnegative_numbers() { return {End{{}, 0, true}, End{{}, 1}}; }
 inline Interval positive_numbers() { return {End{{}, 0, false}, End{{}, 1}}; }
 
+/// The signs of the numbers in an interval.
+Signs signs_of(const Interval& values);
+
+/// A polynomial of the ring and the signs that it has.
+struct Fact {
+  Polynomial value;
+  Signs signs;
+};
+
 class Ring {
  public:
   /// The variable of a key, made by `make` when it is new. Throws Undecidable where there are too many.
@@ -62,11 +71,12 @@ class Ring {
   /// stays short: 1/(p - √u) is (p + √u)/(p² - u).
   Fraction rationalized(const Fraction& f) const;
 
+  /// What value = 0, value > 0 … says of the factors of which the sign is not known.
+  Fact essential(const Fraction& value, Signs signs) const;
+
   /// What is known of a value: of its sign, and of the range of a generator if it is linear in one; that
   /// narrows the ranges of what is made of it, and of what it is made of.
   void learn(const Fraction& value, Signs signs);
-  /// A value lies in an interval.
-  void learn(const Fraction& value, const Interval& range);
 
   Interval range_of(const Fraction& f) const;
   Signs signs_of(const Polynomial& p) const;
@@ -91,9 +101,8 @@ class Ring {
 
   std::vector<Generator> generators_;
   std::map<std::string, int> index_;
-  std::map<Polynomial, Interval> known_;  ///< of polynomials that lead with plus, content 1: their values
+  std::map<Polynomial, Signs> known_signs_;    ///< of polynomials that lead with plus, content 1
   mutable std::map<Polynomial, Signs> found_;  ///< a memo table of signs_of, for what is known now
-  std::map<Polynomial, Signs> known_signs_;    ///< … and their signs
 };
 
 }  // namespace rederive

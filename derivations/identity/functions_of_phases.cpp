@@ -131,8 +131,8 @@ Pair Translator::circular(const Fraction& argument) {
   }
   if (!result.first.is_constant()) {
     const Interval range = ring_.range_of(argument);
-    ring_.learn(result.first, rederive::call("cos", range));
-    ring_.learn(result.second, rederive::call("sin", range));
+    ring_.learn(result.first, signs_of(rederive::call("cos", range)));
+    ring_.learn(result.second, signs_of(rederive::call("sin", range)));
   }
   arguments_.try_emplace(argument.key(), Argument{argument, result.first, result.second});
   return result;

@@ -13,51 +13,53 @@ std::pair<cln::cl_I, Polynomial> primitive(const Polynomial& p) {
   return {number, *quotient(p, Polynomial(number))};
 }
 
-Signs signs_of_interval(const Interval& i) {
-  Signs result = Signs::any();
-  if (i.is_positive()) return Signs::positive();
-  if (i.is_negative()) return Signs::negative();
-  if (i.is_nonnegative()) result = Signs::nonnegative();
-  if (i.is_nonpositive()) result = result & Signs::nonpositive();
-  return result;
-}
-
 Signs sign_of_number(const cln::cl_RA& n) {
   return cln::zerop(n) ? Signs::zero() : cln::plusp(n) ? Signs::positive() : Signs::negative();
 }
 
 }  // namespace
 
+Signs signs_of(const Interval& values) {
+  if (values.is_positive()) return Signs::positive();
+  if (values.is_negative()) return Signs::negative();
+  return (values.is_nonnegative() ? Signs::nonnegative() : Signs::any()) &
+         (values.is_nonpositive() ? Signs::nonpositive() : Signs::any());
+}
+
+Fact Ring::essential(const Fraction& value, Signs signs) const {
+  const Fraction f = normal(value);
+  if (f.is_zero()) return {0, signs};
+  const auto& [number, list] = factors(signs == Signs::zero() ? f.numerator : f.numerator * f.denominator);
+  Signs outside = sign_of_number(number);
+  Polynomial rest = 1;
+  for (const auto& [factor, exponent] : list) {
+    const Signs known = power(signs_of(factor), exponent);
+    const bool is_odd = exponent % 2 != 0;
+    if (known == Signs::positive() || known == Signs::negative())
+      outside = outside * known;
+    else if (signs != Signs::zero() || !known.is_definite())
+      rest = rest * power(factor, is_odd || signs == Signs::zero() ? 1 : 2);
+  }
+  return {rest, outside == Signs::negative() ? -signs : signs};
+}
+
 void Ring::learn(const Fraction& value, Signs signs) {
   if (signs == Signs::any()) return;
   found_.clear();
-  const Fraction f = normal(value);
-  const Polynomial product = f.numerator * f.denominator;
-  if (product.is_constant()) return;
-  const auto& [number, list] = factors(product);
-  Polynomial rest = 1;  // the factors of which the sign is not known yet
-  Signs outside = sign_of_number(number);
-  for (const auto& [factor, exponent] : list) {
-    const Signs known = power(signs_of(factor), exponent);
-    if (known.is_definite() && (known == Signs::positive() || known == Signs::negative())) {
-      outside = outside * known;
-      continue;
-    }
-    const bool is_odd = exponent % 2 != 0;
-    if (signs.is_definite()) {  // no factor of what is not 0 is 0
-      known_signs_.try_emplace(factor, Signs::any()).first->second = signs_of(factor) & Signs::nonzero();
-      if (!is_odd || signs_of(factor) == Signs::positive() || signs_of(factor) == Signs::negative()) {
-        if (is_odd) outside = outside * signs_of(factor);
-        continue;
-      }
-    }
-    rest = rest * power(factor, is_odd ? 1 : 2);
-  }
-  if (rest.is_constant()) return;
-  const Signs of_rest = outside == Signs::negative() ? -signs : signs;
-  Signs& known = known_signs_.try_emplace(rest, Signs::any()).first->second;
-  known = known & of_rest;
-  narrow(rest, of_rest);
+  const auto note = [&](const Fact& fact) {
+    Signs& known = known_signs_.try_emplace(fact.value, Signs::any()).first->second;
+    known = known & fact.signs;
+  };
+  const Fact whole = essential(value, signs);
+  if (whole.value.is_constant()) return;
+  if (signs.is_definite())  // no factor of what is not 0 is 0
+    for (const auto& [factor, exponent] : factors(whole.value).second)
+      note({factor, signs_of(factor) & Signs::nonzero()});
+  found_.clear();
+  const Fact rest = essential(value, signs);
+  note(rest.value.is_constant() ? whole : rest);
+  narrow(whole.value, whole.signs);
+  narrow(rest.value, rest.signs);
 }
 
 /// c·x + d > 0 bounds x by the values of -d/c, for a number c and a d without x.
@@ -148,16 +150,6 @@ void Ring::propagate() {
   }
 }
 
-void Ring::learn(const Fraction& value, const Interval& range) {
-  found_.clear();
-  const Fraction f = normal(value);
-  if (!f.denominator.is_constant() || f.numerator.is_constant()) return;
-  const auto [number, p] = primitive(f.numerator);
-  const Interval bound = range * point({cln::cl_RA(f.denominator.constant()) / number});
-  const auto [place, is_new] = known_.try_emplace(p, bound);
-  if (!is_new) place->second = overlap(place->second, bound);
-}
-
 Interval Ring::range_of(const Polynomial& p) const {
   if (p.is_zero()) return point({});
   Interval sum = point({});
@@ -166,10 +158,8 @@ Interval Ring::range_of(const Polynomial& p) const {
     for (const auto& [k, exponent] : p.powers(t)) product = product * power(generators_[k].range, exponent);
     sum = sum + product;
   }
-  if (p.is_constant() || (known_.empty() && known_signs_.empty())) return sum;
+  if (p.is_constant() || known_signs_.empty()) return sum;
   const auto [number, q] = primitive(p);
-  if (const auto known = known_.find(q); known != known_.end())
-    sum = overlap(sum, known->second * point({number}));
   if (const auto known = known_signs_.find(q); known != known_signs_.end()) {
     const Signs signs = cln::minusp(number) ? -known->second : known->second;
     if (signs == Signs::positive()) sum = overlap(sum, positive_numbers());
@@ -190,7 +180,7 @@ Signs Ring::signs_of(const Polynomial& p) const {
 
 Signs Ring::signs_of(const Polynomial& p, int depth) const {
   if (p.is_constant()) return sign_of_number(p.constant());
-  Signs result = signs_of_interval(range_of(p));
+  Signs result = rederive::signs_of(range_of(p));
   const auto [number, q] = primitive(p);
   if (const auto known = known_signs_.find(q); known != known_signs_.end())
     result = result & (cln::minusp(number) ? -known->second : known->second);

@@ -185,32 +185,11 @@ std::optional<Certificate> combine(const std::vector<Column>& columns) {
   return holds ? std::optional(result) : std::nullopt;
 }
 
-/// The signs of a product, factor by factor: by the ring, or by a certificate for one factor.
-Signs signs_of_product(const Ring& ring, const std::vector<Fact>& facts, const Polynomial& p,
-                       Certificate& used) {
-  const auto& [number, list] = factors(p);
-  Signs result = cln::minusp(number) ? Signs::negative() : Signs::positive();
-  const bool is_one = list.size() == 1 && list[0].second == 1;
-  for (const auto& [factor, exponent] : list) {
-    Signs signs = ring.signs_of(factor);
-    for (const Signs wanted :
-         {Signs::positive(), Signs::negative(), Signs::nonnegative(), Signs::nonpositive()}) {
-      if (is_one || signs == Signs::positive() || signs == Signs::negative() || (signs & wanted) == signs)
-        continue;
-      const auto found =
-          combine(columns_of(ring, relevant(ring, facts, facts_of(ring, factor, negation(wanted)))));
-      if (!found) continue;
-      signs = signs & wanted;
-      used.parts.insert(used.parts.end(), found->parts.begin(), found->parts.end());
-    }
-    result = result * power(signs, exponent);
-  }
-  return result;
-}
-
 std::optional<Certificate> refute_all(const Ring& ring, const std::vector<Fact>& facts, const Fraction& value,
                                       Signs negated) {
-  const std::vector<Fact> all = relevant(ring, facts, facts_of(ring, value, negated));
+  const std::vector<Fact> claim = facts_of(ring, value, negated);
+  if (claim.empty() && negated != Signs::any()) return std::nullopt;  // of what is not 0
+  const std::vector<Fact> all = relevant(ring, facts, claim);
   if (all.empty() || all.size() > 2 * most_facts) return std::nullopt;
   return combine(columns_of(ring, all));
 }
@@ -218,16 +197,13 @@ std::optional<Certificate> refute_all(const Ring& ring, const std::vector<Fact>&
 }  // namespace
 
 std::vector<Fact> facts_of(const Ring& ring, const Fraction& value, Signs signs) {
-  const Fraction f = ring.normal(value);
-  Polynomial p = f.numerator;
-  if (signs != Signs::zero()) {
-    const Signs below = ring.signs_of(f.denominator);
-    p = below == Signs::positive() ? p : below == Signs::negative() ? -p : p * f.denominator;
-  }
-  if (signs == Signs::negative() || signs == Signs::nonpositive()) p = -p, signs = -signs;
-  if (signs == Signs::zero() || signs == Signs::positive() || signs == Signs::nonnegative())
-    return {{p, signs}};
-  return {};
+  Fact fact = ring.essential(value, signs);
+  if (fact.signs == Signs::negative() || fact.signs == Signs::nonpositive())
+    fact = {-fact.value, -fact.signs};
+  const bool can_be_said =
+      fact.signs == Signs::zero() || fact.signs == Signs::positive() || fact.signs == Signs::nonnegative();
+  const bool is_known = fact.value.is_constant() && ring.signs_of(fact.value).within(fact.signs);
+  return can_be_said && !is_known ? std::vector{fact} : std::vector<Fact>{};
 }
 
 std::optional<Certificate> prove_signs(const Ring& ring, const std::vector<Fact>& facts,
@@ -235,20 +211,16 @@ std::optional<Certificate> prove_signs(const Ring& ring, const std::vector<Fact>
   if (!claim.is_none() && ring.signs_of(ring.normal(value)).within(claim)) return Certificate{};
   if (!searches) return std::nullopt;
   if (claim.is_none()) return refute_all(ring, facts, 0, Signs::any());
-  // the negation in pieces that a fact can say, each refuted
-  Certificate all;
-  const Fraction f = ring.normal(value);
-  if (signs_of_product(ring, facts, f.numerator * f.denominator, all).within(claim)) return all;
-  all.parts.clear();
-  const std::vector<Signs> pieces = claim == Signs::zero() ? std::vector{Signs::positive(), Signs::negative()}
-                                                           : std::vector{negation(claim)};
-  for (const Signs piece : pieces) {
-    if (piece == Signs::any()) return std::nullopt;
-    const auto found = refute_all(ring, facts, f, piece);
-    if (!found) return std::nullopt;
-    all.parts.insert(all.parts.end(), found->parts.begin(), found->parts.end());
+  if (claim != Signs::zero()) return refute_all(ring, facts, value, negation(claim));
+  // of what is not 0, with its numerator as it is, or without the factors that are not 0
+  for (const Fraction& p : {Fraction(ring.essential(value, claim).value), value}) {
+    auto found = refute_all(ring, facts, p, Signs::positive());
+    const auto other = found ? refute_all(ring, facts, p, Signs::negative()) : std::nullopt;
+    if (!other) continue;
+    found->parts.insert(found->parts.end(), other->parts.begin(), other->parts.end());
+    return found;
   }
-  return all;
+  return std::nullopt;
 }
 
 }  // namespace rederive

@@ -13,12 +13,6 @@
 
 namespace rederive {
 
-/// A polynomial of the ring and the signs that it has, all of one of these: 0; > 0; >= 0.
-struct Fact {
-  Polynomial value;
-  Signs signs;
-};
-
 /// value · coefficient, summed, is 0, though no value is negative and one is positive.
 struct Certificate {
   struct Part {
@@ -28,7 +22,7 @@ struct Certificate {
   std::vector<Part> parts;  ///< empty: by intervals and products alone
 };
 
-/// What value = 0, value > 0 … says: facts with numerator · denominator; none of what is not 0.
+/// What value = 0, value > 0 … says, as 0, > 0 or >= 0; nothing where that is known, and of what is not 0.
 std::vector<Fact> facts_of(const Ring& ring, const Fraction& value, Signs signs);
 
 /// A proof that under the facts the value has one of these signs wherever the ring's generators have values.
