@@ -64,17 +64,13 @@ Pair Translator::phase(const Fraction& phase) {
        ring_.generators()) {  // the angle of an inverse function: its cosine and sine are algebraic
     if (g.kind != Kind::angle) continue;
     const Fraction a = Polynomial::variable(static_cast<int>(&g - ring_.generators().data()));
+    const bool is_half = phase == a / 2;
+    if (!is_half && phase != a) continue;
     const int c_index = *ring_.find("cos " + key), s_index = *ring_.find("sin " + key);
-    if (phase == a) {
-      const auto [cosine, sine] = circular_of_angle(Generator(g));
-      ring_.relate(c_index, 1, cosine), ring_.relate(s_index, 1, sine);
-      return {ring_.normal(c), ring_.normal(s)};
-    }
-    if (phase == a / 2) {
-      const auto [cosine, sine] = circular_of_angle(Generator(g));
-      ring_.relate(c_index, 2, (1 + cosine) / 2), ring_.relate(s_index, 1, sine / (2 * c));
-      return {ring_.normal(c), ring_.normal(s)};
-    }
+    const auto [cosine, sine] = circular_of_angle(Generator(g));
+    ring_.relate(c_index, is_half ? 2 : 1, is_half ? (1 + cosine) / 2 : cosine);
+    ring_.relate(s_index, 1, is_half ? sine / (2 * c) : sine);
+    return {ring_.normal(c), ring_.normal(s)};
   }
   return {c, s};
 }
@@ -119,9 +115,11 @@ Pair Translator::turn(const cl_RA& q) {
 }
 
 Pair Translator::circular(const Fraction& argument) {
+  const std::string key = argument.key();
+  if (const auto known = arguments_.find(key); known != arguments_.end())
+    return {ring_.normal(known->second.cosine), ring_.normal(known->second.sine)};
   Pair result{1, 0};
-  const auto terms = terms_of(argument);
-  for (const auto& [number, term] : terms) {
+  for (const auto& [number, term] : terms_of(argument)) {
     if (term == pi()) {
       result = add(ring_, result, turn(number));
       continue;
@@ -134,7 +132,7 @@ Pair Translator::circular(const Fraction& argument) {
     ring_.learn(result.first, signs_of(rederive::call("cos", range)));
     ring_.learn(result.second, signs_of(rederive::call("sin", range)));
   }
-  arguments_.try_emplace(argument.key(), Argument{argument, result.first, result.second});
+  arguments_.try_emplace(key, Argument{argument, result.first, result.second});
   return result;
 }
 

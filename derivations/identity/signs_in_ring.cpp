@@ -44,7 +44,7 @@ Fact Ring::essential(const Fraction& value, Signs signs) const {
 }
 
 void Ring::learn(const Fraction& value, Signs signs) {
-  if (signs == Signs::any()) return;
+  if (signs_of(normal(value)).within(signs)) return;
   found_.clear();
   const auto note = [&](const Fact& fact) {
     Signs& known = known_signs_.try_emplace(fact.value, Signs::any()).first->second;

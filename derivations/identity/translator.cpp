@@ -15,7 +15,7 @@ auto Translator::in_rounds(const Work& work) {
       argument_.reset();
       return work();
     } catch (const AnotherRound&) {
-      ++bases_;
+      ++bases_, arguments_.clear();
     } catch (const std::domain_error&) {
       throw NoValue("a divisor is 0");
     }
