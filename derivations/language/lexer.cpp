@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <derivations/language/lexer.hpp>
+#include <derivations/language/suggestions.hpp>
 #include <derivations/language/unicode.hpp>
 #include <utility>
 
@@ -236,7 +237,13 @@ class Tokenizer {
     after_letter = std::min(after_letter, name.size());
     const std::string inside = name.substr(0, after_letter) + suffix + name.substr(after_letter);
     const bool at_the_end = symbols_.find(inside) == nullptr && symbols_.find(name + suffix) != nullptr;
-    add(Token::Kind::name, checked_pi(at_the_end ? name + suffix : inside));
+    add_words(checked_pi(at_the_end ? name + suffix : inside));
+  }
+
+  void add_words(const std::string& name) {
+    if (code() == '(') return add(Token::Kind::name, name);
+    for (const std::string& word : words_in(name, symbols_))
+      add(word[0] >= '0' && word[0] <= '9' ? Token::Kind::number : Token::Kind::name, word);
   }
 
   /// The constant may be written Pi. A capital Π, PI and pI may stand for anything.

@@ -24,9 +24,11 @@ struct Token {
 
   /// Whether it is this mark: "(", or "sqrt", which is √; a name that is typed as sqrt is none.
   bool is(std::string_view mark) const { return kind == Kind::mark && text == mark; }
+  bool starts_operand() const { return kind == Kind::number || kind == Kind::name || is("(") || is("sqrt"); }
 };
 
-/// The last token is the end. Pi is read as pi, and other look-alikes of it are refused. Throws SyntaxError.
+/// The last token is the end. A name that is none, and sticks together from known ones, comes as these: mgR
+/// as three.  Pi is read as pi, and other look-alikes of it are refused. Throws SyntaxError.
 std::vector<Token> tokenize(std::string_view text, const Symbols& symbols, const Limits& limits);
 
 }  // namespace rederive

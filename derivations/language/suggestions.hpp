@@ -1,35 +1,20 @@
-// What was probably meant instead: the errors of the parser that come with a suggestion.
+// Names that are not known: what was probably meant.
 #pragma once
 
-#include <derivations/language/lexer.hpp>
+#include <derivations/language/symbols.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace rederive {
 
-/// A text, its tokens, and the symbols that may stand in it. `at` and the like are indices of tokens.
-struct Formula {
-  std::string_view text;
-  const std::vector<Token>& tokens;
-  const Symbols& symbols;
-};
-
-/// Whether a token can begin an operand.
-bool starts_operand(const Token& token);
-/// Whether it is the name of a function, pow included.
-bool is_function(const Token& token);
-
-/// 3/2x: in the product that begins at token `product`, the factor from `first` is followed at once by `at`.
-SyntaxError juxtaposition(const Formula& formula, std::size_t product, std::size_t first, std::size_t at);
-/// m(b + h): a symbol is followed by a parenthesis.
-SyntaxError called_symbol(const Formula& formula, std::size_t name);
-/// sin x, sin^2(x), sin: a function is not followed by a parenthesis.
-SyntaxError bare_function(const Formula& formula, std::size_t function);
-/// sin⁻¹(x), sin^-1(x): `at` is the exponent.
-SyntaxError ambiguous_inverse(const Token& function, const Token& at);
-/// thta, mgR, sin2x, inf: a name that is neither a symbol nor a function.
-SyntaxError unknown_name(const Formula& formula, std::size_t name);
-/// x*, (), ²: at this token an operand should begin, and none does.
-SyntaxError missing_operand(const Formula& formula, std::size_t at);
-/// 3,5: a comma that is not between the arguments of a function.
-SyntaxError stray_comma(const Formula& formula, std::size_t at);
+/// The known words that a name sticks together from, at most three: {"m", "g", "R"} for mgR, {"sin", "2",
+/// "x"} for sin2x. The name alone where it is known, or more like a slip of the pen.
+std::vector<std::string> words_in(const std::string& name, const Symbols& symbols);
+/// arcsin, ln: whether it is a function under that name in other languages.
+bool is_function_elsewhere(std::string_view name);
+/// What to say of a name that is no function, or no symbol; `quoted` is how it was typed.
+std::string unknown_function(std::string_view name, const std::string& quoted);
+std::string unknown_symbol(std::string_view name, const std::string& quoted, const Symbols& symbols);
 
 }  // namespace rederive

@@ -1,9 +1,13 @@
 // Tokens → tree, by recursive descent: a function a level of the grammar.
+// Where a sign or a parenthesis is missing, it reads on as if that stood there, and the end of the product
+// says what it has read.
 #include <algorithm>
 #include <derivations/language/functions.hpp>
+#include <derivations/language/lexer.hpp>
+#include <derivations/language/print.hpp>
 #include <derivations/language/suggestions.hpp>
 #include <derivations/language/syntax.hpp>
-#include <derivations/language/unicode.hpp>
+#include <optional>
 #include <utility>
 
 namespace rederive {
@@ -11,29 +15,36 @@ namespace rederive {
 namespace {
 
 using Kind = Node::Kind;
+using Is = Token::Kind;
+
+constexpr std::size_t longest_text = 60;  // that is repeated in a message
+
+bool is_function(const Token& token) {
+  return token.kind == Is::name && (token.text == "pow" || find_function(token.text) != nullptr);
+}
 
 class Parser {
  public:
   Parser(std::string_view text, const Symbols& symbols, const Limits& limits)
-      : limits_(limits), tokens_(tokenize(text, symbols, limits)), formula_{text, tokens_, symbols} {}
+      : text_(text), symbols_(symbols), limits_(limits), tokens_(tokenize(text, symbols, limits)) {}
 
   Relation statement() {
-    if (now().kind == Token::Kind::end) refuse("empty", "there is no formula here", now());
+    if (now().kind == Is::end) refuse("empty", "there is no formula here", now());
     Relation relation;
     relation.sides.push_back(sum());
-    while (now().kind == Token::Kind::relation) {
+    while (now().kind == Is::relation) {
       relation.operators.push_back(take().text);
       relation.sides.push_back(sum());
     }
     if (now().is(")")) refuse("syntax", "this parenthesis closes nothing", now());
-    if (now().is(",")) throw stray_comma(formula_, at_);
+    if (now().is(",")) refuse_comma();
     return relation;
   }
 
   Tree expression() {
     Relation relation = statement();
     if (relation.operators.empty()) return relation.sides[0];
-    const Token& sign = *std::ranges::find(tokens_, Token::Kind::relation, &Token::kind);
+    const Token& sign = *std::ranges::find(tokens_, Is::relation, &Token::kind);
     refuse("relation", "an expression is wanted here, without '" + sign.text + "'", sign);
   }
 
@@ -44,6 +55,14 @@ class Parser {
   bool is_either(std::string_view a, std::string_view b) const { return now().is(a) || now().is(b); }
   [[noreturn]] static void refuse(const char* note, const std::string& message, const Token& where) {
     throw SyntaxError(note, where.position, message);
+  }
+  /// The same at the end of the product, with what was probably meant.
+  void note(const char* note, const std::string& message, const Token& where) {
+    if (!slip_) slip_ = SyntaxError(note, where.position, message);
+  }
+  std::string quoted(const Token& token) const {
+    const std::string_view typed = text_.substr(token.position, token.end - token.position);
+    return "'" + std::string(typed.size() <= longest_text ? typed : "…") + "'";
   }
 
   /// Counts how deep the recursion is, and refuses to go deeper than asked, or than the stack can bear.
@@ -80,11 +99,26 @@ class Parser {
   }
 
   Tree product() {
-    const std::size_t position = now().position, outer = std::exchange(product_, at_);
+    const bool is_flawless = !slip_;
+    const std::size_t position = now().position;
     Tree result = chain(Kind::product, factor(), "*", "/", &Parser::factor, position);
-    product_ = outer;
-    return result;
+    if (!is_flawless || !slip_) return result;
+    const std::string text = meant(result);
+    const std::string advice = text.size() <= 2 * longest_text ? ": write " + text : "";
+    throw SyntaxError(slip_->note, slip_->position, slip_->what() + advice);
   }
+
+  /// Of a/2g, either of a/(2*g) and a/2*g; of 3/2x, 3/2*x.
+  std::string meant(const Tree& product) const {
+    const std::string grouped = plain(product), run = run_ ? plain(run_) : "", divisor = "/(" + run + ")";
+    const std::size_t place = grouped.find(divisor);
+    if (place == grouped.npos) return grouped;
+    const std::string flat = std::string(grouped).replace(place, divisor.size(), "/" + run);
+    const auto is_number = [](const Tree& tree) { return tree->kind == Kind::number; };
+    const bool is_fraction = is_number(product->children[0]) && is_number(run_->children[0]);
+    return is_fraction ? flat : grouped + " or " + flat;
+  }
+  std::string plain(const Tree& tree) const { return print(tree, Notation::plain, symbols_); }
 
   /// The signs before an operand.
   Tree with_signs(Tree (Parser::*operand)()) {
@@ -98,19 +132,26 @@ class Parser {
   Tree factor() { return with_signs(&Parser::unsigned_factor); }
   Tree exponent() { return with_signs(&Parser::power); }
 
-  Tree unsigned_factor() {
-    const std::size_t first = at_;
-    Tree operand = power();
-    if (starts_operand(now())) throw juxtaposition(formula_, product_, first, at_);
-    return operand;
+  Tree unsigned_factor() { return operands(true); }
+
+  /// One operand; or several side by side, without the signs between them.
+  Tree operands(bool with_functions) {
+    Node node{Kind::product, "", {power()}, {false}, now().position};
+    for (; now().starts_operand() && (with_functions || !is_function(now())); node.inverse.push_back(false)) {
+      if (now().text == "and" || now().text == "or")
+        refuse("syntax", "one statement at a time: " + quoted(now()) + " is not read here", now());
+      note("implicit_multiplication", "a product needs its '*'", now());
+      node.children.push_back(power());
+    }
+    return node.children.size() == 1 ? node.children[0] : run_ = std::make_shared<const Node>(node);
   }
 
   Tree power() {
     const std::size_t position = now().position;
     Tree base = primary();
-    if (now().kind == Token::Kind::superscript) {
+    if (now().kind == Is::superscript) {
       base = make_tree(Kind::power, "", {base, superscript()}, {}, position);
-      if (now().is("^") || now().kind == Token::Kind::superscript)
+      if (now().is("^") || now().kind == Is::superscript)
         refuse("syntax", "a power of a power needs parentheses: (x^2)^3", now());
     }
     if (!now().is("^")) return base;
@@ -138,67 +179,105 @@ class Parser {
 
   Tree primary() {
     const Token& token = now();
-    if (token.kind == Token::Kind::number)
-      return make_tree(Kind::number, take().text, {}, {}, token.position);
-    if (token.kind == Token::Kind::name) return name();
+    if (token.kind == Is::number) return make_tree(Kind::number, take().text, {}, {}, token.position);
+    if (token.kind == Is::name) return name();
     if (take_if("(")) {
       Tree inside = sum();
       close(token);
       return inside;
     }
-    if (!take_if("sqrt")) throw missing_operand(formula_, at_);
+    if (!take_if("sqrt")) refuse_operand();
     go_down();
     return back_up(make_tree(Kind::call, "sqrt", {primary()}, {}, token.position));
   }
 
   void close(const Token& opened) {
     if (take_if(")")) return;
-    if (now().kind == Token::Kind::relation)
-      refuse("relation", "a relation cannot stand inside parentheses", now());
-    if (now().is(",")) throw stray_comma(formula_, at_);
+    if (now().kind == Is::relation) refuse("relation", "a relation cannot stand inside parentheses", now());
+    if (now().is(",")) refuse_comma();
     refuse("syntax", "this parenthesis is never closed", opened);
+  }
+
+  /// x*, (), ²: an operand should begin here, and none does.
+  [[noreturn]] void refuse_operand() const {
+    if (now().kind == Is::superscript)
+      refuse("syntax", "there is nothing here that this exponent raises", now());
+    if (at_ == 0) refuse("syntax", "an operand is missing before " + quoted(now()), now());
+    const Token& before = tokens_[at_ - 1];
+    if (before.is("(") && now().is(")")) refuse("syntax", "there is nothing in these parentheses", now());
+    refuse("syntax", "an operand is missing after " + quoted(before), now());
+  }
+
+  /// 3,5: a comma that is not between the arguments of a function.
+  [[noreturn]] void refuse_comma() const {
+    const Token &before = tokens_[at_ - 1], &after = tokens_[at_ + 1];
+    if (before.kind != Is::number || after.kind != Is::number)
+      refuse("syntax", "a comma can only stand between the arguments of a function", now());
+    refuse("syntax", "a decimal number is written with a point: " + before.text + "." + after.text, now());
   }
 
   Tree name() {
     const Token& token = take();
-    const bool is_known = token.text == "pi" || formula_.symbols.find(token.text) != nullptr;
-    if (!is_known && is_function(token)) return call(token);
-    if (!is_known) throw unknown_name(formula_, at_ - 1);
-    if (now().is("(")) throw called_symbol(formula_, at_ - 1);
-    return make_tree(Kind::symbol, token.text, {}, {}, token.position);
+    const bool is_symbol = token.text == "pi" || symbols_.find(token.text) != nullptr;
+    if (is_symbol) return make_tree(Kind::symbol, token.text, {}, {}, token.position);
+    if (is_function(token)) return call(token);
+    if (now().is("(") || (now().starts_operand() && is_function_elsewhere(token.text)))
+      refuse("unknown_function", unknown_function(token.text, quoted(token)), token);
+    refuse("unknown_symbol", unknown_symbol(token.text, quoted(token), symbols_), token);
   }
 
   Tree call(const Token& function) {
-    Tree exponent;
-    const bool raised = now().kind == Token::Kind::superscript;
-    if (raised && now().text[0] == '-') throw ambiguous_inverse(function, now());
-    if (raised) exponent = superscript();
-    if (!now().is("(")) throw bare_function(formula_, raised ? at_ - 2 : at_ - 1);
+    Tree exponent = exponent_before_argument(function);
+    const std::vector<Tree> arguments =
+        now().is("(") ? this->arguments() : bare_argument(function, exponent != nullptr);
+    const bool is_power = function.text == "pow";
+    const std::string wanted = is_power ? "' takes 2 arguments, not " : "' takes 1 argument, not ";
+    if (arguments.size() != (is_power ? 2 : 1))
+      refuse("arguments", "'" + function.text + wanted + std::to_string(arguments.size()), function);
+    Tree value = make_tree(is_power ? Kind::power : Kind::call,
+                           is_power ? "" : std::string(find_function(function.text)->name), arguments, {},
+                           function.position);
+    return exponent ? make_tree(Kind::power, "", {value, exponent}, {}, function.position) : value;
+  }
+
+  /// sin²(x). Of sin^2(x) it says how that is written; sin⁻¹(x) may mean two things.
+  Tree exponent_before_argument(const Token& function) {
+    const bool is_raised = now().kind == Is::superscript;
+    if (!is_raised && !now().is("^")) return nullptr;
+    if (is_raised ? now().text[0] == '-' : tokens_[at_ + 1].is("-"))
+      refuse("syntax", "this may mean 1/" + function.text + "(x) or a" + function.text + "(x): write which",
+             now());
+    if (is_raised) return superscript();
+    note("syntax", "an exponent stands behind the argument", function);
+    take();
+    return primary();
+  }
+
+  std::vector<Tree> arguments() {
     const Token& opened = take();
     std::vector<Tree> arguments;
     if (!now().is(")")) arguments.push_back(sum());
     while (take_if(",")) arguments.push_back(sum());
     close(opened);
-    const bool is_power = function.text == "pow";
-    check_arguments(function, arguments.size(), is_power ? 2 : 1);
-    Tree value = make_tree(is_power ? Kind::power : Kind::call,
-                           is_power ? "" : std::string(find_function(function.text)->name),
-                           std::move(arguments), {}, function.position);
-    return raised ? make_tree(Kind::power, "", {value, exponent}, {}, function.position) : value;
+    return arguments;
   }
 
-  static void check_arguments(const Token& function, std::size_t given, std::size_t wanted) {
-    if (given == wanted) return;
-    const std::string arguments = std::to_string(wanted) + (wanted == 1 ? " argument" : " arguments"),
-                      counts = "' takes " + arguments + ", not " + std::to_string(given),
-                      point = given == 2 ? "; decimal numbers are written with a point" : "";
-    refuse("arguments", "'" + function.text + counts + point, function);
+  /// sin 2x cos y: it goes as far as the next function.
+  std::vector<Tree> bare_argument(const Token& function, bool is_raised) {
+    if (!now().starts_operand())
+      refuse("syntax", "a function needs its argument: write " + function.text + "(x)", function);
+    note(is_raised ? "syntax" : "implicit_multiplication", "a function needs parentheses", function);
+    go_down();
+    return {back_up(operands(false))};
   }
 
+  std::string_view text_;
+  const Symbols& symbols_;
   const Limits& limits_;
   std::vector<Token> tokens_;
-  Formula formula_;
-  std::size_t at_ = 0, depth_ = 0, product_ = 0;  ///< product_: where the innermost one begins
+  std::size_t at_ = 0, depth_ = 0;
+  std::optional<SyntaxError> slip_;
+  Tree run_;  ///< the last one of several operands
 };
 
 }  // namespace
@@ -215,33 +294,6 @@ Relation parse_relation(std::string_view text, const Symbols& symbols, const Lim
 
 Tree parse(std::string_view text, const Symbols& symbols, const Limits& limits) {
   return Parser(text, symbols, limits).expression();
-}
-
-std::string explain(const SyntaxError& error, std::string_view text) {
-  const std::size_t position = std::min(error.position, text.size());
-  const std::size_t start = text.substr(0, position).rfind('\n') + 1;  // 0 on the first line
-  const std::string_view line = text.substr(start, text.find('\n', position) - start);
-  std::vector<std::string> characters;  // as a terminal can show them: what cannot be shown becomes '?'
-  std::size_t at_fault = 0;
-  for (std::size_t at = 0; at < line.size();) {
-    const auto [code, bytes] = first_character(line.substr(at));
-    const bool is_shown = bytes > 0 && !is_control(code) && !is_invisible(code);
-    characters.push_back(is_shown ? std::string(line.substr(at, bytes)) : is_space(code) ? " " : "?");
-    at_fault += start + at < position ? 1 : 0;
-    at += std::max<std::size_t>(bytes, 1);
-  }
-
-  // A long line is shown around the character at fault.
-  constexpr std::size_t before = 60, after = 40;
-  const std::size_t first = at_fault > before ? at_fault - before : 0;
-  const std::size_t last = std::min(characters.size(), at_fault + after);
-  std::string shown = first > 0 ? "…" : "", indent = first > 0 ? " " : "";
-  for (std::size_t i = first; i < last; ++i) {
-    shown += characters[i];
-    if (i < at_fault && !is_combining(first_character(characters[i]).code)) indent += ' ';
-  }
-  if (last < characters.size()) shown += "…";
-  return std::string(error.what()) + "\n  " + shown + "\n  " + indent + "^";
 }
 
 }  // namespace rederive
