@@ -1,13 +1,13 @@
 #include <cln/integer.h>
 
 #include <derivations/numbers/evaluate.hpp>
+#include <functional>
 #include <regex>
 
 namespace rederive {
 
 namespace {
 
-using cln::cl_I;
 using cln::cl_RA;
 using Is = Value::Is;
 
@@ -18,73 +18,38 @@ std::string without_zeros(const std::string& text, const cl_RA& whole) {
   return exact(shorter.substr(shorter[0] == '-')) == cln::abs(whole) ? shorter : text;
 }
 
+/// Halves the bracket until so many bits are certain.
+Value zero_between(const Tree& tree, const std::string& symbol, cl_RA low, cl_RA high, long bits) {
+  const auto sign = [&](const cl_RA& x) { return value_at(tree, {{symbol, x}}, 2 * bits + 256).sign(); };
+  const auto first = sign(low), last = sign(high);
+  if (first == 0 || last == 0) return known(Constant{first == 0 ? low : high}, bits);
+  if (!first || !last || first == last) return {};
+  while ((high - low) * cln::ash(cln::cl_I(1), bits) > std::max(cln::abs(low), cln::abs(high))) {
+    const cl_RA middle = (low + high) / 2;
+    const auto there = sign(middle);
+    if (!there) break;
+    if (there == 0) return known(Constant{middle}, bits);
+    (there == first ? low : high) = middle;
+  }
+  return known(Ball::between(Ball(low, 2 * bits), Ball(high, 2 * bits)).at(bits));
+}
+
 }  // namespace
 
-/// A rational number, where both ends are the same and there is no tree; or what a tree is worth; or its zero
-/// between the ends, which move towards it by quadratic interval refinement
-/// (Abbott 2006): the secant guesses a cell, signs confirm it, and cells get smaller each time; else by
-/// bisection.
 struct Number::State {
-  cl_RA low, high;
-  Tree tree = {};
-  std::string symbol = {};
+  std::function<Value(long)> compute;
   long bits = 0;  // of the value
   Value value = {};
-
-  void find(long precision) {
-    value = !tree            ? known(Constant{low}, precision)
-            : symbol.empty() ? value_at(tree, {}, precision)
-                             : zero(precision);
-    bits = precision;
-  }
-
-  Value zero(long precision) {
-    const Tree nought = make_tree(Node::Kind::number, "0");
-    const auto sign = [&](const cl_RA& x) {
-      return sign_at(tree, nought, {{symbol, x}}, 4 * precision + 256);
-    };
-    const Sign first = sign(low), last = sign(high);
-    if (first == Sign::zero) high = low;
-    if (last == Sign::zero) low = high;
-    if (low != high && std::minmax({first, last}) != std::pair(Sign::negative, Sign::positive)) return {};
-    long log_cells = 1;
-    while ((high - low) * cln::ash(cl_I(1), precision) > std::max(cln::abs(low), cln::abs(high))) {
-      const cl_RA cell = (high - low) / cln::ash(cl_I(1), log_cells),
-                  guess = low + cells_before(log_cells, precision) * cell;
-      if (sign(guess) == first && sign(guess + cell) == last) {
-        low = guess, high = guess + cell, log_cells *= 2;
-        continue;
-      }
-      log_cells = std::max(1L, log_cells / 2);
-      const cl_RA middle = (low + high) / 2;
-      const Sign there = sign(middle);
-      if (there == Sign::undefined || there == Sign::unknown) break;
-      if (there != first) high = middle;
-      if (there == first || there == Sign::zero) low = middle;
-    }
-    return known(Ball::between(Ball(low, 2 * precision), Ball(high, 2 * precision)).at(precision));
-  }
-
-  /// In which of 2^log_cells cells the secant between the ends is 0.
-  cl_I cells_before(long log_cells, long precision) const {
-    const auto at = [&](const cl_RA& x) {
-      const Value v = value_at(tree, {{symbol, x}}, 2 * precision);
-      return v.is == Is::certain ? cl_RA(v.ball.lower()) : cl_RA(0);
-    };
-    const cl_RA first = at(low), change = first - at(high);
-    if (cln::zerop(change)) return 0;
-    const cl_I cells = cln::ash(cl_I(1), log_cells), before = cln::floor1(first * cells / change);
-    return std::max(cl_I(0), std::min(cl_I(cells - 1), before));
-  }
 };
 
-Number::Number(const cl_RA& q) : state_(new State{q, q}) {}
-Number::Number(const Tree& constant) : state_(new State{0, 0, constant}) {}
+Number::Number(const cl_RA& q) : state_(new State{[q](long bits) { return known(Constant{q}, bits); }}) {}
+Number::Number(const Tree& constant)
+    : state_(new State{[constant](long bits) { return value_at(constant, {}, bits); }}) {}
 Number::Number(const Tree& tree, const std::string& symbol, const cl_RA& low, const cl_RA& high)
-    : state_(new State{low, high, tree, symbol}) {}
+    : state_(new State{[=](long bits) { return zero_between(tree, symbol, low, high, bits); }}) {}
 
 const Value& Number::value(long bits) const {
-  if (state_->bits < bits) state_->find(bits);
+  if (state_->bits < bits) state_->value = state_->compute(bits), state_->bits = bits;
   return state_->value;
 }
 
