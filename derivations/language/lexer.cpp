@@ -81,16 +81,12 @@ constexpr Spelling singles[] = {
     {U"(", mark, "("}, {U")", mark, ")"}, {U",", mark, ","}, {U"√", mark, "sqrt"},
     {U"[{", slip, "write '(' instead of '{}'"}, {U"]}", slip, "write ')' instead of '{}'"},
     {U"≠≈", slip, "'{}' is no relation that can be read here: use =, <, <=, > or >="},
-    {U"!", slip, "'!' is not used here: relations are =, <, <=, > and >=, and factorials are numbers"},
-    {U"½", slip, "write 1/2 instead of '½'"}, {U"¼", slip, "write 1/4 instead of '¼'"},
-    {U"¾", slip, "write 3/4 instead of '¾'"},
-    {U"–—", slip, "write '-' for a minus"}, {U"∞", slip, "infinity is no number"},
+    {U"½¼¾", slip, "write '{}' as a quotient"}, {U"–—", slip, "write '-' for a minus"},
+    {U"∞", slip, "infinity is no number"}, {U"|", slip, "write fabs(x) for |x|"},
     {U"\\", slip, "LaTeX is not read here: write names without '\\'"},
-    {U";", slip, "';' is not used here"}, {U":", slip, "write '/' for a division"},
     {U"±", slip, "'±' stands for two statements: write them one by one"},
-    {U"|", slip, "write fabs(x) for |x|"},
     {U"'", slip, "primes are not used here: the rate of theta is thetadot"},
-    {U"\"", slip, "quotation marks are not used here"},
+    {U"!;:\"", slip, "'{}' is not used here"},
 };
 // clang-format on
 
