@@ -11,10 +11,15 @@ namespace rederive {
 
 namespace {
 
-/// One code point and the byte at which it begins.
-struct Character {
-  char32_t code;
-  std::size_t position;
+/// The code points of a text, with a 0 at the end, and the bytes at which they begin.
+struct Characters {
+  std::u32string codes;
+  std::vector<std::size_t> positions;
+
+  void add(char32_t code, std::size_t position) {
+    codes += code;
+    positions.push_back(position);
+  }
 };
 
 constexpr char32_t dot_above = 0x307, diaeresis = 0x308, macron = 0x304;
@@ -28,25 +33,24 @@ constexpr std::pair<char32_t, std::u32string_view> composed[] = {
 
 /// Letters with dots come back as the letter and its combining mark (ü is u and U+0308), other spaces as ' '.
 /// Throws SyntaxError "character" for bytes that are not UTF-8 and for control characters.
-std::vector<Character> decode(std::string_view text) {
-  std::vector<Character> characters;
-  characters.reserve(text.size());
+Characters decode(std::string_view text) {
+  Characters result;
   for (std::size_t position = 0, next = 0; position < text.size(); position = next) {
     const auto [code, bytes] = first_character(text.substr(position));
     if (bytes == 0) throw SyntaxError("character", position, "these bytes are not UTF-8 text");
     next = position + bytes;
     if (is_control(code) && !is_space(code))
       throw SyntaxError("character", position, "there is an invisible control character here");
-    characters.push_back({is_space(code) ? U' ' : code, position});
-    if (code < 0x80) continue;
+    result.add(is_space(code) ? U' ' : code, position);
     for (const auto& [mark, pairs] : composed) {
-      const std::size_t pair = pairs.find(code);
-      if (pair == std::u32string_view::npos) continue;
-      characters.back().code = pairs[pair + 1];
-      characters.push_back({mark, position});
+      const std::size_t pair = code < 0x80 ? pairs.npos : pairs.find(code);
+      if (pair == pairs.npos) continue;
+      result.codes.back() = pairs[pair + 1];
+      result.add(mark, position);
     }
   }
-  return characters;
+  result.add(0, text.size());
+  return result;
 }
 
 bool is_digit(char32_t c) { return c >= '0' && c <= '9'; }
@@ -95,28 +99,29 @@ class Tokenizer {
   Tokenizer(std::string_view text, const Symbols& symbols, const Limits& limits)
       : text_(text), symbols_(symbols), limits_(limits) {
     if (text.size() <= 4 * limits.characters) characters_ = decode(text);
-    if (text.size() > 4 * limits.characters || characters_.size() > limits.characters)
-      throw SyntaxError("too_long", characters_.empty() ? 0 : byte(limits.characters),
+    if (text.size() > 4 * limits.characters || characters_.codes.size() > limits.characters + 1)
+      throw SyntaxError("too_long", characters_.codes.empty() ? 0 : byte(limits.characters),
                         "this is longer than " + std::to_string(limits.characters) + " characters");
     for (const std::string& name : symbols.names()) {
       const std::string& spelling = symbols.find(name)->unicode;
-      if (spelling != name) spellings_.emplace_back(decode(spelling), name);
+      if (spelling == name) continue;
+      spellings_.emplace_back(decode(spelling).codes, name);
+      spellings_.back().first.pop_back();
     }
   }
 
   std::vector<Token> run() {
-    for (; at_ < characters_.size(); start_ = at_) code() == ' ' ? void(++at_) : read();
+    for (; code() != 0; start_ = at_) code() == ' ' ? void(++at_) : read();
     add(Token::Kind::end, "");
     return std::move(tokens_);
   }
 
  private:
-  char32_t code(std::size_t ahead = 0) const {
-    return at_ + ahead < characters_.size() ? characters_[at_ + ahead].code : 0;
+  std::u32string_view rest(std::size_t ahead = 0) const {
+    return std::u32string_view(characters_.codes).substr(at_ + ahead);
   }
-  std::size_t byte(std::size_t index) const {
-    return index < characters_.size() ? characters_[index].position : text_.size();
-  }
+  char32_t code(std::size_t ahead = 0) const { return rest(ahead).empty() ? 0 : rest(ahead)[0]; }
+  std::size_t byte(std::size_t index) const { return characters_.positions[index]; }
   void add(Token::Kind kind, std::string text) {
     tokens_.push_back({kind, std::move(text), byte(start_), byte(at_)});
   }
@@ -129,47 +134,43 @@ class Tokenizer {
     if (superscript_digit(code()) >= 0 || code() == U'⁻' || code() == U'⁺') return read_superscript();
     if (is_letter(code()) || code() == '_') return read_name();
     for (const Spelling& pair : pairs)
-      if (code() == pair.characters[0] && code(1) == pair.characters[1]) return add(pair, 2);
+      if (rest().starts_with(pair.characters)) return add(pair, 2);
     for (const Spelling& single : singles)
       if (single.characters.find(code()) != std::u32string_view::npos) return add(single, 1);
     const std::string unseen = fmt::format("the invisible character U+{:04X}", std::uint32_t{code()});
     refuse("character",
-           (is_invisible(code()) ? unseen : "'" + typed(at_ + 1) + "'") + " has no meaning here");
+           (is_invisible(code()) ? unseen : "'" + typed(start_, at_ + 1) + "'") + " has no meaning here");
   }
 
-  /// From the start of the token, as it is in the text.
-  std::string typed(std::size_t end) const {
-    return std::string(text_.substr(byte(start_), byte(end) - byte(start_)));
+  /// As it is in the text.
+  std::string typed(std::size_t from, std::size_t to) const {
+    return std::string(text_.substr(byte(from), byte(to) - byte(from)));
   }
 
   void add(const Spelling& spelling, std::size_t size) {
-    if (spelling.kind == slip) refuse("syntax", fmt::format(fmt::runtime(spelling.text), typed(at_ + 1)));
+    if (spelling.kind == slip)
+      refuse("syntax", fmt::format(fmt::runtime(spelling.text), typed(start_, at_ + 1)));
     at_ += size;
     add(spelling.kind, spelling.text);
   }
 
-  std::string read_digits() {
-    std::string digits;
-    for (; is_digit(code()); ++at_) digits += static_cast<char>(code());
-    return digits;
-  }
+  void skip_digits() { at_ += std::min(rest().find_first_not_of(U"0123456789"), rest().size()); }
 
   void read_number() {
-    std::string number = read_digits();
-    if (code() == '.') ++at_, number += "." + read_digits();
+    skip_digits();
+    const bool has_point = code() == '.';
+    if (has_point) ++at_, skip_digits();
     if (code() == '.') refuse("syntax", "a number has one decimal point");
-    std::size_t digits = number.size();
-    const bool sign = code(1) == '+' || code(1) == '-';
-    if ((code() == 'e' || code() == 'E') && is_digit(code(sign ? 2 : 1))) {
-      number += code(1) == '-' ? "e-" : "e";
-      at_ += sign ? 2 : 1;
-      const std::string power = read_digits();
-      digits += power.size() > 6 ? limits_.digits : std::stoul(power);
-      number += power;
+    double digits = static_cast<double>(at_ - start_) - (has_point ? 1 : 0);
+    const std::size_t sign = code(1) == '+' || code(1) == '-' ? 1 : 0;
+    if ((code() == 'e' || code() == 'E') && is_digit(code(1 + sign))) {
+      const std::size_t power = at_ + 1 + sign;
+      at_ = power, skip_digits();
+      digits += std::strtod(typed(power, at_).c_str(), nullptr);
     }
-    if (digits > limits_.digits + (number.find('.') == std::string::npos ? 0 : 1))
+    if (digits > static_cast<double>(limits_.digits))
       refuse("too_large", "this number needs more than " + std::to_string(limits_.digits) + " digits");
-    add(Token::Kind::number, number);
+    add(Token::Kind::number, typed(start_, at_));
   }
 
   void read_superscript() {
@@ -181,27 +182,25 @@ class Tokenizer {
     add(Token::Kind::superscript, exponent);
   }
 
-  /// Whether the star that ends there is one between factors: t*x, t*(x+y), t*-x, but not t*-less "t* - x".
-  bool is_product(std::size_t end) const {
-    if (code(end) == '*' || code(end) == '-' || code(end) == U'−') return true;
-    while (code(end) == ' ') ++end;
-    const char32_t next = code(end);
-    return is_digit(next) || is_letter(next) ||
-           std::u32string_view(U"(._√").find(next) != std::u32string_view::npos;
+  /// Whether the star before is one between factors: t*x, t*(x+y), t*-x, but not t*-less "t* - x".
+  bool is_product(std::u32string_view after) const {
+    const char32_t next = after[std::min(after.find_first_not_of(U' '), after.size() - 1)];
+    const bool is_sign = after[0] == '*' || after[0] == '-' || after[0] == U'−';
+    return is_sign || is_digit(next) || is_letter(next) ||
+           std::u32string_view(U"(._√").find(next) != after.npos;
   }
 
   /// Whether this spelling of a symbol stands here and ends here.
-  bool stands_here(const std::vector<Character>& spelling) const {
-    for (std::size_t i = 0; i < spelling.size(); ++i)
-      if (code(i) != spelling[i].code) return false;
-    const char32_t last = spelling.back().code, next = code(spelling.size());
-    if (last == '*' && is_product(spelling.size())) return false;
+  bool stands_here(const std::u32string& spelling) const {
+    if (!rest().starts_with(spelling)) return false;
+    const char32_t last = spelling.back(), next = code(spelling.size());
+    if (last == '*' && is_product(rest(spelling.size()))) return false;
     const bool signed_name = last == U'⁻' || last == U'⁺';
     return !continues_name(next) && !(signed_name && superscript_digit(next) >= 0);
   }
 
   void read_name() {
-    const std::pair<std::vector<Character>, std::string>* best = nullptr;
+    const std::pair<std::u32string, std::string>* best = nullptr;
     for (const auto& entry : spellings_)
       if ((!best || entry.first.size() > best->first.size()) && stands_here(entry.first)) best = &entry;
     if (best == nullptr) return add_transliterated();
@@ -222,7 +221,7 @@ class Tokenizer {
         if (c == macron) suffix = "bar";
         dots += c == dot_above ? 1 : c == diaeresis ? 2 : 0;
       } else if (subscript >= 0) {
-        const bool first = at_ == start_ || subscript_digit(characters_[at_ - 1].code) < 0;
+        const bool first = at_ == start_ || subscript_digit(characters_.codes[at_ - 1]) < 0;
         name += (first ? "_" : "") + std::to_string(subscript);
       } else {
         name += c < 0x80 ? std::string(1, static_cast<char>(c)) : std::string(greek_name(c));
@@ -245,15 +244,15 @@ class Tokenizer {
   /// The constant may be written Pi. A capital Π, PI and pI may stand for anything.
   std::string checked_pi(const std::string& name) const {
     if (name != "Pi" && name != "PI" && name != "pI") return name;
-    if (typed(at_) == "Pi") return "pi";
-    refuse("unknown_symbol", "'" + typed(at_) + "' is no symbol here: the constant is written pi");
+    if (typed(start_, at_) == "Pi") return "pi";
+    refuse("unknown_symbol", "'" + typed(start_, at_) + "' is no symbol here: the constant is written pi");
   }
 
   std::string_view text_;
   const Symbols& symbols_;
   const Limits& limits_;
-  std::vector<Character> characters_;
-  std::vector<std::pair<std::vector<Character>, std::string>> spellings_;
+  Characters characters_;
+  std::vector<std::pair<std::u32string, std::string>> spellings_;
   std::vector<Token> tokens_;
   std::size_t at_ = 0, start_ = 0;
 };
