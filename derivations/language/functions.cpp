@@ -51,4 +51,6 @@ const Function* find_function(std::string_view name) {
   return found == std::end(table) ? nullptr : found;
 }
 
+bool is_function(std::string_view name) { return name == "pow" || find_function(name) != nullptr; }
+
 }  // namespace rederive

@@ -24,5 +24,7 @@ struct Function {
 std::span<const Function> functions();
 /// The one of that name; "abs" is "fabs". nullptr if there is none; none is called pow, which is a^b.
 const Function* find_function(std::string_view name);
+/// Whether it is the name of one, or pow.
+bool is_function(std::string_view name);
 
 }  // namespace rederive

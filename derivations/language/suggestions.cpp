@@ -65,8 +65,6 @@ std::string nearest_symbol(std::string_view name, const Symbols& symbols) {
   return nearest(name, known);
 }
 
-bool is_function(const std::string& name) { return name == "pow" || find_function(name) != nullptr; }
-
 /// Into so many words at most, long ones first; a number may follow a function.
 std::vector<std::string> split(const std::string& name, const Symbols& symbols, int most, bool is_argument) {
   for (std::size_t length = name.size(); length > 0 && most > 0; --length) {

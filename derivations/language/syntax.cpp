@@ -19,10 +19,6 @@ using Is = Token::Kind;
 
 constexpr std::size_t longest_text = 60;  // that is repeated in a message
 
-bool is_function(const Token& token) {
-  return token.kind == Is::name && (token.text == "pow" || find_function(token.text) != nullptr);
-}
-
 class Parser {
  public:
   Parser(std::string_view text, const Symbols& symbols, const Limits& limits)
@@ -137,7 +133,8 @@ class Parser {
   /// One operand; or several side by side, without the signs between them.
   Tree operands(bool with_functions) {
     Node node{Kind::product, "", {power()}, {false}, now().position};
-    for (; now().starts_operand() && (with_functions || !is_function(now())); node.inverse.push_back(false)) {
+    for (; now().starts_operand() && (with_functions || !is_function(now().text));
+         node.inverse.push_back(false)) {
       if (now().text == "and" || now().text == "or")
         refuse("syntax", "one statement at a time: " + quoted(now()) + " is not read here", now());
       note("implicit_multiplication", "a product needs its '*'", now());
@@ -220,7 +217,7 @@ class Parser {
     const Token& token = take();
     const bool is_symbol = token.text == "pi" || symbols_.find(token.text) != nullptr;
     if (is_symbol) return make_tree(Kind::symbol, token.text, {}, {}, token.position);
-    if (is_function(token)) return call(token);
+    if (is_function(token.text)) return call(token);
     if (now().is("(") || (now().starts_operand() && is_function_elsewhere(token.text)))
       refuse("unknown_function", unknown_function(token.text, quoted(token)), token);
     refuse("unknown_symbol", unknown_symbol(token.text, quoted(token), symbols_), token);

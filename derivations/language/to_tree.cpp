@@ -22,11 +22,10 @@ using Kind = Node::Kind;
 
 struct Term;
 
-/// base^exponent in a product; the exponent is a number wherever it can be.
+/// base^exponent in a product. A power with another exponent than a number is a base.
 struct Factor {
   Tree base;
   numeric exponent = 1;
-  Tree symbolic = nullptr;       ///< the exponent where it is no number
   std::vector<Term> parts = {};  ///< the terms of a sum
 };
 
@@ -34,7 +33,6 @@ struct Factor {
 struct Term {
   numeric coefficient = 1;
   std::vector<Factor> factors;
-  bool transcendental = false;  ///< has a function in it
 };
 
 /// Numbers, symbols, roots and powers, functions, sums: the simple before the complicated.
@@ -42,7 +40,7 @@ int class_of(const Factor& factor) {
   const Kind kind = factor.base->kind;
   if (kind == Kind::number) return 0;
   if (kind == Kind::call) return 3;
-  return factor.symbolic || !factor.exponent.is_integer() ? 2 : kind == Kind::symbol ? 1 : 4;
+  return kind == Kind::power || !factor.exponent.is_integer() ? 2 : kind == Kind::symbol ? 1 : 4;
 }
 
 /// sin before cos, as in the paper; the rest by name.
@@ -69,9 +67,7 @@ std::weak_ordering compare(const Tree& a, const Tree& b, const Symbols& symbols)
 std::weak_ordering compare(const Factor& a, const Factor& b, const Symbols& symbols) {
   if (const auto classes = class_of(a) <=> class_of(b); classes != 0) return classes;
   if (const auto bases = compare(a.base, b.base, symbols); bases != 0) return bases;
-  if (a.exponent != b.exponent) return b.exponent.compare(a.exponent) <=> 0;
-  if (!a.symbolic || !b.symbolic) return bool(a.symbolic) <=> bool(b.symbolic);
-  return compare(a.symbolic, b.symbolic, symbols);
+  return b.exponent.compare(a.exponent) <=> 0;
 }
 
 Tree integer(const numeric& value) {
@@ -123,7 +119,6 @@ Term presented(Term term) {
 
 Tree power(const Factor& factor) {
   const numeric exponent = GiNaC::abs(factor.exponent);
-  if (factor.symbolic) return make_tree(Kind::power, "", {factor.base, factor.symbolic});
   if (exponent == 1) return factor.base;
   if (exponent == numeric(1, 2)) return make_tree(Kind::call, "sqrt", {factor.base});
   const Tree above = integer(exponent.numer());
@@ -149,25 +144,32 @@ Tree product_tree(const Term& term) {
   return product(above, above.size() - 1);
 }
 
+bool has_function(const Tree& tree) {
+  return tree->kind == Kind::call || std::ranges::any_of(tree->children, has_function);
+}
+
+bool is_transcendental(const Term& term) {
+  return std::ranges::any_of(term.factors, has_function, &Factor::base);
+}
+
 /// The order in which a person writes terms. It follows the table of symbols and nothing else. Terms without
 /// functions first; then as in a dictionary, by the powers of the symbols, the highest first.
 bool is_before(const Term& a, const Term& b, const Symbols& symbols) {
-  if (a.transcendental != b.transcendental) return b.transcendental;
-  std::size_t i = 0, j = 0;
-  const auto symbol_at = [](const Term& t, std::size_t k) {
-    return k < t.factors.size() && class_of(t.factors[k]) == 1;
+  if (is_transcendental(a) != is_transcendental(b)) return is_transcendental(b);
+  constexpr std::size_t none = -1;
+  const auto symbol_at = [&](const Term& t, std::size_t k) {
+    const bool is_one = k < t.factors.size() && class_of(t.factors[k]) == 1;
+    return is_one ? rank(t.factors[k].base->text, symbols) : none;
   };
-  while (symbol_at(a, i) || symbol_at(b, j)) {
-    const std::size_t end = rank("", symbols) + 1;  // after every symbol
-    const std::size_t first = symbol_at(a, i) ? rank(a.factors[i].base->text, symbols) : end;
-    const std::size_t second = symbol_at(b, j) ? rank(b.factors[j].base->text, symbols) : end;
+  std::size_t i = 0, j = 0;
+  while (symbol_at(a, i) != none || symbol_at(b, j) != none) {
+    const std::size_t first = symbol_at(a, i), second = symbol_at(b, j);
     const numeric here = first <= second ? a.factors[i++].exponent : numeric(0);
     const numeric there = second <= first ? b.factors[j++].exponent : numeric(0);
     if (here != there) return here > there;
   }
-  for (; i < a.factors.size() && j < b.factors.size(); ++i, ++j) {
+  for (; i < a.factors.size() && j < b.factors.size(); ++i, ++j)
     if (const auto order = compare(a.factors[i], b.factors[j], symbols); order != 0) return order < 0;
-  }
   return a.factors.size() - i < b.factors.size() - j;
 }
 
@@ -192,10 +194,6 @@ Tree sum_tree(std::vector<Term> sum) {
   for (const Term& term : sum) children.push_back(product_tree(term)), inverse.push_back(is_negative(term));
   if (inverse[0]) children[0] = make_tree(Kind::negative, "", {children[0]}), inverse[0] = false;
   return children.size() == 1 ? children[0] : make_tree(Kind::sum, "", children, inverse);
-}
-
-bool has_function(const Tree& tree) {
-  return tree && (tree->kind == Kind::call || std::ranges::any_of(tree->children, has_function));
 }
 
 struct Writer {
@@ -223,8 +221,6 @@ struct Writer {
         result.factors.push_back(factor(part, result.coefficient));
     if (!result.coefficient.is_rational()) throw std::invalid_argument("a number that is not rational");
     std::ranges::sort(result.factors, [&](auto& a, auto& b) { return compare(a, b, symbols) < 0; });
-    result.transcendental = std::ranges::any_of(
-        result.factors, [](const Factor& f) { return has_function(f.base) || has_function(f.symbolic); });
     return result;
   }
 
@@ -244,7 +240,7 @@ struct Writer {
   Factor factor(const ex& e, numeric& coefficient) const {
     const bool is_power = is_a<GiNaC::power>(e);
     const ex base = is_power ? e.op(0) : e, raised = is_power ? e.op(1) : ex(1);
-    if (!is_a<numeric>(raised)) return {tree(base), 1, tree(raised)};
+    if (!is_a<numeric>(raised)) return {make_tree(Kind::power, "", {tree(base), tree(raised)})};
     const numeric exponent = GiNaC::ex_to<numeric>(raised);
     if (is_a<GiNaC::symbol>(base))
       return {make_tree(Kind::symbol, GiNaC::ex_to<GiNaC::symbol>(base).get_name()), exponent};
@@ -260,7 +256,7 @@ struct Writer {
       // A sum and its negative come out as the same factor, the sign in the coefficient.
       std::vector<Term> sum = terms(base);
       if (turn_if_negative(sum) && exponent.is_odd()) coefficient = -coefficient;
-      return {sum_tree(sum), exponent, nullptr, sum};
+      return {sum_tree(sum), exponent, sum};
     }
     const bool known =
         is_a<GiNaC::add>(base) || is_a<GiNaC::mul>(base) || is_a<GiNaC::power>(base) || is_a<numeric>(base);
@@ -278,7 +274,7 @@ struct Writer {
     turn_if_negative(inside);
     Term& first = inside[0];
     const bool is_power = inside.size() == 1 && first.coefficient == 1 && first.factors.size() == 1 &&
-                          !first.factors[0].symbolic && first.factors[0].exponent.is_integer();
+                          first.factors[0].exponent.is_integer();
     const numeric raised = is_power ? std::exchange(first.factors[0].exponent, 1) : 1;
     return {make_tree(Kind::call, "fabs", {sum_tree(inside)}), raised * exponent};
   }
