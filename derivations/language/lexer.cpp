@@ -182,7 +182,7 @@ class Tokenizer {
     add(Token::Kind::superscript, exponent);
   }
 
-  /// Whether the star before is one between factors: t*x, t*(x+y), t*-x, but not t*-less "t* - x".
+  /// Whether the star before is one between factors: t*x, t*(x+y), t*-x, but not t* - x.
   bool is_product(std::u32string_view after) const {
     const char32_t next = after[std::min(after.find_first_not_of(U' '), after.size() - 1)];
     const bool is_sign = after[0] == '*' || after[0] == '-' || after[0] == U'−';

@@ -28,7 +28,7 @@ struct Token {
 };
 
 /// The last token is the end. A name that is none, and sticks together from known ones, comes as these: mgR
-/// as three.  Pi is read as pi, and other look-alikes of it are refused. Throws SyntaxError.
+/// as three. Pi is read as pi, and other look-alikes of it are refused. Throws SyntaxError.
 std::vector<Token> tokenize(std::string_view text, const Symbols& symbols, const Limits& limits);
 
 }  // namespace rederive
