@@ -67,11 +67,9 @@ struct Statement {
   std::set<std::string> names;
 };
 
-bool is_reversed(const Relation& r) { return r.operators[0][0] == '>'; }
-
 /// lower - upper, as Coq writes an inequality; left - right of an equation.
 Tree residual(const Relation& r) {
-  return is_reversed(r) ? difference(r.sides[1], r.sides[0]) : difference(r.sides[0], r.sides[1]);
+  return r.operators[0][0] == '>' ? difference(r.sides[1], r.sides[0]) : difference(r.sides[0], r.sides[1]);
 }
 
 /// The last step: up to a factor, or link by link.

@@ -62,7 +62,9 @@ Fraction Script::value(const Tree& tree) {
 }
 
 std::string Script::text_of(const Fraction& f) const {
-  return coq_text(to_tree(Ring::meaning_of(f, meanings_), names_));
+  Tree tree = to_tree(Ring::meaning_of(f, meanings_), names_);
+  for (const auto& [name, call] : exponentials_) tree = put_in(tree, name, call);
+  return coq_text(tree);
 }
 
 const Symbol& Script::declare(const std::string& name) {
@@ -125,13 +127,16 @@ std::string Script::base_of(const Generator& root, int index) {
 void Script::say_facts() {
   for (const Generator& g : std::vector<Generator>(known_.ring.generators())) {
     GiNaC::ex meaning = g.meaning;
-    const bool is_part_of_pi = g.kind == Kind::cosine && !known_.ring.find("sin " + g.of.key());
-    if (is_part_of_pi) {
-      // no phase: a number
-    } else if (g.kind == Kind::cosine || g.kind == Kind::sine || g.kind == Kind::exponential) {
+    const bool is_number = g.kind == Kind::cosine && !known_.ring.find("sin " + g.of.key());  // cos(pi/n)
+    if (!is_number && (g.kind == Kind::cosine || g.kind == Kind::sine || g.kind == Kind::exponential)) {
       const std::string name = name_of(g.of);
       const GiNaC::ex x = names_[name];
-      meaning = g.kind == Kind::cosine ? cos(x) : g.kind == Kind::sine ? sin(x) : exp(x);
+      meaning = g.kind == Kind::cosine ? cos(x) : sin(x);
+      if (g.kind == Kind::exponential) {  // by a name: GiNaC writes exp(x)^2 as exp(2 x)
+        meaning = declare("exp_" + name).ginac;
+        exponentials_["exp_" + name] =
+            make_tree(Node::Kind::call, "exp", {make_tree(Node::Kind::symbol, name)});
+      }
       if (g.kind == Kind::sine) say_fact("assert (# := pyth " + coq_name(name) + ")");
     } else if (g.kind == Kind::root && g.order == 2) {
       const int index = static_cast<int>(meanings_.size());
@@ -202,9 +207,6 @@ std::optional<std::string> Script::factor(const Tree& left, const Tree& right) {
   for (const auto& [factor, exponent] : factors(ratio.numerator * ratio.denominator).second)
     if (!known_.ring.signs_of(factor).is_definite())
       throw Undecidable("there is no script for two that hold at the same points, but not by a factor");
-  for (const int k : ratio.numerator.used())
-    if (known_.ring.generators()[k].kind == Kind::exponential && ratio.numerator.degree(k) > 1)
-      throw Undecidable("there is no script for a factor with powers of exponentials");
   return text_of(ratio);
 }
 

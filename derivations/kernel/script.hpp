@@ -46,6 +46,7 @@ class Script {
   std::string names_of_facts_;
   std::vector<Tree> roots_;
   std::multiset<std::string> inverse_;
+  std::map<std::string, Tree> exponentials_;
   std::vector<GiNaC::ex> meanings_;  ///< of the generators, in the names of the phases and roots
   bool has_arguments_ = false;
 };

@@ -21,23 +21,18 @@ std::string comment(const Entry& entry) {
   return text + ". *)\n";
 }
 
-std::string makefile() {
-  return "all: CoqMakefile ; $(MAKE) -f CoqMakefile\n"
-         "CoqMakefile: _CoqProject ; coq_makefile -f _CoqProject -o CoqMakefile\n"
-         ".PHONY: all\n";
-}
+constexpr const char* makefile =
+    "all: CoqMakefile ; $(MAKE) -f CoqMakefile\n"
+    "CoqMakefile: _CoqProject ; coq_makefile -f _CoqProject -o CoqMakefile\n"
+    ".PHONY: all\n";
 
 }  // namespace
 
 std::optional<Lemma> lemma_of(const Entry& entry) {
   if (!entry.derivation || entry.proof.verdict == Verdict::definition) return std::nullopt;
   const bool is_refuted = entry.proof.verdict == Verdict::refuted;
-  Lemma result{entry.row.id,
-               "Ledger.v",
-               "equation_" + entry.row.id + (is_refuted ? "_refuted" : ""),
-               is_refuted ? "refutation" : "row",
-               "",
-               ""};
+  Lemma result{entry.row.id, "Ledger.v", "equation_" + entry.row.id, "row", "", ""};
+  if (is_refuted) result.name += "_refuted", result.kind = "refutation";
   try {
     const Symbols symbols = symbols_in(entry.row.domain);
     const Question question{parse_statement(entry.row.claim(), symbols), derived_relation(*entry.derivation),
@@ -88,7 +83,7 @@ std::map<std::string, std::string> files_of(const std::vector<Lemma>& lemmas) {
     if (is_new) project += lemma.file + "\n";
     if (!lemma.text.empty()) place->second += "\n" + lemma.text;
   }
-  files["_CoqProject"] = project, files["Makefile"] = makefile();
+  files["_CoqProject"] = project, files["Makefile"] = makefile;
   return files;
 }
 
