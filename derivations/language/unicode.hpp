@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cwchar>
 #include <iterator>
-#include <locale>
 #include <string>
 #include <string_view>
 
@@ -20,14 +18,19 @@ struct CodePoint {
 
 /// The one that a text begins with; none if the text is empty, or does not begin with UTF-8.
 inline CodePoint first_character(std::string_view text) {
-  using Utf8 = std::codecvt<char32_t, char8_t, std::mbstate_t>;
-  static const Utf8& utf8 = std::use_facet<Utf8>(std::locale::classic());
-  const std::u8string bytes(text.begin(), text.begin() + std::min<std::ptrdiff_t>(text.size(), 4));
-  const char8_t* end = nullptr;
-  char32_t code = 0, *after = nullptr;
-  std::mbstate_t state{};
-  utf8.in(state, bytes.data(), bytes.data() + bytes.size(), end, &code, &code + 1, after);
-  return after == &code ? CodePoint{} : CodePoint{code, static_cast<std::size_t>(end - bytes.data())};
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  if (text.empty() || (byte(0) >= 0x80 && byte(0) < 0xC2) || byte(0) >= 0xF5) return {};
+  const std::size_t length = byte(0) < 0x80 ? 1 : byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : 4;
+  if (length > text.size()) return {};
+  char32_t code = length == 1 ? byte(0) : byte(0) & (0x7FU >> length);
+  for (std::size_t k = 1; k < length; ++k) {
+    if ((byte(k) & 0xC0) != 0x80) return {};
+    code = (code << 6) | (byte(k) & 0x3FU);
+  }
+  constexpr char32_t smallest[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_surrogate = code >= 0xD800 && code < 0xE000;
+  if (code < smallest[length] || is_surrogate || code > 0x10FFFF) return {};
+  return {code, length};
 }
 
 /// Marks that show nothing, or turn the direction of what follows: a reader would not see what is wrong.
