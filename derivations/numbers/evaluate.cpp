@@ -18,15 +18,25 @@ std::string without_zeros(const std::string& text, const cl_RA& whole) {
   return exact(shorter.substr(shorter[0] == '-')) == cln::abs(whole) ? shorter : text;
 }
 
-/// Halves the bracket until so many bits are certain.
+/// By quadratic interval refinement (Abbott 2006) until so many bits are certain: the secant guesses a cell
+/// of the bracket, signs confirm it, and cells get smaller each time; else the bracket is halved.
 Value zero_between(const Tree& tree, const std::string& symbol, cl_RA low, cl_RA high, long bits) {
-  const auto sign = [&](const cl_RA& x) { return value_at(tree, {{symbol, x}}, 2 * bits + 256).sign(); };
-  const auto first = sign(low), last = sign(high);
+  const auto at = [&](const cl_RA& x) { return value_at(tree, {{symbol, x}}, 2 * bits + 256); };
+  const auto first = at(low).sign(), last = at(high).sign();
   if (first == 0 || last == 0) return known(Constant{first == 0 ? low : high}, bits);
   if (!first || !last || first == last) return {};
+  long log_cells = 1;
   while ((high - low) * cln::ash(cln::cl_I(1), bits) > std::max(cln::abs(low), cln::abs(high))) {
+    const Ball start = at(low).ball, share = start / (start - at(high).ball);
+    const cl_RA cells = cln::ash(cln::cl_I(1), log_cells), cell = (high - low) / cells,
+                guess = share.is_moderate() ? low + cln::floor1(cells * cl_RA(share.middle())) * cell : low;
+    if (at(guess).sign() == first && at(guess + cell).sign() == last) {
+      low = guess, high = guess + cell, log_cells *= 2;
+      continue;
+    }
+    log_cells = std::max(1L, log_cells / 2);
     const cl_RA middle = (low + high) / 2;
-    const auto there = sign(middle);
+    const auto there = at(middle).sign();
     if (!there) break;
     if (there == 0) return known(Constant{middle}, bits);
     (there == first ? low : high) = middle;
