@@ -127,7 +127,7 @@ TEST_CASE("no spoiled row passes Coq") {
   const TemporaryFolder folder;
   std::string text = imports;
   int spoiled = 0;
-  for (std::size_t k = 0; k < entries().size() && spoiled < 40; k += 3) {
+  for (std::size_t k = 0; k < entries().size() && spoiled < 24; k += 5) {
     const Entry& entry = entries()[k];
     if (entry.proof.verdict != Verdict::proved) continue;
     const Symbols symbols = symbols_in(entry.row.domain);
@@ -146,7 +146,7 @@ TEST_CASE("no spoiled row passes Coq") {
     text += one_tactic(lemma.replace(at, right.size(), "(" + coq_text(slip) + " <->"), "assert_fails"),
         ++spoiled;
   }
-  CHECK(spoiled >= 30);
+  CHECK(spoiled >= 20);
   for (const char* name : {"Rederive.v", "Bounds.v"}) {
     std::ofstream(folder.path / name) << shipped(name);
     REQUIRE(coq(folder.path, "coqc", name).exit_code == 0);

@@ -135,12 +135,8 @@ std::vector<Checked> check(const std::vector<Lemma>& lemmas,
       for (const Lemma* lemma : all) errors[lemma] = whole.output;
     const auto passed = is_shipped ? (whole.status == 0 ? all : std::vector<const Lemma*>{})
                                    : passing(folder, file, all, errors);
-    std::map<std::string, std::vector<const Lemma*>> by_kind;
-    for (const Lemma* lemma : passed) by_kind[lemma->kind].push_back(lemma);
-    for (const auto& [kind, some] : by_kind) {
-      const auto found = axioms_of(folder, file, some);
-      for (const Lemma* lemma : some) axioms[lemma] = found;
-    }
+    const auto found = passed.empty() ? std::vector<std::string>{} : axioms_of(folder, file, passed);
+    for (const Lemma* lemma : passed) axioms[lemma] = found;
   }
   std::vector<Checked> result;
   for (const Lemma& lemma : lemmas) {
