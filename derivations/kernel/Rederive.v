@@ -41,8 +41,6 @@ Lemma square_of_root x : 0 <= x -> sqrt x ^ 2 = x.
 Proof. intro; rewrite <- Rsqr_pow2; now apply Rsqr_sqrt. Qed.
 Lemma root_is x y : 0 <= y -> y ^ 2 = x -> sqrt x = y.
 Proof. intros; subst; rewrite <- Rsqr_pow2; now apply sqrt_Rsqr. Qed.
-Lemma unit_interval u : 0 <= 1 - u ^ 2 -> -1 <= u <= 1.
-Proof. intro; split; nra. Qed.
 
 (* Signs of what is built from positive things: products, sums, powers, roots, functions. *)
 Ltac known := first [ assumption | lra ].
@@ -51,7 +49,6 @@ Ltac pos :=
   lazymatch goal with
   | |- _ > _ => unfold Rgt; pos
   | |- 0 < exp _ => apply exp_pos
-  | |- 0 < cosh _ => rewrite cosh_by_exp; pos
   | |- 0 < PI => exact PI_RGT_0
   | |- 0 < _ * _ => first [ apply Rmult_lt_0_compat; pos | by_squares ]
   | |- 0 < _ / _ => first [ apply Rdiv_lt_0_compat; pos | by_squares ]

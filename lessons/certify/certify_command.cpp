@@ -86,8 +86,11 @@ int certify(const std::vector<Entry>& entries, const CertifyOptions& options) {
   const std::vector<Lemma> lemmas = lemmas_of(entries, options.ids);
   if (!options.folder.empty()) write_scripts(options.folder, lemmas);
   if (options.checks) {
-    if (!has_coq())
-      throw std::runtime_error("there is no coqc; install coq and coq-interval (on Debian libcoq-interval)");
+    if (!has_coq()) {
+      fmt::print(stderr, "there is no coqc; install coq, coquelicot and coq-interval (on Debian {})\n",
+                 "coq libcoq-coquelicot libcoq-interval");
+      return undecided_or_failed;
+    }
     const auto progress = [](const std::string& file) {
       if (is_lively(2)) fmt::print(stderr, "\rcoqc {:<20}\r", file);
     };
