@@ -1,6 +1,6 @@
 (* The equation of motion and the restitution, from positions. Derivatives and integrals are Coquelicot's; the
    numbers are the paper's, and R' is its R. *)
-From Rederive Require Import Rederive.
+From Rederive Require Import Rederive Solutions.
 From Coquelicot Require Import Coquelicot.
 
 (* An integral by an antiderivative. *)
@@ -28,8 +28,17 @@ Proof.
   - intro x; integral (fun y => rho * (x ^ 2 * y + y ^ 3 / 3)).
   - rewrite diagonal; unfold m; integral (fun x => rho * (2 / 3 * h * x ^ 3 + 2 / 3 * h ^ 3 * x)).
 Qed.
-(* About a corner, by Steiner. *)
-Theorem derivation_u3 J_c J_o : J_c = m * R' ^ 2 / 3 -> J_o = J_c + m * R' ^ 2 -> J_o = 4 / 3 * m * R' ^ 2.
+(* About a corner. *)
+Theorem derivation_u3b :
+  exists inner, (forall x, is_RInt (fun y => rho * (x ^ 2 + y ^ 2)) 0 (2 * h) (inner x)) /\
+                is_RInt inner 0 (2 * b) (4 / 3 * (m * R' ^ 2)).
+Proof.
+  exists (fun x => rho * (2 * h * x ^ 2 + 8 / 3 * h ^ 3)); split.
+  - intro x; integral (fun y => rho * (x ^ 2 * y + y ^ 3 / 3)).
+  - rewrite diagonal; unfold m; integral (fun x => rho * (2 / 3 * h * x ^ 3 + 8 / 3 * h ^ 3 * x)).
+Qed.
+(* That is Steiner's theorem. *)
+Theorem derivation_u3a_u4 J_c J_o : J_c = m * R' ^ 2 / 3 -> J_o = 4 / 3 * m * R' ^ 2 -> J_o = J_c + m * R' ^ 2.
 Proof. intros; subst J_o J_c; field. Qed.
 
 (* The moment of momentum about the new corner before the impact: r^2 - 2 b r sin phi = x^2 + y^2 - 2 b x. *)
@@ -46,7 +55,7 @@ Theorem derivation_43b thetadot_minus :
   m * R' ^ 2 * (4 / 3 - 2 * sin alpha ^ 2) * thetadot_minus.
 Proof. unfold m; rewrite corner, top; assert (P := pyth alpha); field [P]. Qed.
 (* About that corner it is the same after the impact. *)
-Theorem derivation_46 thetadot_minus thetadot_plus :
+Theorem derivation_46a thetadot_minus thetadot_plus :
   0 < m -> 0 < R' ->
   (m * R' ^ 2 * (4 / 3 - 2 * sin alpha ^ 2) * thetadot_minus = 4 / 3 * m * R' ^ 2 * thetadot_plus <->
    thetadot_plus = (1 - 3 / 2 * sin alpha ^ 2) * thetadot_minus).
@@ -73,43 +82,42 @@ Definition u_c t := u_g t - side * x_c t.
 Definition y_c t := R' * (cos (alpha + side * theta t) - cos alpha).
 
 Ltac differentiate :=
-  match goal with |- is_derive _ ?t _ => destruct (ground t) as [D1 D2]; destruct (angle t) as [D3 D4] end;
-  auto_derive;
-  [ repeat split; eexists; eassumption
-  | repeat match goal with H : is_derive ?f ?t ?d |- _ => 
-      change (Derive (fun x => f x) t) with (Derive f t); rewrite ?(is_derive_unique f t d H); clear H end ].
+  match goal with |- is_derive _ ?t _ => destruct (ground t) as [? ?]; destruct (angle t) as [? ?] end; derivatives.
 
 (* (4), (15) *)
-Theorem derivation_4a t : is_derive u_c t (u_gdot t + R' * thetadot t * cos (alpha + side * theta t)).
+Theorem derivation_4a_15a t : is_derive u_c t (u_gdot t + R' * thetadot t * cos (alpha + side * theta t)).
 Proof. unfold u_c, x_c; differentiate; ring [sides]. Qed.
-Theorem derivation_4b t : is_derive y_c t (- side * R' * thetadot t * sin (alpha + side * theta t)).
+Theorem derivation_4b_15b t : is_derive y_c t (- side * R' * thetadot t * sin (alpha + side * theta t)).
 Proof. unfold y_c; differentiate; ring. Qed.
 
 (* (5) and (6), (16): the kinetic energy as a function of the angle, its rate and the speed of the ground. *)
 Definition K q v u := 1 / 2 * J_o * v ^ 2 + 1 / 2 * m * u ^ 2 + m * u * v * R' * cos (alpha + side * q).
 Definition Omega q := m * g * R' * (cos (alpha + side * q) - cos alpha).
-Theorem derivation_6 q v u :
+Theorem derivation_6_16b q v u :
   1 / 2 * J_c * v ^ 2 + 1 / 2 * m * ((u + R' * v * cos (alpha + side * q)) ^ 2 + (- side * R' * v * sin (alpha + side * q)) ^ 2) =
   K q v u.
 Proof. assert (P := pyth (alpha + side * q)); unfold K, J_c, J_o; field [P sides]. Qed.
+(* (9), (14): the potential of the weight. *)
+Theorem derivation_9_14 t : m * g * y_c t = Omega (theta t).
+Proof. unfold y_c, Omega; ring. Qed.
 (* (7), (8), (10): its partial derivatives, and the rate of the first along the motion. *)
-Theorem derivation_7a q v u : is_derive (fun v => K q v u) v (J_o * v + m * u * R' * cos (alpha + side * q)).
+Theorem derivation_7a_17a q v u : is_derive (fun v => K q v u) v (J_o * v + m * u * R' * cos (alpha + side * q)).
 Proof. unfold K; auto_derive; [ trivial | field ]. Qed.
-Theorem derivation_7b t :
+Theorem derivation_7b_17b t :
   is_derive (fun t => J_o * thetadot t + m * u_gdot t * R' * cos (alpha + side * theta t)) t
     (J_o * thetaddot t + m * u_gddot t * R' * cos (alpha + side * theta t) -
      side * (m * u_gdot t * thetadot t * R' * sin (alpha + side * theta t))).
 Proof. differentiate; ring. Qed.
-Theorem derivation_8 q v u : is_derive (fun q => K q v u) q (- side * (m * u * v * R' * sin (alpha + side * q))).
+Theorem derivation_8_18 q v u : is_derive (fun q => K q v u) q (- side * (m * u * v * R' * sin (alpha + side * q))).
 Proof. unfold K; auto_derive; [ trivial | field ]. Qed.
-Theorem derivation_10 q : is_derive Omega q (- side * (m * g * R' * sin (alpha + side * q))).
+Theorem derivation_10_19 q : is_derive Omega q (- side * (m * g * R' * sin (alpha + side * q))).
 Proof. unfold Omega; auto_derive; [ trivial | field ]. Qed.
 
 (* Lagrange's equation (1) is (11), (20), and with p^2 = 3 g/(4 R') it is (21). *)
 Definition lagrange t :=
   Derive (fun t => Derive (fun v => K (theta t) v (u_gdot t)) (thetadot t)) t -
   Derive (fun q => K q (thetadot t) (u_gdot t)) (theta t) + Derive Omega (theta t) = 0.
-Theorem derivation_11 t :
+Theorem derivation_11_20 t :
   lagrange t <-> J_o * thetaddot t + m * u_gddot t * R' * cos (alpha + side * theta t) -
                  side * (m * g * R' * sin (alpha + side * theta t)) = 0.
 Proof.
@@ -117,18 +125,130 @@ Proof.
               J_o * thetaddot t + m * u_gddot t * R' * cos (alpha + side * theta t) -
               side * (m * u_gdot t * thetadot t * R' * sin (alpha + side * theta t))).
   { rewrite (Derive_ext _ (fun t => J_o * thetadot t + m * u_gdot t * R' * cos (alpha + side * theta t)))
-      by (intro; apply is_derive_unique, derivation_7a).
-    apply is_derive_unique, derivation_7b. }
-  assert (F := is_derive_unique _ _ _ (derivation_8 (theta t) (thetadot t) (u_gdot t))).
-  assert (G := is_derive_unique _ _ _ (derivation_10 (theta t))).
+      by (intro; apply is_derive_unique, derivation_7a_17a).
+    apply is_derive_unique, derivation_7b_17b. }
+  assert (F := is_derive_unique _ _ _ (derivation_8_18 (theta t) (thetadot t) (u_gdot t))).
+  assert (G := is_derive_unique _ _ _ (derivation_10_19 (theta t))).
   unfold lagrange; rewrite E, G.
   setoid_rewrite F.
   apply (eq_by 1); [ lra | ring ].
 Qed.
-Theorem derivation_21 p t :
+Theorem derivation_21a_21b p t :
   p ^ 2 = 3 * g / (4 * R') ->
   (lagrange t <-> thetaddot t + p ^ 2 * (u_gddot t / g * cos (alpha + side * theta t) - side * sin (alpha + side * theta t)) = 0).
 Proof.
-  intro P; rewrite derivation_11; apply (eq_by J_o); [ unfold J_o; apply Rgt_not_eq; pos | rewrite P; unfold J_o; field; lra ].
+  intro P; rewrite derivation_11_20; apply (eq_by J_o); [ unfold J_o; apply Rgt_not_eq; pos | rewrite P; unfold J_o; field; lra ].
 Qed.
+
+(* Newton: the reactions H and V move the centre of mass. Its accelerations, (47) to (49), (25), (26). *)
+Definition x_cdot t := - side * (R' * thetadot t * cos (alpha + side * theta t)).
+Definition y_cdot t := - side * R' * thetadot t * sin (alpha + side * theta t).
+Definition x_cddot t := - side * (R' * thetaddot t * cos (alpha + side * theta t)) + thetadot t ^ 2 * R' * sin (alpha + side * theta t).
+Definition y_cddot t := - side * R' * thetaddot t * sin (alpha + side * theta t) - R' * thetadot t ^ 2 * cos (alpha + side * theta t).
+Theorem derivation_48b t : is_derive x_c t (x_cdot t).
+Proof. unfold x_c, x_cdot; differentiate; ring. Qed.
+Theorem derivation_48c t : is_derive x_cdot t (x_cddot t).
+Proof. unfold x_cdot, x_cddot; differentiate; ring [sides]. Qed.
+Theorem derivation_49b t : is_derive y_c t (y_cdot t).
+Proof. unfold y_c, y_cdot; differentiate; ring. Qed.
+Theorem derivation_49c t : is_derive y_cdot t (y_cddot t).
+Proof. unfold y_cdot, y_cddot; differentiate; ring [sides]. Qed.
+Theorem derivation_47a H t : H = m * Derive (fun t => Derive u_c t) t <-> H = m * (u_gddot t - side * x_cddot t).
+Proof.
+  assert (E : Derive (fun t => Derive u_c t) t = u_gddot t - side * x_cddot t).
+  { rewrite (Derive_ext _ (fun t => u_gdot t + R' * thetadot t * cos (alpha + side * theta t)))
+      by (intro; apply is_derive_unique, derivation_4a_15a).
+    apply is_derive_unique; unfold x_cddot; differentiate; ring [sides]. }
+  now rewrite E.
+Qed.
+Theorem derivation_47b V t : V - m * g = m * Derive (fun t => Derive y_c t) t <-> V = m * (g + y_cddot t).
+Proof.
+  assert (E : Derive (fun t => Derive y_c t) t = y_cddot t).
+  { rewrite (Derive_ext _ y_cdot) by (intro; apply is_derive_unique, derivation_49b).
+    apply is_derive_unique, derivation_49c. }
+  rewrite E; apply (eq_by 1); [ lra | ring ].
+Qed.
+(* At the start. *)
+Theorem derivation_25a H t : theta t = 0 -> thetadot t = 0 ->
+  H = m * (u_gddot t - side * x_cddot t) -> H = m * (u_gddot t + R' * thetaddot t * cos alpha).
+Proof. intros A B ->; unfold x_cddot; rewrite A, B, Rmult_0_r, Rplus_0_r; ring [sides]. Qed.
+Theorem derivation_26a V t : theta t = 0 -> thetadot t = 0 ->
+  V = m * (g + y_cddot t) -> V = m * (g - side * R' * thetaddot t * sin alpha).
+Proof. intros A B ->; unfold y_cddot; rewrite A, B, Rmult_0_r, Rplus_0_r; ring. Qed.
+(* While it rocks: (21) put into them. *)
+Theorem derivation_50a_r1_r3 p H t :
+  thetaddot t + p ^ 2 * (u_gddot t / g * cos (alpha + side * theta t) - side * sin (alpha + side * theta t)) = 0 ->
+  H = m * (u_gddot t - side * x_cddot t) ->
+  H / m = u_gddot t - p ^ 2 * R' * (u_gddot t / g * cos (alpha + side * theta t) ^ 2 -
+            side * (sin (alpha + side * theta t) * cos (alpha + side * theta t))) - side * (thetadot t ^ 2 * R' * sin (alpha + side * theta t)).
+Proof.
+  intros E ->; assert (F : thetaddot t = - (p ^ 2 * (u_gddot t / g * cos (alpha + side * theta t) - side * sin (alpha + side * theta t)))) by lra.
+  unfold x_cddot; rewrite F; field [sides]; lra.
+Qed.
+Theorem derivation_50b_r2_r4 p V t :
+  thetaddot t + p ^ 2 * (u_gddot t / g * cos (alpha + side * theta t) - side * sin (alpha + side * theta t)) = 0 ->
+  V = m * (g + y_cddot t) ->
+  V / m = g - p ^ 2 * R' * (sin (alpha + side * theta t) ^ 2 -
+            side * (u_gddot t / g * sin (alpha + side * theta t) * cos (alpha + side * theta t))) - R' * thetadot t ^ 2 * cos (alpha + side * theta t).
+Proof.
+  intros E ->; assert (F : thetaddot t = - (p ^ 2 * (u_gddot t / g * cos (alpha + side * theta t) - side * sin (alpha + side * theta t)))) by lra.
+  unfold y_cddot; rewrite F; field [sides]; lra.
+Qed.
+(* It turns to theta < 0 from rest where the moment of the inertia force is the larger one, (11), (20). *)
+Theorem derivation_23 t : side = 1 -> lagrange t -> theta t = 0 ->
+  (thetaddot t <= 0 <-> m * u_gddot t * R' * cos alpha >= m * g * R' * sin alpha).
+Proof.
+  intros S L A; apply derivation_11_20 in L; rewrite S, A, Rmult_0_r, Rplus_0_r in L.
+  assert (J : 0 < J_o) by (unfold J_o; pos); split; intro; [ nra | ].
+  apply Rnot_lt_le; intro K; assert (N := Rmult_lt_0_compat _ _ J K); lra.
+Qed.
+(* The reactions do no work, so that Lagrange's equation says what Newton's and Euler's say: the moments of H and V about
+   the centre of mass turn the block. *)
+Theorem derivation_1 H V t : H = m * (u_gddot t - side * x_cddot t) -> V = m * (g + y_cddot t) ->
+  (lagrange t <-> J_c * thetaddot t = side * (V * (R' * sin (alpha + side * theta t))) - H * (R' * cos (alpha + side * theta t))).
+Proof.
+  intros -> ->; rewrite derivation_11_20; assert (P := pyth (alpha + side * theta t)).
+  apply (eq_by 1); [ lra | unfold x_cddot, y_cddot, J_o, J_c; field [P sides] ].
+Qed.
+Theorem derivation_27 H V t : side = 1 -> lagrange t -> theta t = 0 ->
+  H = m * (u_gddot t + R' * cos alpha * thetaddot t) -> V = m * (g - R' * sin alpha * thetaddot t) ->
+  H * (R' * cos alpha) - V * (R' * sin alpha) + J_c * thetaddot t = 0.
+Proof.
+  intros S L A -> ->; apply derivation_11_20 in L; rewrite S, A, Rmult_0_r, Rplus_0_r in L; assert (P := pyth alpha).
+  rewrite <- L; unfold J_o, J_c; field [P].
+Qed.
+(* At rest on the ground H is the ground's own. *)
+Theorem derivation_u9a H t : theta t = 0 -> thetadot t = 0 -> thetaddot t = 0 ->
+  H = m * (u_gddot t - side * x_cddot t) -> H = m * u_gddot t.
+Proof. intros A B C ->; unfold x_cddot; rewrite B, C; ring. Qed.
+Theorem derivation_u5 : sqrt (m * g * R' / J_o) = sqrt (3 * g / (4 * R')).
+Proof. f_equal; unfold J_o; field; lra. Qed.
 End Motion.
+
+(* The unstable equilibrium (60), and the ground that would hold the block at theta = alpha. side as above. *)
+Theorem derivation_60a_60c p alpha side theta_star :
+  0 < p -> side ^ 2 = 1 -> 0 < alpha < PI / 2 -> - (PI / 2) < theta_star < PI / 2 ->
+  (0 + p ^ 2 * (0 * cos (alpha + side * theta_star) - side * sin (alpha + side * theta_star)) = 0 <-> theta_star = - side * alpha).
+Proof.
+  intros P S A T; assert (Q := PI_RGT_0); assert (C : side = 1 \/ side = - 1) by nra; split.
+  - intro E; assert (Z : sin (alpha + side * theta_star) = 0) by (assert (0 < p ^ 2) by nra; destruct C; subst side; nra).
+    destruct (Rtotal_order (alpha + side * theta_star) 0) as [L | [L | L]].
+    + assert (sin (- (alpha + side * theta_star)) > 0) by (apply sin_gt_0; destruct C; subst side; lra); rewrite sin_neg in *; lra.
+    + destruct C; subst side; lra.
+    + assert (sin (alpha + side * theta_star) > 0) by (apply sin_gt_0; destruct C; subst side; lra); lra.
+  - intros ->; replace (alpha + side * (- side * alpha)) with 0 by ring [S]; rewrite sin_0; ring.
+Qed.
+Theorem derivation_60b theta_star t : is_derive (fun _ : R => theta_star) t 0.
+Proof. auto_derive; trivial. Qed.
+Theorem derivation_u6 p g alpha u : 0 < p -> 0 < g -> cos (2 * alpha) <> 0 ->
+  (0 + p ^ 2 * (u / g * cos (alpha + alpha) - sin (alpha + alpha)) = 0 <-> u = g * sin (2 * alpha) / cos (2 * alpha)).
+Proof.
+  intros P G C; replace (alpha + alpha) with (2 * alpha) by ring.
+  apply (eq_by (p ^ 2 * cos (2 * alpha) / g)); [ nz | field; split; lra ].
+Qed.
+Theorem derivation_u7 p g alpha u : 0 < p -> 0 < g ->
+  (0 + p ^ 2 * (u / g * cos (alpha - alpha) + sin (alpha - alpha)) = 0 <-> u = 0).
+Proof.
+  intros P G; replace (alpha - alpha) with 0 by ring; rewrite cos_0, sin_0.
+  apply (eq_by (p ^ 2 / g)); [ nz | field; lra ].
+Qed.

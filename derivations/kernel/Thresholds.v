@@ -1,7 +1,7 @@
 (* The amplitude at which a block that rocks to one side overturns without impact, (71). The pulse is
    a_p sin(omega_p t + psi) with sin psi = alpha g/a_p, from rest, until T_ex = (2 pi - psi)/omega_p; the block
    is linear. w stands for omega_p/p. *)
-From Rederive Require Import Rederive Bounds.
+From Rederive Require Import Rederive Bounds Solutions.
 From Coquelicot Require Import Coquelicot.
 
 (* (71) says that this is 0. *)
@@ -137,30 +137,14 @@ Lemma free_by_exponentials s :
            (theta T_ex + alpha - thetadot T_ex / p) / 2 * exp (- (p * s)) - alpha.
 Proof. unfold free; field; lra. Qed.
 
-Lemma exponential_beats k c m :
-  0 < k -> exists T, forall s, T < s -> m < k * exp (p * s) + c * exp (- (p * s)).
-Proof.
-  intro K; exists (Rmax 0 ((Rabs c + Rabs m) / (k * p))); intros s L.
-  assert (P : 0 < s) by (eapply Rle_lt_trans; [ apply Rmax_l | exact L ]).
-  assert (B : (Rabs c + Rabs m) / (k * p) < s) by (eapply Rle_lt_trans; [ apply Rmax_r | exact L ]).
-  assert (D : Rabs c + Rabs m < k * (p * s)).
-  { apply (Rmult_lt_compat_r (k * p)) in B; [ | nra ]; unfold Rdiv in B.
-    rewrite Rmult_assoc, Rinv_l in B; nra. }
-  assert (G := exp_ineq1 (p * s)); assert (U : exp (- (p * s)) <= 1).
-  { rewrite <- exp_0; apply Rlt_le, exp_increasing; nra. }
-  assert (V := exp_pos (- (p * s))); assert (X := Rle_abs m).
-  assert (Y : - Rabs c <= c) by (unfold Rabs; destruct (Rcase_abs c); lra).
-  assert (Z := Rabs_pos c); assert (p * s <> 0) by nra; nra.
-Qed.
-
 (* Above the threshold, where psi is smaller, the block overturns; below it, it comes back. *)
 Theorem overturns : 0 < excess (omega_p / p) psi -> forall m, exists T, forall s, T < s -> free s < m.
 Proof.
   intros E m; assert (S := sin_psi_pos); assert (Q := squares_pos).
   assert (G : theta T_ex + alpha + thetadot T_ex / p < 0).
   { rewrite growing_part; assert (0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 + p ^ 2))) by pos; nra. }
-  destruct (exponential_beats (- ((theta T_ex + alpha + thetadot T_ex / p) / 2))
-             (- ((theta T_ex + alpha - thetadot T_ex / p) / 2)) (- (m + alpha))) as [T H]; [ lra | ].
+  destruct (exponential_beats p (- ((theta T_ex + alpha + thetadot T_ex / p) / 2))
+             (- ((theta T_ex + alpha - thetadot T_ex / p) / 2)) (- (m + alpha))) as [T H]; [ lra | lra | ].
   exists T; intros s L; rewrite free_by_exponentials; specialize (H s L); lra.
 Qed.
 Theorem comes_back : excess (omega_p / p) psi < 0 -> forall m, exists T, forall s, T < s -> m < free s.
@@ -168,8 +152,8 @@ Proof.
   intros E m; assert (S := sin_psi_pos); assert (Q := squares_pos).
   assert (G : 0 < theta T_ex + alpha + thetadot T_ex / p).
   { rewrite growing_part; assert (0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 + p ^ 2))) by pos; nra. }
-  destruct (exponential_beats ((theta T_ex + alpha + thetadot T_ex / p) / 2)
-             ((theta T_ex + alpha - thetadot T_ex / p) / 2) (m + alpha)) as [T H]; [ lra | ].
+  destruct (exponential_beats p ((theta T_ex + alpha + thetadot T_ex / p) / 2)
+             ((theta T_ex + alpha - thetadot T_ex / p) / 2) (m + alpha)) as [T H]; [ lra | lra | ].
   exists T; intros s L; rewrite free_by_exponentials; specialize (H s L); lra.
 Qed.
 End Response.
@@ -205,7 +189,7 @@ Theorem threshold_at_4 : exists psi, is_threshold 4 psi /\ 19205592348801668/10^
 Proof. threshold 4 (19205592348801668/10^17) (19205592348801669/10^17). Qed.
 
 (* Fig. 8: with omega_p/p = 2 the linear block is said not to overturn without impact at 2.35766 alpha g. It does. *)
-Theorem figure_8_is_not_linear alpha p psi :
+Theorem claim_c54_figure_8_is_not_linear alpha p psi :
   0 < alpha -> 0 < p -> 0 < psi <= PI / 2 -> / sin psi = 235766/10^5 ->
   forall m, exists T, forall s, T < s -> free alpha p (2 * p) psi s < m.
 Proof.

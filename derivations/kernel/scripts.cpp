@@ -54,20 +54,14 @@ std::string shipped(const std::string& name) {
 }
 
 std::vector<Lemma> shipped_theorems() {
-  static const std::regex theorem("\nTheorem ((derivation_)?(\\w+))");
+  static const std::regex theorem("\nTheorem ((derivation|claim)_([^_ ]+)\\w*|\\w+)");
   std::vector<Lemma> result;
-  for (const char* file : {"Derivations.v", "Thresholds.v"}) {
-    const std::string text = shipped(file);
+  for (const std::string file : theorem_files) {
+    const std::string text = shipped(file), threshold = file == "OneImpact.v" ? "88" : "71";
     for (std::sregex_iterator found(text.begin(), text.end(), theorem), end; found != end; ++found) {
-      const bool is_derivation = (*found)[2].matched, is_claim = (*found)[1] == "figure_8_is_not_linear";
-      result.push_back({is_derivation ? (*found)[3].str()
-                        : is_claim    ? "c54"
-                                      : "71",
-                        file, (*found)[1],
-                        is_derivation ? "derivation"
-                        : is_claim    ? "claim"
-                                      : "threshold",
-                        "", ""});
+      const bool has_id = (*found)[2].matched;
+      result.push_back({has_id ? (*found)[3].str() : threshold, file, (*found)[1],
+                        has_id ? (*found)[2].str() : "threshold", "", ""});
     }
   }
   return result;
@@ -76,8 +70,7 @@ std::vector<Lemma> shipped_theorems() {
 std::map<std::string, std::string> files_of(const std::vector<Lemma>& lemmas) {
   std::map<std::string, std::string> files;
   std::string project = "-R . Rederive\n";
-  for (const char* name : {"Rederive.v", "Bounds.v"})
-    files[name] = shipped(name), project += name + std::string("\n");
+  for (const char* name : prelude) files[name] = shipped(name), project += name + std::string("\n");
   for (const Lemma& lemma : lemmas) {
     const auto [place, is_new] = files.try_emplace(lemma.file, ships(lemma) ? shipped(lemma.file) : imports);
     if (is_new) project += lemma.file + "\n";

@@ -1,6 +1,8 @@
 // The ledger as a folder of Coq scripts.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <derivations/paper/ledger.hpp>
 #include <filesystem>
 
@@ -17,19 +19,19 @@ struct Lemma {
 /// The lemma of a row: proved, or refuted by its witness. None of a definition.
 std::optional<Lemma> lemma_of(const Entry& entry);
 
-/// The theorems of the files that ship: Derivations.v, the equation of motion and the restitution from
-/// positions; Thresholds.v, the response (57) and its threshold (71).
+/// What lemmas are proved with, in the order in which it compiles, and the files of theorems that ship.
+inline constexpr std::array prelude{"Rederive.v", "Bounds.v", "Solutions.v"};
+inline constexpr std::array theorem_files{"Initiation.v", "Derivations.v", "Responses.v",
+                                          "Claims.v",     "Thresholds.v",  "OneImpact.v"};
+/// Whether a lemma is one of theirs.
+inline bool ships(const Lemma& lemma) { return std::ranges::count(theorem_files, lemma.file) > 0; }
+/// Their theorems, read off the files; derivation_8_18 is about the rows 8 and 18.
 std::vector<Lemma> shipped_theorems();
-/// Whether a lemma is one of these.
-inline bool ships(const Lemma& lemma) {
-  return lemma.file == "Derivations.v" || lemma.file == "Thresholds.v";
-}
 
 /// The first line of every file of lemmas.
 inline constexpr const char* imports = "From Rederive Require Import Rederive Bounds.\n";
 
-/// The text of a file that ships with this room: Rederive.v, the prelude; Bounds.v, interval arithmetic.
-/// Throws std::runtime_error.
+/// The text of a file that ships with this room. Throws std::runtime_error.
 std::string shipped(const std::string& name);
 
 /// The files by their names: what ships, those of the lemmas, _CoqProject and a Makefile.

@@ -5,6 +5,7 @@
 #include <lessons/bounded.hpp>
 #include <lessons/certify/certify_command.hpp>
 #include <lessons/certify/check.hpp>
+#include <lessons/certify/rests.hpp>
 #include <lessons/certify/steps.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -24,9 +25,10 @@ std::vector<Lemma> lemmas_of(const std::vector<Entry>& entries, const std::vecto
     const bool is_wanted = ids.empty() || std::find(ids.begin(), ids.end(), entry.row.id) != ids.end();
     if (const auto lemma = is_wanted ? lemma_of(entry) : std::nullopt) lemmas.push_back(*lemma);
   }
-  for (Lemma& step : steps_of(entries))
-    if (ids.empty() || std::find(ids.begin(), ids.end(), step.id) != ids.end())
-      lemmas.push_back(std::move(step));
+  for (auto* more : {&corrections_of, &steps_of})
+    for (Lemma& lemma : more(entries))
+      if (ids.empty() || std::find(ids.begin(), ids.end(), lemma.id) != ids.end())
+        lemmas.push_back(std::move(lemma));
   if (ids.empty())
     for (Lemma& theorem : shipped_theorems()) lemmas.push_back(std::move(theorem));
   return lemmas;
@@ -43,7 +45,18 @@ int count(const std::vector<Lemma>& lemmas, const std::string& kind) {
       std::count_if(lemmas.begin(), lemmas.end(), [&](auto& l) { return l.kind == kind; }));
 }
 
-int report(const std::vector<Lemma>& lemmas, const std::vector<Checked>& checked, bool json) {
+/// The scripts, and with all rows the page of what rests on what.
+void write_all(const std::filesystem::path& folder, const std::vector<Entry>& entries,
+               const std::vector<Lemma>& lemmas, bool has_all_rows) {
+  write_scripts(folder, lemmas);
+  if (!has_all_rows) return;
+  const auto supports = supports_of(entries, lemmas);
+  write_whole(folder / "README.md", rests_page(entries, supports));
+  write_whole(folder / "rests.svg", rests_drawing(supports));
+}
+
+int report(const std::vector<Lemma>& lemmas, const std::vector<Checked>& checked,
+           const std::vector<Support>& supports, bool json) {
   Json list = Json::array();
   std::set<std::string> axioms;
   int passed = 0;
@@ -67,12 +80,14 @@ int report(const std::vector<Lemma>& lemmas, const std::vector<Checked>& checked
     const Json counts{{"rows", count(lemmas, "row")},
                       {"refutations", count(lemmas, "refutation")},
                       {"derivations", count(lemmas, "derivation")},
+                      {"rest_wholly_on_theorems", whole(supports)},
                       {"passed", passed},
                       {"failed", failed}};
     fmt::print("{}\n", Json{{"lemmas", list}, {"counts", counts}}.dump(2));
   } else {
     fmt::print("\n{} lemmas: {} passed, {} failed. What they assume:\n", lemmas.size(), passed, failed);
     for (const std::string& axiom : axioms) fmt::print("  {}\n", axiom);
+    if (!supports.empty()) fmt::print("{}.\n", summary(supports));
   }
   return failed == 0 ? as_expected : not_as_expected;
 }
@@ -84,7 +99,7 @@ int certify(const std::vector<Entry>& entries, const CertifyOptions& options) {
     throw BadInput(
         "certify wants a folder for the scripts, or --check; right is, for example, ledger certify proofs");
   const std::vector<Lemma> lemmas = lemmas_of(entries, options.ids);
-  if (!options.folder.empty()) write_scripts(options.folder, lemmas);
+  if (!options.folder.empty()) write_all(options.folder, entries, lemmas, options.ids.empty());
   if (options.checks) {
     if (!has_coq()) {
       fmt::print(stderr, "there is no coqc; install coq, coquelicot and coq-interval (on Debian {})\n",
@@ -94,7 +109,9 @@ int certify(const std::vector<Entry>& entries, const CertifyOptions& options) {
     const auto progress = [](const std::string& file) {
       if (is_lively(2)) fmt::print(stderr, "\rcoqc {:<20}\r", file);
     };
-    return report(lemmas, check(lemmas, progress), options.json);
+    const std::vector<Checked> checked = check(lemmas, progress);
+    const auto supports = options.ids.empty() ? supports_of(entries, lemmas) : std::vector<Support>{};
+    return report(lemmas, checked, supports, options.json);
   }
   for (const Lemma& lemma : lemmas)
     if (lemma.text.empty() && !ships(lemma))
@@ -102,7 +119,8 @@ int certify(const std::vector<Entry>& entries, const CertifyOptions& options) {
   if (options.json)
     fmt::print("{}\n", Json{{"folder", options.folder}, {"lemmas", lemmas.size()}}.dump(2));
   else
-    fmt::print("{} lemmas in {}; make in that folder runs coqc\n", lemmas.size(), options.folder);
+    fmt::print("{} lemmas in {}; make in that folder runs coqc{}\n", lemmas.size(), options.folder,
+               options.ids.empty() ? ", README.md says what rests on what" : "");
   return as_expected;
 }
 

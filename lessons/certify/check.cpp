@@ -113,11 +113,11 @@ std::vector<Checked> check(const std::vector<Lemma>& lemmas,
                            const std::function<void(const std::string&)>& progress) {
   const Folder folder;
   write_scripts(folder.path, lemmas);
-  for (const char* name : {"Rederive.v", "Bounds.v"}) {
+  for (const char* name : prelude) {
     progress(name);
     if (const Run run = compile(folder, name); run.status != 0)
       throw std::runtime_error(std::string("coqc does not take ") + name +
-                               " (is libcoq-interval there?): " + run.output);
+                               " (are libcoq-coquelicot and libcoq-interval there?): " + run.output);
   }
   std::map<std::string, std::vector<const Lemma*>> by_file;
   std::map<const Lemma*, std::string> errors;

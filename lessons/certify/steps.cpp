@@ -110,4 +110,21 @@ std::vector<Lemma> steps_of(const std::vector<Entry>& entries) {
   return result;
 }
 
+std::vector<Lemma> corrections_of(const std::vector<Entry>& entries) {
+  std::vector<Lemma> result;
+  for (const Entry& entry : entries) {
+    if (entry.correction.empty()) continue;
+    const Symbols symbols = symbols_in(entry.row.domain);
+    const Question question =
+        with_domain({parse_statement(entry.correction, symbols), derived_relation(*entry.derivation), symbols,
+                     entry.derivation->given});
+    Lemma corrected{entry.row.id, "Ledger.v", "equation_" + entry.row.id + "_corrected",
+                    "derivation", "",         ""};
+    corrected.text = "(* (" + entry.row.id + "), as it should read: " + entry.correction + ". *)\n" +
+                     lemma(corrected.name, question, {});
+    result.push_back(std::move(corrected));
+  }
+  return result;
+}
+
 }  // namespace rederive

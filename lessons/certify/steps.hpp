@@ -10,4 +10,7 @@ namespace rederive {
 /// same as the row. Not those that differentiate, integrate or go to a moment.
 std::vector<Lemma> steps_of(const std::vector<Entry>& entries);
 
+/// For each row that is refuted: the correction that the ledger prints says what was derived.
+std::vector<Lemma> corrections_of(const std::vector<Entry>& entries);
+
 }  // namespace rederive

@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <lessons/certify/rests.hpp>
+#include <sstream>
+
+namespace rederive {
+
+namespace {
+
+using By = Support::By;
+
+/// The rows that a lemma is about: derivation_8_18 is about 8 and 18, step_71 about 71.
+std::vector<std::string> rows_of(const Lemma& lemma) {
+  const auto at = lemma.name.find('_');
+  if (!lemma.name.starts_with("derivation_") && !lemma.name.starts_with("step_")) return {};
+  std::vector<std::string> rows;
+  std::istringstream parts(lemma.name.substr(at + 1));
+  for (std::string part; std::getline(parts, part, '_');) rows.push_back(part);
+  return rows;
+}
+
+std::string joined(const std::vector<std::string>& texts, const std::string& before,
+                   const std::string& after) {
+  std::string result;
+  for (const std::string& text : texts) result += (result.empty() ? "" : ", ") + before + text + after;
+  return result;
+}
+
+std::map<std::string, std::size_t> places_of(const std::vector<Support>& supports) {
+  std::map<std::string, std::size_t> places;
+  for (std::size_t k = 0; k < supports.size(); ++k) places[supports[k].id] = k;
+  return places;
+}
+
+}  // namespace
+
+std::vector<Support> supports_of(const std::vector<Entry>& entries, const std::vector<Lemma>& lemmas) {
+  std::map<std::string, std::vector<std::string>> theorems, steps;
+  for (const Lemma& lemma : lemmas)
+    for (const std::string& row : rows_of(lemma))
+      (ships(lemma) ? theorems : steps)[row].push_back(lemma.name);
+  std::vector<Support> supports;
+  for (const Entry& entry : entries) {
+    const std::string& id = entry.row.id;
+    Support support{id, By::nothing, {}, entry.row.follows_from, false};
+    const bool is_definition = entry.proof.verdict == Verdict::definition;
+    if (theorems.contains(id))
+      support.by = By::theorem, support.lemmas = theorems[id];
+    else if (steps.contains(id))
+      support.by = By::step, support.lemmas = steps[id];
+    else if (is_definition || entry.row.follows_from.empty())
+      support.by = By::hypothesis;
+    supports.push_back(std::move(support));
+  }
+  // A row may stand before one that it follows from: until nothing changes.
+  const auto places = places_of(supports);
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for (Support& s : supports) {
+      if (s.is_whole || s.by == By::hypothesis || s.by == By::nothing) continue;
+      s.is_whole = std::all_of(s.from.begin(), s.from.end(), [&](const std::string& id) {
+        const Support& other = supports[places.at(id)];
+        return other.by == By::hypothesis || other.is_whole;
+      });
+      has_changed = has_changed || s.is_whole;
+    }
+  }
+  return supports;
+}
+
+int whole(const std::vector<Support>& supports) {
+  return static_cast<int>(std::ranges::count(supports, true, &Support::is_whole));
+}
+
+std::string summary(const std::vector<Support>& supports) {
+  return fmt::format("{} of {} rows rest wholly on theorems; {} are definitions and assumptions",
+                     whole(supports), supports.size(),
+                     std::ranges::count(supports, By::hypothesis, &Support::by));
+}
+
+std::string rests_page(const std::vector<Entry>& entries, const std::vector<Support>& supports) {
+  std::string page = "# What rests on what\n\n" + summary(supports) +
+                     ".\n\n![Each row, to the right of the rows that it follows from](rests.svg)\n\n"
+                     "Squares are assumed. Filled rows are theorems or steps of algebra all the way down; "
+                     "framed ones follow by a theorem from a row that does not; "
+                     "dashed ones are derived by computer algebra, and compared with what is printed in "
+                     "`Ledger.v`, but no lemma here derives them from the rows before.\n\n## Assumed\n\n";
+  for (std::size_t k = 0; k < supports.size(); ++k)
+    if (supports[k].by == By::hypothesis)
+      page += "- (" + supports[k].id + ") `" + entries[k].row.claim() + "`\n";
+  page += "\n## Derived\n\n| row | by | from | down to what is assumed |\n|---|---|---|---|\n";
+  for (const Support& s : supports)
+    if (s.by == By::theorem || s.by == By::step)
+      page += fmt::format("| ({}) | {} | {} | {} |\n", s.id, joined(s.lemmas, "`", "`"),
+                          joined(s.from, "(", ")"), s.is_whole ? "yes" : "no");
+  page += "\n## No lemma\n\n";
+  for (const Support& s : supports)
+    if (s.by == By::nothing) page += "- (" + s.id + ") from " + joined(s.from, "(", ")") + "\n";
+  return page;
+}
+
+std::string rests_drawing(const std::vector<Support>& supports) {
+  const auto places = places_of(supports);
+  std::vector<int> columns(supports.size(), 0), lines(supports.size(), 0);
+  for (std::size_t pass = 0; pass < supports.size(); ++pass)  // the longest way; there is no circle
+    for (std::size_t k = 0; k < supports.size(); ++k)
+      for (const std::string& id : supports[k].from)
+        columns[k] = std::max(columns[k], columns[places.at(id)] + 1);
+  std::map<int, int> heights;
+  for (std::size_t k = 0; k < supports.size(); ++k) lines[k] = heights[columns[k]]++;
+  int height = 0;
+  for (const auto& [column, size] : heights) height = std::max(height, size);
+  const auto x = [&](std::size_t k) { return 10 + 74 * columns[k]; };
+  const auto y = [&](std::size_t k) {  // columns stand in the middle
+    return 10 + 24 * lines[k] + 12 * (height - heights[columns[k]]);
+  };
+  std::string drawing = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+      "font-family=\"sans-serif\" font-size=\"11\" text-anchor=\"middle\">\n"
+      "<title>What rests on what</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+      74 * heights.rbegin()->first + 64, 24 * height + 16);
+  for (std::size_t k = 0; k < supports.size(); ++k)
+    for (const std::string& id : supports[k].from) {
+      const std::size_t other = places.at(id);
+      const int start = x(other) + 44, end = x(k), middle = (start + end) / 2;
+      drawing += fmt::format("<path d=\"M{} {}C{} {} {} {} {} {}\" fill=\"none\" stroke=\"#b0b0b0\"/>\n",
+                             start, y(other) + 9, middle, y(other) + 9, middle, y(k) + 9, end, y(k) + 9);
+    }
+  for (std::size_t k = 0; k < supports.size(); ++k) {
+    const Support& s = supports[k];
+    const bool is_framed = s.by == By::theorem || s.by == By::step;
+    const char* fill = s.by == By::hypothesis ? "#f2e3b6" : s.is_whole ? "#bfe3c2" : "white";
+    drawing += fmt::format(
+        "<g><rect x=\"{}\" y=\"{}\" width=\"44\" height=\"18\" rx=\"{}\" fill=\"{}\" stroke=\"#404040\"{}/>"
+        "<text x=\"{}\" y=\"{}\">{}</text></g>\n",
+        x(k), y(k), s.by == By::hypothesis ? 0 : 8, fill,
+        is_framed || s.by == By::hypothesis ? "" : " stroke-dasharray=\"3 2\"", x(k) + 22, y(k) + 13, s.id);
+  }
+  return drawing + "</svg>\n";
+}
+
+}  // namespace rederive
