@@ -152,7 +152,7 @@ Qed.
 Section At_impact.
 Variables psi tau : R.
 Hypotheses (range : 3 / 4 <= psi <= 21 / 25) (inside : 9 / 10 < tau < 6 / 5) (impact_at : before psi tau = 0).
-Lemma sin_pos : 0 < sin psi. Proof. interval. Qed.
+Lemma sin_pos : 0 < sin psi. Proof. bounds. Qed.
 Lemma cot_is : cot_psi tau = cos psi / sin psi.
 Proof.
   assert (P := sin_pos); assert (Q := D_pos tau); unfold before, cot_psi in *.
@@ -161,7 +161,7 @@ Qed.
 Lemma psi_is : psi = PI / 2 - atan (cot_psi tau).
 Proof.
   rewrite cot_is; assert (X : cos psi / sin psi = tan (PI / 2 - psi)) by (unfold tan; rewrite sin_shift, cos_shift; reflexivity); rewrite X.
-  rewrite atan_tan; [ lra | split; interval ].
+  rewrite atan_tan; [ lra | split; bounds ].
 Qed.
 Lemma root_at : sqrt (1 + cot_psi tau ^ 2) = / sin psi.
 Proof.
@@ -280,7 +280,7 @@ Proof.
   assert (E : T_ex = (2 * PI - psi) / (3 * p)) by (destruct motion as [_ [_ [_ [E _]]]]; exact E).
   assert (X : p * (T_ex - t_i) <= 3 / 4).
   { replace (p * (T_ex - t_i)) with ((2 * PI - psi) / 3 - tau) by (rewrite E; unfold tau; field; lra).
-    apply Rle_trans with ((2 * PI - 3 / 4) / 3 - 111 / 100); [ lra | interval ]. }
+    apply Rle_trans with ((2 * PI - 3 / 4) / 3 - 111 / 100); [ lra | bounds ]. }
   assert (Y : forall t, t_i < t <= T_ex -> 0 < y t).
   { intros t T; destruct (to_the_right t) as [-> _]; apply Rmult_lt_0_compat; [ exact K | ].
     replace 0 with (after psi tau 0) by (unfold after, a_4; rewrite Rplus_0_r, Ropp_0, exp_0; field).
@@ -289,7 +289,7 @@ Proof.
   assert (G : 0 < z T_ex - alpha + w T_ex / p) by (rewrite at_the_end; exact (Rmult_lt_0_compat _ _ K (Rmult_lt_0_compat _ _ P M))).
   assert (L : t_i < T_ex).
   { apply (Rmult_lt_reg_l p); [ exact p_pos | ]; replace (p * T_ex) with ((2 * PI - psi) / 3) by (rewrite E; field; lra).
-    change (p * t_i) with tau; apply Rlt_trans with (6 / 5); [ lra | interval ]. }
+    change (p * t_i) with tau; apply Rlt_trans with (6 / 5); [ lra | bounds ]. }
   assert (Z : 0 < z T_ex) by (destruct motion as [_ [_ [_ [_ [_ [-> _]]]]]]; apply Y; lra).
   split; [ exact Y | split ].
   - intros t T; rewrite (in_the_end t).
