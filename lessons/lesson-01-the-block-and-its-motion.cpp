@@ -76,6 +76,7 @@ void kinetic_energy(Page& page) {
     parallel-axis theorem has appeared without being called. The last term couples the ground to the block:
     it is there only while both move.)");
   page.verdict("6");
+  page.lemma("6");
 }
 
 void lagrange(Page& page) {

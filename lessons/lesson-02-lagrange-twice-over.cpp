@@ -45,6 +45,7 @@ void by_moments(Page& page) {
     quotes from a textbook:)");
   page.verdict("1");
   page.verdict("11");
+  page.lemma("11");
   page.verdict("20");
 }
 

@@ -83,6 +83,7 @@ void total_energy(Page& page) {
   page.argue("22a");
   page.verdict("u8");
   page.verdict("22a");
+  page.lemma("22a");
   page.verdict("22b");
 }
 

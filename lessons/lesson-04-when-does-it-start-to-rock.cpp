@@ -56,6 +56,7 @@ void does_it_slide(Page& page) {
     This looks unlike the paper's (31), which has nested fractions. A formula may be written in many ways;
     whether two ways are the same formula is a question for algebra, not for the eye.)");
   page.verdict("31");
+  page.lemma("31");
 }
 
 void tangent_only_at_the_start(Page& page) {

@@ -60,6 +60,7 @@ void after(Page& page) {
   page.say("The two are equal, and with them the ratio of the velocities is settled:");
   page.argue("46b");
   page.verdict("46b");
+  page.lemma("46b");
 }
 
 void second_road(Page& page) {

@@ -24,6 +24,7 @@ void two_forces(Page& page) {
   page.result("47b");
   page.say("Newton's law for C, to the right and upwards. And here is what the paper prints for the second:");
   page.verdict("47b");
+  page.lemma("47b");
   page.say(R"(
     A sign. How could one have noticed? Ask what the formula says in words. Suppose that C accelerates
     *upwards*, as in a lift that starts to rise. You feel heavier; the floor pushes harder. So $V$ must grow

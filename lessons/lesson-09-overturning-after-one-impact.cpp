@@ -40,6 +40,7 @@ void during_the_pulse(Page& page) {
 void a_lost_index(Page& page) {
   page.say("The paper's (88) is this equation, but for one letter, which occurs twice:");
   page.verdict("88");
+  page.lemma("88");
   page.say(R"(
     In the last line of (88) the index of $t_i$ is missing. Written with $t$, the condition would depend on
     time; but a condition for two unknowns that depends on a third variable is no condition. So the test is

@@ -33,6 +33,7 @@ void condition_103(Page& page) {
   page.result("102");
   page.argue("103");
   page.verdict("103");
+  page.lemma("103");
   page.say(R"(
     Look at how the initial conditions enter: only in the combination $theta_0 + thetadot_0/p$. An angle and
     a rate in just this proportion do the same harm. That is no accident: it is the part of the state that

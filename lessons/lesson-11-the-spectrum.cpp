@@ -62,6 +62,7 @@ void windows(Page& page) {
     There is an exact reason why there must be such a gap just below (71). At that threshold the block that
     just comes back strikes with a certain velocity, computed:)");
   page.result("r12");
+  page.lemma("r12");
   page.say(R"(
     After the impact it has $e$ times that, and by (95) it would need all of it. So near the first mode the
     second is never possible, for any block that loses energy. The proof takes one line, once the question

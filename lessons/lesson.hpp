@@ -44,7 +44,12 @@ struct BulletList {
   std::vector<std::string> items;
 };
 
-using Passage = std::variant<Paragraph, Formula, Judgement, Table, Figure, Commands, BulletList>;
+/// A row as a lemma of Coq, with its proof: folded where a page can fold, else where to find it.
+struct CoqLemma {
+  std::string id, text;
+};
+
+using Passage = std::variant<Paragraph, Formula, Judgement, Table, Figure, Commands, BulletList, CoqLemma>;
 
 /// What a step writes on.
 class Page {
@@ -63,6 +68,8 @@ class Page {
   void argue(const Derivation& derivation, const std::string& number = "");
   /// What the paper prints and what the ledger found.
   void verdict(const std::string& id);
+  /// The row as a lemma of Coq. Throws std::invalid_argument if there is no script for it.
+  void lemma(const std::string& id);
   /// Lets the decision procedure compare two statements, and says what it found.
   void compare(const Relation& left, const Relation& right);
   void table(std::vector<std::string> header, std::vector<std::vector<std::string>> rows);

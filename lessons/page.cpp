@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <derivations/kernel/scripts.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <derivations/rocking_block/table.hpp>
 #include <lessons/lesson.hpp>
@@ -124,6 +125,11 @@ void Page::table(std::vector<std::string> header, std::vector<std::vector<std::s
 
 void Page::figure(Figure figure) { blocks_.push_back(std::move(figure)); }
 
+void Page::lemma(const std::string& id) {
+  const auto found = lemma_of(judged(id));
+  if (!found || found->text.empty()) throw std::invalid_argument("no lemma of equation (" + id + ")");
+  blocks_.push_back(CoqLemma{id, found->text});
+}
 void Page::commands(std::vector<std::string> lines) { blocks_.push_back(Commands{std::move(lines)}); }
 
 void Page::points(std::vector<std::string> items) { blocks_.push_back(BulletList{std::move(items)}); }

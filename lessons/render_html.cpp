@@ -156,6 +156,11 @@ class HtmlRenderer : public Renderer {
     return text + "</pre>\n";
   }
 
+  static std::string render(const CoqLemma& part) {
+    return "<details><summary>(" + escaped(part.id) + ") as a lemma of Coq</summary>\n<pre>" +
+           escaped(part.text) + "</pre></details>\n";
+  }
+
   static std::string render(const BulletList& part) {
     std::string text = "<ul>\n";
     for (const auto& item : part.items) text += "<li>" + flat(item) + "</li>\n";

@@ -175,6 +175,11 @@ class LatexRenderer : public Renderer {
     return text + "\\end{verbatim}\n";
   }
 
+  static std::string render(const CoqLemma& part) {
+    return flat("(" + part.id + ") as a lemma of Coq: `build/bin/ledger show " + part.id + " --coq`") +
+           "\n\n";
+  }
+
   static std::string render(const BulletList& part) {
     std::string text = "\\begin{itemize}\n";
     for (const auto& item : part.items) text += "\\item " + flat(item) + "\n";

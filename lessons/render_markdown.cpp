@@ -92,6 +92,11 @@ class MarkdownRenderer : public Renderer {
     return text + "```\n";
   }
 
+  static std::string render(const CoqLemma& part) {
+    return "<details>\n<summary>(" + part.id + ") as a lemma of Coq</summary>\n\n```coq\n" + part.text +
+           "```\n\n</details>\n";
+  }
+
   static std::string render(const BulletList& part) {
     std::string text;
     for (const auto& item : part.items) text += "- " + flat(item) + "\n";

@@ -139,6 +139,11 @@ class TextRenderer : public Renderer {
     return text;
   }
 
+  std::string render(const CoqLemma& part) const {
+    return wrap(flat("(" + part.id + ") as a lemma of Coq: `build/bin/ledger show " + part.id + " --coq`"),
+                setting_.width, "  ", "  ");
+  }
+
   std::string render(const BulletList& part) const {
     std::string text;
     for (const auto& item : part.items)
