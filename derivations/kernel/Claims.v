@@ -35,7 +35,8 @@ Qed.
 (* The linear equations (56), (97): what they leave out of (21) is of second order in the tilt alpha + side theta.
    side = 1 where theta < 0, -1 where theta > 0; u is u_gddot/g. *)
 Lemma left_out p side u x : side ^ 2 = 1 ->
-  Rabs (p ^ 2 * (u * cos x - side * sin x) - p ^ 2 * (u - side * x)) <= p ^ 2 * (Rabs u * (x ^ 2 / 2) + Rabs x ^ 3 / 6).
+  Rabs (p ^ 2 * (u * cos x - side * sin x) - p ^ 2 * (u - side * x)) <= p ^ 2 * (Rabs u * (x ^ 2 / 2) +
+    Rabs x ^ 3 / 6).
 Proof.
   intro S; assert (C := cos_remainder x); assert (D := sin_remainder x); assert (P := pow2_ge_0 p).
   replace (_ - _) with (p ^ 2 * (- (u * (1 - cos x)) + side * (x - sin x))) by ring.
@@ -86,8 +87,10 @@ Lemma amplitude_left_out x : 0 < g -> 0 < alpha <= 1 -> x <> 0 -> a_p * x = g * 
 Proof.
   intros G A X E; assert (T := tangent A).
   replace (a_p / (g * alpha) - 1 / x) with ((tan alpha - alpha) / (alpha * x)).
-  - unfold Rdiv; rewrite Rabs_mult, Rabs_inv, Rabs_mult, (Rabs_pos_eq alpha) by (try apply Rmult_integral_contrapositive_currified; lra).
-    assert (N := Rabs_pos_lt x X); apply (Rmult_le_reg_r (alpha * Rabs x)); [ nra | field_simplify; [ | nra | nra ] ]; nra.
+  - unfold Rdiv; rewrite Rabs_mult, Rabs_inv, Rabs_mult, (Rabs_pos_eq alpha) by (try apply
+    Rmult_integral_contrapositive_currified; lra).
+    assert (N := Rabs_pos_lt x X); apply (Rmult_le_reg_r (alpha * Rabs x)); [ nra | field_simplify;
+      [ | nra | nra ] ]; nra.
   - replace (tan alpha) with (a_p * x / g) by (rewrite E; field; lra); field; repeat split; lra.
 Qed.
 Theorem derivation_u21 : 0 < g -> 0 < alpha <= 1 -> sin psi <> 0 -> a_p * sin psi = g * tan alpha ->
@@ -108,16 +111,19 @@ Theorem claim_c69_nothing_lifts g alpha p (u theta thetadot : R -> R) :
 Proof.
   intros G P U D E Z R t T.
   assert (B : forall t, u t / g <= alpha).
-  { intro s; apply (Rmult_le_reg_r g); [ exact G | ]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; specialize (U s); lra. }
+  { intro s; apply (Rmult_le_reg_r g); [ exact G | ]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; specialize (U s);
+    lra. }
   assert (W : forall s, 0 <= s -> 0 <= (thetadot s + p * theta s) * exp (- (p * s))).
   { intros s S; replace 0 with ((thetadot 0 + p * theta 0) * exp (- (p * 0))) by (rewrite Z, R; ring).
-    apply (increases (fun s => (thetadot s + p * theta s) * exp (- (p * s))) (fun s => p ^ 2 * (alpha - u s / g) * exp (- (p * s)))); [ exact S | |].
+    apply (increases (fun s => (thetadot s + p * theta s) * exp (- (p * s))) (fun s => p ^ 2 * (alpha - u s / g) *
+      exp (- (p * s)))); [ exact S | |].
     - intros z _; assert (Dz := D z); assert (Ez := E z); derivatives; ring.
     - intros z _; specialize (B z); assert (X := exp_pos (- (p * z))); assert (Q := pow2_ge_0 p).
       apply Rmult_le_pos; [ apply Rmult_le_pos | ]; lra. }
   assert (V : 0 <= theta t * exp (p * t)).
   { replace 0 with (theta 0 * exp (p * 0)) by (rewrite Z; ring).
-    apply (increases (fun s => theta s * exp (p * s)) (fun s => (thetadot s + p * theta s) * exp (p * s))); [ exact T | |].
+    apply (increases (fun s => theta s * exp (p * s)) (fun s => (thetadot s + p * theta s) * exp (p * s)));
+      [ exact T | |].
     - intros z _; assert (Dz := D z); derivatives; ring.
     - intros z L; assert (X := W z (proj1 L)); assert (Y := exp_pos (- (p * z))); assert (Y' := exp_pos (p * z)).
       apply Rmult_le_pos; [ | lra ]; apply Rnot_lt_le; intro N; nra. }
@@ -125,17 +131,22 @@ Proof.
 Qed.
 
 (* (103) from rest is (78) at psi + pi/2: no curve of its own. *)
-Theorem claim_c51_103_is_78_shifted p omega_p psi T_ex : 0 < p -> 0 < omega_p -> T_ex = (3 * PI / 2 - psi) / omega_p ->
-  ((2 * p / omega_p + omega_p / p - 1 / 1 * (0 + 0 / p) * (p / omega_p + omega_p / p)) * cos psi - sin psi = exp (- (p * T_ex)) <->
-   (omega_p / p + 2 * p / omega_p) * sin (psi + PI / 2) + cos (psi + PI / 2) = exp (- ((2 * PI - (psi + PI / 2)) / (omega_p / p)))).
+Theorem claim_c51_103_is_78_shifted p omega_p psi T_ex : 0 < p -> 0 < omega_p ->
+  T_ex = (3 * PI / 2 - psi) / omega_p ->
+  ((2 * p / omega_p + omega_p / p - 1 / 1 * (0 + 0 / p) * (p / omega_p + omega_p / p)) * cos psi - sin psi =
+    exp (- (p * T_ex)) <->
+   (omega_p / p + 2 * p / omega_p) * sin (psi + PI / 2) + cos (psi + PI / 2) =
+     exp (- ((2 * PI - (psi + PI / 2)) / (omega_p / p)))).
 Proof.
   intros P W ->; rewrite sin_plus, cos_plus, sin_PI2, cos_PI2.
-  replace (- ((2 * PI - (psi + PI / 2)) / (omega_p / p))) with (- (p * ((3 * PI / 2 - psi) / omega_p))) by (field; lra).
+  replace (- ((2 * PI - (psi + PI / 2)) / (omega_p / p))) with (- (p * ((3 * PI / 2 - psi) / omega_p))) by (field;
+    lra).
   apply (eq_by 1); [ lra | field; lra ].
 Qed.
 
 (* (r16), e after an impact at a distance d from the corner: larger than (46) unless d = 0. *)
-Theorem claim_c22_away_from_the_corner R' alpha d : 0 < R' -> 0 < alpha < PI / 2 -> 0 < d -> 0 < 4 * R' - 3 * d * sin alpha ->
+Theorem claim_c22_away_from_the_corner R' alpha d : 0 < R' -> 0 < alpha < PI / 2 -> 0 < d ->
+  0 < 4 * R' - 3 * d * sin alpha ->
   1 - 3 / 2 * sin alpha ^ 2 < (4 * R' - 6 * R' * sin alpha ^ 2 + 3 * d * sin alpha) / (4 * R' - 3 * d * sin alpha).
 Proof.
   intros R A D N; assert (Z := PI_RGT_0); assert (S := sin_gt_0 alpha); assert (B := SIN_bound alpha).

@@ -94,7 +94,8 @@ Proof. unfold y_c; differentiate; ring. Qed.
 Definition K q v u := 1 / 2 * J_o * v ^ 2 + 1 / 2 * m * u ^ 2 + m * u * v * R' * cos (alpha + side * q).
 Definition Omega q := m * g * R' * (cos (alpha + side * q) - cos alpha).
 Theorem derivation_6_16b q v u :
-  1 / 2 * J_c * v ^ 2 + 1 / 2 * m * ((u + R' * v * cos (alpha + side * q)) ^ 2 + (- side * R' * v * sin (alpha + side * q)) ^ 2) =
+  1 / 2 * J_c * v ^ 2 + 1 / 2 * m * ((u + R' * v * cos (alpha + side * q)) ^ 2 + (- side * R' * v * sin (alpha +
+    side * q)) ^ 2) =
   K q v u.
 Proof. assert (P := pyth (alpha + side * q)); unfold K, J_c, J_o; field [P sides]. Qed.
 (* (9), (14): the potential of the weight. *)
@@ -135,16 +136,20 @@ Proof.
 Qed.
 Theorem derivation_21a_21b p t :
   p ^ 2 = 3 * g / (4 * R') ->
-  (lagrange t <-> thetaddot t + p ^ 2 * (u_gddot t / g * cos (alpha + side * theta t) - side * sin (alpha + side * theta t)) = 0).
+  (lagrange t <-> thetaddot t + p ^ 2 * (u_gddot t / g * cos (alpha + side * theta t) - side * sin (alpha +
+    side * theta t)) = 0).
 Proof.
-  intro P; rewrite derivation_11_20; apply (eq_by J_o); [ unfold J_o; apply Rgt_not_eq; pos | rewrite P; unfold J_o; field; lra ].
+  intro P; rewrite derivation_11_20; apply (eq_by J_o); [ unfold J_o; apply Rgt_not_eq; pos | rewrite P; unfold J_o;
+    field; lra ].
 Qed.
 
 (* Newton: the reactions H and V move the centre of mass. Its accelerations, (47) to (49), (25), (26). *)
 Definition x_cdot t := - side * (R' * thetadot t * cos (alpha + side * theta t)).
 Definition y_cdot t := - side * R' * thetadot t * sin (alpha + side * theta t).
-Definition x_cddot t := - side * (R' * thetaddot t * cos (alpha + side * theta t)) + thetadot t ^ 2 * R' * sin (alpha + side * theta t).
-Definition y_cddot t := - side * R' * thetaddot t * sin (alpha + side * theta t) - R' * thetadot t ^ 2 * cos (alpha + side * theta t).
+Definition x_cddot t := - side * (R' * thetaddot t * cos (alpha + side * theta t)) +
+  thetadot t ^ 2 * R' * sin (alpha + side * theta t).
+Definition y_cddot t := - side * R' * thetaddot t * sin (alpha + side * theta t) - R' * thetadot t ^ 2 * cos (alpha +
+  side * theta t).
 Theorem derivation_48b t : is_derive x_c t (x_cdot t).
 Proof. unfold x_c, x_cdot; differentiate; ring. Qed.
 Theorem derivation_48c t : is_derive x_cdot t (x_cddot t).
@@ -180,18 +185,22 @@ Theorem derivation_50a_r1_r3 p H t :
   thetaddot t + p ^ 2 * (u_gddot t / g * cos (alpha + side * theta t) - side * sin (alpha + side * theta t)) = 0 ->
   H = m * (u_gddot t - side * x_cddot t) ->
   H / m = u_gddot t - p ^ 2 * R' * (u_gddot t / g * cos (alpha + side * theta t) ^ 2 -
-            side * (sin (alpha + side * theta t) * cos (alpha + side * theta t))) - side * (thetadot t ^ 2 * R' * sin (alpha + side * theta t)).
+            side * (sin (alpha + side * theta t) * cos (alpha + side * theta t))) - side * (thetadot t ^ 2 * R' * sin
+              (alpha + side * theta t)).
 Proof.
-  intros E ->; assert (F : thetaddot t = - (p ^ 2 * (u_gddot t / g * cos (alpha + side * theta t) - side * sin (alpha + side * theta t)))) by lra.
+  intros E ->; assert (F : thetaddot t = - (p ^ 2 * (u_gddot t / g * cos (alpha +
+    side * theta t) - side * sin (alpha + side * theta t)))) by lra.
   unfold x_cddot; rewrite F; field [sides]; lra.
 Qed.
 Theorem derivation_50b_r2_r4 p V t :
   thetaddot t + p ^ 2 * (u_gddot t / g * cos (alpha + side * theta t) - side * sin (alpha + side * theta t)) = 0 ->
   V = m * (g + y_cddot t) ->
   V / m = g - p ^ 2 * R' * (sin (alpha + side * theta t) ^ 2 -
-            side * (u_gddot t / g * sin (alpha + side * theta t) * cos (alpha + side * theta t))) - R' * thetadot t ^ 2 * cos (alpha + side * theta t).
+            side * (u_gddot t / g * sin (alpha + side * theta t) * cos (alpha +
+              side * theta t))) - R' * thetadot t ^ 2 * cos (alpha + side * theta t).
 Proof.
-  intros E ->; assert (F : thetaddot t = - (p ^ 2 * (u_gddot t / g * cos (alpha + side * theta t) - side * sin (alpha + side * theta t)))) by lra.
+  intros E ->; assert (F : thetaddot t = - (p ^ 2 * (u_gddot t / g * cos (alpha +
+    side * theta t) - side * sin (alpha + side * theta t)))) by lra.
   unfold y_cddot; rewrite F; field [sides]; lra.
 Qed.
 (* It turns to theta < 0 from rest where the moment of the inertia force is the larger one, (11), (20). *)
@@ -202,10 +211,12 @@ Proof.
   assert (J : 0 < J_o) by (unfold J_o; pos); split; intro; [ nra | ].
   apply Rnot_lt_le; intro K; assert (N := Rmult_lt_0_compat _ _ J K); lra.
 Qed.
-(* The reactions do no work, so that Lagrange's equation says what Newton's and Euler's say: the moments of H and V about
+(* The reactions do no work, so that Lagrange's equation says what Newton's and Euler's say: the moments of H and V
+  about
    the centre of mass turn the block. *)
 Theorem derivation_1 H V t : H = m * (u_gddot t - side * x_cddot t) -> V = m * (g + y_cddot t) ->
-  (lagrange t <-> J_c * thetaddot t = side * (V * (R' * sin (alpha + side * theta t))) - H * (R' * cos (alpha + side * theta t))).
+  (lagrange t <-> J_c * thetaddot t = side * (V * (R' * sin (alpha + side * theta t))) - H * (R' * cos (alpha +
+    side * theta t))).
 Proof.
   intros -> ->; rewrite derivation_11_20; assert (P := pyth (alpha + side * theta t)).
   apply (eq_by 1); [ lra | unfold x_cddot, y_cddot, J_o, J_c; field [P sides] ].
@@ -228,12 +239,15 @@ End Motion.
 (* The unstable equilibrium (60), and the ground that would hold the block at theta = alpha. side as above. *)
 Theorem derivation_60a_60c p alpha side theta_star :
   0 < p -> side ^ 2 = 1 -> 0 < alpha < PI / 2 -> - (PI / 2) < theta_star < PI / 2 ->
-  (0 + p ^ 2 * (0 * cos (alpha + side * theta_star) - side * sin (alpha + side * theta_star)) = 0 <-> theta_star = - side * alpha).
+  (0 + p ^ 2 * (0 * cos (alpha + side * theta_star) - side * sin (alpha + side * theta_star)) = 0 <->
+    theta_star = - side * alpha).
 Proof.
   intros P S A T; assert (Q := PI_RGT_0); assert (C : side = 1 \/ side = - 1) by nra; split.
-  - intro E; assert (Z : sin (alpha + side * theta_star) = 0) by (assert (0 < p ^ 2) by nra; destruct C; subst side; nra).
+  - intro E; assert (Z : sin (alpha + side * theta_star) = 0) by (assert (0 < p ^ 2) by nra; destruct C; subst side;
+    nra).
     destruct (Rtotal_order (alpha + side * theta_star) 0) as [L | [L | L]].
-    + assert (sin (- (alpha + side * theta_star)) > 0) by (apply sin_gt_0; destruct C; subst side; lra); rewrite sin_neg in *; lra.
+    + assert (sin (- (alpha + side * theta_star)) > 0) by (apply sin_gt_0; destruct C; subst side; lra);
+      rewrite sin_neg in *; lra.
     + destruct C; subst side; lra.
     + assert (sin (alpha + side * theta_star) > 0) by (apply sin_gt_0; destruct C; subst side; lra); lra.
   - intros ->; replace (alpha + side * (- side * alpha)) with 0 by ring [S]; rewrite sin_0; ring.

@@ -1,4 +1,5 @@
-(* Rows between the equations of motion: geometry, the start of motion, sliding, the moment of momentum point by point,
+(* Rows between the equations of motion: geometry, the start of motion, sliding, the moment of momentum point by
+  point,
    and the phase of the pulse. *)
 From Rederive Require Import Rederive.
 
@@ -15,7 +16,8 @@ Proof.
   assert (S : b * cos alpha = h * sin alpha).
   { replace (b * cos alpha) with (b / h * (h * cos alpha)) by (field; lra); rewrite T; unfold tan; field; lra. }
   assert (X : (R' * cos alpha) ^ 2 = h ^ 2).
-  { rewrite Rpow_mult_distr, Q; transitivity ((b * cos alpha) ^ 2 + h ^ 2 * cos alpha ^ 2); [ ring | rewrite S; ring [P] ]. }
+  { rewrite Rpow_mult_distr, Q; transitivity ((b * cos alpha) ^ 2 + h ^ 2 * cos alpha ^ 2); [ ring | rewrite S;
+    ring [P] ]. }
   assert (Y : h = R' * cos alpha) by (assert (0 < R' * cos alpha) by pos; nra).
   split; [ | exact Y ]; apply (Rmult_eq_reg_r (cos alpha)); [ rewrite S, Y; ring | lra ].
 Qed.
@@ -27,7 +29,8 @@ Proof.
   - replace (1 * theta) with theta by ring; rewrite sin_plus; ring.
   - replace (-1 * theta) with (- theta) by ring; rewrite sin_plus, sin_neg, cos_neg; ring.
 Qed.
-Theorem derivation_42b : 4 * h * b * (4 / 3 * h ^ 2 - 2 / 3 * b ^ 2) = 4 * h * b * (4 / 3 * R' ^ 2 - 2 * R' ^ 2 * sin alpha ^ 2).
+Theorem derivation_42b : 4 * h * b * (4 / 3 * h ^ 2 - 2 / 3 * b ^ 2) = 4 * h * b * (4 / 3 * R' ^ 2 - 2 * R' ^ 2 * sin
+  alpha ^ 2).
 Proof. rewrite side_b, side_h; assert (P := pyth alpha); field [P]. Qed.
 End Geometry.
 
@@ -37,7 +40,8 @@ Theorem derivation_38 b r phi thetadot_minus x' y' v_x v_y :
   (x' + 2 * b) * v_y - y' * v_x = (r ^ 2 - 2 * b * r * sin phi) * thetadot_minus.
 Proof. intros -> -> -> ->; assert (P := pyth phi); ring [P]. Qed.
 Theorem derivation_39 b r phi x thetadot_minus hO_minus : r * sin phi = 2 * b - x ->
-  hO_minus = (r ^ 2 - 2 * b * r * sin phi) * thetadot_minus -> hO_minus = (r ^ 2 - 2 * b * (2 * b - x)) * thetadot_minus.
+  hO_minus = (r ^ 2 - 2 * b * r * sin phi) * thetadot_minus -> hO_minus =
+    (r ^ 2 - 2 * b * (2 * b - x)) * thetadot_minus.
 Proof. intros E ->; rewrite <- E; ring. Qed.
 Theorem derivation_40a b r phi x y : r * sin phi = 2 * b - x -> r * cos phi = y -> r ^ 2 = y ^ 2 + (2 * b - x) ^ 2.
 Proof. intros <- <-; assert (P := pyth phi); ring [P]. Qed.
@@ -45,7 +49,8 @@ Theorem derivation_45a r phi thetadot_plus x' y' v_x v_y :
   x' = - r * sin phi -> y' = r * cos phi -> v_x = - thetadot_plus * y' -> v_y = thetadot_plus * x' ->
   x' * v_y - y' * v_x = r ^ 2 * thetadot_plus.
 Proof. intros -> -> -> ->; assert (P := pyth phi); ring [P]. Qed.
-Theorem derivation_45b m R' J_o thetadot_plus : J_o = 4 / 3 * m * R' ^ 2 -> J_o * thetadot_plus = 4 / 3 * m * R' ^ 2 * thetadot_plus.
+Theorem derivation_45b m R' J_o thetadot_plus : J_o = 4 / 3 * m * R' ^ 2 ->
+  J_o * thetadot_plus = 4 / 3 * m * R' ^ 2 * thetadot_plus.
 Proof. now intros ->. Qed.
 (* The energy that the impact takes, where the ground does not move. *)
 Theorem derivation_u12a m R' alpha J_o thetadot_minus thetadot_plus K : 
@@ -64,7 +69,8 @@ Let h := R' * cos alpha.
 Theorem derivation_24a : m * a_p * R' * cos alpha >= m * g * R' * sin alpha <-> a_p >= g * tan alpha.
 Proof.
   assert (C := cos_pos); unfold tan; assert (K : 0 < m * R' * cos alpha) by pos.
-  assert (E : g * (sin alpha / cos alpha) - a_p = / (m * R' * cos alpha) * (m * g * R' * sin alpha - m * a_p * R' * cos alpha))
+  assert (E : g * (sin alpha / cos alpha) - a_p = / (m * R' * cos alpha) * (m * g * R' * sin alpha - m * a_p * R' *
+    cos alpha))
     by (field; lra).
   assert (L := Rinv_0_lt_compat _ K); split; intro; nra.
 Qed.
@@ -73,16 +79,20 @@ Proof.
   assert (E : g * tan alpha / a_p - lambda = / a_p * (g * tan alpha - lambda * a_p)) by (field; lra).
   assert (L := Rinv_0_lt_compat _ a_pos); split; intro; nra.
 Qed.
-Hypotheses (equation_25b : H_0 = m * (lambda * a_p + h * thetaddot_0)) (equation_26b : V_0 = m * (g - b * thetaddot_0)).
+Hypotheses (equation_25b : H_0 = m * (lambda * a_p + h * thetaddot_0)) (equation_26b : V_0 =
+  m * (g - b * thetaddot_0)).
 Hypothesis equation_u2 : forall J_c, J_c = m * R' ^ 2 / 3 -> H_0 * h - V_0 * b + J_c * thetaddot_0 = 0.
-Theorem derivation_28a : p ^ 2 = 3 * g / (4 * R') -> thetaddot_0 = p ^ 2 * sin alpha * (1 - lambda * a_p / (g * tan alpha)).
+Theorem derivation_28a : p ^ 2 = 3 * g / (4 * R') -> thetaddot_0 = p ^ 2 * sin alpha * (1 - lambda * a_p / (g * tan
+  alpha)).
 Proof.
   intro P; assert (C := cos_pos); assert (S := sin_pos); assert (E := equation_u2 _ eq_refl).
   rewrite equation_25b, equation_26b in E; unfold h, b in E; rewrite P; unfold tan.
   apply (Rmult_eq_reg_l (4 / 3 * m * R' ^ 2)); [ | apply Rgt_not_eq; pos ].
-  transitivity (m * g * R' * sin alpha - m * R' * cos alpha * (lambda * a_p)); [ assert (Q := pyth alpha) | field; lra ].
+  transitivity (m * g * R' * sin alpha - m * R' * cos alpha * (lambda * a_p)); [ assert (Q := pyth alpha) | field;
+    lra ].
   replace (4 / 3 * m * R' ^ 2 * thetaddot_0) with
-    (m * (lambda * a_p + R' * cos alpha * thetaddot_0) * (R' * cos alpha) - m * (g - R' * sin alpha * thetaddot_0) * (R' * sin alpha) +
+    (m * (lambda * a_p + R' * cos alpha * thetaddot_0) * (R' * cos alpha) - m * (g - R' * sin alpha * thetaddot_0) *
+      (R' * sin alpha) +
      m * R' ^ 2 / 3 * thetaddot_0 + m * g * R' * sin alpha - m * R' * cos alpha * (lambda * a_p)) by (field [Q]).
   rewrite E; ring.
 Qed.
@@ -100,13 +110,15 @@ Proof.
   split; [ exact E | ]; replace (b / h) with (H_0 / V_0); [ reflexivity | ].
   rewrite E, L; unfold tan, b, h; field; lra.
 Qed.
-Theorem derivation_31 mu : thetaddot_0 = 3 / 4 * (g / R') * sin alpha * (1 - lambda * a_p / (g * tan alpha)) -> V_0 <> 0 ->
+Theorem derivation_31 mu : thetaddot_0 = 3 / 4 * (g / R') * sin alpha * (1 - lambda * a_p / (g * tan alpha)) ->
+  V_0 <> 0 ->
   (mu >= H_0 / V_0 <->
    mu >= (lambda * a_p - 3 / 4 * g * cos alpha * sin alpha * (lambda * a_p / (g * tan alpha) - 1)) /
          (g + 3 / 4 * g * sin alpha ^ 2 * (lambda * a_p / (g * tan alpha) - 1))).
 Proof.
   intros E N; set (q := lambda * a_p / (g * tan alpha)) in *.
-  assert (A : H_0 = m * (lambda * a_p - 3 / 4 * g * cos alpha * sin alpha * (q - 1))) by (rewrite equation_25b, E; unfold h; field; lra).
+  assert (A : H_0 = m * (lambda * a_p - 3 / 4 * g * cos alpha * sin alpha * (q - 1))) by (rewrite equation_25b, E;
+    unfold h; field; lra).
   assert (B : V_0 = m * (g + 3 / 4 * g * sin alpha ^ 2 * (q - 1))) by (rewrite equation_26b, E; unfold b; field; lra).
   set (d := g + 3 / 4 * g * sin alpha ^ 2 * (q - 1)) in *.
   assert (D : d <> 0) by (intro Z; apply N; rewrite B, Z; ring).
@@ -121,7 +133,8 @@ Hypothesis omega_pos : 0 < omega_p.
 Theorem derivation_52b_52c t : 0 <= omega_p * t + psi <= 2 * PI <-> - psi / omega_p <= t <= (2 * PI - psi) / omega_p.
 Proof.
   assert (A : 0 <= omega_p * t + psi <-> - psi / omega_p <= t) by (apply (le_by omega_p); [ lra | field; lra ]).
-  assert (B : omega_p * t + psi <= 2 * PI <-> t <= (2 * PI - psi) / omega_p) by (apply (le_by omega_p); [ lra | field; lra ]).
+  assert (B : omega_p * t + psi <= 2 * PI <-> t <= (2 * PI - psi) / omega_p) by (apply (le_by omega_p);
+    [ lra | field; lra ]).
   tauto.
 Qed.
 Theorem derivation_u20 T_ex : omega_p * T_ex + psi = 2 * PI <-> T_ex = (2 * PI - psi) / omega_p.
@@ -130,25 +143,30 @@ Theorem derivation_u28 T_ex : omega_p * T_ex + PI / 2 + psi = 2 * PI <-> T_ex = 
 Proof. apply (eq_by omega_p); [ lra | field; lra ]. Qed.
 Theorem derivation_53a : a_p * sin (omega_p * 0 + psi) = a_p * sin psi.
 Proof. now rewrite Rmult_0_r, Rplus_0_l. Qed.
-Theorem derivation_53b u_gddot_0 lambda : u_gddot_0 = a_p * sin psi -> u_gddot_0 = lambda * a_p -> a_p * sin psi = lambda * a_p.
+Theorem derivation_53b u_gddot_0 lambda : u_gddot_0 = a_p * sin psi -> u_gddot_0 = lambda * a_p ->
+  a_p * sin psi = lambda * a_p.
 Proof. congruence. Qed.
-Theorem derivation_53c lambda : 0 < a_p -> - (PI / 2) <= psi <= PI / 2 -> a_p * sin psi = lambda * a_p -> psi = asin lambda.
+Theorem derivation_53c lambda : 0 < a_p -> - (PI / 2) <= psi <= PI / 2 -> a_p * sin psi = lambda * a_p ->
+  psi = asin lambda.
 Proof.
   intros A P E; assert (S : lambda = sin psi) by (apply (Rmult_eq_reg_l a_p); lra).
   rewrite S; symmetry; now apply asin_sin.
 Qed.
-Theorem derivation_54 lambda : 0 < a_p -> psi = asin lambda -> lambda * a_p = g * tan alpha -> psi = asin (g * tan alpha / a_p).
+Theorem derivation_54 lambda : 0 < a_p -> psi = asin lambda -> lambda * a_p = g * tan alpha ->
+  psi = asin (g * tan alpha / a_p).
 Proof. intros A -> E; f_equal; rewrite <- E; field; lra. Qed.
 Theorem derivation_u27a : a_p * cos (omega_p * 0 + psi) = a_p * cos psi.
 Proof. now rewrite Rmult_0_r, Rplus_0_l. Qed.
-Theorem derivation_u27b u_gddot_0 lambda : u_gddot_0 = a_p * cos psi -> u_gddot_0 = lambda * a_p -> a_p * cos psi = lambda * a_p.
+Theorem derivation_u27b u_gddot_0 lambda : u_gddot_0 = a_p * cos psi -> u_gddot_0 = lambda * a_p ->
+  a_p * cos psi = lambda * a_p.
 Proof. congruence. Qed.
 Theorem derivation_u27c lambda : 0 < a_p -> 0 <= psi <= PI -> a_p * cos psi = lambda * a_p -> psi = acos lambda.
 Proof.
   intros A P E; assert (S : lambda = cos psi) by (apply (Rmult_eq_reg_l a_p); lra).
   rewrite S; symmetry; now apply acos_cos.
 Qed.
-Theorem derivation_u27d lambda : cos psi <> 0 -> a_p * cos psi = lambda * a_p -> lambda * a_p = g * tan alpha -> a_p = g * tan alpha / cos psi.
+Theorem derivation_u27d lambda : cos psi <> 0 -> a_p * cos psi = lambda * a_p -> lambda * a_p = g * tan alpha ->
+  a_p = g * tan alpha / cos psi.
 Proof. intros C E L; rewrite <- L, <- E; field; exact C. Qed.
 End Phase.
 
@@ -164,7 +182,8 @@ Theorem derivation_74 alpha Abar_3 Abar_4 x :
   alpha = Abar_3 * sinh x + Abar_4 * cosh x + alpha -> 0 = Abar_3 * cosh x + Abar_4 * sinh x -> Abar_3 = - Abar_4.
 Proof. intros A B; apply (sum_of_hyperbolic _ _ x); lra. Qed.
 Theorem derivation_95a p alpha thetadot_after x : 0 < p ->
-  thetadot_after / p * sinh x - alpha * cosh x = 0 -> thetadot_after / p * cosh x - alpha * sinh x = 0 -> thetadot_after - p * alpha = 0.
+  thetadot_after / p * sinh x - alpha * cosh x = 0 -> thetadot_after / p * cosh x - alpha * sinh x = 0 ->
+    thetadot_after - p * alpha = 0.
 Proof.
   intros P A B; assert (E : thetadot_after / p = - - alpha) by (apply (sum_of_hyperbolic _ _ x); lra).
   replace thetadot_after with (thetadot_after / p * p) by (field; lra); rewrite E; ring.

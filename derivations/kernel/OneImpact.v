@@ -1,4 +1,5 @@
-(* The smallest amplitude at which a block overturns after one impact, (86) and (88), for omega_p/p = 3 and alpha = 1/4.
+(* The smallest amplitude at which a block overturns after one impact, (86) and (88), for omega_p/p = 3 and alpha =
+  1/4.
    Angles are in units of alpha/(10 sin psi), times in units of 1/p. *)
 From Rederive Require Import Rederive Bounds Solutions.
 From Coquelicot Require Import Coquelicot.
@@ -27,7 +28,8 @@ Proof.
   intro T.
   assert (C : forall x, 0 < x <= 1 / 8 -> 0 < cos psi * F x - 3 * sin psi * E x).
   { intros x X; replace 0 with (cos psi * F 0 - 3 * sin psi * E 0) by (unfold F, E; at_zero).
-    apply (grows (fun x => cos psi * F x - 3 * sin psi * E x) (fun x => cos psi * G x - 3 * sin psi * F x)); [ lra | |].
+    apply (grows (fun x => cos psi * F x - 3 * sin psi * E x) (fun x => cos psi * G x - 3 * sin psi * F x));
+      [ lra | |].
     - intros y _; assert (A := F_derivative y); assert (B := E_derivative y); derivatives; ring.
     - intros y Y; assert (0 <= y <= 1 / 8) by lra; unfold F, G; interval with (i_prec 40, i_bisect y, i_bisect psi). }
   assert (B : forall x, 0 < x <= 1 / 8 -> 0 < cos psi * E x - sin psi * D x).
@@ -35,7 +37,8 @@ Proof.
     apply (grows (fun x => cos psi * E x - sin psi * D x) (fun x => cos psi * F x - 3 * sin psi * E x)); [ lra | |].
     - intros y _; assert (P := E_derivative y); assert (Q := D_derivative y); derivatives; ring.
     - intros y Y; apply C; lra. }
-  enough (- before psi 0 < - before psi t) by (unfold before, N, D in *; rewrite ?Rmult_0_r, ?Ropp_0, ?exp_0, ?sin_0, ?cos_0 in *; lra).
+  enough (- before psi 0 < - before psi t) by (unfold before, N, D in *;
+    rewrite ?Rmult_0_r, ?Ropp_0, ?exp_0, ?sin_0, ?cos_0 in *; lra).
   apply (grows (fun x => - before psi x) (fun x => - before_rate psi x)); [ lra | |].
   - intros y _; assert (P := before_derivative psi y); derivatives; ring.
   - intros y Y; unfold before_rate; specialize (B y); lra.
@@ -49,7 +52,8 @@ Proof. intro T; unfold before_rate, D, E; interval with (i_prec 40, i_bisect t, 
 Lemma is_back : 0 < before psi (6 / 5).
 Proof. unfold before, N, D; interval with (i_prec 40, i_bisect psi). Qed.
 
-Theorem first_impact : exists tau, 9 / 10 < tau < 6 / 5 /\ before psi tau = 0 /\ forall t, 0 < t < tau -> before psi t < 0.
+Theorem first_impact : exists tau, 9 / 10 < tau < 6 / 5 /\ before psi tau = 0 /\ forall t, 0 < t < tau ->
+  before psi t < 0.
 Proof.
   assert (A : before psi (9 / 10) < 0) by (apply stays_left; lra).
   destruct (intermediate_value (before psi) (9 / 10) (6 / 5)) as [tau [I Z]].
@@ -81,7 +85,8 @@ Proof. intro T; unfold D; interval with (i_prec 40, i_bisect t). Qed.
 Definition cot_rate t := 3 * (D t ^ 2 - N t * E t) / D t ^ 2.
 Lemma cot_derivative t : 9 / 10 <= t <= 6 / 5 -> is_derive cot_psi t (cot_rate t).
 Proof.
-  intro T; assert (P := D_pos t T); unfold cot_psi, cot_rate; assert (A := N_derivative t); assert (B := D_derivative t).
+  intro T; assert (P := D_pos t T); unfold cot_psi, cot_rate; assert (A := N_derivative t);
+    assert (B := D_derivative t).
   derivatives; [ lra | field; lra ].
 Qed.
 Lemma cot_rate_pos t : 9 / 10 <= t <= 6 / 5 -> 1 / 2 < cot_rate t < 2.
@@ -96,7 +101,8 @@ Qed.
 
 (* After it, with e of (46): the growing part of theta - alpha at the end of the pulse, times 10/alpha, (88). *)
 Definition e := 1 - 3 / 2 * sin (1 / 4) ^ 2.
-Definition impact c t := 3 * e * (D t - c * E t) - 10 - (c * sin (3 * t) + cos (3 * t)) - 3 * (c * cos (3 * t) - sin (3 * t)).
+Definition impact c t := 3 * e * (D t - c * E t) - 10 - (c * sin (3 * t) +
+  cos (3 * t)) - 3 * (c * cos (3 * t) - sin (3 * t)).
 Definition impact_rate c c' t :=
   3 * e * (3 * E t - c' * E t - c * F t) - (c' * sin (3 * t) + 3 * c * cos (3 * t) - 3 * sin (3 * t)) -
   3 * (c' * cos (3 * t) - 3 * c * sin (3 * t) - 3 * cos (3 * t)).
@@ -160,7 +166,8 @@ Proof.
 Qed.
 Lemma psi_is : psi = PI / 2 - atan (cot_psi tau).
 Proof.
-  rewrite cot_is; assert (X : cos psi / sin psi = tan (PI / 2 - psi)) by (unfold tan; rewrite sin_shift, cos_shift; reflexivity); rewrite X.
+  rewrite cot_is; assert (X : cos psi / sin psi = tan (PI / 2 - psi)) by (unfold tan; rewrite sin_shift, cos_shift;
+    reflexivity); rewrite X.
   rewrite atan_tan; [ lra | split; bounds ].
 Qed.
 Lemma root_at : sqrt (1 + cot_psi tau ^ 2) = / sin psi.
@@ -174,16 +181,20 @@ Definition a_4 := - 10 * sin psi - sin (3 * tau + psi).
 Lemma margin_is : (a_3 + a_4) * exp (end_of_pulse - tau) + 3 = sin psi * margin tau.
 Proof.
   assert (P := sin_pos); unfold margin, margin_at; rewrite root_at; unfold impact.
-  replace ((3 * PI / 2 + atan (cot_psi tau)) / 3 - tau) with (end_of_pulse - tau) by (unfold end_of_pulse; rewrite psi_is at 1; field).
+  replace ((3 * PI / 2 + atan (cot_psi tau)) / 3 - tau) with (end_of_pulse - tau) by (unfold end_of_pulse;
+    rewrite psi_is at 1; field).
   rewrite cot_is; unfold a_3, a_4, before_rate; rewrite sin_plus, cos_plus; field; lra.
 Qed.
 (* The motion after it: a_3 sinh + a_4 cosh + sin + 10 sin psi, from 0. *)
-Definition after s := a_3 * ((exp s - exp (- s)) / 2) + a_4 * ((exp s + exp (- s)) / 2) + sin (3 * (tau + s) + psi) + 10 * sin psi.
-Definition after_rate s := a_3 * ((exp s + exp (- s)) / 2) + a_4 * ((exp s - exp (- s)) / 2) + 3 * cos (3 * (tau + s) + psi).
+Definition after s := a_3 * ((exp s - exp (- s)) / 2) + a_4 * ((exp s + exp (- s)) / 2) + sin (3 * (tau + s) +
+  psi) + 10 * sin psi.
+Definition after_rate s := a_3 * ((exp s + exp (- s)) / 2) + a_4 * ((exp s - exp (- s)) / 2) + 3 * cos (3 * (tau +
+  s) + psi).
 Lemma after_derivative s : is_derive after s (after_rate s).
 Proof. unfold after, after_rate; auto_derive; [ trivial | field ]. Qed.
 End At_impact.
-Lemma stays_right psi tau s : 3 / 4 <= psi <= 7956 / 10000 -> 111 / 100 <= tau <= 6 / 5 -> 0 <= s <= 3 / 4 -> 0 < after_rate psi tau s.
+Lemma stays_right psi tau s : 3 / 4 <= psi <= 7956 / 10000 -> 111 / 100 <= tau <= 6 / 5 -> 0 <= s <= 3 / 4 ->
+  0 < after_rate psi tau s.
 Proof.
   intros P T S; unfold after_rate, a_3, a_4, before_rate, D, E, e.
   interval with (i_prec 30, i_bisect s, i_bisect tau, i_bisect psi).
@@ -217,10 +228,12 @@ Proof.
   - intro s; specialize (U s); replace (p ^ 2 * x s + (p ^ 2 * alpha - p ^ 2 * pulse s)) with
       (p ^ 2 * x s + p ^ 2 * alpha - p ^ 2 * pulse s) by ring; exact U.
   - intro s; unfold before, before_rate, N, D, E; auto_derive; [ trivial | field ].
-  - intro s; unfold pulse, k, before, before_rate, N, D, E; replace (3 * p * s) with (3 * (p * s)) by ring; rewrite sin_plus.
+  - intro s; unfold pulse, k, before, before_rate, N, D, E; replace (3 * p * s) with (3 * (p * s)) by ring;
+    rewrite sin_plus.
     auto_derive; [ trivial | field; lra ].
   - rewrite X0, U0 in A, B; unfold before, before_rate, N, D, E in A, B |- *.
-    rewrite ?Rmult_0_r, ?Ropp_0, ?exp_0, ?sin_0, ?cos_0 in A, B; split; [ rewrite A; field; lra | rewrite B; field; lra ].
+    rewrite ?Rmult_0_r, ?Ropp_0, ?exp_0, ?sin_0, ?cos_0 in A, B; split; [ rewrite A; field; lra | rewrite B; field;
+      lra ].
 Qed.
 Lemma impact_time : 9 / 10 < tau < 6 / 5 /\ before psi tau = 0.
 Proof.
@@ -232,49 +245,58 @@ Proof.
   - assert (Q : 0 < r / p < t_i).
     { split; [ apply Rdiv_lt_0_compat; lra | apply (Rmult_lt_reg_r p); [ exact p_pos | ] ].
       unfold tau in H; replace (r / p * p) with r by (field; lra); lra. }
-    specialize (L (r / p) Q); destruct (to_the_left (r / p)) as [A _]; replace (p * (r / p)) with r in A by (field; lra); nra.
+    specialize (L (r / p) Q); destruct (to_the_left (r / p)) as [A _]; replace (p * (r / p)) with r in A by (field;
+      lra); nra.
 Qed.
 Lemma to_the_right t : y t = k * after psi tau (p * (t - t_i)) /\ v t / p = k * after_rate psi tau (p * (t - t_i)).
 Proof.
   destruct motion as [_ [_ [[[Y V] [Y0 V0]] _]]]; assert (P := sin_pos psi range).
   destruct (all_solutions p t_i p_pos y v (fun t => k * after psi tau (p * (t - t_i)))
-              (fun t => p * (k * after_rate psi tau (p * (t - t_i)))) (fun t => - p ^ 2 * alpha - p ^ 2 * pulse t)) with (t := t) as [A B].
+              (fun t => p * (k * after_rate psi tau (p * (t - t_i)))) (fun t => - p ^ 2 * alpha - p ^ 2 * pulse t))
+                with (t := t) as [A B].
   - exact Y.
   - intro s; specialize (V s); replace (p ^ 2 * y s + (- p ^ 2 * alpha - p ^ 2 * pulse s)) with
       (p ^ 2 * y s - p ^ 2 * alpha - p ^ 2 * pulse s) by ring; exact V.
   - intro s; unfold after, after_rate; auto_derive; [ trivial | unfold Rminus; field ].
-  - intro s; unfold pulse, k, after, after_rate; replace (3 * p * s) with (3 * (tau + p * (s - t_i))) by (unfold tau; ring).
+  - intro s; unfold pulse, k, after, after_rate; replace (3 * p * s) with (3 * (tau +
+    p * (s - t_i))) by (unfold tau; ring).
     auto_derive; [ trivial | unfold Rminus; field; lra ].
   - destruct (to_the_left t_i) as [_ C]; change (p * t_i) with tau in C; rewrite Y0, V0 in A, B.
     assert (U : u t_i = p * (k * before_rate psi tau)) by (rewrite <- C; field; lra); rewrite U in A, B.
     replace (p * (t_i - t_i)) with 0 in A, B by ring.
     assert (S : after psi tau 0 = 0) by (unfold after, a_4; rewrite Rplus_0_r, Ropp_0, exp_0; field).
-    assert (S' : after_rate psi tau 0 = e * before_rate psi tau) by (unfold after_rate, a_3; rewrite Rplus_0_r, Ropp_0, exp_0; field).
+    assert (S' : after_rate psi tau 0 = e * before_rate psi tau) by (unfold after_rate, a_3;
+      rewrite Rplus_0_r, Ropp_0, exp_0; field).
     rewrite S, S' in A, B; split; [ rewrite A; field; lra | rewrite B; field; lra ].
 Qed.
 Lemma at_the_end : z T_ex - alpha + w T_ex / p = k * (sin psi * margin tau).
 Proof.
   destruct impact_time as [I F]; destruct motion as [_ [_ [_ [E [_ [Z W]]]]]]; assert (P := sin_pos psi range).
-  destruct (to_the_right T_ex) as [A B]; rewrite Z, W, A, B, <- (margin_is psi tau range I F); unfold after, after_rate.
+  destruct (to_the_right T_ex) as [A B]; rewrite Z, W, A, B, <- (margin_is psi tau range I F);
+    unfold after, after_rate.
   assert (X : p * (T_ex - t_i) = end_of_pulse psi - tau) by (rewrite E; unfold end_of_pulse, tau; field; lra).
   rewrite X; replace (3 * (tau + (end_of_pulse psi - tau)) + psi) with (2 * PI) by (unfold end_of_pulse; field).
-  rewrite sin_2PI, cos_2PI; unfold k; rewrite (exp_Ropp (end_of_pulse psi - tau)); assert (G := exp_pos (end_of_pulse psi - tau)).
+  rewrite sin_2PI, cos_2PI; unfold k; rewrite (exp_Ropp (end_of_pulse psi - tau));
+    assert (G := exp_pos (end_of_pulse psi - tau)).
   field; lra.
 Qed.
 Lemma in_the_end t : z t = (z T_ex - alpha + w T_ex / p) / 2 * exp (p * (t - T_ex)) +
                            (z T_ex - alpha - w T_ex / p) / 2 * exp (- (p * (t - T_ex))) + alpha.
 Proof.
   destruct motion as [_ [_ [_ [_ [[Z W] _]]]]].
-  destruct (all_solutions p T_ex p_pos z w (fun _ => alpha) (fun _ => 0) (fun _ => - p ^ 2 * alpha)) with (t := t) as [A _].
+  destruct (all_solutions p T_ex p_pos z w (fun _ => alpha) (fun _ => 0) (fun _ => - p ^ 2 * alpha)) with (t := t) as
+    [A _].
   - exact Z.
-  - intro s; specialize (W s); replace (p ^ 2 * z s + - p ^ 2 * alpha) with (p ^ 2 * z s - p ^ 2 * alpha) by ring; exact W.
+  - intro s; specialize (W s); replace (p ^ 2 * z s + - p ^ 2 * alpha) with (p ^ 2 * z s - p ^ 2 * alpha) by ring;
+    exact W.
   - intro; auto_derive; trivial.
   - intro; auto_derive; [ trivial | ring ].
   - rewrite A; unfold sinh, cosh; field; lra.
 Qed.
 (* Above the threshold it does not come back to 0; below it, it does. *)
 Lemma overturns_to_the_right : psi <= 7956 / 10000 -> 111 / 100 <= tau -> 0 < margin tau ->
-  (forall t, t_i < t <= T_ex -> 0 < y t) /\ (forall t, T_ex <= t -> 0 < z t) /\ forall m, exists S, forall t, S < t -> m < z t.
+  (forall t, t_i < t <= T_ex -> 0 < y t) /\ (forall t, T_ex <= t -> 0 < z t) /\
+    forall m, exists S, forall t, S < t -> m < z t.
 Proof.
   intros A B M; destruct impact_time as [I F]; assert (K := k_pos); assert (P := sin_pos psi range).
   assert (E : T_ex = (2 * PI - psi) / (3 * p)) by (destruct motion as [_ [_ [_ [E _]]]]; exact E).
@@ -286,9 +308,11 @@ Proof.
     replace 0 with (after psi tau 0) by (unfold after, a_4; rewrite Rplus_0_r, Ropp_0, exp_0; field).
     apply (grows (after psi tau) (after_rate psi tau)); [ nra | intros; apply after_derivative | ].
     intros s S; apply stays_right; [ lra | lra | nra ]. }
-  assert (G : 0 < z T_ex - alpha + w T_ex / p) by (rewrite at_the_end; exact (Rmult_lt_0_compat _ _ K (Rmult_lt_0_compat _ _ P M))).
+  assert (G : 0 < z T_ex - alpha + w T_ex / p) by (rewrite at_the_end; exact (Rmult_lt_0_compat _ _ K
+    (Rmult_lt_0_compat _ _ P M))).
   assert (L : t_i < T_ex).
-  { apply (Rmult_lt_reg_l p); [ exact p_pos | ]; replace (p * T_ex) with ((2 * PI - psi) / 3) by (rewrite E; field; lra).
+  { apply (Rmult_lt_reg_l p); [ exact p_pos | ]; replace (p * T_ex) with ((2 * PI - psi) / 3) by (rewrite E; field;
+    lra).
     change (p * t_i) with tau; apply Rlt_trans with (6 / 5); [ lra | bounds ]. }
   assert (Z : 0 < z T_ex) by (destruct motion as [_ [_ [_ [_ [_ [-> _]]]]]]; apply Y; lra).
   split; [ exact Y | split ].
@@ -299,9 +323,11 @@ Proof.
     assert (U : E' * F' = 1) by (unfold E', F'; rewrite <- exp_plus, Rplus_opp_r; apply exp_0).
     assert (C : alpha = 1 / 4) by reflexivity; assert (F' <= 1) by nra.
     assert (V : z T_ex - alpha + w T_ex / p <= (z T_ex - alpha + w T_ex / p) * E') by nra.
-    destruct (Rle_dec 0 (z T_ex - alpha - w T_ex / p)) as [W | W]; [ assert (0 <= (z T_ex - alpha - w T_ex / p) * F') by nra; lra | ].
+    destruct (Rle_dec 0 (z T_ex - alpha - w T_ex / p)) as [W | W]; [ assert (0 <=
+      (z T_ex - alpha - w T_ex / p) * F') by nra; lra | ].
     assert (z T_ex - alpha - w T_ex / p <= (z T_ex - alpha - w T_ex / p) * F') by nra; lra.
-  - intro m; destruct (exponential_beats p ((z T_ex - alpha + w T_ex / p) / 2) ((z T_ex - alpha - w T_ex / p) / 2) (m - alpha))
+  - intro m; destruct (exponential_beats p ((z T_ex - alpha + w T_ex / p) / 2) ((z T_ex - alpha - w T_ex / p) / 2) (m
+    - alpha))
       as [S H]; [ lra | lra | ].
     exists (S + T_ex); intros t T; rewrite (in_the_end t); specialize (H (t - T_ex)); lra.
 Qed.
@@ -310,32 +336,38 @@ Proof.
   intros M m; assert (K := k_pos); assert (P := sin_pos psi range).
   assert (G : z T_ex - alpha + w T_ex / p < 0).
   { rewrite at_the_end; assert (0 < k * sin psi) by (apply Rmult_lt_0_compat; assumption); nra. }
-  destruct (exponential_beats p (- ((z T_ex - alpha + w T_ex / p) / 2)) (- ((z T_ex - alpha - w T_ex / p) / 2)) (alpha - m))
+  destruct (exponential_beats p (- ((z T_ex - alpha + w T_ex / p) / 2)) (- ((z T_ex - alpha - w T_ex / p) / 2))
+    (alpha - m))
     as [S H]; [ lra | lra | ].
   exists (S + T_ex); intros t T; rewrite (in_the_end t); specialize (H (t - T_ex)); lra.
 Qed.
 End Motion.
 
 (* The threshold: psi_c, and the amplitude 1/sin psi_c in units of alpha g. A smaller psi is a larger amplitude. *)
-Theorem one_impact_at_3 : exists psi_c, 3 / 4 < psi_c < 21 / 25 /\ 1400099818153277/10^15 < / sin psi_c < 1400099818153278/10^15 /\
-  forall p psi t_i T_ex x u y v z w, 0 < p -> 3 / 4 <= psi <= 21 / 25 -> rocks_with_one_impact p psi t_i T_ex x u y v z w ->
+Theorem one_impact_at_3 : exists psi_c, 3 / 4 < psi_c < 21 / 25 /\ 1400099818153277/10^15 < / sin psi_c <
+  1400099818153278/10^15 /\
+  forall p psi t_i T_ex x u y v z w, 0 < p -> 3 / 4 <= psi <= 21 / 25 -> rocks_with_one_impact p psi t_i T_ex x u y v
+    z w ->
     (psi < psi_c -> (forall t, t_i < t <= T_ex -> 0 < y t) /\ (forall t, T_ex <= t -> 0 < z t) /\
                     forall m, exists S, forall t, S < t -> m < z t) /\
     (psi_c < psi -> forall m, exists S, forall t, S < t -> z t < m).
 Proof.
   destruct critical_impact as [c [C Z]]; exists (PI / 2 - atan (cot_psi c)).
-  assert (B : 3 / 4 < PI / 2 - atan (cot_psi c) < 7956 / 10000) by (unfold cot_psi, N, D; split; interval with (i_prec 60)).
+  assert (B : 3 / 4 < PI / 2 - atan (cot_psi c) < 7956 / 10000) by (unfold cot_psi, N, D; split;
+    interval with (i_prec 60)).
   split; [ lra | split; [ unfold cot_psi, N, D; split; interval with (i_prec 100) | ] ].
   intros p psi t_i T_ex x u y v z w P R H.
   destruct (impact_time p psi t_i T_ex x u y v z w P R H) as [I F]; assert (E := psi_is psi (p * t_i) R I F).
   split; intro L.
   - assert (G : c < p * t_i).
-    { apply Rnot_le_lt; intros [N | N]; [ assert (G := cot_grows (p * t_i) c); assert (A := atan_increasing (cot_psi (p * t_i)) (cot_psi c)); lra | ].
+    { apply Rnot_le_lt; intros [N | N]; [ assert (G := cot_grows (p * t_i) c);
+      assert (A := atan_increasing (cot_psi (p * t_i)) (cot_psi c)); lra | ].
       rewrite <- N in L; lra. }
     apply (overturns_to_the_right p psi t_i T_ex x u y v z w P R H); [ lra | lra | ].
     rewrite <- Z; apply margin_grows; lra.
   - assert (G : p * t_i < c).
-    { apply Rnot_le_lt; intros [N | N]; [ assert (G := cot_grows c (p * t_i)); assert (A := atan_increasing (cot_psi c) (cot_psi (p * t_i))); lra | ].
+    { apply Rnot_le_lt; intros [N | N]; [ assert (G := cot_grows c (p * t_i));
+      assert (A := atan_increasing (cot_psi c) (cot_psi (p * t_i))); lra | ].
       rewrite N in L; lra. }
     apply (comes_back_from_the_right p psi t_i T_ex x u y v z w P R H).
     rewrite <- Z; apply margin_grows; lra.
@@ -367,7 +399,8 @@ Proof.
   - intro s; unfold y, v, k, after, after_rate; replace (3 * p * s) with (3 * (tau + (p * s - tau))) by ring.
     auto_derive; [ trivial | unfold Rminus; field; lra ].
   - unfold y; rewrite Q, Rminus_diag_eq by reflexivity; unfold after, a_4; rewrite Rplus_0_r, Ropp_0, exp_0; field.
-  - unfold v; rewrite Q, Rminus_diag_eq by reflexivity; unfold after_rate, a_3; rewrite Rplus_0_r, Ropp_0, exp_0; field.
+  - unfold v; rewrite Q, Rminus_diag_eq by reflexivity; unfold after_rate, a_3; rewrite Rplus_0_r, Ropp_0, exp_0;
+    field.
   - reflexivity.
   - intro s; unfold sinh, cosh; auto_derive; [ trivial | unfold Rminus; field; lra ].
   - intro s; unfold sinh, cosh; auto_derive; [ trivial | unfold Rminus; field; lra ].

@@ -20,7 +20,8 @@ Proof.
   exact (proj1 (all_solutions p t_0 p_pos _ _ y_1 v_1 force moves E (fun t => proj1 (F t)) (fun t => proj2 (F t)) t)).
 Qed.
 Lemma rate t_0 A B y_1 v_1 :
-  (forall t, theta t = A * sinh (p * (t - t_0)) + B * cosh (p * (t - t_0)) + y_1 t) -> (forall t, is_derive y_1 t (v_1 t)) ->
+  (forall t, theta t = A * sinh (p * (t - t_0)) + B * cosh (p * (t - t_0)) + y_1 t) ->
+    (forall t, is_derive y_1 t (v_1 t)) ->
   forall t, thetadot t / p = A * cosh (p * (t - t_0)) + B * sinh (p * (t - t_0)) + v_1 t / p.
 Proof. intros E F; exact (rate_of p t_0 p_pos theta thetadot y_1 v_1 A B moves F E). Qed.
 Lemma at_start t_0 A B : A * sinh (p * (t_0 - t_0)) + B * cosh (p * (t_0 - t_0)) = B /\
@@ -31,30 +32,36 @@ Proof. replace (t_0 - t_0) with 0 by ring; rewrite Rmult_0_r, sinh_0, cosh_0; lr
 Let s := omega_p / p.
 Lemma squares : 0 < omega_p ^ 2 + p ^ 2. Proof. nra. Qed.
 Lemma sine_solves k t :
-  is_derive (fun t => 1 / (1 + s ^ 2) * (a_p / g) * sin (omega_p * t + psi) + k) t (p * (s / (1 + s ^ 2) * (a_p / g) * cos (omega_p * t + psi))) /\
+  is_derive (fun t => 1 / (1 + s ^ 2) * (a_p / g) * sin (omega_p * t + psi) + k) t (p * (s / (1 +
+    s ^ 2) * (a_p / g) * cos (omega_p * t + psi))) /\
   is_derive (fun t => p * (s / (1 + s ^ 2) * (a_p / g) * cos (omega_p * t + psi))) t
-    (p ^ 2 * (1 / (1 + s ^ 2) * (a_p / g) * sin (omega_p * t + psi) + k) + (- p ^ 2 * k - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))).
+    (p ^ 2 * (1 / (1 + s ^ 2) * (a_p / g) * sin (omega_p * t + psi) + k) +
+      (- p ^ 2 * k - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))).
 Proof. assert (Q := squares); unfold s; split; (auto_derive; [ trivial | field; nra ]). Qed.
 Lemma cosine_solves k a t :
-  is_derive (fun t => a / (1 + s ^ 2) * cos (omega_p * t + psi) + k) t (p * (- a * s / (1 + s ^ 2) * sin (omega_p * t + psi))) /\
+  is_derive (fun t => a / (1 + s ^ 2) * cos (omega_p * t + psi) + k) t (p * (- a * s / (1 +
+    s ^ 2) * sin (omega_p * t + psi))) /\
   is_derive (fun t => p * (- a * s / (1 + s ^ 2) * sin (omega_p * t + psi))) t
     (p ^ 2 * (a / (1 + s ^ 2) * cos (omega_p * t + psi) + k) + (- p ^ 2 * k - p ^ 2 * a * cos (omega_p * t + psi))).
 Proof. assert (Q := squares); unfold s; split; (auto_derive; [ trivial | field; nra ]). Qed.
-Lemma constant_solves k t : is_derive (fun _ : R => k) t ((fun _ => 0) t) /\ is_derive (fun _ : R => 0) t (p ^ 2 * k + - p ^ 2 * k).
+Lemma constant_solves k t : is_derive (fun _ : R => k) t ((fun _ => 0) t) /\
+  is_derive (fun _ : R => 0) t (p ^ 2 * k + - p ^ 2 * k).
 Proof. split; (auto_derive; [ trivial | ring ]). Qed.
 
 Ltac by_response t_0 solution :=
   let E := fresh in let F := fresh in let A := fresh in let B := fresh in let t := fresh in
   intro E; unshelve edestruct (fun O => response t_0 _ _ _ O solution) as [A [B F]];
   [ intro t; specialize (E t);
-    match type of E with is_derive _ _ ?d => match goal with |- is_derive _ _ ?c => replace c with d by (unfold Rdiv; ring) end end; exact E
+    match type of E with is_derive _ _ ?d => match goal with |- is_derive _ _ ?c => replace c with d by (unfold Rdiv;
+      ring) end end; exact E
   | exists A, B; intro t; rewrite (F t), ?Rminus_0_r; try solve [ unfold Rdiv; ring ] ].
 Ltac by_rate t_0 A B solution E :=
   let F := fresh in let t := fresh in
   intro t; pose proof (fun O => rate t_0 A B _ _ O (fun t => proj1 (solution t)) t) as F; lapply F; clear F; intro F;
   [ rewrite F, ?Rminus_0_r | rewrite (E F), ?Rminus_0_r; try solve [ unfold Rdiv; ring ] ].
 Ltac no_ground E :=
-  match type of E with is_derive _ _ ?d => match goal with |- is_derive _ _ ?c => replace c with d by (field; lra) end end; exact E.
+  match type of E with is_derive _ _ ?d => match goal with |- is_derive _ _ ?c => replace c with d by (field;
+    lra) end end; exact E.
 (* u21 *)
 Lemma amplitude x : a_p / (g * alpha) = 1 / x -> x <> 0 -> a_p / g = alpha / x.
 Proof. intros U N; transitivity (a_p / (g * alpha) * alpha); [ field; lra | rewrite U; field; lra ]. Qed.
@@ -67,56 +74,70 @@ Ltac fractions := assert (Q := squares); unfold s; field; repeat split; try lra;
 (* theta < 0. *)
 Theorem derivation_57a :
   (forall t, is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) ->
-  exists A_1 A_2, forall t, theta t = A_1 * sinh (p * t) + A_2 * cosh (p * t) + 1 / (1 + s ^ 2) * (a_p / g) * sin (omega_p * t + psi) - alpha.
+  exists A_1 A_2, forall t, theta t = A_1 * sinh (p * t) + A_2 * cosh (p * t) + 1 / (1 +
+    s ^ 2) * (a_p / g) * sin (omega_p * t + psi) - alpha.
 Proof. by_response 0 (sine_solves (- alpha)). Qed.
 Section Response_a.
 Variables A_1 A_2 : R.
-Hypothesis equation_57a : forall t, theta t = A_1 * sinh (p * t) + A_2 * cosh (p * t) + 1 / (1 + s ^ 2) * (a_p / g) * sin (omega_p * t + psi) - alpha.
+Hypothesis equation_57a : forall t, theta t = A_1 * sinh (p * t) + A_2 * cosh (p * t) + 1 / (1 +
+  s ^ 2) * (a_p / g) * sin (omega_p * t + psi) - alpha.
 Hypotheses (equation_u21 : a_p / (g * alpha) = 1 / sin psi) (starts : sin psi <> 0).
 Theorem derivation_59a t :
-  thetadot t / p = A_1 * cosh (p * t) + A_2 * sinh (p * t) + alpha * s / (1 + s ^ 2) * cos (omega_p * t + psi) / sin psi.
-Proof. revert t; by_rate 0 A_1 A_2 (sine_solves (- alpha)) equation_57a; rewrite (amplitude _ equation_u21 starts); fractions. Qed.
+  thetadot t / p = A_1 * cosh (p * t) + A_2 * sinh (p * t) + alpha * s / (1 + s ^ 2) * cos (omega_p * t +
+    psi) / sin psi.
+Proof. revert t; by_rate 0 A_1 A_2 (sine_solves (- alpha)) equation_57a; rewrite (amplitude _ equation_u21 starts);
+  fractions. Qed.
 Theorem derivation_58a : A_1 = thetadot 0 / p - alpha * s / (1 + s ^ 2) * cot psi.
 Proof. rewrite (derivation_59a 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l; unfold cot; fractions. Qed.
 Theorem derivation_58b : A_2 = theta 0 + alpha - alpha / (1 + s ^ 2).
-Proof. rewrite (equation_57a 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l, (amplitude _ equation_u21 starts); fractions. Qed.
+Proof. rewrite (equation_57a 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l, (amplitude _ equation_u21 starts);
+  fractions. Qed.
 Theorem derivation_70a : thetadot 0 = 0 -> A_1 = - alpha * s / (1 + s ^ 2) * cot psi.
 Proof. intro rest; rewrite derivation_58a, rest; fractions. Qed.
 Theorem derivation_70b : theta 0 = 0 -> A_2 = alpha * s ^ 2 / (1 + s ^ 2).
 Proof. intro rest; rewrite derivation_58b, rest; fractions. Qed.
-Theorem derivation_69a T_ex : T_ex = (2 * PI - psi) / omega_p -> theta T_ex = A_1 * sinh (p * T_ex) + A_2 * cosh (p * T_ex) - alpha.
+Theorem derivation_69a T_ex : T_ex = (2 * PI - psi) / omega_p -> theta T_ex =
+  A_1 * sinh (p * T_ex) + A_2 * cosh (p * T_ex) - alpha.
 Proof. intro; rewrite (equation_57a T_ex), (end_of_sine T_ex), sin_2PI by assumption; ring. Qed.
 Theorem derivation_69b T_ex : T_ex = (2 * PI - psi) / omega_p ->
   thetadot T_ex / p = A_1 * cosh (p * T_ex) + A_2 * sinh (p * T_ex) + alpha * s / (1 + s ^ 2) * (1 / sin psi).
 Proof. intro; rewrite (derivation_59a T_ex), (end_of_sine T_ex), cos_2PI by assumption; fractions. Qed.
-Theorem derivation_84 t_i : theta t_i = A_1 * sinh (p * t_i) + A_2 * cosh (p * t_i) - alpha + alpha / (1 + s ^ 2) * sin (omega_p * t_i + psi) / sin psi.
+Theorem derivation_84 t_i : theta t_i = A_1 * sinh (p * t_i) + A_2 * cosh (p * t_i) - alpha + alpha / (1 +
+  s ^ 2) * sin (omega_p * t_i + psi) / sin psi.
 Proof. rewrite (equation_57a t_i), (amplitude _ equation_u21 starts); fractions. Qed.
 Theorem derivation_85 t_i :
-  thetadot t_i / p = A_1 * cosh (p * t_i) + A_2 * sinh (p * t_i) + alpha * s / (1 + s ^ 2) * cos (omega_p * t_i + psi) / sin psi.
+  thetadot t_i / p = A_1 * cosh (p * t_i) + A_2 * sinh (p * t_i) + alpha * s / (1 + s ^ 2) * cos (omega_p * t_i +
+    psi) / sin psi.
 Proof. apply derivation_59a. Qed.
 End Response_a.
 
 (* theta > 0. *)
 Theorem derivation_57b :
   (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) ->
-  exists A_3 A_4, forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + 1 / (1 + s ^ 2) * (a_p / g) * sin (omega_p * t + psi) + alpha.
+  exists A_3 A_4, forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + 1 / (1 +
+    s ^ 2) * (a_p / g) * sin (omega_p * t + psi) + alpha.
 Proof. by_response 0 (sine_solves (alpha)). Qed.
 Section Response_b.
 Variables A_3 A_4 : R.
-Hypothesis equation_57b : forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + 1 / (1 + s ^ 2) * (a_p / g) * sin (omega_p * t + psi) + alpha.
+Hypothesis equation_57b : forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + 1 / (1 +
+  s ^ 2) * (a_p / g) * sin (omega_p * t + psi) + alpha.
 Hypotheses (equation_u21 : a_p / (g * alpha) = 1 / sin psi) (starts : sin psi <> 0).
 Theorem derivation_59b t :
-  thetadot t / p = A_3 * cosh (p * t) + A_4 * sinh (p * t) + alpha * s / (1 + s ^ 2) * cos (omega_p * t + psi) / sin psi.
-Proof. revert t; by_rate 0 A_3 A_4 (sine_solves (alpha)) equation_57b; rewrite (amplitude _ equation_u21 starts); fractions. Qed.
+  thetadot t / p = A_3 * cosh (p * t) + A_4 * sinh (p * t) + alpha * s / (1 + s ^ 2) * cos (omega_p * t +
+    psi) / sin psi.
+Proof. revert t; by_rate 0 A_3 A_4 (sine_solves (alpha)) equation_57b; rewrite (amplitude _ equation_u21 starts);
+  fractions. Qed.
 Theorem derivation_58c : A_3 = thetadot 0 / p - alpha * s / (1 + s ^ 2) * cot psi.
 Proof. rewrite (derivation_59b 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l; unfold cot; fractions. Qed.
 Theorem derivation_58d : A_4 = theta 0 - alpha - alpha / (1 + s ^ 2).
-Proof. rewrite (equation_57b 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l, (amplitude _ equation_u21 starts); fractions. Qed.
+Proof. rewrite (equation_57b 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l, (amplitude _ equation_u21 starts);
+  fractions. Qed.
 Theorem derivation_77a : thetadot 0 = 0 -> A_3 = - alpha * s / (1 + s ^ 2) * cot psi.
 Proof. intro rest; rewrite derivation_58c, rest; fractions. Qed.
 Theorem derivation_77b : theta 0 = 0 -> A_4 = - alpha * (2 + s ^ 2) / (1 + s ^ 2).
 Proof. intro rest; rewrite derivation_58d, rest; fractions. Qed.
-Theorem derivation_76a T_ex : T_ex = (2 * PI - psi) / omega_p -> theta T_ex = A_3 * sinh (p * T_ex) + A_4 * cosh (p * T_ex) + alpha.
+Theorem derivation_76a T_ex : T_ex = (2 * PI - psi) / omega_p -> theta T_ex =
+  A_3 * sinh (p * T_ex) + A_4 * cosh (p * T_ex) + alpha.
 Proof. intro; rewrite (equation_57b T_ex), (end_of_sine T_ex), sin_2PI by assumption; ring. Qed.
 Theorem derivation_76b T_ex : T_ex = (2 * PI - psi) / omega_p ->
   thetadot T_ex / p = A_3 * cosh (p * T_ex) + A_4 * sinh (p * T_ex) + alpha * s / (1 + s ^ 2) * (1 / sin psi).
@@ -130,23 +151,29 @@ Hypotheses (equation_u21 : a_p / (g * alpha) = 1 / sin psi) (starts : sin psi <>
 Theorem derivation_79a :
   (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) ->
   exists A_3 A_4, forall t,
-  theta t = A_3 * sinh (p * (t - t_i)) + A_4 * cosh (p * (t - t_i)) + alpha / (1 + s ^ 2) * sin (omega_p * t + psi) / sin psi + alpha.
+  theta t = A_3 * sinh (p * (t - t_i)) + A_4 * cosh (p * (t - t_i)) + alpha / (1 + s ^ 2) * sin (omega_p * t +
+    psi) / sin psi + alpha.
 Proof.
   by_response t_i (sine_solves alpha).
   rewrite (amplitude _ equation_u21 starts); fractions.
 Qed.
 Variables A_3 A_4 : R.
 Hypothesis equation_79a : forall t,
-  theta t = A_3 * sinh (p * (t - t_i)) + A_4 * cosh (p * (t - t_i)) + alpha / (1 + s ^ 2) * sin (omega_p * t + psi) / sin psi + alpha.
+  theta t = A_3 * sinh (p * (t - t_i)) + A_4 * cosh (p * (t - t_i)) + alpha / (1 + s ^ 2) * sin (omega_p * t +
+    psi) / sin psi + alpha.
 Theorem derivation_79b t :
-  thetadot t / p = A_3 * cosh (p * (t - t_i)) + A_4 * sinh (p * (t - t_i)) + alpha * s / (1 + s ^ 2) * cos (omega_p * t + psi) / sin psi.
+  thetadot t / p = A_3 * cosh (p * (t - t_i)) + A_4 * sinh (p * (t - t_i)) + alpha * s / (1 +
+    s ^ 2) * cos (omega_p * t + psi) / sin psi.
 Proof.
-  revert t; by_rate t_i A_3 A_4 (sine_solves alpha) equation_79a; rewrite (amplitude _ equation_u21 starts); fractions.
+  revert t; by_rate t_i A_3 A_4 (sine_solves alpha) equation_79a; rewrite (amplitude _ equation_u21 starts);
+    fractions.
 Qed.
-Theorem derivation_80a T_ex : T_ex = (2 * PI - psi) / omega_p -> theta T_ex = A_3 * sinh (p * (T_ex - t_i)) + A_4 * cosh (p * (T_ex - t_i)) + alpha.
+Theorem derivation_80a T_ex : T_ex = (2 * PI - psi) / omega_p -> theta T_ex =
+  A_3 * sinh (p * (T_ex - t_i)) + A_4 * cosh (p * (T_ex - t_i)) + alpha.
 Proof. intro; rewrite (equation_79a T_ex), (end_of_sine T_ex), sin_2PI by assumption; fractions. Qed.
 Theorem derivation_80b T_ex : T_ex = (2 * PI - psi) / omega_p ->
-  thetadot T_ex / p = A_3 * cosh (p * (T_ex - t_i)) + A_4 * sinh (p * (T_ex - t_i)) + alpha * s / (1 + s ^ 2) * (1 / sin psi).
+  thetadot T_ex / p = A_3 * cosh (p * (T_ex - t_i)) + A_4 * sinh (p * (T_ex - t_i)) + alpha * s / (1 +
+    s ^ 2) * (1 / sin psi).
 Proof. intro; rewrite (derivation_79b T_ex), (end_of_sine T_ex), cos_2PI by assumption; fractions. Qed.
 Theorem derivation_81 : theta t_i = 0 -> A_4 = - alpha - alpha / (1 + s ^ 2) * sin (omega_p * t_i + psi) / sin psi.
 Proof. intro Z; rewrite (equation_79a t_i), (proj1 (at_start t_i A_3 A_4)) in Z; lra. Qed.
@@ -179,9 +206,11 @@ Theorem derivation_64a : Abar_1 = thetadot t_o / p.
 Proof. rewrite (derivation_63a t_o), (proj2 (at_start t_o Abar_1 Abar_2)); reflexivity. Qed.
 Theorem derivation_64b : Abar_2 = theta t_o + alpha.
 Proof. rewrite (equation_62a t_o), (proj1 (at_start t_o Abar_1 Abar_2)); ring. Qed.
-Theorem derivation_65a t : t_o = T_ex -> theta t = - alpha -> - alpha = Abar_1 * sinh (p * (t - T_ex)) + Abar_2 * cosh (p * (t - T_ex)) - alpha.
+Theorem derivation_65a t : t_o = T_ex -> theta t = - alpha -> - alpha = Abar_1 * sinh (p * (t - T_ex)) +
+  Abar_2 * cosh (p * (t - T_ex)) - alpha.
 Proof. intros <- Z; rewrite <- Z at 1; apply equation_62a. Qed.
-Theorem derivation_65b t : t_o = T_ex -> thetadot t = 0 -> 0 = Abar_1 * cosh (p * (t - T_ex)) + Abar_2 * sinh (p * (t - T_ex)).
+Theorem derivation_65b t : t_o = T_ex -> thetadot t = 0 -> 0 = Abar_1 * cosh (p * (t - T_ex)) +
+  Abar_2 * sinh (p * (t - T_ex)).
 Proof. intros <- Z; rewrite <- derivation_63a, Z; unfold Rdiv; ring. Qed.
 Theorem derivation_66a : t_o = T_ex -> Abar_1 = thetadot T_ex / p.
 Proof. intros <-; exact derivation_64a. Qed.
@@ -197,7 +226,8 @@ Proof. intros <-; rewrite <- derivation_64a, <- derivation_64b; apply derivation
 Hypothesis equation_91a : theta T_ex =
   - alpha * s / (1 + s ^ 2) * cot psi * sinh (p * T_ex) + alpha * s ^ 2 / (1 + s ^ 2) * cosh (p * T_ex) - alpha.
 Hypothesis equation_91b : thetadot T_ex / p =
-  - alpha * s / (1 + s ^ 2) * cot psi * cosh (p * T_ex) + alpha * s ^ 2 / (1 + s ^ 2) * sinh (p * T_ex) + alpha * s / (1 + s ^ 2) * (1 / sin psi).
+  - alpha * s / (1 + s ^ 2) * cot psi * cosh (p * T_ex) + alpha * s ^ 2 / (1 + s ^ 2) * sinh (p * T_ex) +
+    alpha * s / (1 + s ^ 2) * (1 / sin psi).
 Hypotheses (starts : sin psi <> 0) (no_right_angle : cos psi <> 0).
 Theorem derivation_92a : t_o = T_ex -> theta t_i = 0 ->
   s / (1 + s ^ 2) * ((cosh (p * T_ex) / tan psi - s * sinh (p * T_ex) - 1 / sin psi) * sinh (p * (t_i - T_ex)) +
@@ -208,8 +238,10 @@ Proof.
   match type of F with 0 = ?e => transitivity (- alpha - e); [ fractions | rewrite <- F; ring ] end.
 Qed.
 Theorem derivation_92b : t_o = T_ex ->
-  thetadot t_i = alpha * omega_p / (1 + s ^ 2) * ((s * sinh (p * T_ex) - cosh (p * T_ex) / tan psi + 1 / sin psi) * cosh (p * (t_i - T_ex)) +
-                                                  (s * cosh (p * T_ex) - sinh (p * T_ex) / tan psi) * sinh (p * (t_i - T_ex))).
+  thetadot t_i = alpha * omega_p / (1 + s ^ 2) * ((s * sinh (p * T_ex) - cosh (p * T_ex) / tan psi +
+    1 / sin psi) * cosh (p * (t_i - T_ex)) +
+                                                  (s * cosh (p * T_ex) - sinh (p * T_ex) / tan psi) * sinh (p * (t_i
+                                                    - T_ex))).
 Proof.
   intro E; assert (F := derivation_89b t_i E); rewrite equation_91a, equation_91b in F; revert F.
   unfold cot, tan; intro F; transitivity (thetadot t_i / p * p); [ | rewrite F ]; fractions.
@@ -228,9 +260,11 @@ Theorem derivation_64c : Abar_3 = thetadot t_o / p.
 Proof. rewrite (derivation_63b t_o), (proj2 (at_start t_o Abar_3 Abar_4)); reflexivity. Qed.
 Theorem derivation_64d : Abar_4 = theta t_o - alpha.
 Proof. rewrite (equation_62b t_o), (proj1 (at_start t_o Abar_3 Abar_4)); ring. Qed.
-Theorem derivation_72a t : t_o = T_ex -> theta t = alpha -> alpha = Abar_3 * sinh (p * (t - T_ex)) + Abar_4 * cosh (p * (t - T_ex)) + alpha.
+Theorem derivation_72a t : t_o = T_ex -> theta t = alpha -> alpha = Abar_3 * sinh (p * (t - T_ex)) +
+  Abar_4 * cosh (p * (t - T_ex)) + alpha.
 Proof. intros <- Z; rewrite <- Z at 1; apply equation_62b. Qed.
-Theorem derivation_72b t : t_o = T_ex -> thetadot t = 0 -> 0 = Abar_3 * cosh (p * (t - T_ex)) + Abar_4 * sinh (p * (t - T_ex)).
+Theorem derivation_72b t : t_o = T_ex -> thetadot t = 0 -> 0 = Abar_3 * cosh (p * (t - T_ex)) +
+  Abar_4 * sinh (p * (t - T_ex)).
 Proof. intros <- Z; rewrite <- derivation_63b, Z; unfold Rdiv; ring. Qed.
 Theorem derivation_73a : t_o = T_ex -> Abar_3 = thetadot T_ex / p.
 Proof. intros <-; exact derivation_64c. Qed.
@@ -266,14 +300,17 @@ End Free.
 Section Cosine.
 Hypothesis starts : cos psi <> 0.
 Theorem derivation_98 :
-  (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * t + psi) / cos psi)) ->
-  exists A_3 A_4, forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + alpha / (1 + s ^ 2) * cos (omega_p * t + psi) / cos psi + alpha.
+  (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * t +
+    psi) / cos psi)) ->
+  exists A_3 A_4, forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + alpha / (1 +
+    s ^ 2) * cos (omega_p * t + psi) / cos psi + alpha.
 Proof. by_response 0 (cosine_solves alpha (alpha / cos psi)); fractions. Qed.
 Variables A_3 A_4 : R.
 Hypothesis equation_98 : forall t,
   theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + alpha / (1 + s ^ 2) * cos (omega_p * t + psi) / cos psi + alpha.
 Theorem derivation_99 t :
-  thetadot t / p = A_3 * cosh (p * t) + A_4 * sinh (p * t) - alpha * s / (1 + s ^ 2) * sin (omega_p * t + psi) / cos psi.
+  thetadot t / p = A_3 * cosh (p * t) + A_4 * sinh (p * t) - alpha * s / (1 + s ^ 2) * sin (omega_p * t +
+    psi) / cos psi.
 Proof. revert t; by_rate 0 A_3 A_4 (cosine_solves alpha (alpha / cos psi)) equation_98; fractions. Qed.
 Theorem derivation_100a : A_3 = thetadot 0 / p + alpha * s / (1 + s ^ 2) * tan psi.
 Proof. rewrite (derivation_99 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l; unfold tan; fractions. Qed.
@@ -281,7 +318,8 @@ Theorem derivation_100b : A_4 = theta 0 - alpha * (2 + s ^ 2) / (1 + s ^ 2).
 Proof. rewrite (equation_98 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l; fractions. Qed.
 Lemma end_of_cosine T_ex : T_ex = (3 * PI / 2 - psi) / omega_p -> omega_p * T_ex + psi = 3 * (PI / 2).
 Proof. intros ->; field; lra. Qed.
-Theorem derivation_101a T_ex : T_ex = (3 * PI / 2 - psi) / omega_p -> theta T_ex = A_3 * sinh (p * T_ex) + A_4 * cosh (p * T_ex) + alpha.
+Theorem derivation_101a T_ex : T_ex = (3 * PI / 2 - psi) / omega_p -> theta T_ex =
+  A_3 * sinh (p * T_ex) + A_4 * cosh (p * T_ex) + alpha.
 Proof. intro; rewrite (equation_98 T_ex), (end_of_cosine T_ex), cos_3PI2 by assumption; fractions. Qed.
 Theorem derivation_101b T_ex : T_ex = (3 * PI / 2 - psi) / omega_p ->
   thetadot T_ex / p = A_3 * cosh (p * T_ex) + A_4 * sinh (p * T_ex) + alpha * s / (1 + s ^ 2) * (1 / cos psi).

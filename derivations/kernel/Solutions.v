@@ -8,7 +8,8 @@ Ltac derivatives :=
   auto_derive;
   [ repeat split; try (eexists; eassumption)
   | repeat match goal with H : is_derive ?f ?t ?d |- _ =>
-      change (Derive (fun x => f x) t) with (Derive f t); rewrite ?(is_derive_unique f t d H); clear H end; unfold Rminus ].
+      change (Derive (fun x => f x) t) with (Derive f t); rewrite ?(is_derive_unique f t d H); clear H end;
+        unfold Rminus ].
 
 (* A function whose derivative is 0 is a constant. *)
 Lemma constant f : (forall t : R, is_derive f t 0) -> forall s t : R, f s = f t.
@@ -72,11 +73,13 @@ Lemma all_solutions (y v y_1 v_1 f : R -> R) :
   (forall t, is_derive y t (v t)) -> (forall t, is_derive v t (p ^ 2 * y t + f t)) ->
   (forall t, is_derive y_1 t (v_1 t)) -> (forall t, is_derive v_1 t (p ^ 2 * y_1 t + f t)) ->
   forall t, y t = (v t_0 - v_1 t_0) / p * sinh (p * (t - t_0)) + (y t_0 - y_1 t_0) * cosh (p * (t - t_0)) + y_1 t /\
-            v t / p = (v t_0 - v_1 t_0) / p * cosh (p * (t - t_0)) + (y t_0 - y_1 t_0) * sinh (p * (t - t_0)) + v_1 t / p.
+            v t / p = (v t_0 - v_1 t_0) / p * cosh (p * (t - t_0)) + (y t_0 - y_1 t_0) * sinh (p * (t - t_0)) +
+              v_1 t / p.
 Proof.
   intros Y V Y1 V1 t; set (A := (v t_0 - v_1 t_0) / p); set (B := y t_0 - y_1 t_0).
   destruct (only_zero (fun t => y t - y_1 t - (A * sinh (p * (t - t_0)) + B * cosh (p * (t - t_0))))
-              (fun t => v t - v_1 t - p * (A * cosh (p * (t - t_0)) + B * sinh (p * (t - t_0))))) with (t := t) as [P Q].
+              (fun t => v t - v_1 t - p * (A * cosh (p * (t - t_0)) + B * sinh (p * (t - t_0))))) with (t := t) as [P
+                Q].
   - intro s; unfold sinh, cosh; assert (D := Y s); assert (D1 := Y1 s).
     derivatives; field.
   - intro s; unfold sinh, cosh; assert (D := V s); assert (D1 := V1 s).
@@ -84,7 +87,8 @@ Proof.
   - replace (t_0 - t_0) with 0 by ring; rewrite Rmult_0_r, sinh_0, cosh_0; unfold B; ring.
   - replace (t_0 - t_0) with 0 by ring; rewrite Rmult_0_r, sinh_0, cosh_0; unfold A; field; lra.
   - split; [ lra | apply (Rmult_eq_reg_l p); [ | lra ]; unfold Rdiv; rewrite Rmult_plus_distr_l ].
-    replace (p * (v t * / p)) with (v t) by (field; lra); replace (p * (v_1 t * / p)) with (v_1 t) by (field; lra); lra.
+    replace (p * (v t * / p)) with (v t) by (field; lra); replace (p * (v_1 t * / p)) with (v_1 t) by (field; lra);
+      lra.
 Qed.
 (* From the form of the response follows that of its rate. *)
 Lemma rate_of (y v y_1 v_1 : R -> R) A B :
@@ -93,7 +97,8 @@ Lemma rate_of (y v y_1 v_1 : R -> R) A B :
   forall t, v t / p = A * cosh (p * (t - t_0)) + B * sinh (p * (t - t_0)) + v_1 t / p.
 Proof.
   intros Y Y1 E t; assert (D : is_derive y t (p * (A * cosh (p * (t - t_0)) + B * sinh (p * (t - t_0))) + v_1 t)).
-  { apply (is_derive_ext (fun t => A * sinh (p * (t - t_0)) + B * cosh (p * (t - t_0)) + y_1 t)); [ intro; now rewrite E | ].
+  { apply (is_derive_ext (fun t => A * sinh (p * (t - t_0)) + B * cosh (p * (t - t_0)) + y_1 t)); [ intro;
+    now rewrite E | ].
     unfold sinh, cosh; assert (D1 := Y1 t); derivatives; field. }
   rewrite <- (is_derive_unique y t _ (Y t)), (is_derive_unique y t _ D); field; lra.
 Qed.

@@ -142,7 +142,8 @@ Theorem overturns : 0 < excess (omega_p / p) psi -> forall m, exists T, forall s
 Proof.
   intros E m; assert (S := sin_psi_pos); assert (Q := squares_pos).
   assert (G : theta T_ex + alpha + thetadot T_ex / p < 0).
-  { rewrite growing_part; assert (0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 + p ^ 2))) by pos; nra. }
+  { rewrite growing_part; assert (0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 +
+    p ^ 2))) by pos; nra. }
   destruct (exponential_beats p (- ((theta T_ex + alpha + thetadot T_ex / p) / 2))
              (- ((theta T_ex + alpha - thetadot T_ex / p) / 2)) (- (m + alpha))) as [T H]; [ lra | lra | ].
   exists T; intros s L; rewrite free_by_exponentials; specialize (H s L); lra.
@@ -151,14 +152,16 @@ Theorem comes_back : excess (omega_p / p) psi < 0 -> forall m, exists T, forall 
 Proof.
   intros E m; assert (S := sin_psi_pos); assert (Q := squares_pos).
   assert (G : 0 < theta T_ex + alpha + thetadot T_ex / p).
-  { rewrite growing_part; assert (0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 + p ^ 2))) by pos; nra. }
+  { rewrite growing_part; assert (0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 +
+    p ^ 2))) by pos; nra. }
   destruct (exponential_beats p ((theta T_ex + alpha + thetadot T_ex / p) / 2)
              ((theta T_ex + alpha - thetadot T_ex / p) / 2) (m + alpha)) as [T H]; [ lra | lra | ].
   exists T; intros s L; rewrite free_by_exponentials; specialize (H s L); lra.
 Qed.
 End Response.
 
-(* The thresholds for omega_p/p = 1, 2, 3, 4: one root between 0 and pi, and the amplitude a_p/(alpha g) = 1/sin psi. *)
+(* The thresholds for omega_p/p = 1, 2, 3, 4: one root between 0 and pi, and the amplitude a_p/(alpha g) =
+  1/sin psi. *)
 Definition is_threshold w psi := 0 < psi < PI /\ excess w psi = 0.
 Ltac signs := unfold excess; interval with (i_prec 100).
 Lemma threshold_between w a b :
