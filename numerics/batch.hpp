@@ -1,0 +1,70 @@
+// Many simulations of the nonlinear model at once, in the lanes of a vector: A. Jorba and M. Zou,
+// Experimental Mathematics 14 (2005) 99-117, for the steps; each instruction set has a kernel of its own,
+// chosen at run time, and all give the same bits.
+#pragma once
+
+#include <numerics/overturning.hpp>
+#include <vector>
+
+namespace rederive::inline numeric {
+
+/// Angles in rad, times p t, accelerations over g.
+struct BatchBlock {
+  double alpha, restitution;
+  double tolerance;  ///< of the last two terms of each series
+  double slow;       ///< a velocity after an impact below this is left to others
+};
+
+/// Where a motion starts under the pulse, on the side theta > 0: one on the other side is mirrored with its
+/// ground.
+struct BatchStart {
+  double omega;               ///< omega_p/p
+  double theta, thetadot;     ///< of the block
+  double ground, quadrature;  ///< of the pulse, the latter over omega_p
+  double push;                ///< from rest: how long the ground pushes at least as hard as at the start
+  double left;                ///< until the pulse ends
+};
+
+/// How the pulse leaves the block, on the side theta > 0 again.
+struct BatchEnd {
+  enum class How { pulse_over, lies, unresolved } how;
+  double theta, thetadot;
+  int impacts;
+};
+
+/// The kernel of one instruction set.
+struct BatchKernel {
+  const char* name;
+  void (*run)(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends, int count);
+};
+
+/// Those that this processor can run, the fastest last.
+const std::vector<BatchKernel>& batch_kernels();
+
+/// The nonlinear model under one pulse at many amplitudes.
+class PulseBatch {
+ public:
+  /// Throws std::invalid_argument like outcome_at.
+  PulseBatch(const PulseCase& asked, const std::vector<double>& amplitudes,
+             const BatchKernel& kernel = batch_kernels().back());
+
+  /// outcome_at(asked, amplitude).code of each, with this omega_p/p. What the kernel leaves unresolved, a
+  /// chain of ever smaller impacts or a graze, is followed by outcome_at.
+  std::vector<int> codes(double omega_ratio) const;
+
+  /// When and with what the block starts. Times are phases: they do not depend on omega_p.
+  struct Launch {
+    int side = 0;               ///< 0: it does not
+    double push = 0, gain = 0;  ///< from rest: how long and, above start_level, how much the ground pushes
+    double left = 0;            ///< until the pulse ends
+    double theta = 0, thetadot = 0, ground = 0, quadrature = 0;  ///< mirrored to theta > 0
+  };
+
+ private:
+  PulseCase asked_;
+  std::vector<double> amplitudes_;
+  BatchKernel kernel_;
+  std::vector<Launch> launches_;
+};
+
+}  // namespace rederive::inline numeric
