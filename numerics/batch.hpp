@@ -12,7 +12,6 @@ namespace rederive::inline numeric {
 struct BatchBlock {
   double alpha, restitution;
   double tolerance;  ///< of the last two terms of each series
-  double slow;       ///< a velocity after an impact below this is left to others
 };
 
 /// Where a motion starts under the pulse, on the side theta > 0: one on the other side is mirrored with its
@@ -23,12 +22,15 @@ struct BatchStart {
   double ground, quadrature;  ///< of the pulse, the latter over omega_p
   double push;                ///< from rest: how long the ground pushes at least as hard as at the start
   double left;                ///< until the pulse ends
+  double slow;                ///< an impact that leaves less than this velocity ends the motion
+  int impacts = 0;            ///< before the start
 };
 
-/// How the pulse leaves the block, on the side theta > 0 again.
+/// Where it ends: with the pulse, on the side theta > 0 of the last impact; lying; after an impact that
+/// leaves it slow; or in a graze that the kernel cannot tell from an impact.
 struct BatchEnd {
-  enum class How { pulse_over, lies, unresolved } how;
-  double theta, thetadot;
+  enum class How { pulse_over, lies, slow, unclear } how;
+  double theta, thetadot, left;
   int impacts;
 };
 
@@ -48,13 +50,13 @@ class PulseBatch {
   PulseBatch(const PulseCase& asked, const std::vector<double>& amplitudes,
              const BatchKernel& kernel = batch_kernels().back());
 
-  /// outcome_at(asked, amplitude).code of each, with this omega_p/p. What the kernel leaves unresolved, a
-  /// chain of ever smaller impacts or a graze, is followed by outcome_at.
+  /// outcome_at(asked, amplitude).code of each, with this omega_p/p. A graze is followed by outcome_at.
   std::vector<int> codes(double omega_ratio) const;
 
   /// When and with what the block starts. Times are phases: they do not depend on omega_p.
   struct Launch {
-    int side = 0;               ///< 0: it does not
+    Piece piece;                ///< the pulse
+    int side = 0;               ///< 0: it does not start
     double push = 0, gain = 0;  ///< from rest: how long and, above start_level, how much the ground pushes
     double left = 0;            ///< until the pulse ends
     double theta = 0, thetadot = 0, ground = 0, quadrature = 0;  ///< mirrored to theta > 0

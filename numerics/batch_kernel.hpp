@@ -126,7 +126,7 @@ class Batch {
     if (any_of(over))
       for (int lane = 0; lane < lanes; ++lane)
         if (over[at(lane)])
-          finish(lane, left_[at(lane)] <= 0 ? BatchEnd::How::pulse_over : BatchEnd::How::unresolved);
+          finish(lane, left_[at(lane)] <= 0 ? BatchEnd::How::pulse_over : BatchEnd::How::unclear);
   }
 
   /// No acceleration outwards exceeds this, as far as theta.
@@ -175,12 +175,12 @@ class Batch {
   /// After a step that ended with an event: at an impact (34), seen from the other side.
   void after(int lane, Event event) {
     if (event == Event::lies) finish(lane, BatchEnd::How::lies);
-    if (event == Event::unclear) finish(lane, BatchEnd::How::unresolved);
+    if (event == Event::unclear) finish(lane, BatchEnd::How::unclear);
     if (event != Event::impact) return;
     const double speed = -block_.restitution * motion_.thetadot[0][at(lane)];
     set(lane, 0, speed, -motion_.ground[0][at(lane)], -motion_.quadrature[0][at(lane)]);
     ++impacts_[lane];
-    if (!(speed > block_.slow)) finish(lane, BatchEnd::How::unresolved);
+    if (!(speed > slow_[lane])) finish(lane, BatchEnd::How::slow);
   }
 
   void set(int lane, double theta, double thetadot, double ground, double quadrature) {
@@ -194,19 +194,20 @@ class Batch {
   /// The next motion, or, for want of one, a block at rest on its corner.
   void fill(int lane) {
     index_[lane] = next_ < count_ ? next_ : -1;
-    const BatchStart start = next_ < count_ ? starts_[next_] : BatchStart{1, block_.alpha, 0, 0, 0, 1, 1};
+    const BatchStart start = next_ < count_ ? starts_[next_] : BatchStart{1, block_.alpha, 0, 0, 0, 1, 1, 0};
     running_ += next_ < count_ ? 1 : 0;
     next_ += next_ < count_ ? 1 : 0;
     set(lane, start.theta, start.thetadot, start.ground, start.quadrature);
     motion_.omega_p[at(lane)] = start.omega;
     left_[at(lane)] = start.left, push_[at(lane)] = start.push, steps_[at(lane)] = 0;
     amplitude_[at(lane)] = std::sqrt(start.ground * start.ground + start.quadrature * start.quadrature);
-    impacts_[lane] = 0;
+    impacts_[lane] = start.impacts, slow_[lane] = start.slow;
   }
 
   void finish(int lane, BatchEnd::How how) {
     if (index_[lane] < 0) return;
-    ends_[index_[lane]] = {how, motion_.theta[0][at(lane)], motion_.thetadot[0][at(lane)], impacts_[lane]};
+    ends_[index_[lane]] = {how, motion_.theta[0][at(lane)], motion_.thetadot[0][at(lane)], left_[at(lane)],
+                           impacts_[lane]};
     --running_;
     fill(lane);
   }
@@ -221,6 +222,7 @@ class Batch {
   emitted::motion_in_pulse_positive<V, batch_order> motion_;
   V left_, push_, amplitude_, steps_;
   int index_[lanes], impacts_[lanes];
+  double slow_[lanes];
   Event event_[lanes];
 };
 
