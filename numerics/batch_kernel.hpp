@@ -11,7 +11,7 @@
 
 namespace rederive {
 
-constexpr int batch_order = 16;
+constexpr int batch_order = 18;
 
 /// x^(1/n) to half a percent, by a logarithm that is linear between powers of two: the same on any machine.
 template <class V>
@@ -113,7 +113,9 @@ class Batch {
     const Mask launched = motion_.theta[0] == 0 && motion_.thetadot[0] == 0;
     V h = min(motion_.step_size(V(block_.tolerance)), left_);
     where(launched, h) = min(h, push_);
-    const Mask unclear = !(launched || stays_above(h)) || !stays_standing(h);
+    const V after = emitted::value_at(motion_.theta, h);
+    const Mask stands = launched || stays_above(h, after), lies = stands && after >= lying,
+               unclear = !(stands && (lies || stays_standing(h, after)));
     if (any_of(unclear))
       for (int lane = 0; lane < lanes; ++lane)
         event_[lane] = unclear[at(lane)] ? event(lane, launched[at(lane)], h) : Event::none;
@@ -121,12 +123,14 @@ class Batch {
     left_ -= h;
     ++steps_;
     if (any_of(unclear))
-      for (int lane = 0; lane < lanes; ++lane) after(lane, event_[lane]);
-    const Mask over = left_ <= 0 || steps_ > 10'000;
+      for (int lane = 0; lane < lanes; ++lane) happens(lane, event_[lane]);
+    const Mask over = left_ <= 0 || lies || steps_ > 10'000;
     if (any_of(over))
       for (int lane = 0; lane < lanes; ++lane)
         if (over[at(lane)])
-          finish(lane, left_[at(lane)] <= 0 ? BatchEnd::How::pulse_over : BatchEnd::How::unclear);
+          finish(lane, lies[at(lane)]         ? BatchEnd::How::lies
+                       : left_[at(lane)] <= 0 ? BatchEnd::How::pulse_over
+                                              : BatchEnd::How::unclear);
   }
 
   /// No acceleration outwards exceeds this, as far as theta.
@@ -135,17 +139,15 @@ class Batch {
   V inward() const { return amplitude_ + sin_; }
 
   /// Whether the block certainly does not come to upright: is_positive on either half of the step.
-  Mask stays_above(V h) const {
-    const V before = motion_.theta[0], middle = emitted::value_at(motion_.theta, V(0.5) * h),
-            after = emitted::value_at(motion_.theta, h);
+  Mask stays_above(V h, V after) const {
+    const V before = motion_.theta[0], middle = emitted::value_at(motion_.theta, V(0.5) * h);
     const V dip = V(0.5) * h * sqrt(V(0.5) * outward(max(before, after)));
     return sqrt(before) + sqrt(middle) >= dip && sqrt(middle) + sqrt(after) >= dip;
   }
 
   /// Whether it certainly does not come to lie.
-  Mask stays_standing(V h) const {
-    const V before = lying - motion_.theta[0], after = lying - emitted::value_at(motion_.theta, h);
-    return sqrt(before) + sqrt(after) >= h * sqrt(V(0.5) * inward());
+  Mask stays_standing(V h, V after) const {
+    return sqrt(lying - motion_.theta[0]) + sqrt(lying - after) >= h * sqrt(V(0.5) * inward());
   }
 
   /// What ends the step of a lane, and when.
@@ -173,7 +175,7 @@ class Batch {
   }
 
   /// After a step that ended with an event: at an impact (34), seen from the other side.
-  void after(int lane, Event event) {
+  void happens(int lane, Event event) {
     if (event == Event::lies) finish(lane, BatchEnd::How::lies);
     if (event == Event::unclear) finish(lane, BatchEnd::How::unclear);
     if (event != Event::impact) return;

@@ -52,7 +52,8 @@ struct {name} {{
 
   /// Coefficients 1 to order, from coefficients 0.
   void expand() {{
-{before}    for (int k = 0; k < order; ++k) {{
+{before}#pragma GCC unroll 32
+    for (int k = 0; k < order; ++k) {{
 {lines}    }}
   }}
 
@@ -215,7 +216,7 @@ std::string text_of(const TaylorStepper& stepper, Target target) {
            each(kept, cpp ? "    T {0}[order];\n" : "    const {0} = new Float64Array(order);\n");
   std::string body;
   for (const std::string& line : lines) body += wrapped("      " + line, "          ") + "\n";
-  if (body.find("first") != std::string::npos)
+  if (body.find("first") != body.npos)
     body = "      " + constant("first", cpp ? "T(k == 0 ? 1 : 0)" : "k === 0 ? 1 : 0") + "\n" + body;
   const Names about = documentation(stepper, system, arguments);
   const auto list = [](const Names& names, const std::string& each_of_them) {
