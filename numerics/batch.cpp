@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <emitted/rocking_block.hpp>
+#include <iterator>
 #include <numerics/batch.hpp>
 
 namespace rederive {
@@ -50,14 +51,19 @@ Launch launch_at(const PulseCase& asked, double amplitude) {
 
 /// After an impact that leaves less than this velocity, over alpha p, a block may be about to rest.
 constexpr double slow = 1e-3;
+/// A push from rest that gives the block less speed than this may be none at all.
+constexpr double weak_push = 1e-8;
 /// So often a motion may rest or become slow.
 constexpr int most_rounds = 40;
 
-/// A motion that a kernel is to follow.
-struct Pending {
-  std::size_t cell;
-  int side;  ///< on which it starts
-  BatchStart start;
+/// Motions for a kernel to follow, and whose they are.
+struct Motions {
+  struct Owner {
+    int column, row;
+    int side;  ///< on which the motion starts
+  };
+  std::vector<Owner> owners;
+  std::vector<BatchStart> starts;
 };
 
 /// (22), (34): the code of a motion that the pulse leaves on the side theta > 0 of its last impact.
@@ -71,32 +77,26 @@ int code_of(const Block& block, const BatchEnd& end, int side) {
   return returns ? -side * (end.impacts + 2) : 0;
 }
 
-/// Goes on after an impact that left the block slow: from the push that starts it again, if it comes to rest;
-/// nothing if it rests for good.
-std::optional<Pending> resumed(const Block& block, Piece piece, const Pending& from, const BatchEnd& end,
-                               int side) {
-  Pending next = from;
-  const Real time = piece.to - end.left, velocity = side * end.thetadot / block.alpha;
+/// Goes on after an impact that left the block slow, on `side`: from the push that starts it again, if it
+/// comes to rest; not at all if it rests for good.
+void resume(const Block& block, const Piece& piece, const BatchEnd& end, Motions::Owner owner,
+            Motions& next) {
+  const Real time = piece.to - end.left, velocity = owner.side * end.thetadot / block.alpha;
+  const auto omega = static_cast<double>(piece.omega);
   if (const auto rest = time_of_rest(block, Model::nonlinear, piece, {time, 0, velocity})) {
     const auto push = push_that_starts(block, Model::nonlinear, piece, *rest);
-    if (!push) return std::nullopt;
-    const Mirrored pulse = mirrored(block, piece, push->side, push->from);
-    next.side = push->side;
-    next.start = {from.start.omega,
-                  0,
-                  0,
-                  pulse.ground,
-                  pulse.quadrature,
-                  static_cast<double>(push->to - push->from),
-                  static_cast<double>(piece.to - push->from),
-                  slow * block.alpha};
+    if (!push) return;
+    owner.side = push->side;
+    const Mirrored pulse = mirrored(block, piece, owner.side, push->from);
+    next.starts.push_back({omega, 0, 0, pulse.ground, pulse.quadrature,
+                           static_cast<double>(push->to - push->from),
+                           static_cast<double>(piece.to - push->from), slow * block.alpha});
   } else {
-    const Mirrored pulse = mirrored(block, piece, side, time);
-    next.side = side;
-    next.start = {from.start.omega, 0,          end.thetadot, pulse.ground, pulse.quadrature, 0, end.left,
-                  end.thetadot / 4, end.impacts};
+    const Mirrored pulse = mirrored(block, piece, owner.side, time);
+    next.starts.push_back(
+        {omega, 0, end.thetadot, pulse.ground, pulse.quadrature, 0, end.left, end.thetadot / 4, end.impacts});
   }
-  return next;
+  next.owners.push_back(owner);
 }
 
 }  // namespace
@@ -119,43 +119,47 @@ PulseBatch::PulseBatch(const PulseCase& asked, const std::vector<double>& amplit
   for (const double amplitude : amplitudes) launches_.push_back(launch_at(asked, amplitude));
 }
 
-std::vector<int> PulseBatch::codes(double omega_ratio) const {
+std::vector<std::vector<int>> PulseBatch::codes(const std::vector<double>& omega_ratios) const {
   const Block& block = asked_.block;
-  std::vector<int> codes(amplitudes_.size(), 0);
-  std::vector<Pending> pending;
-  for (std::size_t i = 0; i < launches_.size(); ++i) {
-    const Launch& from = launches_[i];
-    if (from.side != 0)
-      pending.push_back({i,
-                         from.side,
-                         {omega_ratio, from.theta, from.thetadot, from.ground, from.quadrature,
-                          from.push / omega_ratio, from.left / omega_ratio, slow * block.alpha}});
-  }
-  for (int round = 0; !pending.empty(); ++round) {
-    std::vector<BatchStart> starts;
-    for (const Pending& motion : pending) starts.push_back(motion.start);
-    std::vector<BatchEnd> ends(starts.size());
-    kernel_.run({block.alpha, block.restitution, block.alpha * asked_.tolerance}, starts.data(), ends.data(),
-                static_cast<int>(starts.size()));
-    std::vector<Pending> next;
-    for (std::size_t k = 0; k < pending.size(); ++k) {
+  std::vector<std::vector<int>> codes(omega_ratios.size(), std::vector<int>(amplitudes_.size(), 0));
+  Motions motions;
+  motions.owners.reserve(omega_ratios.size() * amplitudes_.size());
+  motions.starts.reserve(omega_ratios.size() * amplitudes_.size());
+  for (int column = 0; column < std::ssize(omega_ratios); ++column)
+    for (int row = 0; row < std::ssize(launches_); ++row) {
+      const Launch& from = launches_[static_cast<std::size_t>(row)];
+      const double omega = omega_ratios[static_cast<std::size_t>(column)];
+      if (from.side == 0) continue;
+      motions.owners.push_back({column, row, from.side});
+      motions.starts.push_back({omega, from.theta, from.thetadot, from.ground, from.quadrature,
+                                from.push / omega, from.left / omega, slow * block.alpha});
+    }
+  for (int round = 0; !motions.starts.empty(); ++round) {
+    std::vector<BatchEnd> ends(motions.starts.size());
+    kernel_.run({block.alpha, block.restitution, block.alpha * asked_.tolerance}, motions.starts.data(),
+                ends.data(), static_cast<int>(ends.size()));
+    Motions next;
+    for (std::size_t k = 0; k < ends.size(); ++k) {
       const BatchEnd& end = ends[k];
-      const std::size_t cell = pending[k].cell;
-      const int side = (end.impacts - starts[k].impacts) % 2 == 0 ? pending[k].side : -pending[k].side;
-      const bool weak = round == 0 && launches_[cell].push > 0 && launches_[cell].gain < 1e-8 * omega_ratio;
+      const BatchStart& start = motions.starts[k];
+      Motions::Owner owner = motions.owners[k];
+      const auto row = static_cast<std::size_t>(owner.row);
+      int& code = codes[static_cast<std::size_t>(owner.column)][row];
+      if ((end.impacts - start.impacts) % 2 != 0) owner.side = -owner.side;
+      const bool weak = round == 0 && start.push > 0 && launches_[row].gain < weak_push * start.omega;
       if (weak || end.how == BatchEnd::How::unclear || round == most_rounds) {
         PulseCase here = asked_;
-        here.omega_ratio = omega_ratio;
-        codes[cell] = outcome_at(here, amplitudes_[cell]).code;
+        here.omega_ratio = start.omega;
+        code = outcome_at(here, amplitudes_[row]).code;
       } else if (end.how == BatchEnd::How::slow) {
-        Piece piece = launches_[cell].piece;
-        piece.omega = omega_ratio, piece.to /= omega_ratio;
-        if (const auto more = resumed(block, piece, pending[k], end, side)) next.push_back(*more);
+        Piece piece = launches_[row].piece;
+        piece.omega = start.omega, piece.to /= start.omega;
+        resume(block, piece, end, owner, next);
       } else {
-        codes[cell] = code_of(block, end, side);
+        code = code_of(block, end, owner.side);
       }
     }
-    pending = std::move(next);
+    motions = std::move(next);
   }
   return codes;
 }

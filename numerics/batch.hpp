@@ -50,8 +50,9 @@ class PulseBatch {
   PulseBatch(const PulseCase& asked, const std::vector<double>& amplitudes,
              const BatchKernel& kernel = batch_kernels().back());
 
-  /// outcome_at(asked, amplitude).code of each, with this omega_p/p. A graze is followed by outcome_at.
-  std::vector<int> codes(double omega_ratio) const;
+  /// For each omega_p/p outcome_at(asked, amplitude).code of each amplitude. A graze is followed by
+  /// outcome_at.
+  std::vector<std::vector<int>> codes(const std::vector<double>& omega_ratios) const;
 
   /// When and with what the block starts. Times are phases: they do not depend on omega_p.
   struct Launch {

@@ -66,12 +66,20 @@ static double falling_zero(const Crossing& of, CrossingSample low, CrossingSampl
 
 enum class Zero { none, found, unclear };
 
-/// The first zero of y after `low`, at most at `high`. Halves the time until one of the two above tells.
-static Zero first_zero(const Crossing& of, const CrossingSample& low, const CrossingSample& high, int depth,
+/// The first zero of y after `low`, at most at `high`. With y'' >= -below there is none before y + v t -
+/// below t^2/2 has come to 0; from there on the time is halved until one of the two above tells.
+static Zero first_zero(const Crossing& of, CrossingSample low, const CrossingSample& high, int depth,
                        double& time) {
-  const double length = high.time - low.time;
   if (high.y > 0 && is_positive(of, low, high)) return Zero::none;
-  if (high.y <= 0 && low.y > 0 && (low.v + of.above * length < 0 || high.v + of.below * length < 0)) {
+  const double next = low.time + (low.v + std::sqrt(low.v * low.v + 2 * of.below * low.y)) / of.below;
+  if (next >= high.time && high.y > 0) return Zero::none;
+  low = next < high.time ? sample_at(of, next) : high;
+  if (low.y <= 0) {  // by rounding
+    time = low.time;
+    return low.v < 0 ? Zero::found : Zero::unclear;
+  }
+  const double length = high.time - low.time;
+  if (high.y <= 0 && (low.v + of.above * length < 0 || high.v + of.below * length < 0)) {
     time = falling_zero(of, low, high);
     return Zero::found;
   }
