@@ -89,23 +89,60 @@ static Zero first_zero(const Crossing& of, CrossingSample low, const CrossingSam
   return before != Zero::none ? before : first_zero(of, middle, high, depth + 1, time);
 }
 
+/// The motions that wait for a lane, and how many are on their way.
+struct BatchQueue {
+  const BatchStart* starts;
+  BatchEnd* ends;
+  int count, next, running;
+};
+
 /// The motions in the lanes of V, each on the side theta > 0: at an impact the ground is mirrored instead.
 template <class V>
-class Batch {
+class BatchPack {
  public:
-  Batch(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends, int count)
-      : block_(block),
-        starts_(starts),
-        ends_(ends),
-        count_(count),
-        sin_(std::sin(block.alpha)),
-        cos_(std::cos(block.alpha)) {
+  BatchPack(const BatchBlock& block, BatchQueue& queue)
+      : block_(block), queue_(queue), sin_(std::sin(block.alpha)), cos_(std::cos(block.alpha)) {
     motion_.alpha = block.alpha, motion_.p = 1;
+    for (int lane = 0; lane < lanes; ++lane) fill(lane);
   }
 
-  void run() {
-    for (int lane = 0; lane < lanes; ++lane) fill(lane);
-    while (running_ > 0) step();
+  void expand() { motion_.expand(); }
+
+  /// The step of each lane: by the last terms; no longer than the pulse; from rest, than the first push; and
+  /// after an impact, by little, than the hop that is to be expected.
+  void choose_step() {
+    const V velocity = motion_.thetadot[0], bend = motion_.theta[2];
+    const Mask upright = motion_.theta[0] == 0;
+    launched_ = upright && velocity == 0;
+    h_ = min(motion_.step_size(V(block_.tolerance)), left_);
+    where(launched_, h_) = min(h_, push_);
+    where(upright && velocity > 0 && bend < 0, h_) = min(h_, -1.25 * velocity / bend);
+  }
+
+  /// What happens on it: most lanes certainly neither come to upright nor lie, and some lie.
+  void look_ahead() {
+    const V after = emitted::value_at(motion_.theta, h_);
+    const Mask stands = launched_ || stays_above(after);
+    lies_ = stands && after >= lying;
+    low_ = stays_low(after);
+    unclear_ = !(stands && (lies_ || low_));
+    if (any_of(unclear_))
+      for (int lane = 0; lane < lanes; ++lane) event_[lane] = unclear_[at(lane)] ? event(lane) : Event::none;
+  }
+
+  void advance() {
+    motion_.advance(h_);
+    left_ -= h_;
+    ++steps_;
+    if (any_of(unclear_))
+      for (int lane = 0; lane < lanes; ++lane) happens(lane, event_[lane]);
+    const Mask over = left_ <= 0 || lies_ || steps_ > 10'000;
+    if (any_of(over))
+      for (int lane = 0; lane < lanes; ++lane)
+        if (over[at(lane)])
+          finish(lane, lies_[at(lane)]        ? BatchEnd::How::lies
+                       : left_[at(lane)] <= 0 ? BatchEnd::How::pulse_over
+                                              : BatchEnd::How::unclear);
   }
 
  private:
@@ -114,69 +151,53 @@ class Batch {
   using Mask = typename V::mask_type;
   enum class Event { none, impact, lies, unclear };
 
-  /// One step of all lanes: by the last terms, no longer than the pulse or, from rest, than the first push,
-  /// and ended by an impact.
-  void step() {
-    motion_.expand();
-    const Mask launched = motion_.theta[0] == 0 && motion_.thetadot[0] == 0;
-    V h = min(motion_.step_size(V(block_.tolerance)), left_);
-    where(launched, h) = min(h, push_);
-    const V after = emitted::value_at(motion_.theta, h);
-    const Mask stands = launched || stays_above(h, after), lies = stands && after >= lying,
-               unclear = !(stands && (lies || stays_standing(h, after)));
-    if (any_of(unclear))
-      for (int lane = 0; lane < lanes; ++lane)
-        event_[lane] = unclear[at(lane)] ? event(lane, launched[at(lane)], h) : Event::none;
-    motion_.advance(h);
-    left_ -= h;
-    ++steps_;
-    if (any_of(unclear))
-      for (int lane = 0; lane < lanes; ++lane) happens(lane, event_[lane]);
-    const Mask over = left_ <= 0 || lies || steps_ > 10'000;
-    if (any_of(over))
-      for (int lane = 0; lane < lanes; ++lane)
-        if (over[at(lane)])
-          finish(lane, lies[at(lane)]         ? BatchEnd::How::lies
-                       : left_[at(lane)] <= 0 ? BatchEnd::How::pulse_over
-                                              : BatchEnd::How::unclear);
-  }
-
   /// No acceleration outwards exceeds this, as far as theta.
   V outward(V theta) const { return amplitude_ + max(V(0), theta - block_.alpha); }
   /// Nor one inwards this.
   V inward() const { return amplitude_ + sin_; }
 
   /// Whether the block certainly does not come to upright: is_positive on either half of the step.
-  Mask stays_above(V h, V after) const {
-    const V before = motion_.theta[0], middle = emitted::value_at(motion_.theta, V(0.5) * h);
-    const V dip = V(0.5) * h * sqrt(V(0.5) * outward(max(before, after)));
+  Mask stays_above(V after) const {
+    const V before = motion_.theta[0], middle = emitted::value_at(motion_.theta, V(0.5) * h_);
+    const V dip = V(0.5) * h_ * sqrt(V(0.5) * outward(max(before, after)));
     return sqrt(before) + sqrt(middle) >= dip && sqrt(middle) + sqrt(after) >= dip;
   }
 
   /// Whether it certainly does not come to lie.
-  Mask stays_standing(V h, V after) const {
-    return sqrt(lying - motion_.theta[0]) + sqrt(lying - after) >= h * sqrt(V(0.5) * inward());
+  Mask stays_low(V after) const {
+    return sqrt(lying - motion_.theta[0]) + sqrt(lying - after) >= h_ * sqrt(V(0.5) * inward());
   }
 
-  /// What ends the step of a lane, and when.
-  Event event(int lane, bool launched, V& h) const {
-    const double length = h[at(lane)];
+  /// What ends the step of a lane; an impact makes it shorter.
+  Event event(int lane) {
+    const double length = h_[at(lane)];
     Crossing theta;
     for (int k = 0; k <= batch_order; ++k) theta.y[k] = motion_.theta[k][at(lane)];
-    theta.above = amplitude_[at(lane)] + 1, theta.below = amplitude_[at(lane)] + sin_;
-    Crossing room = theta;
-    for (double& y : room.y) y = -y;
-    room.y[0] += lying;
-    room.above = theta.below, room.below = theta.above;
+    double change = 0, power = 1;  // of y'' on the step, by its series
+    for (int k = 3; k <= batch_order; ++k)
+      power *= length, change += k * (k - 1) * std::fabs(theta.y[k]) * power;
+    constexpr double tiny = 1e-30;
+    theta.above = smaller(amplitude_[at(lane)] + 1, larger(change + 2 * theta.y[2], tiny));
+    theta.below = smaller(amplitude_[at(lane)] + sin_, larger(change - 2 * theta.y[2], tiny));
     double impact = length, lies = length;
-    const Zero zero = launched ? Zero::none : search(theta, length, impact),
-               fall = search(room, length, lies);
-    if (zero == Zero::unclear || fall == Zero::unclear) return Event::unclear;
-    if (fall == Zero::found && !(zero == Zero::found && impact < lies)) return Event::lies;
+    const Zero zero = launched_[at(lane)] ? Zero::none : search(theta, length, impact);
+    if (zero == Zero::unclear) return Event::unclear;
+    if (!low_[at(lane)]) {
+      for (double& y : theta.y) y = -y;
+      theta.y[0] += lying;
+      const double inward = theta.below;
+      theta.below = theta.above, theta.above = inward;
+      const Zero fall = search(theta, length, lies);
+      if (fall == Zero::unclear) return Event::unclear;
+      if (fall == Zero::found && !(zero == Zero::found && impact < lies)) return Event::lies;
+    }
     if (zero == Zero::none) return Event::none;
-    h[at(lane)] = impact;
+    h_[at(lane)] = impact;
     return Event::impact;
   }
+
+  static double smaller(double a, double b) { return a < b ? a : b; }
+  static double larger(double a, double b) { return a > b ? a : b; }
 
   static Zero search(const Crossing& of, double length, double& time) {
     return first_zero(of, {0, of.y[0], of.y[1]}, sample_at(of, length), 0, time);
@@ -203,10 +224,11 @@ class Batch {
 
   /// The next motion, or, for want of one, a block at rest on its corner.
   void fill(int lane) {
-    index_[lane] = next_ < count_ ? next_ : -1;
-    const BatchStart start = next_ < count_ ? starts_[next_] : BatchStart{1, block_.alpha, 0, 0, 0, 1, 1, 0};
-    running_ += next_ < count_ ? 1 : 0;
-    next_ += next_ < count_ ? 1 : 0;
+    const bool waits = queue_.next < queue_.count;
+    const BatchStart start =
+        waits ? queue_.starts[queue_.next] : BatchStart{1, block_.alpha, 0, 0, 0, 1, 1, 0};
+    index_[lane] = waits ? queue_.next++ : -1;
+    queue_.running += waits ? 1 : 0;
     set(lane, start.theta, start.thetadot, start.ground, start.quadrature);
     motion_.omega_p[at(lane)] = start.omega;
     left_[at(lane)] = start.left, push_[at(lane)] = start.push, steps_[at(lane)] = 0;
@@ -216,24 +238,36 @@ class Batch {
 
   void finish(int lane, BatchEnd::How how) {
     if (index_[lane] < 0) return;
-    ends_[index_[lane]] = {how, motion_.theta[0][at(lane)], motion_.thetadot[0][at(lane)], left_[at(lane)],
-                           impacts_[lane]};
-    --running_;
+    queue_.ends[index_[lane]] = {how, motion_.theta[0][at(lane)], motion_.thetadot[0][at(lane)],
+                                 left_[at(lane)], impacts_[lane]};
+    --queue_.running;
     fill(lane);
   }
 
   static std::size_t at(int lane) { return static_cast<std::size_t>(lane); }
 
   BatchBlock block_;
-  const BatchStart* starts_;
-  BatchEnd* ends_;
-  int count_, next_ = 0, running_ = 0;
+  BatchQueue& queue_;
   double sin_, cos_;
   emitted::motion_in_pulse_positive<V, batch_order> motion_;
-  V left_, push_, amplitude_, steps_;
+  V left_, push_, amplitude_, steps_, h_;
+  Mask launched_, lies_, low_, unclear_;
   int index_[lanes], impacts_[lanes];
   double slow_[lanes];
   Event event_[lanes];
 };
+
+/// Two packs in flight: while one waits for its last operation, the other goes on.
+template <class V>
+void run_batch(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends, int count) {
+  BatchQueue queue{starts, ends, count, 0, 0};
+  BatchPack<V> one(block, queue), other(block, queue);
+  while (queue.running > 0) {
+    one.expand(), other.expand();
+    one.choose_step(), other.choose_step();
+    one.look_ahead(), other.look_ahead();
+    one.advance(), other.advance();
+  }
+}
 
 }  // namespace rederive

@@ -11,7 +11,7 @@ inline Vector emitted::root(Vector x, int n) {
 }
 
 void run_batch_v3(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends, int count) {
-  Batch<Vector>(block, starts, ends, count).run();
+  run_batch<Vector>(block, starts, ends, count);
 }
 
 }  // namespace rederive
