@@ -1,11 +1,10 @@
-#include <numerics/response.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numerics/response.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -22,10 +21,22 @@ constexpr long most_impacts = 500'000, most_a_piece = 1'000;
 constexpr int many_impacts = 5'000;
 constexpr Real slow = 1e-4L;
 
+/// An upper bound, with a factor of two to spare, of how long a chain lasts after an impact at this speed, if
+/// the ground is slower than start_level by `room` at least: each hop takes 2 v/slowing, each e times the one
+/// before. Infinite if hops are not short beside it.
+Real chain_duration(const Block& block, Model model, Real speed, Real room) {
+  const Real slowing = acceleration(block, model, -1, 0, start_level(block, model) - room);
+  if (!(slowing > 4 * speed)) return std::numeric_limits<Real>::infinity();
+  return 4 * speed / (std::max<Real>(1 - block.restitution, 1e-4L) * slowing);
+}
+
 class Walk {
  public:
   Walk(const Block& block, Model model, const InitialState& initial, const ResponseOptions& options)
-      : block_(block), model_(model), level_(start_level(block, model)), keep_(options.history),
+      : block_(block),
+        model_(model),
+        level_(start_level(block, model)),
+        keep_(options.history),
         mover_(block, model, options.tolerance) {
     response_.end = {0, initial.angle, initial.velocity};
     const Real leads = initial.angle != 0 ? initial.angle : initial.velocity;
@@ -54,28 +65,17 @@ class Walk {
     if (keep_) response_.events.push_back({kind, at.time, at.angle, at.velocity, velocity_after});
   }
 
-  /// Whether a block at rest would gain no more speed, in what is left of the push, than that at which a
-  /// chain of impacts counts as rest.
-  bool is_too_weak(const Piece& piece, const Push& push) const {
-    const Real from = std::max(push.from, response_.end.time);
-    const Range range = ground_range(piece, from, push.to);
-    return (std::max(range.high, -range.low) - level_) * (push.to - from) < rest_speed;
-  }
-
   /// At rest until the ground pushes hard enough.
   void wait(const Piece& piece) {
     Point& at = response_.end;
-    for (const Push& push : pushes(piece, level_)) {
-      if (!(at.time < push.to) || is_too_weak(piece, push)) continue;
-      at = {std::max(at.time, push.from), 0, 0};
-      response_.side = push.side;
-      response_.impacts = 0;
-      response_.last_launch = at.time;
-      note(moved_ ? EventKind::restart : EventKind::start, 0);
-      moved_ = true;
-      return;
-    }
-    at.time = piece.to;
+    const std::optional<Push> push = push_that_starts(block_, model_, piece, at.time);
+    at = {push ? push->from : piece.to, 0, 0};
+    if (!push) return;
+    response_.side = push->side;
+    response_.impacts = 0;
+    response_.last_launch = at.time;
+    note(moved_ ? EventKind::restart : EventKind::start, 0);
+    moved_ = true;
   }
 
   void swing(const Piece& piece) {
@@ -104,29 +104,14 @@ class Walk {
     if (std::abs(after) < small || (total_ > many_impacts && std::abs(after) < slow)) settle(piece);
   }
 
-  /// An upper bound, with a factor of two to spare, of how long a chain lasts that slows down by `room`
-  /// (level - |g|) at least: each hop 2 v/room, each e times the one before. Infinite if hops are not short
-  /// beside it.
-  Real chain_duration(Real room) const {
-    const Real speed = std::abs(response_.end.velocity);
-    const Real slowing = acceleration(block_, model_, -1, 0, level_ - room);
-    if (!(slowing > 4 * speed)) return std::numeric_limits<Real>::infinity();
-    return 4 * speed / (std::max<Real>(1 - block_.restitution, 1e-4L) * slowing);
-  }
-
   /// Ends a chain of impacts that is over before the ground can start the block again.
   void settle(const Piece& piece) {
-    Point& at = response_.end;
-    const auto room_until = [&](Real time) {
-      const Range range = ground_range(piece, at.time, time);
-      return level_ - std::max(range.high, -range.low);
-    };
-    const Real first = chain_duration(room_until(at.time));
-    const Real over = std::min(piece.to, at.time + 2 * first);
-    const bool lossless = total_ > many_impacts;
-    if (!lossless && !(at.time + chain_duration(room_until(over)) <= over)) return;
-    if (lossless && !(room_until(at.time) > 0)) return;
-    rest_at(lossless ? at.time : std::min(over, at.time + first / 2));
+    const Point& at = response_.end;
+    if (total_ > many_impacts) {
+      if (std::abs(ground_at(piece, at.time)) < level_) rest_at(at.time);
+    } else if (const std::optional<Real> time = time_of_rest(block_, model_, piece, at)) {
+      rest_at(*time);
+    }
   }
 
   void rest_at(Real time) {
@@ -185,6 +170,30 @@ InitialState initial_state(const Block& block, Model model, double theta_0, doub
   return {std::abs(angle) < nothing ? 0 : angle, std::abs(velocity) < nothing ? 0 : velocity};
 }
 
+std::optional<Real> time_of_rest(const Block& block, Model model, const Piece& piece,
+                                 const Point& after_impact) {
+  const Real level = start_level(block, model), speed = std::abs(after_impact.velocity),
+             begin = after_impact.time;
+  const auto chain_until = [&](Real time) {
+    const Range range = ground_range(piece, begin, time);
+    return chain_duration(block, model, speed, level - std::max(range.high, -range.low));
+  };
+  const Real first = chain_until(begin), over = std::min(piece.to, begin + 2 * first);
+  if (!(begin + chain_until(over) <= over)) return std::nullopt;
+  return std::min(over, begin + first / 2);
+}
+
+std::optional<Push> push_that_starts(const Block& block, Model model, const Piece& piece, Real time) {
+  const Real level = start_level(block, model);
+  for (Push push : pushes(piece, level)) {
+    if (!(time < push.to)) continue;
+    push.from = std::max(push.from, time);
+    const Range range = ground_range(piece, push.from, push.to);
+    if ((std::max(range.high, -range.low) - level) * (push.to - push.from) >= rest_speed) return push;
+  }
+  return std::nullopt;
+}
+
 Response respond(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
                  const ResponseOptions& options) {
   Walk walk(block, model, initial, options);
@@ -221,4 +230,4 @@ std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion&
   return samples;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <numerics/arc.hpp>
-
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -54,6 +54,15 @@ struct ResponseOptions {
 Response respond(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
                  const ResponseOptions& options = {});
 
+/// When the chain of ever smaller impacts after this one is over, if it certainly is before the ground can
+/// start the block again.
+std::optional<Real> time_of_rest(const Block& block, Model model, const Piece& piece,
+                                 const Point& after_impact);
+
+/// The push in the piece that starts a block at rest at `time`, from when it does; one is too weak that would
+/// give it no more speed than that at which a chain of impacts counts as rest.
+std::optional<Push> push_that_starts(const Block& block, Model model, const Piece& piece, Real time);
+
 /// The same states at `count` >= 2 times evenly from 0 to `until`, and the ground acceleration in units of
 /// alpha g.
 struct Sample {
@@ -62,4 +71,4 @@ struct Sample {
 std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion& motion,
                             const Response& response, Real until, int count);
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -28,7 +28,8 @@ TEST_CASE("the program writes the same bytes every time, to a file or not, whole
 }
 
 TEST_CASE("the list says of each function what it needs and where it comes from") {
-  const auto list = nlohmann::json::parse(run_program("emit", {"--list", "--json"}).out).at("functions");
+  const auto document = nlohmann::json::parse(run_program("emit", {"--list", "--json"}).out);
+  const auto list = document.at("functions"), steppers = document.at("steppers");
   const std::vector<EmittedFunction> functions = emitted_functions();
   REQUIRE(list.size() == functions.size());
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -37,12 +38,21 @@ TEST_CASE("the list says of each function what it needs and where it comes from"
     CHECK(list[i].at("shared_operations") <= list[i].at("operations"));
     CHECK(run_program("emit", {"--list"}).out.find(functions[i].name + "(") != std::string::npos);
   }
+  REQUIRE(steppers.size() == taylor_steppers().size());
+  for (std::size_t i = 0; i < steppers.size(); ++i) {
+    const TaylorStepper stepper = taylor_steppers()[i];
+    CHECK(steppers[i].at("name") == stepper.name);
+    CHECK(steppers[i].at("parameters").size() == stepper.parameters.size());
+    CHECK(steppers[i].at("state").size() == stepper.rates.size());
+    CHECK(run_program("emit", {"--list"}).out.find(stepper.name + "(") != std::string::npos);
+  }
 }
 
 TEST_CASE("bad usage is named, with exit code 2") {
   const std::vector<std::pair<std::vector<std::string>, std::string>> bad = {
       {{"--target", "fortran"}, "fortran"},
       {{"--target", "cpp", "--function", "restitutio"}, "restitutio"},
+      {{"--target", "python", "--function", "free_motion_negative"}, "free_motion_negative"},
       {{}, "--target"},
       {{"--json", "--target", "c"}, "--list"},
       {{"--target", "c", "--out", "/proc/nothing/here"}, "/proc/nothing/here"},

@@ -1,6 +1,6 @@
-#include <numerics/map.hpp>
-
 #include <doctest/doctest.h>
+
+#include <numerics/map.hpp>
 
 using namespace rederive;
 
@@ -17,4 +17,17 @@ TEST_CASE("a map holds the outcome of each point, whatever the number of threads
   asked.omega_ratio = ratios[3];
   CHECK(one.codes[3][4] == outcome_at(asked, amplitudes[4]).code);
   CHECK(one.codes[0][0] == 0);
+}
+
+TEST_CASE("either engine gives the same map of the nonlinear model") {
+  PulseCase asked;
+  asked.block = make_block(0.25, 2.14);
+  asked.model = Model::nonlinear;
+  std::vector<double> ratios, amplitudes;
+  for (int i = 0; i < 21; ++i) ratios.push_back(0.2 + i * 0.49), amplitudes.push_back(0.6 + i * 0.56);
+  Work alone, three;
+  three.threads = 3;
+  const auto codes = outcome_map(asked, ratios, amplitudes, alone, Engine::gsl).codes;
+  CHECK(outcome_map(asked, ratios, amplitudes, alone, Engine::taylor).codes == codes);
+  CHECK(outcome_map(asked, ratios, amplitudes, three, Engine::taylor).codes == codes);
 }

@@ -88,6 +88,11 @@ TEST_CASE("histories, spectra and maps are written as CSV with their headers") {
     CHECK(read_file(file + threads).starts_with("omega_ratio,amplitude,code\n1,1,0\n"));
   }
   CHECK(read_file(file + "1") == read_file(file + "3"));
+  for (const char* engine : {"gsl", "taylor"})
+    REQUIRE(run_program("rocking", {"map", "--omega", "1:5:4", "--amplitude", "1:3:3", "--model", "nonlinear",
+                                    "--engine", engine, "--csv", file + engine})
+                .exit_code == 0);
+  CHECK(read_file(file + "gsl") == read_file(file + "taylor"));
 }
 
 TEST_CASE("two runs give the same bytes") {
@@ -139,6 +144,7 @@ TEST_CASE("bad input ends with exit code 2 and names what was wrong") {
   check_refused({"spectrum", "--from", "3", "--to", "2", "--points", "4"}, "--from");
   check_refused({"spectrum", "--from", "2", "--to", "3", "--points", "1.5"}, "points");
   check_refused({"map", "--omega", "1:2", "--amplitude", "1:2:3"}, "--omega");
+  check_refused({"map", "--omega", "1:2:2", "--amplitude", "1:2:3", "--engine", "euler"}, "euler");
   check_refused({"figure", "7"}, "figure");
   check_refused({"nothing"}, "nothing");
 }

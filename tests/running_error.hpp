@@ -50,7 +50,7 @@ inline Rounded running_error(const rederive::Node& node, const std::map<std::str
     case Node::Kind::power: {
       const Rounded base = child(0);
       const double n = child(1).value, value = std::pow(base.value, n);
-      return {value, n * (std::fabs(value / base.value) * base.error + unit * std::fabs(value))};
+      return {value, n * (std::pow(std::fabs(base.value), n - 1) * base.error + unit * std::fabs(value))};
     }
     case Node::Kind::call:
       break;

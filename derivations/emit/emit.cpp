@@ -1,7 +1,7 @@
 // Functions as source text: what is common to all targets.
 #include <algorithm>
 #include <derivations/emit/emit.hpp>
-#include <derivations/emit/operations.hpp>
+#include <derivations/emit/infix.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <set>
 #include <stdexcept>
@@ -11,61 +11,6 @@ namespace rederive {
 namespace {
 
 using Kind = Operation::Kind;
-
-/// Writes operations as infix expressions, with parentheses where precedence needs them.
-class Infix {
- public:
-  Infix(const Operations& operations, const Dialect& dialect, bool sharing)
-      : all_(operations.all()), dialect_(dialect), names_(all_.size()) {
-    const std::vector<std::size_t> uses = operations.uses();
-    for (std::size_t i = 0; sharing && i < all_.size(); ++i) {
-      if (uses[i] < 2 || all_[i].constant || all_[i].is_leaf()) continue;
-      std::string expression = text(i, 0);
-      names_[i] = "common_" + std::to_string(shared_.size() + 1);
-      shared_.emplace_back(names_[i], std::move(expression));
-    }
-  }
-
-  const std::vector<std::pair<std::string, std::string>>& shared() const { return shared_; }
-  std::string text(std::size_t index) const { return text(index, 0); }
-
- private:
-  /// `place`: 0 anywhere, 1 after a minus, 2 left of * and /, 3 right of them or after a unary minus.
-  std::string text(std::size_t index, int place) const {
-    if (!names_[index].empty()) return names_[index];
-    const Operation& operation = all_[index];
-    const auto operand = [&](std::size_t i, int at) { return text(operation.operands[i], at); };
-    const auto framed = [&](const std::string& inside, bool frame) {
-      return frame ? "(" + inside + ")" : inside;
-    };
-    switch (operation.kind) {
-      case Kind::number:
-        return dialect_.number(operation.text);
-      case Kind::symbol:
-        return operation.text == "pi" ? dialect_.pi() : operation.text;
-      case Kind::add:
-        return framed(operand(0, 0) + " + " + operand(1, 1), place > 0);
-      case Kind::subtract:
-        return framed(operand(0, 0) + " - " + operand(1, 1), place > 0);
-      case Kind::multiply:
-        return framed(operand(0, 2) + " * " + operand(1, 3), place > 2);
-      case Kind::divide:
-        return framed(operand(0, 2) + " / " + operand(1, 3), place > 2);
-      case Kind::negate:
-        return framed("-" + operand(0, 2), place > 0);
-      case Kind::call:
-        break;
-    }
-    std::string arguments = operand(0, 0);
-    for (std::size_t i = 1; i < operation.operands.size(); ++i) arguments += ", " + operand(i, 0);
-    return dialect_.call(operation.text, arguments);
-  }
-
-  const std::vector<Operation>& all_;
-  const Dialect& dialect_;
-  std::vector<std::string> names_;
-  std::vector<std::pair<std::string, std::string>> shared_;
-};
 
 std::vector<Tree> trees_of(const EmittedFunction& function, bool with_derivatives) {
   std::vector<Tree> trees = {to_tree(function.value, emission_symbols())};
@@ -135,22 +80,12 @@ std::string plain_unit(const Dimension& dimension) {
   return (above.empty() ? "1" : above) + (below.empty() ? "" : "/" + below);
 }
 
-std::string fnv_1a(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-  static constexpr const char* digits = "0123456789abcdef";
-  std::string result;
-  for (int shift = 60; shift >= 0; shift -= 4) result += digits[hash >> shift & 15];
-  return result;
-}
-
 std::vector<std::string> documentation(const EmittedFunction& function, bool with_derivatives) {
   const Provenance facts = provenance(function);
   const Operations operations(trees_of(function, with_derivatives));
   std::vector<std::string> lines = {function.brief + (with_derivatives ? ", with derivatives" : "") + "."};
   for (const std::string& name : argument_names(function)) {
-    const Symbol& symbol = *emission_symbols().find(name);
-    lines.push_back("  " + name + ": " + symbol.meaning + "; " + symbol.unit + ", " + symbol.range);
+    lines.push_back("  " + line_about(name));
   }
   lines.push_back("  returns: " + facts.unit);
   lines.push_back("Equation (" + function.equation + "); " + std::to_string(operations.count_unshared()) +
@@ -185,6 +120,20 @@ std::string latex(const std::vector<EmittedFunction>& functions) {
 
 }  // namespace
 
+std::string hash_of(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037U;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+  static constexpr const char* digits = "0123456789abcdef";
+  std::string result;
+  for (int shift = 60; shift >= 0; shift -= 4) result += digits[hash >> shift & 15];
+  return result;
+}
+
+std::string line_about(const std::string& name) {
+  const Symbol& symbol = *emission_symbols().find(name);
+  return name + ": " + symbol.meaning + "; " + symbol.unit + ", " + symbol.range;
+}
+
 Provenance provenance(const EmittedFunction& function) {
   check_arguments(function);
   const Tree tree = to_tree(function.value, emission_symbols());
@@ -193,10 +142,11 @@ Provenance provenance(const EmittedFunction& function) {
   const Operations operations(trees_of(function, true));
   return {plain_unit(report.dimension.value_or(Dimension{0, 0, 0})), operations.count_unshared(),
           operations.count(),
-          fnv_1a(function.equation + "\n" + print(tree, Notation::plain, emission_symbols()))};
+          hash_of(function.equation + "\n" + print(tree, Notation::plain, emission_symbols()))};
 }
 
-std::string emit(const std::vector<EmittedFunction>& functions, Target target, bool sharing) {
+std::string emit(const std::vector<EmittedFunction>& functions, Target target, bool sharing,
+                 const std::vector<TaylorStepper>& steppers) {
   for (const EmittedFunction& function : functions) provenance(function);  // refuses what is unsound
   if (target == Target::latex) return latex(functions);
   const Dialect& language = dialect(target);
@@ -210,7 +160,7 @@ std::string emit(const std::vector<EmittedFunction>& functions, Target target, b
         "\n" + language.function(function.name + "_with_derivatives", arguments,
                                  documentation(function, true), body_of(function, true, language, sharing));
   }
-  return text + language.epilogue();
+  return text + taylor_text(steppers, target) + language.epilogue();
 }
 
 }  // namespace rederive

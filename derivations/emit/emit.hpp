@@ -2,6 +2,7 @@
 #pragma once
 
 #include <derivations/emit/dialect.hpp>
+#include <derivations/emit/taylor.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <string>
 #include <vector>
@@ -25,8 +26,10 @@ const Symbols& emission_symbols();
 std::vector<EmittedFunction> emitted_functions();
 
 /// One self-contained source text, the same bytes every time. `sharing` = common subexpressions get names.
-/// Throws std::invalid_argument if a value has other symbols than its arguments or is dimensionally wrong.
-std::string emit(const std::vector<EmittedFunction>& functions, Target target, bool sharing = true);
+/// Throws std::invalid_argument if a value has other symbols than its arguments or is dimensionally wrong, or
+/// if there are steppers and the target is neither C++ nor JavaScript.
+std::string emit(const std::vector<EmittedFunction>& functions, Target target, bool sharing = true,
+                 const std::vector<TaylorStepper>& steppers = {});
 
 /// What is known about a function beside its text.
 struct Provenance {
@@ -35,5 +38,8 @@ struct Provenance {
   std::string hash;  ///< of the equation's id and the printed expression: FNV-1a, 64 bits
 };
 Provenance provenance(const EmittedFunction& function);
+std::string hash_of(const std::string& text);
+/// "alpha: angle of the diagonal from the vertical, atan(b/h); 1, (0, pi/2)"
+std::string line_about(const std::string& name);
 
 }  // namespace rederive

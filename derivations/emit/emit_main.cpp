@@ -1,11 +1,11 @@
 // emit: the derived results as source code.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <derivations/emit/command_line.hpp>
 #include <derivations/emit/emit.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 using namespace rederive;
 
@@ -19,28 +19,51 @@ struct Options {
 
 std::string name_of(const SymbolExpression& symbol) { return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name(); }
 
-/// The functions asked for, in the order of the list; all if none is named.
-std::vector<EmittedFunction> chosen(const std::vector<std::string>& names) {
-  std::vector<EmittedFunction> all = emitted_functions();
-  if (names.empty()) return all;
-  for (const std::string& name : names) {
-    const bool known = std::any_of(all.begin(), all.end(), [&](const auto& f) { return f.name == name; });
-    if (!known) throw BadInput("there is no function '" + name + "'; 'emit --list' shows all of them");
-  }
-  std::erase_if(all,
-                [&](const auto& f) { return std::find(names.begin(), names.end(), f.name) == names.end(); });
+/// What was asked for, in the order of the lists; all that the target has if nothing is named.
+struct Chosen {
+  std::vector<EmittedFunction> functions = emitted_functions();
+  std::vector<TaylorStepper> steppers = taylor_steppers();
+};
+
+Chosen chosen(const Options& options) {
+  Chosen all;
+  const std::set<std::string> named(options.functions.begin(), options.functions.end());
+  const bool has_steppers = options.list || options.target == "cpp" || options.target == "javascript";
+  std::set<std::string> unknown = named;
+  for (const EmittedFunction& function : all.functions) unknown.erase(function.name);
+  for (const TaylorStepper& stepper : all.steppers)
+    if (unknown.erase(stepper.name) != 0 && !has_steppers)
+      throw BadInput("'" + stepper.name + "' is a Taylor stepper: it is written in cpp and in javascript");
+  if (!unknown.empty())
+    throw BadInput("there is no function '" + *unknown.begin() + "'; 'emit --list' shows all of them");
+  const auto is_left_out = [&](const auto& f) { return !named.empty() && !named.contains(f.name); };
+  std::erase_if(all.functions, is_left_out);
+  std::erase_if(all.steppers, [&](const auto& f) { return !has_steppers || is_left_out(f); });
   return all;
+}
+
+nlohmann::ordered_json described(const SymbolExpression& symbol) {
+  const Symbol& known = *emission_symbols().find(name_of(symbol));
+  return {{"name", known.name}, {"unit", known.unit}, {"range", known.range}, {"meaning", known.meaning}};
+}
+
+nlohmann::ordered_json described(const TaylorStepper& stepper) {
+  nlohmann::ordered_json result{
+      {"name", stepper.name}, {"equation", stepper.equation}, {"brief", stepper.brief}};
+  for (const SymbolExpression& parameter : stepper.parameters)
+    result["parameters"].push_back(described(parameter));
+  for (const auto& [symbol, rate] : stepper.rates) {
+    result["state"].push_back(described(symbol));
+    result["state"].back()["rate"] = print(rate, Notation::plain, emission_symbols());
+  }
+  return result;
 }
 
 nlohmann::ordered_json described(const EmittedFunction& function) {
   const Provenance facts = provenance(function);
   nlohmann::ordered_json arguments = nlohmann::ordered_json::array(),
                          derivatives = nlohmann::ordered_json::array();
-  for (const SymbolExpression& argument : function.arguments) {
-    const Symbol& symbol = *emission_symbols().find(name_of(argument));
-    arguments.push_back(
-        {{"name", symbol.name}, {"unit", symbol.unit}, {"range", symbol.range}, {"meaning", symbol.meaning}});
-  }
+  for (const SymbolExpression& argument : function.arguments) arguments.push_back(described(argument));
   for (const SymbolExpression& derivative : function.derivatives) derivatives.push_back(name_of(derivative));
   return {{"name", function.name},
           {"arguments", arguments},
@@ -53,19 +76,28 @@ nlohmann::ordered_json described(const EmittedFunction& function) {
           {"hash", facts.hash}};
 }
 
-std::string listed(const std::vector<EmittedFunction>& functions, bool json) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+std::string names_of(const std::vector<SymbolExpression>& symbols) {
   std::string text;
-  for (const EmittedFunction& function : functions) {
-    std::string arguments;
-    for (const SymbolExpression& argument : function.arguments) {
-      arguments += (arguments.empty() ? "" : ", ") + name_of(argument);
-    }
-    text +=
-        fmt::format("{}({})\n    ({})  {}\n", function.name, arguments, function.equation, function.brief);
-    list.push_back(described(function));
+  for (const SymbolExpression& symbol : symbols) text += (text.empty() ? "" : ", ") + name_of(symbol);
+  return text;
+}
+
+std::string listed(const Chosen& all, bool json) {
+  nlohmann::ordered_json functions = nlohmann::ordered_json::array(),
+                         steppers = nlohmann::ordered_json::array();
+  std::string text;
+  for (const EmittedFunction& function : all.functions) {
+    text += fmt::format("{}({})\n    ({})  {}\n", function.name, names_of(function.arguments),
+                        function.equation, function.brief);
+    functions.push_back(described(function));
   }
-  return json ? nlohmann::ordered_json{{"functions", list}}.dump(2) + "\n" : text;
+  for (const TaylorStepper& stepper : all.steppers) {
+    text += fmt::format("{}({})\n    ({})  Taylor stepper, cpp and javascript: {}\n", stepper.name,
+                        names_of(stepper.parameters), stepper.equation, stepper.brief);
+    steppers.push_back(described(stepper));
+  }
+  return json ? nlohmann::ordered_json{{"functions", functions}, {"steppers", steppers}}.dump(2) + "\n"
+              : text;
 }
 
 int run(const Options& options) {
@@ -76,9 +108,10 @@ int run(const Options& options) {
                                                         {"latex", Target::latex}};
   if (!options.list && options.target.empty()) throw BadInput("say what to write: --target cpp, or --list");
   if (options.json && !options.list) throw BadInput("--json goes with --list");
-  const auto functions = chosen(options.functions);
-  const std::string text = options.list ? listed(functions, options.json)
-                                        : emit(functions, targets.at(options.target), !options.no_sharing);
+  const Chosen all = chosen(options);
+  const std::string text =
+      options.list ? listed(all, options.json)
+                   : emit(all.functions, targets.at(options.target), !options.no_sharing, all.steppers);
   if (options.out.empty()) {
     std::fputs(text.c_str(), stdout);
   } else {
@@ -90,7 +123,10 @@ int run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Writes the derived functions as source code, common subexpressions shared."};
+  CLI::App app{
+      "Writes the derived functions as source code, common subexpressions shared, and, as C++ and "
+      "JavaScript, "
+      "the steppers that integrate the motion by its Taylor series."};
   Options options;
   app.add_flag("--list", options.list, "show the functions with their arguments and equations");
   app.add_flag("--json", options.json, "with --list: one JSON document");

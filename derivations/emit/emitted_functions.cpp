@@ -34,6 +34,8 @@ struct Numbers {
                                              all_numbers, "thetadot/(alpha*p)"),
                          slope = declared("slope", "\\dot\\gamma", "γ̇", "1/s", all_numbers,
                                           "rate of the ground acceleration over g"),
+                         quadrature = declared("quadrature", "\\gamma_\\perp", "γ⊥", "1", all_numbers,
+                                               "rate of the ground acceleration over omega_p*g"),
                          push = declared("push", "\\kappa", "κ", "1", all_numbers,
                                          "(theta_0 + thetadot_0/p)/alpha");
 
@@ -166,6 +168,12 @@ void add_pulses(std::vector<EmittedFunction>& list) {
                   {},
                   "52a",
                   "Acceleration of the ground over g in the one-sine pulse"});
+  list.push_back({"quadrature_of_sine_pulse",
+                  {numbers().amplitude, omega_p, psi, t},
+                  over_g(ground_acceleration(Pulse::sine).diff(t) / omega_p),
+                  {},
+                  "52a",
+                  "Rate of the acceleration of the ground over omega_p*g in the one-sine pulse"});
   const auto both = [&](Pulse pulse, const std::string& name, const std::string& words, const ex& phase,
                         const std::vector<std::string>& rows) {
     list.push_back({"phase_of_" + name,

@@ -1,20 +1,18 @@
 // rocking map: the code at each point of a grid.
-#include <numerics/map.hpp>
-
-#include <numerics/commands/options.hpp>
-#include <numerics/commands/sweep.hpp>
-#include <numerics/plot.hpp>
-
 #include <fmt/format.h>
 
 #include <map>
+#include <numerics/commands/options.hpp>
+#include <numerics/commands/sweep.hpp>
+#include <numerics/map.hpp>
+#include <numerics/plot.hpp>
 
 namespace rederive::inline numeric {
 namespace {
 
 struct MapCommand {
   CommonOptions common;
-  std::string omega, amplitude, csv, plot, threads;
+  std::string omega, amplitude, csv, plot, threads, engine = "taylor";
 };
 
 std::string csv_of(const OutcomeMap& map) {
@@ -61,7 +59,8 @@ int run_map(const MapCommand& options) {
         fmt::format("--amplitude: with initial conditions the pulse begins where rocking can start, from {}",
                     static_cast<double>(level)));
   const Work work = sweep_work(options.threads, static_cast<int>(ratios.size()), "frequencies");
-  const OutcomeMap map = outcome_map(asked, ratios, amplitudes, work);
+  const OutcomeMap map =
+      outcome_map(asked, ratios, amplitudes, work, options.engine == "gsl" ? Engine::gsl : Engine::taylor);
   const bool stopped = was_interrupted(work);
   if (!options.csv.empty()) write_whole(options.csv, csv_of(map));
   if (!options.plot.empty())
@@ -89,9 +88,11 @@ void add_map(CLI::App& app, Run& run) {
   add("--omega", options->omega, "W1:W2:N", "omega_p/p from, to, how many")->required();
   add("--amplitude", options->amplitude, "A1:A2:M", "a_p/(alpha g) from, to, how many")->required();
   add("--threads", options->threads, "T", "threads [all]");
+  add("--engine", options->engine, "gsl|taylor", "what follows the nonlinear model [taylor]")
+      ->check(CLI::IsMember({"gsl", "taylor"}));
   add("--csv", options->csv, "FILE", "write the grid")->check(file_name);
   add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);
   command->callback([options, &run] { run = [options] { return run_map(*options); }; });
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

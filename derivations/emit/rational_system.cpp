@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <derivations/emit/emit.hpp>
+#include <derivations/emit/taylor.hpp>
+#include <map>
+#include <stdexcept>
+
+namespace rederive {
+
+namespace {
+
+using GiNaC::ex;
+using Kind = Node::Kind;
+
+/// Functions that are each other's derivatives, with the sign of each.
+struct Family {
+  std::vector<std::string> members;
+  std::vector<int> signs;  ///< member i has the derivative signs[i] * the member after it
+};
+const std::vector<Family>& families() {
+  static const std::vector<Family> all = {
+      {{"sin", "cos"}, {1, -1}}, {{"sinh", "cosh"}, {1, 1}}, {{"exp"}, {1}}};
+  return all;
+}
+
+std::string name_of(const SymbolExpression& symbol) { return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name(); }
+
+class Extension {
+ public:
+  explicit Extension(const TaylorStepper& stepper) : stepper_(stepper) {
+    for (const SymbolExpression& parameter : stepper.parameters) declare(parameter);
+    for (const auto& [state, rate] : stepper.rates) declare(state), system_.rates.emplace_back(state, 0);
+    const bool timed = std::any_of(stepper.rates.begin(), stepper.rates.end(),
+                                   [](const auto& entry) { return entry.second.has(paper::t); });
+    if (timed) declare(paper::t), system_.rates.emplace_back(paper::t, 1);
+  }
+
+  RationalSystem result() {
+    std::vector<Tree> trees;
+    for (const auto& [state, rate] : stepper_.rates) {
+      check(state, rate);
+      trees.push_back(without_functions(to_tree(rate, emission_symbols())));
+    }
+    for (std::size_t i = 0; i < trees.size(); ++i) system_.rates[i].second = lowered(trees[i]);
+    for (const RationalSystem::Function& f : system_.functions) {
+      const ex inner = time_derivative(lowered(f.argument), system_.rates);
+      system_.rates.emplace_back(system_.symbols[f.name], f.sign * system_.symbols[f.derivative] * inner);
+    }
+    return std::move(system_);
+  }
+
+ private:
+  void declare(const SymbolExpression& symbol) {
+    arguments_.push_back(symbol);
+    system_.symbols.declare(*emission_symbols().find(symbol));
+  }
+
+  ex lowered(const Tree& tree) const { return lower(tree, system_.symbols); }
+
+  void check(const SymbolExpression& state, const ex& rate) const {
+    if (rate.is_zero()) return;
+    std::vector<SymbolExpression> arguments = arguments_;
+    arguments.push_back(paper::t);
+    const std::string name = stepper_.name + ": the rate of " + name_of(state);
+    const std::string unit = provenance({name, arguments, rate * paper::t / state, {}, "", ""}).unit;
+    if (unit != "1") throw std::invalid_argument(name + ", times the time over the state, is in " + unit);
+  }
+
+  bool moves(const Node& node) const {
+    if (node.kind == Kind::symbol)
+      return std::any_of(system_.rates.begin(), system_.rates.end(),
+                         [&](const auto& entry) { return name_of(entry.first) == node.text; }) ||
+             std::any_of(system_.functions.begin(), system_.functions.end(),
+                         [&](const auto& f) { return f.name == node.text; });
+    return std::any_of(node.children.begin(), node.children.end(),
+                       [&](const Tree& child) { return moves(*child); });
+  }
+
+  /// Inner functions first, so that the argument of each is rational in what there is before it.
+  Tree without_functions(const Tree& tree) {
+    if (tree->children.empty()) return tree;
+    std::vector<Tree> children;
+    for (const Tree& child : tree->children) children.push_back(without_functions(child));
+    const Tree rebuilt = make_tree(tree->kind, tree->text, children, tree->inverse);
+    return tree->kind == Kind::call && moves(*rebuilt) ? state_for(tree->text, children[0]) : rebuilt;
+  }
+
+  /// The part of the state that stands for the function; with it come the others of its family.
+  Tree state_for(const std::string& function, const Tree& argument) {
+    for (const RationalSystem::Function& known : system_.functions)
+      if (known.function == function && is_same(known.argument, argument)) return leaf(known.name);
+    for (const Family& family : families()) {
+      const auto found = std::find(family.members.begin(), family.members.end(), function);
+      if (found == family.members.end()) continue;
+      const std::string number = "_" + std::to_string(++count_[family.members[0]]);
+      for (std::size_t i = 0; i < family.members.size(); ++i) {
+        const std::string& member = family.members[i];
+        const std::string& derivative = family.members[(i + 1) % family.members.size()];
+        system_.symbols.declare(member + number, member, member, "1", all_numbers, member, "emit");
+        system_.functions.push_back(
+            {member + number, member, argument, derivative + number, family.signs[i]});
+      }
+      return leaf(function + number);
+    }
+    throw std::invalid_argument(stepper_.name + ": " + function + "(" +
+                                print(argument, Notation::plain, system_.symbols) +
+                                ") has no recurrence: sin, cos, sinh, cosh and exp have");
+  }
+
+  static Tree leaf(const std::string& name) { return make_tree(Kind::symbol, name); }
+
+  const TaylorStepper& stepper_;
+  RationalSystem system_;
+  std::vector<SymbolExpression> arguments_;
+  std::map<std::string, int> count_;
+};
+
+}  // namespace
+
+RationalSystem rational_system(const TaylorStepper& stepper) { return Extension(stepper).result(); }
+
+}  // namespace rederive

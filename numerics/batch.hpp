@@ -1,0 +1,73 @@
+// Many simulations of the nonlinear model at once, in the lanes of a vector: A. Jorba and M. Zou,
+// Experimental Mathematics 14 (2005) 99-117, for the steps; each instruction set has a kernel of its own,
+// chosen at run time, and all give the same bits.
+#pragma once
+
+#include <numerics/overturning.hpp>
+#include <vector>
+
+namespace rederive::inline numeric {
+
+/// Angles in rad, times p t, accelerations over g.
+struct BatchBlock {
+  double alpha, restitution;
+  double tolerance;  ///< of the last two terms of each series
+};
+
+/// Where a motion starts under the pulse, on the side theta > 0: one on the other side is mirrored with its
+/// ground.
+struct BatchStart {
+  double omega;               ///< omega_p/p
+  double theta, thetadot;     ///< of the block
+  double ground, quadrature;  ///< of the pulse, the latter over omega_p
+  double push;                ///< from rest: how long the ground pushes at least as hard as at the start
+  double left;                ///< until the pulse ends
+  double slow;                ///< an impact that leaves less than this velocity ends the motion
+  int impacts = 0;            ///< before the start
+};
+
+/// Where it ends: with the pulse, on the side theta > 0 of the last impact; lying; after an impact that
+/// leaves it slow; or in a graze that the kernel cannot tell from an impact.
+struct BatchEnd {
+  enum class How { pulse_over, lies, slow, unclear } how;
+  double theta, thetadot, left;
+  int impacts;
+};
+
+/// The kernel of one instruction set.
+struct BatchKernel {
+  const char* name;
+  void (*run)(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends, int count);
+};
+
+/// Those that this processor can run, the fastest last.
+const std::vector<BatchKernel>& batch_kernels();
+
+/// The nonlinear model under one pulse at many amplitudes.
+class PulseBatch {
+ public:
+  /// Throws std::invalid_argument like outcome_at.
+  PulseBatch(const PulseCase& asked, const std::vector<double>& amplitudes,
+             const BatchKernel& kernel = batch_kernels().back());
+
+  /// For each omega_p/p outcome_at(asked, amplitude).code of each amplitude. A graze is followed by
+  /// outcome_at.
+  std::vector<std::vector<int>> codes(const std::vector<double>& omega_ratios) const;
+
+  /// When and with what the block starts. Times are phases: they do not depend on omega_p.
+  struct Launch {
+    Piece piece;                ///< the pulse
+    int side = 0;               ///< 0: it does not start
+    double push = 0, gain = 0;  ///< from rest: how long and, above start_level, how much the ground pushes
+    double left = 0;            ///< until the pulse ends
+    double theta = 0, thetadot = 0, ground = 0, quadrature = 0;  ///< mirrored to theta > 0
+  };
+
+ private:
+  PulseCase asked_;
+  std::vector<double> amplitudes_;
+  BatchKernel kernel_;
+  std::vector<Launch> launches_;
+};
+
+}  // namespace rederive::inline numeric

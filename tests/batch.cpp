@@ -1,0 +1,134 @@
+// The batched kernels against outcome_at, which integrates by GSL, and against each other.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numerics/batch.hpp>
+#include <random>
+#include <stdexcept>
+
+using namespace rederive;
+
+namespace {
+
+PulseCase nonlinear(double alpha, double restitution) {
+  PulseCase asked;
+  asked.block = make_block(alpha, 2.14, restitution);
+  asked.model = Model::nonlinear;
+  return asked;
+}
+
+std::vector<double> amplitudes_above(const PulseCase& asked, std::mt19937& random, int count) {
+  std::uniform_real_distribution<double> share(0, 1);
+  const auto level = static_cast<double>(start_level(asked.block, asked.model));
+  std::vector<double> amplitudes;
+  for (int i = 0; i < count; ++i)
+    amplitudes.push_back(level * (1 + 1e-12 + 14 * share(random) * share(random)));
+  return amplitudes;
+}
+
+/// Whether the code that outcome_at gives is the same all around: 1e-9 away from any boundary.
+bool is_certain(const PulseCase& asked, double amplitude) {
+  const int code = outcome_at(asked, amplitude).code;
+  return outcome_at(asked, amplitude * (1 - 1e-9)).code == code &&
+         outcome_at(asked, amplitude * (1 + 1e-9)).code == code;
+}
+
+/// Cells that differ where they may not.
+int wrong_cells(const PulseCase& asked, const std::vector<double>& amplitudes) {
+  int wrong = 0;
+  const std::vector<int> codes = PulseBatch(asked, amplitudes).codes({asked.omega_ratio}).front();
+  for (std::size_t i = 0; i < amplitudes.size(); ++i) {
+    const bool differs =
+        codes[i] != outcome_at(asked, amplitudes[i]).code && is_certain(asked, amplitudes[i]);
+    CHECK_MESSAGE(!differs, "omega_p/p = ", asked.omega_ratio, ", amplitude ", amplitudes[i], ", alpha ",
+                  asked.block.alpha);
+    wrong += differs ? 1 : 0;
+  }
+  return wrong;
+}
+
+}  // namespace
+
+TEST_CASE("blocks and pulses at random come out as by GSL") {
+  std::mt19937 random(4711);
+  std::uniform_real_distribution<double> share(0, 1);
+  int wrong = 0;
+  for (int i = 0; i < 150; ++i) {
+    PulseCase asked = nonlinear(0.05 + 1.45 * share(random), 0.3 + 0.7 * share(random));
+    asked.pulse = i % 2 == 0 ? Pulse::sine : Pulse::cosine;
+    asked.omega_ratio = i % 3 == 0 ? std::pow(10, -1.5 * share(random)) : 0.2 + 9.8 * share(random);
+    if (i % 4 == 1) asked.initial = {1.6L * share(random) - 0.8L, 2 * share(random) - 1.0L};
+    wrong += wrong_cells(asked, amplitudes_above(asked, random, 40));
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("at the edges of the range, too") {
+  std::mt19937 random(4712);
+  for (const double restitution : {1.0, 0.02})
+    for (const double alpha : {1e-8, 0.25, 1.5}) {
+      PulseCase asked = nonlinear(alpha, restitution);
+      for (const double ratio : {0.03, 2.0, 50.0}) {
+        asked.omega_ratio = ratio;
+        CHECK(wrong_cells(asked, amplitudes_above(asked, random, 20)) == 0);
+      }
+    }
+}
+
+TEST_CASE("every kernel gives the same cells, one frequency at a time or all together") {
+  const PulseCase asked = nonlinear(0.25, 0.9);
+  std::vector<double> amplitudes;
+  for (int i = 0; i < 203; ++i) amplitudes.push_back(0.9 + 0.05 * i);
+  const std::vector<double> ratios{0.2, 1.0, 2.5, 4.0, 7.0};
+  const auto first = PulseBatch(asked, amplitudes, batch_kernels().front()).codes(ratios);
+  for (const BatchKernel& kernel : batch_kernels()) {
+    CAPTURE(kernel.name);
+    const PulseBatch batch(asked, amplitudes, kernel);
+    CHECK(batch.codes(ratios) == first);
+    for (std::size_t i = 0; i < ratios.size(); ++i) CHECK(batch.codes({ratios[i]}).front() == first[i]);
+  }
+}
+
+TEST_CASE("every kernel gives the same bits, in whatever lane") {
+  const double alpha = 0.25, ground = -std::tan(alpha), amplitude = 3 * alpha;
+  const double quadrature = -std::sqrt(amplitude * amplitude - ground * ground),
+               psi = std::asin(-ground / amplitude);
+  std::vector<BatchStart> starts;
+  for (int i = 0; i < 37; ++i) {
+    const double omega = 1 + 0.1 * i;
+    starts.push_back({omega, 0, 0, ground, quadrature, (std::numbers::pi - 2 * psi) / omega,
+                      (2 * std::numbers::pi - psi) / omega, 1e-4});
+  }
+  std::vector<std::vector<BatchEnd>> all;
+  for (const BatchKernel& kernel : batch_kernels()) {
+    auto& ends = all.emplace_back(starts.size());
+    kernel.run({alpha, 0.9, 1e-12}, starts.data(), ends.data(), static_cast<int>(starts.size()));
+    BatchEnd alone{};
+    kernel.run({alpha, 0.9, 1e-12}, &starts[20], &alone, 1);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      const BatchEnd &one = all.front()[i], &other = i == 20 ? alone : ends[i];
+      CHECK(one.how == other.how);
+      CHECK(one.theta == other.theta);
+      CHECK(one.thetadot == other.thetadot);
+      CHECK(one.impacts == other.impacts);
+    }
+  }
+}
+
+TEST_CASE("what the kernel leaves unresolved is followed, and what does not move is safe") {
+  PulseCase asked = nonlinear(0.25, 0.6);
+  asked.omega_ratio = 0.5;
+  const auto level = static_cast<double>(start_level(asked.block, asked.model));
+  const std::vector<double> amplitudes{0, level / 2, level, level * (1 + 1e-9), 1.03, 1.1};
+  const std::vector<int> codes = PulseBatch(asked, amplitudes).codes({asked.omega_ratio}).front();
+  bool rests = false;
+  for (std::size_t i = 0; i < amplitudes.size(); ++i) {
+    const Outcome outcome = outcome_at(asked, amplitudes[i]);
+    CHECK(codes[i] == outcome.code);
+    rests = rests || outcome.rests > 0;
+  }
+  CHECK(rests);
+  asked.initial = {0.1L, 0};
+  CHECK_THROWS_AS(PulseBatch(asked, {0.5}), std::invalid_argument);
+}
