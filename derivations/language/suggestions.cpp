@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cctype>
 #include <derivations/language/functions.hpp>
-#include <derivations/language/suggestions.hpp>
+#include <derivations/language/lexer.hpp>
 
 namespace rederive {
 
