@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <derivations/identity/rewrite_rules.hpp>
 #include <derivations/identity/translator.hpp>
 #include <utility>
 

@@ -101,4 +101,14 @@ class Translator {
 /// False says nothing.
 bool vanishes(const Fraction& f, Ring& ring, Translator& translator);
 
+/// What must hold for f(u) to have a value, and what it is there.
+struct RewriteRule {
+  std::vector<std::pair<Tree, Signs>> domain;  ///< of values in u
+  Tree result;                                 ///< in u; null of a function that is not replaced
+};
+
+/// The rule of a function of our syntax, by its name; nullptr where it has a value everywhere and is not
+/// replaced.
+const RewriteRule* rewrite_rule(const std::string& function);
+
 }  // namespace rederive

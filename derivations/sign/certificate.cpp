@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <derivations/sign/certificate.hpp>
-#include <derivations/sign/linear_program.hpp>
 #include <set>
 
 namespace rederive {

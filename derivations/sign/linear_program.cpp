@@ -4,7 +4,7 @@
 #include <glpk.h>
 
 #include <derivations/numbers/integer.hpp>
-#include <derivations/sign/linear_program.hpp>
+#include <derivations/sign/certificate.hpp>
 #include <memory>
 
 namespace rederive {
