@@ -4,7 +4,7 @@
 
 #include <cln/rational_io.h>
 
-#include <derivations/decide/compare.hpp>
+#include <derivations/decide/comparison.hpp>
 #include <derivations/decide/decide.hpp>
 #include <derivations/decide/points.hpp>
 #include <derivations/language/syntax.hpp>
@@ -93,8 +93,7 @@ bool are_found_the_same(const Relation& statement, const Relation& other, const 
     const Problem problem = with_values({statement, other, assumptions, symbols}, {});
     Comparison setting(problem.symbols);
     translate(setting, problem);
-    setting.is_thorough = true;
-    return same(setting).has_value();
+    return same(setting, problem).has_value();
   } catch (const Undecidable&) {
     return false;
   }

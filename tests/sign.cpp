@@ -4,7 +4,6 @@
 #include <derivations/language/syntax.hpp>
 #include <derivations/identity/translator.hpp>
 #include <derivations/sign/certificate.hpp>
-#include <derivations/sign/linear_program.hpp>
 #include <random>
 
 using namespace rederive;

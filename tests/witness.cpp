@@ -133,7 +133,7 @@ nlohmann::json witness_of(std::vector<std::string> arguments) {
 }  // namespace
 
 // Open: of a zero that is only enclosed the other statement cannot always be told.
-TEST_CASE("at a witness one of two statements holds and the other does not, and what is assumed holds" * doctest::should_fail()) {
+TEST_CASE("at a witness one of two statements holds and the other does not, and what is assumed holds") {
   const std::vector<std::string> statements{
       "x*exp(x) = y",    "cos(x) = x",      "x^5-x-1 = 0",      "y*exp(y)+x = 0",    "tan(x) = 2*x",
       "b*exp(h) = 2",    "h^3 = b+1",       "sin(alpha) = p/3", "x = y = exp(-z)",   "x < exp(-x)",

@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <derivations/decide/compare.hpp>
-#include <derivations/identity/zero_test.hpp>
+#include <derivations/decide/comparison.hpp>
+#include <derivations/identity/translator.hpp>
 #include <numeric>
 #include <set>
 
@@ -8,61 +8,51 @@ namespace rederive {
 
 namespace {
 
-void append(Certificate& to, const Certificate& from) {
-  to.parts.insert(to.parts.end(), from.parts.begin(), from.parts.end());
-}
-
-/// Whether no factor of p is 0.
-bool is_definite(const Comparison& setting, const Polynomial& p, Certificate& certificate) {
-  for (const auto& [factor, exponent] : factors(p).second) {
-    std::optional<Certificate> found;
-    for (const Signs signs : {Signs::nonzero(), Signs::positive(), Signs::negative()})
-      if (!found) found = prove_signs(setting.ring, setting.facts, Fraction(factor), signs);
-    if (!found) return false;
-    append(certificate, *found);
-  }
-  return true;
+/// What a part rests on, the whole rests on.
+void rest_on(Sameness& all, const std::string& by, const Certificate& part) {
+  if (by == "sign") all.by = by;
+  all.certificate.parts.insert(all.certificate.parts.end(), part.parts.begin(), part.parts.end());
 }
 
 /// left = factor · right, by a factor without zero or pole, positive for inequalities.
 std::optional<Sameness> same_up_to_a_factor(const Comparison& setting, const Atom& left, const Atom& right) {
   const Ring& ring = setting.ring;
   if (left.signs != right.signs) return std::nullopt;
-  if (left.value.is_zero() && right.value.is_zero()) return Sameness{"identity", 1, true};
+  if (left.value.is_zero() && right.value.is_zero()) return Sameness{"identity", 1};
   if (left.value.is_zero() || right.value.is_zero()) return std::nullopt;
-  const Fraction ratio = left.value / right.value;
-  Sameness result{"identity", setting.is_thorough ? ring.rationalized(ratio) : ring.normal(ratio), true};
-  const Fraction& q = result.factor;
-  if (q.is_constant())
-    return left.signs == Signs::zero() || cln::plusp(q.constant()) ? std::optional(result) : std::nullopt;
-  if (!setting.is_thorough) return std::nullopt;
+  Sameness result{"identity", ring.rationalized(left.value / right.value)};
+  const bool is_equation = left.signs == Signs::zero();
   const auto fits = [&](const Fraction& f) {
-    if (left.signs == Signs::zero())
-      return is_definite(setting, f.numerator * f.denominator, result.certificate);
-    const auto positive = prove_signs(ring, setting.facts, f, Signs::positive());
-    if (positive) append(result.certificate, *positive);
-    return positive.has_value();
+    std::vector<Fraction> parts;
+    for (const auto& [factor, exponent] : factors(f.numerator * f.denominator).second)
+      parts.push_back(factor);
+    if (!is_equation) parts = {f};
+    return std::all_of(parts.begin(), parts.end(), [&](const Fraction& part) {
+      const Signs wanted = is_equation ? Signs::nonzero() : Signs::positive();
+      const auto found = prove_signs(ring, setting.facts, part, wanted);
+      if (found) rest_on(result, found->parts.empty() ? "identity" : "sign", *found);
+      return found.has_value();
+    });
   };
-  if (!fits(q)) {
-    const Fraction inverse = ring.rationalized(right.value / left.value);
-    if (!fits(inverse)) return std::nullopt;
-    result.factor = 1 / inverse;
-  }
-  if (!result.certificate.parts.empty()) result.by = "sign";
+  if (fits(*result.factor)) return result;
+  const Fraction inverse = ring.rationalized(right.value / left.value);
+  if (!fits(inverse)) return std::nullopt;
+  result.factor = 1 / inverse;
   return result;
 }
 
 std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::vector<Atom>& left,
                                           const std::vector<Atom>& right) {
   if (left.empty() || left.size() != right.size()) return std::nullopt;
-  Sameness all{"identity", 1, true};
+  Sameness all{"identity", 1};
   for (std::size_t k = 0; k < left.size(); ++k) {
     const auto one = same_up_to_a_factor(setting, left[k], right[k]);
     if (!one) return std::nullopt;
-    append(all.certificate, one->certificate);
-    if (one->by == "sign") all.by = "sign";
-    all.has_factor = all.has_factor && (left.size() == 1 || one->factor == 1);
-    all.factor = one->factor;
+    rest_on(all, one->by, one->certificate);
+    if (all.factor && (left.size() == 1 || *one->factor == 1))
+      all.factor = one->factor;
+    else
+      all.factor.reset();
   }
   return all;
 }
@@ -125,7 +115,7 @@ std::optional<Sameness> all_follow(const Comparison& setting, const std::vector<
   Sameness all{"identity"};
   const auto by_signs = [&](const std::vector<Atom>& case_of, const Atom& claim) {
     const auto found = follows_by_signs(setting, case_of, claim);
-    if (found) all.by = "sign", append(all.certificate, *found);
+    if (found) rest_on(all, "sign", *found);
     return found.has_value();
   };
   const auto in_cases = [&](std::size_t k, const Atom& claim) {
@@ -150,30 +140,29 @@ std::optional<Sameness> all_follow(const Comparison& setting, const std::vector<
 
 }  // namespace
 
-std::optional<Sameness> same(Comparison& setting) {
+std::optional<Sameness> same(Comparison& setting, const Problem& problem) {
   const Translated &left = setting.left, &right = setting.right;
   if (left.expression) {
     const Fraction difference = setting.ring.normal(*left.expression - *right.expression);
     if (vanishes(difference, setting.ring, setting.translator)) return Sameness{"identity"};
-    if (!setting.is_thorough) return std::nullopt;
     const auto found = prove_signs(setting.ring, setting.facts, difference, Signs::zero());
-    return found ? std::optional(Sameness{"sign", 1, false, *found}) : std::nullopt;
+    return found ? std::optional(Sameness{"sign", {}, *found}) : std::nullopt;
   }
-  for (const auto& of_left : left.readings)
-    for (const auto& of_right : right.readings) {
+  const auto left_readings = readings_of(setting, problem.left, left, problem.symbols),
+             right_readings = readings_of(setting, problem.right, right, problem.symbols);
+  for (const auto& of_left : left_readings)
+    for (const auto& of_right : right_readings) {
       auto found = same_link_by_link(setting, of_left, of_right);
       if (!found) continue;
-      found->has_factor = found->has_factor && &of_left == &left.atoms() && &of_right == &right.atoms();
+      if (&of_left != &left_readings[0] || &of_right != &right_readings[0]) found->factor.reset();
       return found;
     }
-  if (!setting.is_thorough) return std::nullopt;
-  for (const auto& of_left : left.readings)
-    for (const auto& of_right : right.readings) {
+  for (const auto& of_left : left_readings)
+    for (const auto& of_right : right_readings) {
       auto forth = all_follow(setting, of_left, of_right);
       const auto back = forth ? all_follow(setting, of_right, of_left) : std::nullopt;
       if (!back) continue;
-      if (back->by == "sign") forth->by = "sign";
-      append(forth->certificate, back->certificate);
+      rest_on(*forth, back->by, back->certificate);
       return forth;
     }
   return std::nullopt;
@@ -183,14 +172,10 @@ namespace {
 
 /// p times its conjugates in the sines: s and 1 - c vanish together where this has a common factor.
 Polynomial norm(const Ring& ring, const Polynomial& p) {
-  Polynomial result = p;
-  for (const int k : p.used()) {
-    if (ring.generators()[k].kind != Generator::Kind::sine) continue;
-    const Fraction reduced = ring.normal(result);
-    const auto c = reduced.numerator.coefficients(k);
-    const Fraction square = ring.normal(Fraction(Polynomial::variable(k) * Polynomial::variable(k)));
-    if (c.size() == 2) result = ring.normal(Fraction(c[0] * c[0]) - Fraction(c[1] * c[1]) * square).numerator;
-  }
+  Polynomial result = ring.normal(p).numerator;
+  for (const int k : result.used())
+    if (ring.generators()[k].kind == Generator::Kind::sine && result.degree(k) == 1)
+      result = ring.norm(result, k).numerator;
   return result;
 }
 
@@ -198,8 +183,7 @@ Polynomial norm(const Ring& ring, const Polynomial& p) {
 
 bool hides_a_solution(const Comparison& setting) {
   const auto has = [](const std::vector<DomainCondition>& list, const DomainCondition& c) {
-    return std::any_of(list.begin(), list.end(),
-                       [&](const DomainCondition& d) { return d.value == c.value; });
+    return std::ranges::find(list, c.value, &DomainCondition::value) != list.end();
   };
   const auto vanish_together = [&](const Fraction& a, const Fraction& b) {
     return !gcd(norm(setting.ring, a.numerator), norm(setting.ring, b.numerator)).is_constant();
@@ -209,7 +193,7 @@ bool hides_a_solution(const Comparison& setting) {
       if (c.allowed == Signs::nonnegative() || !has(setting.conditions, c) || has(other.conditions, c))
         continue;
       const Fraction divisor = setting.ring.normal(c.value);
-      for (const Atom& atom : other.atoms())
+      for (const Atom& atom : other.atoms)
         if (atom.signs != Signs::positive() && (atom.value.is_zero() || vanish_together(atom.value, divisor)))
           return true;
     }

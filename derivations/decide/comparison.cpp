@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <derivations/decide/comparison.hpp>
-#include <derivations/decide/domain.hpp>
 
 namespace rederive {
 
@@ -38,51 +37,34 @@ std::optional<Fraction> by_angle(const Ring& ring, Translator& translator, const
   return is_sine ? sine : 1 - cosine;
 }
 
-/// A statement as atoms; the conditions are those of the statement as it stands.
-Translated translate(const Relation& statement, const Symbols& symbols, Comparison& setting) {
-  const Ring& ring = setting.ring;
-  Translator& translator = setting.translator;
-  Translated result;
-  if (statement.operators.empty()) {
-    result.expression = translator(statement.sides[0], result.conditions);
-    return result;
-  }
-  const auto atom_of_link = [&](const Relation& link, std::vector<DomainCondition>& conditions) {
-    const Fraction left = translator(link.sides[0], conditions),
-                   right = translator(link.sides[1], conditions);
-    Atom atom = atom_of(left, link.operators[0], right);
-    atom.value = ring.normal(atom.value);
-    return atom;
-  };
-  std::vector<Atom> atoms, inverted;
-  bool is_inverted = false;
-  std::vector<DomainCondition> unused;
-  for (const Relation& link : links_of(statement)) {
-    atoms.push_back(atom_of_link(link, result.conditions));
-    const Relation inverse = setting.is_thorough ? with_inversions(link, symbols) : link;
-    is_inverted = is_inverted || inverse.sides != link.sides;
-    inverted.push_back(inverse.sides == link.sides ? atoms.back() : atom_of_link(inverse, unused));
+/// The links as atoms, without those that say nothing if others say something.
+std::vector<Atom> atoms_of(const std::vector<Relation>& links, Comparison& setting,
+                           std::vector<DomainCondition>& conditions) {
+  std::vector<Atom> atoms;
+  for (const Relation& link : links) {
+    const Fraction left = setting.translator(link.sides[0], conditions),
+                   right = setting.translator(link.sides[1], conditions);
+    atoms.push_back(atom_of(left, link.operators[0], right));
+    atoms.back().value = setting.ring.normal(atoms.back().value);
   }
   const auto says_nothing = [](const Atom& a) { return a.value.is_zero() && a.signs != Signs::positive(); };
-  if (!is_inverted && !std::all_of(atoms.begin(), atoms.end(), says_nothing))
-    std::erase_if(atoms, says_nothing);
-  result.readings.push_back(std::move(atoms));
-  if (is_inverted) result.readings.push_back(std::move(inverted));
-  if (!setting.is_thorough || result.atoms().size() != 1 || result.atoms()[0].signs != Signs::zero())
-    return result;
-  const Fraction value = result.atoms()[0].value;
-  for (const auto& other :
-       {by_logarithm(ring, translator, value.numerator), by_angle(ring, translator, value, true),
-        by_angle(ring, translator, value, false)})
-    if (other) result.readings.push_back({{ring.normal(*other), Signs::zero()}});
+  if (!std::ranges::all_of(atoms, says_nothing)) std::erase_if(atoms, says_nothing);
+  return atoms;
+}
+
+Translated translate(const Relation& statement, Comparison& setting) {
+  Translated result;
+  if (statement.operators.empty())
+    result.expression = setting.translator(statement.sides[0], result.conditions);
+  else
+    result.atoms = atoms_of(links_of(statement), setting, result.conditions);
   return result;
 }
 
 void learn(Comparison& setting, const Fraction& value, Signs signs) {
   for (Fact& fact : facts_of(setting.ring, value, signs)) {
     const auto is_same = [&](const Fact& f) { return f.value == fact.value && f.signs == fact.signs; };
-    if (std::none_of(setting.facts.begin(), setting.facts.end(), is_same))
-      setting.facts.push_back(std::move(fact));
+    if (std::ranges::none_of(setting.facts, is_same)) setting.facts.push_back(std::move(fact));
   }
   setting.ring.learn(value, signs);
 }
@@ -132,22 +114,23 @@ bool is_granted(const Comparison& setting, const DomainCondition& c) {
   return prove_signs(setting.ring, setting.facts, c.value, c.allowed, !setting.facts.empty()).has_value();
 }
 
-}  // namespace
-
+/// Both statements once more.
 void translate_statements(Comparison& setting, const Problem& problem) {
   int basis = -1;  // both in the same one
   for (int round = 0; round < 6 && basis != setting.translator.bases(); ++round) {
     basis = setting.translator.bases();
-    setting.left = translate(problem.left, problem.symbols, setting);
-    setting.right = translate(problem.right, problem.symbols, setting);
+    setting.left = translate(problem.left, setting);
+    setting.right = translate(problem.right, setting);
   }
 }
+
+}  // namespace
 
 void translate(Comparison& setting, const Problem& problem) {
   int basis = -1;
   for (int round = 0; round < 6 && basis != setting.translator.bases(); ++round) {
     basis = setting.translator.bases();
-    setting.translator.forget(), setting.facts.clear();
+    setting.translator.forget(), setting.facts.clear(), setting.conditions.clear();
     for (int pass = 0; pass < 2; ++pass) {  // the second one with what the first one said
       for (const auto& [name, value] : problem.values) defined(setting, value);
       for (const Relation& a : problem.assumptions) assume(setting, a);
@@ -162,6 +145,28 @@ void translate(Comparison& setting, const Problem& problem) {
     for (const DomainCondition& c : setting.conditions) learn(setting, c.value, c.allowed);
     translate_statements(setting, problem);
   }
+}
+
+std::vector<std::vector<Atom>> readings_of(Comparison& setting, const Relation& statement,
+                                           const Translated& translated, const Symbols& symbols) {
+  std::vector<std::vector<Atom>> result{translated.atoms};
+  std::vector<Relation> links = links_of(statement);
+  bool is_inverted = false;
+  for (Relation& link : links) {
+    const Relation inverse = with_inversions(link, symbols);
+    is_inverted = is_inverted || inverse.sides != link.sides;
+    link = inverse;
+  }
+  std::vector<DomainCondition> unused;
+  if (is_inverted) result.push_back(atoms_of(links, setting, unused));
+  if (translated.atoms.size() != 1 || translated.atoms[0].signs != Signs::zero()) return result;
+  const Ring& ring = setting.ring;
+  const Fraction value = translated.atoms[0].value;
+  for (const auto& other :
+       {by_logarithm(ring, setting.translator, value.numerator),
+        by_angle(ring, setting.translator, value, true), by_angle(ring, setting.translator, value, false)})
+    if (other) result.push_back({{ring.normal(*other), Signs::zero()}});
+  return result;
 }
 
 }  // namespace rederive

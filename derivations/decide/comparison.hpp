@@ -16,10 +16,7 @@ struct Atom {
 /// A statement in the ring: an expression, or atoms that hold together.
 struct Translated {
   std::optional<Fraction> expression;
-  /// Atoms that hold where the statement does: as it stands; with inversions of monotone functions; and
-  /// equations with the logarithm, the sine or the cosine of both sides, where that can be inverted.
-  std::vector<std::vector<Atom>> readings;
-  const std::vector<Atom>& atoms() const { return readings.at(0); }
+  std::vector<Atom> atoms;
   std::vector<DomainCondition> conditions;  ///< for its sides to have values
 };
 
@@ -33,19 +30,39 @@ struct Comparison {
   Translated left, right;
   std::vector<DomainCondition> conditions;  ///< those that neither the ranges nor the assumptions grant
   std::vector<std::string> in_words;        ///< the same: "x - 1 > 0", "cos(theta) != 0"
-  /// Whether all readings are compared, up to factors and by certificates of signs; else whether the two are
-  /// the same but for a number.
-  bool is_thorough = false;
 };
 
 /// The value and the sign that a link a op b asks for.
 Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b);
 
-/// Both statements once more, with all their readings where the comparison is thorough.
-void translate_statements(Comparison& setting, const Problem& problem);
-
 /// Both statements in one ring, where both have values: what must hold for that is learned, and all is
 /// translated once more with it. Throws Undecidable and NoValue.
 void translate(Comparison& setting, const Problem& problem);
+
+/// Atoms that hold where the statement does, once it is translated: as it stands; with inversions of monotone
+/// functions; and equations with the logarithm, the sine or the cosine of both sides, where that can be
+/// inverted.
+std::vector<std::vector<Atom>> readings_of(Comparison& setting, const Relation& statement,
+                                           const Translated& translated, const Symbols& symbols);
+
+struct Sameness {
+  std::string by;                       ///< "identity" or "sign"
+  std::optional<Fraction> factor = {};  ///< of two equations or inequalities: left = factor * right
+  Certificate certificate = {};
+};
+
+/// Two expressions: the difference is 0. Two relations: the ratio of what is 0, or positive, has no zero and
+/// no pole (for inequalities: is positive), or each follows from the other one. A certificate where signs
+/// were needed.
+std::optional<Sameness> same(Comparison& setting, const Problem& problem);
+
+/// A divisor of one statement that may be 0 where the other one holds: a condition that would hide a
+/// solution. Compared are the irreducible factors of both.
+bool hides_a_solution(const Comparison& setting);
+
+/// "x - 1 > 0", "cos(theta) != 0": the conditions in our syntax, without the factors of which the ring knows
+/// the sign, and nothing said twice; x >= 0 and x != 0 are x > 0.
+std::vector<std::string> in_words(const std::vector<DomainCondition>& conditions, const Ring& ring,
+                                  const Symbols& symbols);
 
 }  // namespace rederive

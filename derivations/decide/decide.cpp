@@ -1,9 +1,8 @@
 #include <cln/exception.h>
 
 #include <algorithm>
-#include <derivations/decide/compare.hpp>
+#include <derivations/decide/comparison.hpp>
 #include <derivations/decide/decide.hpp>
-#include <derivations/decide/domain.hpp>
 #include <derivations/decide/points.hpp>
 #include <derivations/language/print.hpp>
 
@@ -17,7 +16,7 @@ std::string to_string(Verdict verdict) {
 
 namespace {
 
-constexpr Effort few{6, 200, false}, some{4, 200, true}, many{220, 1800, true};
+constexpr Effort few{6, 1, 200}, many{220, 24, 1800};
 
 Proof undecided(std::string reason) {
   Proof proof;
@@ -32,54 +31,35 @@ Proof refuted(const Witness& witness) {
   return proof;
 }
 
-std::string text_of(const Polynomial& p, const Ring& ring, const Symbols& symbols) {
-  return print(ring.meaning_of(Fraction(p)), Notation::plain, symbols);
-}
-
-Grounds grounds_of(const Comparison& setting, const Certificate& certificate, const Symbols& symbols) {
-  Grounds grounds;
-  for (const Generator& g : setting.ring.generators())
-    if (g.kind != Generator::Kind::symbol && g.kind != Generator::Kind::pi)
-      grounds.phases.push_back(print(g.meaning, Notation::plain, symbols));
-  for (const Translated* side : {&setting.left, &setting.right})
-    for (std::string& divisor : in_words(side->conditions, setting.ring, symbols))
-      grounds.divisors.push_back(std::move(divisor));
-  for (const Certificate::Part& part : certificate.parts) {
-    std::string text = print(GiNaC::ex(GiNaC::numeric(part.coefficient)), Notation::plain, symbols);
-    for (const Polynomial& f : part.factors) text += " * (" + text_of(f, setting.ring, symbols) + ")";
-    grounds.certificate.push_back(std::move(text));
-  }
-  return grounds;
-}
-
 Proof proved(const Comparison& setting, const Sameness& found, const Symbols& symbols) {
   Proof proof;
   proof.verdict = Verdict::proved, proof.by = found.by;
+  const auto text_of = [&](const Fraction& f) {
+    return print(setting.ring.meaning_of(f), Notation::plain, symbols);
+  };
   const bool is_expression = setting.left.expression.has_value();
-  if (found.has_factor) proof.factor = print(setting.ring.meaning_of(found.factor), Notation::plain, symbols);
+  if (found.factor) proof.factor = text_of(*found.factor);
   if (is_expression && found.by == "identity") proof.factor = "1";
   proof.side_conditions = setting.in_words;
-  proof.grounds = grounds_of(setting, found.certificate, symbols);
+  for (const auto& [coefficient, parts] : found.certificate.parts) {
+    std::string& text = proof.certificate.emplace_back(text_of(Fraction(coefficient)));
+    for (const Polynomial& f : parts) text += " * (" + text_of(f) + ")";
+  }
   proof.reason = found.by == "sign"    ? "each follows from the other one by the signs of products"
                  : is_expression       ? "the numerator of the difference vanishes identically"
                  : proof.factor == "1" ? "the two are the same, identically"
-                 : found.has_factor    ? "the two differ by a factor that is neither 0 nor infinite"
+                 : found.factor        ? "the two differ by a factor that is neither 0 nor infinite"
                                        : "the two hold at the same points";
   return proof;
 }
 
 /// The innermost u of a part fabs(u) that has symbols.
-Tree between_bars(const Tree& tree) {
-  for (const Tree& child : tree->children)
-    if (Tree found = between_bars(child)) return found;
-  return tree->kind == Node::Kind::call && tree->text == "fabs" && !names_of(tree).empty() ? tree->children[0]
-                                                                                           : nullptr;
-}
-
-Tree between_bars(const Problem& problem) {
-  for (const Relation* relation : {&problem.left, &problem.right})
-    for (const Tree& side : relation->sides)
-      if (Tree found = between_bars(side)) return found;
+Tree between_bars(const std::vector<Tree>& trees) {
+  for (const Tree& tree : trees) {
+    if (Tree found = between_bars(tree->children)) return found;
+    const bool has_bars = tree->kind == Node::Kind::call && tree->text == "fabs";
+    if (has_bars && !names_of(tree).empty()) return tree->children[0];
+  }
   return nullptr;
 }
 
@@ -94,15 +74,15 @@ Problem without_bars(Problem problem, const Tree& u, bool is_negative) {
 }
 
 std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& setting, int depth) {
-  if (auto found = same(setting)) return found;
-  const Tree u = depth > 0 ? between_bars(problem) : nullptr;
+  if (auto found = same(setting, problem)) return found;
+  Tree u = depth > 0 ? between_bars(problem.left.sides) : nullptr;
+  if (!u && depth > 0) u = between_bars(problem.right.sides);
   if (!u) return std::nullopt;
   Sameness both{"identity"};
   for (const bool is_negative : {false, true}) {
     const Problem part = without_bars(problem, u, is_negative);
     Comparison of_part(part.symbols);
     try {
-      of_part.is_thorough = setting.is_thorough;
       translate(of_part, part);
       const auto found = same_in_cases(part, of_part, depth - 1);
       if (!found) return std::nullopt;
@@ -113,39 +93,32 @@ std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& settin
   return both;
 }
 
-/// Proved if points agree; refuted by the first that does not.
-Proof confirmed(const Problem& problem, const Comparison& setting, const Sameness& found) {
-  Search tried = search(problem, few);
-  if (tried.agreed == 0 && !tried.witness) tried = search(problem, many);
-  if (tried.witness) return refuted(*tried.witness);
-  if (tried.agreed == 0) return undecided("no point was found at which both sides have a value");
-  if (!setting.left.expression && hides_a_solution(setting))
-    return undecided("a divisor of one side vanishes where the other side holds");
-  return proved(setting, found, problem.symbols);
-}
-
-/// Identity, then points, then signs, then more points. `by_points`: whether points are asked at all.
+/// Points, identity and signs, more points. Without `by_points` nothing is refuted.
 Proof decide_problem(const Problem& problem, bool by_points) {
-  Proof open = undecided(
+  Search tried = search(problem, few);
+  std::optional<Proof> proof;
+  std::string missing =
       "the sides agree wherever they were compared, but neither the difference vanishes identically nor a "
-      "certificate of "
-      "signs was found");
-  try {
-    Comparison setting(problem.symbols);
-    translate(setting, problem);
-    if (const auto found = same(setting)) return confirmed(problem, setting, *found);
-    if (by_points)
-      if (const Search tried = search(problem, some); tried.witness) return refuted(*tried.witness);
-    setting.is_thorough = true;
-    translate_statements(setting, problem);
-    if (const auto found = same_in_cases(problem, setting, 3)) return confirmed(problem, setting, *found);
-  } catch (const Undecidable& error) {
-    open = undecided(error.what());
-  }
-  if (!by_points) return open;
-  const Search tried = search(problem, many);
-  if (tried.witness) return refuted(*tried.witness);
-  return tried.agreed > 0 ? open : undecided("no point was found at which both sides have a value");
+      "certificate of signs was found";
+  if (!tried.witness) try {
+      Comparison setting(problem.symbols);
+      std::optional<Sameness> found;
+      for (int basis = -1; !found && basis != setting.translator.bases();) {  // it may ask for finer phases
+        translate(setting, problem);
+        basis = setting.translator.bases();
+        found = same_in_cases(problem, setting, 3);
+      }
+      if (found)
+        proof = !setting.left.expression && hides_a_solution(setting)
+                    ? undecided("a divisor of one side vanishes where the other side holds")
+                    : proved(setting, *found, problem.symbols);
+    } catch (const Undecidable& error) {
+      missing = error.what();
+    }
+  if (!tried.witness && (proof ? tried.agreed == 0 : by_points)) tried = search(problem, many);
+  if (tried.witness) return by_points ? refuted(*tried.witness) : undecided("it does not hold everywhere");
+  if (tried.agreed == 0) return undecided("no point was found at which both sides have a value");
+  return proof.value_or(undecided(missing));
 }
 
 }  // namespace

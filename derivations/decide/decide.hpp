@@ -5,16 +5,14 @@
 // and only where the other one does. In this order:
 //
 // 1. what equations say of a symbol is put in (problem.hpp);
-// 2. both statements become fractions of the ring of exponentials, with what must hold for them to have
-// values
+// 2. a few points: where the two differ beyond doubt, in ball arithmetic, they are refuted (points.hpp);
+// 3. both become fractions of the ring of exponentials, with what must hold for them to have values
 //    (comparison.hpp);
-// 3. the difference is 0, or the two differ by a factor without zero or pole, positive for inequalities:
-// proved by
-//    identity (compare.hpp);
-// 4. points at which the two differ beyond doubt, in ball arithmetic: refuted (points.hpp);
-// 5. each follows from the other one by a certificate of signs: proved by sign
-// (derivations/sign/certificate.hpp);
-// 6. series in small symbols (expansion.hpp).
+// 4. the difference is 0, or the two differ by a factor without zero or pole, positive for inequalities:
+//    proved by identity (compare.cpp);
+// 5. each follows from the other one by a certificate of signs: proved by sign (sign/certificate.hpp);
+// 6. more points;
+// 7. series in small symbols (expansion.cpp).
 //
 // What none of these decides is undecided. Nothing is ever proved by agreement at points; but nothing is
 // called proved either before points were tried and agreed.
@@ -39,5 +37,14 @@ std::string in_plain_words(const std::exception& error);
 
 /// Whether the assumptions contradict each other, or the ranges: then nothing follows from them.
 bool contradict(const std::vector<Relation>& assumptions, const Symbols& symbols);
+
+/// Compares the series of two expressions up to `order` in the small symbols, all of one size: Taylor
+/// polynomials, and at a pole negative powers before them. Of two equations, the series of what they say of a
+/// symbol that is not small, for which both are linear: one that stands alone on a side, if there is one. The
+/// verdict is approximation, refuted or undecided. The side conditions say that the lowest terms of what is
+/// divided by are not 0.
+Proof decide_to_order(const Relation& left, const Relation& right, const std::vector<std::string>& small,
+                      int order, const Symbols& symbols, const std::vector<Given>& given = {},
+                      const std::vector<Relation>& assumptions = {});
 
 }  // namespace rederive

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <derivations/decide/domain.hpp>
+#include <derivations/decide/comparison.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
 #include <numeric>
@@ -8,10 +8,7 @@ namespace rederive {
 
 namespace {
 
-struct Said {
-  std::string text;
-  Signs signs;
-};
+using Said = std::pair<std::string, Signs>;
 
 bool has_symbols_only(const Ring& ring, const Polynomial& p) {
   const auto used = p.used();
@@ -40,35 +37,19 @@ GiNaC::ex numerator(const GiNaC::ex& value) {
   return (above / above.integer_content()).expand().subs(atoms, GiNaC::subs_options::no_pattern);
 }
 
-/// Whether what the ring knows grants that a factor is not 0.
-bool is_definite(const Tree& part, const Ring& known, const Symbols& symbols) {
-  Ring ring = known;
-  Translator translator(ring, symbols);
-  std::vector<DomainCondition> unused;
-  try {
-    return ring.signs_of(translator(part, unused)).is_definite();
-  } catch (const Undecidable&) {
-    return false;
-  }
-}
-
 /// The factors that matter.
 std::vector<Said> say_factors(const DomainCondition& c, const Ring& ring, const Symbols& symbols) {
   std::vector<Said> result;
   const auto text = [&](const Polynomial& p) {
     return print(ring.meaning_of(Fraction(p)), Notation::plain, symbols);
   };
-  const auto& [number, list] = factors(c.value.numerator * c.value.denominator);
-  Polynomial rest = cln::minusp(number) ? -1 : 1;
-  for (const auto& [factor, exponent] : list) {
-    const Signs signs = ring.signs_of(factor);
-    if (signs == Signs::negative() && exponent % 2 != 0) rest = -rest;
-    if (signs == Signs::positive() || signs == Signs::negative()) continue;
+  const Fact fact = ring.essential(c.value, c.allowed);
+  Polynomial rest = fact.signs == c.allowed ? 1 : -1;
+  for (const auto& [factor, exponent] : factors(fact.value).second)
     if (c.allowed != Signs::nonzero() && exponent % 2 != 0)
       rest = rest * factor;
-    else if (c.allowed != Signs::nonnegative() && !signs.is_definite())
+    else if (c.allowed != Signs::nonnegative() && !ring.signs_of(factor).is_definite())
       result.push_back({text(factor), Signs::nonzero()});
-  }
   if (!rest.is_constant())
     result.push_back({print(ring.meaning_of(Fraction(rest)).expand(), Notation::plain, symbols), c.allowed});
   return result;
@@ -83,7 +64,6 @@ std::vector<Said> say(const DomainCondition& c, const Ring& ring, const Symbols&
   std::vector<Tree> parts;
   divide_up(c.tree, parts);
   for (const Tree& part : parts) {
-    if (is_definite(part, ring, symbols)) continue;
     GiNaC::ex value = lower(part, symbols);
     if (!GiNaC::is_a<GiNaC::function>(value)) value = numerator(value);
     const std::string one = text(value), other = text(-value);
@@ -97,8 +77,7 @@ std::vector<Said> say(const DomainCondition& c, const Ring& ring, const Symbols&
 std::vector<DomainCondition> independent(const std::vector<DomainCondition>& conditions, const Ring& ring) {
   std::vector<DomainCondition> result;
   for (const DomainCondition& c : conditions) {
-    const auto same =
-        std::find_if(result.begin(), result.end(), [&](auto& known) { return known.value == c.value; });
+    const auto same = std::ranges::find(result, c.value, &DomainCondition::value);
     if (same == result.end())
       result.push_back(c);
     else

@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <derivations/decide/comparison.hpp>
-#include <derivations/decide/domain.hpp>
-#include <derivations/decide/expansion.hpp>
-#include <derivations/identity/rewrite_rules.hpp>
-#include <derivations/identity/zero_test.hpp>
+#include <derivations/decide/decide.hpp>
+#include <derivations/identity/translator.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
 
@@ -13,16 +11,22 @@ using GiNaC::ex;
 
 namespace {
 
-/// Σ c[k]·size^(low + k), known up to the last of them.
+/// A Laurent polynomial in the size: what is known of a series, below a power.
 struct Series {
-  int low = 0;
-  std::vector<ex> c;
-
-  int known() const { return low + static_cast<int>(c.size()); }  ///< the first power that is not known
-  ex coefficient(int power) const {
-    return power < low || power >= known() ? ex(0) : c[static_cast<std::size_t>(power - low)];
-  }
+  ex terms;
+  int known;  ///< the first power that is not known
 };
+
+/// The tree with e^{y log b} for b^y, if y has symbols.
+Tree with_exponentials(const Tree& tree) {
+  std::vector<Tree> parts;
+  for (const Tree& child : tree->children) parts.push_back(with_exponentials(child));
+  if (tree->kind != Node::Kind::power || names_of(parts[1]).empty())
+    return make_tree(tree->kind, tree->text, parts, tree->inverse);
+  const Tree log = make_tree(Node::Kind::call, "log", {parts[0]});
+  const Tree exponent = make_tree(Node::Kind::product, "", {parts[1], log}, {false, false});
+  return make_tree(Node::Kind::call, "exp", {exponent});
+}
 
 class Expansion {
  public:
@@ -36,7 +40,10 @@ class Expansion {
   /// In the size of the small symbols. What its parts need to have values near 0 is kept in `conditions`.
   /// Throws Undecidable where there is no series.
   Series of(const Tree& tree) {
-    require_domain(tree);
+    std::vector<DomainCondition> found;
+    (void)known_.translator(with_exponentials(tree), found);
+    for (const DomainCondition& c : found)
+      require(of(lower(c.tree, symbols_)), c.allowed == Signs::nonnegative() ? Signs::positive() : c.allowed);
     return of(lower(tree, symbols_));
   }
   Series of(const ex& e) { return of_scaled(e.subs(scaled_, GiNaC::subs_options::no_pattern)); }
@@ -51,9 +58,18 @@ class Expansion {
   /// What the assumptions do not grant.
   std::vector<DomainCondition> conditions;
 
+  /// The polynomial up to a power, at size 1.
+  ex polynomial(const Series& series, int order) const {
+    if (series.known <= order + 1) throw Undecidable("poles that are too deep for this order");
+    if (has_log_of_small(coefficient(series, order + 1)))
+      throw Undecidable("what is left out is larger than the next power, by a logarithm");
+    return truncated(series.terms, order + 1).terms.subs(size_ == 1);
+  }
+
   /// The sign that the lowest term must have, for what is near 0 to have it; and what is known of it.
   Signs require(const Series& series, Signs signs) {
-    const Tree lowest = to_tree(from_its_lowest_term(series).c[0], symbols_);
+    const Series rest = from_its_lowest_term(series);
+    const Tree lowest = to_tree(coefficient(rest, low(rest)), symbols_);
     std::vector<DomainCondition> unused;
     const Fraction f = known_.translator(lowest, unused);
     const Signs known = known_.ring.signs_of(f);
@@ -63,33 +79,13 @@ class Expansion {
   }
 
  private:
-  void require_domain(const Tree& tree) {
-    for (const Tree& child : tree->children) require_domain(child);
-    const auto need = [&](const Tree& part, Signs signs) {
-      require(of(lower(part, symbols_)), signs == Signs::nonnegative() ? Signs::positive() : signs);
-    };
-    for (std::size_t k = 0; k < tree->children.size() && tree->kind == Node::Kind::product; ++k)
-      if (tree->inverse[k]) need(tree->children[k], Signs::nonzero());
-    if (tree->kind == Node::Kind::power) {
-      const ex exponent = lower(tree->children[1], symbols_);
-      if (!exponent.info(GiNaC::info_flags::integer))
-        need(tree->children[0], Signs::positive());
-      else if (exponent.info(GiNaC::info_flags::negative))
-        need(tree->children[0], Signs::nonzero());
-    }
-    const RewriteRule* rule = tree->kind == Node::Kind::call ? rewrite_rule(tree->text) : nullptr;
-    if (rule == nullptr) return;
-    for (const auto& [value, signs] : rule->domain) need(put_in(value, "u", tree->children[0]), signs);
-  }
-
   Series of_scaled(const ex& e) {
-    if (!e.has(size_)) return constant(e);
-    if (e.is_equal(size_)) return truncated({1, {1}});
+    if (!e.has(size_) || e.is_equal(size_)) return {e, terms_};
     const bool is_sum = GiNaC::is_a<GiNaC::add>(e);
     if (is_sum || GiNaC::is_a<GiNaC::mul>(e)) {
-      Series result = of_scaled(e.op(0));
-      for (std::size_t k = 1; k < e.nops(); ++k)
-        result = is_sum ? plus(result, of_scaled(e.op(k))) : times(result, of_scaled(e.op(k)));
+      Series result{is_sum ? 0 : 1, terms_};
+      for (const ex& part : e)
+        result = is_sum ? plus(result, of_scaled(part)) : times(result, of_scaled(part));
       return result;
     }
     const GiNaC::symbol x("x");
@@ -103,36 +99,31 @@ class Expansion {
       throw Undecidable("there is no series of this form");
     const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
     if (name == "tan") return of_scaled(GiNaC::sin(e.op(0)) / GiNaC::cos(e.op(0)));
-    if (name == "tanh") return of_scaled(GiNaC::sinh(e.op(0)) / GiNaC::cosh(e.op(0)));
     if (name == "abs") throw Undecidable("there is no series of what stands between bars");
     Series inside = of_scaled(e.op(0));
     if (name == "log") {  // log(size^m (c + ...)) = m log(size) + log(c + ...), and the size is 1 in the end
-      inside = from_its_lowest_term(std::move(inside));
-      inside.low = 0;
+      inside = from_its_lowest_term(inside);
+      inside = shifted(inside, -low(inside));
     }
     return composed(GiNaC::function(GiNaC::ex_to<GiNaC::function>(e).get_serial(), x), x, inside);
   }
 
-  Series constant(const ex& e) const { return truncated({0, {e}}); }
-  Series truncated(Series s) const {
-    s.c.resize(static_cast<std::size_t>(std::max(0, terms_ - s.low)), 0);
-    return s;
+  ex coefficient(const Series& s, int power) const { return s.terms.coeff(size_, power); }
+  int low(const Series& s) const { return s.terms.is_zero() ? s.known : s.terms.ldegree(size_); }
+  Series truncated(const ex& e, int known) const {
+    const ex all = e.expand();
+    ex sum = 0;
+    for (int k = all.ldegree(size_); k < known; ++k) sum += all.coeff(size_, k) * pow(size_, k);
+    return {sum.expand(), known};
   }
-  static Series plus(const Series& a, const Series& b) {
-    Series result{std::min(a.low, b.low), {}};
-    for (int k = result.low; k < std::min(a.known(), b.known()); ++k)
-      result.c.push_back(a.coefficient(k) + b.coefficient(k));
-    return result;
+  Series shifted(const Series& s, int by) const {
+    return {(s.terms * pow(size_, by)).expand(), s.known + by};
   }
-  static Series times(const Series& a, const Series& b) {
-    Series result{a.low + b.low, {}};
-    const std::size_t length = std::min(a.c.size(), b.c.size());
-    for (std::size_t k = 0; k < length; ++k) {
-      ex sum = 0;
-      for (std::size_t j = 0; j <= k; ++j) sum += a.c[j] * b.c[k - j];
-      result.c.push_back(sum.expand());
-    }
-    return result;
+  Series plus(const Series& a, const Series& b) const {
+    return truncated(a.terms + b.terms, std::min(a.known, b.known));
+  }
+  Series times(const Series& a, const Series& b) const {
+    return truncated(a.terms * b.terms, std::min(a.known + low(b), b.known + low(a)));
   }
   bool is_zero(const ex& e) {
     if (e.expand().is_zero()) return true;
@@ -140,42 +131,43 @@ class Expansion {
     const Fraction f = known_.translator(to_tree(e, symbols_), unused);
     return vanishes(f, known_.ring, known_.translator);
   }
-  /// Without the lowest terms that are 0.
-  Series from_its_lowest_term(Series s) {
-    while (!s.c.empty() && is_zero(s.c[0])) s.c.erase(s.c.begin()), ++s.low;
-    if (s.c.empty()) throw Undecidable("a divisor that is 0 to all orders that were looked at");
+  /// Without the lowest terms that are 0, as far as the power `most`.
+  Series without_zeros(Series s, int most) {
+    while (low(s) < std::min(most, s.known) && is_zero(coefficient(s, low(s))))
+      s.terms = (s.terms - coefficient(s, low(s)) * pow(size_, low(s))).expand();
+    return s;
+  }
+  Series from_its_lowest_term(const Series& series) {
+    const Series s = without_zeros(series, series.known);
+    if (s.terms.is_zero()) throw Undecidable("a divisor that is 0 to all orders that were looked at");
     for (const std::string& name : small_)
-      if (small_.size() > 1 && s.c[0].has(symbols_[name]))
+      if (small_.size() > 1 && coefficient(s, low(s)).has(symbols_[name]))
         throw Undecidable("a divisor whose lowest terms may be smaller than the rest");
     return s;
   }
   /// Of a negative exponent: (c·sizeᵐ(1 + …))ⁿ = sizeᵐⁿ·(c + …)ⁿ.
-  Series power(Series base, int n) {
-    Series result = constant(1);
+  Series power(const Series& base, int n) {
+    Series result{1, terms_};
     for (int k = 0; k < n; ++k) result = times(result, base);
     if (n >= 0) return result;
-    base = from_its_lowest_term(std::move(base));
+    const Series rest = from_its_lowest_term(base);
     const GiNaC::symbol x("x");
-    const int low = std::exchange(base.low, 0);
-    result = composed(GiNaC::pow(x, n), x, base);
-    result.low = low * n;
-    return result;
+    return shifted(composed(pow(x, n), x, shifted(rest, -low(rest))), low(rest) * n);
   }
   /// f(a + δ) = Σ f⁽ᵏ⁾(a) δᵏ/k!, where f is analytic at a.
-  Series composed(const ex& f, const GiNaC::symbol& x, Series delta) {
-    while (delta.low < 0 && !delta.c.empty() && is_zero(delta.c[0]))
-      delta.c.erase(delta.c.begin()), ++delta.low;
-    if (delta.low < 0) throw Undecidable("there is no series of a function of what is infinite");
-    const ex a = delta.coefficient(0);
-    if (has_log_of_small(a)) throw Undecidable("there is no series of a function of what is infinite");
+  Series composed(const ex& f, const GiNaC::symbol& x, const Series& argument) {
+    Series delta = without_zeros(argument, 0);
+    const ex a = coefficient(delta, 0);
+    if (low(delta) < 0 || has_log_of_small(a))
+      throw Undecidable("there is no series of a function of what is infinite");
     if (GiNaC::is_a<GiNaC::power>(f) && !f.op(1).info(GiNaC::info_flags::integer) && is_zero(a))
       throw Undecidable("there is no series of a root of what is small");
-    Series sum{0, std::vector<ex>(static_cast<std::size_t>(delta.known()), 0)}, power = constant(1);
-    if (delta.low == 0 && delta.known() > 0) delta.c[0] = 0;
+    delta.terms -= a;
+    Series sum{0, delta.known}, power{1, terms_};
     ex derivative = f;
     for (int k = 0; k < terms_; ++k) {
       try {
-        sum = plus(sum, times(constant(derivative.subs(x == a) / GiNaC::factorial(k)), power));
+        sum = plus(sum, times({derivative.subs(x == a) / GiNaC::factorial(k), terms_}, power));
       } catch (const std::domain_error&) {  // GiNaC's pole_error among them
         throw Undecidable("there is no series where a function has a pole or a branch point");
       }
@@ -228,17 +220,10 @@ std::pair<Relation, Relation> to_order(const Problem& problem, const std::vector
                                        int order, Expansion& expansion) {
   const Relation &left = problem.left, &right = problem.right;
   const Symbols& symbols = problem.symbols;
-  const auto polynomial = [&](const Series& series) {
-    if (series.known() <= order + 1) throw Undecidable("poles that are too deep for this order");
-    if (expansion.has_log_of_small(series.coefficient(order + 1)))
-      throw Undecidable("what is left out is larger than the next power, by a logarithm");
-    ex sum = 0;
-    for (int k = series.low; k <= order; ++k) sum += series.coefficient(k);
-    return to_tree(sum, symbols);
+  const auto polynomial = [&](const auto& of) {
+    return to_tree(expansion.polynomial(expansion.of(of), order), symbols);
   };
-  if (left.operators.empty())
-    return {{{polynomial(expansion.of(left.sides[0]))}, {}},
-            {{polynomial(expansion.of(right.sides[0]))}, {}}};
+  if (left.operators.empty()) return {{{polynomial(left.sides[0])}, {}}, {{polynomial(right.sides[0])}, {}}};
   if (left.operators.size() != 1 || right.operators.size() != 1 || is_equation(left) != is_equation(right))
     throw Undecidable("of relations, the series of two equations or of two inequalities are compared");
   if (is_symbol(left.sides[0]) && is_symbol(right.sides[0]) && left.sides[0]->text != right.sides[0]->text)
@@ -254,7 +239,7 @@ std::pair<Relation, Relation> to_order(const Problem& problem, const std::vector
       if (op != "=" && signs == Signs::negative()) op[0] = op[0] == '<' ? '>' : '<';
       if (op != "=" && signs != Signs::positive() && signs != Signs::negative())
         throw Undecidable("a factor of " + name + " of which the sign is not known");
-      return Relation{{to_tree(symbols[name], symbols), polynomial(expansion.of(said.value))}, {op}};
+      return Relation{{to_tree(symbols[name], symbols), polynomial(said.value)}, {op}};
     };
     return {says(left, *a), says(right, *b)};
   }

@@ -29,21 +29,6 @@ struct Candidates {
   std::vector<Number> special;
 };
 
-/// Numbers inside a bounded range, as short as they can be.
-std::vector<cl_RA> shares_of(const Interval& range) {
-  std::vector<cl_RA> result;
-  const double low = range.low.ball(64).to_double(), width = range.high.ball(64).to_double() - low;
-  for (const double share : {0.5, 0.3, 0.7, 0.15, 0.85, 0.05, 0.95})
-    for (const int d : {1, 2, 4, 10, 100, 1000}) {
-      const double scaled = (low + share * width) * d;
-      const cl_RA value = cl_RA(std::lround(scaled)) / d;
-      if (std::abs(scaled - std::lround(scaled)) > 0.2 * d * width || !range.contains({value})) continue;
-      result.push_back(value);
-      break;
-    }
-  return result;
-}
-
 Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks) {
   Candidates result;
   const auto add = [&](const cl_RA& value) {
@@ -56,8 +41,6 @@ Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks
                            "7",   "1/100", "-1/10", "10",   "-7",  "30",   "-10", "1/1000", "200"})
     add(cl_RA(text));
   const bool has_low = range.low.infinite == 0, has_high = range.high.infinite == 0;
-  if (has_low && has_high)
-    for (const cl_RA& value : shares_of(range)) add(value);
   for (const int n : {1, 2, 3, 5, 8, 40}) {
     if (has_low && range.low.is_rational()) add(range.low.a + cl_RA(1) / n), add(range.low.a + n);
     if (has_high && range.high.is_rational()) add(range.high.a - cl_RA(1) / n), add(range.high.a - n);
@@ -65,6 +48,8 @@ Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks
   const cl_RA little = cl_RA(1) / 100;
   for (const cl_RA& n : landmarks)
     for (const cl_RA& value : {n, cl_RA(-n), n + little, n - little, 2 * n, -2 * n, n / 2}) add(value);
+  if (result.plain.empty() && has_low && has_high)
+    add(((range.low.ball(64) + range.high.ball(64)) / Ball(2)).middle());
   std::vector<Constant> special{{}};
   for (const End* end : {&range.low, &range.high})
     if (end->infinite == 0) special.push_back(*end);
@@ -188,8 +173,8 @@ std::optional<Witness> at_solutions(const Problem& problem, const Point& point, 
     std::vector<Relation> equations = equations_of(problem.assumptions);
     equations.push_back(solved);
     const auto solution = solve(equations, point, problem.symbols, turn);
-    if (!solution || !is_admitted(problem, solution->point) ||
-        !differ_at(solved, of_left ? problem.right : problem.left, solution->point))
+    if (!solution || !is_admitted(problem, *solution) ||
+        !differ_at(solved, of_left ? problem.right : problem.left, *solution))
       continue;
     if (auto witness = make_witness(problem, *solution, of_left)) return witness;
   }
@@ -201,17 +186,17 @@ std::optional<Witness> at_solutions(const Problem& problem, const Point& point, 
 Search search(const Problem& problem, const Effort& effort) {
   Search result;
   const Table table = table_of(problem);
-  const bool solves = effort.solves && !problem.left.operators.empty();
+  const int solutions = problem.left.operators.empty() ? 0 : effort.solutions;
   for (int k = 0; k < (table.empty() ? 1 : effort.points) && !result.witness; ++k) {
     const auto point = point_of(table, k);
     if (!point) break;
     const auto solution = solve(equations_of(problem.assumptions), *point, problem.symbols, k);
-    if (solution && is_admitted(problem, solution->point)) {
-      const int said = compare_at(problem, solution->point, effort.bits);
+    if (solution && is_admitted(problem, *solution)) {
+      const int said = compare_at(problem, *solution, effort.bits);
       if (said < 0) result.witness = make_witness(problem, *solution, std::nullopt);
       if (said > 0) ++result.agreed;
     }
-    if (!result.witness && solves && k < 24) result.witness = at_solutions(problem, *point, k);
+    if (!result.witness && k < solutions) result.witness = at_solutions(problem, *point, k);
   }
   return result;
 }

@@ -12,25 +12,15 @@ namespace rederive {
 enum class Truth { holds, fails, undefined, unknown };
 Truth truth_at(const Relation& relation, const Point& point, long bits = 1800);
 
-/// A point, and how those of its coordinates are known that are not rational.
-struct Solution {
-  Point point;
-  std::map<std::string, Tree> constants = {};  ///< pi/6, sqrt(2)
-  std::string enclosed = {};                   ///< the one symbol that is a zero between two numbers
-  cln::cl_RA low = 0, high = 0;
-  Tree equals_zero = {};  ///< in that symbol alone
-};
-
 /// The point with other values of some symbols, such that all equations hold, each solved for a symbol of its
 /// own: one that occurs linearly, or one with a zero that a change of sign encloses. `turn` says which are
 /// tried first. Nothing where none is found in the range of its symbol.
-std::optional<Solution> solve(const std::vector<Relation>& equations, const Point& point,
-                              const Symbols& symbols, int turn);
+std::optional<Point> solve(const std::vector<Relation>& equations, Point point, const Symbols& symbols,
+                           int turn);
 
 /// Both values at the point, to 30 digits; nothing where these cannot be had. `of_left`: whether the point
 /// was found as one that solves the left statement, or the right one.
-std::optional<Witness> make_witness(const Problem& problem, const Solution& solution,
-                                    std::optional<bool> of_left);
+std::optional<Witness> make_witness(const Problem& problem, const Point& point, std::optional<bool> of_left);
 
 /// A point where the two statements differ beyond doubt, all assumptions hold and all values that were put in
 /// lie in the ranges of their symbols; and how many points there were at which both have values and the same.
@@ -40,8 +30,8 @@ struct Search {
 };
 struct Effort {
   int points;
-  long bits;    ///< up to so many
-  bool solves;  ///< of equations, points that solve one of the two are tried, too
+  int solutions;  ///< of statements: for so many points those that solve one of the two are tried, too
+  long bits;      ///< up to so many
 };
 Search search(const Problem& problem, const Effort& effort);
 

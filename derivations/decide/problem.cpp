@@ -1,9 +1,6 @@
-#include <cln/integer_io.h>
-#include <fmt/ostream.h>
-
 #include <algorithm>
 #include <derivations/decide/problem.hpp>
-#include <derivations/identity/polynomial.hpp>
+#include <derivations/identity/translator.hpp>
 #include <derivations/language/print.hpp>
 
 namespace rederive {
@@ -54,27 +51,8 @@ Relation put_in(Relation relation, const std::string& symbol, const Tree& value)
   return relation;
 }
 
-namespace {
-
-Tree tree_of_rational(const cln::cl_RA& q) {
-  const auto number = [](const cln::cl_I& n) {
-    return make_tree(Node::Kind::number, fmt::to_string(fmt::streamed(n)));
-  };
-  Tree size = number(cln::abs(cln::numerator(q)));
-  if (cln::denominator(q) != 1)
-    size = make_tree(Node::Kind::product, "", {size, number(cln::denominator(q))}, {false, true});
-  return cln::minusp(q) ? make_tree(Node::Kind::negative, "", {size}) : size;
-}
-
-}  // namespace
-
 Tree tree_of(const Constant& c) {
-  if (c.is_rational()) return tree_of_rational(c.a);
-  const Tree pi = make_tree(Node::Kind::symbol, "pi");
-  const Tree times =
-      c.b == 1 ? pi : make_tree(Node::Kind::product, "", {tree_of_rational(c.b), pi}, {false, false});
-  return cln::zerop(c.a) ? times
-                         : make_tree(Node::Kind::sum, "", {tree_of_rational(c.a), times}, {false, false});
+  return to_tree(GiNaC::numeric(c.a) + GiNaC::numeric(c.b) * GiNaC::Pi, Symbols());
 }
 
 Number number_of(const Constant& c) { return c.is_rational() ? Number(c.a) : Number(tree_of(c)); }
@@ -83,6 +61,56 @@ Tree zero() { return make_tree(Node::Kind::number, "0"); }
 
 Tree difference(const Tree& a, const Tree& b) {
   return make_tree(Node::Kind::sum, "", {a, b}, {false, true});
+}
+
+namespace {
+
+bool is_within(const Tree& tree, const Interval& bounds, const Symbols& symbols) {
+  if (bounds.low.infinite != 0 && bounds.high.infinite != 0) return true;
+  try {
+    Ring ring;
+    Translator translator(ring, symbols);
+    std::vector<DomainCondition> unused;
+    const Interval range = ring.range_of(translator(tree, unused));
+    const auto inside = [&](const End& end, const End& bound, int side) {
+      const int order = side * compare(end, bound);
+      return order < 0 || (order == 0 && (bound.closed || !end.closed));
+    };
+    return inside(range.high, bounds.high, 1) && inside(range.low, bounds.low, -1);
+  } catch (const Undecidable&) {
+    return false;
+  }
+}
+
+/// A side f(u) with u where f is monotone: of a circular function that is to be shown, of others it is their
+/// domain.
+bool is_monotone(const Tree& side, const Symbols& symbols) {
+  if (side->kind != Node::Kind::call || reciprocal_of(side->text) != nullptr) return false;
+  const MonotonePiece& f = monotone_piece(side->text);
+  return f.inverse != nullptr && (f.turned == 0 || is_within(side->children[0], f.domain, symbols));
+}
+
+}  // namespace
+
+Relation with_inversions(const Relation& relation, const Symbols& symbols) {
+  if (relation.operators.size() != 1) return relation;
+  for (const int side : {0, 1}) {
+    const Tree &of = relation.sides[side], &other = relation.sides[1 - side];
+    if (!is_monotone(of, symbols)) continue;
+    const MonotonePiece& f = monotone_piece(of->text);
+    Relation result = relation;
+    const bool falls = compare(f.values.low, f.values.high) > 0;
+    if (std::string& op = result.operators[0]; falls && op != "=") op[0] = op[0] == '<' ? '>' : '<';
+    result.sides[side] = of->children[0];
+    if (other->kind == Node::Kind::call && other->text == of->text && is_monotone(other, symbols))
+      result.sides[1 - side] = other->children[0];
+    else if (is_within(other, f.range, symbols))
+      result.sides[1 - side] = make_tree(Node::Kind::call, f.inverse, {other});
+    else
+      continue;
+    return result;
+  }
+  return relation;
 }
 
 namespace {
@@ -99,44 +127,28 @@ std::optional<std::pair<std::string, Tree>> definition(const Relation& stated, c
   return std::nullopt;
 }
 
-/// The declared range of a symbol as sign conditions on its value.
-std::vector<Relation> range_conditions(const Tree& value, const Symbol& symbol) {
-  std::vector<Relation> result;
-  const Interval range = parse_range(symbol.range);
-  const auto add = [&](const End& end, const char* strict, const char* weak) {
-    if (end.infinite != 0) return;
-    const Tree bound = tree_of(end);
-    result.push_back({{value, bound}, {end.closed ? weak : strict}});
-  };
-  add(range.low, ">", ">="), add(range.high, "<", "<=");
-  return result;
-}
-
+/// The declared range of the symbol becomes sign conditions on its value.
 void replace(Problem& problem, const std::string& name, const Tree& value) {
   problem.left = put_in(problem.left, name, value), problem.right = put_in(problem.right, name, value);
   for (Relation& a : problem.assumptions) a = put_in(a, name, value);
   for (auto& [other, known] : problem.values) known = put_in(known, name, value);
-  if (const Symbol* symbol = problem.symbols.find(name))
-    for (Relation& condition : range_conditions(value, *symbol))
-      problem.assumptions.push_back(std::move(condition));
+  const Symbol* symbol = problem.symbols.find(name);
+  const auto [low, high] = symbol != nullptr ? parse_range(symbol->range) : Interval();
+  if (low.infinite == 0) problem.assumptions.push_back({{value, tree_of(low)}, {low.closed ? ">=" : ">"}});
+  if (high.infinite == 0) problem.assumptions.push_back({{value, tree_of(high)}, {high.closed ? "<=" : "<"}});
   problem.values[name] = value;
 }
 
 }  // namespace
 
 Problem with_values(Problem problem, const std::vector<Given>& given) {
-  for (const Relation& chain : std::exchange(problem.assumptions, {}))
-    for (Relation& link : links_of(chain)) problem.assumptions.push_back(std::move(link));
-  std::vector<std::pair<std::string, Tree>> open;
+  std::vector<Relation> stated;
   for (const Given& g : given)
-    open.emplace_back(problem.symbols.find(g.name)->name, to_tree(g.value, problem.symbols));
-  for (std::size_t k = 0; k < open.size(); ++k) {
-    const auto [name, value] = open[k];
-    if (names_of(value).contains(name))
-      throw Undecidable("the equations that are given go round in a circle");
-    for (std::size_t j = k + 1; j < open.size(); ++j) open[j].second = put_in(open[j].second, name, value);
-    replace(problem, name, value);
-  }
+    stated.push_back({{to_tree(g.name, problem.symbols), to_tree(g.value, problem.symbols)}, {"="}});
+  stated.insert(stated.end(), problem.assumptions.begin(), problem.assumptions.end());
+  problem.assumptions.clear();
+  for (const Relation& chain : stated)
+    for (Relation& link : links_of(chain)) problem.assumptions.push_back(std::move(link));
   for (std::size_t k = 0; k < problem.assumptions.size();) {
     const auto found = definition(problem.assumptions[k], problem.symbols);
     if (!found) {

@@ -38,8 +38,7 @@ Tree zero();
 Tree difference(const Tree& a, const Tree& b);
 
 /// Puts in what is given and what equations among the assumptions say a symbol is. The range of the symbol,
-/// and what else is assumed of it, stays as a sign condition on its value. Throws Undecidable where they go
-/// round in a circle.
+/// and what else is assumed of it, stays as a sign condition on its value.
 Problem with_values(Problem problem, const std::vector<Given>& given);
 
 /// f(u) = v as u = g(v), for the inversion g of a monotone function f, where v lies in the values of f: x =

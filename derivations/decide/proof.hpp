@@ -29,14 +29,6 @@ struct Witness {
 /// "x = 2/5", "alpha = pi/6", "y between 0.739 and 0.740 where y - cos(y) = 0": a text for every symbol.
 std::vector<std::string> in_words(const Witness& witness);
 
-/// What a verdict rests on, for a reader and for a kernel that checks it.
-struct Grounds {
-  std::vector<std::string> phases;    ///< "cos(theta)", "exp(p*t)": the independent generators
-  std::vector<std::string> divisors;  ///< "alpha - theta > 0": what is divided by, with the sign that it has
-  std::vector<std::string>
-      certificate;  ///< "2 * (x) * (y - 1)": parts of a sum that is 0, though none is negative
-};
-
 struct Proof {
   Verdict verdict = Verdict::undecided;
   std::string factor = {};  ///< left = factor * right, of relations; empty where there is none
@@ -44,7 +36,8 @@ struct Proof {
   std::optional<Witness> witness = {};            ///< with refuted, and only then
   std::string reason = {};                        ///< one line for a reader; why, where undecided
   std::string by = {};  ///< "identity", "sign", "points", "expansion"; empty if undecided
-  Grounds grounds = {};
+  /// With "sign", "2 * (x) * (y - 1)": parts of a sum that is 0, though none is negative.
+  std::vector<std::string> certificate = {};
 };
 
 }  // namespace rederive

@@ -26,13 +26,12 @@ Tree residual_of(const Tree& a, const Tree& b, int turn) {
 }
 
 /// The tree with every coordinate but one put in; nothing where a coordinate is no constant.
-Tree with_coordinates(Tree tree, const Solution& solution, const std::string& but) {
-  for (const auto& [name, number] : solution.point) {
+Tree with_coordinates(Tree tree, const Point& point, const std::string& but) {
+  for (const auto& [name, number] : point) {
     if (name == but) continue;
-    const auto known = solution.constants.find(name);
     const auto constant = number.value(128).constant;
-    if (known == solution.constants.end() && !constant) return nullptr;
-    tree = put_in(tree, name, constant ? tree_of(*constant) : known->second);
+    if (!constant && !(*number).symbol.empty()) return nullptr;
+    tree = put_in(tree, name, constant ? tree_of(*constant) : (*number).tree);
   }
   return tree;
 }
@@ -44,81 +43,69 @@ bool lies_in(const Number& number, const Interval& range) {
          compare(End{{value.ball.upper()}}, range.high) < 0;
 }
 
-/// y of c·y + d = 0, put into the solution.
-bool solve_linear(Solution& solution, const Tree& residual, const std::string& name, const Symbols& symbols) {
+/// y of c·y + d = 0, put into the point.
+bool solve_linear(Point& point, const Tree& residual, const std::string& name, const Symbols& symbols) {
   const GiNaC::ex e = lower(residual, symbols).expand(), y = symbols[name];
   if (!e.is_polynomial(y) || e.degree(y) != 1) return false;
-  Tree value = to_tree(-e.coeff(y, 0) / e.coeff(y, 1), symbols);
-  const Value found = value_at(value, solution.point, 128);
+  const Tree value = to_tree(-e.coeff(y, 0) / e.coeff(y, 1), symbols);
+  const Value found = value_at(value, point, 128);
   if (found.is != Value::Is::certain) return false;
-  if (!found.constant) {
-    value = with_coordinates(value, solution, name);
-    if (!value) return false;
-    solution.constants[name] = value;
-  }
-  solution.point.insert_or_assign(name, found.constant ? number_of(*found.constant) : Number(value));
+  const Tree constant = found.constant ? nullptr : with_coordinates(value, point, name);
+  if (!found.constant && !constant) return false;
+  point.insert_or_assign(name, constant ? Number(constant) : number_of(*found.constant));
   return true;
 }
 
-/// A zero between two neighbours on a grid over the range, narrowed: the first one from below, or from above.
-bool enclose(Solution& solution, const Tree& residual, const std::string& name, const Interval& range,
+/// A zero between two neighbours on a grid over the range, narrowed to a thousandth: the first one from
+/// below, or from above.
+bool enclose(Point& point, const Tree& residual, const std::string& name, const Interval& range,
              bool from_above) {
-  const Tree tree = solution.enclosed.empty() ? with_coordinates(residual, solution, name) : nullptr;
+  const Tree tree = with_coordinates(residual, point, name);
   if (!tree) return false;
   const auto sign = [&](const cl_RA& x) { return sign_at(tree, zero(), {{name, Number(x)}}, 400); };
-  const auto found = [&](const Number& x) { return solution.point.insert_or_assign(name, x), true; };
+  const auto found = [&](const Number& x) { return point.insert_or_assign(name, x), true; };
   cl_RA low = 0, high = 0;
   Sign before = Sign::unknown;
   for (int k = -40; k <= 40; ++k, low = high) {
     high = cl_RA(from_above ? -2 * k - 1 : 2 * k + 1) / 8;
     if (!range.contains({high})) continue;
-    Sign here = sign(high), last = std::exchange(before, here);
+    const Sign here = sign(high), last = std::exchange(before, here);
     if (here == Sign::zero) return found(high);
     if (!(last == Sign::negative && here == Sign::positive) &&
         !(last == Sign::positive && here == Sign::negative))
       continue;
     cl_RA a = low, b = high;
-    for (int step = 0; step < 34; ++step) {
-      const cl_RA middle = (a + b) / 2;
+    while (cln::abs(b - a) > cl_RA(1) / 1000) {
+      const cl_RA middle = cl_RA(cln::floor1(500 * (a + b))) / 1000;
       const Sign there = sign(middle);
       if (there == Sign::zero) return found(middle);
       (there == last ? a : b) = middle;
     }
-    if (from_above) std::swap(a, b), std::swap(last, here);
-    for (const int places : {1000, 1000000}) {  // shorter bounds, if the zero is alone between them
-      const cl_RA below = cl_RA(cln::floor1(a * places)) / places,
-                  above = cl_RA(cln::ceiling1(b * places)) / places;
-      if (sign(below) != last || sign(above) != here) continue;
-      a = below, b = above;
-      break;
-    }
+    if (from_above) std::swap(a, b);
     const Number zero(tree, name, a, b);
     // a finite ball over the whole of it: continuous there, no pole
-    if (value_at(tree, {{name, zero}}, 128).is == Value::Is::certain) {
-      solution.enclosed = name, solution.low = a, solution.high = b, solution.equals_zero = tree;
-      return found(zero);
-    }
+    if (value_at(tree, {{name, zero}}, 128).is == Value::Is::certain) return found(zero);
   }
   return false;
 }
 
 /// Solves one equation for one of the symbols that are not fixed yet.
-bool solve_one(Solution& solution, const Tree& residual, const std::vector<std::string>& names,
+bool solve_one(Point& point, const Tree& residual, const std::vector<std::string>& names,
                const Symbols& symbols, const std::set<std::string>& fixed, int turn) {
   for (const bool is_linear : {true, false})
     for (const std::string& name : names) {
       if (fixed.contains(name)) continue;
-      Solution next = solution;
+      Point next = point;
       const Interval range = parse_range(symbols.find(name)->range);
       try {
         if (!(is_linear ? solve_linear(next, residual, name, symbols)
                         : enclose(next, residual, name, range, turn % 2 != 0)))
           continue;
-        if (!lies_in(next.point.at(name), range)) continue;
+        if (!lies_in(next.at(name), range)) continue;
       } catch (const SyntaxError&) {  // GiNaC meets a pole as it builds
         continue;
       }
-      solution = next;
+      point = next;
       return true;
     }
   return false;
@@ -126,9 +113,8 @@ bool solve_one(Solution& solution, const Tree& residual, const std::vector<std::
 
 }  // namespace
 
-std::optional<Solution> solve(const std::vector<Relation>& equations, const Point& point,
-                              const Symbols& symbols, int turn) {
-  Solution result{point};
+std::optional<Point> solve(const std::vector<Relation>& equations, Point point, const Symbols& symbols,
+                           int turn) {
   std::set<std::string> fixed;
   std::vector<Relation> links;
   for (const Relation& chain : equations)
@@ -137,15 +123,15 @@ std::optional<Solution> solve(const std::vector<Relation>& equations, const Poin
                    [](auto& a, auto& b) { return names_of(a).size() < names_of(b).size(); });
   for (const Relation& link : links) {
     const Tree residual = residual_of(link.sides[0], link.sides[1], turn);
-    if (fixed.empty() && sign_at(residual, zero(), result.point, 200) == Sign::zero) continue;
+    if (fixed.empty() && sign_at(residual, zero(), point, 200) == Sign::zero) continue;
     const std::set<std::string> all = names_of(residual);
     std::vector<std::string> names(all.begin(), all.end());
     if (names.empty()) return std::nullopt;
     std::rotate(names.begin(), names.begin() + turn % static_cast<int>(names.size()), names.end());
-    if (!solve_one(result, residual, names, symbols, fixed, turn)) return std::nullopt;
+    if (!solve_one(point, residual, names, symbols, fixed, turn)) return std::nullopt;
     fixed.insert(all.begin(), all.end());
   }
-  return result;
+  return point;
 }
 
 }  // namespace rederive

@@ -1,12 +1,11 @@
 // How a point is said.
 #include <cln/rational_io.h>
-#include <fmt/format.h>
+#include <fmt/ostream.h>
 
 #include <derivations/decide/points.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
 #include <derivations/numbers/interval.hpp>
-#include <sstream>
 
 namespace rederive {
 
@@ -14,11 +13,7 @@ using cln::cl_RA;
 
 namespace {
 
-std::string rational_text(const cl_RA& value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
+std::string rational_text(const cl_RA& value) { return fmt::to_string(fmt::streamed(value)); }
 
 /// The first difference between the sides of a link that is not 0; "0" if there is none.
 std::string residual_at(const Relation& relation, const Point& point) {
@@ -43,8 +38,7 @@ std::pair<std::string, std::string> values_at(const Problem& problem, const Poin
 
 }  // namespace
 
-std::optional<Witness> make_witness(const Problem& problem, const Solution& solution,
-                                    std::optional<bool> of_left) {
+std::optional<Witness> make_witness(const Problem& problem, const Point& point, std::optional<bool> of_left) {
   Witness witness;
   const auto text_of = [&](const auto& of) { return print(of, Notation::plain, problem.symbols); };
   const auto say = [&](const std::string& name, const Value& value) {
@@ -54,21 +48,21 @@ std::optional<Witness> make_witness(const Problem& problem, const Solution& solu
     }
     const cl_RA power = cln::expt_pos(cln::cl_I(10), 40);  // to 40 places
     witness.at[name] = rational_text(cln::round1(cl_RA(value.ball.lower()) * power) / power);
-    const auto constant = solution.constants.find(name);
-    if (value.constant)
-      witness.exactly[name] = text_of(tree_of(*value.constant));
-    else if (constant != solution.constants.end())
-      witness.exactly[name] = text_of(lower(constant->second, problem.symbols));
+    if (value.constant) witness.exactly[name] = text_of(tree_of(*value.constant));
   };
-  for (const auto& [name, number] : solution.point) say(name, number.value(160));
-  for (const auto& [name, tree] : problem.values)  // what was put in
-    if (const Value value = value_at(tree, solution.point, 160); value.is == Value::Is::certain)
-      say(name, value);
-  if (!solution.enclosed.empty()) {
-    witness.between[solution.enclosed] = {rational_text(solution.low), rational_text(solution.high)};
-    witness.solves = text_of(lower(solution.equals_zero, problem.symbols)) + " = 0";
+  for (const auto& [name, number] : point) {
+    say(name, number.value(160));
+    const auto& [tree, symbol, low, high, bits, value] = *number;
+    if (!tree || value.constant) continue;
+    const std::string text = text_of(lower(tree, problem.symbols));
+    if (symbol.empty())
+      witness.exactly[name] = text;
+    else
+      witness.between[name] = {rational_text(low), rational_text(high)}, witness.solves = text + " = 0";
   }
-  std::tie(witness.printed, witness.derived) = values_at(problem, solution.point, of_left);
+  for (const auto& [name, tree] : problem.values)  // what was put in
+    if (const Value value = value_at(tree, point, 160); value.is == Value::Is::certain) say(name, value);
+  std::tie(witness.printed, witness.derived) = values_at(problem, point, of_left);
   if (witness.printed.empty() && witness.derived.empty()) return std::nullopt;
   return witness;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <derivations/identity/exponential_ring.hpp>
+#include <derivations/language/functions.hpp>
 
 namespace rederive {
 
@@ -10,12 +11,19 @@ GiNaC::ex to_ginac(const cln::cl_I& value) { return GiNaC::numeric(value); }
 }  // namespace
 
 Fraction Ring::add(const std::string& key, Generator generator) {
-  if (const auto found = index_.find(key); found != index_.end()) return Polynomial::variable(found->second);
   const int k = static_cast<int>(generators_.size());
   if (k == Polynomial::variables) throw Undecidable("too many independent functions in one statement");
   generators_.push_back(std::move(generator));
   index_.emplace(key, k);
   return Polynomial::variable(k);
+}
+
+Fraction Ring::function(Generator::Kind kind, const std::string& f, const Fraction& of, int degree,
+                        const Fraction& value) {
+  return generator(f + " " + of.key(), [&] {
+    const GiNaC::ex meaning = find_function(f)->of(meaning_of(of));
+    return Generator{kind, meaning, call(f, range_of(of)), of, degree, value, f};
+  });
 }
 
 std::optional<int> Ring::find(const std::string& key) const {
@@ -61,6 +69,11 @@ Fraction Ring::normal(const Fraction& f) const {
   return result;
 }
 
+Fraction Ring::norm(const Polynomial& p, int g) const {
+  const auto c = p.coefficients(g);
+  return normal(Fraction(c[0] * c[0]) - Fraction(c[1] * c[1]) * generators_[g].value);
+}
+
 Fraction Ring::rationalized(const Fraction& f) const {
   Fraction result = normal(f);
   for (int round = 0; round < 4; ++round) {
@@ -72,9 +85,9 @@ Fraction Ring::rationalized(const Fraction& f) const {
     if (k == used.rend() || result.numerator.terms() * result.denominator.terms() > 3000) break;
     const auto c = result.denominator.coefficients(*k);
     const Fraction conjugate = c[0] - c[1] * Polynomial::variable(*k);
-    const Fraction norm = normal(Fraction(c[0] * c[0]) - Fraction(c[1] * c[1]) * generators_[*k].value);
-    if (norm.is_zero()) break;
-    result = normal(result.numerator * conjugate) / norm;
+    const Fraction square_free = norm(result.denominator, *k);
+    if (square_free.is_zero()) break;
+    result = normal(result.numerator * conjugate) / square_free;
   }
   return result;
 }

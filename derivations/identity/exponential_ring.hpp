@@ -27,12 +27,12 @@ namespace rederive {
 struct Generator {
   enum class Kind { symbol, pi, cosine, sine, exponential, root, absolute, logarithm, angle };
   Kind kind = Kind::symbol;
-  GiNaC::ex meaning;   ///< in the symbols of the statement
-  Interval range;      ///< the values that it takes
-  Fraction of = 0;     ///< the phase, what stands under the root, between the bars, in the logarithm
-  int order = 1;       ///< n of e^{φ/n}, cos(φ/n), u^{1/n}
-  int degree = 0;      ///< generator^degree = value; 0: no relation
-  Fraction value = 0;  ///< in generators that came before
+  GiNaC::ex meaning;          ///< in the symbols of the statement
+  Interval range;             ///< the values that it takes
+  Fraction of = 0;            ///< the phase, what stands under the root, between the bars, in the logarithm
+  int degree = 0;             ///< generator^degree = value; 0: no relation
+  Fraction value = 0;         ///< in generators that came before
+  std::string function = {};  ///< its name in our syntax; empty of symbols and pi; sqrt of all roots
 };
 
 /// All numbers that are not negative, and all that are positive.
@@ -53,10 +53,12 @@ class Ring {
   /// The variable of a key, made by `make` when it is new. Throws Undecidable where there are too many.
   template <class Make>
   Fraction generator(const std::string& key, const Make& make) {
-    if (const auto found = index_.find(key); found != index_.end())
-      return Polynomial::variable(found->second);
+    if (const auto known = find(key)) return Polynomial::variable(*known);
     return add(key, make());
   }
+  /// The variable of f(of).
+  Fraction function(Generator::Kind kind, const std::string& f, const Fraction& of, int degree = 0,
+                    const Fraction& value = 0);
   const std::vector<Generator>& generators() const { return generators_; }
   std::optional<int> find(const std::string& key) const;
 
@@ -66,6 +68,9 @@ class Ring {
   /// The remainder modulo all relations, in lowest terms. Throws std::domain_error where its denominator is
   /// 0.
   Fraction normal(const Fraction& f) const;
+
+  /// (d + e·g)(d - e·g) of a polynomial d + e·g, for a generator g with a square.
+  Fraction norm(const Polynomial& p, int g) const;
 
   /// The same fraction with a denominator in which no generator with a square in the ring is left, if it
   /// stays short: 1/(p - √u) is (p + √u)/(p² - u).
@@ -92,7 +97,6 @@ class Ring {
   Interval range_of(const Polynomial& p) const;
   Signs signs_of(const Polynomial& p, int depth) const;
   Signs signs_of_coefficients(const Polynomial& p, int depth) const;
-  Signs signs_of_univariate(const Polynomial& p) const;
   Signs signs_of_quadratic(const Polynomial& p, int depth) const;
   void narrow(const Polynomial& p, Signs signs);
   bool narrow(int generator, const Interval& range);

@@ -46,33 +46,17 @@ Translator::Multiple Translator::multiple_of_phase(const std::string& function, 
 /// cos and sin of a phase of the basis, as generators with c² + s² = 1.
 Pair Translator::phase(const Fraction& phase) {
   const std::string key = phase.key();
-  const Interval range = ring_.range_of(phase);
-  Fraction c = ring_.generator("cos " + key, [&] {
-    Generator g;
-    g.kind = Kind::cosine, g.of = phase, g.meaning = GiNaC::cos(ring_.meaning_of(phase)),
-    g.range = rederive::call("cos", range);
-    return g;
-  });
-  Fraction s = ring_.generator("sin " + key, [&] {
-    Generator g;
-    g.kind = Kind::sine, g.of = phase, g.meaning = GiNaC::sin(ring_.meaning_of(phase)),
-    g.range = rederive::call("sin", range);
-    g.degree = 2, g.value = 1 - c * c;
-    return g;
-  });
-  for (const auto& g :
-       ring_.generators()) {  // the angle of an inverse function: its cosine and sine are algebraic
-    if (g.kind != Kind::angle) continue;
-    const Fraction a = Polynomial::variable(static_cast<int>(&g - ring_.generators().data()));
-    const bool is_half = phase == a / 2;
-    if (!is_half && phase != a) continue;
-    const int c_index = *ring_.find("cos " + key), s_index = *ring_.find("sin " + key);
-    const auto [cosine, sine] = circular_of_angle(Generator(g));
-    ring_.relate(c_index, is_half ? 2 : 1, is_half ? (1 + cosine) / 2 : cosine);
-    ring_.relate(s_index, 1, is_half ? sine / (2 * c) : sine);
-    return {ring_.normal(c), ring_.normal(s)};
-  }
-  return {c, s};
+  const Fraction c = ring_.function(Kind::cosine, "cos", phase),
+                 s = ring_.function(Kind::sine, "sin", phase, 2, 1 - c * c);
+  const auto used = phase.numerator.used();
+  const Fraction x = used.size() == 1 ? Fraction(Polynomial::variable(used[0])) : Fraction(0);
+  const bool is_half = phase == x / 2;
+  if ((!is_half && phase != x) || ring_.generators()[used[0]].kind != Kind::angle) return {c, s};
+  // the angle of an inverse function: its cosine and sine are algebraic
+  const auto [cosine, sine] = circular_of_angle(Generator(ring_.generators()[used[0]]));
+  ring_.relate(*ring_.find("cos " + key), is_half ? 2 : 1, is_half ? (1 + cosine) / 2 : cosine);
+  ring_.relate(*ring_.find("sin " + key), 1, is_half ? sine / (2 * c) : sine);
+  return {ring_.normal(c), ring_.normal(s)};
 }
 
 /// cos nx from cos x (Chebyshev).
@@ -89,14 +73,8 @@ Fraction chebyshev(const Ring& ring, const Fraction& c, int n) {
 /// cos kπ/n, by cos π/n, which is algebraic.
 Fraction Translator::cosine_of_part(int k, int n) {
   if (n <= 2) return k % 2 != 0 && n == 2 ? 0 : k % (2 * n) == 0 ? 1 : -1;
-  const std::string key = "cos pi/" + std::to_string(n);
-  const Fraction c = ring_.generator(key, [&] {
-    Generator g;
-    g.kind = Kind::cosine, g.of = pi() / n, g.meaning = GiNaC::cos(GiNaC::Pi / n);
-    g.range = rederive::call("cos", point({0, cl_RA(1) / n}));
-    return g;
-  });
-  const int index = *ring_.find(key);
+  const Fraction c = ring_.function(Kind::cosine, "cos", pi() / n);
+  const int index = c.numerator.used().at(0);
   if (ring_.generators()[index].degree == 0) {
     const auto [degree, value] = relation_of_cosine(c.numerator, n);
     ring_.relate(index, degree, value);
@@ -150,13 +128,7 @@ Fraction Translator::exponential(const Fraction& argument) {
       result = result * power(order > 1 ? root(u, order) : u, cln::cl_I_to_int(cln::numerator(number)));
     } else {
       const auto [phase, times] = multiple_of_phase("exp ", number, term);
-      const Fraction e = ring_.generator("exp " + phase.key(), [&] {
-        Generator g;
-        g.kind = Kind::exponential, g.of = phase, g.meaning = GiNaC::exp(ring_.meaning_of(phase));
-        g.range = overlap(rederive::call("exp", ring_.range_of(phase)), positive_numbers());
-        return g;
-      });
-      result = result * power(e, times);
+      result = result * power(ring_.function(Kind::exponential, "exp", phase), times);
     }
     result = ring_.normal(result);
   }

@@ -1,41 +1,11 @@
-#include <cln/integer_io.h>
 #include <flint/fmpz_mpoly_factor.h>
 #include <flint/fmpz_poly.h>
 
 #include <derivations/identity/polynomial.hpp>
+#include <derivations/numbers/integer.hpp>
 #include <map>
-#include <sstream>
 
 namespace rederive {
-
-namespace {
-
-/// FLINT's integer, freed at the end of its life.
-struct Integer {
-  Integer() { fmpz_init(z); }
-  explicit Integer(const cln::cl_I& value) : Integer() {
-    if (cln::integer_length(value) < 60) {
-      fmpz_set_si(z, cln::cl_I_to_long(value));
-    } else {
-      std::ostringstream digits;
-      digits << value;
-      fmpz_set_str(z, digits.str().c_str(), 10);
-    }
-  }
-  Integer(const Integer&) = delete;
-  Integer& operator=(const Integer&) = delete;
-  ~Integer() { fmpz_clear(z); }
-  cln::cl_I value() const {
-    if (fmpz_fits_si(z)) return cln::cl_I(fmpz_get_si(z));
-    char* digits = fmpz_get_str(nullptr, 10, z);
-    const cln::cl_I result(static_cast<const char*>(digits));
-    flint_free(digits);
-    return result;
-  }
-  fmpz_t z;
-};
-
-}  // namespace
 
 const fmpz_mpoly_ctx_struct* Polynomial::context() {
   struct Context {
@@ -136,15 +106,6 @@ Polynomial gcd(const Polynomial& a, const Polynomial& b) {
   return result;
 }
 
-bool has_real_zero(const Polynomial& p, int variable) {
-  fmpz_poly_t univariate;
-  fmpz_poly_init(univariate);
-  const bool is_univariate = fmpz_mpoly_get_fmpz_poly(univariate, p.p_, variable, Polynomial::context()) != 0;
-  const bool result = !is_univariate || fmpz_poly_num_real_roots(univariate) != 0;
-  fmpz_poly_clear(univariate);
-  return result;
-}
-
 Factors factors(const Polynomial& p) {
   thread_local std::map<Polynomial, Factors> known;
   if (const auto found = known.find(p); found != known.end()) return found->second;
@@ -177,6 +138,17 @@ Factors factors(const Polynomial& p) {
   if (!is_done) throw Undecidable("a polynomial whose factors are not found");
   if (known.size() > 4000) known.clear();
   return known[p] = std::move(result);
+}
+
+std::vector<std::pair<cln::cl_I, int>> primes_of(cln::cl_I number) {
+  std::vector<std::pair<cln::cl_I, int>> result;
+  for (cln::cl_I prime = 2; prime * prime <= number && prime < 2000; prime = prime + 1) {
+    int count = 0;
+    for (; cln::zerop(cln::mod(number, prime)); ++count) number = cln::exquo(number, prime);
+    if (count > 0) result.emplace_back(prime, count);
+  }
+  if (number != 1) result.emplace_back(number, 1);
+  return result;
 }
 
 std::pair<int, Fraction> relation_of_cosine(const Polynomial& c, int n) {

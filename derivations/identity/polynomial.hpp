@@ -81,8 +81,6 @@ class Polynomial {
   /// What is left has no term that the leading term of b divides.
   friend Division divided(const Polynomial& a, const Polynomial& b);
   friend Polynomial gcd(const Polynomial& a, const Polynomial& b);
-  /// Of a polynomial in one variable (Sturm).
-  friend bool has_real_zero(const Polynomial& p, int variable);
   /// Each factor leads with plus and has content 1. Kept in a memo table.
   friend Factors factors(const Polynomial& p);
 
@@ -106,6 +104,9 @@ struct Division {
   cln::cl_I scale = 1;
   Polynomial whole, rest;
 };
+
+/// The primes below 2000 of a positive number, and what is left of it.
+std::vector<std::pair<cln::cl_I, int>> primes_of(cln::cl_I number);
 
 /// Throws Undecidable where the power has too many terms.
 Polynomial power(const Polynomial& base, int exponent);

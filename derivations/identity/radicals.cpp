@@ -19,23 +19,10 @@ Interval range_of_root(const Interval& base, int order) {
 
 }  // namespace
 
-/// The positive root of a positive number, prime by prime; a large cofactor stays whole.
-Fraction Translator::root_of_number(const cln::cl_I& number, int order) {
-  Fraction result = 1;
-  cln::cl_I rest = number;
-  const auto take = [&](const cln::cl_I& prime, int count) {
-    for (int k = 0; k < count / order; ++k) result = result * Fraction(Polynomial(prime));
-    if (count % order != 0)
-      for (int k = 0; k < count % order; ++k)
-        result = ring_.normal(result * root_generator(Polynomial(prime), order));
-  };
-  for (cln::cl_I prime = 2; prime * prime <= rest && prime < 2000; prime = prime + 1) {
-    int count = 0;
-    while (cln::zerop(cln::mod(rest, prime))) rest = cln::exquo(rest, prime), ++count;
-    if (count > 0) take(prime, count);
-  }
-  if (rest != 1) take(rest, 1);
-  return ring_.normal(result);
+/// base^{exponent/order} of a base that is not negative.
+Fraction Translator::root_of_power(const Polynomial& base, int exponent, int order) {
+  const Fraction whole = power(base, exponent / order);
+  return exponent % order == 0 ? whole : whole * power(root_generator(base, order), exponent % order);
 }
 
 /// y with y^order = base, y >= 0: a power of the generator whose order all roots of this base share.
@@ -51,11 +38,9 @@ Fraction Translator::root_generator(const Polynomial& base, int order) {
     throw AnotherRound();
   }
   const Fraction y = ring_.generator("root " + std::to_string(common) + " " + key, [&] {
-    Generator g;
-    g.kind = Kind::root, g.of = base, g.order = g.degree = common, g.value = base;
-    g.meaning = GiNaC::pow(ring_.meaning_of(base), GiNaC::numeric(1, common));
-    g.range = range_of_root(ring_.range_of(Fraction(base)), common);
-    return g;
+    const GiNaC::ex meaning = pow(ring_.meaning_of(base), GiNaC::numeric(1, common));
+    const Interval range = range_of_root(ring_.range_of(Fraction(base)), common);
+    return Generator{Kind::root, meaning, range, base, common, base, "sqrt"};
   });
   return power(y, common / order);
 }
@@ -64,94 +49,59 @@ Fraction Translator::root(const Fraction& value, int order) {
   const Fraction u = ring_.normal(value);
   if (u.is_zero()) return 0;
   // (n/d)^{1/k} = (n d^{k-1})^{1/k} / |d|
-  const Polynomial product = u.numerator * power(u.denominator, order - 1);
-  const auto& [number, list] = factors(product);
+  const auto& [number, list] = factors(u.numerator * power(u.denominator, order - 1));
+  Signs of_odd = cln::minusp(number) ? Signs::negative() : Signs::positive();
+  for (const auto& [factor, exponent] : list)
+    if (exponent % 2 != 0) of_odd = of_odd * ring_.signs_of(factor);
   Fraction outside = 1 / absolute(u.denominator);
   Polynomial inside = cln::minusp(number) ? -1 : 1;
-  const bool is_known = std::all_of(list.begin(), list.end(), [&](const auto& f) {
-    const Signs signs = ring_.signs_of(f.first);
-    return f.second % 2 == 0 || signs.within(Signs::nonnegative()) || signs.within(Signs::nonpositive());
-  });
-  std::vector<std::pair<Polynomial, int>> unknown;
   for (const auto& [factor, exponent] : list) {
     const Signs signs = ring_.signs_of(factor);
-    const bool negative = signs.within(Signs::nonpositive()),
-               has_sign = negative || signs.within(Signs::nonnegative());
-    if (!has_sign || (!is_known && !signs.is_definite())) {  // where it is 0 the rest may have no root
-      unknown.emplace_back(factor, exponent);
-      continue;
-    }
-    const Polynomial size = negative ? -factor : factor;
-    if (negative && exponent % 2 != 0) inside = -inside;
-    outside = outside * Fraction(power(size, exponent / order));
-    for (int k = 0; k < exponent % order; ++k) outside = ring_.normal(outside * root_generator(size, order));
+    const bool is_negative = signs.within(Signs::nonpositive()),
+               has_sign = is_negative || signs.within(Signs::nonnegative());
+    // beside what may be negative, what may be 0 stays: where it is 0 the rest may have no root
+    const bool comes_out = of_odd.within(Signs::nonnegative()) || signs.is_definite();
+    const int taken = !comes_out ? 0 : has_sign ? exponent : exponent - exponent % 2;
+    if (is_negative && taken % 2 != 0) inside = -inside;
+    inside = inside * power(factor, exponent - taken);
+    if (taken > 0) outside = ring_.normal(outside * root_of_power(size_of(factor), taken, order));
   }
-  Polynomial odd = 1;
-  for (const auto& [factor, exponent] : unknown)
-    if (exponent % 2 != 0) odd = odd * factor;
-  const bool stays =
-      !odd.is_constant() || inside.leads_with_minus();  // then a root of the rest may be missing
-  for (const auto& [factor, exponent] : unknown) {
-    // an even power is a size; together with what may be negative it comes out only where it is not 0
-    const bool comes_out = !stays || ring_.signs_of(factor).is_definite();
-    const int even = exponent - exponent % 2;
-    const Polynomial size = absolute(factor).numerator;
-    if (!comes_out) inside = inside * power(factor, even);
-    for (int k = 0; comes_out && k < even / order; ++k) outside = ring_.normal(outside * size);
-    for (int k = 0; comes_out && k < even % order; ++k)
-      outside = ring_.normal(outside * root_generator(size, order));
-  }
-  inside = inside * odd;
-  outside = ring_.normal(outside * root_of_number(cln::abs(number), order));
+  for (const auto& [prime, count] : primes_of(cln::abs(number)))
+    outside = ring_.normal(outside * root_of_power(Polynomial(prime), count, order));
   if (inside.is_one()) return outside;
   if (inside.is_constant()) throw NoValue("the root of a negative number");
   return ring_.normal(outside * root_generator(inside, order));
 }
 
-/// (t^n)^{1/k} = |t|^{n/k} for an even n, before anything is multiplied out.
-Fraction Translator::root_of(const Tree& tree, int order) {
-  if (tree->kind == Node::Kind::power) {
-    const Fraction exponent = translate(tree->children[1]);
-    const cln::cl_RA n = exponent.is_constant() ? exponent.constant() : cln::cl_RA(0);
-    if (cln::plusp(n) && n <= 64 && cln::denominator(n) == 1 && cln::evenp(cln::numerator(n))) {
-      const int even = cln::cl_I_to_int(cln::numerator(n)), common = std::gcd(even, order);
-      const Fraction size = absolute(translate(tree->children[0]));
-      Fraction result = 1;
-      const Fraction factor = common == order ? size : root(size, order / common);
-      for (int k = 0; k < even / common; ++k) result = ring_.normal(result * factor);
-      return result;
-    }
-  }
-  return root(translate(tree), order);
+/// √(t^{2n}) = |t|^n, before anything is multiplied out.
+Fraction Translator::square_root(const Tree& tree) {
+  const Fraction value = translate(tree);
+  const bool is_power = tree->kind == Node::Kind::power && tree->children[1]->kind == Node::Kind::number;
+  const cln::cl_RA half = is_power ? exact(tree->children[1]->text) / 2 : cln::cl_RA(1) / 2;
+  if (cln::denominator(half) != 1) return root(value, 2);
+  return ring_.normal(power(absolute(translate(tree->children[0])), cln::cl_I_to_int(cln::numerator(half))));
 }
 
-/// |u|, factor by factor; without the bars where the sign is known.
+/// The size of an irreducible polynomial: without bars where its sign is known.
+Polynomial Translator::size_of(const Polynomial& factor) {
+  const Signs signs = ring_.signs_of(factor);
+  if (signs.within(Signs::nonnegative())) return factor;
+  if (signs.within(Signs::nonpositive())) return -factor;
+  return ring_.function(Kind::absolute, "fabs", factor, 2, factor * factor).numerator;
+}
+
+/// |u|, factor by factor.
 Fraction Translator::absolute(const Fraction& value) {
   const Fraction u = ring_.normal(value);
-  const auto size = [&](const Polynomial& p) -> Fraction {
-    if (p.is_constant()) return Polynomial(cln::abs(p.constant()));
-    const auto& [number, list] = factors(p);
-    Fraction result = Polynomial(cln::abs(number));
-    for (const auto& [factor, exponent] : list) {
-      const Signs signs = ring_.signs_of(factor);
-      if (exponent % 2 == 0 || signs.within(Signs::nonnegative())) {
-        result = result * Fraction(power(factor, exponent));
-      } else if (signs.within(Signs::nonpositive())) {
-        result = result * Fraction(power(-factor, exponent));
-      } else {
-        const Fraction square = factor * factor;
-        const Fraction a = ring_.generator("abs " + factor.key(), [&] {
-          Generator g;
-          g.kind = Kind::absolute, g.of = factor, g.meaning = GiNaC::abs(ring_.meaning_of(factor));
-          g.degree = 2, g.value = square, g.range = rederive::call("fabs", ring_.range_of(Fraction(factor)));
-          return g;
-        });
-        result = result * a * Fraction(power(factor, exponent - 1));
-      }
-    }
-    return result;
-  };
-  return ring_.normal(size(u.numerator) / size(u.denominator));
+  Fraction result = 1;
+  for (const int side : {1, -1}) {
+    const auto& [number, list] = factors(side > 0 ? u.numerator : u.denominator);
+    Polynomial size(cln::abs(number));
+    for (const auto& [factor, exponent] : list)
+      size = size * power(exponent % 2 == 0 ? factor : size_of(factor), exponent);
+    result = side > 0 ? Fraction(size) : result / size;
+  }
+  return ring_.normal(result);
 }
 
 }  // namespace rederive

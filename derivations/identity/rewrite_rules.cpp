@@ -1,4 +1,4 @@
-#include <derivations/identity/rewrite_rules.hpp>
+#include <derivations/identity/translator.hpp>
 #include <derivations/language/syntax.hpp>
 #include <map>
 

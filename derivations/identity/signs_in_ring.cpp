@@ -45,21 +45,18 @@ Fact Ring::essential(const Fraction& value, Signs signs) const {
 
 void Ring::learn(const Fraction& value, Signs signs) {
   if (signs_of(normal(value)).within(signs)) return;
-  found_.clear();
-  const auto note = [&](const Fact& fact) {
-    Signs& known = known_signs_.try_emplace(fact.value, Signs::any()).first->second;
-    known = known & fact.signs;
+  const Fact fact = essential(value, signs);
+  if (fact.value.is_constant()) return;
+  const auto note = [&](const Polynomial& p, Signs of_p) {
+    Signs& known = known_signs_.try_emplace(p, Signs::any()).first->second;
+    known = known & of_p;
   };
-  const Fact whole = essential(value, signs);
-  if (whole.value.is_constant()) return;
+  note(fact.value, fact.signs);
   if (signs.is_definite())  // no factor of what is not 0 is 0
-    for (const auto& [factor, exponent] : factors(whole.value).second)
-      note({factor, signs_of(factor) & Signs::nonzero()});
+    for (const auto& [factor, exponent] : factors(fact.value).second)
+      note(factor, signs_of(factor) & Signs::nonzero());
   found_.clear();
-  const Fact rest = essential(value, signs);
-  note(rest.value.is_constant() ? whole : rest);
-  narrow(whole.value, whole.signs);
-  narrow(rest.value, rest.signs);
+  narrow(fact.value, fact.signs);
 }
 
 /// c·x + d > 0 bounds x by the values of -d/c, for a number c and a d without x.
@@ -97,28 +94,21 @@ bool Ring::narrow_backwards(const Generator& g) {
   const auto used = g.of.numerator.used();
   if (used.size() != 1 || g.of.numerator.degree(used[0]) != 1 || !g.of.denominator.is_constant())
     return false;
+  const MonotonePiece& f = monotone_piece(g.function);
+  const bool is_root = g.kind == Kind::root;
+  if (!is_root && f.inverse == nullptr) return false;
   const Interval inside = range_of(g.of);
-  const auto lies_between = [&](const Constant& low, const Constant& high) {
-    return compare(inside.low, End{low}) >= 0 && compare(inside.high, End{high}) <= 0;
+  const auto lies_in = [&](const Interval& piece) {
+    return compare(inside.low, piece.low) >= 0 && compare(inside.high, piece.high) <= 0;
   };
-  const cln::cl_RA half = cln::cl_RA(1) / 2;
-  Interval argument;
-  const auto invert = [&](const Interval& always, const Interval& inverse) {
-    argument = inverse;  // an end that f always has says no more than that f has a value
-    if (compare(g.range.low, always.low) == 0) argument.low = Interval{}.low;
-    if (compare(g.range.high, always.high) == 0) argument.high = Interval{}.high;
-  };
-  if (g.kind == Kind::exponential) invert(positive_numbers(), call("log", g.range));
-  if (g.kind == Kind::logarithm) invert({}, call("exp", g.range));
-  if (g.kind == Kind::root) invert(nonnegative_numbers(), power(g.range, g.order));
-  if (g.kind == Kind::angle)
-    invert(monotone_piece("asin").range, call(g.order == 1 ? "sin" : "tan", g.range));
-  if (g.kind == Kind::cosine && lies_between({}, {0, 1})) argument = call("acos", g.range);
-  if (g.kind == Kind::cosine && lies_between({0, -half}, {0, half})) {
-    const Interval size = call("acos", g.range);
-    argument = overlap(argument, hull(size, -size));
+  Interval argument = is_root ? power(g.range, g.degree) : call(f.inverse, g.range);
+  if (f.turned == 0) {  // an end that f always has says no more than that f has a value
+    if (compare(g.range.low, f.range.low) == 0) argument.low = Interval{}.low;
+    if (compare(g.range.high, f.range.high) == 0) argument.high = Interval{}.high;
+  } else if (!lies_in(f.domain)) {
+    if (g.kind != Kind::cosine || !lies_in(monotone_piece("sin").domain)) return false;
+    argument = hull(argument, -argument);  // even
   }
-  if (g.kind == Kind::sine && lies_between({0, -half}, {0, half})) argument = call("asin", g.range);
   const auto c = g.of.numerator.coefficients(used[0]);
   if (!c[0].is_constant() || !c[1].is_constant()) return false;
   const cln::cl_RA below = g.of.denominator.constant(), slope = below / cln::cl_RA(c[1].constant());
@@ -127,25 +117,15 @@ bool Ring::narrow_backwards(const Generator& g) {
 
 /// What a function makes of a narrower range, and the other way round.
 void Ring::propagate() {
-  using Kind = Generator::Kind;
-  static const std::map<Kind, const char*> functions{{Kind::cosine, "cos"},
-                                                     {Kind::sine, "sin"},
-                                                     {Kind::exponential, "exp"},
-                                                     {Kind::absolute, "fabs"},
-                                                     {Kind::logarithm, "log"}};
   bool has_changed = true;
   for (int round = 0; round < 3 && has_changed; ++round) {
     has_changed = false;
     for (std::size_t k = 0; k < generators_.size(); ++k) {
       const Generator g = generators_[k];
-      const auto function = functions.find(g.kind);
-      const bool is_angle = g.kind == Kind::angle, is_root = g.kind == Kind::root && g.order == 2;
-      if (function != functions.end() || is_angle || is_root) {
-        const char* name = is_angle ? (g.order == 1 ? "asin" : "atan") : is_root ? "sqrt" : function->second;
-        has_changed = narrow(static_cast<int>(k), call(name, range_of(g.of))) || has_changed;
-      }
-      if (g.kind != Kind::symbol && g.kind != Kind::pi)
-        has_changed = narrow_backwards(generators_[k]) || has_changed;
+      if (g.function.empty()) continue;
+      if (g.kind != Generator::Kind::root || g.degree == 2)
+        has_changed = narrow(static_cast<int>(k), call(g.function, range_of(g.of))) || has_changed;
+      has_changed = narrow_backwards(generators_[k]) || has_changed;
     }
   }
 }
@@ -188,8 +168,7 @@ Signs Ring::signs_of(const Polynomial& p, int depth) const {
     return result;
   const auto& [constant, list] = factors(p);
   if (list.size() == 1 && list[0].second == 1)
-    return result & signs_of_coefficients(p, depth - 1) & signs_of_quadratic(p, depth - 1) &
-           signs_of_univariate(p);
+    return result & signs_of_coefficients(p, depth - 1) & signs_of_quadratic(p, depth - 1);
   Signs product = sign_of_number(constant);
   for (const auto& [factor, exponent] : list)
     product = product * power(signs_of(factor, depth - 1), exponent);
@@ -215,13 +194,6 @@ Signs Ring::signs_of_coefficients(const Polynomial& p, int depth) const {
   for (const auto& [monomial, coefficient] : coefficients)
     all = sum_of(all, signs_of(monomial, 0) * signs_of(coefficient, depth));
   return all;
-}
-
-/// A polynomial in one generator without a real zero has the sign of its value at 0.
-Signs Ring::signs_of_univariate(const Polynomial& p) const {
-  const auto used = p.used();
-  if (used.size() != 1 || p.degree(used[0]) < 3 || has_real_zero(p, used[0])) return Signs::any();
-  return sign_of_number(p.coefficients(used[0])[0].constant());
 }
 
 /// 4a·(a x² + b x + c) = (2a x + b)² - (b² - 4ac).

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <derivations/identity/rewrite_rules.hpp>
 #include <derivations/identity/translator.hpp>
 #include <utility>
 
@@ -64,11 +63,6 @@ void Translator::require(const Fraction& value, Signs allowed, const Tree& tree)
   conditions_->push_back({value, allowed, tree});
 }
 
-Fraction Translator::divide(const Fraction& a, const Fraction& b, const Tree& divisor) {
-  require(b, Signs::nonzero(), divisor);
-  return ring_.normal(a / b);
-}
-
 Fraction Translator::translate(const Tree& tree) {
   switch (tree->kind) {
     case Node::Kind::number:
@@ -100,7 +94,8 @@ Fraction Translator::product(const Node& node) {
   Fraction result = 1;
   for (std::size_t k = 0; k < node.children.size(); ++k) {
     const Fraction factor = translate(node.children[k]);
-    result = node.inverse[k] ? divide(result, factor, node.children[k]) : ring_.normal(result * factor);
+    if (node.inverse[k]) require(factor, Signs::nonzero(), node.children[k]);
+    result = ring_.normal(node.inverse[k] ? result / factor : result * factor);
   }
   return result;
 }
@@ -121,7 +116,7 @@ Fraction Translator::power_of(const Node& node) {
   if (order > 1) require(base, n > 0 ? Signs::nonnegative() : Signs::positive(), node.children[0]);
   if (order == 1 && n < 0) require(base, Signs::nonzero(), node.children[0]);
   Fraction result = 1;
-  const Fraction factor = order > 1 ? root_of(node.children[0], order) : base;
+  const Fraction factor = order > 1 ? root(base, order) : base;
   for (int k = 0; k < std::abs(n); ++k) result = ring_.normal(result * factor);
   return n < 0 ? ring_.normal(1 / result) : result;
 }
@@ -144,7 +139,7 @@ Fraction Translator::call(const Node& node) {
   }
   if (name == "sin") return circular(x).second;
   if (name == "cos") return circular(x).first;
-  if (name == "sqrt") return root_of(argument, 2);
+  if (name == "sqrt") return square_root(argument);
   if (name == "fabs") return absolute(x);
   if (name == "exp") return exponential(x);
   if (name == "log") return logarithm(x);
@@ -156,18 +151,12 @@ Fraction Translator::symbol(const std::string& name) {
   return ring_.generator(name, [&] {
     const Symbol* known = symbols_.find(name);
     if (known == nullptr) throw Undecidable("the symbol " + name + ", which is not declared");
-    Generator g;
-    g.meaning = known->ginac, g.range = parse_range(known->range);
-    return g;
+    return Generator{Kind::symbol, known->ginac, parse_range(known->range)};
   });
 }
 
 Fraction Translator::pi() {
-  return ring_.generator("pi", [] {
-    Generator g;
-    g.kind = Kind::pi, g.meaning = GiNaC::Pi, g.range = point({0, 1});
-    return g;
-  });
+  return ring_.generator("pi", [] { return Generator{Kind::pi, GiNaC::Pi, point({0, 1})}; });
 }
 
 }  // namespace rederive

@@ -57,7 +57,6 @@ class Translator {
   Fraction product(const Node& node);
   Fraction power_of(const Node& node);
   Fraction call(const Node& node);
-  Fraction divide(const Fraction& a, const Fraction& b, const Tree& divisor);
   void require(const Fraction& value, Signs allowed, const Tree& tree);
 
   Fraction symbol(const std::string& name);
@@ -70,9 +69,10 @@ class Translator {
 
   // radicals.cpp
   Fraction root(const Fraction& value, int order);
-  Fraction root_of(const Tree& tree, int order);
-  Fraction root_of_number(const cln::cl_I& number, int order);
+  Fraction square_root(const Tree& tree);
+  Fraction root_of_power(const Polynomial& base, int exponent, int order);
   Fraction root_generator(const Polynomial& base, int order);
+  Polynomial size_of(const Polynomial& factor);
   Fraction absolute(const Fraction& value);
   // inverse_functions.cpp
   Fraction logarithm(const Fraction& value);
@@ -93,5 +93,22 @@ class Translator {
   };
   std::map<std::string, Argument> arguments_;  ///< of circular functions that were met
 };
+
+/// True if it is 0. By the relations of the ring first; then
+/// - of d + e·g with g² in the ring: if (d + e·g)(d - e·g) is 0 and d and e·g have opposite signs;
+/// - of angles: if its cosine is 1 and it lies between -2π and 2π;
+/// - of logarithms: if its exponential is 1.
+/// False says nothing.
+bool vanishes(const Fraction& f, Ring& ring, Translator& translator);
+
+/// What must hold for f(u) to have a value, and what it is there.
+struct RewriteRule {
+  std::vector<std::pair<Tree, Signs>> domain;  ///< of values in u
+  Tree result;                                 ///< in u; null of a function that is not replaced
+};
+
+/// The rule of a function of our syntax, by its name; nullptr where it has a value everywhere and is not
+/// replaced.
+const RewriteRule* rewrite_rule(const std::string& function);
 
 }  // namespace rederive

@@ -1,4 +1,4 @@
-#include <derivations/identity/zero_test.hpp>
+#include <derivations/identity/translator.hpp>
 
 namespace rederive {
 
@@ -16,13 +16,11 @@ bool vanishes_by_conjugates(const Ring& ring, const Polynomial& p, int depth) {
   if (p.is_zero()) return true;
   if (depth == 0 || p.terms() > 60) return false;
   for (const int k : p.used()) {
-    const Generator& g = ring.generators()[k];
-    if (g.degree != 2) continue;
+    if (ring.generators()[k].degree != 2) continue;
     const auto c = p.coefficients(k);
     const Polynomial variable = Polynomial::variable(k);
     if (c.size() != 2 || !is_opposite(ring.signs_of(c[0]), ring.signs_of(c[1] * variable))) continue;
-    const Fraction norm = ring.normal(Fraction(c[0] * c[0]) - Fraction(c[1] * c[1]) * g.value);
-    if (vanishes_by_conjugates(ring, norm.numerator, depth - 1)) return true;
+    if (vanishes_by_conjugates(ring, ring.norm(p, k).numerator, depth - 1)) return true;
   }
   return false;
 }

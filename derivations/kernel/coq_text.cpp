@@ -1,6 +1,6 @@
 #include <derivations/decide/problem.hpp>
 #include <derivations/identity/polynomial.hpp>
-#include <derivations/identity/rewrite_rules.hpp>
+#include <derivations/identity/translator.hpp>
 #include <derivations/kernel/coq_text.hpp>
 #include <derivations/language/print.hpp>
 

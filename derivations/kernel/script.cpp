@@ -138,7 +138,7 @@ void Script::say_facts() {
             make_tree(Node::Kind::call, "exp", {make_tree(Node::Kind::symbol, name)});
       }
       if (g.kind == Kind::sine) say_fact("assert (# := pyth " + coq_name(name) + ")");
-    } else if (g.kind == Kind::root && g.order == 2) {
+    } else if (g.kind == Kind::root && g.degree == 2) {
       const int index = static_cast<int>(meanings_.size());
       const std::string name = "root" + std::to_string(index);
       say_fact("square_root " + name + " # (" + base_of(g, index) + ")");

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <derivations/language/lexer.hpp>
-#include <derivations/language/suggestions.hpp>
 #include <derivations/language/unicode.hpp>
 #include <utility>
 

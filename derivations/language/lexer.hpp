@@ -31,4 +31,13 @@ struct Token {
 /// as three. Pi is read as pi, and other look-alikes of it are refused. Throws SyntaxError.
 std::vector<Token> tokenize(std::string_view text, const Symbols& symbols, const Limits& limits);
 
+/// The known words that a name sticks together from, at most three: {"m", "g", "R"} for mgR, {"sin", "2",
+/// "x"} for sin2x. The name alone where it is known, or more like a slip of the pen.
+std::vector<std::string> words_in(const std::string& name, const Symbols& symbols);
+/// arcsin, ln: whether it is a function under that name in other languages.
+bool is_function_elsewhere(std::string_view name);
+/// What to say of a name that is no function, or no symbol; `quoted` is how it was typed.
+std::string unknown_function(std::string_view name, const std::string& quoted);
+std::string unknown_symbol(std::string_view name, const std::string& quoted, const Symbols& symbols);
+
 }  // namespace rederive

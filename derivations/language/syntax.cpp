@@ -5,7 +5,6 @@
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lexer.hpp>
 #include <derivations/language/print.hpp>
-#include <derivations/language/suggestions.hpp>
 #include <derivations/language/syntax.hpp>
 #include <optional>
 #include <utility>

@@ -1,23 +1,13 @@
-#include <cln/integer.h>
-#include <cln/integer_io.h>
 #include <cln/rational.h>
 
 #include <derivations/numbers/ball.hpp>
+#include <derivations/numbers/integer.hpp>
 
 namespace rederive {
 
-namespace {
-
-Ball whole(const cln::cl_I& n) {
-  if (cln::integer_length(n) < 63) return Ball(cln::cl_I_to_long(n));
-  const cln::cl_I above = cln::ash(n, -62);
-  return whole(above) * Ball(1L << 62) + Ball(cln::cl_I_to_long(n - cln::ash(above, 62)));
+Ball::Ball(const cln::cl_RA& q, long bits) : Ball(0, bits) {
+  arb_fmpz_div_fmpz(x_, Integer(cln::numerator(q)).z, Integer(cln::denominator(q)).z, bits);
 }
-
-}  // namespace
-
-Ball::Ball(const cln::cl_RA& q, long bits)
-    : Ball(whole(cln::numerator(q)).at(bits) / whole(cln::denominator(q)).at(bits)) {}
 
 bool Ball::is_moderate() const {
   constexpr long most = 100'000;
@@ -32,16 +22,9 @@ bool Ball::is_moderate() const {
 
 Ball::operator cln::cl_RA() const {
   if (!is_moderate()) throw std::domain_error("a ball too large, or too small, to be written");
-  fmpz_t mantissa, exponent;
-  fmpz_init(mantissa), fmpz_init(exponent);
-  arf_get_fmpz_2exp(mantissa, exponent, arb_midref(x_));
-  std::string text(fmpz_sizeinbase(mantissa, 10) + 2, '\0');
-  const bool is_short = fmpz_fits_si(mantissa);
-  const cln::cl_I whole =
-      is_short ? cln::cl_I(fmpz_get_si(mantissa)) : cln::cl_I(fmpz_get_str(text.data(), 10, mantissa));
-  const cln::cl_RA unit = cln::expt(cln::cl_RA(2), fmpz_get_si(exponent));
-  fmpz_clear(mantissa), fmpz_clear(exponent);
-  return whole * unit;
+  Integer mantissa, exponent;
+  arf_get_fmpz_2exp(mantissa.z, exponent.z, arb_midref(x_));
+  return mantissa.value() * cln::expt(cln::cl_RA(2), fmpz_get_si(exponent.z));
 }
 
 }  // namespace rederive

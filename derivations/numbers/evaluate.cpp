@@ -1,7 +1,6 @@
 #include <cln/integer.h>
 
 #include <derivations/numbers/evaluate.hpp>
-#include <functional>
 #include <regex>
 
 namespace rederive {
@@ -46,21 +45,13 @@ Value zero_between(const Tree& tree, const std::string& symbol, cl_RA low, cl_RA
 
 }  // namespace
 
-struct Number::State {
-  std::function<Value(long)> compute;
-  long bits = 0;  // of the value
-  Value value = {};
-};
-
-Number::Number(const cl_RA& q) : state_(new State{[q](long bits) { return known(Constant{q}, bits); }}) {}
-Number::Number(const Tree& constant)
-    : state_(new State{[constant](long bits) { return value_at(constant, {}, bits); }}) {}
-Number::Number(const Tree& tree, const std::string& symbol, const cl_RA& low, const cl_RA& high)
-    : state_(new State{[=](long bits) { return zero_between(tree, symbol, low, high, bits); }}) {}
-
 const Value& Number::value(long bits) const {
-  if (state_->bits < bits) state_->value = state_->compute(bits), state_->bits = bits;
-  return state_->value;
+  auto& [tree, symbol, low, high, known_bits, value] = *state_;
+  if (known_bits >= bits) return value;
+  known_bits = bits;
+  return value = !tree            ? known(Constant{low}, bits)
+                 : symbol.empty() ? value_at(tree, {}, bits)
+                                  : zero_between(tree, symbol, low, high, bits);
 }
 
 Value value_at(const Tree& tree, const Point& point, long bits) {

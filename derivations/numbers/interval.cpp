@@ -67,18 +67,27 @@ Interval read_end(const std::string& text, bool is_closed) {
 }  // namespace
 
 const MonotonePiece& monotone_piece(const std::string& name) {
-  static const auto piece = [](const char* domain, const char* values, int turned = 0) {
-    return MonotonePiece{parse_range(domain), parse_range(values), turned};
+  static const auto piece = [](const char* domain, const char* values, const char* inverse = nullptr,
+                               int turned = 0) {
+    return MonotonePiece{parse_range(domain), parse_range(values), inverse, turned};
   };
   static const std::map<std::string, MonotonePiece> table = {
-      {"sin", piece("[-pi/2, pi/2]", "[-1, 1]", -1)},   {"cos", piece("[0, pi]", "[1, -1]", -1)},
-      {"tan", piece("(-pi/2, pi/2)", all_numbers, +1)}, {"cot", piece("(0, pi)", "(inf, -inf)", +1)},
-      {"asin", piece("[-1, 1]", "[-pi/2, pi/2]")},      {"acos", piece("[-1, 1]", "[pi, 0]")},
-      {"atan", piece(all_numbers, "(-pi/2, pi/2)")},    {"sinh", piece(all_numbers, all_numbers)},
-      {"cosh", piece("[0, inf)", "[1, inf)")},          {"tanh", piece(all_numbers, "(-1, 1)")},
-      {"asinh", piece(all_numbers, all_numbers)},       {"acosh", piece("[1, inf)", "[0, inf)")},
-      {"atanh", piece("(-1, 1)", all_numbers)},         {"exp", piece(all_numbers, "(0, inf)")},
-      {"log", piece("(0, inf)", all_numbers)},          {"sqrt", piece("[0, inf)", "[0, inf)")},
+      {"sin", piece("[-pi/2, pi/2]", "[-1, 1]", "asin", -1)},
+      {"cos", piece("[0, pi]", "[1, -1]", "acos", -1)},
+      {"tan", piece("(-pi/2, pi/2)", all_numbers, "atan", +1)},
+      {"cot", piece("(0, pi)", "(inf, -inf)", nullptr, +1)},
+      {"asin", piece("[-1, 1]", "[-pi/2, pi/2]", "sin")},
+      {"acos", piece("[-1, 1]", "[pi, 0]", "cos")},
+      {"atan", piece(all_numbers, "(-pi/2, pi/2)", "tan")},
+      {"sinh", piece(all_numbers, all_numbers, "asinh")},
+      {"cosh", piece("[0, inf)", "[1, inf)")},
+      {"tanh", piece(all_numbers, "(-1, 1)", "atanh")},
+      {"asinh", piece(all_numbers, all_numbers, "sinh")},
+      {"acosh", piece("[1, inf)", "[0, inf)", "cosh")},
+      {"atanh", piece("(-1, 1)", all_numbers, "tanh")},
+      {"exp", piece(all_numbers, "(0, inf)", "log")},
+      {"log", piece("(0, inf)", all_numbers, "exp")},
+      {"sqrt", piece("[0, inf)", "[0, inf)")},
       {"fabs", piece("[0, inf)", "[0, inf)")}};
   return table.at(name);
 }
@@ -148,7 +157,7 @@ Interval power(const Interval& x, long n) {
 
 Interval call(const std::string& name, const Interval& x) {
   if (const char* other = reciprocal_of(name)) return reciprocal(call(other, x));
-  const auto& [domain, values, turned, range] = monotone_piece(name);
+  const auto& [domain, values, inverse, turned, range] = monotone_piece(name);
   const auto on_piece = [&](const Interval& y) {
     const Interval given = overlap(y, domain);
     const auto value = [&](const Value& v) { return call(name, v); };

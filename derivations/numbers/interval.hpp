@@ -55,7 +55,8 @@ Interval call(const std::string& function, const Interval& x);
 /// even ones; and the values at the ends of it, in this order.
 struct MonotonePiece {
   Interval domain, values;
-  int turned = 0;  ///< of a circular function: f(x + pi)/f(x)
+  const char* inverse;  ///< the function that undoes it on a piece that is its domain, or of a circular one
+  int turned = 0;       ///< of a circular function: f(x + pi)/f(x)
   Interval range = hull({values.low, values.low}, {values.high, values.high});
 };
 /// Throws std::out_of_range for an unknown name, and for those that are defined as 1/f.

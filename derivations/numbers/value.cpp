@@ -142,7 +142,11 @@ Value pow(const Value& x, const Value& y) {
   if (!is_whole && !y.constant && y.ball.contains_integer() && sign != 1) return {};
   if (!is_whole && sign == -1) return {Is::nowhere};
   if (is_whole && numerator == 1) return x;
-  const Ball power = pow(x.ball, y.ball);
+  Ball power = pow(x.ball, y.ball);
+  if (is_whole && !power.is_finite() && cln::plusp(numerator) && numerator <= 64) {
+    power = x.ball;  // where its middle is 0 Arb goes by the logarithm
+    for (int k = 1; k < numerator; ++k) power = power * x.ball;
+  }
   cl_RA root;
   if (x.exact && y.exact && cln::abs(numerator) * length(*x.exact) < most_length && denominator < 64 &&
       cln::rootp(*x.exact, cln::cl_I_to_uint(denominator), &root))

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/decide/expansion.hpp>
+#include <derivations/decide/decide.hpp>
 #include <derivations/paper/prove.hpp>
 #include <regex>
 

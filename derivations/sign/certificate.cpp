@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <derivations/sign/certificate.hpp>
-#include <derivations/sign/linear_program.hpp>
 #include <set>
 
 namespace rederive {
@@ -17,12 +16,6 @@ struct Column {
   Polynomial value;  ///< modulo the relations of the ring
   bool is_strict, is_zero;
 };
-
-std::optional<Polynomial> reduced(const Ring& ring, const Polynomial& p) {
-  const Fraction f = ring.normal(p);
-  if (!f.denominator.is_constant()) return std::nullopt;
-  return f.numerator;  // a positive multiple
-}
 
 /// The number, or one further out (side +1: below it) if it is long: products of bounds must fit into
 /// doubles.
@@ -48,8 +41,6 @@ void add_range(const Ring& ring, int k, std::vector<Fact>& facts) {
     facts.push_back({(side * (Fraction(x) - bound)).numerator, signs});
   };
   add(g.range.low, 1), add(g.range.high, -1);
-  if (g.kind == Generator::Kind::absolute && g.of.denominator.is_one())
-    for (const int side : {1, -1}) facts.push_back({x + side * g.of.numerator, Signs::nonnegative()});
 }
 
 std::set<int> variables_of(const Polynomial& p) {
@@ -107,10 +98,10 @@ std::vector<Column> columns_of(const Ring& ring, const std::vector<Fact>& facts)
   const auto add = [&](std::vector<Polynomial> factors, bool is_strict, bool is_zero) {
     Polynomial product = 1;
     for (const Polynomial& f : factors) product = product * f;
-    const auto value = reduced(ring, product);
-    if (!value || value->terms() > 40 || (value->is_zero() && !is_strict) || columns.size() >= most_columns)
-      return;
-    columns.push_back({std::move(factors), *value, is_strict, is_zero});
+    const Fraction value = ring.normal(product);  // the numerator is a positive multiple
+    const Polynomial& p = value.numerator;
+    if (!value.denominator.is_constant() || p.terms() > 40 || (p.is_zero() && !is_strict)) return;
+    if (columns.size() < most_columns) columns.push_back({std::move(factors), p, is_strict, is_zero});
   };
   std::set<int> variables;
   for (const Fact& f : facts) variables.merge(variables_of(f.value));

@@ -1,9 +1,10 @@
 #include <cln/float.h>
 #include <cln/real.h>
+#include <flint/fmpq_mat.h>
 #include <glpk.h>
 
-#include <algorithm>
-#include <derivations/sign/linear_program.hpp>
+#include <derivations/numbers/integer.hpp>
+#include <derivations/sign/certificate.hpp>
 #include <memory>
 
 namespace rederive {
@@ -44,31 +45,23 @@ std::optional<std::vector<std::size_t>> basis_of(const std::vector<std::vector<c
   return basis;
 }
 
-/// One equation a row, its right-hand side at the end: Σ xₖ row[k] = row.back(). The solution by elimination;
-/// nothing where there is none, or more than one.
-std::optional<std::vector<cl_RA>> solve(std::vector<std::vector<cl_RA>> rows) {
-  const std::size_t unknowns = rows.empty() ? 0 : rows[0].size() - 1;
-  for (std::size_t k = 0; k < unknowns; ++k) {  // row k gets the pivot of column k
-    const auto from = rows.begin() + static_cast<std::ptrdiff_t>(std::min(k, rows.size()));
-    const auto pivot = std::find_if(from, rows.end(), [&](const auto& row) { return !cln::zerop(row[k]); });
-    if (pivot == rows.end()) return std::nullopt;
-    std::swap(*pivot, rows[k]);
-    for (std::size_t other = 0; other < rows.size(); ++other) {
-      if (other == k || cln::zerop(rows[other][k])) continue;
-      const cl_RA factor = rows[other][k] / rows[k][k];
-      for (std::size_t j = k; j <= unknowns; ++j)
-        if (!cln::zerop(rows[k][j])) rows[other][j] = rows[other][j] - factor * rows[k][j];
-    }
+/// FLINT's matrix of rational numbers, freed at the end of its life.
+struct Matrix {
+  Matrix(std::size_t rows, std::size_t columns) { fmpq_mat_init(m, rows, columns); }
+  Matrix(const Matrix&) = delete;
+  Matrix& operator=(const Matrix&) = delete;
+  ~Matrix() { fmpq_mat_clear(m); }
+  void set(std::size_t row, std::size_t column, const cl_RA& q) {
+    fmpq_set_fmpz_frac(fmpq_mat_entry(m, row, column), Integer(cln::numerator(q)).z,
+                       Integer(cln::denominator(q)).z);
   }
-  std::vector<cl_RA> x;
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    if (row < unknowns)
-      x.push_back(rows[row][unknowns] / rows[row][row]);
-    else if (!cln::zerop(rows[row][unknowns]))
-      return std::nullopt;
+  cl_RA first_of(std::size_t row) const {
+    Integer above, below;
+    fmpz_set(above.z, fmpq_mat_entry_num(m, row, 0)), fmpz_set(below.z, fmpq_mat_entry_den(m, row, 0));
+    return cl_RA(above.value()) / below.value();
   }
-  return x;
-}
+  fmpq_mat_t m;
+};
 
 }  // namespace
 
@@ -76,17 +69,18 @@ std::optional<std::vector<cl_RA>> nonnegative_solution(const std::vector<std::ve
                                                        const std::vector<cl_RA>& sum) {
   const auto basis = basis_of(columns, sum);
   if (!basis) return std::nullopt;
-  std::vector<std::vector<cl_RA>> rows(sum.size());
+  Matrix equations(sum.size(), basis->size()), right(sum.size(), 1), solution(basis->size(), 1);
   for (std::size_t row = 0; row < sum.size(); ++row) {
-    for (const std::size_t k : *basis) rows[row].push_back(columns[k][row]);
-    rows[row].push_back(sum[row]);
+    for (std::size_t k = 0; k < basis->size(); ++k) equations.set(row, k, columns[(*basis)[k]][row]);
+    right.set(row, 0, sum[row]);
   }
-  const auto parts = solve(std::move(rows));
-  if (!parts || std::any_of(parts->begin(), parts->end(), [](const cl_RA& x) { return cln::minusp(x); }))
-    return std::nullopt;
-  std::vector<cl_RA> solution(columns.size(), 0);
-  for (std::size_t k = 0; k < basis->size(); ++k) solution[(*basis)[k]] = (*parts)[k];
-  return solution;
+  if (fmpq_mat_can_solve(solution.m, equations.m, right.m) == 0) return std::nullopt;
+  std::vector<cl_RA> result(columns.size(), 0);
+  for (std::size_t k = 0; k < basis->size(); ++k) {
+    result[(*basis)[k]] = solution.first_of(k);
+    if (cln::minusp(result[(*basis)[k]])) return std::nullopt;
+  }
+  return result;
 }
 
 }  // namespace rederive
