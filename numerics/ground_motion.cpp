@@ -85,9 +85,9 @@ Real ground_at(const Piece& piece, Real time) {
   return value;
 }
 
-Range ground_range(const Piece& piece, Real from, Real to) {
+numeric::Range ground_range(const Piece& piece, Real from, Real to) {
   const Real a = ground_at(piece, from), b = ground_at(piece, to);
-  Range range{std::min(a, b), std::max(a, b)};
+  numeric::Range range{std::min(a, b), std::max(a, b)};
   if (piece.amplitude == 0) return range;
   const Real low = piece.omega * (from - piece.from) + piece.phase;
   const Real high = piece.omega * (to - piece.from) + piece.phase;

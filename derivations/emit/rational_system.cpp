@@ -9,7 +9,6 @@ namespace rederive {
 namespace {
 
 using GiNaC::ex;
-using Kind = Node::Kind;
 
 /// Functions that are each other's derivatives, with the sign of each.
 struct Family {
@@ -66,7 +65,7 @@ class Extension {
   }
 
   bool moves(const Node& node) const {
-    if (node.kind == Kind::symbol)
+    if (node.kind == Node::Kind::symbol)
       return std::any_of(system_.rates.begin(), system_.rates.end(),
                          [&](const auto& entry) { return name_of(entry.first) == node.text; }) ||
              std::any_of(system_.functions.begin(), system_.functions.end(),
@@ -81,7 +80,7 @@ class Extension {
     std::vector<Tree> children;
     for (const Tree& child : tree->children) children.push_back(without_functions(child));
     const Tree rebuilt = make_tree(tree->kind, tree->text, children, tree->inverse);
-    return tree->kind == Kind::call && moves(*rebuilt) ? state_for(tree->text, children[0]) : rebuilt;
+    return tree->kind == Node::Kind::call && moves(*rebuilt) ? state_for(tree->text, children[0]) : rebuilt;
   }
 
   /// The part of the state that stands for the function; with it come the others of its family.
@@ -105,8 +104,6 @@ class Extension {
                                 print(argument, Notation::plain, system_.symbols) +
                                 ") has no recurrence: sin, cos, sinh, cosh and exp have");
   }
-
-  static Tree leaf(const std::string& name) { return make_tree(Kind::symbol, name); }
 
   const TaylorStepper& stepper_;
   RationalSystem system_;

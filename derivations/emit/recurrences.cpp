@@ -7,10 +7,6 @@ namespace rederive {
 
 namespace {
 
-using Kind = Node::Kind;
-
-Tree leaf(const std::string& text) { return make_tree(Kind::symbol, text); }
-
 /// Writes coefficient k of a tree, and the lines that it needs before.
 class Writer {
  public:
@@ -20,15 +16,15 @@ class Writer {
     if (is_constant(*tree)) return times(constant(tree), leaf("first"));
     std::vector<Tree> children;
     switch (tree->kind) {
-      case Kind::symbol:
+      case Node::Kind::symbol:
         return leaf(tree->text + "[k]");
-      case Kind::negative:
-      case Kind::sum:
+      case Node::Kind::negative:
+      case Node::Kind::sum:
         for (const Tree& child : tree->children) children.push_back(coefficient(child));
         return make_tree(tree->kind, "", children, tree->inverse);
-      case Kind::product:
+      case Node::Kind::product:
         return of_product(*tree);
-      case Kind::power:
+      case Node::Kind::power:
         return of_power(*tree);
       default:
         throw std::logic_error("no rational operation: " + tree->text);
@@ -39,23 +35,23 @@ class Writer {
 
  private:
   bool is_constant(const Node& node) const {
-    if (node.kind == Kind::symbol) return !series_.contains(node.text);
+    if (node.kind == Node::Kind::symbol) return !series_.contains(node.text);
     return std::all_of(node.children.begin(), node.children.end(),
                        [&](const Tree& child) { return is_constant(*child); });
   }
 
   static Tree times(const Tree& a, const Tree& b) {
-    return make_tree(Kind::product, "", {a, b}, {false, false});
+    return make_tree(Node::Kind::product, "", {a, b}, {false, false});
   }
 
   /// A name for what is the same for all k.
   Tree constant(const Tree& tree) {
-    return tree->kind == Kind::symbol ? tree : named(result.constants, "constant_", tree, false);
+    return tree->kind == Node::Kind::symbol ? tree : named(result.constants, "constant_", tree, false);
   }
 
   /// c x y/z: constants apart, so that they multiply the coefficient alone.
   Tree of_product(const Node& node) {
-    std::vector<Tree> constants = {make_tree(Kind::number, "1")}, factors, divisors;
+    std::vector<Tree> constants = {make_tree(Node::Kind::number, "1")}, factors, divisors;
     std::vector<bool> divides = {false};
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       const Tree& child = node.children[i];
@@ -68,14 +64,14 @@ class Writer {
     if (!divisors.empty()) value = quotient(value, kept(product_of(divisors)));
     if (constants.size() == 1) return value;
     if (!divides[1]) constants.erase(constants.begin()), divides.erase(divides.begin());
-    return times(
-        constant(constants.size() == 1 ? constants[0] : make_tree(Kind::product, "", constants, divides)),
-        value);
+    return times(constant(constants.size() == 1 ? constants[0]
+                                                : make_tree(Node::Kind::product, "", constants, divides)),
+                 value);
   }
 
   Tree of_power(const Node& node) {
     const Tree& exponent = node.children[1];
-    const bool whole = exponent->kind == Kind::number && exponent->text.size() < 4 &&
+    const bool whole = exponent->kind == Node::Kind::number && exponent->text.size() < 4 &&
                        exponent->text.find_first_not_of("0123456789") == std::string::npos;
     const int power = whole ? std::stoi(exponent->text) : 0;
     if (power < 2) throw std::invalid_argument("only whole powers of what moves have a recurrence");
@@ -101,7 +97,7 @@ class Writer {
 
   /// The array that holds this coefficient for all k.
   std::string kept(const Tree& value) {
-    if (value->kind == Kind::symbol && value->text.ends_with("[k]"))
+    if (value->kind == Node::Kind::symbol && value->text.ends_with("[k]"))
       return value->text.substr(0, value->text.size() - 3);
     return named(result.lines, "series_", value, true)->text;
   }

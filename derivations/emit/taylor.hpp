@@ -42,6 +42,9 @@ struct RationalSystem {
 /// the dimension of its state per second, or if a function is none of those.
 RationalSystem rational_system(const TaylorStepper& stepper);
 
+/// A symbol, or another text that stands for a value.
+inline Tree leaf(const std::string& text) { return make_tree(Node::Kind::symbol, text); }
+
 /// Coefficient k + 1 of everything from the coefficients 0 ... k. Symbols of the trees are text of the
 /// target: "theta[k]"; the product of series is product(a, b, k), the quotient c = a/b quotient(a[k], b, c,
 /// k); `first` is 1 for k = 0 and 0 for all others.

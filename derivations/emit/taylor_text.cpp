@@ -136,8 +136,6 @@ constexpr const char* javascript_class = R"(
 
 using Names = std::vector<std::string>;
 
-Tree leaf(const std::string& text) { return make_tree(Node::Kind::symbol, text); }
-
 /// A line with a name in the place of {0}, for each name.
 std::string each(const Names& names, const std::string& line) {
   std::string text;
