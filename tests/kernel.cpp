@@ -1,15 +1,12 @@
-// Coq's kernel on every row of the ledger; and that what the lemmas say is what the paper says.
+// Coq's kernel on every lemma, and on lemmas that are spoiled. What they say: tests/kernel_statements.cpp.
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <derivations/decide/points.hpp>
 #include <derivations/kernel/coq_text.hpp>
 #include <derivations/kernel/lemma.hpp>
 #include <derivations/kernel/scripts.hpp>
-#include <derivations/language/print.hpp>
 #include <derivations/paper/mutate.hpp>
 #include <future>
-#include <lessons/certify/steps.hpp>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <tests/run_program.hpp>
@@ -57,51 +54,6 @@ std::string one_tactic(const std::string& lemma, const std::string& must) {
          " ]).\nAbort.\n\n";
 }
 
-/// A small reader of Coq's text: in our syntax.
-std::string in_our_syntax(std::string text) {
-  for (const auto& [coq, ours] :
-       {std::pair{"\\bPI\\b", "pi"}, std::pair{"R'", "R"}, std::pair{"\\bln\\(", "log("}})
-    text = std::regex_replace(text, std::regex(coq), ours);
-  return text;
-}
-
-/// Whether two relations have sides of the same values wherever they are asked, sides perhaps exchanged.
-bool say_the_same(const Relation& a, const Relation& b, const Symbols& symbols) {
-  if (a.sides.size() != b.sides.size()) return false;
-  std::set<std::string> names = names_of(a);
-  names.merge(names_of(b));
-  int seed = 1, compared = 0;
-  for (int k = 0; k < 50; ++k) {
-    Point point;
-    for (const std::string& name : names) {
-      const Interval range = parse_range(symbols.find(name)->range);
-      const auto inside = [&](const cln::cl_RA& q) { return range.contains({q}); };
-      cln::cl_RA q = cln::cl_RA((seed = seed * 37 % 9973) % 211 - 80) / 97;
-      if (!inside(q)) q = -q;
-      point.emplace(name, Number(inside(q) ? q : cln::cl_RA(1) / (seed % 7 + 2)));
-    }
-    for (std::size_t side = 0; side < a.sides.size(); ++side) {
-      const bool is_turned = a.operators[side == 0 ? 0 : side - 1] != b.operators[side == 0 ? 0 : side - 1];
-      const Tree& other = b.sides[is_turned ? b.sides.size() - 1 - side : side];
-      const Value x = value_at(a.sides[side], point, 200), y = value_at(other, point, 200);
-      if (x.is != Value::Is::certain || y.is != Value::Is::certain) continue;
-      if (((x - y).sign().value_or(0)) != 0) return false;
-      ++compared;
-    }
-  }
-  return compared >= 50;
-}
-
-/// "a = b /\ b < c", as links.
-std::vector<std::string> links_in(const std::string& text) {
-  std::vector<std::string> links;
-  for (std::size_t start = 0, end; start <= text.size(); start = end + 4) {
-    end = std::min(text.find(" /\\ ", start), text.size());
-    links.push_back(text.substr(start, end - start));
-  }
-  return links;
-}
-
 }  // namespace
 
 TEST_CASE("ledger certify --check says lemma by lemma what passes, and what is assumed") {
@@ -134,7 +86,7 @@ TEST_CASE("everything passes Coq's kernel, coqchk takes it, and it assumes the r
   for (const auto& file : std::filesystem::directory_iterator(scripts)) {
     if (file.path().extension() != ".v") continue;
     const std::string text = read_file(file.path());
-    for (const char* word : {"Admitted", "Axiom", "Parameter", "admit", "Hypothesis :"})
+    for (const char* word : {"Admitted", "Axiom", "Parameter", "admit"})
       CHECK_MESSAGE(text.find(word) == std::string::npos, word);
     std::string& all = names[file.path().stem()];
     for (std::sregex_iterator at(text.begin(), text.end(), lemma), end; at != end; ++at) {
@@ -271,134 +223,6 @@ TEST_CASE("no spoiled enclosure passes Coq") {
   std::ofstream(folder.path / "Enclosures.v") << goals;
   const Result r = coq(folder.path, "coqc", "Enclosures.v");
   CHECK_MESSAGE(r.exit_code == 0, r.err);
-}
-
-TEST_CASE("a lemma says what is printed, and what is derived") {
-  int compared = 0;
-  for (const Entry& entry : entries()) {
-    const auto found = lemma_of(entry);
-    if (!found || found->kind != "row") continue;
-    const Symbols symbols = symbols_in(entry.row.domain);
-    const std::string text = found->text.substr(0, found->text.find("\nProof."));
-    const auto start = text.rfind("\n  ("), middle = text.find(" <->\n   ", start);
-    REQUIRE(middle != std::string::npos);
-    const std::string left = text.substr(start + 4, middle - start - 4),
-                      right = text.substr(middle + 8, text.size() - middle - 10);
-    const auto check_links = [&](const std::string& coq_links, const Relation& statement) {
-      const auto links = links_of(statement);
-      const auto texts = links_in(coq_links);
-      REQUIRE(links.size() == texts.size());
-      for (std::size_t k = 0; k < links.size(); ++k)
-        CHECK_MESSAGE(say_the_same(parse_relation(in_our_syntax(texts[k]), symbols), links[k], symbols),
-                      texts[k]);
-    };
-    check_links(left, parse_statement(entry.row.claim(), symbols));
-    check_links(right, derived_relation(*entry.derivation));
-    ++compared;
-  }
-  CHECK(compared == 207);
-}
-
-namespace {
-
-/// The hypotheses of a lemma, in our syntax.
-std::vector<Relation> hypotheses_in(const std::string& lemma, const Symbols& symbols) {
-  static const std::regex line("\n  ([^\n]*) ->(?=\n  )");
-  const std::string head = lemma.substr(0, lemma.find("\nProof."));
-  std::vector<Relation> result;
-  for (std::sregex_iterator at(head.begin(), head.end(), line), end; at != end; ++at)
-    for (const std::string& link : links_in(in_our_syntax((*at)[1].str()))) {
-      const auto differs = link.find(" <> ");
-      result.push_back(differs == std::string::npos ? parse_relation(link, symbols)
-                                                    : Relation{{parse(link.substr(0, differs), symbols),
-                                                                parse(link.substr(differs + 4), symbols)},
-                                                               {"!="}});
-    }
-  return result;
-}
-
-/// A point at which all of them hold: numbers of two digits, and what the equations among them say; as text.
-std::optional<std::string> point_of(const std::vector<Relation>& hypotheses) {
-  std::set<std::string> names, defined;
-  for (const Relation& h : hypotheses) {
-    names.merge(names_of(h));
-    if (is_equation(h) && is_symbol(h.sides[0])) defined.insert(h.sides[0]->text);
-  }
-  int seed = 1;
-  for (int tried = 0; tried < 3000; ++tried) {
-    std::map<std::string, Tree> at;
-    std::string text;
-    const auto give = [&](const std::string& name) {
-      seed = seed * 37 % 9973;
-      const cln::cl_RA q =
-          cln::cl_RA(seed % 41 - (tried % 3 == 0 ? 20 : 0)) / (seed % 5 + 1 + 20 * (tried % 2));
-      at[name] = tree_of({q});
-      text += " " + name + " = " + print(at[name], Notation::plain, Symbols());
-    };
-    for (const std::string& name : names)
-      if (!defined.contains(name)) give(name);
-    for (auto left = defined; !left.empty();) {
-      const std::size_t before = left.size();
-      for (const Relation& h : hypotheses) {
-        if (!is_equation(h) || !is_symbol(h.sides[0]) || !left.contains(h.sides[0]->text)) continue;
-        Tree value = h.sides[1];
-        for (const auto& [name, other] : at) value = put_in(value, name, other);
-        if (names_of(value).empty()) at[h.sides[0]->text] = value, left.erase(h.sides[0]->text);
-      }
-      if (left.size() == before)
-        give(*left.rbegin()), left.erase(std::prev(left.end()));  // they say it of each other
-    }
-    Point point;
-    for (const auto& [name, value] : at) point.emplace(name, Number(value));
-    const auto holds = [&](const Relation& h) {  // roots are told apart, but not seen to be equal
-      const Truth truth = truth_at(h, point);
-      return truth == Truth::holds || (is_equation(h) && truth != Truth::fails);
-    };
-    if (std::all_of(hypotheses.begin(), hypotheses.end(), holds)) return text;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-TEST_CASE("the hypotheses of each lemma hold at some point") {
-  std::vector<Lemma> lemmas = steps_of(entries());
-  for (const Entry& entry : entries())
-    if (const auto lemma = lemma_of(entry)) lemmas.push_back(*lemma);
-  int named = 0;
-  for (const Lemma& lemma : lemmas) {
-    if (lemma.kind == "refutation") continue;  // it names its point itself
-    const auto entry = std::find_if(entries().begin(), entries().end(),
-                                    [&](const Entry& e) { return e.row.id == lemma.id; });
-    const auto point = point_of(hypotheses_in(lemma.text, symbols_in(entry->row.domain)));
-    CHECK_MESSAGE(point, lemma.text);
-    if (point) MESSAGE(lemma.name << " at" << *point);
-    named += point ? 1 : 0;
-  }
-  CHECK(named >= 240);
-}
-
-TEST_CASE("the theorems that claims quote are there") {
-  std::set<std::string> names;
-  for (const Lemma& theorem : shipped_theorems()) names.insert(theorem.name);
-  const std::string claims = read_file(std::string(REDERIVE_SOURCE) + "/derivations/paper/claims.toml");
-  static const std::regex quoted_name("claim_c\\w+");
-  int found = 0;
-  for (std::sregex_iterator at(claims.begin(), claims.end(), quoted_name), end; at != end; ++at, ++found)
-    CHECK_MESSAGE(names.contains(at->str()), at->str());
-  CHECK(found >= 4);
-}
-
-TEST_CASE("a folder with all rows says what rests on what, and draws it") {
-  const TemporaryFolder folder;
-  const auto scripts = folder.path / "proofs";
-  REQUIRE(run_program("ledger", {"certify", scripts}).exit_code == 0);
-  const std::string page = read_file(scripts / "README.md"), drawing = read_file(scripts / "rests.svg");
-  CHECK(page.find("| (71) | `step_71` | (68), (69a), (69b), (70a), (70b), (u20) | yes |") !=
-        std::string::npos);
-  CHECK(page.find("- (52) `") != std::string::npos);  // assumed
-  CHECK(drawing.find(">92a</text>") != std::string::npos);
-  CHECK(drawing.find("</svg>") != std::string::npos);
 }
 
 TEST_CASE("ledger prove writes a certificate where it has a script, and says so where it has none") {

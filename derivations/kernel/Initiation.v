@@ -81,11 +81,11 @@ Proof.
 Qed.
 Hypotheses (equation_25b : H_0 = m * (lambda * a_p + h * thetaddot_0)) (equation_26b : V_0 =
   m * (g - b * thetaddot_0)).
-Hypothesis equation_u2 : forall J_c, J_c = m * R' ^ 2 / 3 -> H_0 * h - V_0 * b + J_c * thetaddot_0 = 0.
+Hypothesis equation_27 : forall J_c, J_c = m * R' ^ 2 / 3 -> H_0 * h - V_0 * b + J_c * thetaddot_0 = 0.
 Theorem derivation_28a : p ^ 2 = 3 * g / (4 * R') -> thetaddot_0 = p ^ 2 * sin alpha * (1 - lambda * a_p / (g * tan
   alpha)).
 Proof.
-  intro P; assert (C := cos_pos); assert (S := sin_pos); assert (E := equation_u2 _ eq_refl).
+  intro P; assert (C := cos_pos); assert (S := sin_pos); assert (E := equation_27 _ eq_refl).
   rewrite equation_25b, equation_26b in E; unfold h, b in E; rewrite P; unfold tan.
   apply (Rmult_eq_reg_l (4 / 3 * m * R' ^ 2)); [ | apply Rgt_not_eq; pos ].
   transitivity (m * g * R' * sin alpha - m * R' * cos alpha * (lambda * a_p)); [ assert (Q := pyth alpha) | field;

@@ -68,7 +68,6 @@ Proof. intros U N; transitivity (a_p / (g * alpha) * alpha); [ field; lra | rewr
 (* u20 *)
 Lemma end_of_sine T_ex : T_ex = (2 * PI - psi) / omega_p -> omega_p * T_ex + psi = 2 * PI.
 Proof. intros ->; field; lra. Qed.
-Lemma s_squares : 1 + s ^ 2 <> 0. Proof. nra. Qed.
 Ltac fractions := assert (Q := squares); unfold s; field; repeat split; try lra; try assumption.
 
 (* theta < 0. *)
@@ -206,11 +205,11 @@ Theorem derivation_64a : Abar_1 = thetadot t_o / p.
 Proof. rewrite (derivation_63a t_o), (proj2 (at_start t_o Abar_1 Abar_2)); reflexivity. Qed.
 Theorem derivation_64b : Abar_2 = theta t_o + alpha.
 Proof. rewrite (equation_62a t_o), (proj1 (at_start t_o Abar_1 Abar_2)); ring. Qed.
-Theorem derivation_65a t : t_o = T_ex -> theta t = - alpha -> - alpha = Abar_1 * sinh (p * (t - T_ex)) +
-  Abar_2 * cosh (p * (t - T_ex)) - alpha.
+Theorem derivation_65a t : t_o = T_ex -> theta t = - alpha ->
+  - alpha = Abar_1 * sinh (p * (t - T_ex)) + Abar_2 * cosh (p * (t - T_ex)) - alpha.
 Proof. intros <- Z; rewrite <- Z at 1; apply equation_62a. Qed.
-Theorem derivation_65b t : t_o = T_ex -> thetadot t = 0 -> 0 = Abar_1 * cosh (p * (t - T_ex)) +
-  Abar_2 * sinh (p * (t - T_ex)).
+Theorem derivation_65b t : t_o = T_ex -> thetadot t = 0 ->
+  0 = Abar_1 * cosh (p * (t - T_ex)) + Abar_2 * sinh (p * (t - T_ex)).
 Proof. intros <- Z; rewrite <- derivation_63a, Z; unfold Rdiv; ring. Qed.
 Theorem derivation_66a : t_o = T_ex -> Abar_1 = thetadot T_ex / p.
 Proof. intros <-; exact derivation_64a. Qed.
@@ -238,10 +237,9 @@ Proof.
   match type of F with 0 = ?e => transitivity (- alpha - e); [ fractions | rewrite <- F; ring ] end.
 Qed.
 Theorem derivation_92b : t_o = T_ex ->
-  thetadot t_i = alpha * omega_p / (1 + s ^ 2) * ((s * sinh (p * T_ex) - cosh (p * T_ex) / tan psi +
-    1 / sin psi) * cosh (p * (t_i - T_ex)) +
-                                                  (s * cosh (p * T_ex) - sinh (p * T_ex) / tan psi) * sinh (p * (t_i
-                                                    - T_ex))).
+  thetadot t_i = alpha * omega_p / (1 + s ^ 2) *
+    ((s * sinh (p * T_ex) - cosh (p * T_ex) / tan psi + 1 / sin psi) * cosh (p * (t_i - T_ex)) +
+     (s * cosh (p * T_ex) - sinh (p * T_ex) / tan psi) * sinh (p * (t_i - T_ex))).
 Proof.
   intro E; assert (F := derivation_89b t_i E); rewrite equation_91a, equation_91b in F; revert F.
   unfold cot, tan; intro F; transitivity (thetadot t_i / p * p); [ | rewrite F ]; fractions.
@@ -260,11 +258,11 @@ Theorem derivation_64c : Abar_3 = thetadot t_o / p.
 Proof. rewrite (derivation_63b t_o), (proj2 (at_start t_o Abar_3 Abar_4)); reflexivity. Qed.
 Theorem derivation_64d : Abar_4 = theta t_o - alpha.
 Proof. rewrite (equation_62b t_o), (proj1 (at_start t_o Abar_3 Abar_4)); ring. Qed.
-Theorem derivation_72a t : t_o = T_ex -> theta t = alpha -> alpha = Abar_3 * sinh (p * (t - T_ex)) +
-  Abar_4 * cosh (p * (t - T_ex)) + alpha.
+Theorem derivation_72a t : t_o = T_ex -> theta t = alpha ->
+  alpha = Abar_3 * sinh (p * (t - T_ex)) + Abar_4 * cosh (p * (t - T_ex)) + alpha.
 Proof. intros <- Z; rewrite <- Z at 1; apply equation_62b. Qed.
-Theorem derivation_72b t : t_o = T_ex -> thetadot t = 0 -> 0 = Abar_3 * cosh (p * (t - T_ex)) +
-  Abar_4 * sinh (p * (t - T_ex)).
+Theorem derivation_72b t : t_o = T_ex -> thetadot t = 0 ->
+  0 = Abar_3 * cosh (p * (t - T_ex)) + Abar_4 * sinh (p * (t - T_ex)).
 Proof. intros <- Z; rewrite <- derivation_63b, Z; unfold Rdiv; ring. Qed.
 Theorem derivation_73a : t_o = T_ex -> Abar_3 = thetadot T_ex / p.
 Proof. intros <-; exact derivation_64c. Qed.
