@@ -23,7 +23,7 @@ PulseCase case_of(const Experiment& experiment) {
   return asked;
 }
 
-std::string joined(const std::vector<std::string>& names) {
+std::string in_parentheses(const std::vector<std::string>& names) {
   std::string text;
   for (const auto& name : names) text += (text.empty() ? "(" : " and (") + name + ")";
   return text;
@@ -94,7 +94,7 @@ std::optional<double> least_by_conditions(const Experiment& experiment, double l
 std::vector<ConditionRoot> condition_roots(const Experiment& experiment) {
   std::vector<ConditionRoot> result;
   for (const auto& root : closed_forms(case_of(experiment)))
-    result.push_back({joined(root.equations()), root.amplitude, root.psi, root.impact_time, root.pulse_end,
+    result.push_back({in_parentheses(root.equations()), root.amplitude, root.psi, root.impact_time, root.pulse_end,
                       root.admissible, root.why_not.substr(0, root.why_not.find(':'))});
   return result;
 }

@@ -185,14 +185,14 @@ class Expansion {
 };
 
 /// What a relation says of a symbol: y op value, from c·y + d op 0.
-struct Said {
+struct SolvedFor {
   ex value, coefficient;
 };
-std::optional<Said> said_of(const Relation& relation, const ex& y, const Symbols& symbols) {
+std::optional<SolvedFor> said_of(const Relation& relation, const ex& y, const Symbols& symbols) {
   const ex residual = (lower(relation.sides[0], symbols) - lower(relation.sides[1], symbols)).expand();
   if (!residual.is_polynomial(y) || residual.degree(y) != 1 || residual.coeff(y, 1).has(y))
     return std::nullopt;
-  return Said{-residual.coeff(y, 0) / residual.coeff(y, 1), residual.coeff(y, 1)};
+  return SolvedFor{-residual.coeff(y, 0) / residual.coeff(y, 1), residual.coeff(y, 1)};
 }
 
 /// Those that stand alone on a side first.
@@ -232,7 +232,7 @@ std::pair<Relation, Relation> to_order(const Problem& problem, const std::vector
     if (std::find(small.begin(), small.end(), name) != small.end()) continue;
     const auto a = said_of(left, symbols[name], symbols), b = said_of(right, symbols[name], symbols);
     if (!a || !b) continue;
-    const auto says = [&](const Relation& relation, const Said& said) {
+    const auto says = [&](const Relation& relation, const SolvedFor& said) {
       for (const Tree& side : relation.sides) (void)expansion.of(side);  // for its conditions
       std::string op = relation.operators[0];
       const Signs signs = expansion.require(expansion.of(said.coefficient), Signs::nonzero());

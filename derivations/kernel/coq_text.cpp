@@ -8,9 +8,7 @@ namespace rederive {
 
 namespace {
 
-using Kind = Node::Kind;
-
-Tree one() { return make_tree(Kind::number, "1"); }
+Tree one() { return make_tree(Node::Kind::number, "1"); }
 
 /// The number that a tree without symbols is, if it is rational.
 std::optional<cln::cl_RA> number_in(const Tree& tree) {
@@ -28,19 +26,19 @@ std::string function_name(const std::string& name) {
 
 /// Only what Coq reads as we do: natural exponents, whole numbers.
 Tree in_coq(const Tree& tree) {
-  if (tree->kind == Kind::number) return tree_of({exact(tree->text)});
-  if (tree->kind == Kind::symbol) return make_tree(Kind::symbol, coq_name(tree->text));
+  if (tree->kind == Node::Kind::number) return tree_of({exact(tree->text)});
+  if (tree->kind == Node::Kind::symbol) return make_tree(Node::Kind::symbol, coq_name(tree->text));
   std::vector<Tree> children;
   for (const Tree& child : tree->children) children.push_back(in_coq(child));
-  if (tree->kind == Kind::call) return make_tree(Kind::call, function_name(tree->text), children);
-  if (tree->kind != Kind::power) return make_tree(tree->kind, tree->text, children, tree->inverse);
+  if (tree->kind == Node::Kind::call) return make_tree(Node::Kind::call, function_name(tree->text), children);
+  if (tree->kind != Node::Kind::power) return make_tree(tree->kind, tree->text, children, tree->inverse);
   const auto exponent = number_in(tree->children[1]);
   if (!exponent || cln::denominator(*exponent) > 2) throw Undecidable("a power of another kind than roots");
   const Tree base =
-      cln::denominator(*exponent) == 2 ? make_tree(Kind::call, "sqrt", {children[0]}) : children[0];
+      cln::denominator(*exponent) == 2 ? make_tree(Node::Kind::call, "sqrt", {children[0]}) : children[0];
   const Tree size = tree_of({cln::abs(cln::numerator(*exponent))});
-  const Tree power = size->text == "1" ? base : make_tree(Kind::power, "", {base, size});
-  return cln::minusp(*exponent) ? make_tree(Kind::product, "", {one(), power}, {false, true}) : power;
+  const Tree power = size->text == "1" ? base : make_tree(Node::Kind::power, "", {base, size});
+  return cln::minusp(*exponent) ? make_tree(Node::Kind::product, "", {one(), power}, {false, true}) : power;
 }
 
 }  // namespace
@@ -76,16 +74,16 @@ std::vector<std::pair<Tree, Signs>> needs_of(const std::vector<Tree>& trees) {
   };
   for (const Tree& tree : trees) {
     for (const auto& [value, signs] : needs_of(tree->children)) need(value, signs);
-    for (std::size_t k = 0; k < tree->children.size() && tree->kind == Kind::product; ++k)
+    for (std::size_t k = 0; k < tree->children.size() && tree->kind == Node::Kind::product; ++k)
       if (tree->inverse[k]) need(tree->children[k], Signs::nonzero());
-    if (tree->kind == Kind::power) {
+    if (tree->kind == Node::Kind::power) {
       const cln::cl_RA exponent = number_in(tree->children[1]).value_or(0);
       const bool is_whole = cln::denominator(exponent) == 1;
       if (is_whole && cln::minusp(exponent)) need(tree->children[0], Signs::nonzero());
       if (!is_whole)
         need(tree->children[0], cln::minusp(exponent) ? Signs::positive() : Signs::nonnegative());
     }
-    const RewriteRule* rule = tree->kind == Kind::call ? rewrite_rule(tree->text) : nullptr;
+    const RewriteRule* rule = tree->kind == Node::Kind::call ? rewrite_rule(tree->text) : nullptr;
     if (rule == nullptr) continue;
     for (const auto& [value, signs] : rule->domain) need(put_in(value, "u", tree->children[0]), signs);
   }

@@ -4,8 +4,6 @@
 namespace rederive::classroom {
 namespace {
 
-using Kind = Node::Kind;
-
 const std::map<std::string, std::string, std::less<>> exchanged{
     {"sin", "cos"}, {"cos", "sin"}, {"sinh", "cosh"}, {"cosh", "sinh"}, {"tan", "cot"}, {"cot", "tan"}};
 
@@ -37,7 +35,7 @@ Tree with_flipped(const Tree& tree, std::size_t index) {
 void slips_here(const Tree& tree, bool inside, bool exponent, std::vector<Edit>& result) {
   const auto& children = tree->children;
   switch (tree->kind) {
-    case Kind::sum:
+    case Node::Kind::sum:
       for (std::size_t i = 0; i < children.size(); ++i) {
         result.push_back({with_flipped(tree, i), inside ? "wrong_angle" : "sign"});
         const bool leaves_negative =
@@ -47,33 +45,33 @@ void slips_here(const Tree& tree, bool inside, bool exponent, std::vector<Edit>&
                             inside ? "wrong_angle" : "missing_term"});
       }
       break;
-    case Kind::product:
+    case Node::Kind::product:
       for (std::size_t i = 0; i < children.size(); ++i)
         if (children.size() > 1 && !(i == 0 && tree->inverse.size() > 1 && tree->inverse[1]))
-          result.push_back(
-              {without_child(tree, i), children[i]->kind == Kind::number ? "factor" : "missing_factor"});
+          result.push_back({without_child(tree, i),
+                            children[i]->kind == Node::Kind::number ? "factor" : "missing_factor"});
       break;
-    case Kind::negative:
+    case Node::Kind::negative:
       result.push_back({children[0], inside ? "wrong_angle" : "sign"});
       break;
-    case Kind::power:
+    case Node::Kind::power:
       result.push_back({children[0], "power"});
       break;
-    case Kind::number:
+    case Node::Kind::number:
       if (!exponent) {
         result.push_back({scaled("2", "1", tree), "factor"});
         result.push_back({scaled("1", "2", tree), "factor"});
         result.push_back({scaled("1", "1", number("1")), "factor"});
       }
       break;
-    case Kind::symbol:
+    case Node::Kind::symbol:
       if (ends_with_dot(tree->text)) {
         auto copy = std::make_shared<Node>(*tree);
         copy->text = one_dot_less(tree->text);
         result.push_back({copy, "missing_dot"});
       }
       break;
-    case Kind::call:
+    case Node::Kind::call:
       if (const auto other = exchanged.find(tree->text); other != exchanged.end()) {
         auto copy = std::make_shared<Node>(*tree);
         copy->text = other->second;
@@ -87,8 +85,8 @@ void collect(const Tree& tree, bool inside, bool exponent, std::vector<Edit>& re
   slips_here(tree, inside, exponent, result);
   for (std::size_t i = 0; i < tree->children.size(); ++i) {
     std::vector<Edit> deeper;
-    collect(tree->children[i], inside || tree->kind == Kind::call, tree->kind == Kind::power && i == 1,
-            deeper);
+    collect(tree->children[i], inside || tree->kind == Node::Kind::call,
+            tree->kind == Node::Kind::power && i == 1, deeper);
     for (auto& edit : deeper) result.push_back({with_child(tree, i, edit.tree), edit.note});
   }
 }
@@ -96,14 +94,16 @@ void collect(const Tree& tree, bool inside, bool exponent, std::vector<Edit>& re
 }  // namespace
 
 Tree number(const std::string& digits) {
-  return std::make_shared<Node>(Node{Kind::number, digits, {}, {}, 0});
+  return std::make_shared<Node>(Node{Node::Kind::number, digits, {}, {}, 0});
 }
 
-Tree negative(const Tree& tree) { return std::make_shared<Node>(Node{Kind::negative, "", {tree}, {}, 0}); }
+Tree negative(const Tree& tree) {
+  return std::make_shared<Node>(Node{Node::Kind::negative, "", {tree}, {}, 0});
+}
 
 Tree scaled(const std::string& over, const std::string& under, const Tree& tree) {
   return std::make_shared<Node>(
-      Node{Kind::product, "", {number(over), number(under), tree}, {false, true, false}, 0});
+      Node{Node::Kind::product, "", {number(over), number(under), tree}, {false, true, false}, 0});
 }
 
 Tree with_child(const Tree& tree, std::size_t index, const Tree& child) {

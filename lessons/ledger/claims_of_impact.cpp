@@ -8,10 +8,10 @@ namespace rederive {
 
 namespace {
 
-constexpr Real pi = std::numbers::pi_v<Real>;
+constexpr Real long_pi = std::numbers::pi_v<Real>;
 
 /// The phase of either pulse at its beginning: the motions begin at psi, later than that.
-Real phase_0(Pulse pulse) { return pulse == Pulse::sine ? 0 : pi / 2; }
+Real phase_0(Pulse pulse) { return pulse == Pulse::sine ? 0 : long_pi / 2; }
 
 Finding pulse_start(Bench&, const Claim&) {
   const auto first = [](Pulse pulse) {
@@ -32,7 +32,7 @@ Finding cosine_is_whole(Bench&, const Claim&) {
   const auto velocity = [&](Pulse pulse) {  // the integral of the sine, in a_p/omega_p
     return static_cast<double>(std::cos(phase_0(pulse)) - std::cos(end(pulse)));
   };
-  const double cycles = static_cast<double>(end(Pulse::cosine) / (2 * pi) - 0.25L);
+  const double cycles = static_cast<double>(end(Pulse::cosine) / (2 * long_pi) - 0.25L);
   const double sine = velocity(Pulse::sine), cosine = velocity(Pulse::cosine);
   return {decided(std::abs(cosine) < 1e-9), {cycles, cosine, sine}};
 }

@@ -10,7 +10,7 @@ namespace rederive {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Finding threshold_71(Bench& bench, const Claim&) {
   double largest = 0;

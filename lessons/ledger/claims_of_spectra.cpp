@@ -80,7 +80,7 @@ Finding amplitude_at_4(Bench& bench, const Claim&) {
           {own, own / 4, summary(matches), 100 * (2 / own - 1)}};
 }
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The part T_ex = (2 pi - psi)/omega_p of a pulse in s, and the whole of it.
 double rest_of_pulse(double ratio, double amplitude) {

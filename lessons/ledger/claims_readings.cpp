@@ -9,7 +9,8 @@ namespace rederive {
 
 namespace {
 
-constexpr double pi = std::numbers::pi, short_pi = 3.14;
+using std::numbers::pi;
+constexpr double short_pi = 3.14;
 
 struct Shape {
   std::string says;

@@ -21,7 +21,7 @@ long spread(const Entry& entry, const std::vector<Entry>& wrong) {
 }
 
 /// The refuted rows: those that spread first, then those with most resting on them.
-std::vector<Entry> refuted(const std::vector<Entry>& entries) {
+std::vector<Entry> those_refuted(const std::vector<Entry>& entries) {
   std::vector<Entry> wrong;
   for (const Entry& entry : entries)
     if (entry.proof.verdict == Verdict::refuted) wrong.push_back(entry);
@@ -154,7 +154,7 @@ std::string latex_sheet(const std::vector<Entry>& wrong) {
 }  // namespace
 
 std::string errata(const std::vector<Entry>& entries, const std::string& format) {
-  const std::vector<Entry> wrong = refuted(entries);
+  const std::vector<Entry> wrong = those_refuted(entries);
   if (format == "markdown") return markdown_sheet(wrong);
   if (format == "latex") return latex_sheet(wrong);
   if (format == "text") return text_sheet(wrong);
