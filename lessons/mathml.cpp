@@ -1,5 +1,6 @@
 // LaTeX, as far as `print` and the symbol table use it, → MathML. Browsers draw MathML by themselves, so a
 // page needs no script, no font and no network; and a reader's screen reader can read it aloud.
+#include <algorithm>
 #include <cctype>
 #include <lessons/render.hpp>
 #include <map>
@@ -86,6 +87,8 @@ class Translator {
       const char mark = text_[at_++];
       if (mark == '\'')
         above += "<mo>′</mo>";
+      else if (mark == '_' && !word_in_braces().empty())
+        below += "<mi mathvariant=\"normal\">" + words() + "</mi>";
       else
         (mark == '_' ? below : above) += argument();
     }
@@ -109,6 +112,16 @@ class Translator {
     if (done()) fail("'{' is not closed");
     ++at_;
     return grouped(inner);
+  }
+
+  /// "after" of {after}: a word that is no product of letters. Empty if no such thing comes next.
+  std::string word_in_braces() {
+    skip_blanks();
+    const std::size_t close = text_.find('}', at_);
+    if (done() || text_[at_] != '{' || close == std::string::npos || close < at_ + 3) return "";
+    const std::string inner = text_.substr(at_ + 1, close - at_ - 1);
+    const auto is_letter = [](unsigned char c) { return std::isalpha(c) != 0; };
+    return std::all_of(inner.begin(), inner.end(), is_letter) ? inner : "";
   }
 
   /// The words of \mathrm{...} and \text{...}.
