@@ -32,12 +32,23 @@ bool begins_sentence(const std::string& words) {
   return first >= 0x80 || !std::islower(first);
 }
 
-/// A step's words as part of a text; `fresh` where a sentence has to begin.
+/// Whether words lead into what follows them without a mark: "and", "so that the potential is".
+bool leads_on(const std::string& words) {
+  static const std::set<std::string> links{"and", "with", "is",   "by",   "at", "in",    "into",
+                                           "put", "are",  "from", "that", "so", "where", "Hence"};
+  return links.contains(words.substr(words.rfind(' ') + 1));
+}
+
+/// A step's words as part of a text; `fresh` where a sentence has to begin, `goes_on` where it does not end.
 std::string as_sentence(std::string words, bool fresh, bool formula, bool goes_on) {
   if (words.empty()) return words;
-  if (fresh) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
   const bool ended = std::string_view(".:?,").find(words.back()) != std::string_view::npos;
-  return formula || ended ? words : words + (goes_on ? "," : ".");
+  const std::string mark = ended || (formula && leads_on(words)) ? ""
+                           : formula                             ? (words.back() == ')' ? "," : ":")
+                           : goes_on                             ? ","
+                                                                 : ".";
+  if (fresh) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words + mark;
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ bool begins_operand(char c) { return std::isalnum(static_cast<unsigned char>(c))
 /// A formula as it is written in prose, "2b cos ψ" or "e^{−p T_ex}", in our syntax.
 std::string in_our_syntax(const std::string& written) {
   static const std::regex power_of_e(R"(\be\^\{([^{}]*)\})"),
-      function(R"(\b(sin|cos|tan|sinh|cosh|tanh|ln) ([A-Za-z_0-9]+))");
+      function(R"(\b((?:sin|cos|tan)h?|ln)((?: (?!sin|cos|tan|ln)[A-Za-z_0-9]+)+))");
   std::string text = std::regex_replace(to_ascii(written), power_of_e, "exp($1)"), result;
   text = std::regex_replace(text, function, "$1($2)");
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -115,6 +115,8 @@ std::optional<std::string> formula_in(const std::vector<std::string>& tokens, st
     before = "(", behind = ")" + behind;
     text = text.substr(1, text.size() - 2);
   }
+  static const std::regex reference(R"(\([0-9]+[a-z]?\))");
+  if (std::regex_search(before + text + behind, reference)) return {};
   try {
     const std::string formula = in_our_syntax(text);
     const Relation statement = parse_statement(formula);

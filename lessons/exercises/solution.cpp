@@ -65,7 +65,7 @@ std::string solution_text(const Prepared& prepared) {
   const auto& exercise = prepared.exercise;
   Page page;
   argue(prepared, page);
-  std::string text = exercise.title + "\n\n" + lines_of(page) + "\nSo the answer is\n\n";
+  std::string text = exercise.title + "\n\nHow it comes about:\n" + lines_of(page) + "\nSo the answer is\n\n";
   if (exercise.kind == Kind::choice)
     text += readable(exercise.options.at(prepared.choice - 1).text, "  ") + "\n";
   return text + model_answer(prepared) + "\n";
