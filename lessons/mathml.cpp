@@ -5,6 +5,7 @@
 #include <lessons/render.hpp>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace rederive {
 namespace {
@@ -75,7 +76,10 @@ class Translator {
     for (skip_blanks(); !done() && text_[at_] != '}'; skip_blanks()) {
       if (!until.empty() && next_is(until)) break;
       const bool apart = at_word() && !result.empty() && !result.ends_with("</mo>");
-      result += (apart ? thin_gap : "") + scripted();
+      const bool leads = result.empty() || result.ends_with("</mo>");
+      std::string part = scripted();
+      if (leads && part == "<mo>−</mo>") part = "<mo form=\"prefix\">−</mo>";  // the sign of what follows
+      result += (apart ? thin_gap : "") + part;
     }
     return result;
   }
@@ -150,7 +154,7 @@ class Translator {
     return "<mo>" + (c == '-' ? std::string("−") : escaped(std::string(1, c))) + "</mo>";
   }
 
-  std::string delimiter(const std::string& form) {
+  std::string delimiter(const std::string& form, bool stretches = true) {
     skip_blanks();
     std::string sign(1, text_.at(at_++));
     if (sign == "\\") {
@@ -159,9 +163,10 @@ class Translator {
       sign = name == "{" || name == "}" ? name : found != operators.end() ? found->second : "";
       if (sign.empty()) fail("\\" + name + " as a bracket");
     }
+    const std::string stretchy = stretches ? "true" : "false";
     return sign == "." ? std::string()
-                       : "<mo form=\"" + form + "\" lspace=\"0\" rspace=\"0\" stretchy=\"true\">" +
-                             escaped(sign) + "</mo>";
+                       : "<mo form=\"" + form + "\" lspace=\"0\" rspace=\"0\" stretchy=\"" + stretchy +
+                             "\">" + escaped(sign) + "</mo>";
   }
 
   std::string by_name(const std::string& name) {
@@ -178,10 +183,18 @@ class Translator {
     }
     if (name == "sqrt") return "<msqrt>" + argument() + "</msqrt>";
     if (name == "left") {
-      const std::string open = delimiter("prefix"), inner = row("\\right");
+      const std::size_t bracket = at_;
+      delimiter("prefix");
+      const std::string inner = row("\\right");
       if (!next_is("\\right")) fail("\\left without \\right");
       at_ += 6;
-      return "<mrow>" + open + inner + delimiter("postfix") + "</mrow>";
+      const bool tall =
+          inner.find("<mfrac") != std::string::npos || inner.find("<msqrt") != std::string::npos;
+      const std::string close = delimiter("postfix", tall);
+      const std::size_t end = std::exchange(at_, bracket);
+      const std::string open = delimiter("prefix", tall);
+      at_ = end;
+      return "<mrow>" + open + inner + close + "</mrow>";
     }
     if (name == "mathrm" || name == "text" || name == "operatorname" || name == "mathit")
       return "<mi mathvariant=\"normal\">" + escaped(words()) + "</mi>";

@@ -6,6 +6,7 @@
 #include <lessons/lesson.hpp>
 #include <lessons/prose.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace rederive {
 namespace {
@@ -132,12 +133,15 @@ void Page::argue(const Derivation& derivation, const std::string& id, const std:
     if (told_.insert(step.says + text_of(step)).second || i + 1 == derivation.steps.size())
       steps.push_back(step);
   }
+  std::string words;  // up to the next formula
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const Step& step = steps[i];
     const bool formula = !step.left.is_zero() || !step.right.is_zero(), last = i + 1 == steps.size();
     const bool goes_on = !last && !begins_sentence(steps[i + 1].says);
     const bool fresh = i == 0 || begins_sentence(step.says);
-    say(as_sentence(marked(step.says), fresh, formula, goes_on));
+    words += (words.empty() ? "" : " ") + as_sentence(marked(step.says), fresh, formula, goes_on);
+    if (!formula && !last) continue;
+    say(std::exchange(words, ""));
     if (formula)
       show(Relation{{to_tree(step.left), to_tree(step.right)}, {step.relation}}, last ? id : "",
            goes_on ? "," : ".");

@@ -113,9 +113,9 @@ class HtmlRenderer : public Renderer {
     std::string text;
     for (const auto& piece : pieces(relation, Notation::latex)) {
       std::string formula = mathml(piece);
-      const std::size_t sign = formula.find("<mo>");
-      if (!text.empty() && sign == 6)
-        formula.replace(sign, 4, "<mo form=\"infix\">");  // it stands between two pieces
+      constexpr std::size_t head = std::string_view("<math>").size();
+      if (!text.empty() && formula.compare(head, 3, "<mo") == 0)  // it stands between two pieces
+        formula.replace(head, formula.find('>', head) - head, "<mo form=\"infix\"");
       formula.replace(0, 6, "<math displaystyle=\"true\">");
       text += (text.empty() ? "" : "<wbr>") + formula;
     }
