@@ -20,10 +20,10 @@ Place turned(Place from_corner, double theta, Place corner) {
           corner.y - from_corner.x * std::sin(theta) + from_corner.y * std::cos(theta)};
 }
 
-/// The four corners as a closed gnuplot data block.
-std::string outline(const std::string& block, double theta, Place corner) {
+/// The four corners as a closed gnuplot data block; `width` is -2b about O', 2b about O.
+std::string outline(const std::string& block, double theta, Place corner, double width = -2 * half_width) {
   const std::array<Place, 5> corners{
-      {{0, 0}, {0, 2 * half_height}, {-2 * half_width, 2 * half_height}, {-2 * half_width, 0}, {0, 0}}};
+      {{0, 0}, {0, 2 * half_height}, {width, 2 * half_height}, {width, 0}, {0, 0}}};
   std::string text = "$" + block + " << EOD\n";
   for (const auto& place : corners) {
     const Place at = turned(place, theta, corner);
@@ -41,6 +41,73 @@ std::string line(Place from, Place to, const std::string& style) {
 }
 
 }  // namespace
+
+namespace {
+
+constexpr auto bare = "unset border; unset tics; unset key\nset size ratio -1\n";
+
+/// A vector with its name at its head.
+std::string vector(Place from, Place along, const std::string& name, const std::string& colour) {
+  const double length = std::hypot(along.x, along.y);
+  const Place head{from.x + along.x, from.y + along.y},
+      beyond{head.x + 0.24 * along.x / length, head.y + 0.24 * along.y / length};
+  return line(from, head, "lw 2.5 lc rgb '" + colour + "'") +
+         label(name, beyond, "center textcolor rgb '" + colour + "'");
+}
+
+std::string dot(int number, Place at) {
+  return fmt::format("set object {} circle at {:.3f},{:.3f} size 0.05 fs solid fc rgb 'black'\n", number,
+                     at.x, at.y);
+}
+
+}  // namespace
+
+Figure block_with_forces(const std::string& name, const std::string& caption,
+                         const std::vector<double>& angles) {
+  constexpr double apart = 4.4;
+  const double right = apart * static_cast<double>(angles.size()) - 2.2;
+  std::string script = bare, blocks = "plot ";
+  script += fmt::format("set xrange [-2.2:{:.2f}]\nset yrange [-1.3:3.7]\n", right);
+  script += line({-2.1, 0}, {right - 0.1, 0}, "nohead lw 2 lc rgb '#555555'");
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const double theta = angles[i], side = theta < 0 ? 1 : -1;  // where the block stands, seen from its pivot
+    const Place pivot{apart * static_cast<double>(i) - side * half_width, 0};
+    const Place centre = turned({side * half_width, half_height}, theta, pivot);
+    script += outline(fmt::format("block{}", i), theta, pivot, 2 * side * half_width);
+    script +=
+        line(pivot, centre, "nohead dt 2 lw 1.5 lc rgb '#1f5fa8'") + dot(static_cast<int>(i) + 1, centre);
+    script += label("C", {centre.x + 0.2, centre.y + 0.2});
+    script += vector(centre, {0, -0.9}, "m g", "#c0392b") + vector(centre, {-0.9, 0}, "m ü_g", "#2e8b57");
+    script += vector({pivot.x, -0.75}, {0, 0.75}, "", "#8e44ad") +
+              label("V", {pivot.x + 0.2, -0.6}, "center textcolor rgb '#8e44ad'");
+    script += vector({pivot.x - 0.9, -0.12}, {0.9, 0}, "", "#8e44ad") +
+              label("H", {pivot.x - 0.7, -0.35}, "center textcolor rgb '#8e44ad'");
+    script += label(theta < 0 ? "O" : "O′", {pivot.x + 0.3, -0.25});
+    blocks += fmt::format("{}$block{} with lines lw 2 lc rgb 'black'", i == 0 ? "" : ", ", i);
+  }
+  return {name, caption, script + "" + blocks + "\n"};
+}
+
+Figure block_at_impact(const std::string& name) {
+  const Place left{-half_width, 0}, right{half_width, 0}, centre{0, half_height};
+  std::string script = bare;
+  script += "set xrange [-2.2:2.6]\nset yrange [-0.6:3.4]\n" + outline("block", 0, right);
+  script += line({-2.1, 0}, {2.5, 0}, "nohead lw 2 lc rgb '#555555'") + dot(1, centre);
+  script += line(left, centre, "nohead dt 2 lw 1.5 lc rgb '#1f5fa8'") +
+            line(right, centre, "nohead dt 2 lw 1.5 lc rgb '#c0392b'");
+  script += vector(centre, {0.6 * half_height, 0.6 * half_width * -1}, "R θ̇⁻", "#1f5fa8");
+  script += vector({right.x, -0.5}, {0, 0.5}, "", "#8e44ad") +
+            label("the blow", {right.x + 0.6, -0.35}, "center textcolor rgb '#8e44ad'");
+  script += label("2α", {0, half_height - 0.55}) + label("C", {-0.2, centre.y + 0.15});
+  script += label("O", {left.x - 0.15, -0.25}) + label("O′", {right.x + 0.2, 0.2});
+  script += label("R", {-0.36, 0.7}) + label("R", {0.36, 0.7});
+  return {name,
+          "The block at the impact on O'. Until then it turned about O, and C moves across the radius from O "
+          "(blue); "
+          "the other radius (red) stands to it at twice the angle $alpha$. The blow acts at O' and has no "
+          "moment about it.",
+          script + "plot $block with lines lw 2 lc rgb 'black'\n"};
+}
 
 Figure block_at_rest(const std::string& name) {
   const Place left_foot{0.5, 0}, right_foot{4.6, 0};

@@ -118,7 +118,7 @@ void equation_21(Page& page) {
     says how fast things happen:)");
   page.result("u5");
   page.say("and with it the equation of motion takes its final form, one line for each corner:");
-  page.argue("21a");
+  page.argue("21a", "11");
   page.result("21b");
   page.verdict("21a");
   page.verdict("21b");

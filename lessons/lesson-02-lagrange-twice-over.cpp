@@ -5,6 +5,7 @@
 //
 // Sample runs:  lesson-02-lagrange-twice-over
 //               lesson-02-lagrange-twice-over --step 2
+#include <lessons/drawings.hpp>
 #include <lessons/run_lesson.hpp>
 
 using namespace rederive;
@@ -37,6 +38,11 @@ void by_moments(Page& page) {
     The second road knows no energy. It cuts the block into small elements, gives each the acceleration of
     its point, and asks that the moments about the corner of all forces and all inertia forces be in
     balance. The program integrates over the width and the height.)");
+  page.figure(
+      block_with_forces("lesson-02-forces",
+                        "All that acts on the block while it turns about O, and about O': its weight and the "
+                        "inertia force of the ground's acceleration at C, the reactions at the corner.",
+                        {-0.17, 0.17}));
   page.argue("1");
   page.say(R"(
     This looks different, because it speaks of $b$ and $h$ and not of $R$ and $alpha$; the integral does not

@@ -32,6 +32,8 @@ void the_first_instant(Page& page) {
     What happens at the very first instant? Let the ground begin with the acceleration $lambda*a_p$, a part
     of its peak, and let the block begin to turn. Newton's law for C, to the right and upwards, gives the
     two reactions at the corner:)");
+  page.figure(block_with_forces("lesson-04-forces", "The block at the first instant, about to turn about O.",
+                                {-1e-9}));
   page.result("25a");
   page.result("26a");
   page.say("and the balance of moments about C, with the inertia about C, ties them together:");

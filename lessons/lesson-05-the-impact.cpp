@@ -24,16 +24,21 @@ void what_happens(Page& page) {
     We can, if we choose the right point. The unknown force acts at O' (this is an assumption, and we shall
     come back to it). About O' it has no moment. The weight has one, but a millisecond of weight is nothing.
     So the angular momentum *about O'* is the same before and after. We need it twice.)");
+  page.figure(block_at_impact("lesson-05-impact"));
 }
 
 void before(Page& page) {
   page.say(R"(
     Before the impact the block turns about O with the angular velocity $thetadot_minus$. An element at the
-    distance $r$ from O moves with the velocity $r*thetadot_minus$, across the radius; but we ask for its
-    moment about the *other* corner. Per unit of mass that is)");
+    distance $r$ from O, on a radius that leans by $phi$ from the vertical, moves with the velocity
+    $r*thetadot_minus$, across the radius; but we ask for its moment about the *other* corner. Per unit of
+    mass that is)");
   page.result("38");
-  page.say("and in coordinates,");
+  page.say(R"(
+    Now coordinates: $x$ counts from O' to the left and $y$ upwards, so that the element is $r*sin(phi) = 2*b
+    - x$ to the right of O. The distance $r$ is still that from O:)");
   page.result("39");
+  page.say("or, for the bracket alone,");
   page.result("40b");
   page.say("Integrated over the width and the height of the block:");
   page.argue("41");
@@ -65,7 +70,8 @@ void after(Page& page) {
 
 void second_road(Page& page) {
   page.say(R"(
-    Twice again, by another road. The angular momentum about O' before the impact is that of the mass moving
+    As in lesson 2, what matters is derived twice. The second road cuts the motion, not the block, into parts. The
+    angular momentum about O' before the impact is that of the mass moving
     with C, plus that of the rotation about C. C moves across its radius from O; seen from O' that velocity
     has a lever arm smaller than $R$, because the two radii enclose twice the angle $alpha$. The program
     adds the two parts:)");

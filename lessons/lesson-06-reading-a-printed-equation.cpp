@@ -20,6 +20,8 @@ void two_forces(Page& page) {
     corner. If $H$ asks for more than $mu*V$, the block slips and the whole theory ends. So we want their
     ratio at all times. The paper computes it in four equations, (47) to (50). We read them as an examiner
     would.)");
+  page.figure(block_with_forces("lesson-06-forces",
+                                "The reactions at the corner while the block turns about O.", {-0.17}));
   page.result("47a");
   page.result("47b");
   page.say("Newton's law for C, to the right and upwards. And here is what the paper prints for the second:");

@@ -6,6 +6,7 @@
 //               lesson-11-the-spectrum --step 2
 #include <fmt/format.h>
 
+#include <cmath>
 #include <lessons/drawings.hpp>
 #include <lessons/experiments.hpp>
 #include <lessons/run_lesson.hpp>
@@ -16,12 +17,34 @@ namespace {
 
 constexpr double alpha = 0.25;
 
+using Points = std::vector<std::pair<double, double>>;
+
+std::pair<double, double> least_at(double omega) {
+  return {omega, least_by_conditions({.omega = omega}).value_or(amplitude_without_impact(omega))};
+}
+
+/// A point of the curve; before it, where the curve jumped since the last one, both edges of the jump.
+void add_point(Points& curve, std::pair<double, double> next) {
+  constexpr double jump = 0.8;
+  if (!curve.empty() && std::abs(next.second - curve.back().second) > jump) {
+    auto left = curve.back(), right = next;
+    while (right.first - left.first > 1e-3) {
+      const auto middle = least_at((left.first + right.first) / 2);
+      const bool is_left = std::abs(middle.second - left.second) < std::abs(middle.second - right.second);
+      (is_left ? left : right) = middle;
+    }
+    if (std::abs(right.second - left.second) > jump / 2)
+      curve.insert(curve.end(), {left, {right.first, std::nan("")}, right});
+  }
+  curve.push_back(next);
+}
+
 void one_curve(Page& page) {
-  std::vector<std::pair<double, double>> least, without;
+  Points least, without;
   for (int i = 1; i <= 19; ++i) {
     const double omega = 0.4 * i;
     without.emplace_back(omega, amplitude_without_impact(omega));
-    least.emplace_back(omega, least_by_conditions({.omega = omega}).value_or(without.back().second));
+    add_point(least, least_at(omega));
   }
   page.say(R"(
     For each frequency of the pulse the conditions of lessons 8 and 9 give a smallest amplitude. Drawn
@@ -36,7 +59,7 @@ void one_curve(Page& page) {
   page.say(R"(
     The two curves are one for slow pulses, part, and come together again for fast ones, where the block
     gets no second chance: once it comes back, the pulse is long over and there is no energy left to
-    overturn it.)");
+    overturn it. There the red curve does not bend up to the blue one: it jumps.)");
 }
 
 std::vector<std::vector<std::string>> window_rows(double omega) {

@@ -33,8 +33,8 @@ void back_to_seconds(Page& page) {
              {{"1", "1", fmt::format("{:.4f} s", slow), "2.201 s"},
               {"4", "2", fmt::format("{:.4f} s", fast), "0.672 s"}});
   page.say(R"(
-    The second line was cut off where it should have been rounded, and so was the first: small things. But
-    look at what the paper calls this number: *a period*. It is the time from the lifting of the block to
+    The second line was cut off where it should have been rounded; the first is what comes out with 3.14 for
+    $pi$, as `ledger claims c71` finds. Small things. But look at what the paper calls this number: *a period*. It is the time from the lifting of the block to
     the end of the pulse. The period of the sine is $2*pi/omega_p$, and the two differ by whatever $psi$
     happens to be. Names travel: a few lines later this number is put on the horizontal axis of a response
     spectrum, where the period of an *oscillator* belongs.)");
@@ -143,8 +143,9 @@ void a_checklist(Page& page) {
     they are by far the most, are right. It is a good paper; we could not have learned so much from a bad
     one.)");
   page.say(
-      "And the last word belongs to the list of all that is wrong, which the ledger keeps and computes anew "
-      "each time:");
+      "And the last word belongs to the list of all that is wrong. The ledger keeps it and computes it anew "
+      "each "
+      "time; `ledger errata` prints it.");
 }
 
 void try_it(Page& page) {
@@ -152,7 +153,7 @@ void try_it(Page& page) {
                  "build/bin/rocking threshold --omega 1 --model nonlinear",
                  "build/bin/exercises show length-of-a-pulse"});
   page.points({"How long is the pulse for $omega_p/p = 4$ in seconds? (Exercise length-of-a-pulse.)",
-               "How high is a column with $alpha = 0.11$ and $p = 1.2$ 1/s? (Exercise size-from-p.)",
+               "How wide is a column with $alpha = 0.11$ and $p = 1.2$ 1/s? (Exercise size-from-p.)",
                "Choose a monument near you. Measure its height and width from a photograph, and write ten "
                "lines: what would have to "
                "happen so that it falls?"});

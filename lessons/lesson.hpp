@@ -7,6 +7,7 @@
 
 #include <derivations/paper/ledger.hpp>
 #include <map>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -22,6 +23,7 @@ struct Paragraph {
 struct Formula {
   Relation relation;
   std::string number;
+  std::string mark = {};  ///< "," or ".", where it is part of a sentence
 };
 /// What the ledger found about one row, computed when the step ran.
 struct Judgement {
@@ -57,15 +59,18 @@ class Page {
   /// Sentences; a blank line begins a new paragraph.
   void say(const std::string& text);
   /// A relation or an expression that a derivation holds, never one typed into a lesson.
-  void show(const Relation& relation, const std::string& number = "");
+  void show(const Relation& relation, const std::string& number = "", const std::string& mark = "");
   void show(const GiNaC::ex& expression);
   void show(const GiNaC::ex& left, const std::string& relation, const GiNaC::ex& right,
             const std::string& number = "");
   /// The derived form of an equation of the paper, under its number.
   void result(const std::string& id);
-  /// Every step of a derivation, as it is computed, and the result at the end.
-  void argue(const std::string& id);
-  void argue(const Derivation& derivation, const std::string& number = "");
+  /// Every step of a derivation, as it is computed, and the result at the end: one text, of which the
+  /// formulas are parts. A step that stands on this page already is left out. `known` is a result on the way
+  /// that was shown before: what leads to it is left out. Throws std::invalid_argument if it is not on the
+  /// way.
+  void argue(const std::string& id, const std::string& known = "");
+  void argue(const Derivation& derivation, const std::string& number = "", const std::string& known = "");
   /// What the paper prints and what the ledger found.
   void verdict(const std::string& id);
   /// The row as a lemma of Coq. Throws std::invalid_argument if there is no script for it.
@@ -81,6 +86,7 @@ class Page {
 
  private:
   std::vector<Passage> blocks_;
+  std::set<std::string> told_;  ///< the steps of derivations on this page
 };
 
 struct LessonStep {

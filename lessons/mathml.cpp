@@ -1,9 +1,11 @@
 // LaTeX, as far as `print` and the symbol table use it, → MathML. Browsers draw MathML by themselves, so a
 // page needs no script, no font and no network; and a reader's screen reader can read it aloud.
+#include <algorithm>
 #include <cctype>
 #include <lessons/render.hpp>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace rederive {
 namespace {
@@ -74,7 +76,10 @@ class Translator {
     for (skip_blanks(); !done() && text_[at_] != '}'; skip_blanks()) {
       if (!until.empty() && next_is(until)) break;
       const bool apart = at_word() && !result.empty() && !result.ends_with("</mo>");
-      result += (apart ? thin_gap : "") + scripted();
+      const bool leads = result.empty() || result.ends_with("</mo>");
+      std::string part = scripted();
+      if (leads && part == "<mo>−</mo>") part = "<mo form=\"prefix\">−</mo>";  // the sign of what follows
+      result += (apart ? thin_gap : "") + part;
     }
     return result;
   }
@@ -86,6 +91,8 @@ class Translator {
       const char mark = text_[at_++];
       if (mark == '\'')
         above += "<mo>′</mo>";
+      else if (mark == '_' && !word_in_braces().empty())
+        below += "<mi mathvariant=\"normal\">" + words() + "</mi>";
       else
         (mark == '_' ? below : above) += argument();
     }
@@ -109,6 +116,16 @@ class Translator {
     if (done()) fail("'{' is not closed");
     ++at_;
     return grouped(inner);
+  }
+
+  /// "after" of {after}: a word that is no product of letters. Empty if no such thing comes next.
+  std::string word_in_braces() {
+    skip_blanks();
+    const std::size_t close = text_.find('}', at_);
+    if (done() || text_[at_] != '{' || close == std::string::npos || close < at_ + 3) return "";
+    const std::string inner = text_.substr(at_ + 1, close - at_ - 1);
+    const auto is_letter = [](unsigned char c) { return std::isalpha(c) != 0; };
+    return std::all_of(inner.begin(), inner.end(), is_letter) ? inner : "";
   }
 
   /// The words of \mathrm{...} and \text{...}.
@@ -137,7 +154,7 @@ class Translator {
     return "<mo>" + (c == '-' ? std::string("−") : escaped(std::string(1, c))) + "</mo>";
   }
 
-  std::string delimiter(const std::string& form) {
+  std::string delimiter(const std::string& form, bool stretches = true) {
     skip_blanks();
     std::string sign(1, text_.at(at_++));
     if (sign == "\\") {
@@ -146,9 +163,10 @@ class Translator {
       sign = name == "{" || name == "}" ? name : found != operators.end() ? found->second : "";
       if (sign.empty()) fail("\\" + name + " as a bracket");
     }
+    const std::string stretchy = stretches ? "true" : "false";
     return sign == "." ? std::string()
-                       : "<mo form=\"" + form + "\" lspace=\"0\" rspace=\"0\" stretchy=\"true\">" +
-                             escaped(sign) + "</mo>";
+                       : "<mo form=\"" + form + "\" lspace=\"0\" rspace=\"0\" stretchy=\"" + stretchy +
+                             "\">" + escaped(sign) + "</mo>";
   }
 
   std::string by_name(const std::string& name) {
@@ -165,10 +183,18 @@ class Translator {
     }
     if (name == "sqrt") return "<msqrt>" + argument() + "</msqrt>";
     if (name == "left") {
-      const std::string open = delimiter("prefix"), inner = row("\\right");
+      const std::size_t bracket = at_;
+      delimiter("prefix");
+      const std::string inner = row("\\right");
       if (!next_is("\\right")) fail("\\left without \\right");
       at_ += 6;
-      return "<mrow>" + open + inner + delimiter("postfix") + "</mrow>";
+      const bool tall =
+          inner.find("<mfrac") != std::string::npos || inner.find("<msqrt") != std::string::npos;
+      const std::string close = delimiter("postfix", tall);
+      const std::size_t end = std::exchange(at_, bracket);
+      const std::string open = delimiter("prefix", tall);
+      at_ = end;
+      return "<mrow>" + open + inner + close + "</mrow>";
     }
     if (name == "mathrm" || name == "text" || name == "operatorname" || name == "mathit")
       return "<mi mathvariant=\"normal\">" + escaped(words()) + "</mi>";

@@ -6,6 +6,7 @@
 #include <lessons/lesson.hpp>
 #include <lessons/prose.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace rederive {
 namespace {
@@ -25,13 +26,30 @@ GiNaC::ex simplified(const GiNaC::ex& expression) {
   return print(shorter).size() < print(expression).size() ? shorter : expression;
 }
 
-/// A step's words with a capital letter, and with a colon where a formula follows.
-std::string as_sentence(std::string words, bool formula) {
+/// Whether a step's words begin a sentence: they are written with a capital letter then. Small letters go on
+/// with the sentence before.
+bool begins_sentence(const std::string& words) {
+  const unsigned char first = words.empty() ? 'A' : static_cast<unsigned char>(words[0]);
+  return first >= 0x80 || !std::islower(first);
+}
+
+/// Whether words lead into what follows them without a mark: "and", "so that the potential is".
+bool leads_on(const std::string& words) {
+  static const std::set<std::string> links{"and", "with", "is",   "by",   "at", "in",    "into",
+                                           "put", "are",  "from", "that", "so", "where", "Hence"};
+  return links.contains(words.substr(words.rfind(' ') + 1));
+}
+
+/// A step's words as part of a text; `fresh` where a sentence has to begin, `goes_on` where it does not end.
+std::string as_sentence(std::string words, bool fresh, bool formula, bool goes_on) {
   if (words.empty()) return words;
-  if (words.back() == ',') words.pop_back();
-  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-  const bool ended = words.back() == '.' || words.back() == ':' || words.back() == '?';
-  return ended ? words : words + (formula ? ":" : ".");
+  const bool ended = std::string_view(".:?,").find(words.back()) != std::string_view::npos;
+  const std::string mark = ended || (formula && leads_on(words)) ? ""
+                           : formula                             ? (words.back() == ')' ? "," : ":")
+                           : goes_on                             ? ","
+                                                                 : ".";
+  if (fresh) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words + mark;
 }
 
 }  // namespace
@@ -83,8 +101,8 @@ void Page::say(const std::string& text) {
   for (auto& paragraph : paragraphs(text)) blocks_.push_back(Paragraph{std::move(paragraph)});
 }
 
-void Page::show(const Relation& relation, const std::string& number) {
-  blocks_.push_back(Formula{relation, number});
+void Page::show(const Relation& relation, const std::string& number, const std::string& mark) {
+  blocks_.push_back(Formula{relation, number, mark});
 }
 
 void Page::show(const GiNaC::ex& expression) { show(Relation{{to_tree(expression)}, {}}); }
@@ -96,15 +114,37 @@ void Page::show(const GiNaC::ex& left, const std::string& relation, const GiNaC:
 
 void Page::result(const std::string& id) { show(relation_of(derived(id)), id); }
 
-void Page::argue(const std::string& id) { argue(derived(id), id); }
+void Page::argue(const std::string& id, const std::string& known) { argue(derived(id), id, known); }
 
-void Page::argue(const Derivation& derivation, const std::string& id) {
-  for (std::size_t i = 0; i < derivation.steps.size(); ++i) {
+void Page::argue(const Derivation& derivation, const std::string& id, const std::string& known) {
+  const auto text_of = [](const Step& step) { return print(step.left) + step.relation + print(step.right); };
+  std::size_t first = 0;
+  if (!known.empty()) {
+    const Derivation shown = derived(known);
+    const std::string conclusion = text_of({"", shown.left, shown.right, shown.relation});
+    for (std::size_t i = 0; i < derivation.steps.size(); ++i)
+      if (text_of(derivation.steps[i]) == conclusion) first = i + 1;
+    if (first == 0) throw std::invalid_argument("(" + known + ") is not on the way to (" + id + ")");
+    say("Begin with (" + known + ").");
+  }
+  std::vector<Step> steps;
+  for (std::size_t i = first; i < derivation.steps.size(); ++i) {
     const Step& step = derivation.steps[i];
-    const bool formula = !step.left.is_zero() || !step.right.is_zero();
-    const bool last = i + 1 == derivation.steps.size() && formula;
-    say(as_sentence(marked(step.says), formula));
-    if (formula) show(step.left, step.relation, step.right, last ? id : "");
+    if (told_.insert(step.says + text_of(step)).second || i + 1 == derivation.steps.size())
+      steps.push_back(step);
+  }
+  std::string words;  // up to the next formula
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Step& step = steps[i];
+    const bool formula = !step.left.is_zero() || !step.right.is_zero(), last = i + 1 == steps.size();
+    const bool goes_on = !last && !begins_sentence(steps[i + 1].says);
+    const bool fresh = i == 0 || begins_sentence(step.says);
+    words += (words.empty() ? "" : " ") + as_sentence(marked(step.says), fresh, formula, goes_on);
+    if (!formula && !last) continue;
+    say(std::exchange(words, ""));
+    if (formula)
+      show(Relation{{to_tree(step.left), to_tree(step.right)}, {step.relation}}, last ? id : "",
+           goes_on ? "," : ".");
   }
 }
 

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <derivations/decide/decide.hpp>
+#include <derivations/language/functions.hpp>
 #include <lessons/prose.hpp>
+#include <optional>
 #include <regex>
 #include <stdexcept>
 #include <utility>
@@ -35,15 +38,95 @@ std::vector<std::string> terms(const Tree& side, Notation notation) {
   return result;
 }
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 44> ascii_names{
-    {{"α", "alpha"},  {"β", "beta"},   {"θ", "theta"}, {"φ", "phi"},     {"ψ", "psi"}, {"ω", "omega"},
-     {"μ", "mu"},     {"λ", "lambda"}, {"ρ", "rho"},   {"π", "pi"},      {"τ", "tau"}, {"Ω", "Omega"},
-     {"ξ", "xi"},     {"Δ", "Delta"},  {"η", "eta"},   {"ε", "epsilon"}, {"−", "-"},   {"–", "-"},
-     {"—", "--"},     {"’", "'"},      {"‘", "'"},     {"“", "\""},      {"”", "\""},  {"·", "*"},
-     {"×", "x"},      {"≤", "<="},     {"≥", ">="},    {"≈", "~"},       {"≠", "!="},  {"²", "^2"},
-     {"³", "^3"},     {"½", "1/2"},    {"¾", "3/4"},   {"°", " deg"},    {"→", "->"},  {"∞", "inf"},
-     {"…", "..."},    {"′", "'"},      {"∂", "d"},     {"√", "sqrt"},    {"ö", "oe"},  {"∫", "int "},
-     {"\u00A0", " "}, {"±", "+-"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 65> ascii_names{
+    {{"α", "alpha"},    {"β", "beta"},      {"θ", "theta"},  {"φ", "phi"},    {"ψ", "psi"},
+     {"ω", "omega"},    {"μ", "mu"},        {"λ", "lambda"}, {"ρ", "rho"},    {"π", "pi"},
+     {"τ", "tau"},      {"Ω", "Omega"},     {"ξ", "xi"},     {"Δ", "Delta"},  {"η", "eta"},
+     {"ε", "epsilon"},  {"−", "-"},         {"–", "-"},      {"—", "--"},     {"’", "'"},
+     {"‘", "'"},        {"“", "\""},        {"”", "\""},     {"·", "*"},      {"×", "x"},
+     {"≤", "<="},       {"≥", ">="},        {"≈", "~"},      {"≠", "!="},     {"²", "^2"},
+     {"³", "^3"},       {"½", "1/2"},       {"¾", "3/4"},    {"°", " deg"},   {"→", "->"},
+     {"∞", "inf"},      {"…", "..."},       {"′", "'"},      {"∂", "d"},      {"√", "sqrt"},
+     {"ö", "oe"},       {"∫", "int "},      {"\u00A0", " "}, {"±", "+-"},     {"\u0304", "bar"},
+     {"\u0307", "dot"}, {"\u0308", "ddot"}, {"₊", "_plus"},  {"₋", "_minus"}, {"⁺", "^+"},
+     {"⁻", "^-"},       {"⁴", "^4"},        {"₀", "_0"},     {"₁", "_1"},     {"₂", "_2"},
+     {"₃", "_3"},       {"₄", "_4"},        {"ä", "ae"},     {"ü", "ue"},     {"σ", "sigma"},
+     {"γ", "gamma"},    {"δ", "delta"},     {"ℓ", "l"},      {"∈", "in"},     {"⇒", "=>"}}};
+
+/// The symbols of the paper as they are written in Unicode, and typed; the longest first.
+const std::vector<std::pair<std::string, std::string>>& typed_symbols() {
+  static const auto list = [] {
+    std::vector<std::pair<std::string, std::string>> pairs;
+    for (const auto& name : paper_symbols().names())
+      if (const std::string& sign = paper_symbols().find(name)->unicode; sign != name)
+        pairs.emplace_back(sign, name);
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
+    return pairs;
+  }();
+  return list;
+}
+
+/// The first of a list that the text begins with; nullptr if there is none.
+template <class List>
+auto spelling_in(const List& list, std::string_view text) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const auto& pair) { return text.starts_with(pair.first); });
+  return found == list.end() ? nullptr : &*found;
+}
+
+bool ends_operand(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == ')'; }
+bool begins_operand(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '('; }
+
+/// A formula as it is written in prose, "2b cos ψ" or "e^{−p T_ex}", in our syntax.
+std::string in_our_syntax(const std::string& written) {
+  static const std::regex power_of_e(R"(\be\^\{([^{}]*)\})"),
+      function(R"(\b((?:sin|cos|tan)h?|ln)((?: (?!sin|cos|tan|ln)[A-Za-z_0-9]+)+))");
+  std::string text = std::regex_replace(to_ascii(written), power_of_e, "exp($1)"), result;
+  text = std::regex_replace(text, function, "$1($2)");
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char before = result.empty() ? ' ' : result.back();
+    const bool digit =
+        std::isdigit(static_cast<unsigned char>(before)) && std::isalpha(static_cast<unsigned char>(text[i]));
+    std::size_t head = result.size();  // where the name or number begins that ends here
+    while (head > 0 &&
+           (std::isalnum(static_cast<unsigned char>(result[head - 1])) || result[head - 1] == '_'))
+      --head;
+    if (digit && std::isdigit(static_cast<unsigned char>(result[head]))) result += '*';
+    const bool product =
+        text[i] == ' ' && ends_operand(before) && i + 1 < text.size() && begins_operand(text[i + 1]);
+    if (text[i] == '(' && ends_operand(before) && !is_function(result.substr(head))) result += '*';
+    result += product ? '*' : text[i];
+  }
+  return result;
+}
+
+/// Tokens that are a formula with a symbol in it, marked; what encloses it or ends the sentence stays
+/// outside.
+std::optional<std::string> formula_in(const std::vector<std::string>& tokens, std::size_t first,
+                                      std::size_t end) {
+  std::string text, before, behind;
+  for (std::size_t i = first; i < end; ++i) text += (i == first ? "" : " ") + tokens[i];
+  while (!text.empty() && std::string_view(".,;:?").find(text.back()) != std::string_view::npos) {
+    behind = text.back() + behind;
+    text.pop_back();
+  }
+  if (text.size() > 2 && text.front() == '(' && text.find(')') == text.size() - 1) {
+    before = "(", behind = ")" + behind;
+    text = text.substr(1, text.size() - 2);
+  }
+  static const std::regex reference(R"(\([0-9]+[a-z]?\))");
+  if (std::regex_search(before + text + behind, reference)) return {};
+  try {
+    const std::string formula = in_our_syntax(text);
+    const Relation statement = parse_statement(formula);
+    const bool has_symbol = std::any_of(statement.sides.begin(), statement.sides.end(),
+                                        [](const Tree& side) { return !names_of(side).empty(); });
+    if (has_symbol) return before + "$" + formula + "$" + behind;
+  } catch (const std::exception&) {  // words, or what has no ASCII spelling
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -92,34 +175,35 @@ std::string print_inline(const std::string& text, Notation notation) {
   return print_statement(parse_statement(text), notation);
 }
 
+std::string unmarked(const std::string& sentence, Notation notation) {
+  std::string text;
+  for (const auto& span : spans(sentence))
+    text += span.kind == Span::Kind::math ? print_inline(span.text, notation) : span.text;
+  return text;
+}
+
 std::string marked(const std::string& words) {
-  static const std::regex candidate(
-      R"((sin|cos|tan|cot|sinh|cosh|tanh|exp|sqrt)\([^()]*\)|[A-Za-z]+_[A-Za-z0-9_]+|\b(alpha|theta|psi|omega|lambda|thetadot|thetaddot)\b)");
-  std::string result, clean = words;
+  std::string clean = words;
   for (char& c : clean)
     if (c == '`' || c == '$') c = '\'';
-  auto at = clean.cbegin();
-  for (std::sregex_iterator match(clean.cbegin(), clean.cend(), candidate), end; match != end; ++match) {
-    result.append(at, clean.cbegin() + match->position());
-    at = clean.cbegin() + match->position() + match->length();
-    try {
-      print_inline(match->str(), Notation::plain);
-      result += "$" + match->str() + "$";
-    } catch (const SyntaxError&) {
-      result += match->str();
-    }
-  }
-  result.append(at, clean.cend());
-  bool inside = false;
-  std::string done;
-  for (char c : result) {
-    inside ^= c == '$';
-    if (c == '*' && !inside)
-      done += "·";
+  std::vector<std::string> tokens(1);
+  for (const char c : clean)
+    if (c == ' ')
+      tokens.emplace_back();
     else
-      done += c;
+      tokens.back() += c;
+  std::string result;
+  for (std::size_t i = 0; i < tokens.size();) {
+    constexpr std::size_t longest = 14;
+    std::size_t end = std::min(tokens.size(), i + longest);
+    std::optional<std::string> formula;
+    for (; end > i && !formula; --end) formula = formula_in(tokens, i, end);
+    std::string plain = tokens[i];
+    for (std::size_t at = 0; (at = plain.find('*', at)) != std::string::npos; ++at) plain.replace(at, 1, "·");
+    result += (i == 0 ? "" : " ") + formula.value_or(plain);
+    i = formula ? end + 1 : i + 1;
   }
-  return done;
+  return result;
 }
 
 std::vector<std::string> pieces(const Relation& relation, Notation notation) {
@@ -141,19 +225,18 @@ std::string glued(const std::string& text) {
 std::string to_ascii(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
-    if (static_cast<unsigned char>(text[i]) < 0x80) {
+    const std::string_view rest = text.substr(i);
+    if (const auto* symbol = spelling_in(typed_symbols(), rest)) {
+      result += symbol->second;
+      i += symbol->first.size();
+    } else if (static_cast<unsigned char>(text[i]) < 0x80) {
       result += text[i++];
-      continue;
+    } else if (const auto* letter = spelling_in(ascii_names, rest)) {
+      result += letter->second;
+      i += letter->first.size();
+    } else {
+      throw std::invalid_argument("no ASCII spelling for part of: " + std::string(text));
     }
-    bool known = false;
-    for (const auto& [letter, name] : ascii_names) {
-      if (text.substr(i, letter.size()) != letter) continue;
-      result += name;
-      i += letter.size();
-      known = true;
-      break;
-    }
-    if (!known) throw std::invalid_argument("no ASCII spelling for part of: " + std::string(text));
   }
   return result;
 }

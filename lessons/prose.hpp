@@ -25,6 +25,9 @@ std::string print_statement(const Relation& relation, Notation notation);
 /// The same for mathematics inside a sentence, `$...$` without the dollars.
 std::string print_inline(const std::string& text, Notation notation);
 
+/// A sentence without its marks, mathematics in that notation.
+std::string unmarked(const std::string& sentence, Notation notation);
+
 /// The places where a long formula may be broken: before a relation sign and before a term of a sum. Joined
 /// with blanks, the pieces are the whole formula.
 std::vector<std::string> pieces(const Relation& relation, Notation notation);

@@ -17,7 +17,7 @@ body{font:17px/1.55 Georgia,"DejaVu Serif",serif;color:#1c1c1c;background:#fdfdf
 h1{font-size:1.6rem;line-height:1.2}h2{font-size:1.2rem;margin-top:2.2rem;border-bottom:1px solid #ccc}
 nav{font-size:.9rem;display:flex;justify-content:space-between;gap:1rem}a{color:#1f5fa8}
 .about{background:#f1f3f0;padding:.6rem .9rem;border-radius:4px;font-size:.95rem}.about p{margin:.3rem 0}
-math{font-size:1.06em}
+math{font-family:"Rederive Math",math;font-size:1.12em}
 .formula{margin:.8rem 0 .8rem 1.2rem;display:flex;gap:.8rem;align-items:center;justify-content:space-between}
 .formula>div{overflow-x:auto;min-width:0;padding:.15rem 0}.formula math{margin:.15em 0}
 .ledger{border-left:4px solid #888;background:#f6f6f2;padding:.4rem .8rem;margin:1rem 0;font-size:.93rem;overflow-x:auto}
@@ -48,6 +48,15 @@ std::string whole_file(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// The letters of formulas, subset of Latin Modern Math; nothing where the build had neither font nor
+/// fonttools.
+std::string math_font() {
+  const std::string font = whole_file(REDERIVE_MATH_FONT);
+  return font.empty() ? ""
+                      : "<style>@font-face{font-family:\"Rederive Math\";src:url(data:font/woff2;base64," +
+                            base64(font) + ")}</style>\n";
+}
+
 class HtmlRenderer : public Renderer {
  public:
   explicit HtmlRenderer(const Setting& setting) : setting_(setting) {}
@@ -59,8 +68,8 @@ class HtmlRenderer : public Renderer {
     return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
            "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
            "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-           title + "</title>\n" + style + "\n</head>\n<body>\n" + navigation() + "<h1>" + title +
-           "</h1>\n<div class=\"about\">\n<p><b>Teaches:</b> " + flat(lesson.teaches) +
+           title + "</title>\n" + style + math_font() + "\n</head>\n<body>\n" + navigation() + "<h1>" +
+           title + "</h1>\n<div class=\"about\">\n<p><b>Teaches:</b> " + flat(lesson.teaches) +
            "</p>\n<p><b>Builds on:</b> " + flat(lesson.builds_on) + "</p>\n" +
            (ids.empty() ? "" : "<p><b>Equations:</b> " + ids + "</p>\n") + "</div>\n";
   }
@@ -104,9 +113,9 @@ class HtmlRenderer : public Renderer {
     std::string text;
     for (const auto& piece : pieces(relation, Notation::latex)) {
       std::string formula = mathml(piece);
-      const std::size_t sign = formula.find("<mo>");
-      if (!text.empty() && sign == 6)
-        formula.replace(sign, 4, "<mo form=\"infix\">");  // it stands between two pieces
+      constexpr std::size_t head = std::string_view("<math>").size();
+      if (!text.empty() && formula.compare(head, 3, "<mo") == 0)  // it stands between two pieces
+        formula.replace(head, formula.find('>', head) - head, "<mo form=\"infix\"");
       formula.replace(0, 6, "<math displaystyle=\"true\">");
       text += (text.empty() ? "" : "<wbr>") + formula;
     }
@@ -116,7 +125,8 @@ class HtmlRenderer : public Renderer {
   static std::string render(const Paragraph& part) { return "<p>" + flat(part.text) + "</p>\n"; }
 
   static std::string render(const Formula& part) {
-    return "<div class=\"formula\"><div>" + broken(part.relation) + "</div>" +
+    return "<div class=\"formula\"><div>" + broken(part.relation) +
+           (part.mark.empty() ? "" : "<span>\u2009" + part.mark + "</span>") + "</div>" +
            (part.number.empty() ? "" : "<span>(" + part.number + ")</span>") + "</div>\n";
   }
 
@@ -143,7 +153,7 @@ class HtmlRenderer : public Renderer {
 
   std::string render(const Figure& part) const {
     const auto picture = draw(part, "svg", setting_.figures);
-    const std::string image = picture ? "<img alt=\"" + escaped(part.name) +
+    const std::string image = picture ? "<img alt=\"" + escaped(unmarked(part.caption, Notation::unicode)) +
                                             "\" src=\"data:image/svg+xml;base64," +
                                             base64(whole_file(*picture)) + "\">"
                                       : std::string();

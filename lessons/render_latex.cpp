@@ -131,7 +131,7 @@ class LatexRenderer : public Renderer {
   static std::string render(const Paragraph& part) { return flat(part.text) + "\n"; }
 
   static std::string render(const Formula& part) {
-    const std::string formula = print_statement(part.relation, Notation::latex);
+    const std::string formula = print_statement(part.relation, Notation::latex) + part.mark;
     return part.number.empty() ? "\\shown{" + formula + "}\n"
                                : "\\numbered{" + formula + "}{(" + part.number + ")}\n";
   }

@@ -51,7 +51,8 @@ class MarkdownRenderer : public Renderer {
 
   static std::string render(const Formula& part) {
     const std::string tag = part.number.empty() ? "" : " \\tag{" + part.number + "}";
-    return "```math\n" + print_statement(part.relation, Notation::latex) + tag + "\n```\n";
+    const std::string mark = part.mark.empty() ? "" : "\\," + part.mark;
+    return "```math\n" + print_statement(part.relation, Notation::latex) + mark + tag + "\n```\n";
   }
 
   static std::string render(const Judgement& part) {
@@ -80,7 +81,7 @@ class MarkdownRenderer : public Renderer {
   std::string render(const Figure& part) const {
     const auto picture = draw(part, "svg", setting_.figures);
     const std::string caption = flat(part.caption);
-    return (picture ? fmt::format("![{}]({})\n\n", part.name,
+    return (picture ? fmt::format("![{}]({})\n\n", unmarked(part.caption, Notation::unicode),
                                   (setting_.beside ? picture->filename() : *picture).string())
                     : std::string()) +
            caption + "\n";

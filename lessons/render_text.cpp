@@ -80,6 +80,7 @@ class TextRenderer : public Renderer {
 
   std::string render(const Formula& part) const {
     std::string text = broken(part.relation, "    ", "      ");
+    text.insert(text.size() - 1, part.mark);
     if (part.number.empty()) return text;
     const std::string label = "(" + part.number + ")";
     const std::size_t last = text.rfind('\n', text.size() - 2);

@@ -83,7 +83,7 @@ TEST_CASE("a slip is named by a stable word") {
 
 TEST_CASE("a wrong answer that no rule knows gets a point to try by hand") {
   const Desk desk;
-  const json opinion = desk.judged("height-of-centre", "R*(cos(alpha - theta/2) - cos(alpha))");
+  const json opinion = desk.judged("height-of-centre", "R*(cos(alpha - theta/2)^3 - cos(alpha))");
   CHECK(opinion["note"] == "other");
   CHECK(opinion["witness"]["at"].size() == 3);
   CHECK(opinion["witness"]["answer"] != opinion["witness"]["right"]);
@@ -111,7 +111,7 @@ TEST_CASE("exit codes are those of the contract") {
   CHECK(desk.run({"check", "restitution"}).exit_code == 2);
   CHECK(desk.run({"check", "restitution", "--file", "/no/such/file"}).err.find("/no/such/file") !=
         std::string::npos);
-  CHECK(desk.run({}).exit_code == 2);
+  CHECK(desk.run({"no-such-command"}).exit_code == 2);
   CHECK(desk.run({"grade", "/no/such/folder"}).exit_code == 2);
 }
 
@@ -133,6 +133,39 @@ TEST_CASE("hints come one by one, the solution only when it is due, and reset ke
   CHECK(kept.find("old\trestitution\t1 - 3/2*sin(alpha)^2") != std::string::npos);
   const auto listed = json::parse(desk.run({"list", "--json"}).out);
   CHECK(listed["next"] == "height-of-centre");
+}
+
+TEST_CASE("without a command it says what is next, and praises no giving up") {
+  const Desk desk;
+  const Result first = desk.run({});
+  CHECK(first.exit_code == 0);
+  CHECK(first.out.find("Next: exercises show height-of-centre") != std::string::npos);
+  const json listed = json::parse(desk.run({"list", "--json"}).out);
+  for (const auto& exercise : listed["exercises"])
+    write(desk.progress,
+          read_file(desk.progress) + exercise["id"].get<std::string>() + "\tgiven_up\t1\t0\tx\n");
+  const std::string last = desk.run({}).out;
+  CHECK(last.find("given up") != std::string::npos);
+  CHECK(last.find("Well worked") == std::string::npos);
+}
+
+TEST_CASE("what is said in JSON has no marks, and functions are called as they were typed") {
+  const Desk desk;
+  for (const auto& [id, answer] :
+       {std::pair("height-of-centre", "R*cos(alpha - theta)"),
+        std::pair("velocity-of-centre", "u_gdot - R*thetadot*cos(alpha - theta)")}) {
+    const auto said = desk.judged(id, answer)["feedback"].get<std::string>();
+    CHECK_MESSAGE(said.find_first_of("$`") == std::string::npos, said);
+  }
+  CHECK(desk.judged("height-of-centre", "R*abs(cos(alpha))")["read_as"] == "R*abs(cos(alpha))");
+}
+
+TEST_CASE("watch names a file that is no exercise's") {
+  const Desk desk;
+  write(desk.folder.path / "work" / "restitutoin.txt", "1 - 3/2*sin(alpha)^2\n");
+  const std::string said = desk.run({"watch", (desk.folder.path / "work").string(), "--once"}).out;
+  CHECK(said.find("restitutoin.txt is not judged") != std::string::npos);
+  CHECK(said.find("restitution") != std::string::npos);
 }
 
 TEST_CASE("a progress file that was damaged is not overwritten") {
@@ -166,6 +199,8 @@ TEST_CASE("a class with everything that can go wrong is graded, twice alike") {
   write(room / "bert" / "notes.docx", "PK");
   write(room / "line\nbreak, \"quoted\"" / "restitution.txt", "cos(2*alpha)");
   write(room / "README", "not a student");
+  write(room / ".zoe" / "restitution.txt", "1");
+  write(room / "=1+2" / "restitution.txt", "1");
   fs::create_directories(room / "empty");
   write(folder.path / "secret.txt", "1 - 3/2*sin(alpha)^2");
   fs::create_symlink(folder.path / "secret.txt", room / "anna" / "energy-lost.txt");
@@ -186,7 +221,8 @@ TEST_CASE("a class with everything that can go wrong is graded, twice alike") {
         "bert,momentum,invalid,empty,0\n", "bert,notes.docx,invalid,unknown_exercise,0\n",
         "carl,restitution,invalid,too_large,0\n", "carl,barrier,invalid,",
         "dora,restitution,invalid,not_a_file,0\n", "dora,,invalid,too_many_files,0\n",
-        "empty,,invalid,empty_folder,0\n", "linked,,invalid,symlink,0\n", "README,,invalid,not_a_folder,0\n",
+        "empty,,invalid,empty_folder,0\n", ".zoe,,invalid,hidden_folder,0\n", "\n'=1+2,restitution,wrong,",
+        "linked,,invalid,symlink,0\n", "README,,invalid,not_a_folder,0\n",
         "\"line\nbreak, \"\"quoted\"\"\",restitution,wrong,missing_term,0\n"})
     CHECK_MESSAGE(text.find(row) != std::string::npos, row);
   CHECK(first.out.find("restitution") != std::string::npos);

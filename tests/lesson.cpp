@@ -51,6 +51,7 @@ TEST_CASE("lines are wrapped by columns, not by bytes") {
 
 TEST_CASE("plain text is ASCII") {
   CHECK(to_ascii("α − θ ≤ π") == "alpha - theta <= pi");
+  CHECK(to_ascii("θ̈ and ü_g, θ̇₊") == "thetaddot and u_gddot, thetadot_plus");
   CHECK_THROWS_AS(to_ascii("漢"), std::invalid_argument);
 }
 

@@ -150,12 +150,12 @@ Derivation motion(Side side) {
                   from(vertical_velocity(side), "and upwards with"),
                   from(kinetic_energy_in_J_o(side), "so that the kinetic energy is"),
                   from(weight(side), "and the potential"),
-                  {"Lagrange's equation", ddt_dK_dthetadot - dK_dtheta + dOmega_dtheta, 0},
-                  from(momentum_rate(side), "takes"),
+                  {"Into Lagrange's equation", ddt_dK_dthetadot - dK_dtheta + dOmega_dtheta, 0},
+                  from(momentum_rate(side), "put"),
                   from(kinetic_slope(side), "and"),
                   from(potential_slope(side), "and"),
-                  {std::string("By the other road, the moments of all elements about ") + pivot_name(side) +
-                       ", it is the same",
+                  {std::string("The moments of all elements about ") + pivot_name(side) +
+                       ", integrated over the block, say the same",
                    motion_by_moments(side), 0}});
 }
 

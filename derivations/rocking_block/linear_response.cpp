@@ -148,7 +148,7 @@ Derivation equation_60_rate() {
   return derived(
       thetadot_star, 0,
       {in_words("The critical motion neither falls over nor comes back: it ends in that equilibrium, "
-                "which it approaches without end as t* grows")});
+                "which it approaches without end as t_star grows")});
 }
 
 Derivation free_equation(Side side, const Cited& forced_equation) {

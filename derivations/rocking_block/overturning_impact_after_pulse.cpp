@@ -126,7 +126,7 @@ Derivation first_constant_by_restitution() {
 
 Derivation equation_94a() {
   return derived(at_corner(free_after_impact()) - alpha, 0,
-                 {from(Cited{"93a", equation_93a}, "At t* the block is to stand on its corner: by #"),
+                 {from(Cited{"93a", equation_93a}, "At t_star the block is to stand on its corner: by #"),
                   from(first_constant_after_impact(), "with"), from(second_constant_after_impact(), "and"),
                   in_words("the velocity in it is the one after the impact")});
 }

@@ -26,6 +26,8 @@ const Exercise* next_exercise(const Classroom& room, const Progress& progress);
 std::string readable(const std::string& sentence, const std::string& indent = "");
 /// The statement with all that is needed to answer it.
 std::string presentation(const Exercise& exercise);
+/// The way to the answer; its last line is the answer, in the form asked for.
+std::string solution_text(const Prepared& prepared);
 /// What was read, the verdict, the feedback and the witness.
 std::string report(const Classroom& room, const Exercise& exercise, const Opinion& opinion);
 /// The same as the JSON document of `check --json`.
@@ -34,6 +36,7 @@ std::string report_json(const Exercise& exercise, const Opinion& opinion);
 void enter(Progress& progress, const Exercise& exercise, const Opinion& opinion, const std::string& answer);
 
 int list(const Classroom& room);
+int what_is_next(const Classroom& room);
 int show(const Classroom& room, const std::string& id);
 int check(const Classroom& room, const std::string& id, const std::string& answer);
 int check_file(const Classroom& room, const std::string& id, const std::string& file);

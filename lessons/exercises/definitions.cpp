@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <derivations/rocking_block/kinematics.hpp>
+#include <derivations/rocking_block/overturning_without_impact.hpp>
 #include <lessons/exercises/definitions.hpp>
 
 namespace rederive::classroom {
@@ -42,6 +43,28 @@ Derivation mass_at_the_top() {
                    momentum, "="},
                   {"and afterwards", paper::hO_plus, (b * b + top * top) * after, "="},
                   {"They are equal, hence", result.left, result.right, "="}};
+  return result;
+}
+
+Derivation half_sine() {
+  const GiNaC::ex end = (GiNaC::Pi - paper::psi) / paper::omega_p;
+  const Given lifts = amplitude(Pulse::sine);
+  const auto found = threshold_without_impact(Side::negative, ground_acceleration(Pulse::sine), lifts, end);
+  const GiNaC::lst rest{paper::theta_0 == 0, paper::thetadot_0 == 0};
+  const Derivation critical = equation_68();
+  Derivation result;
+  result.left = by_phase(found.left.subs(rest));
+  result.right = found.right;
+  result.steps = {
+      {"From rest the block moves, by (57a) with the constants (70), as", paper::theta,
+       forced_motion(Side::negative, Pulse::sine).subs(constants_from_rest())},
+      {"It lifts when the ground acceleration is alpha*g, so that", lifts.name, lifts.value},
+      {"Now the pulse ends when its argument is pi, at", paper::T_ex, end},
+      {"The block just reaches the balance if its angle and rate at that time satisfy (68)", critical.left,
+       critical.right},
+      {"Put the motion and its rate at T_ex into that, join sinh and cosh to exponentials, and divide by "
+       "the factor of the decaying one",
+       result.left, result.right}};
   return result;
 }
 

@@ -16,5 +16,7 @@ void add_definitions(std::vector<Given>& given, const std::set<std::string>& at_
 /// e of a light block with a point mass in the middle of its top face: the moment of the momentum about the
 /// new corner is kept. In b and h.
 Derivation mass_at_the_top();
+/// The condition of (71) for a pulse that stops after half a sine, when its argument is pi.
+Derivation half_sine();
 
 }  // namespace rederive::classroom

@@ -47,7 +47,8 @@ struct Exercise {
   std::string id, title, statement, example, form, name, pivot, unit;
   int lesson = 0;
   Kind kind = Kind::expression;
-  std::vector<std::string> symbols;  ///< that an answer may use
+  std::vector<std::string> symbols;          ///< that an answer may use
+  std::map<std::string, std::string> range;  ///< of a symbol, where the statement says more than its table
   Reference answer;
   double tolerance = 0;  ///< relative; numbers only
   int digits = 0;        ///< or significant digits
@@ -70,9 +71,13 @@ struct Answer {
   Relation relation;
   std::vector<Given> given;
   double number = 0;
+  std::vector<std::pair<std::string, Relation>>
+      way;  ///< from the derivation on: what was done, what came of it
+  std::vector<std::pair<std::string, Tree>>
+      values;  ///< put into the relation, an expression, to have the number
 };
-/// Computes it. `degrees` reads angles that are put in as degrees without converting them, as a student may.
-Answer resolve(const Reference& reference, Kind kind, bool degrees = false);
+/// Computes it.
+Answer resolve(const Reference& reference, Kind kind);
 
 /// The terms that a reader can point at in a printed relation, from left to right.
 std::vector<Tree> terms_to_point_at(const Relation& relation);

@@ -1,5 +1,6 @@
 // exercises: the classroom on the command line.
 //
+//   exercises                          what comes next
 //   exercises list                     what there is, what is done, what comes next
 //   exercises show [ID]                the statement; without ID, of the next exercise
 //   exercises check ID "ANSWER"        or --file FILE
@@ -37,7 +38,7 @@ CLI::App* command_with_id(CLI::App& app, const std::string& name, const std::str
 }
 
 void declare(CLI::App& app, Arguments& given) {
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.fallthrough();
   app.add_option("--progress", given.progress, "your progress file")->type_name("FILE");
   with_json(app.add_subcommand("list", "all exercises, and the next one to do"), given);
@@ -72,6 +73,7 @@ int run(const CLI::App& app, const Arguments& given) {
   if (app.got_subcommand("watch")) return watch(room, given.folder, given.once);
   if (app.got_subcommand("grade")) return grade(room, given.grade);
   if (app.got_subcommand("selftest")) return selftest(room);
+  if (app.get_subcommands().empty()) return what_is_next(room);
   const auto* check_command = app.get_subcommand("check");
   if (!given.file.empty()) return check_file(room, given.id, given.file);
   if (check_command->get_option("ANSWER")->count() == 0)

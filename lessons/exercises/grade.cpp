@@ -38,7 +38,9 @@ std::string as_text(const std::string& name) {
   return text;
 }
 
-std::string quoted(const std::string& field) {
+/// A cell of a CSV. A name that a spreadsheet would take for a formula gets an apostrophe before it.
+std::string quoted(const std::string& name) {
+  const std::string field = name.find_first_of("=+-@\t\r") == 0 ? "'" + name : name;
   if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
   std::string text = "\"";
   for (char c : field) text += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -52,7 +54,8 @@ std::optional<std::vector<std::string>> names_in(const fs::path& folder) {
   fs::directory_iterator entry(folder, error), end;
   for (; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    if (name[0] != '.') names.push_back(name);  // what editors and systems leave behind
+    const bool left_behind = name[0] == '.' && !fs::is_directory(entry->symlink_status(error));
+    if (!left_behind) names.push_back(name);  // by editors and systems
   }
   if (error) return {};
   std::sort(names.begin(), names.end());
@@ -71,6 +74,7 @@ void add_student(const fs::path& folder, const std::map<std::string, Prepared>& 
   const auto status = fs::symlink_status(folder, error);
   if (fs::is_symlink(status)) return tasks.push_back(finished(student, "", "symlink"));
   if (!fs::is_directory(status)) return tasks.push_back(finished(student, "", "not_a_folder"));
+  if (student[0] == '.') return tasks.push_back(finished(student, "", "hidden_folder"));
   const auto names = names_in(folder);
   if (!names) return tasks.push_back(finished(student, "", "unreadable"));
   std::set<std::string> handed_in;

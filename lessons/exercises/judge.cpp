@@ -22,7 +22,7 @@ std::size_t right_option(const Prepared& prepared) {
       holds = claim == to_string(judged(exercise.answer.row).proof.verdict);
     } else {
       const Proof proof =
-          decide(parse_statement(claim), prepared.answer.relation, paper_symbols(), prepared.answer.given);
+          decide(parse_statement(claim), prepared.answer.relation, prepared.symbols, prepared.answer.given);
       holds = proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
     }
     if (holds) right.push_back(i + 1);
@@ -46,6 +46,7 @@ Prepared prepare(const Exercise& exercise) {
   Prepared prepared;
   prepared.exercise = exercise;
   try {
+    for (const auto& [name, range] : exercise.range) prepared.symbols.narrow(name, range);
     if (exercise.kind == Kind::wrong_term) {
       prepared.choice = wrong_term(exercise.answer.row);
       return prepared;
@@ -104,26 +105,17 @@ Opinion invalid(const SyntaxError& error, const std::string& text) {
 
 std::string explanation_of(const std::string& note) {
   static const std::map<std::string, std::string> sentences{
-      {"sign",
-       "A sign is wrong. Check the direction in which each quantity counts as positive, then follow each "
-       "minus sign through your working."},
-      {"wrong_angle",
-       "The angle inside a sine or cosine is not the right one. Look at the drawing: as the block "
-       "rotates, does the angle between its diagonal and the vertical grow or shrink?"},
-      {"missing_term", "A term is missing. Write down each contribution by itself before you add them up."},
-      {"factor",
-       "A numerical factor is wrong; everything else is right. Look for a square that was "
-       "differentiated, a half, or a moment of inertia."},
-      {"missing_factor", "A factor is missing from one of the terms."},
-      {"power", "A power is wrong: a square is lost, or there is one too many."},
-      {"sin_cos",
-       "A sine and a cosine (or their like) have been exchanged. Try an angle for which you know the "
-       "answer, such as zero."},
-      {"reciprocal", "Your answer is upside down: it is the reciprocal of the right one."},
       {"dimension", "The dimensions do not fit."},
       {"small_angle",
-       "This holds for small angles only; the exact result was asked for. Somewhere the sine was "
-       "replaced by its angle, or the cosine by one."},
+       "This agrees with the right answer for small angles only; the exact result was asked for. Was a sine "
+       "replaced by its angle somewhere, or a cosine by one?"},
+      {"not_linear",
+       "For small angles this agrees with the right answer, but the linear one was asked for: more than the "
+       "first power of an angle is left in it, or a sine or cosine."},
+      {"not_everywhere",
+       "This agrees with the right answer at some points, but not at all. Was it multiplied by something "
+       "that can "
+       "be zero, or did a root or an absolute value lose a sign?"},
       {"missing_symbol", "Your answer does not depend on everything that it should depend on."},
       {"extra_symbol", "Your answer depends on something that drops out of the right one."},
       {"unit", "The value is right, but the unit is not."},
@@ -140,11 +132,13 @@ std::string model_answer(const Prepared& prepared) {
   const auto& exercise = prepared.exercise;
   switch (exercise.kind) {
     case Kind::expression:
-      return print(prepared.answer.relation.sides.at(0));
+      return (exercise.name.empty() ? "" : exercise.name + " = ") +
+             print(prepared.answer.relation.sides.at(0));
     case Kind::equation:
       return print(prepared.answer.relation);
     case Kind::number: {
-      const std::string value = fmt::format("{:.10g}", prepared.answer.number);
+      const std::string value =
+          fmt::format("{:#.{}g}", prepared.answer.number, exercise.digits > 0 ? exercise.digits : 3);
       return exercise.unit.empty() || exercise.unit == "1" ? value : value + " " + exercise.unit;
     }
     case Kind::wrong_term:

@@ -1,7 +1,9 @@
 // Judges one answer: what was read, right or wrong, and what to say about it.
 #pragma once
 
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/exercise.hpp>
+#include <lessons/exercises/sieve.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <optional>
 #include <string>
@@ -31,7 +33,9 @@ struct Prepared {
   Answer answer;
   std::vector<Point> points;
   std::optional<Signature> signature;
-  std::vector<Road> roads;  ///< the catalogued slips and assumptions first, then the slips of a pen
+  Symbols symbols = paper_symbols();  ///< with the ranges of this exercise
+  std::optional<Sieve> sieve;         ///< of a formula
+  std::vector<Road> roads;  ///< the catalogued slips and assumptions; of a number its other slips, too
   std::size_t choice = 0;   ///< the right option or term, from 1
 };
 
@@ -50,8 +54,25 @@ int exit_code(const Opinion& opinion);
 Opinion judge_formula(const Prepared& prepared, const std::string& text);
 Opinion judge_number(const Prepared& prepared, const std::string& text);
 Opinion judge_choice(const Prepared& prepared, const std::string& text);
-/// The catalogue of wrong roads of a formula, filled in once the answer is there.
+/// The wrong roads that an exercise names, filled in once the answer is there.
 void add_roads(Prepared& prepared);
+/// What comes of a number by the slips of a pen in its formula.
+void add_roads_of_number(Prepared& prepared);
+
+/// Whether a verdict is that of a right answer.
+bool is_right(Verdict verdict);
+/// The project's word on two statements of an exercise.
+Proof proof_of(const Prepared& prepared, const Relation& read, const Relation& against);
+/// The opinion with a verdict, a note, a feedback and a score.
+Opinion found(Opinion opinion, const std::string& verdict, const std::string& note, const std::string& says,
+              double score);
+/// What to say of a formula that is wrong; `mine` is its signature.
+Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::optional<Signature>& mine,
+                  const Opinion& start);
+/// A point with a number of one or two digits for each symbol, at which an answer differs from the right one:
+/// both values there to six digits, those of the pivot of an equation; of one without pivot the difference of
+/// its sides, where the right one holds.
+std::optional<Witness> by_hand(const Prepared& prepared, const Relation& read);
 
 /// What a note means, for those notes that every exercise shares.
 std::string explanation_of(const std::string& note);

@@ -1,28 +1,35 @@
 // Numbers with units, choices, and terms to point at.
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <derivations/rocking_block/paper_symbols.hpp>
+#include <lessons/exercises/edits.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/units.hpp>
 #include <lessons/lesson.hpp>
+#include <map>
 
 namespace rederive::classroom {
 namespace {
 
-/// How far a value may be off: relative, or half a unit of the last digit asked for.
-double allowance(const Exercise& exercise, double right) {
+/// How far a value may be off: relative, or half a unit of the last of so many digits.
+double allowance(const Exercise& exercise, double right, int digits) {
   if (exercise.digits > 0 && right != 0) {
-    const double last = std::floor(std::log10(std::abs(right))) - exercise.digits + 1;
+    const double last = std::floor(std::log10(std::abs(right))) - digits + 1;
     return 0.5000001 * std::pow(10.0, last);
   }
   return (exercise.tolerance > 0 ? exercise.tolerance : 0.01) * std::abs(right);
 }
 
 bool near(const Exercise& exercise, double value, double right) {
-  return std::abs(value - right) <= allowance(exercise, right);
+  return std::abs(value - right) <= allowance(exercise, right, exercise.digits);
+}
+
+/// Whether a wrong value is that of a slip: to the digits asked for, or to those typed if they are more.
+bool is_slip(const Exercise& exercise, const Quantity& read, double slip) {
+  return std::abs(read.value - slip) <= allowance(exercise, slip, std::max(exercise.digits, read.digits));
 }
 
 Opinion opinion(const Quantity& read, const std::string& verdict, const std::string& note,
@@ -36,20 +43,47 @@ Opinion opinion(const Quantity& read, const std::string& verdict, const std::str
   return result;
 }
 
-/// The usual ways in which a number goes astray.
-std::string slip_of(const Exercise& exercise, double value, double right) {
-  if (near(exercise, -value, right)) return "sign";
+/// The usual ways in which a number goes astray, whatever its formula is.
+std::string slip_of(const Exercise& exercise, const Quantity& read, double right) {
+  const auto is = [&](double slip) { return is_slip(exercise, read, slip); };
+  if (is(-right)) return "sign";
   constexpr double degree = 0.017453292519943295;
-  for (const double factor : {degree, 1 / degree})
-    if (near(exercise, value * factor, right)) return "degrees";
-  for (const double factor : {2.0, 0.5, 4.0, 0.25, 3.0, 1.0 / 3, 2.0 / 3, 1.5, 4.0 / 3, 0.75})
-    if (near(exercise, value * factor, right)) return "factor";
-  for (const double power : {1e-3, 1e-2, 1e-1, 1e1, 1e2, 1e3})
-    if (near(exercise, value * power, right)) return "power_of_ten";
-  if (near(exercise, value * value, right) || near(exercise, std::sqrt(std::abs(value)), right))
-    return "power";
-  if (value != 0 && near(exercise, 1 / value, right)) return "reciprocal";
-  return std::abs(value - right) <= 10 * allowance(exercise, right) ? "rounding" : "";
+  if (is(right * degree) || is(right / degree)) return "degrees";
+  for (const double factor : {2.0, 4.0, 3.0, 1.5, 4.0 / 3})
+    if (is(right * factor) || is(right / factor)) return "factor";
+  for (int power = 1; power <= 3; ++power)
+    if (is(right * std::pow(10, power)) || is(right / std::pow(10, power))) return "power_of_ten";
+  if (is(right * right) || (right > 0 && is(std::sqrt(right)))) return "power";
+  if (right != 0 && is(1 / right)) return "reciprocal";
+  return std::abs(read.value - right) <= 10 * allowance(exercise, right, exercise.digits) ? "rounding" : "";
+}
+
+/// What a slip in a number looks like: never that it was made, for other ways may lead to the same value.
+std::string number_words(const std::string& note) {
+  static const std::map<std::string, std::string> sentences{
+      {"sign", "This is what comes out when one sign is wrong."},
+      {"degrees", "This is what comes out when degrees and radians are mixed up."},
+      {"factor", "This is what comes out when a numerical factor is wrong: a whole for a half, or a square."},
+      {"power_of_ten", "The digits are right, the power of ten is not. Check the units you put in."},
+      {"power", "This is what comes out when a square or a root is lost, or there is one too many."},
+      {"reciprocal", "This is the reciprocal of the right value."},
+      {"wrong_angle", "This is what comes out when the angle inside a sine or cosine is not the right one."},
+      {"missing_term", "This is what comes out when a term is left out."},
+      {"missing_factor", "This is what comes out when a factor is left out."},
+      {"sin_cos", "This is what comes out when a sine and a cosine (or their like) are exchanged."}};
+  const auto found = sentences.find(note);
+  return found == sentences.end() ? explanation_of(note) : found->second;
+}
+
+/// "p = 2.69 1/s" without what stands before the value.
+std::string without_name(const Exercise& exercise, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || exercise.name.empty()) return text;
+  try {
+    return print(parse(text.substr(0, equals))) == exercise.name ? text.substr(equals + 1) : text;
+  } catch (const SyntaxError&) {
+    return text;
+  }
 }
 
 std::string whole_number_in(const std::string& text) {
@@ -83,9 +117,36 @@ std::size_t term_like(const Prepared& prepared, const std::string& text) {
 
 }  // namespace
 
-Opinion judge_number(const Prepared& prepared, const std::string& text) {
+void add_roads_of_number(Prepared& prepared) {
+  if (prepared.answer.relation.sides.empty()) return;
+  const auto add = [&](const Tree& formula, const RoughPoint& at, const std::string& note) {
+    const double value = rough_value(formula, at);
+    if (std::isfinite(value) && !near(prepared.exercise, value, prepared.answer.number))
+      prepared.roads.push_back({note, number_words(note), "wrong", {}, {}, value});
+  };
+  RoughPoint at;
+  for (const auto& [name, value] : prepared.answer.values) at[name] = rough_value(value, {});
+  const Tree& formula = prepared.answer.relation.sides[0];
+  for (const auto& edit : edits(formula)) add(edit.tree, at, edit.note);
+  for (const auto& [name, value] : prepared.answer.values) {
+    constexpr double degree = 0.017453292519943295;
+    for (const double factor : {2.0, 0.5, degree, 1 / degree}) {
+      RoughPoint other = at;
+      other[name] *= factor;
+      add(formula, other, factor == 2 || factor == 0.5 ? "factor" : "degrees");
+    }
+    for (const auto& edit : edits(value)) {
+      RoughPoint other = at;
+      other[name] = rough_value(edit.tree, {});
+      add(formula, other, edit.note);
+    }
+  }
+}
+
+Opinion judge_number(const Prepared& prepared, const std::string& typed) {
   const Exercise& exercise = prepared.exercise;
   Quantity read;
+  const std::string text = without_name(exercise, typed);
   try {
     read = parse_quantity(text);
   } catch (const SyntaxError& error) {
@@ -105,13 +166,17 @@ Opinion judge_number(const Prepared& prepared, const std::string& text) {
       return opinion(read, "wrong_form", "missing_unit", explanation_of("missing_unit"), 0.5);
     return opinion(read, "correct", "correct", "Right.", 1);
   }
+  constexpr double turn = 6.283185307179586;
+  if (read.read_as.find("Hz") != std::string::npos && near(exercise, read.value / turn, right))
+    return opinion(
+        read, "wrong", "unit",
+        "Hz counts whole turns in a second: 1 Hz is $2*pi$ radians a second. What is asked for is no "
+        "number of turns.",
+        0);
   for (const auto& road : prepared.roads)
-    if (near(exercise, read.value, road.number)) return opinion(read, "wrong", road.note, road.says, 0);
-  const std::string note = slip_of(exercise, read.value, right);
-  if (note == "power_of_ten")
-    return opinion(read, "wrong", note,
-                   "The digits are right, the power of ten is not. Check the units you put in.", 0);
-  if (!note.empty()) return opinion(read, "wrong", note, explanation_of(note), 0);
+    if (is_slip(exercise, read, road.number)) return opinion(read, "wrong", road.note, road.says, 0);
+  if (const std::string note = slip_of(exercise, read, right); !note.empty())
+    return opinion(read, "wrong", note, number_words(note), 0);
   return opinion(read, "wrong", "other", read.value > right ? "This is too large." : "This is too small.", 0);
 }
 

@@ -128,6 +128,7 @@ Exercise read_exercise(Reader reader) {
   exercise.kind = kind_of(reader.text("kind", true), reader);
   exercise.statement = reader.text("statement", true);
   exercise.symbols = reader.texts("symbols");
+  exercise.range = reader.pairs("range");
   exercise.example = reader.text("example");
   exercise.form = reader.text("form");
   exercise.name = reader.text("name");

@@ -26,16 +26,18 @@ ex solved(const ex& left, const ex& right, const GiNaC::symbol& symbol) {
   return -residual.subs(symbol == 0) / slope;
 }
 
-GiNaC::exmap values_to_put(const Reference& reference, bool degrees) {
-  static const std::vector<std::string> angles{"alpha", "theta", "psi", "theta_0"};
+GiNaC::exmap values_to_put(const Reference& reference) {
   GiNaC::exmap values;
-  for (const auto& [name, text] : reference.put) {
-    ex value = lower(parse(text));
-    const bool angle = std::find(angles.begin(), angles.end(), name) != angles.end();
-    if (degrees && angle) value = value * 180 / GiNaC::Pi;
-    values[symbol_named(name)] = value;
-  }
+  for (const auto& [name, text] : reference.put) values[symbol_named(name)] = lower(parse(text));
   return values;
+}
+
+/// "$R = 3/2$, $alpha = 1/5$".
+std::string in_words(const std::map<std::string, std::string>& values) {
+  std::string words;
+  for (const auto& [name, value] : values)
+    words += fmt::format("{}${} = {}$", words.empty() ? "" : ", ", name, value);
+  return words;
 }
 
 /// Tangents as quotients, so that a sum of them can be simplified.
@@ -47,12 +49,12 @@ ex in_sines(const ex& expression) {
 }  // namespace
 
 Derivation argument_of(const Reference& reference) {
-  if (reference.derivation == "mass_at_the_top")
-    return mass_at_the_top();  // the one that is not in the paper
+  if (reference.derivation == "mass_at_the_top") return mass_at_the_top();  // these two are not in the paper
+  if (reference.derivation == "half_sine") return half_sine();
   return derived(reference.derivation);
 }
 
-Answer resolve(const Reference& reference, Kind kind, bool degrees) {
+Answer resolve(const Reference& reference, Kind kind) {
   Answer answer;
   if (!reference.function.empty()) {
     answer.number = function_value(reference.function, reference.arguments);
@@ -60,28 +62,44 @@ Answer resolve(const Reference& reference, Kind kind, bool degrees) {
   }
   const Derivation derivation = argument_of(reference);
   ex left = derivation.left, right = derivation.right;
+  const auto arrived = [&](const std::string& words) {
+    answer.way.emplace_back(words, Relation{{to_tree(left), to_tree(right)}, {derivation.relation}});
+  };
   if (!reference.solve_for.empty()) {
     const auto& symbol = symbol_named(reference.solve_for);
     right = solved(left, right, symbol);
     left = symbol;
+    arrived("Solved for $" + reference.solve_for + "$:");
   }
-  const GiNaC::exmap values = values_to_put(reference, degrees);
+  const ex formula = reference.side == "left" ? left : right;
+  const GiNaC::exmap values = values_to_put(reference);
   left = left.subs(values);
   right = right.subs(values);
   if (!values.empty() && kind == Kind::expression) right = in_sines(right).normal();  // what cancels, cancels
-  if (!reference.differentiate.empty()) right = right.diff(symbol_named(reference.differentiate));
+  if (!values.empty() && kind != Kind::number) arrived("With " + in_words(reference.put) + ":");
+  if (!reference.differentiate.empty()) {
+    right = right.diff(symbol_named(reference.differentiate));
+    answer.way.emplace_back("Its derivative by $" + reference.differentiate + "$:",
+                            Relation{{to_tree(right)}, {}});
+  }
   answer.given = derivation.given;
   if (reference.side == "whole") {
     answer.relation = {{to_tree(left), to_tree(right)}, {derivation.relation}};
   } else {
     answer.relation = {{to_tree(reference.side == "left" ? left : right)}, {}};
   }
-  if (kind == Kind::number) {
-    const ex number = (reference.side == "left" ? left : right).evalf();
-    if (!GiNaC::is_a<GiNaC::numeric>(number)) throw std::runtime_error("is no number: " + print(number));
-    answer.number = GiNaC::ex_to<GiNaC::numeric>(number).to_double();
-    return answer;
+  if (kind != Kind::number) return answer;
+  const ex number = (reference.side == "left" ? left : right).evalf();
+  if (!GiNaC::is_a<GiNaC::numeric>(number)) throw std::runtime_error("is no number: " + print(number));
+  answer.number = GiNaC::ex_to<GiNaC::numeric>(number).to_double();
+  answer.relation = {{to_tree(formula)}, {}};
+  Tree with_numbers = answer.relation.sides[0];
+  for (const auto& [name, text] : reference.put) {
+    answer.values.emplace_back(name, parse(text));
+    with_numbers = rederive::put_in(with_numbers, name, parse(text));
   }
+  answer.way.emplace_back("With the numbers, " + in_words(reference.put) + ":",
+                          Relation{{with_numbers, parse(fmt::format("{:.8g}", answer.number))}, {"="}});
   return answer;
 }
 

@@ -143,7 +143,11 @@ std::string report(const Classroom& room, const Exercise& exercise, const Opinio
     for (const auto& [name, value] : opinion.witness->at)
       at += fmt::format("{}{} = {}", at.empty() ? "" : ", ", name, value);
     text += wrap("at " + at, 80, "  ", "     ");
-    text += fmt::format("  yours: {}\n  right: {}\n", opinion.witness->printed, opinion.witness->derived);
+    const std::string what = exercise.kind != Kind::equation ? ""
+                             : exercise.pivot.empty()        ? "left side - right side = "
+                                                             : exercise.pivot + " = ";
+    text += fmt::format("  yours: {0}{1}\n  right: {0}{2}\n", what, opinion.witness->printed,
+                        opinion.witness->derived);
   }
   if (exit_code(opinion) == 1) text += fmt::format("Stuck? exercises hint {}\n", exercise.id);
   return text;
@@ -154,7 +158,8 @@ std::string report_json(const Exercise& exercise, const Opinion& opinion) {
       {"exercise", exercise.id}, {"verdict", opinion.verdict}, {"note", opinion.note}};
   json["read_as"] =
       opinion.read_as.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(opinion.read_as);
-  json["feedback"] = opinion.feedback;
+  const bool several_lines = opinion.feedback.find('\n') != std::string::npos;
+  json["feedback"] = several_lines ? opinion.feedback : unmarked(opinion.feedback, Notation::plain);
   json["witness"] = nullptr;
   if (opinion.witness)
     json["witness"] = {{"at", opinion.witness->at},

@@ -33,7 +33,7 @@ constexpr std::array<Unit, 22> units{{{"m", "m", "1"},
                                       {"J", "kg*m^2/s^2", "1"},
                                       {"kJ", "kg*m^2/s^2", "1000"},
                                       {"Nm", "kg*m^2/s^2", "1"},
-                                      {"Hz", "1/s", "1"},
+                                      {"Hz", "1/s", "2*pi"},
                                       {"rad", "1", "1"},
                                       {"deg", "1", "pi/180"},
                                       {"percent", "1", "1/100"},
@@ -84,6 +84,28 @@ std::pair<double, Dimension> read_unit(const std::string& text) {
   return {as_number(to_tree(size, no_symbols())), *report.dimension};
 }
 
+/// The significant digits of a plain decimal number; 0 of anything else.
+int digits_of(const Tree& tree) {
+  if (tree->kind == Node::Kind::negative) return digits_of(tree->children[0]);
+  if (tree->kind != Node::Kind::number) return 0;
+  int digits = 0;
+  for (const char c : tree->text.substr(0, tree->text.find_first_of("eE")))
+    if (c != '.') digits += digits > 0 || c != '0';
+  return digits;
+}
+
+/// "m s⁻²" as "m*s⁻²": between the units of a product a blank is enough.
+std::string with_stars(const std::string& unit) {
+  std::string result;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    const bool between = unit[i] == ' ' && i > 0 && i + 1 < unit.size() &&
+                         std::isalpha(static_cast<unsigned char>(unit[i + 1])) &&
+                         std::string_view("*/(").find(unit[i - 1]) == std::string_view::npos;
+    result += between ? '*' : unit[i];
+  }
+  return result;
+}
+
 /// Where a unit may begin: at a letter, at a sign of division before one, or behind a blank.
 bool may_split(const std::string& text, std::size_t at) {
   const unsigned char c = static_cast<unsigned char>(text[at]);
@@ -95,11 +117,12 @@ std::optional<Quantity> split_at(const std::string& text, std::size_t at) {
     const std::string left = text.substr(0, at);
     std::string right = text.substr(at);
     if (right[0] == '/') right = "1" + right;
+    right = with_stars(right);
     const Tree tree = parse(left, no_symbols());
     (void)lower(tree, no_symbols());  // refuses what is undefined at once, such as 1/0
     const double number = as_number(tree);
     const auto [size, what] = read_unit(right);
-    return Quantity{number * size, what, print(tree) + " " + right, right.find("deg") != right.npos};
+    return Quantity{number * size, what, print(tree) + " " + right, digits_of(tree)};
   } catch (const std::exception&) {  // no number, no unit, or one that has no size: m/(100*cm-m)
     return {};
   }
@@ -116,11 +139,19 @@ void complain_of_unit(const std::string& text) {
 
 }  // namespace
 
+bool is_unit(const std::string& text) {
+  try {
+    (void)read_unit(text);
+    return true;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
 Quantity parse_quantity(const std::string& typed) {
   std::string text = typed;
   replace_all(text, "°", " deg");
   replace_all(text, "%", " percent");
-  replace_all(text, "²", "^2");
   replace_all(text, "·", "*");
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
   const std::size_t comma = text.find(',');
@@ -134,7 +165,7 @@ Quantity parse_quantity(const std::string& typed) {
   complain_of_unit(text);
   const Tree tree = parse(text, no_symbols());
   (void)lower(tree, no_symbols());
-  return {as_number(tree), {}, print(tree), false};
+  return {as_number(tree), {}, print(tree), digits_of(tree)};
 }
 
 }  // namespace rederive::classroom

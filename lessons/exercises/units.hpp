@@ -11,10 +11,12 @@ struct Quantity {
   double value;                        ///< in SI units; angles in radians
   std::optional<Dimension> dimension;  ///< nothing where no unit was typed
   std::string read_as;
-  bool in_degrees = false;
+  int digits = 0;  ///< how many significant ones were typed; 0 if it is no plain decimal number
 };
 
 /// Reads a number and a unit. Throws SyntaxError where either cannot be read.
 Quantity parse_quantity(const std::string& text);
+/// Whether a text is a unit: "kg*m^2".
+bool is_unit(const std::string& text);
 
 }  // namespace rederive::classroom

@@ -3,12 +3,14 @@
 #include <poll.h>
 #include <termios.h>
 
+#include <algorithm>
 #include <csignal>
 #include <derivations/emit/command_line.hpp>
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/exercises/sandbox.hpp>
 #include <map>
+#include <set>
 
 namespace rederive::classroom {
 namespace {
@@ -56,7 +58,7 @@ class Watch {
   void begin(const Exercise* exercise) {
     current_ = exercise;
     if (exercise == nullptr) {
-      say("All exercises are done. Well worked.\n");
+      say("All exercises are done: exercises list\n");
       return;
     }
     const fs::path file = path_of(*exercise);
@@ -78,7 +80,7 @@ class Watch {
       judge_file(exercise, file);
       any = true;
     }
-    return any;
+    return name_strangers() || any;
   }
 
   /// False when the student wants to go.
@@ -111,6 +113,28 @@ class Watch {
     std::fflush(stdout);
   }
 
+  /// Says once of each file that its name is no exercise's. True if there was a new one.
+  bool name_strangers() {
+    bool any = false;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder_, error)) {
+      const std::string id = entry.path().stem().string();
+      const bool known = entry.path().extension() == ".txt" &&
+                         std::any_of(room_.exercises.begin(), room_.exercises.end(),
+                                     [&](const Exercise& exercise) { return exercise.id == id; });
+      const std::string name = entry.path().filename().string();
+      if (known || name[0] == '.' || strangers_.size() > 100 || !strangers_.insert(name).second) continue;
+      any = true;
+      try {
+        find_exercise(room_, id);
+        say(fmt::format("\n{} is not judged: an answer's file ends in .txt.\n", printable_line(name)));
+      } catch (const BadInput& error_of_name) {
+        say(fmt::format("\n{} is not judged: {}\n", printable_line(name), error_of_name.what()));
+      }
+    }
+    return any;
+  }
+
   void judge_file(const Exercise& exercise, const fs::path& file) {
     const AnswerFile answer = read_answer_file(file);
     say("\n" + std::string(60, '-') + "\n" + exercise.id + "\n");
@@ -131,6 +155,7 @@ class Watch {
   fs::path folder_;
   const Exercise* current_ = nullptr;
   std::map<std::string, Stamp> stamps_;
+  std::set<std::string> strangers_;
 };
 
 }  // namespace

@@ -5,8 +5,6 @@
 #include <derivations/emit/command_line.hpp>
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/classroom.hpp>
-#include <lessons/lesson.hpp>
-#include <lessons/prose.hpp>
 #include <nlohmann/json.hpp>
 
 namespace rederive::classroom {
@@ -15,9 +13,14 @@ namespace {
 void put(const std::string& text) { std::fputs(text.c_str(), stdout); }
 
 std::string next_line(const Classroom& room, const Progress& progress) {
-  const Exercise* next = next_exercise(room, progress);
-  return next == nullptr ? "All exercises are done. Well worked.\n"
-                         : fmt::format("Next: exercises show {}\n", next->id);
+  if (const Exercise* next = next_exercise(room, progress))
+    return fmt::format("Next: exercises show {}\n", next->id);
+  std::size_t given_up = 0;
+  for (const auto& exercise : room.exercises)
+    given_up += progress.records.at(exercise.id).status == "given_up";
+  return given_up == 0
+             ? "All exercises are solved. Well worked.\n"
+             : fmt::format("All exercises are done, {} of them given up: exercises list\n", given_up);
 }
 
 /// Keeps the attempt; a progress file that cannot be written costs a warning, not the verdict.
@@ -42,25 +45,6 @@ int tell(const Classroom& room, const Exercise& exercise, const Opinion& opinion
   else
     put(report(room, exercise, opinion) + (opinion.verdict == "correct" ? next_line(room, progress) : ""));
   return exit_code(opinion);
-}
-
-/// The argument behind the answer, as the derivation gives it.
-std::string argument(const Prepared& prepared) {
-  const auto& reference = prepared.exercise.answer;
-  if (!reference.function.empty()) return "";
-  Page page;
-  page.argue(reference.derivation.empty() ? derived(reference.row) : argument_of(reference));
-  std::string text;
-  for (const auto& block : page.blocks()) {
-    if (const auto* words = std::get_if<Paragraph>(&block)) text += readable(words->text, "  ");
-    if (const auto* formula = std::get_if<Formula>(&block)) {
-      std::string line;
-      for (const auto& piece : pieces(formula->relation, Notation::unicode))
-        line += (line.empty() ? "" : " ") + glued(piece);
-      text += wrap(line, 80, "      ", "        ");
-    }
-  }
-  return text;
 }
 
 }  // namespace
@@ -121,6 +105,18 @@ int list(const Classroom& room) {
   put(room.json ? json.dump(2) + "\n"
                 : text + fmt::format("\n{} of {} solved.  ", solved, room.exercises.size()) +
                       next_line(room, progress));
+  return as_expected;
+}
+
+int what_is_next(const Classroom& room) {
+  const Progress progress = load_progress(room.progress);
+  std::size_t solved = 0;
+  for (const auto& exercise : room.exercises) {
+    const auto found = progress.records.find(exercise.id);
+    solved += found != progress.records.end() && found->second.status == "solved";
+  }
+  put(fmt::format("{} of {} solved.  ", solved, room.exercises.size()) + next_line(room, progress) +
+      "All that can be done here: exercises --help\n");
   return as_expected;
 }
 
@@ -187,10 +183,9 @@ int solution(const Classroom& room, const std::string& id, bool give_up) {
     put(nlohmann::ordered_json{{"exercise", id}, {"answer", answer}}.dump(2) + "\n");
     return as_expected;
   }
-  std::string text = "Answer: " + answer + "\n";
-  if (exercise.kind == Kind::choice) text += readable(exercise.options.at(prepared.choice - 1).text, "  ");
-  const std::string why = argument(prepared);
-  put(text + (why.empty() ? "" : "\nHow it comes about:\n" + why) + "\n" + next_line(room, progress));
+  put(solution_text(prepared));  // ends at the answer; what comes next is not part of it
+  std::fflush(stdout);
+  std::fputs(("\n" + next_line(room, progress)).c_str(), stderr);
   return as_expected;
 }
 

@@ -1,0 +1,84 @@
+// A point at which a student can see that an answer is wrong, with no more than pencil and paper.
+#include <derivations/rocking_block/paper_symbols.hpp>
+#include <lessons/exercises/edits.hpp>
+#include <lessons/exercises/judge.hpp>
+
+namespace rederive::classroom {
+namespace {
+
+/// The k-th small number for a symbol: one or two digits, inside its range.
+Tree small_number(const Symbol& symbol, int k) {
+  const Range range = read_range(symbol.range);
+  const bool bounded = range.lower != "-inf" && range.upper != "inf";
+  if (!bounded) return number(std::to_string(1 + k % 9));
+  const double low = range.lower.starts_with('-') ? 0 : rough_value(parse(range.lower), {}),
+               high = rough_value(parse(range.upper), {});
+  const int first = static_cast<int>(10 * low) + 1, count = static_cast<int>(10 * high - 1e-9) - first + 1;
+  const int tenths = first + k % std::max(count, 1);
+  return number(std::to_string(tenths / 10) + "." + std::to_string(tenths % 10));
+}
+
+/// The value that a statement has, or that it gives to the pivot, in which it is linear.
+Tree value_of(const Relation& statement, const std::string& pivot) {
+  if (statement.operators.empty()) return statement.sides[0];
+  const Tree residual = difference(statement.sides[0], statement.sides[1]);
+  const Tree at_0 = rederive::put_in(residual, pivot, number("0")),
+             at_1 = rederive::put_in(residual, pivot, number("1"));
+  return make_tree(Node::Kind::product, "", {at_0, difference(at_0, at_1)}, {false, true});
+}
+
+/// Gives a symbol a value for which the equation holds: in tenths, then between two of them.
+bool solve_on_the_way(const Relation& equation, const Symbol& symbol, Point& point) {
+  const Tree residual = difference(equation.sides[0], equation.sides[1]);
+  const auto sign = [&](const cln::cl_RA& x) {
+    point.insert_or_assign(symbol.name, Number(x));
+    return sign_at(residual, number("0"), point);
+  };
+  for (int tenth = 1; tenth < 14; ++tenth) {
+    const cln::cl_RA low = cln::cl_RA(tenth) / 10, high = cln::cl_RA(tenth + 1) / 10;
+    const Sign before = sign(low), after = sign(high);
+    if (before == after || before > Sign::positive || after > Sign::positive) continue;
+    Tree plain = residual;
+    for (const auto& [name, value] : point)
+      if (name != symbol.name) plain = rederive::put_in(plain, name, (*value).tree);
+    point.insert_or_assign(symbol.name, Number(plain, symbol.name, low, high));
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<Witness> by_hand(const Prepared& prepared, const Relation& read) {
+  const auto& given = prepared.answer.given;
+  const std::string& pivot = prepared.exercise.pivot;
+  const Relation mine = put_in(read, given), right = put_in(prepared.answer.relation, given);
+  std::set<std::string> names = names_of(mine), typed = names_of(read);
+  names.merge(names_of(right));
+  typed.merge(names_of(prepared.answer.relation));
+  const bool is_equation = !read.operators.empty();
+  for (int attempt = 0; attempt < 40; ++attempt) {
+    Point point;
+    int k = 3 * attempt;
+    for (const auto& name : names)
+      if (name != pivot)
+        point.insert_or_assign(name,
+                               Number(small_number(*prepared.symbols.find(name), k += 2 + attempt % 3)));
+    const bool solves = is_equation && pivot.empty();
+    if (solves && !solve_on_the_way(right, *prepared.symbols.find(*names.rbegin()), point)) continue;
+    const auto value = [&](const Relation& statement) {
+      return solves ? digits_at(difference(statement.sides[0], statement.sides[1]), point, 6)
+                    : digits_at(value_of(statement, pivot), point, 6);
+    };
+    const auto a = value(mine), b = solves ? std::optional<std::string>("0") : value(right);
+    if (!a || !b || *a == *b) continue;
+    Witness witness;
+    for (const auto& name : typed)
+      if (name != pivot) witness.at[name] = digits_at(put_in(parse(name), given), point, 6).value_or("");
+    witness.printed = *a, witness.derived = *b;
+    return witness;
+  }
+  return {};
+}
+
+}  // namespace rederive::classroom

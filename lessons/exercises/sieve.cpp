@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <cmath>
+#include <derivations/rocking_block/paper_symbols.hpp>
+#include <lessons/exercises/sieve.hpp>
+#include <lessons/exercises/trees.hpp>
+#include <numbers>
+#include <set>
+
+namespace rederive::classroom {
+namespace {
+
+using NodeKind = Node::Kind;
+
+constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+
+double called(const std::string& name, double x) {
+  static const std::map<std::string, double (*)(double), std::less<>> table{
+      {"sin", std::sin},   {"cos", std::cos},     {"tan", std::tan},     {"asin", std::asin},
+      {"acos", std::acos}, {"atan", std::atan},   {"sinh", std::sinh},   {"cosh", std::cosh},
+      {"tanh", std::tanh}, {"asinh", std::asinh}, {"exp", std::exp},     {"log", std::log},
+      {"sqrt", std::sqrt}, {"acosh", std::acosh}, {"atanh", std::atanh}, {"fabs", std::fabs},
+      {"abs", std::fabs}};
+  static const std::map<std::string, const char*, std::less<>> reciprocals{
+      {"cot", "tan"}, {"sec", "cos"}, {"csc", "sin"}, {"coth", "tanh"}, {"sech", "cosh"}, {"csch", "sinh"}};
+  if (const auto found = table.find(name); found != table.end()) return found->second(x);
+  const auto other = reciprocals.find(name);
+  return other == reciprocals.end() ? nowhere : 1 / called(other->second, x);
+}
+
+/// How large the terms are that a value is the sum of: what cancels in them is known to so many digits only.
+double size_of(const Tree& tree, const RoughPoint& at) {
+  double result = tree->kind == NodeKind::product ? 1 : 0;
+  if (tree->kind == NodeKind::negative) return size_of(tree->children[0], at);
+  if (tree->kind != NodeKind::sum && tree->kind != NodeKind::product) return std::abs(rough_value(tree, at));
+  for (std::size_t i = 0; i < tree->children.size(); ++i) {
+    const Tree& child = tree->children[i];
+    if (tree->kind == NodeKind::sum)
+      result += size_of(child, at);
+    else
+      result *= tree->inverse[i] ? 1 / std::abs(rough_value(child, at)) : size_of(child, at);
+  }
+  return result;
+}
+
+/// left - right, or the value less the right one; and how large its parts are.
+std::pair<double, double> residual(const Relation& statement, const RoughPoint& at, double right) {
+  const bool equation = !statement.operators.empty();
+  const double left = rough_value(statement.sides[0], at),
+               other = equation ? rough_value(statement.sides[1], at) : right;
+  return {left - other,
+          size_of(statement.sides[0], at) + (equation ? size_of(statement.sides[1], at) : std::abs(right))};
+}
+
+bool vanishes(const std::pair<double, double>& residual) {
+  return std::isfinite(residual.second) && std::abs(residual.first) <= 1e-9 * residual.second + 1e-300;
+}
+
+/// The ends of a range, cut to where values are of moderate size.
+std::pair<double, double> ends(const Symbol& symbol) {
+  const Range range = read_range(symbol.range);
+  const auto end = [](const std::string& text, double far) {
+    return text == "inf" || text == "-inf" ? far : rough_value(parse(text), {});
+  };
+  const double low = end(range.lower, -2.5), high = end(range.upper, std::max(low, 0.0) + 2.5);
+  return {low, high};
+}
+
+/// Gives the symbol a value for which the equation holds: the zero between two points where signs differ.
+bool solve_for(const Relation& equation, const std::string& name, std::pair<double, double> ends,
+               RoughPoint& at) {
+  const auto side = [&](double x) {
+    at[name] = x;
+    return residual(equation, at, 0).first;
+  };
+  constexpr int parts = 60;
+  const double step = (ends.second - ends.first) / parts;
+  for (int k = 1; k < parts; ++k) {
+    double low = ends.first + (k - 0.5) * step, high = low + step;
+    const bool rises = side(low) < 0;
+    if (!(side(low) * side(high) < 0)) continue;
+    for (int halving = 0; halving < 60; ++halving)
+      ((side((low + high) / 2) < 0) == rises ? low : high) = (low + high) / 2;
+    side(high);
+    return vanishes(residual(equation, at, 0));
+  }
+  return false;
+}
+
+/// Gives the symbol, in which the equation is linear, the value for which it holds.
+bool solve_linear(const Relation& equation, const std::string& name, RoughPoint& at) {
+  at[name] = 0;
+  const double before = residual(equation, at, 0).first;
+  at[name] = 1;
+  const double slope = residual(equation, at, 0).first - before;
+  at[name] = -before / slope;
+  return vanishes(residual(equation, at, 0));
+}
+
+}  // namespace
+
+double rough_value(const Tree& tree, const RoughPoint& at) {
+  const auto child = [&](std::size_t i) { return rough_value(tree->children[i], at); };
+  double result = tree->kind == NodeKind::product ? 1 : 0;
+  switch (tree->kind) {
+    case NodeKind::number:
+      return std::strtod(tree->text.c_str(), nullptr);
+    case NodeKind::symbol: {
+      const auto found = at.find(tree->text);
+      return found != at.end() ? found->second : tree->text == "pi" ? std::numbers::pi : nowhere;
+    }
+    case NodeKind::negative:
+      return -child(0);
+    case NodeKind::sum:
+      for (std::size_t i = 0; i < tree->children.size(); ++i)
+        result += tree->inverse[i] ? -child(i) : child(i);
+      return result;
+    case NodeKind::product:
+      for (std::size_t i = 0; i < tree->children.size(); ++i)
+        result *= tree->inverse[i] ? 1 / child(i) : child(i);
+      return result;
+    case NodeKind::power:
+      return std::pow(child(0), child(1));
+    case NodeKind::call:
+      return tree->text == "pow" ? std::pow(child(0), child(1)) : called(tree->text, child(0));
+  }
+  return nowhere;
+}
+
+Sieve::Sieve(const Relation& right, const std::vector<Given>& given, const std::string& pivot,
+             const Symbols& symbols) {
+  const bool equation = !right.operators.empty();
+  const Relation plain = put_in(right, given);
+  std::string unknown_name = pivot;
+  for (const auto& name : symbols.names())
+    if (equation && unknown_name.empty() && names_of(plain).contains(name)) unknown_name = name;
+  for (int k = 0; k < 40 && points_.size() < 4; ++k) {
+    Sample sample;
+    int j = 0;
+    for (const auto& name : symbols.names()) {
+      const auto [low, high] = ends(*symbols.find(name));
+      const double share = std::fmod(0.137 + 0.6180339887498949 * ++j + 0.7548776662466927 * k, 1);
+      sample.at[name] = low + (0.05 + 0.9 * share) * (high - low);
+    }
+    for (int round = 0; round < 3; ++round)
+      for (const auto& [name, value] : given)
+        sample.at[GiNaC::ex_to<GiNaC::symbol>(name).get_name()] = rough_value(to_tree(value), sample.at);
+    if (!equation)
+      sample.right = rough_value(right.sides[0], sample.at);
+    else if (!(pivot.empty() ? solve_for(right, unknown_name, ends(*symbols.find(unknown_name)), sample.at)
+                             : solve_linear(right, pivot, sample.at)))
+      continue;
+    if (std::isfinite(sample.right)) points_.push_back(std::move(sample));
+  }
+}
+
+bool Sieve::passes(const Relation& candidate) const {
+  return std::all_of(points_.begin(), points_.end(), [&](const Sample& sample) {
+    return vanishes(residual(candidate, sample.at, sample.right));
+  });
+}
+
+std::optional<double> Sieve::solved(const Relation& candidate) const {
+  if (points_.empty()) return {};
+  RoughPoint at = points_[0].at;
+  const auto with = [&](double x) {
+    at[unknown] = x;
+    return residual(candidate, at, points_[0].right).first;
+  };
+  const double before = with(0), result = -before / (with(1) - before);
+  if (!std::isfinite(result) || std::abs(result) > 1e6) return {};
+  return result;
+}
+
+}  // namespace rederive::classroom

@@ -1,0 +1,149 @@
+// What to say of a formula that is wrong: the first of these that is certain.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <lessons/exercises/judge.hpp>
+#include <lessons/exercises/repairs.hpp>
+#include <lessons/prose.hpp>
+
+namespace rederive::classroom {
+namespace {
+
+/// Is the dimension of the answer wrong? Says how; nothing if it is right.
+std::optional<std::string> wrong_dimension(const Prepared& prepared, const Relation& read) {
+  const auto report = read.operators.empty() ? dimension(read.sides[0]) : dimension(read);
+  if (!report.consistent) return "In your answer, " + marked(report.explanation) + ".";
+  if (!read.operators.empty() || !report.dimension) return {};
+  const auto wanted = dimension(prepared.answer.relation.sides[0]);
+  if (!wanted.consistent || !wanted.dimension || *wanted.dimension == *report.dimension) return {};
+  return fmt::format("Your answer has the unit {}, but {} is wanted.", marked(unit_text(*report.dimension)),
+                     marked(unit_text(*wanted.dimension)));
+}
+
+/// How far apart two signatures are, in proportion to the second.
+double distance(const Signature& left, const Signature& right) {
+  double error = 0;
+  for (std::size_t i = 0; i < left.size(); ++i)
+    error = std::max(error, std::abs(left[i] - right[i]) / (std::abs(right[i]) + 1e-300));
+  return error;
+}
+
+Signature minus(const Signature& left, const Signature& right) {
+  Signature result = left;
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] -= right[i];
+  return result;
+}
+
+/// The answer and the right one at points whose angles (or rotations alone) shrink.
+class SmallAngles {
+ public:
+  SmallAngles(const Prepared& prepared, const Relation& read, bool rotations_only)
+      : mine_(put_in(read, prepared.answer.given)),
+        right_(put_in(prepared.answer.relation, prepared.answer.given)),
+        pivot_(prepared.exercise.pivot),
+        rotations_only_(rotations_only) {
+    names_ = names_of(mine_);
+    names_.merge(names_of(right_));
+  }
+
+  /// Does the answer approach the right one? Compared is what the angles change, so that 1 + wrong*alpha^2 is
+  /// not taken for 1 + right*alpha^2; an answer without any angle is compared whole.
+  bool agree() const {
+    const auto mine_at_zero = at(mine_, 0), right_at_zero = at(right_, 0);
+    double before = 1;
+    for (const int shrink : {40, 400}) {
+      auto a = at(mine_, cln::cl_RA(1) / shrink), b = at(right_, cln::cl_RA(1) / shrink);
+      if (!a || !b) return false;
+      const bool varies = mine_at_zero && right_at_zero && !alike(*a, *mine_at_zero);
+      if (varies) a = minus(*a, *mine_at_zero), b = minus(*b, *right_at_zero);
+      const double error = distance(*a, *b);
+      if (error > before / 8 || (shrink == 40 && error > 0.1)) return false;
+      before = error;
+    }
+    return !mine_at_zero || !right_at_zero || alike(*mine_at_zero, *right_at_zero);
+  }
+
+  /// Is the right answer linear in the angles? Then it is the other one that was not linearised.
+  bool right_is_linear() const {
+    const auto none = at(right_, 0), half = at(right_, cln::cl_RA(1) / 2), whole = at(right_, 1);
+    if (!none || !half || !whole || alike(*none, *whole)) return false;
+    Signature mean = *none;
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = (mean[i] + (*whole)[i]) / 2;
+    return alike(mean, *half);
+  }
+
+ private:
+  std::optional<Signature> at(const Relation& statement, const cln::cl_RA& scale) const {
+    return signature(statement, pivot_, sample_points(names_, 2, scale, rotations_only_));
+  }
+
+  Relation mine_, right_;
+  std::string pivot_;
+  bool rotations_only_;
+  std::set<std::string> names_;
+};
+
+std::optional<Opinion> by_roads(const Prepared& prepared, const Relation& read, const Signature& mine,
+                                const Opinion& start) {
+  for (const auto& road : prepared.roads) {
+    if (!road.signature || !alike(mine, *road.signature)) continue;
+    if (!is_right(proof_of(prepared, read, road.relation).verdict)) continue;
+    return found(start, road.verdict, road.note, road.says, road.verdict == "correct_if" ? 0.5 : 0);
+  }
+  return {};
+}
+
+/// What the answer depends on, against what it should depend on.
+std::optional<std::string> wrong_symbols(const Prepared& prepared, const Relation& read) {
+  const auto mine = names_of(put_in(read, prepared.answer.given));
+  const auto right = names_of(put_in(prepared.answer.relation, prepared.answer.given));
+  if (!std::includes(mine.begin(), mine.end(), right.begin(), right.end())) return "missing_symbol";
+  if (!std::includes(right.begin(), right.end(), mine.begin(), mine.end())) return "extra_symbol";
+  return {};
+}
+
+std::optional<Opinion> for_small_angles(const Prepared& prepared, const Relation& read,
+                                        const Opinion& start) {
+  for (const bool rotations_only : {false, true}) {
+    const SmallAngles angles(prepared, read, rotations_only);
+    if (!angles.agree()) continue;
+    return angles.right_is_linear()
+               ? found(start, "wrong", "not_linear", explanation_of("not_linear"), 0)
+               : found(start, "correct_if", "small_angle", explanation_of("small_angle"), 0.5);
+  }
+  return {};
+}
+
+}  // namespace
+
+Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::optional<Signature>& mine,
+                  const Opinion& start) {
+  if (mine)
+    if (auto opinion = by_roads(prepared, read, *mine, start)) return *opinion;
+  const auto is_mended = [&](const Repair& repair) {
+    return is_right(proof_of(prepared, repair.relation, prepared.answer.relation).verdict);
+  };
+  const bool agrees = prepared.sieve && !prepared.sieve->is_empty() && prepared.sieve->passes(read);
+  std::vector<Relation> forms{prepared.answer.relation};
+  for (const auto& text : prepared.exercise.equivalents) forms.push_back(parse_statement(text));
+  const auto repair = prepared.sieve && !agrees
+                          ? repaired(read, forms, *prepared.sieve, prepared.exercise.symbols, is_mended)
+                          : std::nullopt;
+  if (const auto why = wrong_dimension(prepared, read))
+    return found(start, "wrong", "dimension",
+                 explanation_of("dimension") + " " + *why +
+                     (repair && repair->part != nullptr ? " Look at $" + print(repair->part) + "$." : ""),
+                 0);
+  if (repair) return found(start, "wrong", repair->note, in_words(*repair), 0);
+  if (!agrees)
+    if (auto opinion = for_small_angles(prepared, read, start)) return *opinion;
+  if (const auto note = wrong_symbols(prepared, read))
+    return found(start, "wrong", *note, explanation_of(*note), 0);
+  const std::string note = agrees ? "not_everywhere" : "other";
+  Opinion opinion = found(start, "wrong", note, explanation_of(note), 0);
+  opinion.witness = by_hand(prepared, read);
+  return opinion;
+}
+
+}  // namespace rederive::classroom

@@ -1,0 +1,152 @@
+// What is said of wrong answers: of those that are one edit away from a right one, how many are named; and
+// that nothing untrue is said.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <lessons/exercises/classroom.hpp>
+#include <lessons/exercises/edits.hpp>
+
+using namespace rederive;
+using namespace rederive::classroom;
+
+namespace {
+
+const Prepared& prepared(const std::string& id) {
+  static std::map<std::string, Prepared> all = [] {
+    std::map<std::string, Prepared> result;
+    for (const auto& exercise : read_exercises(exercises_folder()))
+      result.emplace(exercise.id, prepare(exercise));
+    return result;
+  }();
+  return all.at(id);
+}
+
+/// The answers one edit away from the model answer and from each right answer in another form. A number is
+/// spoilt in its formula and given to as many digits as are asked for.
+std::vector<std::string> one_edit_away(const Prepared& one) {
+  std::vector<std::string> result;
+  const Exercise& exercise = one.exercise;
+  if (exercise.kind == Kind::number) {
+    if (one.answer.relation.sides.empty()) return result;
+    RoughPoint at;
+    for (const auto& [name, value] : one.answer.values) at[name] = rough_value(value, {});
+    for (const auto& edit : edits(one.answer.relation.sides[0])) {
+      char text[40];
+      std::snprintf(text, sizeof text, "%#.*g", exercise.digits > 0 ? exercise.digits : 3,
+                    rough_value(edit.tree, at));
+      result.push_back(text + (exercise.unit == "1" ? "" : " " + exercise.unit));
+    }
+    return result;
+  }
+  std::vector<std::string> right = exercise.equivalents;
+  right.push_back(model_answer(one));
+  for (const auto& text : right)
+    for (const auto& edit : edits(parse_statement(text)))
+      result.push_back(edit.relation.operators.empty() ? print(edit.relation.sides[0])
+                                                       : print(edit.relation));
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+std::string note(const std::string& id, const std::string& answer) {
+  return judge_answer(prepared(id), answer).note;
+}
+
+}  // namespace
+
+TEST_CASE("of wrong answers one edit away at most one in twenty is unnamed") {
+  int wrong = 0, unnamed = 0;
+  const bool verbose = std::getenv("REDERIVE_SAY_UNNAMED") != nullptr;
+  for (const auto& exercise : read_exercises(exercises_folder())) {
+    if (exercise.kind == Kind::choice || exercise.kind == Kind::wrong_term) continue;
+    for (const auto& answer : one_edit_away(prepared(exercise.id))) {
+      const Opinion opinion = judge_answer(prepared(exercise.id), answer);
+      if (opinion.verdict == "correct" || opinion.verdict == "wrong_form" || opinion.verdict == "invalid")
+        continue;
+      ++wrong;
+      const bool named =
+          opinion.note != "other" && opinion.note != "undecided" && opinion.note != "not_everywhere";
+      unnamed += !named;
+      if (verbose)
+        std::printf("%s  %-28s %-16s %s | %s\n", named ? " " : "?", exercise.id.c_str(), opinion.note.c_str(),
+                    answer.c_str(), opinion.feedback.c_str());
+    }
+  }
+  std::printf("Of %d wrong answers one edit away %d are unnamed: %.1f %%\n", wrong, unnamed,
+              100.0 * unnamed / wrong);
+  CHECK(wrong > 500);
+  CHECK(20 * unnamed <= wrong);
+}
+
+TEST_CASE("nothing untrue is said") {
+  const auto said = [](const std::string& id, const std::string& answer) {
+    return judge_answer(prepared(id), answer).feedback;
+  };
+  CHECK(note("linear-equation",
+             "thetaddot + p^2*(a_p*sin(omega_p*t + psi)/g*cos(alpha - theta) + sin(alpha - theta)) = 0") ==
+        "not_linear");
+  for (const auto* id : {"first-move", "sudden-start", "reaction-at-start"})
+    CHECK(note(id, "0") != "reciprocal");
+  CHECK(note("equation-of-motion",
+             "thetaddot + p^2*(u_gddot/g*cos(alpha - theta) + sin(alpha - theta)) < 0") == "equation_wanted");
+  CHECK(note("equation-of-motion",
+             "(theta - alpha)*(thetaddot + p^2*(u_gddot/g*cos(alpha - theta) + sin(alpha - theta))) = 0") ==
+        "not_everywhere");
+  CHECK(said("height-of-centre", "abs(R*(cos(alpha - theta) - cos(alpha)))").find("factor") ==
+        std::string::npos);
+  CHECK(note("inertia-about-corner", "4/3*m*R^2 kg*m^2") == "unit_not_wanted");
+  CHECK(note("inertia-about-corner", "4/3*m*R^2") == "correct");
+  CHECK(note("height-of-centre", "2*R*(cos(alpha - theta) - cos(alpha))") == "factor");
+}
+
+TEST_CASE("what is right where the exercise is set is right") {
+  CHECK(note("height-of-centre", "R*sqrt(1 - sin(alpha - theta)^2) - R*cos(alpha)") == "correct");
+  CHECK(note("frequency-of-a-bookcase", "2.69 Hz") == "unit");
+  CHECK(note("frequency-of-a-bookcase", "p = 2.69 1/s") == "correct");
+  CHECK(note("frequency-of-a-bookcase", "2.69 s⁻¹") == "correct");
+  CHECK(note("first-lift", "2.94 m·s⁻²") == "correct");
+  CHECK(note("first-lift", "2.94 m s^-2") == "correct");
+  CHECK(note("restitution", "1 + 3/4*(cos(2*alpha) + cos(Pi))") == "correct");
+}
+
+TEST_CASE("slips are named with the digits that were asked for, and term by term") {
+  CHECK(note("size-from-p", "1.12 m") == "factor");
+  CHECK(note("size-from-p", "1.122 m") == "factor");
+  CHECK(note("release-from-rest", "alpha + (theta_0 + alpha)*cosh(p*t)") == "sign");
+  CHECK(note("release-from-rest", "alpha + (theta_0 - alpha)*sinh(p*t)") == "sin_cos");
+  CHECK(note("height-of-centre", "R*(sin(alpha - theta) - sin(alpha))") == "sin_cos");
+  CHECK(note("vertical-reaction",
+             "g - p^2*R*(u_gddot/g*cos(alpha - theta)*sin(alpha - theta) + cos(alpha - theta)^2) - "
+             "R*thetadot^2*sin(alpha - theta)") == "sin_cos");
+  CHECK(note("momentum", "J_o*thetadot + 1/2*m*R*u_gdot*cos(alpha - theta)") == "factor");
+  CHECK(note("constant-of-the-cosine", "theta_0 - alpha + alpha/(1 + omega_p^2/p^2)") == "sign");
+  CHECK(note("end-of-the-cosine", "(4.712 - psi)/omega_p") == "rounding");
+  CHECK(note("end-of-the-cosine", "(270 - psi)/omega_p") == "degrees");
+  CHECK(note("height-of-centre", "R*(cos(pi/180*(alpha - theta)) - cos(pi/180*alpha))") == "degrees");
+}
+
+TEST_CASE("the last line of every solution is judged right, and numbers are put in") {
+  for (const auto& exercise : read_exercises(exercises_folder())) {
+    CAPTURE(exercise.id);
+    const Prepared& one = prepared(exercise.id);
+    std::string text = solution_text(one);
+    REQUIRE(text.ends_with('\n'));
+    text.pop_back();
+    const Opinion opinion = judge_answer(one, text.substr(text.rfind('\n') + 1));
+    CHECK_MESSAGE(opinion.verdict == "correct", text.substr(text.rfind('\n') + 1));
+    if (exercise.kind == Kind::number && exercise.answer.function.empty())
+      CHECK(text.find("With the numbers") != std::string::npos);
+  }
+}
+
+TEST_CASE("a point to try by hand has numbers of one or two digits, and results of six") {
+  const Opinion opinion =
+      judge_answer(prepared("height-of-centre"), "R*(cos(alpha - theta/2)^3 - cos(alpha))");
+  REQUIRE(opinion.witness);
+  for (const auto& [name, value] : opinion.witness->at)
+    CHECK(std::count_if(value.begin(), value.end(), [](char c) { return c >= '1' && c <= '9'; }) <= 2);
+  CHECK(opinion.witness->printed.size() <= 9);
+  CHECK(opinion.witness->printed != opinion.witness->derived);
+}
