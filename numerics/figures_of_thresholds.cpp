@@ -168,7 +168,7 @@ Figure model_comparison_figure(const FigureOptions& options) {
   WindowSearch search;
   search.largest = highest * 2, search.stations = enough_stations, search.narrowest_turn = 1;
   const auto linear = spectrum(asked, ratios, search, options.work);
-  asked.model = Model::nonlinear;
+  asked.model = Model::nonlinear, asked.engine = options.engine;
   const auto nonlinear = spectrum(asked, ratios, search, options.work);
   Panel panel = ratio_panel(10);
   for (const auto& [points, name, grey] :
@@ -224,7 +224,7 @@ Figure paper_figure(int number, const FigureOptions& options) {
     case 8:
     case 9:
     case 12:
-    case 13: return history_figure(number);
+    case 13: return history_figure(number, options);
     case 10: return threshold_figure(options);
     case 11: return model_comparison_figure(options);
     case 14: return initial_condition_figure(options);
