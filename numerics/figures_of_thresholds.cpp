@@ -36,13 +36,13 @@ PulseCase paper_case(Pulse pulse, double theta_0, double thetadot_0) {
 
 /// The roots of the closed forms at each frequency.
 std::vector<std::vector<ClosedForm>> roots_at(const PulseCase& asked, const std::vector<double>& ratios,
-                                              Work work) {
+                                              Work work, const std::vector<Form>& wanted = {}) {
   std::vector<std::vector<ClosedForm>> roots(ratios.size());
   work.count = static_cast<int>(ratios.size());
   for_each_index(work, [&](int i) {
     PulseCase here = asked;
     here.omega_ratio = ratios[static_cast<std::size_t>(i)];
-    roots[static_cast<std::size_t>(i)] = closed_forms(here);
+    roots[static_cast<std::size_t>(i)] = closed_forms(here, wanted);
   });
   return roots;
 }
@@ -191,7 +191,9 @@ Figure initial_condition_figure(const FigureOptions& options) {
   const auto rest = paper_case(Pulse::sine, 0, 0), pushed = paper_case(Pulse::sine, -0.01, -0.1),
              cosine = paper_case(Pulse::cosine, 0, 0), cosine_pushed = paper_case(Pulse::cosine, 0.01, 0.1),
              cosine_back = paper_case(Pulse::cosine, -0.01, -0.1);
-  const auto forms = [&](const PulseCase& asked) { return roots_at(asked, ratios, options.work); };
+  const auto forms = [&](const PulseCase& asked) {
+    return roots_at(asked, ratios, options.work, {Form::eq71, Form::eq103, Form::eq104});
+  };
   Panel panel = ratio_panel(10);
   panel.key = "at graph 0.07, graph 0.99 left top";
   panel.curves = {
