@@ -3,6 +3,7 @@
 #include <emitted/rocking_block.hpp>
 #include <iterator>
 #include <numerics/batch.hpp>
+#include <numerics/parallel.hpp>
 
 namespace rederive {
 
@@ -189,11 +190,21 @@ std::vector<std::vector<int>> PulseBatch::codes(const std::vector<double>& omega
   return all;
 }
 
-std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<double>& amplitudes) {
-  if (asked.engine == Engine::taylor)
-    return PulseBatch(asked, amplitudes).outcomes({asked.omega_ratio}).front();
-  std::vector<Outcome> all;
-  for (const double amplitude : amplitudes) all.push_back(outcome_at(asked, amplitude));
+std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<double>& amplitudes, int threads) {
+  constexpr int worth_a_thread = 64;
+  const int count = static_cast<int>(amplitudes.size());
+  Work work;
+  work.count = work.threads = std::clamp(count / worth_a_thread, 1, threads);
+  std::vector<Outcome> all(amplitudes.size());
+  for_each_index(work, [&](int i) {
+    const auto from = amplitudes.begin() + count * i / work.count,
+               to = amplitudes.begin() + count * (i + 1) / work.count;
+    const auto into = all.begin() + count * i / work.count;
+    if (asked.engine == Engine::taylor)
+      std::ranges::copy(PulseBatch(asked, {from, to}).outcomes({asked.omega_ratio}).front(), into);
+    else
+      std::transform(from, to, into, [&](double amplitude) { return outcome_at(asked, amplitude); });
+  });
   return all;
 }
 

@@ -77,7 +77,8 @@ class PulseBatch {
   std::vector<Launch> launches_;
 };
 
-/// outcome_at of each amplitude, by the engine asked for.
-std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<double>& amplitudes);
+/// outcome_at of each amplitude, by the engine asked for. Several threads share them if there are many.
+std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<double>& amplitudes,
+                                 int threads = 1);
 
 }  // namespace rederive::inline numeric

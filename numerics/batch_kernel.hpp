@@ -48,7 +48,7 @@ V falling_zero(const V (&series)[size], V low, V y_low, V v_low, V high, V v_hig
     where(open, v) = v_next;
     where(open && y > 0, low) = time;
     where(open && y <= 0, high) = time;
-    open = open && moved > 1e-8 * time;  // the error goes with the square
+    open = open && moved > 1e-5 * time;  // the error goes with the square, and once more below
     next = time - y / v;
   }
   return time - y / v;

@@ -25,9 +25,10 @@ auto itinerary(const Station& s) {
   return std::tuple(s.outcome.code, s.outcome.side, s.outcome.impacts, s.outcome.lies, s.outcome.rests > 0);
 }
 
-std::vector<Station> stations_at(const PulseCase& asked, const std::vector<double>& amplitudes) {
+std::vector<Station> stations_at(const PulseCase& asked, const std::vector<double>& amplitudes,
+                                 int threads = 1) {
   std::vector<Station> stations;
-  for (const Outcome& outcome : outcomes_at(asked, amplitudes))
+  for (const Outcome& outcome : outcomes_at(asked, amplitudes, threads))
     stations.push_back({amplitudes[stations.size()], outcome, squeezed(outcome.margins.outward),
                         squeezed(outcome.margins.returning)});
   return stations;
@@ -40,12 +41,13 @@ struct Gap {
 };
 
 /// Parts all gaps together, each into `parts`: the stations of each, its ends among them.
-std::vector<std::vector<Station>> parted(const PulseCase& asked, const std::vector<Gap>& gaps, int parts) {
+std::vector<std::vector<Station>> parted(const PulseCase& asked, const std::vector<Gap>& gaps, int parts,
+                                         int threads = 1) {
   std::vector<double> amplitudes;
   for (const auto& [low, high] : gaps)
     for (int i = 1; i < parts; ++i)
       amplitudes.push_back(std::lerp(low.amplitude, high.amplitude, static_cast<double>(i) / parts));
-  const std::vector<Station> found = stations_at(asked, amplitudes);
+  const std::vector<Station> found = stations_at(asked, amplitudes, threads);
   std::vector<std::vector<Station>> rows;
   auto next = found.begin();
   for (const auto& [low, high] : gaps) {
@@ -76,15 +78,16 @@ bool may_hide_a_window(const Station& low, const Station& between, const Station
 
 /// The stations at some amplitudes, and between them: gaps are halved, all together, until none may hide a
 /// window.
-std::vector<Station> scan(const PulseCase& asked, const WindowSearch& search,
+std::vector<Station> scan(PulseCase asked, const WindowSearch& search,
                           const std::vector<double>& amplitudes) {
-  std::vector<Station> stations = stations_at(asked, amplitudes);
+  if (asked.engine == Engine::taylor) asked.tolerance = std::max(asked.tolerance, search.glance);
+  std::vector<Station> stations = stations_at(asked, amplitudes, search.threads);
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) gaps.push_back({stations[i], stations[i + 1]});
   while (!gaps.empty()) {
     std::erase_if(gaps, [&](const Gap& gap) { return !(gap.width() > search.narrowest); });
     std::vector<Gap> next;
-    for (const auto& row : parted(asked, gaps, 2)) {
+    for (const auto& row : parted(asked, gaps, 2, search.threads)) {
       if (row.size() < 3 || !may_hide_a_window(row[0], row[1], row[2], search)) continue;
       stations.push_back(row[1]);
       next.push_back({row[0], row[1]}), next.push_back({row[1], row[2]});

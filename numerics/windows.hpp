@@ -21,7 +21,9 @@ struct WindowSearch {
   int stations = 768;       ///< first amplitudes tried, crowded towards the smallest
   double narrowest = 2e-6;  ///< below this width nothing more is looked for
   double narrowest_turn =
-      1e-5;            ///< to this width a change of the itinerary is followed, whatever the margins
+      1e-5;              ///< to this width a change of the itinerary is followed, whatever the margins
+  double glance = 1e-9;  ///< tolerance of a kernel that looks for them: an edge is found exactly afterwards
+  int threads = 1;
   bool least = false;  ///< the window of the smallest amplitude alone, found from below; its `to` stays empty
 };
 

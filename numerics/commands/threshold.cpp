@@ -6,6 +6,7 @@
 #include <numerics/commands/options.hpp>
 #include <numerics/windows.hpp>
 #include <stdexcept>
+#include <thread>
 
 namespace rederive::inline numeric {
 namespace {
@@ -139,6 +140,7 @@ int threshold(const ThresholdOptions& options) {
   if (!options.digits.empty())
     answer.digits = static_cast<int>(number_between("--digits", options.digits, 1, 60));
   answer.least = search.least = options.least;
+  search.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   answer.windows = overturning_windows(answer.asked, search);
   if (answer.digits != 0)
     answer.roots = closed_forms(answer.asked.pulse, exact_case_of(options.common));
