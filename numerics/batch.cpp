@@ -3,6 +3,7 @@
 #include <emitted/rocking_block.hpp>
 #include <iterator>
 #include <numerics/batch.hpp>
+#include <numerics/parallel.hpp>
 
 namespace rederive {
 
@@ -18,35 +19,10 @@ using Launch = PulseBatch::Launch;
 struct Mirrored {
   double ground, quadrature;
 };
-Mirrored mirrored(const Block& block, const Piece& piece, int side, Real time) {
-  const Real amplitude = side * block.alpha * piece.amplitude;
+Mirrored mirrored(double scale, const Piece& piece, int side, Real time) {
+  const Real amplitude = side * scale * piece.amplitude;
   return {static_cast<double>(emitted::ground_of_sine_pulse(amplitude, piece.omega, piece.phase, time)),
           static_cast<double>(emitted::quadrature_of_sine_pulse(amplitude, piece.omega, piece.phase, time))};
-}
-
-Launch launch_at(const PulseCase& asked, double amplitude) {
-  Launch launch;
-  const Real level = start_level(asked.block, Model::nonlinear), alpha = asked.block.alpha;
-  const Real leads = asked.initial.angle != 0 ? asked.initial.angle : asked.initial.velocity;
-  if (leads == 0 && amplitude >= 0 && amplitude < level) return launch;
-  launch.piece = pulse_motion(asked.pulse, 1, amplitude, level).front();
-  Real start = 0;
-  if (leads != 0) {
-    launch.side = leads > 0 ? 1 : -1;
-  } else {
-    const std::vector<Push> all = pushes(launch.piece, level);
-    if (all.empty()) return launch;
-    launch.side = all.front().side;
-    start = all.front().from;
-    launch.push = static_cast<double>(all.front().to - start);
-    launch.gain = static_cast<double>((amplitude - level) * (all.front().to - start));
-  }
-  launch.left = static_cast<double>(launch.piece.to - start);
-  launch.theta = static_cast<double>(launch.side * asked.initial.angle * alpha);
-  launch.thetadot = static_cast<double>(launch.side * asked.initial.velocity * alpha);
-  const Mirrored pulse = mirrored(asked.block, launch.piece, launch.side, start);
-  launch.ground = pulse.ground, launch.quadrature = pulse.quadrature;
-  return launch;
 }
 
 /// After an impact that leaves less than this velocity, over alpha p, a block may be about to rest.
@@ -60,43 +36,55 @@ constexpr int most_rounds = 40;
 struct Motions {
   struct Owner {
     int column, row;
-    int side;  ///< on which the motion starts
+    int side;       ///< on which the motion starts
+    int rests = 0;  ///< so far
   };
   std::vector<Owner> owners;
   std::vector<BatchStart> starts;
 };
 
-/// (22), (34): the code of a motion that the pulse leaves on the side theta > 0 of its last impact.
-int code_of(const Block& block, const BatchEnd& end, int side) {
-  if (end.how == BatchEnd::How::lies) return side * (end.impacts + 1);
-  const double alpha = block.alpha, angle = end.theta / alpha, velocity = end.thetadot / alpha;
-  if (velocity > emitted::critical_velocity_positive(alpha, angle)) return side * (end.impacts + 1);
-  const double impact = emitted::impact_velocity_squared_positive(alpha, angle, velocity),
-               launch = emitted::critical_velocity_positive(alpha, 0.0);
-  const bool returns = block.restitution * std::sqrt(std::max(0.0, impact)) > launch;
-  return returns ? -side * (end.impacts + 2) : 0;
+/// (22), (34): what becomes of a motion that the pulse leaves on the side theta > 0 of its last impact, as
+/// outcome_at_end tells it; `launch` just lifts the block over the barrier from upright.
+Outcome outcome_of(const PulseCase& asked, double scale, const BatchEnd& end, const Motions::Owner& owner,
+                   double launch) {
+  const double alpha = asked.block.alpha, angle = end.theta / scale, velocity = end.thetadot / scale;
+  const bool linear = asked.model == Model::linear;
+  const double critical = linear ? emitted::linear_critical_velocity_positive(angle)
+                                 : emitted::critical_velocity_positive(alpha, angle),
+               impact = linear ? emitted::linear_impact_velocity_squared_positive(angle, velocity)
+                               : emitted::impact_velocity_squared_positive(alpha, angle, velocity);
+  const Margins at_end{velocity - critical,
+                       asked.block.restitution * std::sqrt(std::max(0.0, impact)) - launch};
+  Outcome outcome{0, end.impacts, owner.rests, owner.side, end.how == BatchEnd::How::lies, at_end};
+  if (outcome.lies || at_end.outward > 0)
+    outcome.code = owner.side * (end.impacts + 1);
+  else if (at_end.returning > 0)
+    outcome.code = -owner.side * (++outcome.impacts + 1);
+  outcome.margins.outward *= std::exp(end.left - end.launched);
+  return outcome;
 }
 
-/// Goes on after an impact that left the block slow, on `side`: from the push that starts it again, if it
-/// comes to rest; not at all if it rests for good.
-void resume(const Block& block, const Piece& piece, const BatchEnd& end, Motions::Owner owner,
-            Motions& next) {
-  const Real time = piece.to - end.left, velocity = owner.side * end.thetadot / block.alpha;
+/// Goes on after an impact that left the block slow: from the push that starts it again, if it comes to rest;
+/// false if it rests for good.
+bool resume(const PulseCase& asked, double scale, const Piece& piece, const BatchEnd& end,
+            Motions::Owner owner, Motions& next) {
+  const Real time = piece.to - end.left, velocity = owner.side * end.thetadot / scale;
   const auto omega = static_cast<double>(piece.omega);
-  if (const auto rest = time_of_rest(block, Model::nonlinear, piece, {time, 0, velocity})) {
-    const auto push = push_that_starts(block, Model::nonlinear, piece, *rest);
-    if (!push) return;
-    owner.side = push->side;
-    const Mirrored pulse = mirrored(block, piece, owner.side, push->from);
+  if (const auto rest = time_of_rest(asked.block, asked.model, piece, {time, 0, velocity})) {
+    const auto push = push_that_starts(asked.block, asked.model, piece, *rest);
+    if (!push) return false;
+    owner.side = push->side, ++owner.rests;
+    const Mirrored pulse = mirrored(scale, piece, owner.side, push->from);
     next.starts.push_back({omega, 0, 0, pulse.ground, pulse.quadrature,
                            static_cast<double>(push->to - push->from),
-                           static_cast<double>(piece.to - push->from), slow * block.alpha});
+                           static_cast<double>(piece.to - push->from), slow * scale});
   } else {
-    const Mirrored pulse = mirrored(block, piece, owner.side, time);
+    const Mirrored pulse = mirrored(scale, piece, owner.side, time);
     next.starts.push_back(
         {omega, 0, end.thetadot, pulse.ground, pulse.quadrature, 0, end.left, end.thetadot / 4, end.impacts});
   }
   next.owners.push_back(owner);
+  return true;
 }
 
 }  // namespace
@@ -113,15 +101,45 @@ const std::vector<BatchKernel>& batch_kernels() {
   return all;
 }
 
-PulseBatch::PulseBatch(const PulseCase& asked, const std::vector<double>& amplitudes,
-                       const BatchKernel& kernel)
-    : asked_(asked), amplitudes_(amplitudes), kernel_(kernel) {
-  for (const double amplitude : amplitudes) launches_.push_back(launch_at(asked, amplitude));
+PulseBatch::Launch PulseBatch::launch_at(double amplitude) const {
+  Launch launch;
+  const Real level = start_level(asked_.block, asked_.model);
+  const Real leads = asked_.initial.angle != 0 ? asked_.initial.angle : asked_.initial.velocity;
+  if (leads == 0 && amplitude >= 0 && amplitude < level) return launch;
+  launch.piece = pulse_motion(asked_.pulse, 1, amplitude, level).front();
+  Real start = 0;
+  if (leads != 0) {
+    launch.side = leads > 0 ? 1 : -1;
+  } else {
+    const std::vector<Push> all = pushes(launch.piece, level);
+    if (all.empty()) return launch;
+    launch.side = all.front().side;
+    start = all.front().from;
+    launch.push = static_cast<double>(all.front().to - start);
+    launch.gain = static_cast<double>((amplitude - level) * (all.front().to - start));
+  }
+  launch.left = static_cast<double>(launch.piece.to - start);
+  launch.theta = static_cast<double>(launch.side * asked_.initial.angle * scale_);
+  launch.thetadot = static_cast<double>(launch.side * asked_.initial.velocity * scale_);
+  const Mirrored pulse = mirrored(scale_, launch.piece, launch.side, start);
+  launch.ground = pulse.ground, launch.quadrature = pulse.quadrature;
+  return launch;
 }
 
-std::vector<std::vector<int>> PulseBatch::codes(const std::vector<double>& omega_ratios) const {
-  const Block& block = asked_.block;
-  std::vector<std::vector<int>> codes(omega_ratios.size(), std::vector<int>(amplitudes_.size(), 0));
+PulseBatch::PulseBatch(const PulseCase& asked, const std::vector<double>& amplitudes,
+                       const BatchKernel& kernel)
+    : asked_(asked),
+      scale_(asked.model == Model::linear ? 1 : asked.block.alpha),
+      amplitudes_(amplitudes),
+      kernel_(kernel) {
+  for (const double amplitude : amplitudes) launches_.push_back(launch_at(amplitude));
+}
+
+std::vector<std::vector<Outcome>> PulseBatch::outcomes(const std::vector<double>& omega_ratios) const {
+  const double launch = asked_.model == Model::linear
+                            ? emitted::linear_critical_velocity_positive(0.0)
+                            : emitted::critical_velocity_positive(asked_.block.alpha, 0.0);
+  std::vector<std::vector<Outcome>> all(omega_ratios.size(), std::vector<Outcome>(amplitudes_.size()));
   Motions motions;
   motions.owners.reserve(omega_ratios.size() * amplitudes_.size());
   motions.starts.reserve(omega_ratios.size() * amplitudes_.size());
@@ -132,36 +150,62 @@ std::vector<std::vector<int>> PulseBatch::codes(const std::vector<double>& omega
       if (from.side == 0) continue;
       motions.owners.push_back({column, row, from.side});
       motions.starts.push_back({omega, from.theta, from.thetadot, from.ground, from.quadrature,
-                                from.push / omega, from.left / omega, slow * block.alpha});
+                                from.push / omega, from.left / omega, slow * scale_});
     }
   for (int round = 0; !motions.starts.empty(); ++round) {
     std::vector<BatchEnd> ends(motions.starts.size());
-    kernel_.run({block.alpha, block.restitution, block.alpha * asked_.tolerance}, motions.starts.data(),
-                ends.data(), static_cast<int>(ends.size()));
+    kernel_.run({asked_.model == Model::linear, scale_, asked_.block.restitution, scale_ * asked_.tolerance},
+                motions.starts.data(), ends.data(), static_cast<int>(ends.size()));
     Motions next;
     for (std::size_t k = 0; k < ends.size(); ++k) {
       const BatchEnd& end = ends[k];
       const BatchStart& start = motions.starts[k];
       Motions::Owner owner = motions.owners[k];
       const auto row = static_cast<std::size_t>(owner.row);
-      int& code = codes[static_cast<std::size_t>(owner.column)][row];
+      Outcome& outcome = all[static_cast<std::size_t>(owner.column)][row];
       if ((end.impacts - start.impacts) % 2 != 0) owner.side = -owner.side;
       const bool weak = round == 0 && start.push > 0 && launches_[row].gain < weak_push * start.omega;
       if (weak || end.how == BatchEnd::How::unclear || round == most_rounds) {
         PulseCase here = asked_;
         here.omega_ratio = start.omega;
-        code = outcome_at(here, amplitudes_[row]).code;
+        outcome = outcome_at(here, amplitudes_[row]);
       } else if (end.how == BatchEnd::How::slow) {
         Piece piece = launches_[row].piece;
         piece.omega = start.omega, piece.to /= start.omega;
-        resume(block, piece, end, owner, next);
+        if (!resume(asked_, scale_, piece, end, owner, next)) outcome = {0, end.impacts, owner.rests + 1};
       } else {
-        code = code_of(block, end, owner.side);
+        outcome = outcome_of(asked_, scale_, end, owner, launch);
       }
     }
     motions = std::move(next);
   }
-  return codes;
+  return all;
+}
+
+std::vector<std::vector<int>> PulseBatch::codes(const std::vector<double>& omega_ratios) const {
+  std::vector<std::vector<int>> all(omega_ratios.size());
+  const auto every = outcomes(omega_ratios);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const Outcome& outcome : every[i]) all[i].push_back(outcome.code);
+  return all;
+}
+
+std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<double>& amplitudes, int threads) {
+  constexpr int worth_a_thread = 64;
+  const int count = static_cast<int>(amplitudes.size());
+  Work work;
+  work.count = work.threads = std::clamp(count / worth_a_thread, 1, threads);
+  std::vector<Outcome> all(amplitudes.size());
+  for_each_index(work, [&](int i) {
+    const auto from = amplitudes.begin() + count * i / work.count,
+               to = amplitudes.begin() + count * (i + 1) / work.count;
+    const auto into = all.begin() + count * i / work.count;
+    if (asked.engine == Engine::taylor)
+      std::ranges::copy(PulseBatch(asked, {from, to}).outcomes({asked.omega_ratio}).front(), into);
+    else
+      std::transform(from, to, into, [&](double amplitude) { return outcome_at(asked, amplitude); });
+  });
+  return all;
 }
 
 }  // namespace numeric

@@ -1,4 +1,4 @@
-// Many simulations of the nonlinear model at once, in the lanes of a vector: A. Jorba and M. Zou,
+// Many simulations at once, in the lanes of a vector: A. Jorba and M. Zou,
 // Experimental Mathematics 14 (2005) 99-117, for the steps; each instruction set has a kernel of its own,
 // chosen at run time, and all give the same bits.
 #pragma once
@@ -8,10 +8,12 @@
 
 namespace rederive::inline numeric {
 
-/// Angles in rad, times p t, accelerations over g.
+/// Angles in rad, times p t, accelerations over g; in the linear model, of which alpha is the only scale,
+/// angles over alpha, accelerations over alpha g.
 struct BatchBlock {
-  double alpha, restitution;
-  double tolerance;  ///< of the last two terms of each series
+  bool is_linear;
+  double alpha, restitution;  ///< linear: alpha = 1
+  double tolerance;           ///< of the last two terms of each series
 };
 
 /// Where a motion starts under the pulse, on the side theta > 0: one on the other side is mirrored with its
@@ -31,6 +33,7 @@ struct BatchStart {
 struct BatchEnd {
   enum class How { pulse_over, lies, slow, unclear } how;
   double theta, thetadot, left;
+  double launched;  ///< what was left when the block last started or came to upright
   int impacts;
 };
 
@@ -43,15 +46,16 @@ struct BatchKernel {
 /// Those that this processor can run, the fastest last.
 const std::vector<BatchKernel>& batch_kernels();
 
-/// The nonlinear model under one pulse at many amplitudes.
+/// One pulse at many amplitudes.
 class PulseBatch {
  public:
   /// Throws std::invalid_argument like outcome_at.
   PulseBatch(const PulseCase& asked, const std::vector<double>& amplitudes,
              const BatchKernel& kernel = batch_kernels().back());
 
-  /// For each omega_p/p outcome_at(asked, amplitude).code of each amplitude. A graze is followed by
-  /// outcome_at.
+  /// For each omega_p/p outcome_at(asked, amplitude) of each amplitude. A graze is followed by outcome_at.
+  std::vector<std::vector<Outcome>> outcomes(const std::vector<double>& omega_ratios) const;
+  /// Their codes.
   std::vector<std::vector<int>> codes(const std::vector<double>& omega_ratios) const;
 
   /// When and with what the block starts. Times are phases: they do not depend on omega_p.
@@ -64,10 +68,17 @@ class PulseBatch {
   };
 
  private:
+  Launch launch_at(double amplitude) const;
+
   PulseCase asked_;
+  double scale_;  ///< of angles and accelerations: alpha, or 1 in the linear model
   std::vector<double> amplitudes_;
   BatchKernel kernel_;
   std::vector<Launch> launches_;
 };
+
+/// outcome_at of each amplitude, by the engine asked for. Several threads share them if there are many.
+std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<double>& amplitudes,
+                                 int threads = 1);
 
 }  // namespace rederive::inline numeric

@@ -79,18 +79,22 @@ struct Range {
 
 Range range_of(Form form, double longest) {
   constexpr double pi = std::numbers::pi, shift = pi / 2;
-  if (form == Form::eq86_88) return {1e-4 * longest, std::min(3 * longest, longest + 10), 6000};
-  if (form == Form::eq92a_96) return {1e-6, pi - 1e-6, 4000};
-  if (form == Form::eq103) return {1e-9 - shift, pi - 1e-9 - shift, 2000};
-  return {1e-9, pi - 1e-9, 2000};
+  if (form == Form::eq86_88) return {1e-4 * longest, std::min(3 * longest, longest + 10), 750};
+  if (form == Form::eq92a_96) return {1e-6, pi - 1e-6, 500};
+  if (form == Form::eq103) return {1e-9 - shift, pi - 1e-9 - shift, 500};
+  return {1e-9, pi - 1e-9, 500};
 }
 
 /// Neighbouring doubles with a root between them, by rounded values of the residual.
 std::vector<Change> brackets(Form form, const Inputs<Ball>& in) {
   const Inputs<Real> rounded{in.omega_ratio.to_real(), in.restitution.to_real(), in.push.to_real()};
+  const Inputs<double> coarse{in.omega_ratio.to_double(), in.restitution.to_double(), in.push.to_double()};
   const Real longest = longest_pulse(in.omega_ratio);
-  const bool in_balls = std::abs(code_of(form)) == 2 && longest > long_pulse;
+  const bool with_impact = std::abs(code_of(form)) == 2, in_balls = with_impact && longest > long_pulse;
   const auto value = [&](double x) {
+    // Without impact nothing grows: what rounding leaves in doubt is below 1e-13 of the terms.
+    const double glance = with_impact ? 0 : residual<double>(form, coarse, x);
+    if (std::isfinite(glance) && std::abs(glance) > 1e-9 * (1 + std::abs(coarse.push))) return glance;
     return static_cast<double>(in_balls ? residual(form, in, Ball(x, in.omega_ratio.bits())).to_real()
                                         : residual<Real>(form, rounded, x));
   };
@@ -221,21 +225,22 @@ ExactCase exact_case_of(const PulseCase& asked) {
           Ball(asked.initial.velocity)};
 }
 
-std::vector<ClosedForm> closed_forms(Pulse pulse, const ExactCase& exact) {
+std::vector<ClosedForm> closed_forms(Pulse pulse, const ExactCase& exact, const std::vector<Form>& wanted) {
   for (long bits = first_bits(longest_pulse(exact.omega_ratio));; bits = std::min(2 * bits, Ball::most_bits))
     try {
       const ExactCase rounded{exact.omega_ratio.at(bits), exact.restitution.at(bits), exact.angle.at(bits),
                               exact.velocity.at(bits)};
       std::vector<ClosedForm> all;
-      for (const Form form : forms_for(pulse, exact)) add_roots(form, pulse, rounded, all);
+      for (const Form form : forms_for(pulse, exact))
+        if (wanted.empty() || std::ranges::count(wanted, form) > 0) add_roots(form, pulse, rounded, all);
       return all;
     } catch (const NotCertain&) {
       if (bits == Ball::most_bits) throw;
     }
 }
 
-std::vector<ClosedForm> closed_forms(const PulseCase& asked) {
-  return closed_forms(asked.pulse, exact_case_of(asked));
+std::vector<ClosedForm> closed_forms(const PulseCase& asked, const std::vector<Form>& wanted) {
+  return closed_forms(asked.pulse, exact_case_of(asked), wanted);
 }
 
 }  // namespace rederive::inline numeric

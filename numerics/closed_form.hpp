@@ -50,13 +50,15 @@ struct ClosedForm {
   std::vector<std::string> equations() const;
 };
 
-/// Every root of the forms that apply to the pulse and the initial conditions, psi in (0, pi), for (103) in
+/// Every root of the forms, all or those wanted, that apply to the pulse and the initial conditions, psi in
+/// (0, pi), for (103) in
 /// (-pi/2, pi/2), impact times up to three times the pulse but at most 10 beyond it; 0.01 <= omega_p/p.
 /// Each is proven: a continuous function, evaluated in balls, has certain and opposite signs at the ends of a
 /// ball. Whether a root is admissible is found by following the motion that it stands for. The bits of the
 /// balls are raised until all is certain; throws NotCertain if Ball::most_bits are not enough.
-std::vector<ClosedForm> closed_forms(Pulse pulse, const ExactCase& exact);
-std::vector<ClosedForm> closed_forms(const PulseCase& asked);
+std::vector<ClosedForm> closed_forms(Pulse pulse, const ExactCase& exact,
+                                     const std::vector<Form>& wanted = {});
+std::vector<ClosedForm> closed_forms(const PulseCase& asked, const std::vector<Form>& wanted = {});
 
 /// Why the block does not move as the form at this root says; empty if it does. The linear motion is followed
 /// in balls.

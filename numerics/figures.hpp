@@ -1,6 +1,7 @@
 // The paper's figures 8 to 16, computed.
 #pragma once
 
+#include <numerics/overturning.hpp>
 #include <numerics/parallel.hpp>
 #include <numerics/plot.hpp>
 
@@ -10,6 +11,7 @@ namespace rederive::inline numeric {
 
 struct FigureOptions {
   double ground_acceleration = 0.24;  ///< a_g/g of figure 16: the paper does not say which it used
+  Engine engine = Engine::taylor;     ///< for the nonlinear model
   Work work{};                        ///< threads and progress for the figures that sweep omega_p/p
 };
 
@@ -17,7 +19,7 @@ struct FigureOptions {
 /// Throws std::invalid_argument unless 8 <= number <= 16.
 Figure paper_figure(int number, const FigureOptions& options);
 
-Figure history_figure(int number);                              ///< 8, 9, 12, 13
+Figure history_figure(int number, const FigureOptions& options);  ///< 8, 9, 12, 13
 Figure threshold_figure(const FigureOptions& options);          ///< 10
 Figure model_comparison_figure(const FigureOptions& options);   ///< 11
 Figure initial_condition_figure(const FigureOptions& options);  ///< 14

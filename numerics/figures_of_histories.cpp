@@ -38,8 +38,10 @@ HistoryCurve history(const Shown& shown) {
 }
 
 /// The edge of the first window with this code, linear or nonlinear, in units of alpha g.
-double least_with_code(Model model, double omega_ratio, std::optional<double> restitution, int code) {
+double least_with_code(Model model, double omega_ratio, std::optional<double> restitution, int code,
+                       Engine engine = Engine::taylor) {
   PulseCase asked;
+  asked.engine = engine;
   asked.block = make_block(0.25, 2.14, restitution);
   asked.model = model;
   asked.omega_ratio = omega_ratio;
@@ -82,16 +84,16 @@ std::vector<Shown> printed_pair(double omega_ratio, double below, double above,
            above * unit, restitution, 2, true}};
 }
 
-std::string without_impact_caption(double omega_ratio, const char* printed) {
+std::string without_impact_caption(double omega_ratio, const char* printed, Engine engine) {
+  const double nonlinear = least_with_code(Model::nonlinear, omega_ratio, {}, -1, engine);
   return fmt::format(
       "Without impact, ω_p/p = {}, α = 0.25 rad, p = 2.14 1/s. Black: linear, threshold {:.6f} α g, eq "
       "(71).\n"
       "The paper calls its {} linear and in units of α g. They are thresholds of the nonlinear model in "
       "units\n"
       "of g tan α: {:.6f} α g = {:.6f} g tan α (grey).",
-      omega_ratio, least_with_code(Model::linear, omega_ratio, {}, -1), printed,
-      least_with_code(Model::nonlinear, omega_ratio, {}, -1),
-      least_with_code(Model::nonlinear, omega_ratio, {}, -1) / start_in_alpha_g());
+      omega_ratio, least_with_code(Model::linear, omega_ratio, {}, -1), printed, nonlinear,
+      nonlinear / start_in_alpha_g());
 }
 
 Figure figure_with(std::string caption, const std::vector<Shown>& all) {
@@ -105,8 +107,8 @@ std::vector<Shown> joined(std::vector<Shown> a, const std::vector<Shown>& b) {
   return a;
 }
 
-Figure figure_12() {
-  const double edge = least_with_code(Model::nonlinear, 3, 0.9, 2) / start_in_alpha_g();
+Figure figure_12(Engine engine) {
+  const double edge = least_with_code(Model::nonlinear, 3, 0.9, 2, engine) / start_in_alpha_g();
   const auto caption = fmt::format(
       "After one impact during the pulse, ω_p/p = 3, α = 0.25 rad, e = 1 - 3/2 sin²α (black: linear, "
       "threshold {:.6f} α g,\n"
@@ -149,16 +151,16 @@ std::vector<Panel> history_panels(const std::vector<HistoryCurve>& curves) {
   return {a, b, c};
 }
 
-Figure history_figure(int number) {
+Figure history_figure(int number, const FigureOptions& options) {
   switch (number) {
     case 8:
-      return figure_with(without_impact_caption(2, "2.35766 and 2.35771"),
+      return figure_with(without_impact_caption(2, "2.35766 and 2.35771", options.engine),
                          joined(linear_pair(2, -1), printed_pair(2, 2.35766, 2.35771, {})));
     case 9:
-      return figure_with(without_impact_caption(4, "5.3230 and 5.32303"),
+      return figure_with(without_impact_caption(4, "5.3230 and 5.32303", options.engine),
                          joined(linear_pair(4, -1), printed_pair(4, 5.3230, 5.32303, {})));
     case 12:
-      return figure_12();
+      return figure_12(options.engine);
     case 13:
       return figure_13();
     default:

@@ -40,6 +40,8 @@ bool belongs(const Case& shown, const ClosedForm& root) {
 Curve period_curve(const Case& shown, Work work) {
   constexpr int count = 120;
   const Block block = make_block(0.25, 2.14);
+  std::vector<Form> wanted{shown.form};
+  if (shown.form == Form::eq86_88) wanted.push_back(Form::eq92a_96);
   std::vector<std::vector<std::pair<double, double>>> found(count);
   work.count = count;
   for_each_index(work, [&](int i) {
@@ -48,7 +50,7 @@ Curve period_curve(const Case& shown, Work work) {
     asked.pulse = shown.pulse;
     asked.initial = initial_state(block, Model::linear, shown.theta_0, shown.thetadot_0);
     asked.omega_ratio = 0.4 * std::pow(30.0, static_cast<double>(i) / (count - 1));
-    for (const ClosedForm& root : closed_forms(asked))
+    for (const ClosedForm& root : closed_forms(asked, wanted))
       if (belongs(shown, root))
         found[static_cast<std::size_t>(i)].emplace_back(root.pulse_end / block.p,
                                                         root.amplitude * block.alpha);

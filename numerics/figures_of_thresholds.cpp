@@ -36,13 +36,13 @@ PulseCase paper_case(Pulse pulse, double theta_0, double thetadot_0) {
 
 /// The roots of the closed forms at each frequency.
 std::vector<std::vector<ClosedForm>> roots_at(const PulseCase& asked, const std::vector<double>& ratios,
-                                              Work work) {
+                                              Work work, const std::vector<Form>& wanted = {}) {
   std::vector<std::vector<ClosedForm>> roots(ratios.size());
   work.count = static_cast<int>(ratios.size());
   for_each_index(work, [&](int i) {
     PulseCase here = asked;
     here.omega_ratio = ratios[static_cast<std::size_t>(i)];
-    roots[static_cast<std::size_t>(i)] = closed_forms(here);
+    roots[static_cast<std::size_t>(i)] = closed_forms(here, wanted);
   });
   return roots;
 }
@@ -168,7 +168,7 @@ Figure model_comparison_figure(const FigureOptions& options) {
   WindowSearch search;
   search.largest = highest * 2, search.stations = enough_stations, search.narrowest_turn = 1;
   const auto linear = spectrum(asked, ratios, search, options.work);
-  asked.model = Model::nonlinear;
+  asked.model = Model::nonlinear, asked.engine = options.engine;
   const auto nonlinear = spectrum(asked, ratios, search, options.work);
   Panel panel = ratio_panel(10);
   for (const auto& [points, name, grey] :
@@ -191,7 +191,9 @@ Figure initial_condition_figure(const FigureOptions& options) {
   const auto rest = paper_case(Pulse::sine, 0, 0), pushed = paper_case(Pulse::sine, -0.01, -0.1),
              cosine = paper_case(Pulse::cosine, 0, 0), cosine_pushed = paper_case(Pulse::cosine, 0.01, 0.1),
              cosine_back = paper_case(Pulse::cosine, -0.01, -0.1);
-  const auto forms = [&](const PulseCase& asked) { return roots_at(asked, ratios, options.work); };
+  const auto forms = [&](const PulseCase& asked) {
+    return roots_at(asked, ratios, options.work, {Form::eq71, Form::eq103, Form::eq104});
+  };
   Panel panel = ratio_panel(10);
   panel.key = "at graph 0.07, graph 0.99 left top";
   panel.curves = {
@@ -224,7 +226,7 @@ Figure paper_figure(int number, const FigureOptions& options) {
     case 8:
     case 9:
     case 12:
-    case 13: return history_figure(number);
+    case 13: return history_figure(number, options);
     case 10: return threshold_figure(options);
     case 11: return model_comparison_figure(options);
     case 14: return initial_condition_figure(options);

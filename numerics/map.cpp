@@ -6,12 +6,12 @@
 namespace rederive::inline numeric {
 
 OutcomeMap outcome_map(const PulseCase& asked, std::vector<double> omega_ratios,
-                       std::vector<double> amplitudes, Work work, Engine engine) {
+                       std::vector<double> amplitudes, Work work) {
   OutcomeMap map{std::move(omega_ratios), std::move(amplitudes), {}};
   const auto columns = static_cast<int>(map.omega_ratios.size());
   map.codes.resize(map.omega_ratios.size());
   std::optional<PulseBatch> batch;
-  if (engine == Engine::taylor && asked.model == Model::nonlinear) batch.emplace(asked, map.amplitudes);
+  if (asked.engine == Engine::taylor) batch.emplace(asked, map.amplitudes);
   // Lanes stay full while there are enough motions to fill them with; few enough stay in the cache.
   const int rows = std::max(1, static_cast<int>(map.amplitudes.size()));
   const int together = batch ? std::clamp(columns / (8 * work.threads), 1, 1 + 800 / rows) : 1;

@@ -12,12 +12,8 @@ struct OutcomeMap {
   std::vector<std::vector<int>> codes;  ///< codes[omega][amplitude]; empty where interrupted
 };
 
-/// What follows the nonlinear model: outcome_at, or PulseBatch, which is some 30 times as fast. The linear
-/// one has closed forms.
-enum class Engine { gsl, taylor };
-
 /// One column a task, so that an interruption keeps whole columns.
 OutcomeMap outcome_map(const PulseCase& asked, std::vector<double> omega_ratios,
-                       std::vector<double> amplitudes, Work work, Engine engine = Engine::taylor);
+                       std::vector<double> amplitudes, Work work);
 
 }  // namespace rederive::inline numeric

@@ -36,6 +36,10 @@ Outcome outcome_of(const Block& block, Model model, const GroundMotion& motion, 
                    double tolerance = Mover::default_tolerance);
 Outcome outcome_at_end(const Block& block, Model model, const Response& response);
 
+/// What follows many motions: outcome_at, which integrates the nonlinear model by GSL and has closed forms of
+/// the linear one, or PulseBatch.
+enum class Engine { gsl, taylor };
+
 /// What is asked of a pulse: everything but its amplitude.
 struct PulseCase {
   Block block;
@@ -44,6 +48,7 @@ struct PulseCase {
   double omega_ratio = 1;
   InitialState initial;
   double tolerance = Mover::default_tolerance;
+  Engine engine = Engine::taylor;
 };
 
 /// Below start_level a pulse moves nothing that rests: safe. With initial conditions the pulse has no first

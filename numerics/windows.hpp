@@ -21,7 +21,10 @@ struct WindowSearch {
   int stations = 768;       ///< first amplitudes tried, crowded towards the smallest
   double narrowest = 2e-6;  ///< below this width nothing more is looked for
   double narrowest_turn =
-      1e-5;  ///< to this width a change of the itinerary is followed, whatever the margins
+      1e-5;              ///< to this width a change of the itinerary is followed, whatever the margins
+  double glance = 1e-9;  ///< tolerance of a kernel that looks for them: an edge is found exactly afterwards
+  int threads = 1;
+  bool least = false;  ///< the window of the smallest amplitude alone, found from below; its `to` stays empty
 };
 
 /// Relative: linear edges come from closed forms in 64 binary digits, nonlinear ones from an integration.
@@ -29,19 +32,23 @@ constexpr double exactness_of_edges(Model model) { return model == Model::linear
 
 /// All windows between start_level and `largest`, in order.
 ///
-/// Along a fixed itinerary (impacts during the pulse) both margins are continuous in the amplitude. Intervals
-/// are halved where the itinerary or the code changes and where a margin, seen through its second difference,
-/// might reach zero in between; each edge is then bisected to neighbouring numbers. Windows
-/// narrower than exactness_of_edges are left out: near an amplitude at which a chain of impacts just does not
-/// come to rest there are ever more of them, ever narrower. Throws std::invalid_argument if omega_p/p or the
-/// largest amplitude is out of range.
+/// Along a fixed itinerary (impacts during the pulse) both margins are continuous in the amplitude. Gaps are
+/// halved, all together, where the itinerary or the code changes and where a margin, seen through its second
+/// difference, might reach zero in between; each edge is then enclosed in neighbouring numbers, by an
+/// integration to the last digits. Windows narrower than exactness_of_edges are left out: near an amplitude
+/// at which a chain of impacts just does not come to rest there are ever more of them, ever narrower. Throws
+/// std::invalid_argument if omega_p/p or the largest amplitude is out of range.
 std::vector<Window> overturning_windows(const PulseCase& asked, const WindowSearch& search = {});
 
 /// The window of the smallest amplitude, if any.
 std::optional<Window> least_window(const std::vector<Window>& windows);
 
+/// The same as edges are found: the linear model by closed forms, the nonlinear one by steps so exact that
+/// rounding is all that is left, where the engine is taylor.
+PulseCase exactly(PulseCase asked);
+
 /// Where the code changes: `inside` the code, which holds at the first of two amplitudes and not at the
-/// other.
+/// other; else std::invalid_argument is thrown.
 Change edge_of_code(const PulseCase& asked, int code, double inside, double outside);
 
 }  // namespace rederive::inline numeric

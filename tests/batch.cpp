@@ -6,6 +6,7 @@
 #include <numerics/batch.hpp>
 #include <random>
 #include <stdexcept>
+#include <tuple>
 
 using namespace rederive;
 
@@ -58,6 +59,7 @@ TEST_CASE("blocks and pulses at random come out as by GSL") {
     PulseCase asked = nonlinear(0.05 + 1.45 * share(random), 0.3 + 0.7 * share(random));
     asked.pulse = i % 2 == 0 ? Pulse::sine : Pulse::cosine;
     asked.omega_ratio = i % 3 == 0 ? std::pow(10, -1.5 * share(random)) : 0.2 + 9.8 * share(random);
+    if (i % 5 == 0) asked.model = Model::linear;
     if (i % 4 == 1) asked.initial = {1.6L * share(random) - 0.8L, 2 * share(random) - 1.0L};
     wrong += wrong_cells(asked, amplitudes_above(asked, random, 40));
   }
@@ -77,41 +79,63 @@ TEST_CASE("at the edges of the range, too") {
 }
 
 TEST_CASE("every kernel gives the same cells, one frequency at a time or all together") {
-  const PulseCase asked = nonlinear(0.25, 0.9);
-  std::vector<double> amplitudes;
-  for (int i = 0; i < 203; ++i) amplitudes.push_back(0.9 + 0.05 * i);
-  const std::vector<double> ratios{0.2, 1.0, 2.5, 4.0, 7.0};
-  const auto first = PulseBatch(asked, amplitudes, batch_kernels().front()).codes(ratios);
-  for (const BatchKernel& kernel : batch_kernels()) {
-    CAPTURE(kernel.name);
-    const PulseBatch batch(asked, amplitudes, kernel);
-    CHECK(batch.codes(ratios) == first);
-    for (std::size_t i = 0; i < ratios.size(); ++i) CHECK(batch.codes({ratios[i]}).front() == first[i]);
+  for (const Model model : {Model::nonlinear, Model::linear}) {
+    PulseCase asked = nonlinear(0.25, 0.9);
+    asked.model = model;
+    std::vector<double> amplitudes;
+    for (int i = 0; i < 203; ++i) amplitudes.push_back(0.9 + 0.05 * i);
+    const std::vector<double> ratios{0.2, 1.0, 2.5, 4.0, 7.0};
+    const auto first = PulseBatch(asked, amplitudes, batch_kernels().front()).codes(ratios);
+    for (const BatchKernel& kernel : batch_kernels()) {
+      CAPTURE(kernel.name);
+      const PulseBatch batch(asked, amplitudes, kernel);
+      CHECK(batch.codes(ratios) == first);
+      for (std::size_t i = 0; i < ratios.size(); ++i) CHECK(batch.codes({ratios[i]}).front() == first[i]);
+    }
   }
 }
 
 TEST_CASE("every kernel gives the same bits, in whatever lane") {
-  const double alpha = 0.25, ground = -std::tan(alpha), amplitude = 3 * alpha;
-  const double quadrature = -std::sqrt(amplitude * amplitude - ground * ground),
-               psi = std::asin(-ground / amplitude);
-  std::vector<BatchStart> starts;
-  for (int i = 0; i < 37; ++i) {
-    const double omega = 1 + 0.1 * i;
-    starts.push_back({omega, 0, 0, ground, quadrature, (std::numbers::pi - 2 * psi) / omega,
-                      (2 * std::numbers::pi - psi) / omega, 1e-4});
+  for (const bool is_linear : {false, true}) {
+    const double alpha = 0.25, ground = -std::tan(alpha), amplitude = 3 * alpha;
+    const double quadrature = -std::sqrt(amplitude * amplitude - ground * ground),
+                 psi = std::asin(-ground / amplitude);
+    std::vector<BatchStart> starts;
+    for (int i = 0; i < 37; ++i) {
+      const double omega = 1 + 0.1 * i;
+      starts.push_back({omega, 0, 0, ground, quadrature, (std::numbers::pi - 2 * psi) / omega,
+                        (2 * std::numbers::pi - psi) / omega, 1e-4});
+    }
+    std::vector<std::vector<BatchEnd>> all;
+    for (const BatchKernel& kernel : batch_kernels()) {
+      auto& ends = all.emplace_back(starts.size());
+      kernel.run({is_linear, alpha, 0.9, 1e-12}, starts.data(), ends.data(), static_cast<int>(starts.size()));
+      BatchEnd alone{};
+      kernel.run({is_linear, alpha, 0.9, 1e-12}, &starts[20], &alone, 1);
+      for (std::size_t i = 0; i < starts.size(); ++i) {
+        const BatchEnd &one = all.front()[i], &other = i == 20 ? alone : ends[i];
+        CHECK(one.how == other.how);
+        CHECK(one.theta == other.theta);
+        CHECK(one.thetadot == other.thetadot);
+        CHECK(one.impacts == other.impacts);
+      }
+    }
   }
-  std::vector<std::vector<BatchEnd>> all;
-  for (const BatchKernel& kernel : batch_kernels()) {
-    auto& ends = all.emplace_back(starts.size());
-    kernel.run({alpha, 0.9, 1e-12}, starts.data(), ends.data(), static_cast<int>(starts.size()));
-    BatchEnd alone{};
-    kernel.run({alpha, 0.9, 1e-12}, &starts[20], &alone, 1);
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-      const BatchEnd &one = all.front()[i], &other = i == 20 ? alone : ends[i];
-      CHECK(one.how == other.how);
-      CHECK(one.theta == other.theta);
-      CHECK(one.thetadot == other.thetadot);
-      CHECK(one.impacts == other.impacts);
+}
+
+TEST_CASE("the margins of the kernels are those of outcome_at") {
+  std::mt19937 random(4713);
+  for (const Model model : {Model::linear, Model::nonlinear}) {
+    PulseCase asked = nonlinear(0.25, 0.9);
+    asked.model = model, asked.omega_ratio = 2.3;
+    const auto amplitudes = amplitudes_above(asked, random, 50);
+    const auto outcomes = outcomes_at(asked, amplitudes);
+    for (std::size_t i = 0; i < amplitudes.size(); ++i) {
+      const Outcome outcome = outcome_at(asked, amplitudes[i]);
+      if (outcome.lies) continue;  // by then the margins are those of wherever a step ended
+      const Margins exact = outcome.margins, found = outcomes[i].margins;
+      CHECK(std::abs(found.outward - exact.outward) < 1e-10L * (1 + std::abs(exact.outward)));
+      CHECK(std::abs(found.returning - exact.returning) < 1e-10L * (1 + std::abs(exact.returning)));
     }
   }
 }
@@ -126,6 +150,9 @@ TEST_CASE("what the kernel leaves unresolved is followed, and what does not move
   for (std::size_t i = 0; i < amplitudes.size(); ++i) {
     const Outcome outcome = outcome_at(asked, amplitudes[i]);
     CHECK(codes[i] == outcome.code);
+    const Outcome found = outcomes_at(asked, {amplitudes[i]}).front();
+    CHECK(std::tuple(found.code, found.side, found.impacts, found.rests) ==
+          std::tuple(outcome.code, outcome.side, outcome.impacts, outcome.rests));
     rests = rests || outcome.rests > 0;
   }
   CHECK(rests);

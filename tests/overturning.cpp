@@ -4,9 +4,11 @@
 #include <cmath>
 #include <emitted/rocking_block.hpp>
 #include <numeric>
+#include <numerics/batch.hpp>
 #include <numerics/overturning.hpp>
 #include <numerics/story.hpp>
 #include <numerics/windows.hpp>
+#include <random>
 #include <stdexcept>
 
 using namespace rederive;
@@ -50,13 +52,52 @@ TEST_CASE("windows after three, five and seven impacts are found, in both models
     for (int code : {10, 8, 6, 4, 2})
       CHECK(std::any_of(windows.begin(), windows.end(), [&](const Window& w) { return w.code == code; }));
     for (const Window& window : windows) {
-      CHECK(outcome_at(of, window.from).code == window.code);
-      CHECK(outcome_at(of, std::nextafter(window.from, 0)).code != window.code);
+      const double near = exactness_of_edges(model);  // to which GSL and the kernels agree
+      const auto code = [&](double amplitude) { return outcome_at(of, amplitude).code; };
+      CHECK(code(window.from * (1 + near)) == window.code);
+      CHECK(code(window.from * (1 - near)) != window.code);
       if (!window.to) continue;
-      CHECK(outcome_at(of, *window.to).code == window.code);
-      CHECK(outcome_at(of, std::nextafter(*window.to, 100)).code != window.code);
+      CHECK(code(*window.to * (1 - near)) == window.code);
+      CHECK(code(*window.to * (1 + near)) != window.code);
     }
   }
+}
+
+TEST_CASE("either engine finds the same windows, each edge at two neighbouring numbers") {
+  std::mt19937 random(77);
+  std::uniform_real_distribution<double> share(0, 1);
+  const WindowSearch coarse{8, 64, 1e-4, 1e-3};
+  for (int i = 0; i < 8; ++i) {
+    PulseCase of = asked(0.3 + 4 * share(random), Model::nonlinear, 0.1 + 0.5 * share(random), 0.9);
+    if (i % 2 == 1) of.pulse = Pulse::cosine, of.initial = {0.1L * i, -0.05L};
+    const auto windows = overturning_windows(of, coarse);
+    const auto code = [&](double amplitude) { return outcomes_at(exactly(of), {amplitude}).front().code; };
+    for (const Window& window : windows) {
+      CHECK(code(window.from) == window.code);
+      if (window.from > start_level(of.block, of.model) * (1 + 1e-12))
+        CHECK(code(std::nextafter(window.from, 0)) != window.code);
+    }
+    of.engine = Engine::gsl;
+    const auto by_gsl = overturning_windows(of, coarse);
+    REQUIRE(windows.size() == by_gsl.size());
+    for (std::size_t k = 0; k < windows.size(); ++k) {
+      CHECK(windows[k].code == by_gsl[k].code);
+      CHECK(std::abs(windows[k].from / by_gsl[k].from - 1) < 1e-10);
+      CHECK(std::abs(windows[k].to.value_or(1) / by_gsl[k].to.value_or(1) - 1) < 1e-10);
+    }
+  }
+}
+
+TEST_CASE("the least amplitude alone is that of all windows") {
+  for (const Model model : {Model::linear, Model::nonlinear})
+    for (const double ratio : {0.3, 1.0, 3.0, 8.5}) {
+      const auto all = overturning_windows(asked(ratio, model)),
+                 least = overturning_windows(asked(ratio, model), {.least = true});
+      REQUIRE(least.size() == (all.empty() ? 0 : 1));
+      if (all.empty()) continue;
+      CHECK(least[0].code == all[0].code);
+      CHECK(least[0].from == doctest::Approx(all[0].from).epsilon(1e-14));
+    }
 }
 
 TEST_CASE("no window is missed that a dense sampling sees") {

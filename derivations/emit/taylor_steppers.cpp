@@ -2,6 +2,7 @@
 #include <derivations/emit/emit.hpp>
 #include <derivations/emit/taylor.hpp>
 #include <derivations/rocking_block/equation_of_motion.hpp>
+#include <derivations/rocking_block/linear_response.hpp>
 #include <derivations/rocking_block/pulse.hpp>
 #include <stdexcept>
 
@@ -20,32 +21,54 @@ Rates pulse_rates(const SymbolExpression& ground, const SymbolExpression& quadra
   return {{ground, omega_p * quadrature}, {quadrature, c / omega_p * ground}};
 }
 
-TaylorStepper motion(Side side, bool in_pulse) {
+std::string name_of(Side side) { return side == Side::negative ? "negative" : "positive"; }
+std::string range_of(Side side) { return side == Side::negative ? ", theta < 0" : ", theta > 0"; }
+
+TaylorStepper free_motion(Side side) {
+  const ex acceleration = angular_acceleration(side).subs(u_gddot == 0);
+  return {"free_motion_" + name_of(side),
+          {alpha, p},
+          {{theta, thetadot}, {thetadot, acceleration}},
+          side == Side::negative ? "21a" : "21b",
+          "Free rocking" + range_of(side)};
+}
+
+/// The acceleration under a ground acceleration that is part of the state, over g.
+TaylorStepper in_pulse(TaylorStepper stepper, ex acceleration, const ex& ground_acceleration) {
   const SymbolExpression ground = emission_symbols()["ground"];
-  const ex acceleration = angular_acceleration(side).subs(u_gddot == (in_pulse ? ex(ground * g) : ex(0)));
-  const std::string on = side == Side::negative ? "negative" : "positive";
-  TaylorStepper stepper{"free_motion_" + on,
-                        {alpha, p},
-                        {{theta, thetadot}, {thetadot, acceleration}},
-                        side == Side::negative ? "21a" : "21b",
-                        "Free rocking"};
-  if (in_pulse) {
-    stepper.name = "motion_in_pulse_" + on;
-    stepper.brief = "Rocking under a one-sine or one-cosine pulse";
-    stepper.parameters.push_back(omega_p);
-    for (const auto& rate : pulse_rates(ground, emission_symbols()["quadrature"]))
-      stepper.rates.push_back(rate);
-  }
-  stepper.brief += side == Side::negative ? ", theta < 0" : ", theta > 0";
+  acceleration = acceleration.subs(ground_acceleration == ground * g).expand();
+  stepper.parameters = {alpha, p, omega_p};
+  stepper.rates = {{theta, thetadot}, {thetadot, acceleration}};
+  for (const auto& rate : pulse_rates(ground, emission_symbols()["quadrature"]))
+    stepper.rates.push_back(rate);
   return stepper;
+}
+
+TaylorStepper motion_in_pulse(Side side) {
+  return in_pulse({"motion_in_pulse_" + name_of(side),
+                   {},
+                   {},
+                   side == Side::negative ? "21a" : "21b",
+                   "Rocking under a one-sine or one-cosine pulse" + range_of(side)},
+                  angular_acceleration(side), u_gddot);
+}
+
+TaylorStepper linear_motion_in_pulse(Side side) {
+  const LinearEquation equation = linear_equation_under(side, a_p);
+  return in_pulse({"linear_motion_in_pulse_" + name_of(side),
+                   {},
+                   {},
+                   side == Side::negative ? "56a" : "56b",
+                   "Linear rocking under a one-sine or one-cosine pulse" + range_of(side)},
+                  pow(equation.k, 2) * theta + equation.forcing, a_p);
 }
 
 }  // namespace
 
 std::vector<TaylorStepper> taylor_steppers() {
   std::vector<TaylorStepper> list;
-  for (const bool in_pulse : {true, false})
-    for (const Side side : {Side::negative, Side::positive}) list.push_back(motion(side, in_pulse));
+  for (const auto make : {motion_in_pulse, free_motion, linear_motion_in_pulse})
+    for (const Side side : {Side::negative, Side::positive}) list.push_back(make(side));
   return list;
 }
 

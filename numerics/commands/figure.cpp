@@ -10,6 +10,7 @@ namespace {
 
 struct FigureCommand {
   std::string number, out, data, ground_acceleration = "0.24", threads;
+  Engine engine = Engine::taylor;
 };
 
 int run_figure(const FigureCommand& options) {
@@ -18,6 +19,7 @@ int run_figure(const FigureCommand& options) {
     throw BadInput("figure " + options.number + " must be a whole number from 8 to 16");
   FigureOptions wanted;
   wanted.ground_acceleration = number_between("--ground-acceleration", options.ground_acceleration, 0, 10);
+  wanted.engine = options.engine;
   wanted.work = sweep_work(options.threads, 1, "");
   wanted.work.progress = {};
   const Figure figure = paper_figure(static_cast<int>(number), wanted);
@@ -39,6 +41,7 @@ void add_figure(CLI::App& app, Run& run) {
   command->add_option("--data", options->data, "write the curves as CSV")->check(file_name)->type_name("FILE");
   command->add_option("--ground-acceleration", options->ground_acceleration, "a_g/g of figure 16 [0.24]")
       ->type_name("NUMBER");
+  add_engine(*command, options->engine);
   command->add_option("--threads", options->threads, "threads [all]")->type_name("T");
   command->callback([options, &run] { run = [options] { return run_figure(*options); }; });
 }

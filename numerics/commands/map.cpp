@@ -12,7 +12,7 @@ namespace {
 
 struct MapCommand {
   CommonOptions common;
-  std::string omega, amplitude, csv, plot, threads, engine = "taylor";
+  std::string omega, amplitude, csv, plot, threads;
 };
 
 std::string csv_of(const OutcomeMap& map) {
@@ -59,8 +59,7 @@ int run_map(const MapCommand& options) {
         fmt::format("--amplitude: with initial conditions the pulse begins where rocking can start, from {}",
                     static_cast<double>(level)));
   const Work work = sweep_work(options.threads, static_cast<int>(ratios.size()), "frequencies");
-  const OutcomeMap map =
-      outcome_map(asked, ratios, amplitudes, work, options.engine == "gsl" ? Engine::gsl : Engine::taylor);
+  const OutcomeMap map = outcome_map(asked, ratios, amplitudes, work);
   const bool stopped = was_interrupted(work);
   if (!options.csv.empty()) write_whole(options.csv, csv_of(map));
   if (!options.plot.empty())
@@ -88,8 +87,7 @@ void add_map(CLI::App& app, Run& run) {
   add("--omega", options->omega, "W1:W2:N", "omega_p/p from, to, how many")->required();
   add("--amplitude", options->amplitude, "A1:A2:M", "a_p/(alpha g) from, to, how many")->required();
   add("--threads", options->threads, "T", "threads [all]");
-  add("--engine", options->engine, "gsl|taylor", "what follows the nonlinear model [taylor]")
-      ->check(CLI::IsMember({"gsl", "taylor"}));
+  add_engine(*command, options->common.engine);
   add("--csv", options->csv, "FILE", "write the grid")->check(file_name);
   add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);
   command->callback([options, &run] { run = [options] { return run_map(*options); }; });

@@ -8,10 +8,26 @@
 
 namespace rederive::inline numeric {
 
+namespace {
+
+/// An option that chooses by name.
+template <class Option>
+void add_choice(CLI::App& app, const char* name, Option& option, const std::map<std::string, Option>& choices,
+                const char* what) {
+  app.add_option_function<std::string>(
+         name, [&option, choices](const std::string& chosen) { option = choices.at(chosen); }, what)
+      ->check(CLI::IsMember(choices))
+      ->type_name("NAME");
+}
+
+}  // namespace
+
+void add_engine(CLI::App& app, Engine& engine) {
+  add_choice(app, "--engine", engine, {{"gsl", Engine::gsl}, {"taylor", Engine::taylor}},
+             "what follows the nonlinear model [taylor]");
+}
+
 void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequency) {
-  static const std::map<std::string, Model> models{{"linear", Model::linear},
-                                                   {"nonlinear", Model::nonlinear}};
-  static const std::map<std::string, Pulse> pulses{{"sine", Pulse::sine}, {"cosine", Pulse::cosine}};
   const auto text = [&](const char* name, std::string& into, const char* what) {
     return app.add_option(name, into, what)->type_name("NUMBER");
   };
@@ -25,14 +41,10 @@ void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequen
   height->needs(width);
   text("--restitution", options.restitution, "0 < e <= 1, or auto = 1 - 3/2 sin^2(alpha) [auto]")
       ->type_name("E|auto");
-  const auto choice = [&](const char* name, auto& option, const auto& choices, const char* what) {
-    app.add_option_function<std::string>(
-           name, [&option, &choices](const std::string& chosen) { option = choices.at(chosen); }, what)
-        ->check(CLI::IsMember(choices))
-        ->type_name("NAME");
-  };
-  choice("--model", options.model, models, "the equations of motion [linear]");
-  choice("--pulse", options.pulse, pulses, "the pulse of the ground acceleration [sine]");
+  add_choice(app, "--model", options.model, {{"linear", Model::linear}, {"nonlinear", Model::nonlinear}},
+             "the equations of motion [linear]");
+  add_choice(app, "--pulse", options.pulse, {{"sine", Pulse::sine}, {"cosine", Pulse::cosine}},
+             "the pulse of the ground acceleration [sine]");
   text("--theta0", options.theta0, "theta at t = 0, rad [0]");
   text("--thetadot0", options.thetadot0, "thetadot at t = 0, rad/s [0]");
   app.add_flag("--json", options.json, "one JSON document on standard output");
@@ -71,6 +83,7 @@ PulseCase case_at(const CommonOptions& options, double omega_ratio) {
   asked.model = options.model;
   asked.pulse = options.pulse;
   asked.omega_ratio = omega_ratio;
+  asked.engine = options.engine;
   asked.initial = initial_state(asked.block, options.model, number("--theta0", options.theta0),
                                 number("--thetadot0", options.thetadot0));
   return asked;

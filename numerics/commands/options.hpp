@@ -17,6 +17,7 @@ struct CommonOptions {
   std::string half_width, half_height, theta0 = "0", thetadot0 = "0";
   Model model = Model::linear;
   Pulse pulse = Pulse::sine;
+  Engine engine = Engine::taylor;
   bool json = false;
 };
 
@@ -26,6 +27,9 @@ enum class Frequency { required, absent };
 /// --theta0,
 /// --thetadot0 and --json, and --omega if it is one number.
 void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequency);
+
+/// Adds --engine.
+void add_engine(CLI::App& app, Engine& engine);
 
 /// A finite decimal number; throws BadInput naming the option otherwise.
 double number(const std::string& option, const std::string& text);

@@ -15,17 +15,22 @@ namespace {
 struct SpectrumCommand {
   CommonOptions common;
   std::string from, to, points, csv, plot, threads, max_amplitude = "12";
+  bool least = false;
 };
 
 std::string field(const std::optional<double>& value) { return value ? fmt::format("{:.17g}", *value) : ""; }
 
-std::string csv_of(const std::vector<SpectrumPoint>& points) {
-  std::string text = "omega_ratio,minimum,code,mode1,mode2_lower,mode2_upper\n";
-  for (const auto& at : points)
-    if (at.done)
-      text += fmt::format("{:.17g},{},{},{},{},{}\n", at.omega_ratio, field(at.minimum),
-                          at.minimum ? std::to_string(at.code) : "", field(at.mode1), field(at.mode2_lower),
-                          field(at.mode2_upper));
+std::string csv_of(const std::vector<SpectrumPoint>& points, bool least) {
+  std::string text = "omega_ratio,minimum,code";
+  text += least ? "\n" : ",mode1,mode2_lower,mode2_upper\n";
+  for (const auto& at : points) {
+    if (!at.done) continue;
+    text += fmt::format("{:.17g},{},{}", at.omega_ratio, field(at.minimum),
+                        at.minimum ? std::to_string(at.code) : "");
+    if (!least)
+      text += fmt::format(",{},{},{}", field(at.mode1), field(at.mode2_lower), field(at.mode2_upper));
+    text += "\n";
+  }
   return text;
 }
 
@@ -40,7 +45,7 @@ Curve curve_of(const std::vector<SpectrumPoint>& points, std::optional<double> S
   return curve;
 }
 
-Figure figure_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked) {
+Figure figure_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked, bool least) {
   Panel panel;
   panel.x_label = "ω_p/p (dimensionless)";
   panel.y_label = "amplitude a_p/(α g) (dimensionless)";
@@ -49,26 +54,30 @@ Figure figure_of(const std::vector<SpectrumPoint>& points, const PulseCase& aske
                   curve_of(points, &SpectrumPoint::mode2_lower, "after one impact, from", 3, 2),
                   curve_of(points, &SpectrumPoint::mode2_upper, "after one impact, to", 4, 2)};
   panel.curves[0].grey = true;
+  if (least) panel.curves.resize(1);
   return {fmt::format("{} model, one-{} pulse, α = {:.6g} rad, e = {:.6g}", name_of(asked.model),
                       name_of(asked.pulse), asked.block.alpha, asked.block.restitution),
           {panel}};
 }
 
-nlohmann::ordered_json json_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked) {
+nlohmann::ordered_json json_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked,
+                               bool least) {
   nlohmann::ordered_json document{{"alpha", asked.block.alpha},
                                   {"restitution", asked.block.restitution},
                                   {"model", name_of(asked.model)},
                                   {"pulse", name_of(asked.pulse)},
                                   {"unit", "alpha_g"},
                                   {"points", nlohmann::ordered_json::array()}};
-  for (const auto& at : points)
-    if (at.done)
-      document["points"].push_back({{"omega_ratio", at.omega_ratio},
-                                    {"minimum", or_null(at.minimum)},
-                                    {"code", at.code},
-                                    {"mode1", or_null(at.mode1)},
-                                    {"mode2_lower", or_null(at.mode2_lower)},
-                                    {"mode2_upper", or_null(at.mode2_upper)}});
+  for (const auto& at : points) {
+    if (!at.done) continue;
+    nlohmann::ordered_json point{
+        {"omega_ratio", at.omega_ratio}, {"minimum", or_null(at.minimum)}, {"code", at.code}};
+    if (!least)
+      point.update({{"mode1", or_null(at.mode1)},
+                    {"mode2_lower", or_null(at.mode2_lower)},
+                    {"mode2_upper", or_null(at.mode2_upper)}});
+    document["points"].push_back(std::move(point));
+  }
   return document;
 }
 
@@ -78,18 +87,19 @@ int run_spectrum(const SpectrumCommand& options) {
                    number_between("--to", options.to, 0.01, 1000), number("--points", options.points));
   const PulseCase asked = case_at(options.common, span.from);
   WindowSearch search;
+  search.least = options.least;
   search.largest = number_between("--max-amplitude", options.max_amplitude, 1e-9, 1e6);
   std::vector<double> ratios;
   for (int i = 0; i < span.count; ++i) ratios.push_back(station(span, i));
   const Work work = sweep_work(options.threads, span.count, "frequencies");
   const auto points = spectrum(asked, ratios, search, work);
   const bool stopped = was_interrupted(work);
-  if (!options.csv.empty()) write_whole(options.csv, csv_of(points));
-  if (!options.plot.empty()) draw(figure_of(points, asked), options.plot);
+  if (!options.csv.empty()) write_whole(options.csv, csv_of(points, options.least));
+  if (!options.plot.empty()) draw(figure_of(points, asked, options.least), options.plot);
   if (options.common.json)
-    print_json(json_of(points, asked));
+    print_json(json_of(points, asked, options.least));
   else if (options.csv.empty())
-    fmt::print("{}", csv_of(points));
+    fmt::print("{}", csv_of(points, options.least));
   return stopped ? not_as_expected : as_expected;
 }
 
@@ -106,6 +116,8 @@ void add_spectrum(CLI::App& app, Run& run) {
   add("--to", options->to, "W2", "last omega_p/p")->required();
   add("--points", options->points, "N", "how many")->required();
   add("--max-amplitude", options->max_amplitude, "NUMBER", "largest amplitude, in alpha g [12]");
+  add_engine(*command, options->common.engine);
+  command->add_flag("--least", options->least, "the least amplitude alone");
   add("--threads", options->threads, "T", "threads [all]");
   add("--csv", options->csv, "FILE", "write the table")->check(file_name);
   add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);

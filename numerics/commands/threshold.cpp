@@ -6,6 +6,7 @@
 #include <numerics/commands/options.hpp>
 #include <numerics/windows.hpp>
 #include <stdexcept>
+#include <thread>
 
 namespace rederive::inline numeric {
 namespace {
@@ -15,6 +16,7 @@ using Json = nlohmann::ordered_json;
 struct ThresholdOptions {
   CommonOptions common;
   std::string max_amplitude = "12", digits;
+  bool least = false;
 };
 
 /// As text of that many digits, all of them right.
@@ -42,7 +44,8 @@ struct Answer {
   PulseCase asked;
   std::vector<Window> windows;
   std::vector<ClosedForm> roots;
-  int digits = 0;  ///< 0: as many as a double has
+  int digits = 0;      ///< 0: as many as a double has
+  bool least = false;  ///< the least amplitude alone
 };
 
 /// Where the edge of a window is a root of a closed form, as many digits as are asked for; else those that
@@ -89,6 +92,12 @@ void print_answer(const Answer& answer) {
       asked.block.restitution);
   if (answer.windows.empty()) fmt::print("No amplitude in the range overturns the block.\n");
   const auto width = static_cast<std::size_t>(std::max(18, answer.digits + 2));
+  if (answer.least) {
+    for (const Window& window : answer.windows)
+      fmt::print("  {} {:+d}  {}\n", padded(from_text(answer, window), width), window.code,
+                 words_for(window.code));
+    return;
+  }
   for (const Window& window : answer.windows)
     fmt::print("  {} to {} {:+d}  {}\n", padded(from_text(answer, window), width),
                padded(to_text(answer, window), width), window.code, words_for(window.code));
@@ -119,6 +128,7 @@ void print_answer_as_json(const Answer& answer) {
   for (const Window& window : answer.windows) document["windows"].push_back(window_json(answer, window));
   for (const ClosedForm& root : answer.roots)
     document["closed_forms"].push_back(closed_form_json(root, answer.digits));
+  if (answer.least) document["windows"] = document["closed_forms"] = nullptr;
   print_json(document);
 }
 
@@ -129,9 +139,13 @@ int threshold(const ThresholdOptions& options) {
   search.largest = number_between("--max-amplitude", options.max_amplitude, 1e-9, 1e6);
   if (!options.digits.empty())
     answer.digits = static_cast<int>(number_between("--digits", options.digits, 1, 60));
+  answer.least = search.least = options.least;
+  search.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   answer.windows = overturning_windows(answer.asked, search);
-  answer.roots = answer.digits == 0 ? closed_forms(answer.asked)
-                                    : closed_forms(answer.asked.pulse, exact_case_of(options.common));
+  if (answer.digits != 0)
+    answer.roots = closed_forms(answer.asked.pulse, exact_case_of(options.common));
+  else if (!answer.least)
+    answer.roots = closed_forms(answer.asked);
   options.common.json ? print_answer_as_json(answer) : print_answer(answer);
   return as_expected;
 }
@@ -143,6 +157,8 @@ void add_threshold(CLI::App& app, Run& run) {
       app.add_subcommand("threshold", "every amplitude window that overturns, and the closed forms");
   auto options = std::make_shared<ThresholdOptions>();
   add_common_options(*command, options->common, Frequency::required);
+  add_engine(*command, options->common.engine);
+  command->add_flag("--least", options->least, "the least amplitude alone");
   command->add_option("--max-amplitude", options->max_amplitude, "largest amplitude, in alpha g [12]")
       ->type_name("NUMBER");
   command
