@@ -130,7 +130,7 @@ std::optional<Sameness> all_follow(const Comparison& setting, const std::vector<
     });
   };
   for (const Atom& claim : claims) {
-    if (claim.value.is_zero() && claim.signs != Signs::positive()) continue;
+    if (claim.signs != Signs::positive() && vanishes(claim.value, setting.ring)) continue;
     bool is_found = false;
     for (std::size_t k = 0; k < from.size() && !is_found; ++k) is_found = in_cases(k, claim);
     if (!is_found && !by_signs(from, claim)) return std::nullopt;
@@ -141,15 +141,8 @@ std::optional<Sameness> all_follow(const Comparison& setting, const std::vector<
 }  // namespace
 
 std::optional<Sameness> same(Comparison& setting, const Problem& problem) {
-  const Translated &left = setting.left, &right = setting.right;
-  if (left.expression) {
-    const Fraction difference = setting.ring.normal(*left.expression - *right.expression);
-    if (vanishes(difference, setting.ring, setting.translator)) return Sameness{"identity"};
-    const auto found = prove_signs(setting.ring, setting.facts, difference, Signs::zero());
-    return found ? std::optional(Sameness{"sign", {}, *found}) : std::nullopt;
-  }
-  const auto left_readings = readings_of(setting, problem.left, left, problem.symbols),
-             right_readings = readings_of(setting, problem.right, right, problem.symbols);
+  const auto left_readings = readings_of(setting, problem.left, setting.left, problem.symbols),
+             right_readings = readings_of(setting, problem.right, setting.right, problem.symbols);
   for (const auto& of_left : left_readings)
     for (const auto& of_right : right_readings) {
       auto found = same_link_by_link(setting, of_left, of_right);

@@ -10,33 +10,6 @@ Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b) {
 
 namespace {
 
-/// The logarithm of both terms of an equation between two positive ones: u e^x = v says x + log u = log v.
-std::optional<Fraction> by_logarithm(const Ring& ring, Translator& translator, const Polynomial& p) {
-  if (p.terms() != 2 || cln::signum(p.coefficient(0)) == cln::signum(p.coefficient(1))) return std::nullopt;
-  const auto term = [&](int k) { return Polynomial(cln::abs(p.coefficient(k))) * p.monomial(k); };
-  for (const int k : p.used())
-    if (ring.signs_of(Polynomial::variable(k)) != Signs::positive()) return std::nullopt;
-  return translator.logarithm_of(Fraction(term(0), term(1)));
-}
-
-/// Of an angle d, a sum of multiples of symbols and of pi: d = 0 where sin d = 0, if it lies between -pi and
-/// pi, and where cos d = 1, if between -2 pi and 2 pi.
-std::optional<Fraction> by_angle(const Ring& ring, Translator& translator, const Fraction& d, bool is_sine) {
-  using Kind = Generator::Kind;
-  const int most = is_sine ? 1 : 2;
-  const Interval range = ring.range_of(d);
-  if (!d.denominator.is_constant() || compare(range.low, End{{0, -most}}) <= 0 ||
-      compare(range.high, End{{0, most}}) >= 0)
-    return std::nullopt;
-  for (std::size_t t = 0; t < d.numerator.terms(); ++t) {
-    const auto powers = d.numerator.powers(t);
-    const Kind kind = powers.size() == 1 ? ring.generators()[powers[0].first].kind : Kind::cosine;
-    if (kind != Kind::symbol && kind != Kind::pi && kind != Kind::angle) return std::nullopt;
-  }
-  const auto [cosine, sine] = translator.circular_of(d);
-  return is_sine ? sine : 1 - cosine;
-}
-
 /// The links as atoms, without those that say nothing if others say something.
 std::vector<Atom> atoms_of(const std::vector<Relation>& links, Comparison& setting,
                            std::vector<DomainCondition>& conditions) {
@@ -50,15 +23,6 @@ std::vector<Atom> atoms_of(const std::vector<Relation>& links, Comparison& setti
   const auto says_nothing = [](const Atom& a) { return a.value.is_zero() && a.signs != Signs::positive(); };
   if (!std::ranges::all_of(atoms, says_nothing)) std::erase_if(atoms, says_nothing);
   return atoms;
-}
-
-Translated translate(const Relation& statement, Comparison& setting) {
-  Translated result;
-  if (statement.operators.empty())
-    result.expression = setting.translator(statement.sides[0], result.conditions);
-  else
-    result.atoms = atoms_of(links_of(statement), setting, result.conditions);
-  return result;
 }
 
 void learn(Comparison& setting, const Fraction& value, Signs signs) {
@@ -114,29 +78,24 @@ bool is_granted(const Comparison& setting, const DomainCondition& c) {
   return prove_signs(setting.ring, setting.facts, c.value, c.allowed, !setting.facts.empty()).has_value();
 }
 
-/// Both statements once more.
+/// Both statements. That two expressions are the same says that their equation holds.
 void translate_statements(Comparison& setting, const Problem& problem) {
-  int basis = -1;  // both in the same one
-  for (int round = 0; round < 6 && basis != setting.translator.bases(); ++round) {
-    basis = setting.translator.bases();
-    setting.left = translate(problem.left, setting);
-    setting.right = translate(problem.right, setting);
-  }
+  const Relation equation{{problem.left.sides[0], problem.right.sides[0]}, {"="}};
+  setting.left = setting.right = {};
+  setting.left.atoms = atoms_of(links_of(problem.left), setting, setting.left.conditions);
+  setting.right.atoms = atoms_of(links_of(problem.left.operators.empty() ? equation : problem.right), setting,
+                                 setting.right.conditions);
 }
 
 }  // namespace
 
 void translate(Comparison& setting, const Problem& problem) {
-  int basis = -1;
-  for (int round = 0; round < 6 && basis != setting.translator.bases(); ++round) {
-    basis = setting.translator.bases();
-    setting.translator.forget(), setting.facts.clear(), setting.conditions.clear();
-    for (int pass = 0; pass < 2; ++pass) {  // the second one with what the first one said
-      for (const auto& [name, value] : problem.values) defined(setting, value);
-      for (const Relation& a : problem.assumptions) assume(setting, a);
-    }
-    translate_statements(setting, problem);
+  setting.facts.clear(), setting.conditions.clear();
+  for (int pass = 0; pass < 2; ++pass) {  // the second one with what the first one said
+    for (const auto& [name, value] : problem.values) defined(setting, value);
+    for (const Relation& a : problem.assumptions) assume(setting, a);
   }
+  translate_statements(setting, problem);
   for (const Translated* side : {&setting.left, &setting.right})
     for (const DomainCondition& c : side->conditions)
       if (!is_granted(setting, c)) setting.conditions.push_back(c);
@@ -160,12 +119,9 @@ std::vector<std::vector<Atom>> readings_of(Comparison& setting, const Relation& 
   std::vector<DomainCondition> unused;
   if (is_inverted) result.push_back(atoms_of(links, setting, unused));
   if (translated.atoms.size() != 1 || translated.atoms[0].signs != Signs::zero()) return result;
-  const Ring& ring = setting.ring;
-  const Fraction value = translated.atoms[0].value;
-  for (const auto& other :
-       {by_logarithm(ring, setting.translator, value.numerator),
-        by_angle(ring, setting.translator, value, true), by_angle(ring, setting.translator, value, false)})
-    if (other) result.push_back({{ring.normal(*other), Signs::zero()}});
+  for (const Fraction& other : zeros_like(translated.atoms[0].value, setting.ring, setting.translator))
+    if (!(other == translated.atoms[0].value))
+      result.push_back({{setting.ring.normal(other), Signs::zero()}});
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <derivations/decide/comparison.hpp>
 #include <derivations/decide/decide.hpp>
 #include <derivations/decide/points.hpp>
+#include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
 
 namespace rederive {
@@ -37,7 +38,7 @@ Proof proved(const Comparison& setting, const Sameness& found, const Symbols& sy
   const auto text_of = [&](const Fraction& f) {
     return print(setting.ring.meaning_of(f), Notation::plain, symbols);
   };
-  const bool is_expression = setting.left.expression.has_value();
+  const bool is_expression = setting.left.atoms.empty();
   if (found.factor) proof.factor = text_of(*found.factor);
   if (is_expression && found.by == "identity") proof.factor = "1";
   proof.side_conditions = setting.in_words;
@@ -53,42 +54,42 @@ Proof proved(const Comparison& setting, const Sameness& found, const Symbols& sy
   return proof;
 }
 
-/// The innermost u of a part fabs(u) that has symbols.
-Tree between_bars(const std::vector<Tree>& trees) {
-  for (const Tree& tree : trees) {
-    if (Tree found = between_bars(tree->children)) return found;
-    const bool has_bars = tree->kind == Node::Kind::call && tree->text == "fabs";
-    if (has_bars && !names_of(tree).empty()) return tree->children[0];
-  }
-  return nullptr;
+/// What stands between bars in a statement, or in one of its functions.
+std::optional<Fraction> between_bars(const Comparison& setting) {
+  const auto& generators = setting.ring.generators();
+  std::set<int> met;
+  const auto meet = [&](const Fraction& f) {
+    for (const int k : (f.numerator * f.denominator).used()) met.insert(k);
+  };
+  for (const Translated* side : {&setting.left, &setting.right})
+    for (const Atom& atom : side->atoms) meet(atom.value);
+  for (int k = static_cast<int>(generators.size()) - 1; k >= 0; --k)
+    if (met.contains(k)) meet(generators[k].of);
+  for (const int k : met)
+    if (generators[k].kind == Generator::Kind::absolute) return generators[k].of;
+  return std::nullopt;
 }
 
-/// The problem where u has a sign, without the bars around it.
-Problem without_bars(Problem problem, const Tree& u, bool is_negative) {
-  const Tree size = is_negative ? make_tree(Node::Kind::negative, "", {u}) : u;
-  const Tree bars = make_tree(Node::Kind::call, "fabs", {u});
-  for (Relation* relation : {&problem.left, &problem.right})
-    for (Tree& side : relation->sides) side = put_in(side, bars, size);
-  problem.assumptions.push_back({{u, zero()}, {is_negative ? "<=" : ">="}});
-  return problem;
-}
-
+/// The problem as it is; or, if what stands between bars may have either sign, with each of both.
 std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& setting, int depth) {
   if (auto found = same(setting, problem)) return found;
-  Tree u = depth > 0 ? between_bars(problem.left.sides) : nullptr;
-  if (!u && depth > 0) u = between_bars(problem.right.sides);
-  if (!u) return std::nullopt;
+  const auto u = between_bars(setting);
+  if (!u || depth == 0) return std::nullopt;
   Sameness both{"identity"};
-  for (const bool is_negative : {false, true}) {
-    const Problem part = without_bars(problem, u, is_negative);
+  for (const char* op : {">=", "<="}) {
+    Problem part = problem;
+    part.assumptions.push_back({{to_tree(setting.ring.meaning_of(*u), problem.symbols), zero()}, {op}});
     Comparison of_part(part.symbols);
-    try {
-      translate(of_part, part);
-      const auto found = same_in_cases(part, of_part, depth - 1);
-      if (!found) return std::nullopt;
-      if (found->by == "sign") both.by = "sign";
-    } catch (const NoValue&) {  // no point belongs to this part
-    }
+    const auto found = of_part.translator.with_basis([&]() -> std::optional<Sameness> {
+      try {
+        translate(of_part, part);
+      } catch (const NoValue&) {  // no point belongs to this part
+        return both;
+      }
+      return same_in_cases(part, of_part, depth - 1);
+    });
+    if (!found) return std::nullopt;
+    if (found->by == "sign") both.by = "sign";
   }
   return both;
 }
@@ -102,14 +103,12 @@ Proof decide_problem(const Problem& problem, bool by_points) {
       "certificate of signs was found";
   if (!tried.witness) try {
       Comparison setting(problem.symbols);
-      std::optional<Sameness> found;
-      for (int basis = -1; !found && basis != setting.translator.bases();) {  // it may ask for finer phases
+      const auto found = setting.translator.with_basis([&] {
         translate(setting, problem);
-        basis = setting.translator.bases();
-        found = same_in_cases(problem, setting, 3);
-      }
+        return same_in_cases(problem, setting, 3);
+      });
       if (found)
-        proof = !setting.left.expression && hides_a_solution(setting)
+        proof = hides_a_solution(setting)
                     ? undecided("a divisor of one side vanishes where the other side holds")
                     : proved(setting, *found, problem.symbols);
     } catch (const Undecidable& error) {
@@ -164,12 +163,14 @@ bool contradict(const std::vector<Relation>& assumptions, const Symbols& symbols
   try {
     const Problem problem = with_values({{{one}, {}}, {{one}, {}}, assumptions, symbols}, {});
     Comparison setting(problem.symbols);
-    translate(setting, problem);
-    for (const Generator& g : setting.ring.generators())
-      if (g.range.is_empty()) return true;
-    for (const Fact& f : setting.facts)
-      if ((setting.ring.signs_of(f.value) & f.signs).is_none()) return true;
-    return prove_signs(setting.ring, setting.facts, 0, Signs::zero() & Signs::positive()).has_value();
+    return setting.translator.with_basis([&] {
+      translate(setting, problem);
+      for (const Generator& g : setting.ring.generators())
+        if (g.range.is_empty()) return true;
+      for (const Fact& f : setting.facts)
+        if ((setting.ring.signs_of(f.value) & f.signs).is_none()) return true;
+      return prove_signs(setting.ring, setting.facts, 0, Signs::zero() & Signs::positive()).has_value();
+    });
   } catch (const NoValue&) {
     return true;
   } catch (const Undecidable&) {

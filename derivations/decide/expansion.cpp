@@ -255,17 +255,20 @@ Proof decide_to_order(const Relation& left, const Relation& right, const std::ve
   try {
     const Problem problem = with_values({left, right, assumptions, symbols}, given);
     Comparison known(symbols);
-    translate(known, {{{zero()}, {}}, {{zero()}, {}}, problem.assumptions, symbols, problem.values});
-    Expansion expansion(GiNaC::symbol("size"), order + 6, symbols, small, known);
-    const auto [a, b] = to_order(problem, small, order, expansion);
+    std::optional<Expansion> expansion;
+    const auto [a, b] = known.translator.with_basis([&] {
+      translate(known, {{{zero()}, {}}, {{zero()}, {}}, problem.assumptions, symbols, problem.values});
+      expansion.emplace(GiNaC::symbol("size"), order + 6, symbols, small, known);
+      return to_order(problem, small, order, *expansion);
+    });
     std::vector<Relation> holds = problem.assumptions;
-    for (const DomainCondition& c : expansion.conditions)
+    for (const DomainCondition& c : expansion->conditions)
       holds.push_back({{c.tree, zero()}, {c.allowed == Signs::nonzero() ? "!=" : ">"}});
     proof = decide(a, b, symbols, {}, holds);
     if (proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under) {
       proof.verdict = Verdict::approximation, proof.by = "expansion";
       proof.reason = "the series in the small symbols are the same up to this order";
-      for (std::string& condition : in_words(expansion.conditions, known.ring, symbols))
+      for (std::string& condition : in_words(expansion->conditions, known.ring, symbols))
         proof.side_conditions.push_back(std::move(condition));
     } else if (proof.verdict == Verdict::refuted && ties(problem.assumptions, small)) {
       proof = Proof{};

@@ -71,7 +71,7 @@ bool is_within(const Tree& tree, const Interval& bounds, const Symbols& symbols)
     Ring ring;
     Translator translator(ring, symbols);
     std::vector<DomainCondition> unused;
-    const Interval range = ring.range_of(translator(tree, unused));
+    const Interval range = translator.with_basis([&] { return ring.range_of(translator(tree, unused)); });
     const auto inside = [&](const End& end, const End& bound, int side) {
       const int order = side * compare(end, bound);
       return order < 0 || (order == 0 && (bound.closed || !end.closed));

@@ -65,8 +65,7 @@ class Ring {
   /// generator^degree = value from now on: what an equation that is assumed says of a symbol.
   void relate(int generator, int degree, const Fraction& value);
 
-  /// The remainder modulo all relations, in lowest terms. Throws std::domain_error where its denominator is
-  /// 0.
+  /// The remainder modulo all relations, in lowest terms. Throws NoValue where its denominator is 0.
   Fraction normal(const Fraction& f) const;
 
   /// (d + e·g)(d - e·g) of a polynomial d + e·g, for a generator g with a square.

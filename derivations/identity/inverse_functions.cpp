@@ -12,10 +12,8 @@ Fraction Translator::logarithm(const Fraction& value) {
   Fraction sum = 0;
   Polynomial rest = 1;
   for (const int side : {1, -1}) {
-    const auto& [number, list] = factors(side > 0 ? u.numerator : u.denominator);
-    if (cln::minusp(number)) rest = -rest;
-    for (const auto& [prime, count] : primes_of(cln::abs(number)))
-      sum = sum + side * count * logarithm_of(Polynomial(prime));
+    const auto& [sign, list] = factors(side > 0 ? u.numerator : u.denominator);
+    rest = sign * rest;
     for (const auto& [factor, exponent] : list) {
       const Signs signs = ring_.signs_of(factor);
       const bool has_sign = signs == Signs::positive() || signs == Signs::negative();

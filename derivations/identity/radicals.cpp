@@ -28,14 +28,14 @@ Fraction Translator::root_of_power(const Polynomial& base, int exponent, int ord
 /// y with y^order = base, y >= 0: a power of the generator whose order all roots of this base share.
 Fraction Translator::root_generator(const Polynomial& base, int order) {
   const int part = base == 2 ? 4 : base == 3 ? 6 : 0;  // √2 = 2 cos π/4, √3 = 2 cos π/6
-  if (order == 2 && part != 0 && parts_of_pi_ % part == 0)
-    return 2 * cosine_of_part(parts_of_pi_ / part, parts_of_pi_);
+  if (order == 2 && part != 0 && cln::zerop(cln::mod(denominators_.at("turn"), part)))
+    return 2 * circular(pi() / part).first;
   const std::string key = base.key();
   int& common = root_orders_.try_emplace(key, order).first->second;
   if (common % order != 0) {
     common = std::lcm(common, order);
     if (common > 60) throw Undecidable("roots of a high order");
-    throw AnotherRound();
+    throw OtherBasis();
   }
   const Fraction y = ring_.generator("root " + std::to_string(common) + " " + key, [&] {
     const GiNaC::ex meaning = pow(ring_.meaning_of(base), GiNaC::numeric(1, common));
@@ -49,12 +49,12 @@ Fraction Translator::root(const Fraction& value, int order) {
   const Fraction u = ring_.normal(value);
   if (u.is_zero()) return 0;
   // (n/d)^{1/k} = (n d^{k-1})^{1/k} / |d|
-  const auto& [number, list] = factors(u.numerator * power(u.denominator, order - 1));
-  Signs of_odd = cln::minusp(number) ? Signs::negative() : Signs::positive();
+  const auto& [sign, list] = factors(u.numerator * power(u.denominator, order - 1));
+  Signs of_odd = sign < 0 ? Signs::negative() : Signs::positive();
   for (const auto& [factor, exponent] : list)
     if (exponent % 2 != 0) of_odd = of_odd * ring_.signs_of(factor);
   Fraction outside = 1 / absolute(u.denominator);
-  Polynomial inside = cln::minusp(number) ? -1 : 1;
+  Polynomial inside = sign;
   for (const auto& [factor, exponent] : list) {
     const Signs signs = ring_.signs_of(factor);
     const bool is_negative = signs.within(Signs::nonpositive()),
@@ -66,8 +66,6 @@ Fraction Translator::root(const Fraction& value, int order) {
     inside = inside * power(factor, exponent - taken);
     if (taken > 0) outside = ring_.normal(outside * root_of_power(size_of(factor), taken, order));
   }
-  for (const auto& [prime, count] : primes_of(cln::abs(number)))
-    outside = ring_.normal(outside * root_of_power(Polynomial(prime), count, order));
   if (inside.is_one()) return outside;
   if (inside.is_constant()) throw NoValue("the root of a negative number");
   return ring_.normal(outside * root_generator(inside, order));
@@ -95,8 +93,8 @@ Fraction Translator::absolute(const Fraction& value) {
   const Fraction u = ring_.normal(value);
   Fraction result = 1;
   for (const int side : {1, -1}) {
-    const auto& [number, list] = factors(side > 0 ? u.numerator : u.denominator);
-    Polynomial size(cln::abs(number));
+    const auto& [sign, list] = factors(side > 0 ? u.numerator : u.denominator);
+    Polynomial size = std::abs(sign);
     for (const auto& [factor, exponent] : list)
       size = size * power(exponent % 2 == 0 ? factor : size_of(factor), exponent);
     result = side > 0 ? Fraction(size) : result / size;

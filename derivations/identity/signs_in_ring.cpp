@@ -29,8 +29,8 @@ Signs signs_of(const Interval& values) {
 Fact Ring::essential(const Fraction& value, Signs signs) const {
   const Fraction f = normal(value);
   if (f.is_zero()) return {0, signs};
-  const auto& [number, list] = factors(signs == Signs::zero() ? f.numerator : f.numerator * f.denominator);
-  Signs outside = sign_of_number(number);
+  const auto& [sign, list] = factors(signs == Signs::zero() ? f.numerator : f.numerator * f.denominator);
+  Signs outside = sign_of_number(sign);
   Polynomial rest = 1;
   for (const auto& [factor, exponent] : list) {
     const Signs known = power(signs_of(factor), exponent);
@@ -166,10 +166,10 @@ Signs Ring::signs_of(const Polynomial& p, int depth) const {
     result = result & (cln::minusp(number) ? -known->second : known->second);
   if (depth == 0 || result == Signs::positive() || result == Signs::negative() || result.is_none())
     return result;
-  const auto& [constant, list] = factors(p);
+  const auto& [sign, list] = factors(q);
   if (list.size() == 1 && list[0].second == 1)
     return result & signs_of_coefficients(p, depth - 1) & signs_of_quadratic(p, depth - 1);
-  Signs product = sign_of_number(constant);
+  Signs product = sign_of_number(number);
   for (const auto& [factor, exponent] : list)
     product = product * power(signs_of(factor, depth - 1), exponent);
   return result & product;

@@ -7,52 +7,19 @@ namespace rederive {
 using cln::cl_RA;
 using Kind = Generator::Kind;
 
-/// The work, as often as it meets phases that need another basis.
-template <class Work>
-auto Translator::in_rounds(const Work& work) {
-  for (int round = 0; round < 24; ++round) try {
-      argument_.reset();
-      return work();
-    } catch (const AnotherRound&) {
-      ++bases_, arguments_.clear();
-    } catch (const std::domain_error&) {
-      throw NoValue("a divisor is 0");
-    }
-  throw Undecidable("functions of functions, too deep");
-}
-
 Fraction Translator::operator()(const Tree& tree, std::vector<DomainCondition>& conditions) {
-  return in_rounds([&] {
-    std::vector<DomainCondition> found;
-    conditions_ = &found;
-    const Fraction result = translate(tree);
-    conditions.insert(conditions.end(), found.begin(), found.end());
-    return result;
-  });
-}
-
-std::pair<Fraction, Fraction> Translator::circular_of(const Fraction& argument) {
-  return in_rounds([&] { return circular(argument); });
-}
-
-Fraction Translator::exponential_of(const Fraction& argument) {
-  return in_rounds([&] { return exponential(argument); });
-}
-
-Fraction Translator::logarithm_of(const Fraction& value) {
-  return in_rounds([&] { return logarithm(value); });
+  argument_.reset(), conditions_ = &conditions;
+  return translate(tree);
 }
 
 std::vector<Translator::Multiple> Translator::phases_of(const Fraction& argument, cl_RA* turns) {
-  return in_rounds([&] {
-    std::vector<Multiple> result;
-    for (const auto& [number, term] : terms_of(argument))
-      if (turns != nullptr && term == pi())
-        *turns = number;
-      else
-        result.push_back(multiple_of_phase(turns != nullptr ? "cos " : "exp ", number, term));
-    return result;
-  });
+  std::vector<Multiple> result;
+  for (const auto& [number, term] : terms_of(argument))
+    if (turns != nullptr && term == pi())
+      *turns = number;
+    else
+      result.push_back(multiple_of_phase(turns != nullptr ? "cos " : "exp ", number, term));
+  return result;
 }
 
 void Translator::require(const Fraction& value, Signs allowed, const Tree& tree) {
@@ -64,40 +31,25 @@ void Translator::require(const Fraction& value, Signs allowed, const Tree& tree)
 }
 
 Fraction Translator::translate(const Tree& tree) {
-  switch (tree->kind) {
-    case Node::Kind::number:
-      return Fraction(exact(tree->text));
-    case Node::Kind::symbol:
-      if (argument_ && tree->text == "u") return *argument_;
-      return tree->text == "pi" ? pi() : symbol(tree->text);
-    case Node::Kind::negative:
-      return -translate(tree->children[0]);
-    case Node::Kind::sum: {
-      Fraction sum = 0;
-      for (std::size_t k = 0; k < tree->children.size(); ++k) {
-        const Fraction term = translate(tree->children[k]);
-        sum = tree->inverse[k] ? sum - term : sum + term;
-      }
-      return ring_.normal(sum);
-    }
-    case Node::Kind::product:
-      return product(*tree);
-    case Node::Kind::power:
-      return power_of(*tree);
-    case Node::Kind::call:
-      return call(*tree);
-  }
-  throw Undecidable("a form that is not known");
-}
-
-Fraction Translator::product(const Node& node) {
-  Fraction result = 1;
+  const Node& node = *tree;
+  if (node.kind == Node::Kind::number) return Fraction(exact(node.text));
+  if (node.kind == Node::Kind::symbol)
+    return argument_ && node.text == "u" ? *argument_ : node.text == "pi" ? pi() : symbol(node.text);
+  if (node.kind == Node::Kind::negative) return -translate(node.children[0]);
+  if (node.kind == Node::Kind::power) return power_of(node);
+  if (node.kind == Node::Kind::call) return call(node);
+  const bool is_sum = node.kind == Node::Kind::sum;
+  Fraction result = is_sum ? 0 : 1;
   for (std::size_t k = 0; k < node.children.size(); ++k) {
-    const Fraction factor = translate(node.children[k]);
-    if (node.inverse[k]) require(factor, Signs::nonzero(), node.children[k]);
-    result = ring_.normal(node.inverse[k] ? result / factor : result * factor);
+    const Fraction part = translate(node.children[k]);
+    if (is_sum) {
+      result = node.inverse[k] ? result - part : result + part;
+    } else {
+      if (node.inverse[k]) require(part, Signs::nonzero(), node.children[k]);
+      result = ring_.normal(node.inverse[k] ? result / part : result * part);
+    }
   }
-  return result;
+  return ring_.normal(result);
 }
 
 /// b^e: roots where the exponent is a fraction, else e^{e log b} of a base that is positive.
@@ -110,13 +62,20 @@ Fraction Translator::power_of(const Node& node) {
     return exponential(ring_.normal(exponent * logarithm(base)));
   }
   const cl_RA number = exponent.constant();
-  if (cln::abs(number) > 64 || cln::denominator(number) > 12)
+  const bool is_whole = cln::denominator(number) == 1, is_below = cln::minusp(number);
+  if (!is_whole) require(base, is_below ? Signs::positive() : Signs::nonnegative(), node.children[0]);
+  if (is_whole && is_below) require(base, Signs::nonzero(), node.children[0]);
+  return raised(base, number);
+}
+
+/// base^exponent, of a base that is not negative where the exponent is a fraction.
+Fraction Translator::raised(const Fraction& base, const cl_RA& exponent) {
+  if (cln::abs(exponent) > 64 || cln::denominator(exponent) > 12)
     throw Undecidable("an exponent that is too large");
-  const int n = cln::cl_I_to_int(cln::numerator(number)), order = cln::cl_I_to_int(cln::denominator(number));
-  if (order > 1) require(base, n > 0 ? Signs::nonnegative() : Signs::positive(), node.children[0]);
-  if (order == 1 && n < 0) require(base, Signs::nonzero(), node.children[0]);
-  Fraction result = 1;
+  const int n = cln::cl_I_to_int(cln::numerator(exponent)),
+            order = cln::cl_I_to_int(cln::denominator(exponent));
   const Fraction factor = order > 1 ? root(base, order) : base;
+  Fraction result = 1;
   for (int k = 0; k < std::abs(n); ++k) result = ring_.normal(result * factor);
   return n < 0 ? ring_.normal(1 / result) : result;
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <derivations/identity/translator.hpp>
 
 namespace rederive {
@@ -25,33 +26,58 @@ bool vanishes_by_conjugates(const Ring& ring, const Polynomial& p, int depth) {
   return false;
 }
 
-bool has(const Ring& ring, const Fraction& f, Kind kind) {
-  for (const int k : f.numerator.used())
-    if (ring.generators()[k].kind == kind) return true;
-  return false;
+/// A sum of multiples of symbols, angles and π, between -turns·π and turns·π.
+bool is_angle(const Ring& ring, const Fraction& d, int turns) {
+  const Interval range = ring.range_of(d);
+  if (!d.denominator.is_constant() || compare(range.low, End{{0, -turns}}) <= 0 ||
+      compare(range.high, End{{0, turns}}) >= 0)
+    return false;
+  for (std::size_t t = 0; t < d.numerator.terms(); ++t) {
+    const auto powers = d.numerator.powers(t);
+    const Kind kind = powers.size() == 1 ? ring.generators()[powers[0].first].kind : Kind::cosine;
+    if (kind != Kind::symbol && kind != Kind::pi && kind != Kind::angle) return false;
+  }
+  return true;
 }
 
-bool lies_within_a_turn(const Interval& range) {
-  return compare(range.low, End{{0, -2}}) > 0 && compare(range.high, End{{0, 2}}) < 0;
+bool has_logarithm(const Ring& ring, const Polynomial& p) {
+  const auto used = p.used();
+  return std::ranges::any_of(used, [&](int k) { return ring.generators()[k].kind == Kind::logarithm; });
+}
+
+/// u/v of u - v for two terms that are positive.
+std::optional<Fraction> ratio_of_terms(const Ring& ring, const Polynomial& p) {
+  if (p.terms() != 2 || cln::signum(p.coefficient(0)) == cln::signum(p.coefficient(1))) return std::nullopt;
+  for (const int k : p.used())
+    if (ring.signs_of(Polynomial::variable(k)) != Signs::positive()) return std::nullopt;
+  const auto term = [&](int k) { return Polynomial(cln::abs(p.coefficient(k))) * p.monomial(k); };
+  return Fraction(term(0), term(1));
 }
 
 }  // namespace
 
-bool vanishes(const Fraction& f, Ring& ring, Translator& translator) {
+bool vanishes(const Fraction& f, const Ring& ring) {
+  return vanishes_by_conjugates(ring, ring.normal(f).numerator, 3);
+}
+
+std::vector<Fraction> zeros_like(const Fraction& f, Ring& ring, Translator& translator) {
   const Fraction d = ring.normal(f);
-  if (vanishes_by_conjugates(ring, d.numerator, 3)) return true;
-  const auto is_zero = [&](const Fraction& value) {
-    return vanishes_by_conjugates(ring, ring.normal(value).numerator, 3);
-  };
+  std::vector<Fraction> result{d};
   try {
-    if (has(ring, d, Kind::angle) && lies_within_a_turn(ring.range_of(d))) {
-      const auto [cosine, sine] = translator.circular_of(d);
-      return is_zero(cosine - 1) && is_zero(sine);
-    }
-    if (has(ring, d, Kind::logarithm)) return is_zero(translator.exponential_of(d) - 1);
+    if (is_angle(ring, d, 1)) result.push_back(translator.circular(d).second);
+    if (is_angle(ring, d, 2)) result.push_back(ring.normal(1 - translator.circular(d).first));
+    if (has_logarithm(ring, d.numerator)) result.push_back(translator.exponential(d) - 1);
+    if (const auto u = ratio_of_terms(ring, d.numerator)) result.push_back(translator.logarithm(*u));
+  } catch (const OtherBasis&) {
+    throw;
   } catch (const Undecidable&) {
   }
-  return false;
+  return result;
+}
+
+bool vanishes(const Fraction& f, Ring& ring, Translator& translator) {
+  return vanishes(f, ring) ||
+         std::ranges::any_of(zeros_like(f, ring, translator), [&](auto& z) { return vanishes(z, ring); });
 }
 
 }  // namespace rederive
