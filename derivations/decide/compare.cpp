@@ -29,7 +29,7 @@ std::optional<Sameness> same_up_to_a_factor(const Comparison& setting, const Ato
     if (!is_equation) parts = {f};
     return std::all_of(parts.begin(), parts.end(), [&](const Fraction& part) {
       const Signs wanted = is_equation ? Signs::nonzero() : Signs::positive();
-      const auto found = prove_signs(ring, setting.facts, part, wanted);
+      const auto found = prove_signs(ring, part, wanted);
       if (found) rest_on(result, found->parts.empty() ? "identity" : "sign", *found);
       return found.has_value();
     });
@@ -97,24 +97,17 @@ std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
   return result;
 }
 
-/// A relation follows from others by the signs of products.
-std::optional<Certificate> follows_by_signs(const Comparison& setting, const std::vector<Atom>& from,
-                                            const Atom& claim) {
-  std::vector<Fact> facts = setting.facts;
-  for (const Atom& atom : from)
-    for (Fact& fact : facts_of(setting.ring, atom.value, atom.signs)) facts.push_back(std::move(fact));
-  Ring ring = setting.ring;  // with what the others say
-  for (const Atom& atom : from) ring.learn(atom.value, atom.signs);
-  if (auto found = prove_signs(ring, facts, claim.value, claim.signs)) return found;
-  return prove_signs(ring, facts, 0, Signs::zero() & Signs::positive());
-}
-
 /// All claims follow from a statement. An equation of it is 0 where one of its factors is: a case each.
 std::optional<Sameness> all_follow(const Comparison& setting, const std::vector<Atom>& from,
                                    const std::vector<Atom>& claims) {
   Sameness all{"identity"};
   const auto by_signs = [&](const std::vector<Atom>& case_of, const Atom& claim) {
-    const auto found = follows_by_signs(setting, case_of, claim);
+    Ring ring = setting.ring;  // with what the others say
+    for (const Atom& atom : case_of)
+      for (Fact& fact : facts_of(setting.ring, atom.value, atom.signs)) ring.facts.push_back(std::move(fact));
+    for (const Atom& atom : case_of) ring.learn(atom.value, atom.signs);
+    auto found = prove_signs(ring, claim.value, claim.signs);
+    if (!found) found = prove_signs(ring, 0, Signs::zero() & Signs::positive());
     if (found) rest_on(all, "sign", *found);
     return found.has_value();
   };
@@ -136,6 +129,15 @@ std::optional<Sameness> all_follow(const Comparison& setting, const std::vector<
     if (!is_found && !by_signs(from, claim)) return std::nullopt;
   }
   return all;
+}
+
+/// p times its conjugates in the sines: s and 1 - c vanish together where this has a common factor.
+Polynomial norm(const Ring& ring, const Polynomial& p) {
+  Polynomial result = ring.normal(p).numerator;
+  for (const int k : result.used())
+    if (ring.generators()[k].kind == Generator::Kind::sine && result.degree(k) == 1)
+      result = ring.norm(result, k).numerator;
+  return result;
 }
 
 }  // namespace
@@ -160,19 +162,6 @@ std::optional<Sameness> same(Comparison& setting, const Problem& problem) {
     }
   return std::nullopt;
 }
-
-namespace {
-
-/// p times its conjugates in the sines: s and 1 - c vanish together where this has a common factor.
-Polynomial norm(const Ring& ring, const Polynomial& p) {
-  Polynomial result = ring.normal(p).numerator;
-  for (const int k : result.used())
-    if (ring.generators()[k].kind == Generator::Kind::sine && result.degree(k) == 1)
-      result = ring.norm(result, k).numerator;
-  return result;
-}
-
-}  // namespace
 
 bool hides_a_solution(const Comparison& setting) {
   const auto has = [](const std::vector<DomainCondition>& list, const DomainCondition& c) {

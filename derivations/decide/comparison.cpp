@@ -28,7 +28,7 @@ std::vector<Atom> atoms_of(const std::vector<Relation>& links, Comparison& setti
 void learn(Comparison& setting, const Fraction& value, Signs signs) {
   for (Fact& fact : facts_of(setting.ring, value, signs)) {
     const auto is_same = [&](const Fact& f) { return f.value == fact.value && f.signs == fact.signs; };
-    if (std::ranges::none_of(setting.facts, is_same)) setting.facts.push_back(std::move(fact));
+    if (std::ranges::none_of(setting.ring.facts, is_same)) setting.ring.facts.push_back(std::move(fact));
   }
   setting.ring.learn(value, signs);
 }
@@ -75,7 +75,7 @@ void assume(Comparison& setting, const Relation& assumption) {
 
 /// Whether the ranges and the assumptions say it already.
 bool is_granted(const Comparison& setting, const DomainCondition& c) {
-  return prove_signs(setting.ring, setting.facts, c.value, c.allowed, !setting.facts.empty()).has_value();
+  return prove_signs(setting.ring, c.value, c.allowed, !setting.ring.facts.empty()).has_value();
 }
 
 /// Both statements. That two expressions are the same says that their equation holds.
@@ -90,7 +90,7 @@ void translate_statements(Comparison& setting, const Problem& problem) {
 }  // namespace
 
 void translate(Comparison& setting, const Problem& problem) {
-  setting.facts.clear(), setting.conditions.clear();
+  setting.conditions.clear();
   for (int pass = 0; pass < 2; ++pass) {  // the second one with what the first one said
     for (const auto& [name, value] : problem.values) defined(setting, value);
     for (const Relation& a : problem.assumptions) assume(setting, a);

@@ -24,9 +24,8 @@ struct Comparison {
   explicit Comparison(const Symbols& symbols) : translator(ring, symbols) {}
   Comparison(const Comparison&) = delete;
 
-  Ring ring;
+  Ring ring;  ///< its facts: assumptions, and what must hold for both statements to have values
   Translator translator;
-  std::vector<Fact> facts;  ///< assumptions, and what must hold for both statements to have values
   Translated left, right;
   std::vector<DomainCondition> conditions;  ///< those that neither the ranges nor the assumptions grant
   std::vector<std::string> in_words;        ///< the same: "x - 1 > 0", "cos(theta) != 0"

@@ -167,9 +167,9 @@ bool contradict(const std::vector<Relation>& assumptions, const Symbols& symbols
       translate(setting, problem);
       for (const Generator& g : setting.ring.generators())
         if (g.range.is_empty()) return true;
-      for (const Fact& f : setting.facts)
+      for (const Fact& f : setting.ring.facts)
         if ((setting.ring.signs_of(f.value) & f.signs).is_none()) return true;
-      return prove_signs(setting.ring, setting.facts, 0, Signs::zero() & Signs::positive()).has_value();
+      return prove_signs(setting.ring, 0, Signs::zero() & Signs::positive()).has_value();
     });
   } catch (const NoValue&) {
     return true;

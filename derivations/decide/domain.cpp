@@ -2,13 +2,12 @@
 #include <derivations/decide/comparison.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
+#include <functional>
 #include <numeric>
 
 namespace rederive {
 
 namespace {
-
-using Said = std::pair<std::string, Signs>;
 
 bool has_symbols_only(const Ring& ring, const Polynomial& p) {
   const auto used = p.used();
@@ -37,40 +36,32 @@ GiNaC::ex numerator(const GiNaC::ex& value) {
   return (above / above.integer_content()).expand().subs(atoms, GiNaC::subs_options::no_pattern);
 }
 
-/// The factors that matter.
-std::vector<Said> say_factors(const DomainCondition& c, const Ring& ring, const Symbols& symbols) {
-  std::vector<Said> result;
-  const auto text = [&](const Polynomial& p) {
-    return print(ring.meaning_of(Fraction(p)), Notation::plain, symbols);
-  };
+/// What is said of a value.
+using Say = std::function<void(const GiNaC::ex&, Signs)>;
+
+/// Of plain symbols: the factors that matter.
+void say_factors(const DomainCondition& c, const Ring& ring, const Say& say) {
   const Fact fact = ring.essential(c.value, c.allowed);
   Polynomial rest = fact.signs == c.allowed ? 1 : -1;
   for (const auto& [factor, exponent] : factors(fact.value).second)
     if (c.allowed != Signs::nonzero() && exponent % 2 != 0)
       rest = rest * factor;
     else if (c.allowed != Signs::nonnegative() && !ring.signs_of(factor).is_definite())
-      result.push_back({text(factor), Signs::nonzero()});
-  if (!rest.is_constant())
-    result.push_back({print(ring.meaning_of(Fraction(rest)).expand(), Notation::plain, symbols), c.allowed});
-  return result;
+      say(ring.meaning_of(Fraction(factor)), Signs::nonzero());
+  if (!rest.is_constant()) say(ring.meaning_of(Fraction(rest)).expand(), c.allowed);
 }
 
-/// Of plain symbols: the factors that matter; of anything else: what is written.
-std::vector<Said> say(const DomainCondition& c, const Ring& ring, const Symbols& symbols) {
-  const auto text = [&](const GiNaC::ex& value) { return print(value, Notation::plain, symbols); };
-  if (has_symbols_only(ring, c.value.numerator * c.value.denominator)) return say_factors(c, ring, symbols);
-  if (c.allowed != Signs::nonzero()) return {{text(lower(c.tree, symbols)), c.allowed}};
-  std::vector<Said> result;
+/// Of anything else: the factors of a divisor as they are written.
+void say_divisors(const Tree& divisor, const Symbols& symbols, const Say& say) {
   std::vector<Tree> parts;
-  divide_up(c.tree, parts);
+  divide_up(divisor, parts);
   for (const Tree& part : parts) {
     GiNaC::ex value = lower(part, symbols);
     if (!GiNaC::is_a<GiNaC::function>(value)) value = numerator(value);
-    const std::string one = text(value), other = text(-value);
-    const bool is_shorter = std::pair(other.size(), other) < std::pair(one.size(), one);
-    result.push_back({is_shorter ? other : one, c.allowed});
+    const std::string one = print(value, Notation::plain, symbols),
+                      other = print(-value, Notation::plain, symbols);
+    say(std::pair(other.size(), other) < std::pair(one.size(), one) ? -value : value, Signs::nonzero());
   }
-  return result;
 }
 
 /// Without those that follow from the others; u >= 0 and u != 0 are u > 0.
@@ -104,14 +95,21 @@ std::vector<DomainCondition> independent(const std::vector<DomainCondition>& con
 std::vector<std::string> in_words(const std::vector<DomainCondition>& conditions, const Ring& ring,
                                   const Symbols& symbols) {
   std::vector<std::string> words;
+  const auto say = [&](const GiNaC::ex& value, Signs signs) {
+    const std::string word =
+        print(value, Notation::plain, symbols) + (signs == Signs::nonzero()       ? " != 0"
+                                                  : signs == Signs::nonnegative() ? " >= 0"
+                                                  : signs == Signs::positive()    ? " > 0"
+                                                                                  : " < 0");
+    if (std::ranges::find(words, word) == words.end()) words.push_back(word);
+  };
   for (const DomainCondition& c : independent(conditions, ring))
-    for (const auto& [text, signs] : say(c, ring, symbols)) {
-      const std::string word = text + (signs == Signs::nonzero()       ? " != 0"
-                                       : signs == Signs::nonnegative() ? " >= 0"
-                                       : signs == Signs::positive()    ? " > 0"
-                                                                       : " < 0");
-      if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
-    }
+    if (has_symbols_only(ring, c.value.numerator * c.value.denominator))
+      say_factors(c, ring, say);
+    else if (c.allowed == Signs::nonzero())
+      say_divisors(c.tree, symbols, say);
+    else
+      say(lower(c.tree, symbols), c.allowed);
   return words;
 }
 

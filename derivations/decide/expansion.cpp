@@ -74,7 +74,7 @@ class Expansion {
     const Fraction f = known_.translator(lowest, unused);
     const Signs known = known_.ring.signs_of(f);
     if ((known & signs).is_none()) throw Undecidable("there is no series of what has no value");
-    if (!prove_signs(known_.ring, known_.facts, f, signs)) conditions.push_back({f, signs, lowest});
+    if (!prove_signs(known_.ring, f, signs)) conditions.push_back({f, signs, lowest});
     return known;
   }
 

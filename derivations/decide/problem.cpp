@@ -90,31 +90,6 @@ bool is_monotone(const Tree& side, const Symbols& symbols) {
   return f.inverse != nullptr && (f.turned == 0 || is_within(side->children[0], f.domain, symbols));
 }
 
-}  // namespace
-
-Relation with_inversions(const Relation& relation, const Symbols& symbols) {
-  if (relation.operators.size() != 1) return relation;
-  for (const int side : {0, 1}) {
-    const Tree &of = relation.sides[side], &other = relation.sides[1 - side];
-    if (!is_monotone(of, symbols)) continue;
-    const MonotonePiece& f = monotone_piece(of->text);
-    Relation result = relation;
-    const bool falls = compare(f.values.low, f.values.high) > 0;
-    if (std::string& op = result.operators[0]; falls && op != "=") op[0] = op[0] == '<' ? '>' : '<';
-    result.sides[side] = of->children[0];
-    if (other->kind == Node::Kind::call && other->text == of->text && is_monotone(other, symbols))
-      result.sides[1 - side] = other->children[0];
-    else if (is_within(other, f.range, symbols))
-      result.sides[1 - side] = make_tree(Node::Kind::call, f.inverse, {other});
-    else
-      continue;
-    return result;
-  }
-  return relation;
-}
-
-namespace {
-
 /// "symbol = value" of an equation that says so, the symbol not in its value.
 std::optional<std::pair<std::string, Tree>> definition(const Relation& stated, const Symbols& symbols) {
   if (stated.operators != std::vector<std::string>{"="}) return std::nullopt;
@@ -140,6 +115,27 @@ void replace(Problem& problem, const std::string& name, const Tree& value) {
 }
 
 }  // namespace
+
+Relation with_inversions(const Relation& relation, const Symbols& symbols) {
+  if (relation.operators.size() != 1) return relation;
+  for (const int side : {0, 1}) {
+    const Tree &of = relation.sides[side], &other = relation.sides[1 - side];
+    if (!is_monotone(of, symbols)) continue;
+    const MonotonePiece& f = monotone_piece(of->text);
+    Relation result = relation;
+    const bool falls = compare(f.values.low, f.values.high) > 0;
+    if (std::string& op = result.operators[0]; falls && op != "=") op[0] = op[0] == '<' ? '>' : '<';
+    result.sides[side] = of->children[0];
+    if (other->kind == Node::Kind::call && other->text == of->text && is_monotone(other, symbols))
+      result.sides[1 - side] = other->children[0];
+    else if (is_within(other, f.range, symbols))
+      result.sides[1 - side] = make_tree(Node::Kind::call, f.inverse, {other});
+    else
+      continue;
+    return result;
+  }
+  return relation;
+}
 
 Problem with_values(Problem problem, const std::vector<Given>& given) {
   std::vector<Relation> stated;

@@ -4,14 +4,6 @@
 
 namespace rederive {
 
-Fraction Ring::add(const std::string& key, Generator generator) {
-  const int k = static_cast<int>(generators_.size());
-  if (k == Polynomial::variables) throw Undecidable("too many independent functions in one statement");
-  generators_.push_back(std::move(generator));
-  index_.emplace(key, k);
-  return Polynomial::variable(k);
-}
-
 Fraction Ring::function(Generator::Kind kind, const std::string& f, const Fraction& of, int degree,
                         const Fraction& value) {
   return generator(f + " " + of.key(), [&] {

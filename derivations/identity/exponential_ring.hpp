@@ -54,12 +54,17 @@ class Ring {
   template <class Make>
   Fraction generator(const std::string& key, const Make& make) {
     if (const auto known = find(key)) return Polynomial::variable(*known);
-    return add(key, make());
+    if (generators_.size() == Polynomial::variables)
+      throw Undecidable("too many independent functions in one statement");
+    generators_.push_back(make());
+    return Polynomial::variable(index_[key] = static_cast<int>(generators_.size()) - 1);
   }
   /// The variable of f(of).
   Fraction function(Generator::Kind kind, const std::string& f, const Fraction& of, int degree = 0,
                     const Fraction& value = 0);
   const std::vector<Generator>& generators() const { return generators_; }
+  /// What is assumed: the hypotheses of certificates.
+  std::vector<Fact> facts = {};
   std::optional<int> find(const std::string& key) const;
 
   /// generator^degree = value from now on: what an equation that is assumed says of a symbol.
@@ -91,7 +96,6 @@ class Ring {
   static GiNaC::ex meaning_of(const Fraction& f, const std::vector<GiNaC::ex>& names);
 
  private:
-  Fraction add(const std::string& key, Generator generator);
   Fraction reduced(const Polynomial& p) const;
   Interval range_of(const Polynomial& p) const;
   Signs signs_of(const Polynomial& p, int depth) const;

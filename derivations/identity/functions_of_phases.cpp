@@ -56,7 +56,11 @@ Pair Translator::phase(const Fraction& phase) {
   const bool is_half = phase == x / 2;
   if ((!is_half && phase != x) || ring_.generators()[used[0]].kind != Kind::angle) return {c, s};
   // the angle of an inverse function: its cosine and sine are algebraic
-  const auto [cosine, sine] = circular_of_angle(Generator(ring_.generators()[used[0]]));
+  const Generator angle = ring_.generators()[used[0]];
+  const bool is_asin = angle.function == "asin";
+  const Fraction u = angle.of, rest = root(is_asin ? 1 - u * u : 1 + u * u, 2),
+                 cosine = is_asin ? rest : ring_.normal(1 / rest),
+                 sine = is_asin ? u : ring_.normal(u / rest);
   ring_.relate(*ring_.find("cos " + key), is_half ? 2 : 1, is_half ? (1 + cosine) / 2 : cosine);
   ring_.relate(*ring_.find("sin " + key), 1, is_half ? sine / (2 * c) : sine);
   return {ring_.normal(c), ring_.normal(s)};

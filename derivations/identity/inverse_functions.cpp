@@ -42,14 +42,6 @@ Fraction Translator::logarithm_of(const Polynomial& p) {
   return ring_.function(Kind::logarithm, "log", p);
 }
 
-/// cos and sin of asin u and atan u.
-std::pair<Fraction, Fraction> Translator::circular_of_angle(const Generator& angle) {
-  const Fraction u = angle.of;
-  if (angle.function == "asin") return {root(1 - u * u, 2), u};
-  const Fraction hypotenuse = root(1 + u * u, 2);
-  return {ring_.normal(1 / hypotenuse), ring_.normal(u / hypotenuse)};
-}
-
 /// The argument itself, where asin undoes a sine or atan a tangent inside of its range.
 std::optional<Fraction> Translator::inverted(bool is_sine, const Fraction& value) {
   const auto within = [&](const Fraction& x, int low, int high) {  // between these halves of π

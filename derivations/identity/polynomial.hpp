@@ -93,14 +93,12 @@ class Polynomial {
  private:
   /// The variables of all polynomials, in degree-lexicographic order.
   static const fmpz_mpoly_ctx_struct* context();
-  void check_size() const {
-    if (terms() > most_terms) throw Undecidable("too many terms, once it is multiplied out");
-  }
   template <auto function, class... Arguments>
   static Polynomial of(const Arguments&... arguments) {
     Polynomial result;
     function(result.p_, arguments..., context());
-    return result.check_size(), result;
+    if (result.terms() > most_terms) throw Undecidable("too many terms, once it is multiplied out");
+    return result;
   }
   fmpz_mpoly_t p_;
 };

@@ -19,12 +19,6 @@ Interval range_of_root(const Interval& base, int order) {
 
 }  // namespace
 
-/// base^{exponent/order} of a base that is not negative.
-Fraction Translator::root_of_power(const Polynomial& base, int exponent, int order) {
-  const Fraction whole = power(base, exponent / order);
-  return exponent % order == 0 ? whole : whole * power(root_generator(base, order), exponent % order);
-}
-
 /// y with y^order = base, y >= 0: a power of the generator whose order all roots of this base share.
 Fraction Translator::root_generator(const Polynomial& base, int order) {
   const int part = base == 2 ? 4 : base == 3 ? 6 : 0;  // √2 = 2 cos π/4, √3 = 2 cos π/6
@@ -64,9 +58,10 @@ Fraction Translator::root(const Fraction& value, int order) {
     const int taken = !comes_out ? 0 : has_sign ? exponent : exponent - exponent % 2;
     if (is_negative && taken % 2 != 0) inside = -inside;
     inside = inside * power(factor, exponent - taken);
-    if (taken > 0) outside = ring_.normal(outside * root_of_power(size_of(factor), taken, order));
+    if (taken > 0) outside = outside * Fraction(power(size_of(factor), taken / order));
+    if (taken % order != 0) outside = outside * power(root_generator(size_of(factor), order), taken % order);
   }
-  if (inside.is_one()) return outside;
+  if (inside.is_one()) return ring_.normal(outside);
   if (inside.is_constant()) throw NoValue("the root of a negative number");
   return ring_.normal(outside * root_generator(inside, order));
 }

@@ -6,13 +6,6 @@ namespace rederive {
 
 namespace {
 
-/// ±p with content 1 that leads with plus, and the number that was taken out.
-std::pair<cln::cl_I, Polynomial> primitive(const Polynomial& p) {
-  cln::cl_I number = p.content();
-  if (p.leads_with_minus()) number = -number;
-  return {number, *quotient(p, Polynomial(number))};
-}
-
 Signs sign_of_number(const cln::cl_RA& n) {
   return cln::zerop(n) ? Signs::zero() : cln::plusp(n) ? Signs::positive() : Signs::negative();
 }
@@ -139,7 +132,8 @@ Interval Ring::range_of(const Polynomial& p) const {
     sum = sum + product;
   }
   if (p.is_constant() || known_signs_.empty()) return sum;
-  const auto [number, q] = primitive(p);
+  const cln::cl_I number = p.leads_with_minus() ? -p.content() : p.content();
+  const Polynomial q = *quotient(p, Polynomial(number));  // content 1, leads with plus
   if (const auto known = known_signs_.find(q); known != known_signs_.end()) {
     const Signs signs = cln::minusp(number) ? -known->second : known->second;
     if (signs == Signs::positive()) sum = overlap(sum, positive_numbers());
@@ -161,7 +155,8 @@ Signs Ring::signs_of(const Polynomial& p) const {
 Signs Ring::signs_of(const Polynomial& p, int depth) const {
   if (p.is_constant()) return sign_of_number(p.constant());
   Signs result = rederive::signs_of(range_of(p));
-  const auto [number, q] = primitive(p);
+  const cln::cl_I number = p.leads_with_minus() ? -p.content() : p.content();
+  const Polynomial q = *quotient(p, Polynomial(number));  // content 1, leads with plus
   if (const auto known = known_signs_.find(q); known != known_signs_.end())
     result = result & (cln::minusp(number) ? -known->second : known->second);
   if (depth == 0 || result == Signs::positive() || result == Signs::negative() || result.is_none())

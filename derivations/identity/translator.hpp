@@ -65,12 +65,10 @@ class Translator {
   Multiple multiple_of_phase(const std::string& function, const cln::cl_RA& number, const Fraction& term);
   std::pair<Fraction, Fraction> phase(const Fraction& phase);
   std::pair<Fraction, Fraction> part_of_pi(const cln::cl_I& n);
-  std::pair<Fraction, Fraction> circular_of_angle(const Generator& angle);
 
   // radicals.cpp
   Fraction root(const Fraction& value, int order);
   Fraction square_root(const Tree& tree);
-  Fraction root_of_power(const Polynomial& base, int exponent, int order);
   Fraction root_generator(const Polynomial& base, int order);
   Polynomial size_of(const Polynomial& factor);
   Fraction absolute(const Fraction& value);

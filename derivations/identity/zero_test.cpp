@@ -40,11 +40,6 @@ bool is_angle(const Ring& ring, const Fraction& d, int turns) {
   return true;
 }
 
-bool has_logarithm(const Ring& ring, const Polynomial& p) {
-  const auto used = p.used();
-  return std::ranges::any_of(used, [&](int k) { return ring.generators()[k].kind == Kind::logarithm; });
-}
-
 /// u/v of u - v for two terms that are positive.
 std::optional<Fraction> ratio_of_terms(const Ring& ring, const Polynomial& p) {
   if (p.terms() != 2 || cln::signum(p.coefficient(0)) == cln::signum(p.coefficient(1))) return std::nullopt;
@@ -63,10 +58,12 @@ bool vanishes(const Fraction& f, const Ring& ring) {
 std::vector<Fraction> zeros_like(const Fraction& f, Ring& ring, Translator& translator) {
   const Fraction d = ring.normal(f);
   std::vector<Fraction> result{d};
+  const auto used = d.numerator.used();
+  const auto is_logarithm = [&](int k) { return ring.generators()[k].kind == Kind::logarithm; };
   try {
     if (is_angle(ring, d, 1)) result.push_back(translator.circular(d).second);
     if (is_angle(ring, d, 2)) result.push_back(ring.normal(1 - translator.circular(d).first));
-    if (has_logarithm(ring, d.numerator)) result.push_back(translator.exponential(d) - 1);
+    if (std::ranges::any_of(used, is_logarithm)) result.push_back(translator.exponential(d) - 1);
     if (const auto u = ratio_of_terms(ring, d.numerator)) result.push_back(translator.logarithm(*u));
   } catch (const OtherBasis&) {
     throw;
