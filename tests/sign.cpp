@@ -18,24 +18,23 @@ struct System {
   }
 
   Fraction operator()(const std::string& text) {
-    std::vector<DomainCondition> conditions;
+    std::vector<Atom> conditions;
     return translator(parse(text, symbols), conditions);
   }
   /// "x - 1 > 0", with 0 on the right.
   void know(const std::string& text) {
     const Relation relation = parse_relation(text, symbols);
-    std::vector<DomainCondition> conditions;
+    std::vector<Atom> conditions;
     const Fraction value = translator(relation.sides[0], conditions);
     const std::string& op = relation.operators[0];
     for (const Fact& fact : facts_of(ring, value, op == "=" ? Signs::zero() : op == ">" ? Signs::positive() : Signs::nonnegative()))
-      facts.push_back(fact);
+      ring.facts.push_back(fact);
   }
-  std::optional<Certificate> prove(const std::string& text, Signs claim) { return prove_signs(ring, facts, (*this)(text), claim); }
+  std::optional<Certificate> prove(const std::string& text, Signs claim) { return prove_signs(ring, (*this)(text), claim); }
 
   Symbols symbols;
   Ring ring;
   Translator translator{ring, symbols};
-  std::vector<Fact> facts;
 };
 
 /// The sum of coefficient times factors.
@@ -95,9 +94,9 @@ TEST_CASE("a system with a solution is no contradiction, one without is") {
   const Signs none = Signs::positive() & Signs::negative();
   System with, without;
   for (const char* fact : {"x^2 + y^2 - 2 = 0", "x - 1 >= 0", "y - 1 >= 0"}) with.know(fact);
-  CHECK_FALSE(prove_signs(with.ring, with.facts, 0, none));
+  CHECK_FALSE(prove_signs(with.ring, 0, none));
   for (const char* fact : {"x^2 + y^2 - 1 = 0", "x - 1 >= 0", "y - 1 >= 0"}) without.know(fact);
-  const auto certificate = prove_signs(without.ring, without.facts, 0, none);
+  const auto certificate = prove_signs(without.ring, 0, none);
   REQUIRE(certificate);
   CHECK(multiplied_out(*certificate, without.ring).is_zero());
 }
@@ -119,8 +118,8 @@ TEST_CASE("a sign by intervals and products needs no search") {
   system.know("x > 0");
   system.ring.learn(system("x"), Signs::positive());
   system.ring.learn(system("y"), Signs::negative());
-  CHECK(prove_signs(system.ring, {}, system("x*y^3/(1+x)"), Signs::negative(), false));
-  CHECK_FALSE(prove_signs(system.ring, {}, system("x+y"), Signs::positive(), false));
+  CHECK(prove_signs(system.ring, system("x*y^3/(1+x)"), Signs::negative(), false));
+  CHECK_FALSE(prove_signs(system.ring, system("x+y"), Signs::positive(), false));
 }
 
 TEST_CASE("a linear program has a solution that is exact, or none") {

@@ -10,36 +10,9 @@ Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b) {
 
 namespace {
 
-/// The logarithm of both terms of an equation between two positive ones: u e^x = v says x + log u = log v.
-std::optional<Fraction> by_logarithm(const Ring& ring, Translator& translator, const Polynomial& p) {
-  if (p.terms() != 2 || cln::signum(p.coefficient(0)) == cln::signum(p.coefficient(1))) return std::nullopt;
-  const auto term = [&](int k) { return Polynomial(cln::abs(p.coefficient(k))) * p.monomial(k); };
-  for (const int k : p.used())
-    if (ring.signs_of(Polynomial::variable(k)) != Signs::positive()) return std::nullopt;
-  return translator.logarithm_of(Fraction(term(0), term(1)));
-}
-
-/// Of an angle d, a sum of multiples of symbols and of pi: d = 0 where sin d = 0, if it lies between -pi and
-/// pi, and where cos d = 1, if between -2 pi and 2 pi.
-std::optional<Fraction> by_angle(const Ring& ring, Translator& translator, const Fraction& d, bool is_sine) {
-  using Kind = Generator::Kind;
-  const int most = is_sine ? 1 : 2;
-  const Interval range = ring.range_of(d);
-  if (!d.denominator.is_constant() || compare(range.low, End{{0, -most}}) <= 0 ||
-      compare(range.high, End{{0, most}}) >= 0)
-    return std::nullopt;
-  for (std::size_t t = 0; t < d.numerator.terms(); ++t) {
-    const auto powers = d.numerator.powers(t);
-    const Kind kind = powers.size() == 1 ? ring.generators()[powers[0].first].kind : Kind::cosine;
-    if (kind != Kind::symbol && kind != Kind::pi && kind != Kind::angle) return std::nullopt;
-  }
-  const auto [cosine, sine] = translator.circular_of(d);
-  return is_sine ? sine : 1 - cosine;
-}
-
 /// The links as atoms, without those that say nothing if others say something.
 std::vector<Atom> atoms_of(const std::vector<Relation>& links, Comparison& setting,
-                           std::vector<DomainCondition>& conditions) {
+                           std::vector<Atom>& conditions) {
   std::vector<Atom> atoms;
   for (const Relation& link : links) {
     const Fraction left = setting.translator(link.sides[0], conditions),
@@ -52,19 +25,10 @@ std::vector<Atom> atoms_of(const std::vector<Relation>& links, Comparison& setti
   return atoms;
 }
 
-Translated translate(const Relation& statement, Comparison& setting) {
-  Translated result;
-  if (statement.operators.empty())
-    result.expression = setting.translator(statement.sides[0], result.conditions);
-  else
-    result.atoms = atoms_of(links_of(statement), setting, result.conditions);
-  return result;
-}
-
 void learn(Comparison& setting, const Fraction& value, Signs signs) {
   for (Fact& fact : facts_of(setting.ring, value, signs)) {
     const auto is_same = [&](const Fact& f) { return f.value == fact.value && f.signs == fact.signs; };
-    if (std::ranges::none_of(setting.facts, is_same)) setting.facts.push_back(std::move(fact));
+    if (std::ranges::none_of(setting.ring.facts, is_same)) setting.ring.facts.push_back(std::move(fact));
   }
   setting.ring.learn(value, signs);
 }
@@ -81,7 +45,7 @@ void relate(Ring& ring, const Fraction& value) {
     Polynomial rest = 0;
     for (int n = 0; n < degree; ++n) rest = rest + c[n] * power(Polynomial::variable(k), n);
     const auto others = rest.used();  // the relation must not lead round in a circle
-    if (std::any_of(others.begin(), others.end(), [&](int v) {
+    if (std::ranges::any_of(others, [&](int v) {
           const Fraction& of_v = ring.generators()[v].value;
           return of_v.numerator.degree(k) > 0 || of_v.denominator.degree(k) > 0;
         }))
@@ -93,9 +57,9 @@ void relate(Ring& ring, const Fraction& value) {
 
 /// A value is one, as its conditions say.
 Fraction defined(Comparison& setting, const Tree& tree) {
-  std::vector<DomainCondition> conditions;
+  std::vector<Atom> conditions;
   const Fraction value = setting.translator(tree, conditions);
-  for (const DomainCondition& c : conditions) learn(setting, c.value, c.allowed);
+  for (const Atom& c : conditions) learn(setting, c.value, c.signs);
   return value;
 }
 
@@ -109,40 +73,31 @@ void assume(Comparison& setting, const Relation& assumption) {
   learn(setting, atom.value, atom.signs);
 }
 
-/// Whether the ranges and the assumptions say it already.
-bool is_granted(const Comparison& setting, const DomainCondition& c) {
-  return prove_signs(setting.ring, setting.facts, c.value, c.allowed, !setting.facts.empty()).has_value();
-}
-
-/// Both statements once more.
+/// Both statements. That two expressions are the same says that their equation holds.
 void translate_statements(Comparison& setting, const Problem& problem) {
-  int basis = -1;  // both in the same one
-  for (int round = 0; round < 6 && basis != setting.translator.bases(); ++round) {
-    basis = setting.translator.bases();
-    setting.left = translate(problem.left, setting);
-    setting.right = translate(problem.right, setting);
-  }
+  const Relation equation{{problem.left.sides[0], problem.right.sides[0]}, {"="}};
+  setting.left = setting.right = {};
+  setting.left.atoms = atoms_of(links_of(problem.left), setting, setting.left.conditions);
+  setting.right.atoms = atoms_of(links_of(problem.left.operators.empty() ? equation : problem.right), setting,
+                                 setting.right.conditions);
 }
 
 }  // namespace
 
 void translate(Comparison& setting, const Problem& problem) {
-  int basis = -1;
-  for (int round = 0; round < 6 && basis != setting.translator.bases(); ++round) {
-    basis = setting.translator.bases();
-    setting.translator.forget(), setting.facts.clear(), setting.conditions.clear();
-    for (int pass = 0; pass < 2; ++pass) {  // the second one with what the first one said
-      for (const auto& [name, value] : problem.values) defined(setting, value);
-      for (const Relation& a : problem.assumptions) assume(setting, a);
-    }
-    translate_statements(setting, problem);
+  setting.conditions.clear();
+  for (int pass = 0; pass < 2; ++pass) {  // the second one with what the first one said
+    for (const auto& [name, value] : problem.values) defined(setting, value);
+    for (const Relation& a : problem.assumptions) assume(setting, a);
   }
+  translate_statements(setting, problem);
   for (const Translated* side : {&setting.left, &setting.right})
-    for (const DomainCondition& c : side->conditions)
-      if (!is_granted(setting, c)) setting.conditions.push_back(c);
+    for (const Atom& c : side->conditions)  // unless ranges and assumptions say it already
+      if (!prove_signs(setting.ring, c.value, c.signs, !setting.ring.facts.empty()))
+        setting.conditions.push_back(c);
   setting.in_words = in_words(setting.conditions, setting.ring, problem.symbols);
   for (int round = 0; round < 2 && !setting.conditions.empty(); ++round) {
-    for (const DomainCondition& c : setting.conditions) learn(setting, c.value, c.allowed);
+    for (const Atom& c : setting.conditions) learn(setting, c.value, c.signs);
     translate_statements(setting, problem);
   }
 }
@@ -157,15 +112,12 @@ std::vector<std::vector<Atom>> readings_of(Comparison& setting, const Relation& 
     is_inverted = is_inverted || inverse.sides != link.sides;
     link = inverse;
   }
-  std::vector<DomainCondition> unused;
+  std::vector<Atom> unused;
   if (is_inverted) result.push_back(atoms_of(links, setting, unused));
   if (translated.atoms.size() != 1 || translated.atoms[0].signs != Signs::zero()) return result;
-  const Ring& ring = setting.ring;
-  const Fraction value = translated.atoms[0].value;
-  for (const auto& other :
-       {by_logarithm(ring, setting.translator, value.numerator),
-        by_angle(ring, setting.translator, value, true), by_angle(ring, setting.translator, value, false)})
-    if (other) result.push_back({{ring.normal(*other), Signs::zero()}});
+  for (const Fraction& other : zeros_like(translated.atoms[0].value, setting.ring, setting.translator))
+    if (!(other == translated.atoms[0].value))
+      result.push_back({{setting.ring.normal(other), Signs::zero()}});
   return result;
 }
 

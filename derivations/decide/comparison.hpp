@@ -7,41 +7,33 @@
 
 namespace rederive {
 
-/// One relation between a value and 0.
-struct Atom {
-  Fraction value;  ///< left - right, or right - left of < and <=
-  Signs signs;     ///< zero, positive or nonnegative
-};
-
-/// A statement in the ring: an expression, or atoms that hold together.
+/// A statement in the ring: atoms that hold together. Of two expressions, the left one says nothing, and the
+/// right one that they are equal.
 struct Translated {
-  std::optional<Fraction> expression;
   std::vector<Atom> atoms;
-  std::vector<DomainCondition> conditions;  ///< for its sides to have values
+  std::vector<Atom> conditions;  ///< for its sides to have values
 };
 
 struct Comparison {
   explicit Comparison(const Symbols& symbols) : translator(ring, symbols) {}
   Comparison(const Comparison&) = delete;
 
-  Ring ring;
+  Ring ring;  ///< its facts: assumptions, and what must hold for both statements to have values
   Translator translator;
-  std::vector<Fact> facts;  ///< assumptions, and what must hold for both statements to have values
   Translated left, right;
-  std::vector<DomainCondition> conditions;  ///< those that neither the ranges nor the assumptions grant
-  std::vector<std::string> in_words;        ///< the same: "x - 1 > 0", "cos(theta) != 0"
+  std::vector<Atom> conditions;       ///< those that neither the ranges nor the assumptions grant
+  std::vector<std::string> in_words;  ///< the same: "x - 1 > 0", "cos(theta) != 0"
 };
 
 /// The value and the sign that a link a op b asks for.
 Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b);
 
-/// Both statements in one ring, where both have values: what must hold for that is learned, and all is
-/// translated once more with it. Throws Undecidable and NoValue.
+/// Both statements in one ring, which is empty before, where both have values: what must hold for that is
+/// learned, and both are translated once more with it. Throws OtherBasis, Undecidable and NoValue.
 void translate(Comparison& setting, const Problem& problem);
 
 /// Atoms that hold where the statement does, once it is translated: as it stands; with inversions of monotone
-/// functions; and equations with the logarithm, the sine or the cosine of both sides, where that can be
-/// inverted.
+/// functions; and of an equation, what is 0 at the same points (translator.hpp).
 std::vector<std::vector<Atom>> readings_of(Comparison& setting, const Relation& statement,
                                            const Translated& translated, const Symbols& symbols);
 
@@ -51,8 +43,8 @@ struct Sameness {
   Certificate certificate = {};
 };
 
-/// Two expressions: the difference is 0. Two relations: the ratio of what is 0, or positive, has no zero and
-/// no pole (for inequalities: is positive), or each follows from the other one. A certificate where signs
+/// Two expressions: their difference is 0. Two relations: the ratio of what is 0, or positive, has no zero
+/// and no pole (for inequalities: is positive), or each follows from the other one. A certificate where signs
 /// were needed.
 std::optional<Sameness> same(Comparison& setting, const Problem& problem);
 
@@ -62,7 +54,7 @@ bool hides_a_solution(const Comparison& setting);
 
 /// "x - 1 > 0", "cos(theta) != 0": the conditions in our syntax, without the factors of which the ring knows
 /// the sign, and nothing said twice; x >= 0 and x != 0 are x > 0.
-std::vector<std::string> in_words(const std::vector<DomainCondition>& conditions, const Ring& ring,
+std::vector<std::string> in_words(const std::vector<Atom>& conditions, const Ring& ring,
                                   const Symbols& symbols);
 
 }  // namespace rederive

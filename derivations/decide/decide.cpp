@@ -4,6 +4,7 @@
 #include <derivations/decide/comparison.hpp>
 #include <derivations/decide/decide.hpp>
 #include <derivations/decide/points.hpp>
+#include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
 
 namespace rederive {
@@ -37,7 +38,7 @@ Proof proved(const Comparison& setting, const Sameness& found, const Symbols& sy
   const auto text_of = [&](const Fraction& f) {
     return print(setting.ring.meaning_of(f), Notation::plain, symbols);
   };
-  const bool is_expression = setting.left.expression.has_value();
+  const bool is_expression = setting.left.atoms.empty();
   if (found.factor) proof.factor = text_of(*found.factor);
   if (is_expression && found.by == "identity") proof.factor = "1";
   proof.side_conditions = setting.in_words;
@@ -53,42 +54,31 @@ Proof proved(const Comparison& setting, const Sameness& found, const Symbols& sy
   return proof;
 }
 
-/// The innermost u of a part fabs(u) that has symbols.
-Tree between_bars(const std::vector<Tree>& trees) {
-  for (const Tree& tree : trees) {
-    if (Tree found = between_bars(tree->children)) return found;
-    const bool has_bars = tree->kind == Node::Kind::call && tree->text == "fabs";
-    if (has_bars && !names_of(tree).empty()) return tree->children[0];
-  }
-  return nullptr;
-}
-
-/// The problem where u has a sign, without the bars around it.
-Problem without_bars(Problem problem, const Tree& u, bool is_negative) {
-  const Tree size = is_negative ? make_tree(Node::Kind::negative, "", {u}) : u;
-  const Tree bars = make_tree(Node::Kind::call, "fabs", {u});
-  for (Relation* relation : {&problem.left, &problem.right})
-    for (Tree& side : relation->sides) side = put_in(side, bars, size);
-  problem.assumptions.push_back({{u, zero()}, {is_negative ? "<=" : ">="}});
-  return problem;
-}
-
+/// The problem as it is; or, if what stands between bars may have either sign, with each of both.
 std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& setting, int depth) {
+  const auto& generators = setting.ring.generators();
+  const auto known =
+      static_cast<std::ptrdiff_t>(generators.size());  // those that come later may have no value
   if (auto found = same(setting, problem)) return found;
-  Tree u = depth > 0 ? between_bars(problem.left.sides) : nullptr;
-  if (!u && depth > 0) u = between_bars(problem.right.sides);
-  if (!u) return std::nullopt;
+  const auto end = generators.begin() + known;
+  const auto bars = std::ranges::find(generators.begin(), end, Generator::Kind::absolute, &Generator::kind);
+  if (bars == end || depth == 0) return std::nullopt;
+  const Tree u = to_tree(setting.ring.meaning_of(bars->of), problem.symbols);
   Sameness both{"identity"};
-  for (const bool is_negative : {false, true}) {
-    const Problem part = without_bars(problem, u, is_negative);
+  for (const char* op : {">=", "<="}) {
+    Problem part = problem;
+    part.assumptions.push_back({{u, zero()}, {op}});
     Comparison of_part(part.symbols);
-    try {
-      translate(of_part, part);
-      const auto found = same_in_cases(part, of_part, depth - 1);
-      if (!found) return std::nullopt;
-      if (found->by == "sign") both.by = "sign";
-    } catch (const NoValue&) {  // no point belongs to this part
-    }
+    const auto found = of_part.translator.with_basis([&]() -> std::optional<Sameness> {
+      try {
+        translate(of_part, part);
+      } catch (const NoValue&) {  // no point belongs to this part
+        return both;
+      }
+      return same_in_cases(part, of_part, depth - 1);
+    });
+    if (!found) return std::nullopt;
+    if (found->by == "sign") both.by = "sign";
   }
   return both;
 }
@@ -102,14 +92,12 @@ Proof decide_problem(const Problem& problem, bool by_points) {
       "certificate of signs was found";
   if (!tried.witness) try {
       Comparison setting(problem.symbols);
-      std::optional<Sameness> found;
-      for (int basis = -1; !found && basis != setting.translator.bases();) {  // it may ask for finer phases
+      const auto found = setting.translator.with_basis([&] {
         translate(setting, problem);
-        basis = setting.translator.bases();
-        found = same_in_cases(problem, setting, 3);
-      }
+        return same_in_cases(problem, setting, 3);
+      });
       if (found)
-        proof = !setting.left.expression && hides_a_solution(setting)
+        proof = hides_a_solution(setting)
                     ? undecided("a divisor of one side vanishes where the other side holds")
                     : proved(setting, *found, problem.symbols);
     } catch (const Undecidable& error) {
@@ -127,19 +115,17 @@ Proof decide(const Relation& left, const Relation& right, const Symbols& symbols
              const std::vector<Given>& given, const std::vector<Relation>& assumptions) {
   if (left.operators.empty() != right.operators.empty())
     return undecided("an expression cannot be compared with a relation");
-  const auto is_equation = [](const Relation& a) {
-    return std::find(a.operators.begin(), a.operators.end(), "=") != a.operators.end();
-  };
+  const auto is_equation = [](const Relation& a) { return std::ranges::count(a.operators, "=") > 0; };
   try {
     const Problem problem = with_values({left, right, assumptions, symbols}, given);
-    if (std::none_of(assumptions.begin(), assumptions.end(), is_equation))
-      return decide_problem(problem, true);
-    std::vector<Relation> others;  // it may hold without the equations
-    std::remove_copy_if(assumptions.begin(), assumptions.end(), std::back_inserter(others), is_equation);
-    Proof proof = decide_problem(with_values({left, right, others, symbols}, given), false);
-    if (proof.verdict == Verdict::proved && search(problem, few).agreed > 0) return proof;
-    proof = decide_problem(problem, true);
-    if (proof.verdict == Verdict::proved) proof.verdict = Verdict::proved_under;
+    std::vector<Relation> others = assumptions;
+    const bool has_equations = std::erase_if(others, is_equation) > 0;
+    if (has_equations) {  // it may hold without them
+      const Proof proof = decide_problem(with_values({left, right, others, symbols}, given), false);
+      if (proof.verdict == Verdict::proved && search(problem, few).agreed > 0) return proof;
+    }
+    Proof proof = decide_problem(problem, true);
+    if (has_equations && proof.verdict == Verdict::proved) proof.verdict = Verdict::proved_under;
     return proof;
   } catch (const std::exception& error) {  // of GiNaC, which meets poles while it builds
     return undecided(in_plain_words(error));
@@ -164,12 +150,14 @@ bool contradict(const std::vector<Relation>& assumptions, const Symbols& symbols
   try {
     const Problem problem = with_values({{{one}, {}}, {{one}, {}}, assumptions, symbols}, {});
     Comparison setting(problem.symbols);
-    translate(setting, problem);
-    for (const Generator& g : setting.ring.generators())
-      if (g.range.is_empty()) return true;
-    for (const Fact& f : setting.facts)
-      if ((setting.ring.signs_of(f.value) & f.signs).is_none()) return true;
-    return prove_signs(setting.ring, setting.facts, 0, Signs::zero() & Signs::positive()).has_value();
+    return setting.translator.with_basis([&] {
+      translate(setting, problem);
+      for (const Generator& g : setting.ring.generators())
+        if (g.range.is_empty()) return true;
+      for (const Fact& f : setting.ring.facts)
+        if ((setting.ring.signs_of(f.value) & f.signs).is_none()) return true;
+      return prove_signs(setting.ring, 0, Signs::zero() & Signs::positive()).has_value();
+    });
   } catch (const NoValue&) {
     return true;
   } catch (const Undecidable&) {

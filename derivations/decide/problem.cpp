@@ -8,8 +8,7 @@ namespace rederive {
 bool is_symbol(const Tree& tree) { return tree->kind == Node::Kind::symbol && tree->text != "pi"; }
 
 bool is_equation(const Relation& r) {
-  return !r.operators.empty() &&
-         std::count(r.operators.begin(), r.operators.end(), "=") == std::ssize(r.operators);
+  return !r.operators.empty() && std::ranges::count(r.operators, "=") == std::ssize(r.operators);
 }
 
 std::vector<Relation> links_of(const Relation& chain) {
@@ -70,13 +69,8 @@ bool is_within(const Tree& tree, const Interval& bounds, const Symbols& symbols)
   try {
     Ring ring;
     Translator translator(ring, symbols);
-    std::vector<DomainCondition> unused;
-    const Interval range = ring.range_of(translator(tree, unused));
-    const auto inside = [&](const End& end, const End& bound, int side) {
-      const int order = side * compare(end, bound);
-      return order < 0 || (order == 0 && (bound.closed || !end.closed));
-    };
-    return inside(range.high, bounds.high, 1) && inside(range.low, bounds.low, -1);
+    std::vector<Atom> unused;
+    return is_within(translator.with_basis([&] { return ring.range_of(translator(tree, unused)); }), bounds);
   } catch (const Undecidable&) {
     return false;
   }
@@ -89,31 +83,6 @@ bool is_monotone(const Tree& side, const Symbols& symbols) {
   const MonotonePiece& f = monotone_piece(side->text);
   return f.inverse != nullptr && (f.turned == 0 || is_within(side->children[0], f.domain, symbols));
 }
-
-}  // namespace
-
-Relation with_inversions(const Relation& relation, const Symbols& symbols) {
-  if (relation.operators.size() != 1) return relation;
-  for (const int side : {0, 1}) {
-    const Tree &of = relation.sides[side], &other = relation.sides[1 - side];
-    if (!is_monotone(of, symbols)) continue;
-    const MonotonePiece& f = monotone_piece(of->text);
-    Relation result = relation;
-    const bool falls = compare(f.values.low, f.values.high) > 0;
-    if (std::string& op = result.operators[0]; falls && op != "=") op[0] = op[0] == '<' ? '>' : '<';
-    result.sides[side] = of->children[0];
-    if (other->kind == Node::Kind::call && other->text == of->text && is_monotone(other, symbols))
-      result.sides[1 - side] = other->children[0];
-    else if (is_within(other, f.range, symbols))
-      result.sides[1 - side] = make_tree(Node::Kind::call, f.inverse, {other});
-    else
-      continue;
-    return result;
-  }
-  return relation;
-}
-
-namespace {
 
 /// "symbol = value" of an equation that says so, the symbol not in its value.
 std::optional<std::pair<std::string, Tree>> definition(const Relation& stated, const Symbols& symbols) {
@@ -140,6 +109,27 @@ void replace(Problem& problem, const std::string& name, const Tree& value) {
 }
 
 }  // namespace
+
+Relation with_inversions(const Relation& relation, const Symbols& symbols) {
+  if (relation.operators.size() != 1) return relation;
+  for (const int side : {0, 1}) {
+    const Tree &of = relation.sides[side], &other = relation.sides[1 - side];
+    if (!is_monotone(of, symbols)) continue;
+    const MonotonePiece& f = monotone_piece(of->text);
+    Relation result = relation;
+    const bool falls = compare(f.values.low, f.values.high) > 0;
+    if (std::string& op = result.operators[0]; falls && op != "=") op[0] = op[0] == '<' ? '>' : '<';
+    result.sides[side] = of->children[0];
+    if (other->kind == Node::Kind::call && other->text == of->text && is_monotone(other, symbols))
+      result.sides[1 - side] = other->children[0];
+    else if (is_within(other, f.range, symbols))
+      result.sides[1 - side] = make_tree(Node::Kind::call, f.inverse, {other});
+    else
+      continue;
+    return result;
+  }
+  return relation;
+}
 
 Problem with_values(Problem problem, const std::vector<Given>& given) {
   std::vector<Relation> stated;

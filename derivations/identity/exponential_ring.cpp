@@ -4,20 +4,6 @@
 
 namespace rederive {
 
-namespace {
-
-GiNaC::ex to_ginac(const cln::cl_I& value) { return GiNaC::numeric(value); }
-
-}  // namespace
-
-Fraction Ring::add(const std::string& key, Generator generator) {
-  const int k = static_cast<int>(generators_.size());
-  if (k == Polynomial::variables) throw Undecidable("too many independent functions in one statement");
-  generators_.push_back(std::move(generator));
-  index_.emplace(key, k);
-  return Polynomial::variable(k);
-}
-
 Fraction Ring::function(Generator::Kind kind, const std::string& f, const Fraction& of, int degree,
                         const Fraction& value) {
   return generator(f + " " + of.key(), [&] {
@@ -102,16 +88,15 @@ GiNaC::ex Ring::meaning_of(const Fraction& f, const std::vector<GiNaC::ex>& name
   const auto polynomial = [&](const Polynomial& p) {
     GiNaC::ex sum = 0;
     for (std::size_t t = 0; t < p.terms(); ++t) {
-      GiNaC::ex product = to_ginac(p.coefficient(t));
+      GiNaC::ex product = GiNaC::numeric(p.coefficient(t));
       for (const auto& [k, exponent] : p.powers(t)) product *= GiNaC::pow(names[k], exponent);
       sum += product;
     }
     return sum;
   };
   const auto product = [&](const Polynomial& p) {
-    if (p.is_constant()) return to_ginac(p.constant());
-    const auto& [number, list] = factors(p);
-    GiNaC::ex result = to_ginac(number);
+    const auto& [sign, list] = factors(p);
+    GiNaC::ex result = sign;
     for (const auto& [factor, exponent] : list) result *= GiNaC::pow(polynomial(factor), exponent);
     return result;
   };

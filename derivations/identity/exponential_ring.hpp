@@ -35,12 +35,9 @@ struct Generator {
   std::string function = {};  ///< its name in our syntax; empty of symbols and pi; sqrt of all roots
 };
 
-/// All numbers that are not negative, and all that are positive.
-inline Interval nonnegative_numbers() { return {End{{}, 0, true}, End{{}, 1}}; }
-inline Interval positive_numbers() { return {End{{}, 0, false}, End{{}, 1}}; }
-
-/// The signs of the numbers in an interval.
+/// The signs of the numbers in an interval; and the interval of the numbers that have one of these signs.
 Signs signs_of(const Interval& values);
+Interval values_of(Signs signs);
 
 /// A polynomial of the ring and the signs that it has.
 struct Fact {
@@ -54,19 +51,23 @@ class Ring {
   template <class Make>
   Fraction generator(const std::string& key, const Make& make) {
     if (const auto known = find(key)) return Polynomial::variable(*known);
-    return add(key, make());
+    if (generators_.size() == Polynomial::variables)
+      throw Undecidable("too many independent functions in one statement");
+    generators_.push_back(make());
+    return Polynomial::variable(index_[key] = static_cast<int>(generators_.size()) - 1);
   }
   /// The variable of f(of).
   Fraction function(Generator::Kind kind, const std::string& f, const Fraction& of, int degree = 0,
                     const Fraction& value = 0);
   const std::vector<Generator>& generators() const { return generators_; }
+  /// What is assumed: the hypotheses of certificates.
+  std::vector<Fact> facts = {};
   std::optional<int> find(const std::string& key) const;
 
   /// generator^degree = value from now on: what an equation that is assumed says of a symbol.
   void relate(int generator, int degree, const Fraction& value);
 
-  /// The remainder modulo all relations, in lowest terms. Throws std::domain_error where its denominator is
-  /// 0.
+  /// The remainder modulo all relations, in lowest terms. Throws NoValue where its denominator is 0.
   Fraction normal(const Fraction& f) const;
 
   /// (d + e·g)(d - e·g) of a polynomial d + e·g, for a generator g with a square.
@@ -92,13 +93,12 @@ class Ring {
   static GiNaC::ex meaning_of(const Fraction& f, const std::vector<GiNaC::ex>& names);
 
  private:
-  Fraction add(const std::string& key, Generator generator);
   Fraction reduced(const Polynomial& p) const;
   Interval range_of(const Polynomial& p) const;
+  Signs known_signs(const Polynomial& p) const;
   Signs signs_of(const Polynomial& p, int depth) const;
-  Signs signs_of_coefficients(const Polynomial& p, int depth) const;
-  Signs signs_of_quadratic(const Polynomial& p, int depth) const;
-  void narrow(const Polynomial& p, Signs signs);
+  Signs signs_of_irreducible(const Polynomial& p, int depth) const;
+  bool narrow(const Polynomial& p, const Interval& values);
   bool narrow(int generator, const Interval& range);
   bool narrow_backwards(const Generator& g);
   void propagate();

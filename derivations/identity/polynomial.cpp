@@ -1,5 +1,8 @@
+#include <flint/fmpz.h>
+#include <flint/fmpz_factor.h>
 #include <flint/fmpz_mpoly_factor.h>
 #include <flint/fmpz_poly.h>
+#include <flint/fmpz_vec.h>
 
 #include <derivations/identity/polynomial.hpp>
 #include <derivations/numbers/integer.hpp>
@@ -59,10 +62,12 @@ std::vector<std::pair<int, int>> Polynomial::powers(std::size_t term) const {
   return result;
 }
 
-cln::cl_I Polynomial::content() const {
-  cln::cl_I result = 0;
-  for (std::size_t k = 0; k < terms() && result != 1; ++k) result = cln::gcd(result, coefficient(k));
-  return result;
+Polynomial Polynomial::primitive() const {
+  Polynomial result;
+  Integer content;
+  _fmpz_vec_content(content.z, p_->coeffs, p_->length);
+  if (leads_with_minus()) fmpz_neg(content.z, content.z);
+  return fmpz_mpoly_scalar_divexact_fmpz(result.p_, p_, content.z, context()), result;
 }
 
 std::string Polynomial::key() const {
@@ -91,14 +96,6 @@ std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b) {
   return result;
 }
 
-Division divided(const Polynomial& a, const Polynomial& b) {
-  Division result;
-  Integer scale;
-  fmpz_mpoly_quasidivrem(scale.z, result.whole.p_, result.rest.p_, a.p_, b.p_, Polynomial::context());
-  result.scale = scale.value();
-  return result;
-}
-
 Polynomial gcd(const Polynomial& a, const Polynomial& b) {
   Polynomial result;
   if (fmpz_mpoly_gcd(result.p_, a.p_, b.p_, Polynomial::context()) == 0)
@@ -109,62 +106,53 @@ Polynomial gcd(const Polynomial& a, const Polynomial& b) {
 Factors factors(const Polynomial& p) {
   thread_local std::map<Polynomial, Factors> known;
   if (const auto found = known.find(p); found != known.end()) return found->second;
-  Factors result;
-  result.first = p.is_constant() ? p.constant() : 1;
-  if (p.is_constant()) return result;
+  Factors result{p.is_zero() ? 0 : 1, {}};
   if (p.terms() > 400) {  // one piece: its factors would take too long
     result.second.emplace_back(p, 1);
     return result;
   }
   fmpz_mpoly_factor_t found;
-  fmpz_mpoly_factor_init(found, Polynomial::context());
+  fmpz_factor_t primes;
+  fmpz_mpoly_factor_init(found, Polynomial::context()), fmpz_factor_init(primes);
   const bool is_done = fmpz_mpoly_factor(found, p.p_, Polynomial::context()) != 0;
-  if (is_done) {
-    Integer constant;
-    fmpz_mpoly_factor_get_constant_fmpz(constant.z, found, Polynomial::context());
-    result.first = constant.value();
-    for (slong k = 0; k < fmpz_mpoly_factor_length(found, Polynomial::context()); ++k) {
-      Polynomial base;
-      fmpz_mpoly_factor_get_base(base.p_, found, k, Polynomial::context());
-      const int exponent = static_cast<int>(fmpz_mpoly_factor_get_exp_si(found, k, Polynomial::context()));
-      if (base.leads_with_minus()) {
-        base = -base;
-        if (exponent % 2 != 0) result.first = -result.first;
-      }
-      result.second.emplace_back(std::move(base), exponent);
+  for (slong k = 0; is_done && k < fmpz_mpoly_factor_length(found, Polynomial::context()); ++k) {
+    Polynomial base;
+    fmpz_mpoly_factor_get_base(base.p_, found, k, Polynomial::context());
+    const int exponent = static_cast<int>(fmpz_mpoly_factor_get_exp_si(found, k, Polynomial::context()));
+    if (base.leads_with_minus() && exponent % 2 != 0) result.first = -result.first;
+    result.second.emplace_back(base.leads_with_minus() ? -base : base, exponent);
+  }
+  if (is_done && !p.is_zero()) {
+    fmpz_factor_trial(primes, found->constant, 303);
+    if (primes->sign < 0) result.first = -result.first;
+    for (slong k = 0; k < primes->num; ++k) {
+      fmpz_mpoly_set_fmpz(result.second.emplace_back(0, primes->exp[k]).first.p_, primes->p + k,
+                          Polynomial::context());
     }
   }
-  fmpz_mpoly_factor_clear(found, Polynomial::context());
+  fmpz_mpoly_factor_clear(found, Polynomial::context()), fmpz_factor_clear(primes);
   if (!is_done) throw Undecidable("a polynomial whose factors are not found");
   if (known.size() > 4000) known.clear();
   return known[p] = std::move(result);
 }
 
-std::vector<std::pair<cln::cl_I, int>> primes_of(cln::cl_I number) {
-  std::vector<std::pair<cln::cl_I, int>> result;
-  for (cln::cl_I prime = 2; prime * prime <= number && prime < 2000; prime = prime + 1) {
-    int count = 0;
-    for (; cln::zerop(cln::mod(number, prime)); ++count) number = cln::exquo(number, prime);
-    if (count > 0) result.emplace_back(prime, count);
-  }
-  if (number != 1) result.emplace_back(number, 1);
+AlgebraicCosine algebraic_cosine(int variable, int n) {
+  fmpz_poly_t minimal, sine;
+  fmpz_poly_init(minimal), fmpz_poly_init(sine);
+  fmpz_poly_cos_minpoly(minimal, 2 * n), fmpz_poly_chebyshev_t(sine, n / 2 - 1);
+  AlgebraicCosine result{static_cast<int>(fmpz_poly_degree(minimal)), 0, 0};
+  Polynomial rest = 0;
+  for (int k = 0; k < result.degree; ++k)
+    rest =
+        rest - Polynomial(fmpz_poly_get_coeff_si(minimal, k)) * power(2 * Polynomial::variable(variable), k);
+  result.value = Fraction(rest, power(Polynomial(2), result.degree));
+  fmpz_mpoly_set_fmpz_poly(result.sine.p_, sine, variable, Polynomial::context());
+  fmpz_poly_clear(minimal), fmpz_poly_clear(sine);
   return result;
 }
 
-std::pair<int, Fraction> relation_of_cosine(const Polynomial& c, int n) {
-  fmpz_poly_t minimal;
-  fmpz_poly_init(minimal);
-  fmpz_poly_cos_minpoly(minimal, 2 * n);
-  const int degree = static_cast<int>(fmpz_poly_degree(minimal));
-  Polynomial rest = 0;
-  for (int k = 0; k < degree; ++k)
-    rest = rest - Polynomial(fmpz_poly_get_coeff_si(minimal, k)) * power(2 * c, k);
-  fmpz_poly_clear(minimal);
-  return {degree, Fraction(rest, power(Polynomial(2), degree))};
-}
-
 Fraction::Fraction(const Polynomial& n, const Polynomial& d) : numerator(n), denominator(d) {
-  if (d.is_zero()) throw std::domain_error("a divisor is 0");
+  if (d.is_zero()) throw NoValue("a divisor is 0");
   if (!d.is_one()) {
     const Polynomial common = gcd(n, d);
     if (!common.is_one()) numerator = *quotient(n, common), denominator = *quotient(d, common);
@@ -177,8 +165,7 @@ std::string Fraction::key() const {
 }
 Fraction Fraction::operator-() const {
   Fraction result = *this;
-  result.numerator = -result.numerator;
-  return result;
+  return result.numerator = -numerator, result;
 }
 Fraction operator+(const Fraction& a, const Fraction& b) {
   if (a.denominator == b.denominator) return {a.numerator + b.numerator, a.denominator};
@@ -189,7 +176,6 @@ Fraction operator*(const Fraction& a, const Fraction& b) {
   return {a.numerator * b.numerator, a.denominator * b.denominator};
 }
 Fraction operator/(const Fraction& a, const Fraction& b) {
-  if (b.is_zero()) throw std::domain_error("a divisor is 0");
   return {a.numerator * b.denominator, a.denominator * b.numerator};
 }
 bool operator==(const Fraction& a, const Fraction& b) {
@@ -203,14 +189,15 @@ Fraction power(const Fraction& base, int exponent) {
 }
 
 std::vector<std::pair<cln::cl_RA, Fraction>> terms_of(const Fraction& f) {
-  const cln::cl_I number = f.denominator.content();
-  const Polynomial rest = *quotient(f.denominator, Polynomial(number));
-  const auto [scale, whole, remainder] = divided(f.numerator, rest);
+  const Polynomial divisor = f.denominator.primitive();
+  Polynomial whole, rest;
+  Integer scale;  // scale · numerator = whole · divisor + rest
+  fmpz_mpoly_quasidivrem(scale.z, whole.p_, rest.p_, f.numerator.p_, divisor.p_, Polynomial::context());
+  const cln::cl_RA below = f.denominator.coefficient(0) * scale.value() / cln::cl_RA(divisor.coefficient(0));
   std::vector<std::pair<cln::cl_RA, Fraction>> result;
-  for (const auto& [part, below] : {std::pair{whole, Polynomial(1)}, std::pair{remainder, rest}})
+  for (const auto& [part, under] : {std::pair{whole, Polynomial(1)}, std::pair{rest, divisor}})
     for (std::size_t k = 0; k < part.terms(); ++k)
-      result.emplace_back(part.coefficient(k) / cln::cl_RA(number * scale),
-                          Fraction(part.monomial(k), below));
+      result.emplace_back(part.coefficient(k) / below, Fraction(part.monomial(k), under));
   return result;
 }
 

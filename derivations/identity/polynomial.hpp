@@ -21,11 +21,15 @@ namespace rederive {
 struct Undecidable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+/// Something has no value anywhere: a division by what is identically 0, the root of a negative number.
+struct NoValue : Undecidable {
+  using Undecidable::Undecidable;
+};
 
 class Polynomial;
-struct Division;
-/// A number, and irreducible polynomials with their exponents.
-using Factors = std::pair<cln::cl_I, std::vector<std::pair<Polynomial, int>>>;
+/// A sign, and irreducible polynomials with their exponents: of the content its primes below 2000, and what
+/// is left of it.
+using Factors = std::pair<int, std::vector<std::pair<Polynomial, int>>>;
 
 /// A polynomial with whole coefficients. Throws Undecidable where a result would have too many terms.
 class Polynomial {
@@ -57,7 +61,8 @@ class Polynomial {
   /// Without its coefficient.
   Polynomial monomial(std::size_t term) const { return of<fmpz_mpoly_get_term_monomial>(p_, term); }
   std::vector<std::pair<int, int>> powers(std::size_t term) const;  ///< (variable, exponent > 0)
-  cln::cl_I content() const;  ///< the positive number that all coefficients have in common
+  /// Divided by what its coefficients have in common; it leads with plus.
+  Polynomial primitive() const;
   bool leads_with_minus() const { return !is_zero() && cln::minusp(coefficient(0)); }
   std::string key() const;  ///< the same text for the same polynomial
 
@@ -78,41 +83,27 @@ class Polynomial {
   }
   /// a/b, if that leaves nothing.
   friend std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b);
-  /// What is left has no term that the leading term of b divides.
-  friend Division divided(const Polynomial& a, const Polynomial& b);
+  friend std::vector<std::pair<cln::cl_RA, struct Fraction>> terms_of(const struct Fraction& f);
   friend Polynomial gcd(const Polynomial& a, const Polynomial& b);
-  /// Each factor leads with plus and has content 1. Kept in a memo table.
+  /// Each factor leads with plus, and those that are no numbers have content 1. Kept in a memo table.
   friend Factors factors(const Polynomial& p);
+  friend struct AlgebraicCosine algebraic_cosine(int variable, int n);
 
  private:
   /// The variables of all polynomials, in degree-lexicographic order.
   static const fmpz_mpoly_ctx_struct* context();
-  void check_size() const {
-    if (terms() > most_terms) throw Undecidable("too many terms, once it is multiplied out");
-  }
   template <auto function, class... Arguments>
   static Polynomial of(const Arguments&... arguments) {
     Polynomial result;
     function(result.p_, arguments..., context());
-    return result.check_size(), result;
+    if (result.terms() > most_terms) throw Undecidable("too many terms, once it is multiplied out");
+    return result;
   }
   fmpz_mpoly_t p_;
 };
 
-/// scale · a = whole · b + rest.
-struct Division {
-  cln::cl_I scale = 1;
-  Polynomial whole, rest;
-};
-
-/// The primes below 2000 of a positive number, and what is left of it.
-std::vector<std::pair<cln::cl_I, int>> primes_of(cln::cl_I number);
-
 /// Throws Undecidable where the power has too many terms.
 Polynomial power(const Polynomial& base, int exponent);
-
-/// c^degree = value for c = cos(π/n), from the minimal polynomial of 2·cos(2π/2n).
-std::pair<int, struct Fraction> relation_of_cosine(const Polynomial& c, int n);
 
 /// numerator/denominator in lowest terms; the denominator leads with plus.
 struct Fraction {
@@ -134,11 +125,20 @@ struct Fraction {
 Fraction operator+(const Fraction& a, const Fraction& b);
 Fraction operator-(const Fraction& a, const Fraction& b);
 Fraction operator*(const Fraction& a, const Fraction& b);
-/// Throws std::domain_error where b is 0.
+/// Throws NoValue where b is 0.
 Fraction operator/(const Fraction& a, const Fraction& b);
 bool operator==(const Fraction& a, const Fraction& b);
 /// A negative exponent turns the fraction over.
 Fraction power(const Fraction& base, int exponent);
+
+/// For a variable c = cos(π/n) with an even n: c^degree = value, from the minimal polynomial of 2·cos(2π/2n);
+/// and sin(π/n) = cos((n/2 - 1)π/n), by Chebyshev's polynomial.
+struct AlgebraicCosine {
+  int degree;
+  Fraction value;
+  Polynomial sine;
+};
+AlgebraicCosine algebraic_cosine(int variable, int n);
 
 /// The sum of coefficient · term that a fraction is: (2·x·y + 3)/(y + 1) = 2·x - 2·x/(y + 1) + 3/(y + 1).
 std::vector<std::pair<cln::cl_RA, Fraction>> terms_of(const Fraction& f);

@@ -19,6 +19,7 @@ class Signs {
   constexpr bool is_none() const { return bits_ == 0; }
   friend constexpr Signs operator&(Signs a, Signs b) { return Signs(a.bits_ & b.bits_); }
   friend constexpr Signs operator|(Signs a, Signs b) { return Signs(a.bits_ | b.bits_); }
+  constexpr Signs operator~() const { return Signs(7 & ~bits_); }  ///< those that are left
   constexpr Signs operator-() const { return Signs((bits_ & 2) | (bits_ & 1) << 2 | (bits_ & 4) >> 2); }
   /// Of a product.
   friend constexpr Signs operator*(Signs a, Signs b) {

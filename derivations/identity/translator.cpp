@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <derivations/identity/translator.hpp>
+#include <derivations/language/syntax.hpp>
+#include <map>
 #include <utility>
 
 namespace rederive {
@@ -7,52 +9,19 @@ namespace rederive {
 using cln::cl_RA;
 using Kind = Generator::Kind;
 
-/// The work, as often as it meets phases that need another basis.
-template <class Work>
-auto Translator::in_rounds(const Work& work) {
-  for (int round = 0; round < 24; ++round) try {
-      argument_.reset();
-      return work();
-    } catch (const AnotherRound&) {
-      ++bases_, arguments_.clear();
-    } catch (const std::domain_error&) {
-      throw NoValue("a divisor is 0");
-    }
-  throw Undecidable("functions of functions, too deep");
-}
-
-Fraction Translator::operator()(const Tree& tree, std::vector<DomainCondition>& conditions) {
-  return in_rounds([&] {
-    std::vector<DomainCondition> found;
-    conditions_ = &found;
-    const Fraction result = translate(tree);
-    conditions.insert(conditions.end(), found.begin(), found.end());
-    return result;
-  });
-}
-
-std::pair<Fraction, Fraction> Translator::circular_of(const Fraction& argument) {
-  return in_rounds([&] { return circular(argument); });
-}
-
-Fraction Translator::exponential_of(const Fraction& argument) {
-  return in_rounds([&] { return exponential(argument); });
-}
-
-Fraction Translator::logarithm_of(const Fraction& value) {
-  return in_rounds([&] { return logarithm(value); });
+Fraction Translator::operator()(const Tree& tree, std::vector<Atom>& conditions) {
+  argument_.reset(), conditions_ = &conditions;
+  return translate(tree);
 }
 
 std::vector<Translator::Multiple> Translator::phases_of(const Fraction& argument, cl_RA* turns) {
-  return in_rounds([&] {
-    std::vector<Multiple> result;
-    for (const auto& [number, term] : terms_of(argument))
-      if (turns != nullptr && term == pi())
-        *turns = number;
-      else
-        result.push_back(multiple_of_phase(turns != nullptr ? "cos " : "exp ", number, term));
-    return result;
-  });
+  std::vector<Multiple> result;
+  for (const auto& [number, term] : terms_of(argument))
+    if (turns != nullptr && term == pi())
+      *turns = number;
+    else
+      result.push_back(multiple_of_phase(turns != nullptr ? "cos " : "exp ", number, term));
+  return result;
 }
 
 void Translator::require(const Fraction& value, Signs allowed, const Tree& tree) {
@@ -64,40 +33,25 @@ void Translator::require(const Fraction& value, Signs allowed, const Tree& tree)
 }
 
 Fraction Translator::translate(const Tree& tree) {
-  switch (tree->kind) {
-    case Node::Kind::number:
-      return Fraction(exact(tree->text));
-    case Node::Kind::symbol:
-      if (argument_ && tree->text == "u") return *argument_;
-      return tree->text == "pi" ? pi() : symbol(tree->text);
-    case Node::Kind::negative:
-      return -translate(tree->children[0]);
-    case Node::Kind::sum: {
-      Fraction sum = 0;
-      for (std::size_t k = 0; k < tree->children.size(); ++k) {
-        const Fraction term = translate(tree->children[k]);
-        sum = tree->inverse[k] ? sum - term : sum + term;
-      }
-      return ring_.normal(sum);
-    }
-    case Node::Kind::product:
-      return product(*tree);
-    case Node::Kind::power:
-      return power_of(*tree);
-    case Node::Kind::call:
-      return call(*tree);
-  }
-  throw Undecidable("a form that is not known");
-}
-
-Fraction Translator::product(const Node& node) {
-  Fraction result = 1;
+  const Node& node = *tree;
+  if (node.kind == Node::Kind::number) return Fraction(exact(node.text));
+  if (node.kind == Node::Kind::symbol)
+    return argument_ && node.text == "u" ? *argument_ : node.text == "pi" ? pi() : symbol(node.text);
+  if (node.kind == Node::Kind::negative) return -translate(node.children[0]);
+  if (node.kind == Node::Kind::power) return power_of(node);
+  if (node.kind == Node::Kind::call) return call(node);
+  const bool is_sum = node.kind == Node::Kind::sum;
+  Fraction result = is_sum ? 0 : 1;
   for (std::size_t k = 0; k < node.children.size(); ++k) {
-    const Fraction factor = translate(node.children[k]);
-    if (node.inverse[k]) require(factor, Signs::nonzero(), node.children[k]);
-    result = ring_.normal(node.inverse[k] ? result / factor : result * factor);
+    const Fraction part = translate(node.children[k]);
+    if (is_sum) {
+      result = node.inverse[k] ? result - part : result + part;
+    } else {
+      if (node.inverse[k]) require(part, Signs::nonzero(), node.children[k]);
+      result = ring_.normal(node.inverse[k] ? result / part : result * part);
+    }
   }
-  return result;
+  return ring_.normal(result);
 }
 
 /// b^e: roots where the exponent is a fraction, else e^{e log b} of a base that is positive.
@@ -110,13 +64,20 @@ Fraction Translator::power_of(const Node& node) {
     return exponential(ring_.normal(exponent * logarithm(base)));
   }
   const cl_RA number = exponent.constant();
-  if (cln::abs(number) > 64 || cln::denominator(number) > 12)
+  const bool is_whole = cln::denominator(number) == 1, is_below = cln::minusp(number);
+  if (!is_whole) require(base, is_below ? Signs::positive() : Signs::nonnegative(), node.children[0]);
+  if (is_whole && is_below) require(base, Signs::nonzero(), node.children[0]);
+  return is_whole ? raised(base, number) : root_of(node.children[0], base, number);
+}
+
+/// base^exponent, of a base that is not negative where the exponent is a fraction.
+Fraction Translator::raised(const Fraction& base, const cl_RA& exponent) {
+  if (cln::abs(exponent) > 64 || cln::denominator(exponent) > 12)
     throw Undecidable("an exponent that is too large");
-  const int n = cln::cl_I_to_int(cln::numerator(number)), order = cln::cl_I_to_int(cln::denominator(number));
-  if (order > 1) require(base, n > 0 ? Signs::nonnegative() : Signs::positive(), node.children[0]);
-  if (order == 1 && n < 0) require(base, Signs::nonzero(), node.children[0]);
-  Fraction result = 1;
+  const int n = cln::cl_I_to_int(cln::numerator(exponent)),
+            order = cln::cl_I_to_int(cln::denominator(exponent));
   const Fraction factor = order > 1 ? root(base, order) : base;
+  Fraction result = 1;
   for (int k = 0; k < std::abs(n); ++k) result = ring_.normal(result * factor);
   return n < 0 ? ring_.normal(1 / result) : result;
 }
@@ -139,7 +100,7 @@ Fraction Translator::call(const Node& node) {
   }
   if (name == "sin") return circular(x).second;
   if (name == "cos") return circular(x).first;
-  if (name == "sqrt") return square_root(argument);
+  if (name == "sqrt") return root_of(argument, x, cl_RA(1) / 2);
   if (name == "fabs") return absolute(x);
   if (name == "exp") return exponential(x);
   if (name == "log") return logarithm(x);
@@ -157,6 +118,45 @@ Fraction Translator::symbol(const std::string& name) {
 
 Fraction Translator::pi() {
   return ring_.generator("pi", [] { return Generator{Kind::pi, GiNaC::Pi, point({0, 1})}; });
+}
+
+const RewriteRule* rewrite_rule(const std::string& function) {
+  struct Row {
+    const char* function;
+    std::vector<std::pair<const char*, Signs>> domain;
+    const char* result = nullptr;
+  };
+  static const std::map<std::string, RewriteRule> rules = [] {
+    const Signs nonzero = Signs::nonzero(), positive = Signs::positive(), nonnegative = Signs::nonnegative();
+    const std::vector<Row> rows{{"tan", {{"cos(u)", nonzero}}, "sin(u)/cos(u)"},
+                                {"sec", {{"cos(u)", nonzero}}, "1/cos(u)"},
+                                {"cot", {{"sin(u)", nonzero}}, "cos(u)/sin(u)"},
+                                {"csc", {{"sin(u)", nonzero}}, "1/sin(u)"},
+                                {"sqrt", {{"u", nonnegative}}},
+                                {"log", {{"u", positive}}},
+                                {"asin", {{"1-u^2", nonnegative}}},
+                                {"acos", {{"1-u^2", nonnegative}}, "pi/2-asin(u)"},
+                                {"sinh", {}, "(exp(u)-exp(-u))/2"},
+                                {"cosh", {}, "(exp(u)+exp(-u))/2"},
+                                {"tanh", {}, "(exp(u)-exp(-u))/(exp(u)+exp(-u))"},
+                                {"sech", {}, "2/(exp(u)+exp(-u))"},
+                                {"coth", {{"u", nonzero}}, "(exp(u)+exp(-u))/(exp(u)-exp(-u))"},
+                                {"csch", {{"u", nonzero}}, "2/(exp(u)-exp(-u))"},
+                                {"asinh", {}, "log(u+sqrt(u^2+1))"},
+                                {"acosh", {{"u-1", nonnegative}}, "log(u+sqrt(u^2-1))"},
+                                {"atanh", {{"1-u", positive}, {"1+u", positive}}, "log((1+u)/(1-u))/2"}};
+    Symbols symbols;
+    symbols.declare("u", "u", "u", "1", all_numbers, "", "");
+    std::map<std::string, RewriteRule> result;
+    for (const Row& row : rows) {
+      RewriteRule& rule = result[row.function];
+      for (const auto& [value, signs] : row.domain) rule.domain.emplace_back(parse(value, symbols), signs);
+      if (row.result != nullptr) rule.result = parse(row.result, symbols);
+    }
+    return result;
+  }();
+  const auto found = rules.find(function);
+  return found == rules.end() ? nullptr : &found->second;
 }
 
 }  // namespace rederive

@@ -8,16 +8,17 @@
 
 namespace rederive {
 
-/// What must hold for a tree to have a value: the sign of `value`, which stands in the tree as `tree`.
-struct DomainCondition {
+/// A value and the signs that it has. What must hold for a tree to have a value stands in it as `tree`.
+struct Atom {
   Fraction value;
-  Signs allowed;
-  Tree tree;
+  Signs signs;
+  Tree tree = nullptr;
 };
 
-/// A tree has no value anywhere: it divides by 0, or takes the root of a negative number.
-struct NoValue : Undecidable {
-  using Undecidable::Undecidable;
+/// A phase was met that must be divided further, or a root of a higher order: all that is in the ring must be
+/// translated once more.
+struct OtherBasis : Undecidable {
+  OtherBasis() : Undecidable("functions of functions, too deep") {}
 };
 
 class Translator {
@@ -25,80 +26,77 @@ class Translator {
   /// Keeps references to the ring and the symbols, which must outlive it.
   Translator(Ring& ring, const Symbols& symbols) : ring_(ring), symbols_(symbols) {}
 
-  /// The tree in the ring, and what must hold for it to have a value. Throws NoValue and Undecidable.
-  Fraction operator()(const Tree& tree, std::vector<DomainCondition>& conditions);
+  /// The work in an empty ring, again and again until no part of it throws OtherBasis.
+  template <class Work>
+  auto with_basis(const Work& work, int rounds = 24) -> decltype(work()) {
+    ring_ = Ring(), arguments_.clear();
+    try {
+      return work();
+    } catch (const OtherBasis&) {
+      if (rounds == 0) throw;
+    }
+    return with_basis(work, rounds - 1);
+  }
 
-  /// How often phases or roots were divided further: what was translated before then has others.
-  int bases() const { return bases_; }
-  /// An empty ring; what is known of denominators stays.
-  void forget() { ring_ = Ring(), arguments_.clear(); }
+  /// The tree in the ring, and what must hold for it to have a value. Throws NoValue, OtherBasis and
+  /// Undecidable, as do the next ones.
+  Fraction operator()(const Tree& tree, std::vector<Atom>& conditions);
 
-  /// cos and sin of an argument in the ring, e^argument, and the logarithm of a positive value. Throw
-  /// Undecidable.
-  std::pair<Fraction, Fraction> circular_of(const Fraction& argument);
-  Fraction exponential_of(const Fraction& argument);
-  Fraction logarithm_of(const Fraction& value);
+  /// cos and sin of an argument in the ring, e^argument, and the logarithm of a positive value.
+  std::pair<Fraction, Fraction> circular(const Fraction& argument);
+  Fraction exponential(const Fraction& argument);
+  Fraction logarithm(const Fraction& value);
 
   /// A phase, and how often it stands in an argument.
   using Multiple = std::pair<Fraction, int>;
   /// The argument of a circular function, or of an exponential, as multiples of independent phases; `turns`,
-  /// of a circular function alone, gets the rational multiple of π beside them. Throws Undecidable.
+  /// of a circular function alone, gets the rational multiple of π beside them.
   std::vector<Multiple> phases_of(const Fraction& argument, cln::cl_RA* turns);
 
  private:
-  std::pair<Fraction, Fraction> circular(const Fraction& argument);
-  Fraction exponential(const Fraction& argument);
-  template <class Work>
-  auto in_rounds(const Work& work);
-  /// A phase or a root was met that needs another basis: all must be translated once more.
-  struct AnotherRound {};
-
   Fraction translate(const Tree& tree);
-  Fraction product(const Node& node);
   Fraction power_of(const Node& node);
+  Fraction raised(const Fraction& base, const cln::cl_RA& exponent);
   Fraction call(const Node& node);
   void require(const Fraction& value, Signs allowed, const Tree& tree);
 
   Fraction symbol(const std::string& name);
   Fraction pi();
+  int common_multiple(const std::string& key, const cln::cl_I& number);
   Multiple multiple_of_phase(const std::string& function, const cln::cl_RA& number, const Fraction& term);
   std::pair<Fraction, Fraction> phase(const Fraction& phase);
-  std::pair<Fraction, Fraction> turn(const cln::cl_RA& q);
-  Fraction cosine_of_part(int k, int n);
-  std::pair<Fraction, Fraction> circular_of_angle(const Generator& angle);
+  std::pair<Fraction, Fraction> part_of_pi(const cln::cl_I& n);
 
-  // radicals.cpp
+  // inverse_functions.cpp
   Fraction root(const Fraction& value, int order);
-  Fraction square_root(const Tree& tree);
-  Fraction root_of_power(const Polynomial& base, int exponent, int order);
+  Fraction root_of(const Tree& tree, const Fraction& base, const cln::cl_RA& exponent);
   Fraction root_generator(const Polynomial& base, int order);
   Polynomial size_of(const Polynomial& factor);
   Fraction absolute(const Fraction& value);
-  // inverse_functions.cpp
-  Fraction logarithm(const Fraction& value);
   Fraction logarithm_of(const Polynomial& factor);
   Fraction angle(bool is_sine, const Fraction& value);
   std::optional<Fraction> inverted(bool is_sine, const Fraction& value);
 
   Ring& ring_;
   const Symbols& symbols_;
-  std::vector<DomainCondition>* conditions_ = nullptr;
-  std::optional<Fraction> argument_;  ///< u of the rule that is applied
-  int bases_ = 0;
-  std::map<std::string, cln::cl_I> denominators_;  ///< the least common one of all multiples of a term
-  int parts_of_pi_ = 1;                            ///< … of all multiples of π
-  std::map<std::string, int> root_orders_;  ///< key of a base → the least common multiple of its roots
+  std::vector<Atom>* conditions_ = nullptr;
+  std::optional<Fraction> argument_;                            ///< u of the rule that is applied
+  std::map<std::string, cln::cl_I> denominators_{{"turn", 2}};  ///< of phases, and the orders of roots
   struct Argument {
     Fraction argument, cosine, sine;
   };
   std::map<std::string, Argument> arguments_;  ///< of circular functions that were met
 };
 
-/// True if it is 0. By the relations of the ring first; then
-/// - of d + e·g with g² in the ring: if (d + e·g)(d - e·g) is 0 and d and e·g have opposite signs;
-/// - of angles: if its cosine is 1 and it lies between -2π and 2π;
-/// - of logarithms: if its exponential is 1.
-/// False says nothing.
+/// True if it is 0: by the relations of the ring; or as it has a factor d + e·g, with g² in the ring, such
+/// that (d + e·g)(d - e·g) is 0, and d and e·g have opposite signs. False says nothing.
+bool vanishes(const Fraction& f, const Ring& ring);
+
+/// What is 0 at the same points as d: d itself; of angles sin d, if it lies between -π and π, and 1 - cos d,
+/// if between -2π and 2π; of logarithms e^d - 1; of d = u - v, with two positive terms, log(u/v).
+std::vector<Fraction> zeros_like(const Fraction& d, Ring& ring, Translator& translator);
+
+/// True if one of these is 0.
 bool vanishes(const Fraction& f, Ring& ring, Translator& translator);
 
 /// What must hold for f(u) to have a value, and what it is there.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <derivations/identity/translator.hpp>
 
 namespace rederive {
@@ -5,11 +6,6 @@ namespace rederive {
 using Kind = Generator::Kind;
 
 namespace {
-
-bool is_opposite(Signs a, Signs b) {
-  return (a.within(Signs::nonnegative()) && b.within(Signs::nonpositive())) ||
-         (a.within(Signs::nonpositive()) && b.within(Signs::nonnegative()));
-}
 
 /// d = -e·g, from d² = e²·g² and the signs.
 bool vanishes_by_conjugates(const Ring& ring, const Polynomial& p, int depth) {
@@ -19,39 +15,69 @@ bool vanishes_by_conjugates(const Ring& ring, const Polynomial& p, int depth) {
     if (ring.generators()[k].degree != 2) continue;
     const auto c = p.coefficients(k);
     const Polynomial variable = Polynomial::variable(k);
-    if (c.size() != 2 || !is_opposite(ring.signs_of(c[0]), ring.signs_of(c[1] * variable))) continue;
+    if (c.size() != 2) continue;
+    const Signs one = ring.signs_of(c[0]), other = -ring.signs_of(c[1] * variable);
+    const auto are_both = [&](Signs signs) { return one.within(signs) && other.within(signs); };
+    if (!are_both(Signs::nonnegative()) && !are_both(Signs::nonpositive())) continue;
     if (vanishes_by_conjugates(ring, ring.norm(p, k).numerator, depth - 1)) return true;
   }
   return false;
 }
 
-bool has(const Ring& ring, const Fraction& f, Kind kind) {
-  for (const int k : f.numerator.used())
-    if (ring.generators()[k].kind == kind) return true;
-  return false;
+/// A sum of multiples of symbols, angles and π, between -turns·π and turns·π.
+bool is_angle(const Ring& ring, const Fraction& d, int turns) {
+  const Interval range = ring.range_of(d);
+  if (!d.denominator.is_constant() || compare(range.low, End{{0, -turns}}) <= 0 ||
+      compare(range.high, End{{0, turns}}) >= 0)
+    return false;
+  for (std::size_t t = 0; t < d.numerator.terms(); ++t) {
+    const auto powers = d.numerator.powers(t);
+    const Kind kind = powers.size() == 1 ? ring.generators()[powers[0].first].kind : Kind::cosine;
+    if (kind != Kind::symbol && kind != Kind::pi && kind != Kind::angle) return false;
+  }
+  return true;
 }
 
-bool lies_within_a_turn(const Interval& range) {
-  return compare(range.low, End{{0, -2}}) > 0 && compare(range.high, End{{0, 2}}) < 0;
+/// u/v of u - v for two terms that are positive.
+std::optional<Fraction> ratio_of_terms(const Ring& ring, const Polynomial& p) {
+  if (p.terms() != 2 || cln::signum(p.coefficient(0)) == cln::signum(p.coefficient(1))) return std::nullopt;
+  for (const int k : p.used())
+    if (ring.signs_of(Polynomial::variable(k)) != Signs::positive()) return std::nullopt;
+  const auto term = [&](int k) { return Polynomial(cln::abs(p.coefficient(k))) * p.monomial(k); };
+  return Fraction(term(0), term(1));
 }
 
 }  // namespace
 
-bool vanishes(const Fraction& f, Ring& ring, Translator& translator) {
-  const Fraction d = ring.normal(f);
-  if (vanishes_by_conjugates(ring, d.numerator, 3)) return true;
-  const auto is_zero = [&](const Fraction& value) {
-    return vanishes_by_conjugates(ring, ring.normal(value).numerator, 3);
+bool vanishes(const Fraction& f, const Ring& ring) {
+  const Polynomial p = ring.normal(f).numerator;
+  if (p.is_zero() || p.terms() > 60) return p.is_zero();
+  const auto factor_vanishes = [&](const auto& factor) {
+    return vanishes_by_conjugates(ring, factor.first, 3);
   };
+  return std::ranges::any_of(factors(p).second, factor_vanishes);
+}
+
+std::vector<Fraction> zeros_like(const Fraction& f, Ring& ring, Translator& translator) {
+  const Fraction d = ring.normal(f);
+  std::vector<Fraction> result{d};
+  const auto used = d.numerator.used();
+  const auto is_logarithm = [&](int k) { return ring.generators()[k].kind == Kind::logarithm; };
   try {
-    if (has(ring, d, Kind::angle) && lies_within_a_turn(ring.range_of(d))) {
-      const auto [cosine, sine] = translator.circular_of(d);
-      return is_zero(cosine - 1) && is_zero(sine);
-    }
-    if (has(ring, d, Kind::logarithm)) return is_zero(translator.exponential_of(d) - 1);
+    if (is_angle(ring, d, 1)) result.push_back(translator.circular(d).second);
+    if (is_angle(ring, d, 2)) result.push_back(ring.normal(1 - translator.circular(d).first));
+    if (std::ranges::any_of(used, is_logarithm)) result.push_back(translator.exponential(d) - 1);
+    if (const auto u = ratio_of_terms(ring, d.numerator)) result.push_back(translator.logarithm(*u));
+  } catch (const OtherBasis&) {
+    throw;
   } catch (const Undecidable&) {
   }
-  return false;
+  return result;
+}
+
+bool vanishes(const Fraction& f, Ring& ring, Translator& translator) {
+  return vanishes(f, ring) ||
+         std::ranges::any_of(zeros_like(f, ring, translator), [&](auto& z) { return vanishes(z, ring); });
 }
 
 }  // namespace rederive

@@ -41,7 +41,7 @@ Polynomial in_sines(const Ring& ring, const Polynomial& p) {
 Polynomial without_monomials(const Polynomial& p) {
   Polynomial result = p;
   for (const auto& [factor, exponent] : factors(p).second)
-    if (factor.terms() == 1) result = *quotient(result, power(factor, exponent));
+    if (factor.terms() == 1 && !factor.is_constant()) result = *quotient(result, power(factor, exponent));
   return result;
 }
 
@@ -49,7 +49,7 @@ Polynomial without_monomials(const Polynomial& p) {
 
 Script::Script(const Problem& problem)
     : problem_(problem), known_(problem_.symbols), names_(problem.symbols) {
-  translate(known_, problem_);
+  known_.translator.with_basis([&] { translate(known_, problem_); });
   for (const Tree& tree : trees_of(problem_)) say_arguments(tree);
   for (const std::string& call : inverse_)  // a name that both have
     if (inverse_.count(call) < 2) throw Undecidable("there is no script for the inverse of a function");
@@ -57,7 +57,7 @@ Script::Script(const Problem& problem)
 }
 
 Fraction Script::value(const Tree& tree) {
-  std::vector<DomainCondition> unused;
+  std::vector<Atom> unused;
   return known_.translator(tree, unused);
 }
 

@@ -12,32 +12,13 @@ using cln::cl_I;
 using cln::cl_RA;
 using Is = Value::Is;
 
-/// sin(turn*pi) where it is rational: 2 sin is a whole number at some multiples of pi/6 (Niven 1956).
-std::optional<cl_RA> sine_of_turn(const cl_RA& turn) {
-  constexpr int none = 9, twice[] = {0, 1, none, 2, none, 1, 0, -1, none, -2, none, -1};
-  const cl_RA sixths = 6 * turn;
-  if (cln::denominator(sixths) != 1) return std::nullopt;
-  const int value = twice[cln::cl_I_to_int(cln::mod(cln::numerator(sixths), 12))];
-  return value == none ? std::nullopt : std::optional(cl_RA(value) / 2);
-}
-
-/// sin, cos, tan, cot of turn*pi as numerator and denominator, where these are rational.
-std::optional<std::pair<cl_RA, cl_RA>> circular(const std::string& name, const cl_RA& turn) {
-  const bool is_quotient = name == "tan" || name == "cot";  // tan x = sin 2x/(1 + cos 2x)
-  const cl_RA of = is_quotient ? 2 * turn : turn;
-  const auto sine = sine_of_turn(of), cosine = sine_of_turn(of + cl_RA(1) / 2);
-  if (is_quotient && sine && cosine) return {{*sine, name == "tan" ? 1 + *cosine : 1 - *cosine}};
-  if (name == "sin" && sine) return {{*sine, 1}};
-  return name == "cos" && cosine ? std::optional(std::pair(*cosine, cl_RA(1))) : std::nullopt;
-}
-
-/// asin, acos, atan of a rational number, where it is a known part of a turn.
-std::optional<Constant> arc(const std::string& name, const cl_RA& q) {
-  const cl_RA half = cl_RA(1) / 2, turn = cln::abs(q) == half ? q / 3 : q / 2;
-  if (cln::abs(q) > 1 || cln::denominator(2 * q) != 1) return std::nullopt;
-  if (name == "asin") return Constant{0, turn};
-  if (name == "acos") return Constant{0, half - turn};
-  return name == "atan" && cln::denominator(q) == 1 ? std::optional(Constant{0, q / 4}) : std::nullopt;
+/// The multiple of 1/2 that a number is, if it is one or irrational: then its ball tells. So are sin, cos,
+/// tan and cot of multiples of pi/12 where they have values, and 6/pi times asin, acos and atan of 0, ±1/2
+/// and ±1 (Niven 1956).
+std::optional<cl_RA> halves(const Ball& y) {
+  if (!y.is_finite()) return std::nullopt;
+  const Ball twice = Ball(2) * y, whole(std::lround(twice.to_double()));
+  return twice.contains(whole) ? std::optional(cl_RA(whole) / 2) : std::nullopt;
 }
 
 /// Whether x is certainly outside the domain.
@@ -160,14 +141,18 @@ Value call(const std::string& name, const Value& x) {
   const long bits = x.ball.bits();
   if (name == "sqrt") return pow(x, known(Ball(1) / Ball(2)));
   if (name == "fabs" && x.constant) return x.constant->sign() < 0 ? known(Ball(-1)) * x : x;
-  if (x.constant && cln::zerop(x.constant->a)) {
-    if (const auto q = circular(name, x.constant->b))
-      return known(Constant{q->first}, bits) / known(Constant{q->second}, bits);
-  }
-  if (x.exact) {
-    if (const auto angle = arc(name, *x.exact)) return known(*angle, bits);
+  const bool is_circular = name == "sin" || name == "cos" || name == "tan" || name == "cot",
+             is_angle = name == "asin" || name == "acos" || name == "atan";
+  if (is_circular && x.constant && cln::zerop(x.constant->a) && cln::denominator(12 * x.constant->b) == 1) {
+    const cl_RA turn = x.constant->b - 2 * cln::floor1(x.constant->b / 2);
+    const Ball value = image(name, Constant{0, turn}.ball(bits));
+    if (!value.is_finite()) return {Is::nowhere};  // a pole
+    if (const auto exact = halves(value)) return known(Constant{*exact}, bits);
   }
   const Ball result = image(name, x.ball);
+  if (is_angle && x.exact && cln::denominator(2 * *x.exact) == 1 && cln::abs(*x.exact) <= 1)
+    if (const auto sixths = halves(Ball(6) * result / Ball::pi(bits)))
+      return known(Constant{0, *sixths / 6}, bits);
   return !result.is_finite() && is_outside(*find_function(name), x) ? Value{Is::nowhere} : known(result);
 }
 

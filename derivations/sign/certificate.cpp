@@ -10,11 +10,11 @@ namespace {
 
 constexpr std::size_t most_columns = 260, most_rows = 240, most_facts = 16;
 
-/// A product of facts: never negative, perhaps positive; or 0, and then with any coefficient.
+/// A product of facts: positive, not negative, or 0, and then with any coefficient.
 struct Column {
   std::vector<Polynomial> factors;
   Polynomial value;  ///< modulo the relations of the ring
-  bool is_strict, is_zero;
+  Signs signs;
 };
 
 /// The number, or one further out (side +1: below it) if it is long: products of bounds must fit into
@@ -50,24 +50,19 @@ std::set<int> variables_of(const Polynomial& p) {
 
 /// The facts that share a generator with the claim, or with one that does; and the ranges of all generators
 /// in them.
-std::vector<Fact> relevant(const Ring& ring, const std::vector<Fact>& facts,
-                           const std::vector<Fact>& negated) {
+std::vector<Fact> relevant(const Ring& ring, const std::vector<Fact>& negated) {
   std::set<int> reached;
-  std::vector<Fact> result = negated;
+  std::vector<Fact> result = negated, others = ring.facts;
   for (const Fact& f : negated) reached.merge(variables_of(f.value));
-  std::vector<bool> taken(facts.size(), false);
-  for (bool grown = true; grown;) {
-    grown = false;
-    for (std::size_t k = 0; k < facts.size(); ++k) {
-      const std::set<int> used = variables_of(facts[k].value);
-      const bool shares = reached.empty() ||
-                          std::any_of(used.begin(), used.end(), [&](int v) { return reached.contains(v); });
-      if (taken[k] || !shares || result.size() >= most_facts) continue;
-      taken[k] = grown = true;
-      result.push_back(facts[k]);
-      reached.insert(used.begin(), used.end());
-    }
-  }
+  const auto is_reached = [&](const Fact& f) {
+    std::set<int> used = variables_of(f.value);
+    const bool shares =
+        reached.empty() || std::ranges::any_of(used, [&](int k) { return reached.contains(k); });
+    if (!shares || result.size() >= most_facts) return false;
+    result.push_back(f), reached.merge(used);
+    return true;
+  };
+  while (std::erase_if(others, is_reached) > 0) continue;
   for (const int k : std::set<int>(reached)) add_range(ring, k, result);
   return result;
 }
@@ -94,46 +89,33 @@ std::vector<Polynomial> roots_of_squares(const std::vector<Fact>& facts, const s
 /// Products of facts in pairs, squares of generators and of their differences, and equations times
 /// generators.
 std::vector<Column> columns_of(const Ring& ring, const std::vector<Fact>& facts) {
-  std::vector<Column> columns{{{}, 1, true, false}};
-  const auto add = [&](std::vector<Polynomial> factors, bool is_strict, bool is_zero) {
+  std::vector<Column> columns{{{}, 1, Signs::positive()}};
+  const auto add = [&](std::vector<Polynomial> factors, Signs signs) {
     Polynomial product = 1;
     for (const Polynomial& f : factors) product = product * f;
     const Fraction value = ring.normal(product);  // the numerator is a positive multiple
     const Polynomial& p = value.numerator;
-    if (!value.denominator.is_constant() || p.terms() > 40 || (p.is_zero() && !is_strict)) return;
-    if (columns.size() < most_columns) columns.push_back({std::move(factors), p, is_strict, is_zero});
+    if (!value.denominator.is_constant() || p.terms() > 40 || (p.is_zero() && signs != Signs::positive()))
+      return;
+    if (columns.size() < most_columns) columns.push_back({std::move(factors), p, signs});
   };
   std::set<int> variables;
   for (const Fact& f : facts) variables.merge(variables_of(f.value));
-  const auto is_strict = [](const Fact& f) { return f.signs == Signs::positive(); };
-  const auto is_zero = [](const Fact& f) { return f.signs == Signs::zero(); };
-  for (const Fact& f : facts) add({f.value}, is_strict(f), is_zero(f));
+  for (const Fact& f : facts) add({f.value}, f.signs);
   for (const Fact& f : facts)
-    if (is_zero(f))
-      for (const int k : variables) add({f.value, Polynomial::variable(k)}, false, true);
+    if (f.signs == Signs::zero())
+      for (const int k : variables) add({f.value, Polynomial::variable(k)}, f.signs);
   for (std::size_t i = 0; i < facts.size(); ++i)
-    for (std::size_t j = i; j < facts.size(); ++j) {
-      const Fact &a = facts[i], &b = facts[j];
-      add({a.value, b.value}, is_strict(a) && is_strict(b), is_zero(a) || is_zero(b));
-    }
+    for (std::size_t j = i; j < facts.size(); ++j)
+      add({facts[i].value, facts[j].value}, facts[i].signs * facts[j].signs);
   const std::vector<Polynomial> roots = roots_of_squares(facts, variables);
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    add({roots[i], roots[i]}, false, false);
+    add({roots[i], roots[i]}, Signs::nonnegative());
     for (std::size_t j = 0; j < i; ++j)
-      for (const Polynomial& r : {roots[i] - roots[j], roots[i] + roots[j]}) add({r, r}, false, false);
+      for (const Polynomial& r : {roots[i] - roots[j], roots[i] + roots[j]})
+        add({r, r}, Signs::nonnegative());
   }
   return columns;
-}
-
-/// What holds where a value has none of these signs, if a fact can say it.
-Signs negation(Signs claim) {
-  for (const auto& [one, other] :
-       {std::pair{Signs::positive(), Signs::nonpositive()},
-        std::pair{Signs::negative(), Signs::nonnegative()}, std::pair{Signs::nonzero(), Signs::zero()}}) {
-    if (claim == one) return other;
-    if (claim == other) return one;
-  }
-  return Signs::any();
 }
 
 /// Coefficients with which the columns add up to 0, those of strict ones to 1; of an equation any sign.
@@ -146,14 +128,14 @@ std::optional<Certificate> combine(const std::vector<Column>& columns) {
   std::vector<std::pair<std::size_t, cl_RA>> of;  // which column, and times what: no entry is above 1
   for (std::size_t k = 0; k < columns.size(); ++k)
     for (const int side : {1, -1}) {
-      if (side < 0 && !columns[k].is_zero) continue;
+      if (side < 0 && columns[k].signs != Signs::zero()) continue;
       const Polynomial& p = columns[k].value;
       cln::cl_I largest = 1;
       for (std::size_t t = 0; t < p.terms(); ++t) largest = cln::max(largest, cln::abs(p.coefficient(t)));
       const cl_RA factor = cl_RA(side) / largest;
       std::vector<cl_RA> entries(rows.size() + 1, 0);
       for (std::size_t t = 0; t < p.terms(); ++t) entries[rows.at(p.monomial(t))] = factor * p.coefficient(t);
-      entries.back() = columns[k].is_strict ? 1 : 0;
+      entries.back() = columns[k].signs == Signs::positive() ? 1 : 0;
       all.push_back(std::move(entries));
       of.emplace_back(k, factor);
     }
@@ -170,17 +152,16 @@ std::optional<Certificate> combine(const std::vector<Column>& columns) {
     const Column& c = columns[of[k].first];
     result.parts.push_back({x * of[k].second, c.factors});
     sum = sum + Fraction(x * of[k].second) * Fraction(c.value);
-    if (c.is_strict) strict = strict + x;
+    if (c.signs == Signs::positive()) strict = strict + x;
   }
   const bool holds = sum.is_zero() && cln::plusp(strict);  // multiplied out, not believed
   return holds ? std::optional(result) : std::nullopt;
 }
 
-std::optional<Certificate> refute_all(const Ring& ring, const std::vector<Fact>& facts, const Fraction& value,
-                                      Signs negated) {
+std::optional<Certificate> refute_all(const Ring& ring, const Fraction& value, Signs negated) {
   const std::vector<Fact> claim = facts_of(ring, value, negated);
   if (claim.empty() && negated != Signs::any()) return std::nullopt;  // of what is not 0
-  const std::vector<Fact> all = relevant(ring, facts, claim);
+  const std::vector<Fact> all = relevant(ring, claim);
   if (all.empty() || all.size() > 2 * most_facts) return std::nullopt;
   return combine(columns_of(ring, all));
 }
@@ -189,24 +170,22 @@ std::optional<Certificate> refute_all(const Ring& ring, const std::vector<Fact>&
 
 std::vector<Fact> facts_of(const Ring& ring, const Fraction& value, Signs signs) {
   Fact fact = ring.essential(value, signs);
-  if (fact.signs == Signs::negative() || fact.signs == Signs::nonpositive())
+  if (fact.signs.within(Signs::nonpositive()) && fact.signs != Signs::zero())
     fact = {-fact.value, -fact.signs};
-  const bool can_be_said =
-      fact.signs == Signs::zero() || fact.signs == Signs::positive() || fact.signs == Signs::nonnegative();
+  const bool can_be_said = fact.signs.within(Signs::nonnegative()) && !fact.signs.is_none();
   const bool is_known = fact.value.is_constant() && ring.signs_of(fact.value).within(fact.signs);
   return can_be_said && !is_known ? std::vector{fact} : std::vector<Fact>{};
 }
 
-std::optional<Certificate> prove_signs(const Ring& ring, const std::vector<Fact>& facts,
-                                       const Fraction& value, Signs claim, bool searches) {
+std::optional<Certificate> prove_signs(const Ring& ring, const Fraction& value, Signs claim, bool searches) {
   if (!claim.is_none() && ring.signs_of(ring.normal(value)).within(claim)) return Certificate{};
   if (!searches) return std::nullopt;
-  if (claim.is_none()) return refute_all(ring, facts, 0, Signs::any());
-  if (claim != Signs::zero()) return refute_all(ring, facts, value, negation(claim));
+  if (claim.is_none()) return refute_all(ring, 0, Signs::any());
+  if (claim != Signs::zero()) return refute_all(ring, value, ~claim);
   // of what is not 0, with its numerator as it is, or without the factors that are not 0
   for (const Fraction& p : {Fraction(ring.essential(value, claim).value), value}) {
-    auto found = refute_all(ring, facts, p, Signs::positive());
-    const auto other = found ? refute_all(ring, facts, p, Signs::negative()) : std::nullopt;
+    auto found = refute_all(ring, p, Signs::positive());
+    const auto other = found ? refute_all(ring, p, Signs::negative()) : std::nullopt;
     if (!other) continue;
     found->parts.insert(found->parts.end(), other->parts.begin(), other->parts.end());
     return found;

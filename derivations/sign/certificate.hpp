@@ -25,11 +25,11 @@ struct Certificate {
 /// What value = 0, value > 0 … says, as 0, > 0 or >= 0; nothing where that is known, and of what is not 0.
 std::vector<Fact> facts_of(const Ring& ring, const Fraction& value, Signs signs);
 
-/// A proof that under the facts the value has one of these signs wherever the ring's generators have values.
-/// An empty set of signs asks for a contradiction between the facts. `searches`: also for a combination; else
-/// by intervals and products alone.
-std::optional<Certificate> prove_signs(const Ring& ring, const std::vector<Fact>& facts,
-                                       const Fraction& value, Signs claim, bool searches = true);
+/// A proof that under the facts of the ring the value has one of these signs wherever its generators have
+/// values. An empty set of signs asks for a contradiction between the facts. `searches`: also for a
+/// combination; else by intervals and products alone.
+std::optional<Certificate> prove_signs(const Ring& ring, const Fraction& value, Signs claim,
+                                       bool searches = true);
 
 /// x_k >= 0 with sum_k x_k columns[k] = sum, exactly; all columns are as long as the sum. GLPK's simplex
 /// method, in doubles, says which columns a solution is made of; the exact solution with these is taken where
