@@ -6,6 +6,8 @@
 
 namespace rederive {
 
+/// A function of t at the time t_i of the impact.
+inline GiNaC::ex at_impact(const GiNaC::ex& e) { return e.subs(paper::t == paper::t_i); }
 /// θ(t_i) = 0 during the pulse, times (1 + ω_p²/p²) sin ψ/α: (86) without its division. In ψ, ω_p, p, t_i.
 GiNaC::ex impact_during_pulse();
 /// Left less right of (88), with t_i where the paper prints t. In ψ, ω_p, p, t_i, e.

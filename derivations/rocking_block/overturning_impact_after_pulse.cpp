@@ -9,7 +9,6 @@ using namespace paper;
 
 namespace {
 
-ex at_impact(const ex& e) { return e.subs(t == t_i); }
 Given sine_end() { return {T_ex, end_of_pulse(Pulse::sine)}; }
 
 ex scaled_rate_at_end() {

@@ -26,8 +26,6 @@ Constants constants_after_impact() {
 
 ex motion_before_impact() { return with_amplitude(forced_motion(Side::negative, Pulse::sine), Pulse::sine); }
 ex rate_before_impact() { return motion_before_impact().diff(t); }
-ex at_impact(const ex& e) { return e.subs(t == t_i); }
-
 // sin(ω_p t_i + ψ) and its cosine by the addition theorem.
 ex by_addition(const ex& e) {
   const ex turned = omega_p * t_i, whole = turned + psi;
