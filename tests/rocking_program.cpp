@@ -90,9 +90,23 @@ TEST_CASE("histories, spectra and maps are written as CSV with their headers") {
   CHECK(read_file(file + "1") == read_file(file + "3"));
   for (const char* engine : {"gsl", "taylor"})
     REQUIRE(run_program("rocking", {"map", "--omega", "1:5:4", "--amplitude", "1:3:3", "--model", "nonlinear",
-                                    "--engine", engine, "--csv", file + engine})
+                                    "--engine", engine, "--tolerance", "1e-9", "--csv", file + engine})
                 .exit_code == 0);
   CHECK(read_file(file + "gsl") == read_file(file + "taylor"));
+  for (const char* model : {"linear", "nonlinear"}) {
+    const auto threshold = [&](const std::vector<std::string>& more) {
+      std::vector<std::string> all{"threshold", "--omega", "3", "--model", model, "--json"};
+      all.insert(all.end(), more.begin(), more.end());
+      return nlohmann::json::parse(run_program("rocking", all).out);
+    };
+    const auto least = threshold({"--least"}), whole = threshold({}), by_gsl = threshold({"--engine", "gsl"});
+    CHECK(least.at("windows").is_null());
+    CHECK(least.at("minimum").at("code") == whole.at("minimum").at("code"));
+    for (const auto& other : {whole, by_gsl})
+      CHECK(std::abs(other.at("minimum").at("amplitude").get<double>() /
+                         least.at("minimum").at("amplitude").get<double>() -
+                     1) < 1e-10);
+  }
 }
 
 TEST_CASE("two runs give the same bytes") {

@@ -12,7 +12,7 @@ namespace {
 
 struct MapCommand {
   CommonOptions common;
-  std::string omega, amplitude, csv, plot, threads;
+  std::string omega, amplitude, csv, plot, threads, tolerance = "1e-12";
 };
 
 std::string csv_of(const OutcomeMap& map) {
@@ -52,7 +52,8 @@ int run_map(const MapCommand& options) {
   const auto amplitudes = stations("--amplitude", options.amplitude, 0, 1e6);
   if (ratios.size() * amplitudes.size() > 50'000'000)
     throw BadInput("--omega and --amplitude: more than 50 million points");
-  const PulseCase asked = case_at(options.common, ratios.front());
+  PulseCase asked = case_at(options.common, ratios.front());
+  asked.tolerance = number_between("--tolerance", options.tolerance, 1e-15, 1e-3);
   const Real level = start_level(asked.block, asked.model);
   if ((asked.initial.angle != 0 || asked.initial.velocity != 0) && amplitudes.front() < level)
     throw BadInput(
@@ -87,6 +88,7 @@ void add_map(CLI::App& app, Run& run) {
   add("--omega", options->omega, "W1:W2:N", "omega_p/p from, to, how many")->required();
   add("--amplitude", options->amplitude, "A1:A2:M", "a_p/(alpha g) from, to, how many")->required();
   add("--threads", options->threads, "T", "threads [all]");
+  add("--tolerance", options->tolerance, "NUMBER", "of the motions, relative to alpha [1e-12]");
   add_engine(*command, options->common.engine);
   add("--csv", options->csv, "FILE", "write the grid")->check(file_name);
   add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);

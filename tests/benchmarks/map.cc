@@ -1,155 +1,190 @@
-// The nonlinear map against plain GSL on one thread: build/tests/benchmark_map [points a side]. The peer
-// integrates (21a,b) by the eighth-order method rk8pd, finds an impact by Newton's iteration on the step that
-// crossed, taken again, and asks energy when the pulse is over, as the kernels do; a slow block it takes for
-// safe. Peer and kernels take turns, some columns at a time, and their codes are compared; the medians of
-// the runs count.
-#include <fmt/format.h>
-#include <gsl/gsl_odeiv2.h>
-
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstdlib>
-#include <emitted/rocking_block.hpp>
-#include <numbers>
+// Maps beside the peers: build/tests/benchmark_map FOLDER. Rows of a Markdown table; into the folder, data
+// for plots and some cells with their codes for peers in other languages. Peers follow every so manieth cell.
+#include <fstream>
+#include <memory>
 #include <numerics/batch.hpp>
+#include <numerics/map.hpp>
+
+#include "peers.hpp"
+#include "timing.hpp"
 
 using namespace rederive;
+using namespace rederive::benchmarks;
 
 namespace {
 
-struct Motion {
-  double alpha, amplitude, omega, psi;
-  int side;
-};
-
-int rates(double t, const double y[], double rate[], void* parameters) {
-  const Motion& m = *static_cast<const Motion*>(parameters);
-  const double ground = emitted::ground_of_sine_pulse(m.amplitude, m.omega, m.psi, t);
-  rate[0] = y[1];
-  rate[1] = m.side < 0 ? emitted::angular_acceleration_negative(m.alpha, 1.0, y[0], ground)
-                       : emitted::angular_acceleration_positive(m.alpha, 1.0, y[0], ground);
-  return 0;
-}
-
-class Peer {
- public:
-  Peer(const Block& block, double tolerance)
-      : block_(block),
-        step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 2)),
-        control_(gsl_odeiv2_control_y_new(block.alpha * tolerance, tolerance)),
-        evolve_(gsl_odeiv2_evolve_alloc(2)) {}
-  Peer(const Peer&) = delete;
-  ~Peer() { gsl_odeiv2_evolve_free(evolve_), gsl_odeiv2_control_free(control_), gsl_odeiv2_step_free(step_); }
-
-  int code(double omega, double amplitude) {
-    const double level = emitted::ground_that_starts(block_.alpha), alpha = block_.alpha;
-    if (alpha * amplitude <= level) return 0;
-    Motion motion{alpha, alpha * amplitude, omega, emitted::phase_of_sine_pulse(level / (alpha * amplitude)),
-                  -1};
-    gsl_odeiv2_system system{rates, nullptr, 2, &motion};
-    const double end = emitted::end_of_sine_pulse(omega, motion.psi);
-    double t = 0, h = 0.1, y[2] = {0, 0};
-    int impacts = 0;
-    restart();
-    while (t < end) {
-      const double before[3] = {t, y[0], y[1]};
-      gsl_odeiv2_evolve_apply(evolve_, control_, step_, &system, &t, end, &h, y);
-      if (motion.side * y[0] >= std::numbers::pi / 2) return motion.side * (impacts + 1);
-      if (motion.side * y[0] > 0) continue;
-      t = before[0] + impact(system, before, t - before[0], y);
-      if (std::fabs(y[1]) < 1e-3 * alpha) return 0;
-      y[0] = 0, y[1] *= block_.restitution, motion.side = -motion.side, ++impacts;
-      restart();
-    }
-    const double angle = motion.side * y[0] / alpha, velocity = motion.side * y[1] / alpha;
-    if (velocity > emitted::critical_velocity_positive(alpha, angle)) return motion.side * (impacts + 1);
-    const double square = emitted::impact_velocity_squared_positive(alpha, angle, velocity);
-    const bool returns = block_.restitution * std::sqrt(std::max(0.0, square)) >
-                         emitted::critical_velocity_positive(alpha, 0.0);
-    return returns ? -motion.side * (impacts + 2) : 0;
-  }
-
- private:
-  void restart() { gsl_odeiv2_evolve_reset(evolve_), gsl_odeiv2_step_reset(step_); }
-
-  double impact(const gsl_odeiv2_system& system, const double before[], double length, double y[]) {
-    double error[2], moved = 1;
-    for (int i = 0; i < 20 && std::fabs(moved) > 1e-9 * length; ++i) {
-      moved = -y[0] / y[1];
-      length += moved;
-      y[0] = before[1], y[1] = before[2];
-      gsl_odeiv2_step_reset(step_);
-      gsl_odeiv2_step_apply(step_, before[0], length, y, error, nullptr, nullptr, &system);
-    }
-    return length;
-  }
-
-  Block block_;
-  gsl_odeiv2_step* step_;
-  gsl_odeiv2_control* control_;
-  gsl_odeiv2_evolve* evolve_;
-};
-
-double seconds(const auto& work) {
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
-
-void compare(int points, double tolerance) {
+PulseCase asked_with(Model model, double tolerance) {
   PulseCase asked;
   asked.block = make_block(0.25, 2.14);
-  asked.model = Model::nonlinear;
-  asked.tolerance = tolerance;
-  std::vector<double> amplitudes;
-  for (int i = 0; i < points; ++i) amplitudes.push_back(1 + 11.0 * i / (points - 1));
-  Peer peer(asked.block, tolerance);
-  std::vector<PulseBatch> batches;
-  for (const BatchKernel& kernel : batch_kernels()) batches.emplace_back(asked, amplitudes, kernel);
-  std::vector<std::vector<double>> times(batches.size() + 1);
-  std::vector<long> differing(batches.size(), 0);
-  constexpr int runs = 5;
-  for (int run = 0; run < runs; ++run) {
-    std::vector<double> sum(times.size(), 0);
-    const int together = 1 + 800 / points;
-    for (int first = 0; first < points; first += together) {
-      std::vector<double> ratios;
-      for (int i = first; i < std::min(first + together, points); ++i)
-        ratios.push_back(0.2 + 9.8 * i / (points - 1));
-      std::vector<std::vector<int>> by_peer(ratios.size()), codes;
-      sum[0] += seconds([&] {
-        for (std::size_t i = 0; i < ratios.size(); ++i)
-          for (const double amplitude : amplitudes) by_peer[i].push_back(peer.code(ratios[i], amplitude));
-      });
-      for (std::size_t k = 0; k < batches.size(); ++k) {
-        sum[k + 1] += seconds([&] { codes = batches[k].codes(ratios); });
-        for (std::size_t i = 0; run == 0 && i < codes.size(); ++i)
-          for (std::size_t j = 0; j < codes[i].size(); ++j)
-            differing[k] += codes[i][j] != by_peer[i][j] ? 1 : 0;
-      }
-    }
-    for (std::size_t k = 0; k < times.size(); ++k) times[k].push_back(sum[k]);
+  asked.model = model, asked.tolerance = tolerance;
+  return asked;
+}
+
+std::vector<double> evenly(double from, double to, int count) {
+  std::vector<double> all;
+  for (int i = 0; i < count; ++i) all.push_back(from + (to - from) * i / (count - 1));
+  return all;
+}
+
+struct Grid {
+  explicit Grid(int count) : ratios(evenly(0.2, 10, count)), amplitudes(evenly(1, 12, count)) {}
+  double cells() const { return static_cast<double>(ratios.size() * amplitudes.size()); }
+  std::vector<double> ratios, amplitudes;
+};
+
+using Codes = std::vector<std::vector<int>>;
+
+Codes mapped(const PulseCase& asked, const Grid& grid, int threads) {
+  Work work;
+  work.threads = threads;
+  return outcome_map(asked, grid.ratios, grid.amplitudes, work).codes;
+}
+
+/// One column a time, as outcome_map does on one thread, but by the kernel given.
+Codes mapped_by(const BatchKernel& kernel, const PulseCase& asked, const Grid& grid) {
+  const PulseBatch batch(asked, grid.amplitudes, kernel);
+  Codes codes;
+  for (std::size_t i = 0; i < grid.ratios.size(); i += 3) {
+    const auto first = grid.ratios.begin() + static_cast<std::ptrdiff_t>(i);
+    for (auto& column : batch.codes({first, first + std::min<std::ptrdiff_t>(3, grid.ratios.end() - first)}))
+      codes.push_back(std::move(column));
   }
-  const double cells = static_cast<double>(points) * points, base = median(times[0]);
-  fmt::print("{} x {} cells, tolerance {:g}, one thread, medians of {} runs in turns\n", points, points,
-             tolerance, runs);
-  fmt::print("  {:10} {:>10.0f} a second\n", "GSL rk8pd", cells / base);
-  for (std::size_t k = 0; k < batches.size(); ++k)
-    fmt::print("  {:10} {:>10.0f} a second, {:5.1f} x GSL; {} cells differ from the peer's\n",
-               batch_kernels()[k].name, cells / median(times[k + 1]), base / median(times[k + 1]),
-               differing[k]);
+  return codes;
+}
+
+struct Peer {
+  std::string name;
+  std::function<int(double omega, double amplitude)> code;
+  std::size_t every;  ///< so manieth cell
+};
+
+Peer peer_of(const std::string& name, std::shared_ptr<Integrator> integrator, const PulseCase& asked,
+             std::size_t every) {
+  return {name, [=](double omega, double amplitude) { return code_by(*integrator, asked, omega, amplitude); },
+          every};
+}
+
+std::vector<Peer> peers_of(const PulseCase& asked) {
+  const double alpha = asked.block.alpha, tolerance = asked.tolerance;
+  std::vector<Peer> peers{
+      peer_of(fmt::format("GSL rk8pd, {:g}", tolerance), std::make_shared<Gsl>(alpha, tolerance), asked, 11),
+      peer_of(fmt::format("odeint dopri5, {:g}", 10 * tolerance),
+              std::make_shared<Odeint>(alpha, 10 * tolerance), asked, 11)};
+#ifdef REDERIVE_SUNDIALS
+  using enum Sundials::Method;
+  peers.push_back(peer_of(fmt::format("SUNDIALS CVODE, {:g}", tolerance),
+                          std::make_shared<Sundials>(cvode, alpha, tolerance), asked, 61));
+  peers.push_back(peer_of(fmt::format("SUNDIALS ARKODE, {:g}", tolerance),
+                          std::make_shared<Sundials>(arkode, alpha, tolerance), asked, 61));
+#endif
+  if (asked.model == Model::nonlinear) return peers;
+  peers.push_back(peer_of("Runge-Kutta 4, 0.01", std::make_shared<LinearRungeKutta>(0.01), asked, 3));
+  peers.push_back({"closed forms, long double",
+                   [=](double omega, double amplitude) {
+                     PulseCase here = asked;
+                     here.omega_ratio = omega;
+                     return outcome_at(here, amplitude).code;
+                   },
+                   61});
+  return peers;
+}
+
+void for_cells(const Grid& grid, std::size_t every, const std::function<void(std::size_t, std::size_t)>& at) {
+  const std::size_t rows = grid.amplitudes.size();
+  for (std::size_t k = 0; k < grid.ratios.size() * rows; k += every) at(k / rows, k % rows);
+}
+
+void row(const std::string& work, const std::string& who, double rate, double base, std::size_t differing) {
+  fmt::print("| {} | {} | {:.0f} | {:.2f} | {} |\n", work, who, rate, rate / base, differing);
+}
+
+/// The table of one model at one tolerance; the first peer is the unit.
+void compare(Model model, double tolerance, int points) {
+  const PulseCase asked = asked_with(model, tolerance);
+  const Grid grid(points);
+  const Codes codes = mapped(asked, grid, 1);
+  const std::vector<Peer> peers = peers_of(asked);
+  std::vector<std::function<void()>> contenders;
+  std::vector<double> cells;
+  std::vector<std::size_t> differing;
+  std::vector<std::string> names;
+  for (const Peer& peer : peers) {
+    std::size_t differ = 0, count = 0;
+    for_cells(grid, peer.every, [&](std::size_t i, std::size_t j) {
+      ++count, differ += peer.code(grid.ratios[i], grid.amplitudes[j]) != codes[i][j] ? 1 : 0;
+    });
+    names.push_back(peer.name), cells.push_back(static_cast<double>(count)), differing.push_back(differ);
+    contenders.push_back([&] {
+      for_cells(grid, peer.every,
+                [&](std::size_t i, std::size_t j) { peer.code(grid.ratios[i], grid.amplitudes[j]); });
+    });
+  }
+  const auto add = [&](const std::string& name, std::function<Codes()> map) {
+    const Codes found = map();
+    std::size_t differ = 0;
+    for_cells(grid, 1, [&](std::size_t i, std::size_t j) { differ += found[i][j] != codes[i][j] ? 1 : 0; });
+    names.push_back(name), cells.push_back(grid.cells()), differing.push_back(differ);
+    contenders.push_back([map = std::move(map)] { map(); });
+  };
+  for (const BatchKernel& kernel : batch_kernels())
+    add(fmt::format("this, {}", kernel.name), [&] { return mapped_by(kernel, asked, grid); });
+  add("this, outcome_map, 1 thread", [&] { return mapped(asked, grid, 1); });
+  add("this, outcome_map, 2 threads", [&] { return mapped(asked, grid, 2); });
+  const std::vector<double> times = in_turns(contenders);
+  const std::string work = fmt::format(
+      "{} map, {} × {}, {:g}", model == Model::linear ? "linear" : "nonlinear", points, points, tolerance);
+  for (std::size_t i = 0; i < times.size(); ++i)
+    row(work, names[i], cells[i] / times[i], cells[0] / times[0], differing[i]);
+}
+
+/// Microseconds a cell against the tolerance, and seconds against the points a side.
+void curves(const std::string& folder) {
+  std::ofstream against_tolerance(folder + "/cost-against-tolerance.dat"),
+      against_size(folder + "/cost-against-size.dat");
+  against_tolerance << "# tolerance, microseconds a cell: this, GSL, odeint\n";
+  for (const double tolerance : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13}) {
+    const PulseCase asked = asked_with(Model::nonlinear, tolerance);
+    const Grid grid(100);
+    Gsl gsl(asked.block.alpha, tolerance);
+    Odeint odeint(asked.block.alpha, tolerance);
+    const auto follow = [&](Integrator& by) {
+      for_cells(grid, 41, [&](std::size_t i, std::size_t j) {
+        code_by(by, asked, grid.ratios[i], grid.amplitudes[j]);
+      });
+    };
+    const auto times =
+        in_turns({[&] { mapped(asked, grid, 1); }, [&] { follow(gsl); }, [&] { follow(odeint); }}, 3);
+    const double some = std::ceil(grid.cells() / 41);
+    against_tolerance << fmt::format("{:g} {:.4g} {:.4g} {:.4g}\n", tolerance, 1e6 * times[0] / grid.cells(),
+                                     1e6 * times[1] / some, 1e6 * times[2] / some);
+  }
+  against_size << "# points a side, seconds: nonlinear 1e-9, linear 1e-9\n";
+  for (const int points : {50, 100, 200, 400, 800}) {
+    const Grid grid(points);
+    const auto times = in_turns({[&] { mapped(asked_with(Model::nonlinear, 1e-9), grid, 1); },
+                                 [&] { mapped(asked_with(Model::linear, 1e-9), grid, 1); }},
+                                3);
+    against_size << fmt::format("{} {:.4g} {:.4g}\n", points, times[0], times[1]);
+  }
+}
+
+/// Some cells for peers elsewhere.
+void write_cells(const std::string& folder) {
+  std::ofstream file(folder + "/cells.csv");
+  const Grid grid(400);
+  const Codes codes = mapped(asked_with(Model::nonlinear, 1e-9), grid, 1);
+  for_cells(grid, 1601, [&](std::size_t i, std::size_t j) {
+    file << fmt::format("{:.17g},{:.17g},{}\n", grid.ratios[i], grid.amplitudes[j], codes[i][j]);
+  });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int points = argc > 1 ? std::atoi(argv[1]) : 200;
-  for (const double tolerance : {1e-9, 1e-12}) compare(std::clamp(points, 2, 4000), tolerance);
+  const std::string folder = argc > 1 ? argv[1] : ".";
+  compare(Model::nonlinear, 1e-9, 400);
+  compare(Model::nonlinear, 1e-12, 400);
+  compare(Model::linear, 1e-9, 400);
+  curves(folder);
+  write_cells(folder);
 }

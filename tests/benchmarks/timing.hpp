@@ -1,0 +1,35 @@
+// Contenders take turns; the medians count.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace rederive::benchmarks {
+
+inline double seconds(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+inline double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+/// Seconds a round of each, one after the other in every round.
+inline std::vector<double> in_turns(const std::vector<std::function<void()>>& contenders, int rounds = 5) {
+  std::vector<std::vector<double>> times(contenders.size());
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t i = 0; i < contenders.size(); ++i) times[i].push_back(seconds(contenders[i]));
+  std::vector<double> medians;
+  for (const auto& all : times) medians.push_back(median(all));
+  return medians;
+}
+
+}  // namespace rederive::benchmarks
