@@ -100,6 +100,7 @@ TEST_CASE("nothing untrue is said") {
         "not_everywhere");
   CHECK(note("inertia-about-corner", "4/3*m*R^2 kg*m^2") == "unit_not_wanted");
   CHECK(note("inertia-about-corner", "4/3*m*R^2") == "correct");
+  CHECK(note("stiffness", "0") == "missing_symbol");
   CHECK(note("height-of-centre", "2*R*(cos(alpha - theta) - cos(alpha))") == "factor");
 }
 

@@ -135,7 +135,9 @@ Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::opt
   if (const auto why = wrong_dimension(prepared, read))
     return found(start, "wrong", "dimension",
                  explanation_of("dimension") + " " + *why +
-                     (repair && repair->part != nullptr ? " Look at $" + print(repair->part) + "$." : ""),
+                     (repair && repair->part != nullptr && repair->part->kind != Node::Kind::number
+                          ? " Look at $" + print(repair->part) + "$."
+                          : ""),
                  0);
   if (repair) return found(start, "wrong", repair->note, in_words(*repair), 0);
   if (!agrees)
