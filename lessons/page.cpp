@@ -46,7 +46,7 @@ std::string as_sentence(std::string words, bool fresh, bool formula, bool goes_o
   const bool ended = std::string_view(".:?,").find(words.back()) != std::string_view::npos;
   const std::string mark = ended || (formula && leads_on(words)) ? ""
                            : formula                             ? (words.back() == ')' ? "," : ":")
-                           : goes_on                             ? ","
+                           : goes_on                             ? ";"
                                                                  : ".";
   if (fresh) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
   return words + mark;

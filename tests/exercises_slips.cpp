@@ -96,8 +96,11 @@ TEST_CASE("nothing untrue is said") {
         "not_everywhere");
   CHECK(said("height-of-centre", "abs(R*(cos(alpha - theta) - cos(alpha)))").find("factor") ==
         std::string::npos);
+  CHECK(note("height-of-centre", "R*(cos(alpha - theta) - cos(alpha)) + 10^40*R - 10^40*R + R") !=
+        "not_everywhere");
   CHECK(note("inertia-about-corner", "4/3*m*R^2 kg*m^2") == "unit_not_wanted");
   CHECK(note("inertia-about-corner", "4/3*m*R^2") == "correct");
+  CHECK(note("stiffness", "0") == "missing_symbol");
   CHECK(note("height-of-centre", "2*R*(cos(alpha - theta) - cos(alpha))") == "factor");
 }
 

@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/edits.hpp>
@@ -131,7 +128,7 @@ class Search {
     if (proofs_ >= most_proofs || !sieve_.passes(relation)) return;
     if (around != nullptr && note != "degrees" && note != "rounding")
       note = takes_angles(around) ? "wrong_angle" : "wrong_argument", part = around;
-    if (side_ < answer_.sides.size() && part == answer_.sides[side_]) part = nullptr;
+    if (answer_.operators.empty() && part == answer_.sides[0]) part = nullptr;
     const Repair repair{relation, note, part, too_large};
     ++proofs_;
     if (accept_(repair)) found_ = repair;
@@ -270,63 +267,13 @@ class Search {
 
 }  // namespace
 
-std::optional<Tree> plain_number(double value) {
-  for (const double base : {1.0, std::numbers::pi, std::numbers::pi / 180, 180 / std::numbers::pi})
-    for (int under = 1; under <= 12; ++under) {
-      const double over = std::round(std::abs(value) / base * under);
-      if (over < 1 || over > 24 || std::abs(std::abs(value) / base * under - over) > 1e-8 * over) continue;
-      const std::string digits = fmt::format("{:.0f}", over);
-      Tree size = under == 1 ? number(digits) : product(number(digits), number(std::to_string(under)), true);
-      const Tree pi = symbol("pi");
-      if (base == std::numbers::pi) size = product(size, pi);
-      if (base == std::numbers::pi / 180) size = product(size, product(pi, number("180"), true));
-      if (base == 180 / std::numbers::pi) size = product(size, product(pi, number("180"), true), true);
-      return value < 0 ? negative(size) : size;
-    }
-  return {};
-}
-
 std::optional<Repair> repaired(const Relation& answer, const std::vector<Relation>& forms, const Sieve& sieve,
                                const std::vector<std::string>& symbols,
                                const std::function<bool(const Repair&)>& accept) {
   std::size_t size = 0;
   for (const auto& side : answer.sides) size += size_of(side);
-  if (size > 150 || sieve.is_empty()) return {};
+  if (size > 150 || sieve.is_empty() || names_of(answer).empty()) return {};
   return Search(answer, forms, sieve, symbols, accept).run();
-}
-
-std::string in_words(const Repair& repair) {
-  static const std::map<std::string, std::string> sentences{
-      {"sign", "The sign of {} is wrong: check the direction in which each quantity counts as positive."},
-      {"wrong_angle", "What stands inside {} is not right."},
-      {"wrong_argument", "What stands inside {} is not right."},
-      {"extra_term", "{} does not belong there."},
-      {"missing_term",
-       "A term is missing beside {}. Write down each contribution by itself before you add them up."},
-      {"extra_factor", "The factor {} does not belong there."},
-      {"missing_factor", "A factor is missing at {}."},
-      {"power", "The power of {} is wrong: a square is lost, or there is one too many."},
-      {"reciprocal", "{} is upside down: its reciprocal belongs there."},
-      {"sin_cos",
-       "A sine and a cosine (or their like) have been exchanged in {}. Try an angle for which you know the "
-       "answer, "
-       "such as zero."},
-      {"wrong_function", "The function in {} is not the right one."},
-      {"extra_function", "No function belongs where {} stands."},
-      {"absolute_value", "Without the absolute value, what stands in {} would do."},
-      {"wrong_symbol", "{} is not the quantity that belongs there."},
-      {"degrees", "Degrees and radians are mixed up in {}."},
-      {"rounding", "{} is rounded. Leave the fraction, or pi, as it is."}};
-  const std::string part = repair.part == nullptr ? "the whole" : "$" + print(repair.part) + "$";
-  std::string text = repair.note == "factor"
-                         ? fmt::format("A numerical factor is wrong: {} is ${}$ times what it should be.",
-                                       part, print(*plain_number(*repair.too_large)))
-                         : fmt::format(fmt::runtime(sentences.at(repair.note)), part);
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  if (repair.note == "wrong_angle" && repair.part != nullptr &&
-      (names_of(repair.part).contains("theta") || names_of(repair.part).contains("alpha")))
-    text += " Which angle is it in the drawing?";
-  return text + (repair.part == nullptr ? "" : " Everything else is right.");
 }
 
 }  // namespace rederive::classroom

@@ -11,7 +11,7 @@ namespace rederive::classroom {
 struct Repair {
   Relation relation;                     ///< the answer after the change
   std::string note;                      ///< the slip that it undoes
-  Tree part;                             ///< what was changed, as typed; nullptr where it is a whole side
+  Tree part;                             ///< what was changed, as typed; nullptr where it is all of it
   std::optional<double> too_large = {};  ///< the part was so many times what it should be
 };
 

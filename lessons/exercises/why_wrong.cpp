@@ -124,7 +124,9 @@ Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::opt
   const auto is_mended = [&](const Repair& repair) {
     return is_right(proof_of(prepared, repair.relation, prepared.answer.relation).verdict);
   };
-  const bool agrees = prepared.sieve && !prepared.sieve->is_empty() && prepared.sieve->passes(read);
+  const bool differs = mine && prepared.signature && !alike(*mine, *prepared.signature);  // beyond doubt
+  const bool agrees =
+      !differs && prepared.sieve && !prepared.sieve->is_empty() && prepared.sieve->passes(read);
   std::vector<Relation> forms{prepared.answer.relation};
   for (const auto& text : prepared.exercise.equivalents) forms.push_back(parse_statement(text));
   const auto repair = prepared.sieve && !agrees
@@ -133,7 +135,9 @@ Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::opt
   if (const auto why = wrong_dimension(prepared, read))
     return found(start, "wrong", "dimension",
                  explanation_of("dimension") + " " + *why +
-                     (repair && repair->part != nullptr ? " Look at $" + print(repair->part) + "$." : ""),
+                     (repair && repair->part != nullptr && repair->part->kind != Node::Kind::number
+                          ? " Look at $" + print(repair->part) + "$."
+                          : ""),
                  0);
   if (repair) return found(start, "wrong", repair->note, in_words(*repair), 0);
   if (!agrees)
