@@ -24,7 +24,7 @@ constexpr auto preamble = R"(\documentclass[11pt,a4paper]{article}
 )";
 
 /// Letters that appear in sentences, as pdflatex wants them declared.
-constexpr auto letters = R"(\DeclareUnicodeCharacter{03B1}{\ensuremath{\alpha}}
+constexpr auto declared_letters = R"(\DeclareUnicodeCharacter{03B1}{\ensuremath{\alpha}}
 \DeclareUnicodeCharacter{03B8}{\ensuremath{\theta}}
 \DeclareUnicodeCharacter{03C8}{\ensuremath{\psi}}
 \DeclareUnicodeCharacter{03C9}{\ensuremath{\omega}}
@@ -96,7 +96,7 @@ class LatexRenderer : public Renderer {
   std::string begin(const Lesson& lesson) override {
     std::string ids;
     for (const auto& id : lesson.equations) ids += fmt::format("{}({})", ids.empty() ? "" : " ", id);
-    return std::string(preamble) + letters +
+    return std::string(preamble) + declared_letters +
            fmt::format("\\title{{Lesson {}. {}}}\n\\author{{}}\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
                        lesson.number, protect(lesson.title)) +
            "\\textbf{Teaches:} " + flat(lesson.teaches) + "\n\n\\textbf{Builds on:} " +

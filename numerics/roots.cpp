@@ -19,7 +19,7 @@ constexpr int most_steps = 2000;
 
 /// A function as GSL calls it. An exception must not pass through C: it waits here, and GSL stops at a NaN.
 struct Called {
-  explicit Called(const Function& f) : f(f) {
+  explicit Called(const RealFunction& f) : f(f) {
     gsl_set_error_handler_off();
   }  // errors by status, not by abort
 
@@ -38,14 +38,14 @@ struct Called {
     return status == GSL_SUCCESS;
   }
 
-  const Function& f;
+  const RealFunction& f;
   std::exception_ptr error;
   gsl_function gsl{value, this};
 };
 
 /// The bracket left by a method when it is `narrow`.
 template <class Narrow>
-std::pair<double, double> solved(const gsl_root_fsolver_type* method, const Function& f, double low,
+std::pair<double, double> solved(const gsl_root_fsolver_type* method, const RealFunction& f, double low,
                                  double high, Narrow narrow) {
   Called called(f);
   const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
@@ -70,7 +70,7 @@ Change change_between(const std::function<bool(double)>& holds, double inside, d
   return inside < outside ? Change{low, high} : Change{high, low};
 }
 
-double root_between(const Function& f, double low, double high) {
+double root_between(const RealFunction& f, double low, double high) {
   const auto narrow = [](const auto& ends) {
     return gsl_root_test_interval(ends.first, ends.second, 0, resolution) == GSL_SUCCESS;
   };
@@ -78,7 +78,7 @@ double root_between(const Function& f, double low, double high) {
   return std::midpoint(ends.first, ends.second);
 }
 
-double least_between(const Function& f, double low, double high) {
+double least_between(const RealFunction& f, double low, double high) {
   Called called(f);
   const double end = f(low) < f(high) ? low : high, at_end = f(end);
   double inside = std::midpoint(low, high);
@@ -93,7 +93,7 @@ double least_between(const Function& f, double low, double high) {
   return search->x_minimum;
 }
 
-std::vector<Change> sign_changes(const Function& f, double low, double high, int count) {
+std::vector<Change> sign_changes(const RealFunction& f, double low, double high, int count) {
   std::vector<double> at, value;
   for (int i = 0; i <= count; ++i) {
     at.push_back(std::lerp(low, high, static_cast<double>(i) / count));

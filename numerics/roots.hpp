@@ -7,7 +7,7 @@
 
 namespace rederive::inline numeric {
 
-using Function = std::function<double(double)>;
+using RealFunction = std::function<double(double)>;
 
 /// Bisects to two neighbouring numbers: at `inside` `holds` is as at the first end, at `outside` as at the
 /// other. Throws std::invalid_argument if it is the same at both ends.
@@ -19,13 +19,13 @@ Change change_between(const std::function<bool(double)>& holds, double inside, d
 /// The root, to the last bits, of a continuous f that has different signs at two arguments: Brent, Algorithms
 /// for Minimization without Derivatives (1973), chapter 4. Throws std::invalid_argument if the signs are the
 /// same.
-double root_between(const Function& f, double low, double high);
+double root_between(const RealFunction& f, double low, double high);
 
 /// Where an f that first falls and then rises is least, as exactly as its values tell: Brent, chapter 5.
-double least_between(const Function& f, double low, double high);
+double least_between(const RealFunction& f, double low, double high);
 
 /// The changes of sign from `low` to `high`, in order, each with `inside` below: those between `count`
 /// points, and those of dips of |f| that pass through zero in between.
-std::vector<Change> sign_changes(const Function& f, double low, double high, int count);
+std::vector<Change> sign_changes(const RealFunction& f, double low, double high, int count);
 
 }  // namespace rederive::inline numeric

@@ -4,7 +4,7 @@
 namespace rederive::classroom {
 namespace {
 
-const std::map<std::string, std::string, std::less<>> exchanged{
+const std::map<std::string, std::string, std::less<>> partner_functions{
     {"sin", "cos"}, {"cos", "sin"}, {"sinh", "cosh"}, {"cosh", "sinh"}, {"tan", "cot"}, {"cot", "tan"}};
 
 bool ends_with_dot(const std::string& name) { return name.size() > 3 && name.ends_with("dot"); }
@@ -72,7 +72,7 @@ void slips_here(const Tree& tree, bool inside, bool exponent, std::vector<Edit>&
       }
       break;
     case Node::Kind::call:
-      if (const auto other = exchanged.find(tree->text); other != exchanged.end()) {
+      if (const auto other = partner_functions.find(tree->text); other != exchanged.end()) {
         auto copy = std::make_shared<Node>(*tree);
         copy->text = other->second;
         result.push_back({copy, "sin_cos"});

@@ -18,7 +18,7 @@ std::string packed(const Opinion& opinion) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-Opinion unpacked(const std::string& text) {
+Opinion opinion_in(const std::string& text) {
   const Json json = Json::parse(text);
   Opinion opinion{json["verdict"], json["note"], json["read_as"], json["feedback"], {}, json["score"]};
   if (const Json& witness = json["witness"]; !witness.is_null()) {
@@ -47,7 +47,7 @@ Opinion judge_bounded(const Exercise& exercise, const std::string& text) {
   };
   constexpr double seconds = 1.5, patience = 1.7;  // of the two that an answer may take, with the preparation
   const Bounded outcome = run_bounded(work, seconds, 480, patience);
-  return outcome.result ? unpacked(*outcome.result) : undecided("limits", outcome.why);
+  return outcome.result ? opinion_in(*outcome.result) : undecided("limits", outcome.why);
 }
 
 }  // namespace rederive::classroom

@@ -34,7 +34,7 @@ Tree call(const std::string& name, const Tree& argument) {
   return make_tree(NodeKind::call, name, {argument});
 }
 
-Tree without_child(const Tree& tree, std::size_t k) {
+Tree one_child_less(const Tree& tree, std::size_t k) {
   Node copy = *tree;
   copy.children.erase(copy.children.begin() + static_cast<std::ptrdiff_t>(k));
   copy.inverse.erase(copy.inverse.begin() + static_cast<std::ptrdiff_t>(k));
@@ -204,7 +204,7 @@ class Search {
   void factors(const Tree& node, const Rebuild& rebuild, const Tree& around) {
     if (node->kind == NodeKind::product)
       for (std::size_t k = 0; k < node->children.size(); ++k)
-        offer(rebuild(without_child(node, k)), "extra_factor", node->children[k], around);
+        offer(rebuild(one_child_less(node, k)), "extra_factor", node->children[k], around);
     for (const auto& factor : parts_.factors)
       for (const bool divide : {false, true})
         offer(rebuild(product(node, factor, divide)), "missing_factor", node, around);
@@ -217,7 +217,7 @@ class Search {
               around);
     if (node->kind != NodeKind::sum) return;
     for (std::size_t k = 0; k < node->children.size(); ++k)
-      offer(rebuild(without_child(node, k)), "extra_term", node->children[k], around);
+      offer(rebuild(one_child_less(node, k)), "extra_term", node->children[k], around);
   }
 
   /// The same change wherever a part stands.
