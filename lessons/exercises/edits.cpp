@@ -72,7 +72,7 @@ void slips_here(const Tree& tree, bool inside, bool exponent, std::vector<Edit>&
       }
       break;
     case Node::Kind::call:
-      if (const auto other = partner_functions.find(tree->text); other != exchanged.end()) {
+      if (const auto other = partner_functions.find(tree->text); other != partner_functions.end()) {
         auto copy = std::make_shared<Node>(*tree);
         copy->text = other->second;
         result.push_back({copy, "sin_cos"});
