@@ -35,9 +35,12 @@ struct Generator {
   std::string function = {};  ///< its name in our syntax; empty of symbols and pi; sqrt of all roots
 };
 
-/// The signs of the numbers in an interval; and the interval of the numbers that have one of these signs.
+/// All numbers that are not negative, and all that are positive.
+inline Interval nonnegative_numbers() { return {End{{}, 0, true}, End{{}, 1}}; }
+inline Interval positive_numbers() { return {End{{}, 0, false}, End{{}, 1}}; }
+
+/// The signs of the numbers in an interval.
 Signs signs_of(const Interval& values);
-Interval values_of(Signs signs);
 
 /// A polynomial of the ring and the signs that it has.
 struct Fact {
@@ -95,10 +98,10 @@ class Ring {
  private:
   Fraction reduced(const Polynomial& p) const;
   Interval range_of(const Polynomial& p) const;
-  Signs known_signs(const Polynomial& p) const;
   Signs signs_of(const Polynomial& p, int depth) const;
-  Signs signs_of_irreducible(const Polynomial& p, int depth) const;
-  bool narrow(const Polynomial& p, const Interval& values);
+  Signs signs_of_coefficients(const Polynomial& p, int depth) const;
+  Signs signs_of_quadratic(const Polynomial& p, int depth) const;
+  void narrow(const Polynomial& p, Signs signs);
   bool narrow(int generator, const Interval& range);
   bool narrow_backwards(const Generator& g);
   void propagate();
