@@ -19,7 +19,7 @@ nav{font-size:.9rem;display:flex;justify-content:space-between;gap:1rem}a{color:
 .about{background:#f1f3f0;padding:.6rem .9rem;border-radius:4px;font-size:.95rem}.about p{margin:.3rem 0}
 math{font-family:"Rederive Math",math;font-size:1.12em}
 .formula{margin:.8rem 0 .8rem 1.2rem;display:flex;gap:.8rem;align-items:center;justify-content:space-between}
-.formula>div{overflow-x:auto;min-width:0;padding:.15rem 0}.formula math{margin:.15em 0}
+.formula>div{overflow:auto hidden;min-width:0;padding:.35rem 0}.formula math{margin:.15em 0}
 .ledger{border-left:4px solid #888;background:#f6f6f2;padding:.4rem .8rem;margin:1rem 0;font-size:.93rem;overflow-x:auto}
 .ledger.proved,.ledger.proved_under{border-color:#2e8b57}.ledger.refuted{border-color:#c0392b}
 .ledger.approximation{border-color:#c98a1b}.ledger p{margin:.25rem 0}
