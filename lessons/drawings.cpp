@@ -40,10 +40,6 @@ std::string line(Place from, Place to, const std::string& style) {
   return fmt::format("set arrow from {:.3f},{:.3f} to {:.3f},{:.3f} {}\n", from.x, from.y, to.x, to.y, style);
 }
 
-}  // namespace
-
-namespace {
-
 constexpr auto bare = "unset border; unset tics; unset key\nset size ratio -1\n";
 
 /// A vector with its name at its head.
@@ -85,7 +81,7 @@ Figure block_with_forces(const std::string& name, const std::string& caption,
     script += label(theta < 0 ? "O" : "O′", {pivot.x + 0.3, -0.25});
     blocks += fmt::format("{}$block{} with lines lw 2 lc rgb 'black'", i == 0 ? "" : ", ", i);
   }
-  return {name, caption, script + "" + blocks + "\n"};
+  return {name, caption, script + blocks + "\n"};
 }
 
 Figure block_at_impact(const std::string& name) {

@@ -51,8 +51,8 @@ struct ClosedForm {
 };
 
 /// Every root of the forms, all or those wanted, that apply to the pulse and the initial conditions, psi in
-/// (0, pi), for (103) in
-/// (-pi/2, pi/2), impact times up to three times the pulse but at most 10 beyond it; 0.01 <= omega_p/p.
+/// (0, pi), for (103) in (-pi/2, pi/2), impact times up to three times the pulse but at most 10 beyond it;
+/// 0.01 <= omega_p/p.
 /// Each is proven: a continuous function, evaluated in balls, has certain and opposite signs at the ends of a
 /// ball. Whether a root is admissible is found by following the motion that it stands for. The bits of the
 /// balls are raised until all is certain; throws NotCertain if Ball::most_bits are not enough.

@@ -8,7 +8,7 @@ SpectrumPoint spectrum_point(const PulseCase& asked, const WindowSearch& search)
   SpectrumPoint point;
   point.omega_ratio = asked.omega_ratio;
   const auto windows = overturning_windows(asked, search);
-  if (!windows.empty()) point.minimum = windows.front().from, point.code = windows.front().code;
+  if (const auto least = least_window(windows)) point.minimum = least->from, point.code = least->code;
   for (const Window& window : windows) {
     if (std::abs(window.code) == 1 && !point.mode1) point.mode1 = window.from;
     if (std::abs(window.code) != 2) continue;

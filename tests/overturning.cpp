@@ -53,12 +53,17 @@ TEST_CASE("windows after three, five and seven impacts are found, in both models
       CHECK(std::any_of(windows.begin(), windows.end(), [&](const Window& w) { return w.code == code; }));
     for (const Window& window : windows) {
       const double near = exactness_of_edges(model);  // to which GSL and the kernels agree
-      const auto code = [&](double amplitude) { return outcome_at(of, amplitude).code; };
-      CHECK(code(window.from * (1 + near)) == window.code);
-      CHECK(code(window.from * (1 - near)) != window.code);
+      const auto by_gsl = [&](double amplitude) { return outcome_at(of, amplitude).code; };
+      const auto code = [&](double amplitude) { return outcomes_at(exactly(of), {amplitude}).front().code; };
+      CHECK(code(window.from) == window.code);
+      CHECK(code(std::nextafter(window.from, 0)) != window.code);
+      CHECK(by_gsl(window.from * (1 + near)) == window.code);
+      CHECK(by_gsl(window.from * (1 - near)) != window.code);
       if (!window.to) continue;
-      CHECK(code(*window.to * (1 - near)) == window.code);
-      CHECK(code(*window.to * (1 + near)) != window.code);
+      CHECK(code(*window.to) == window.code);
+      CHECK(code(std::nextafter(*window.to, 100)) != window.code);
+      CHECK(by_gsl(*window.to * (1 - near)) == window.code);
+      CHECK(by_gsl(*window.to * (1 + near)) != window.code);
     }
   }
 }
