@@ -5,6 +5,7 @@
 #include <derivations/emit/command_line.hpp>
 #include <lessons/certify/check.hpp>
 #include <regex>
+#include <set>
 #include <sstream>
 
 namespace rederive {
@@ -70,15 +71,18 @@ std::vector<std::string> axioms_in(const std::string& output) {
   return result;
 }
 
-/// What lemmas of one file assume, taken together: asked for one by one, each goes through all of Coq's
-/// reals.
-std::vector<std::string> axioms_of(const Folder& folder, const std::string& file,
-                                   const std::vector<const Lemma*>& lemmas) {
-  std::string names;
-  for (const Lemma* lemma : lemmas) names += (names.empty() ? "" : ", ") + lemma->name;
-  write_whole(folder.path / "Assumptions.v", "From Rederive Require Import " +
-                                                 file.substr(0, file.size() - 2) + ".\nDefinition all := (" +
-                                                 names + ").\nPrint Assumptions all.\n");
+/// What lemmas assume, taken together: asked for one by one, each goes through all of Coq's reals.
+std::vector<std::string> axioms_of(const Folder& folder, const std::vector<const Lemma*>& lemmas) {
+  std::set<std::string> files;
+  std::string imported, names;
+  for (const Lemma* lemma : lemmas) {
+    files.insert(lemma->file.substr(0, lemma->file.size() - 2));
+    names += (names.empty() ? "" : ", ") + lemma->name;
+  }
+  for (const std::string& file : files) imported += " " + file;
+  write_whole(folder.path / "Assumptions.v", "From Rederive Require Import" + imported +
+                                                 ".\nDefinition all := (" + names +
+                                                 ").\nPrint Assumptions all.\n");
   const Run run = compile(folder, "Assumptions.v");
   if (run.status != 0) throw std::runtime_error("coqc does not say what the lemmas assume: " + run.output);
   return axioms_in(run.output);
@@ -121,7 +125,7 @@ std::vector<Checked> check(const std::vector<Lemma>& lemmas,
   }
   std::map<std::string, std::vector<const Lemma*>> by_file;
   std::map<const Lemma*, std::string> errors;
-  std::map<const Lemma*, std::vector<std::string>> axioms;
+  std::vector<const Lemma*> passed;
   for (const Lemma& lemma : lemmas)
     if (lemma.text.empty() && !ships(lemma))
       errors[&lemma] = "there is no script: " + lemma.why;
@@ -133,15 +137,16 @@ std::vector<Checked> check(const std::vector<Lemma>& lemmas,
     const Run whole = is_shipped ? compile(folder, file) : Run{0, ""};
     if (whole.status != 0)
       for (const Lemma* lemma : all) errors[lemma] = whole.output;
-    const auto passed = is_shipped ? (whole.status == 0 ? all : std::vector<const Lemma*>{})
-                                   : passing(folder, file, all, errors);
-    const auto found = passed.empty() ? std::vector<std::string>{} : axioms_of(folder, file, passed);
-    for (const Lemma* lemma : passed) axioms[lemma] = found;
+    const auto good = is_shipped ? (whole.status == 0 ? all : std::vector<const Lemma*>{})
+                                 : passing(folder, file, all, errors);
+    passed.insert(passed.end(), good.begin(), good.end());
   }
+  progress("what they assume");
+  const auto axioms = passed.empty() ? std::vector<std::string>{} : axioms_of(folder, passed);
   std::vector<Checked> result;
   for (const Lemma& lemma : lemmas) {
     const bool has_passed = !errors.contains(&lemma);
-    result.push_back({has_passed, errors[&lemma], axioms[&lemma]});
+    result.push_back({has_passed, errors[&lemma], has_passed ? axioms : std::vector<std::string>{}});
   }
   return result;
 }

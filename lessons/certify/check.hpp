@@ -10,7 +10,7 @@ namespace rederive {
 struct Checked {
   bool passed = false;
   std::string error;                ///< else what coqc says
-  std::vector<std::string> axioms;  ///< what the lemmas of its file assume, by Print Assumptions
+  std::vector<std::string> axioms;  ///< what all that passed assume together, by Print Assumptions
 };
 
 /// Whether coqc can be run.
