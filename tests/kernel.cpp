@@ -106,8 +106,8 @@ TEST_CASE("everything passes Coq's kernel, coqchk takes it, and it assumes the r
   static const std::regex axiom("(^|\n)([A-Za-z_][\\w.']*)(?= :|\n)");
   std::string files, imported, all;
   for (const auto& [file, theirs] : names) {
-    // Bounds.v and what it proves is not for coqchk, which has no virtual machine to compute with.
-    if (file != "Bounds" && file != "Thresholds" && file != "OneImpact") files += " -norec Rederive." + file;
+    // Intervals.v has no proof of ours, and coqchk does not come to an end with the library's exp_fast_correct.
+    if (file != "Intervals") files += " -norec Rederive." + file;
     imported += " " + file;
     if (!theirs.empty()) all += (all.empty() ? "" : ", ") + theirs;
   }
@@ -119,7 +119,7 @@ TEST_CASE("everything passes Coq's kernel, coqchk takes it, and it assumes the r
   for (std::sregex_iterator at(assumed.out.begin(), assumed.out.end(), axiom), end; at != end; ++at, ++axioms)
     CHECK_MESSAGE(((*at)[2] == "Axioms:" || reals.contains((*at)[2])), (*at)[2].str());
   CHECK(axioms >= 3);
-  const Result checked = coq(scripts, "coqchk", "-silent" + files);
+  const Result checked = coq(scripts, "coqchk", "-silent -bytecode-compiler yes" + files);
   CHECK_MESSAGE(checked.exit_code == 0, checked.err);
 }
 

@@ -1,13 +1,7 @@
 (* Numbers: what is proved by interval arithmetic. *)
-From Rederive Require Export Rederive.
-From Interval Require Import Float.Specific_stdz Float.Specific_ops.
-From Interval Require Export Tactic.
+From Rederive Require Export Rederive Intervals.
 Require Export Ranalysis5.
-
-(* Interval arithmetic with Coq's own integers: it assumes nothing of the machine's numbers. *)
-Module Integers := SpecificFloat StdZRadix2.
-Module Bounds := IntervalTactic Integers.
-Export Bounds.
+Export IntegerIntervals.
 Ltac bounds := interval with (i_prec 60).
 
 (* A root between two numbers at which a continuous function has different signs. *)

@@ -20,7 +20,7 @@ struct Lemma {
 std::optional<Lemma> lemma_of(const Entry& entry);
 
 /// What lemmas are proved with, in the order in which it compiles, and the files of theorems that ship.
-inline constexpr std::array prelude{"Rederive.v", "Bounds.v", "Solutions.v"};
+inline constexpr std::array prelude{"Rederive.v", "Intervals.v", "Bounds.v", "Solutions.v"};
 inline constexpr std::array theorem_files{"Initiation.v", "Derivations.v", "Responses.v",
                                           "Claims.v",     "Thresholds.v",  "OneImpact.v"};
 /// Whether a lemma is one of theirs.
