@@ -48,15 +48,6 @@ std::string whole_file(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The letters of formulas, subset of Latin Modern Math; nothing where the build had neither font nor
-/// fonttools.
-std::string math_font() {
-  const std::string font = whole_file(REDERIVE_MATH_FONT);
-  return font.empty() ? ""
-                      : "<style>@font-face{font-family:\"Rederive Math\";src:url(data:font/woff2;base64," +
-                            base64(font) + ")}</style>\n";
-}
-
 class HtmlRenderer : public Renderer {
  public:
   explicit HtmlRenderer(const Setting& setting) : setting_(setting) {}
@@ -68,7 +59,7 @@ class HtmlRenderer : public Renderer {
     return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
            "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
            "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-           title + "</title>\n" + style + math_font() + "\n</head>\n<body>\n" + navigation() + "<h1>" +
+           title + "</title>\n" + style + math_font_style() + "\n</head>\n<body>\n" + navigation() + "<h1>" +
            title + "</h1>\n<div class=\"about\">\n<p><b>Teaches:</b> " + flat(lesson.teaches) +
            "</p>\n<p><b>Builds on:</b> " + flat(lesson.builds_on) + "</p>\n" +
            (ids.empty() ? "" : "<p><b>Equations:</b> " + ids + "</p>\n") + "</div>\n";
@@ -181,6 +172,13 @@ class HtmlRenderer : public Renderer {
 };
 
 }  // namespace
+
+std::string math_font_style() {
+  const std::string font = whole_file(REDERIVE_MATH_FONT);
+  return font.empty() ? ""
+                      : "<style>@font-face{font-family:\"Rederive Math\";src:url(data:font/woff2;base64," +
+                            base64(font) + ")}</style>\n";
+}
 
 std::unique_ptr<Renderer> html_renderer(const Setting& setting) {
   return std::make_unique<HtmlRenderer>(setting);

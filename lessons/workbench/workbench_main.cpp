@@ -1,0 +1,92 @@
+// Writes the workbench at build time: the element that lessons hold, and the page of its own.
+// Usage: workbench_page FOLDER SOURCES
+#include <derivations/emit/emit.hpp>
+#include <derivations/paper/ledger.hpp>
+#include <derivations/rocking_block/pulse.hpp>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <lessons/render.hpp>
+#include <stdexcept>
+
+using namespace rederive;
+
+namespace {
+
+std::string whole_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// (88) as printed, left less right, to be drawn beside what is derived.
+EmittedFunction printed_88() {
+  for (const Row& row : read_rows(equations_file()))
+    if (row.id == "88") {
+      const Relation printed = parse_relation(row.printed);
+      const GiNaC::ex residual = lower(printed.sides.front()) - lower(printed.sides.back());
+      return {"overturning_impact_during_pulse_as_printed",
+              {paper::omega_p, paper::p, paper::psi, paper::t_i, paper::t, paper::e},
+              residual.subs(paper::T_ex == end_of_pulse(Pulse::sine)),
+              {},
+              "88",
+              "As printed, with a running t: vanishes where an impact leads to the threshold"};
+    }
+  throw std::runtime_error("there is no row (88)");
+}
+
+/// What emit writes of the functions that the page calls, in a scope of its own.
+std::string physics(const std::string& script) {
+  std::vector<EmittedFunction> functions = emitted_functions();
+  functions.push_back(printed_88());
+  std::vector<TaylorStepper> steppers = taylor_steppers();
+  // The script names a pair by what both sides have in common.
+  const auto is_unused = [&](const auto& f) {
+    std::string name = f.name;
+    for (const std::string side : {"_negative", "_positive"})
+      if (name.ends_with(side)) name.resize(name.size() - side.size());
+    if (name.starts_with("linear_")) name.erase(0, 7);
+    return script.find(name) == std::string::npos;
+  };
+  std::erase_if(functions, is_unused);
+  std::erase_if(steppers, is_unused);
+  std::string text = emit(functions, Target::javascript, true, steppers), names;
+  // "export function NAME(", "export class NAME {"
+  for (std::size_t at = 0; (at = text.find("\nexport ", at)) != std::string::npos;) {
+    text.erase(++at, std::string("export ").size());
+    const std::size_t name = text.find(' ', at) + 1;
+    names += text.substr(name, text.find_first_of("( ", name) - name) + ", ";
+  }
+  return "const emitted = (() => {\n" + text + "\nreturn { " + names + "};\n})();\n";
+}
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  if (!(out << text).flush()) throw std::runtime_error("cannot write " + file.string());
+}
+
+void write_all(const std::filesystem::path& folder, const std::filesystem::path& sources) {
+  const std::string motion = whole_file(sources / "motion.js") + whole_file(sources / "map.js");
+  std::string scripts;
+  for (const char* name : {"case.js", "views.js", "workbench.js"}) scripts += whole_file(sources / name);
+  const std::string element = "<style>\n" + whole_file(sources / "workbench.css") + "</style>\n" +
+                              whole_file(sources / "element.html") + "<script class=\"workbench-physics\">\n" +
+                              physics(motion) + motion + "</script>\n<script>\n" + scripts + "</script>\n";
+  write(folder / "workbench_element.html", element);
+  write(folder / "workbench.html", whole_file(sources / "head.html") + math_font_style() +
+                                       "</head>\n<body class=\"own\">\n<h1>The rocking block</h1>\n" + element +
+                                       "</body>\n</html>\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    if (argc != 3) throw std::runtime_error("usage: workbench_page FOLDER SOURCES");
+    write_all(argv[1], argv[2]);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "workbench_page: " << error.what() << "\n";
+    return 3;
+  }
+}
