@@ -151,6 +151,7 @@ void phase_portrait(Page& page) {
     Two things are left out here. A real block loses energy each time it passes through the upright
     position; that is lesson 5. And the corners of the curves on the axis $theta = 0$ are no fault of the
     plot: they are the jump in the acceleration.)");
+  page.workbench("--omega 2 --amplitude 1.5 --model nonlinear");
 }
 
 void try_it(Page& page) {

@@ -85,6 +85,7 @@ void total_energy(Page& page) {
   page.verdict("22a");
   page.lemma("22a");
   page.verdict("22b");
+  page.workbench("--omega 2 --amplitude 0 --theta0 0.24 --model nonlinear");
 }
 
 void the_sign(Page& page) {

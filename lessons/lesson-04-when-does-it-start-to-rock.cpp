@@ -48,6 +48,7 @@ void the_first_instant(Page& page) {
   page.say(R"(
     And if it is larger, the acceleration must be negative, because an acceleration to the right turns the
     block to the left, $theta < 0$. The formula says so too.)");
+  page.workbench("--omega 2 --amplitude 1.03 --model nonlinear");
 }
 
 void does_it_slide(Page& page) {

@@ -131,6 +131,7 @@ void decay(Page& page) {
       "Rotation and rate of a block with $alpha = 0.25$ under one sine pulse; the rate jumps at each impact.",
       "set xlabel 'p t'; set ylabel 'θ / α   and   rate / (α p)'",
       {{motion.angle, "θ / α", "with lines ls 1"}, {motion.velocity, "rate / (α p)", "with lines ls 2"}}));
+  page.workbench("--omega 2 --amplitude 1.2");
 }
 
 void try_it(Page& page) {

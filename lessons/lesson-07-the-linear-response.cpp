@@ -125,6 +125,7 @@ void how_good(Page& page) {
     nonlinear one approaches it as the block becomes more slender, and the difference falls with the square
     of $alpha$: halve the angle and a quarter of it is left. An approximation whose error behaves as the
     theory says is one that you may trust.)");
+  page.workbench("--omega 2 --amplitude 2.2");
 }
 
 void try_it(Page& page) {

@@ -100,6 +100,7 @@ void two_brackets(Page& page) {
     There they are, both of them, to the last digit. The figures show the nonlinear solution in another unit
     than the one in the caption. Nothing is lost, since we can say now what the numbers mean. But whoever
     had tested his own program for (71) against them would have looked for an error that is not there.)");
+  page.workbench("--omega 2 --amplitude 2.36");
 }
 
 void a_false_root(Page& page) {

@@ -55,6 +55,7 @@ void a_lost_index(Page& page) {
     line, (95), says it properly.)");
   page.result("95a");
   page.result("95b");
+  page.workbench("--omega 3 --amplitude 1.41");
 }
 
 void after_the_pulse(Page& page) {

@@ -111,6 +111,7 @@ void in_numbers(Page& page) {
     One hundredth of a radian is a sheet of cardboard under one corner, and it changes the result visibly.
     So a number such as 2.3577 with five digits describes a perfect block on a perfect floor. For a real one
     the first digit is about right. That is worth knowing before one compares a calculation with a code.)");
+  page.workbench("--omega 2 --amplitude 3 --theta0 -0.01 --thetadot0 -0.1");
 }
 
 void try_it(Page& page) {

@@ -143,6 +143,7 @@ void what_to_believe(Page& page) {
       {{first.angle, fmt::format("{:.2f}: {}", fallen.amplitude, in_words(first.code)), "with lines ls 2"},
        {second.angle, fmt::format("{:.2f}: {}", stands.amplitude, in_words(second.code)),
         "with lines ls 1"}}));
+  page.workbench("--omega 5 --amplitude 4.5");
 }
 
 void try_it(Page& page) {

@@ -57,6 +57,7 @@ void the_amplitudes(Page& page) {
   page.say(R"(
     Compare the rows for one and for four with the paper's numbers, one and two. A curve read from a figure
     is worth one digit, and one should say that it was read from a figure.)");
+  page.workbench("--omega 4 --amplitude 2");
 }
 
 void not_the_same_thing(Page& page) {

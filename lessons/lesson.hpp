@@ -37,9 +37,10 @@ struct Table {
 struct Figure {
   std::string name, caption, script;
 };
-/// Commands to type, one a line.
+/// Commands to type, one a line; or, in a web page, the workbench at the case that they ask for.
 struct Commands {
   std::vector<std::string> lines;
+  std::string workbench = {};  ///< options of `rocking response`
 };
 /// A list of points, each like a Paragraph.
 struct BulletList {
@@ -80,6 +81,8 @@ class Page {
   void table(std::vector<std::string> header, std::vector<std::vector<std::string>> rows);
   void figure(Figure figure);
   void commands(std::vector<std::string> lines);
+  /// A case to play with, by the options of `rocking response`.
+  void workbench(const std::string& options);
   void points(std::vector<std::string> items);
 
   const std::vector<Passage>& blocks() const { return blocks_; }

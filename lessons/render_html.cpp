@@ -151,7 +151,17 @@ class HtmlRenderer : public Renderer {
     return "<figure>" + image + "<figcaption>" + flat(part.caption) + "</figcaption></figure>\n";
   }
 
+  /// The element and its scripts, opened at a case.
+  static std::string workbench(const std::string& options) {
+    std::string text = whole_file(REDERIVE_WORKBENCH_ELEMENT);
+    const std::string place = "data-case=\"";
+    const std::size_t at = text.find(place);
+    if (at == std::string::npos) throw std::runtime_error("the workbench is not built");
+    return text.insert(at + place.size(), escaped(options));
+  }
+
   static std::string render(const Commands& part) {
+    if (!part.workbench.empty()) return workbench(part.workbench);
     std::string text = "<pre>";
     for (const auto& line : part.lines) text += escaped(line) + "\n";
     return text + "</pre>\n";

@@ -324,8 +324,8 @@ class Workbench {
     const names = curves.filter(drawn).map(({ name }) => `${name} ${style[name]}`).join("; ");
     const words = chosen === "none" ? "" : chosen === "corrected"
       ? `${names || "No curve"}: roots at which the linear block's motion does change; in (88) the time is that of the impact.`
-      : `${names || "No curve"}: every root. In (88) a running t is printed; here p t is the τ of the player, ` +
-        `${this.time.toFixed(2)}, and the curve moves with it.`;
+      : `${names || "No curve"}: every root. (88) is printed with a running t: here that of the player, ` +
+        `p t = ${this.time.toFixed(2)}, and the curve moves with it.`;
     const text = curves.length || chosen === "none" ? words : "Curves are being computed.";
     const place = this.find(".about-curves");
     if (place.textContent !== text) place.textContent = text;
