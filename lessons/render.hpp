@@ -54,8 +54,8 @@ std::optional<std::filesystem::path> draw(const Figure& figure, const std::strin
 /// LaTeX as `print` writes it → MathML, which browsers draw without help. Throws std::invalid_argument naming
 /// a command that it does not know.
 std::string mathml(const std::string& latex);
-/// The letters of formulas in pages, subset of Latin Modern Math; nothing where the build had neither font nor
-/// fonttools.
+/// The letters of formulas in pages, subset of Latin Modern Math; nothing where the build had neither font
+/// nor fonttools.
 std::string math_font_style();
 /// Text for HTML, with & < > " escaped.
 std::string escaped(const std::string& text);

@@ -13,12 +13,12 @@ constexpr auto probe = R"(<!doctype html><meta charset="utf-8"><body><pre id="ou
 document.getElementById('f').onload = function () {
   const d = this.contentDocument, w = [];
   for (const e of d.querySelectorAll('body *')) {
-    const inside = e.closest('.formula>div,.ledger,.wide,pre');
+    const inside = e.closest('.formula>div,.ledger,.wide,pre,.workbench option');
     if (!inside && e.getBoundingClientRect().right > 361) w.push(e.tagName);
   }
   document.getElementById('out').textContent = 'width ' + d.documentElement.scrollWidth + ' wide [' + w.join() + '] math ' +
     d.querySelectorAll('math').length + ' flat ' + [...d.querySelectorAll('math')].filter(m => m.getBoundingClientRect().height < 5).length +
-    ' requests ' + this.contentWindow.performance.getEntriesByType('resource').filter(r => !r.name.startsWith('data:')).length + ' end';
+    ' requests ' + this.contentWindow.performance.getEntriesByType('resource').filter(r => !/^(data|blob):/.test(r.name)).length + ' end';
 };</script>)";
 
 std::string dump(const std::filesystem::path& folder) {

@@ -14,7 +14,8 @@ class OutcomeMap {
     for (const worker of this.workers) worker.onmessage = ({ data }) => data.job === this.job && this.take(data);
   }
   start(c, omegas, amplitudes) {
-    Object.assign(this, { omegas, amplitudes, cells: new Array(omegas.count * amplitudes.count), curves: [] });
+    const count = omegas.count * amplitudes.count;
+    Object.assign(this, { omegas, amplitudes, cells: new Array(count), fineness: new Array(count).fill(Infinity), curves: [] });
     this.waits = this.workers.length, this.began = performance.now(), this.seconds = null;
     ++this.job, ++this.version;
     this.workers.forEach((worker, share) =>
@@ -26,11 +27,16 @@ class OutcomeMap {
     if (done && --this.waits === 0) this.seconds = (performance.now() - this.began) / 1000;
     codes?.forEach((code, k) => {
       for (let i = column; code !== undefined && i < Math.min(column + stride, omegas.count); ++i)
-        for (let j = k * stride; j < Math.min((k + 1) * stride, amplitudes.count); ++j)
-          this.cells[i * amplitudes.count + j] = code;
+        for (let j = k * stride; j < Math.min((k + 1) * stride, amplitudes.count); ++j) {
+          const at = i * amplitudes.count + j;  // another worker may be ahead
+          if (stride <= this.fineness[at]) this.cells[at] = code, this.fineness[at] = stride;
+        }
     });
-    ++this.version;
-    this.changed();
+    this.soon ??= setTimeout(() => {  // to draw it takes time that the workers want
+      this.soon = null;
+      ++this.version;
+      this.changed();
+    }, 100);
   }
 }
 

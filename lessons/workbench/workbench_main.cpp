@@ -70,12 +70,13 @@ void write_all(const std::filesystem::path& folder, const std::filesystem::path&
   std::string scripts;
   for (const char* name : {"case.js", "views.js", "workbench.js"}) scripts += whole_file(sources / name);
   const std::string element = "<style>\n" + whole_file(sources / "workbench.css") + "</style>\n" +
-                              whole_file(sources / "element.html") + "<script class=\"workbench-physics\">\n" +
-                              physics(motion) + motion + "</script>\n<script>\n" + scripts + "</script>\n";
+                              whole_file(sources / "element.html") +
+                              "<script class=\"workbench-physics\">\n" + physics(motion) + motion +
+                              "</script>\n<script>\n" + scripts + "</script>\n";
   write(folder / "workbench_element.html", element);
   write(folder / "workbench.html", whole_file(sources / "head.html") + math_font_style() +
-                                       "</head>\n<body class=\"own\">\n<h1>The rocking block</h1>\n" + element +
-                                       "</body>\n</html>\n");
+                                       "</head>\n<body class=\"own\">\n<h1>The rocking block</h1>\n" +
+                                       element + "</body>\n</html>\n");
 }
 
 }  // namespace

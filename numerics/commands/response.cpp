@@ -1,13 +1,12 @@
 // rocking response: outcome, events and time history.
-#include <numerics/commands/options.hpp>
-#include <numerics/figures.hpp>
-#include <numerics/story.hpp>
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <numerics/commands/options.hpp>
+#include <numerics/figures.hpp>
+#include <numerics/story.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -153,8 +152,7 @@ std::string page_of(const ResponseCommand& options, const Block& block) {
 }
 
 int response(const ResponseCommand& options) {
-  if (!options.page.empty() && !options.record.empty())
-    throw BadInput("--page shows a pulse, and no record");
+  if (!options.page.empty() && !options.record.empty()) throw BadInput("--page shows a pulse, and no record");
   Told told;
   told.block = block_of(options.common);
   told.model = options.common.model;
@@ -201,4 +199,4 @@ void add_response(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return response(*options); }; });
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric
