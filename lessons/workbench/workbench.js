@@ -67,8 +67,7 @@ class Workbench {
 
   open(text) {
     this.complaint = "";
-    this.state = stateFrom(text, (words) => (this.complaint = words));
-    this.set({});
+    this.set(stateFrom(text, (words) => (this.complaint = words)));
   }
 
   /// Changes the case, and all that follows from it.
@@ -84,7 +83,7 @@ class Workbench {
       this.find(".error").textContent = this.complaint;
     } catch (error) {
       this.find(".error").textContent = error.message;
-      if (!this.motion) this.state = stateFrom(""), this.motion = motionOf(caseOf(this.state));
+      if (!this.state) this.state = stateFrom(""), this.motion = motionOf(caseOf(this.state));
     }
     this.complaint = "";
     this.time = Math.min(this.time, this.motion.end);
@@ -157,7 +156,11 @@ class Workbench {
     const redraw = () => this.draw();
     new ResizeObserver(redraw).observe(section);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
-    for (const event of ["beforeprint", "afterprint"]) window.addEventListener(event, () => this.drawNow());
+    for (const event of ["beforeprint", "afterprint"])
+      window.addEventListener(event, () => {
+        section.classList.toggle("printing", event === "beforeprint");  // ink on paper, though the screen be dark
+        this.drawNow();
+      });
     if (this.own) window.addEventListener("hashchange", () => this.open(location.hash));
     else new IntersectionObserver((seen, observer) => {
       if (!seen.some((entry) => entry.isIntersecting)) return;
