@@ -157,8 +157,7 @@ int main(int argc, char** argv) {
           "Impulsive forces and the right point for moments; integration over a body; what an assumption "
           "costs.",
       .builds_on = "Lessons 1 to 3; angular momentum.",
-      .equations = {"34",  "u12a", "u12b", "35",  "u13", "36", "37a", "37b", "38",  "39",  "40a",
-                    "40b", "41",   "42a",  "43a", "43b", "44", "45a", "45b", "u16", "46a", "46b"},
+      .equations = equations_of(5),
       .steps = {{"What happens at the impact?", what_happens},
                 {"Before", before},
                 {"A slip in a limit", a_slip},

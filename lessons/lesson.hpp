@@ -104,6 +104,10 @@ struct Lesson {
   std::vector<LessonStep> steps;
 };
 
+/// The ids of the rows that a lesson covers, and the first lesson that covers a row, 0 if none does.
+std::vector<std::string> equations_of(int lesson);
+int lesson_with(const std::string& id);
+
 /// The derivation of an equation of the paper. Throws std::out_of_range naming the id if there is none.
 Derivation derived(const std::string& id);
 /// The ledger's entry of a row, judged now. Throws std::out_of_range naming the id.

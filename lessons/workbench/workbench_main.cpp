@@ -65,18 +65,27 @@ void write(const std::filesystem::path& file, const std::string& text) {
   if (!(out << text).flush()) throw std::runtime_error("cannot write " + file.string());
 }
 
+/// The same without what emit says of each function: lessons are long enough.
+std::string without_documentation(std::string text) {
+  for (std::size_t at = 0; (at = text.find("/**", at)) != std::string::npos;)
+    text.erase(at, text.find("*/", at) + 3 - at);
+  return text;
+}
+
 void write_all(const std::filesystem::path& folder, const std::filesystem::path& sources) {
   const std::string motion = whole_file(sources / "motion.js") + whole_file(sources / "map.js");
   std::string scripts;
   for (const char* name : {"case.js", "views.js", "workbench.js"}) scripts += whole_file(sources / name);
-  const std::string element = "<style>\n" + whole_file(sources / "workbench.css") + "</style>\n" +
-                              whole_file(sources / "element.html") +
-                              "<script class=\"workbench-physics\">\n" + physics(motion) + motion +
-                              "</script>\n<script>\n" + scripts + "</script>\n";
-  write(folder / "workbench_element.html", element);
+  const auto element = [&](const std::string& emitted) {
+    return "<style>\n" + whole_file(sources / "workbench.css") + "</style>\n" +
+           whole_file(sources / "element.html") + "<script class=\"workbench-physics\">\n" + emitted +
+           motion + "</script>\n<script>\n" + scripts + "</script>\n";
+  };
+  const std::string emitted = physics(motion);
+  write(folder / "workbench_element.html", element(without_documentation(emitted)));
   write(folder / "workbench.html", whole_file(sources / "head.html") + math_font_style() +
                                        "</head>\n<body class=\"own\">\n<h1>The rocking block</h1>\n" +
-                                       element + "</body>\n</html>\n");
+                                       element(emitted) + "</body>\n</html>\n");
 }
 
 }  // namespace
