@@ -74,6 +74,11 @@ async function mapOf(options) {
     return { code, time, impacts: events.filter((event) => event.kind === "impact").map((event) => event.time) };
   }), maps: [] };
   for (const options of asked.maps) found.maps.push(await mapOf(options));
+  const rests = caseOf(stateFrom(""));
+  found.forms = [2, 3, 5, 6.5].map((omega) => curvesOf(rests, { from: omega, to: omega, count: 1 }));
+  const tau = 1.0863845219098776;
+  found.printed = [tau, tau + 0.5].map((t) => emitted.overturning_impact_during_pulse_as_printed(3, 1, 0.7, tau, t, 0.9) -
+    emitted.overturning_impact_during_pulse(3, 0.7, tau, 0.9));
   found.opened = commandOf(workbenches[0].state);
   found.said = document.querySelector(".state").textContent;
   found.requests = performance.getEntriesByType("resource").map((one) => one.name).filter((name) => !/^(data|blob):/.test(name));
@@ -156,6 +161,45 @@ TEST_CASE("the map of the workbench is that of rocking map, cell by cell, in all
     CHECK(found[i] == cells);
     CHECK(std::set<Json>(cells.begin(), cells.end()).size() > 1);
   }
+}
+
+TEST_CASE("the curves are the closed forms of rocking threshold, those that are true and the others") {
+  if (!has_tool("chromium")) return;
+  const std::vector<std::string> omegas{"2", "3", "5", "6.5"};
+  int compared = 0, real = 0;
+  for (std::size_t i = 0; i < omegas.size(); ++i) {
+    const Json expected =
+        Json::parse(run_program("rocking", {"threshold", "--omega", omegas[i], "--json"}).out);
+    for (const Json& curve : found_in_browser()["forms"][i]) {
+      std::vector<double> amplitudes = curve["points"][0][1];
+      const std::vector<bool> is_real = curve["points"][0][2];
+      CAPTURE(curve.dump());
+      for (const Json& form : expected["closed_forms"]) {
+        const Json& numbers = form["equations"];
+        const bool same =
+            curve["name"] == "(" + numbers[0].get<std::string>() + ")" +
+                                 (numbers.size() > 1 ? ", (" + numbers[1].get<std::string>() + ")" : "");
+        if (!same) continue;
+        const double amplitude = form["amplitude"];
+        const auto at = std::find_if(amplitudes.begin(), amplitudes.end(), [&](double found) {
+          return std::abs(found - amplitude) < 1e-9 * amplitude;
+        });
+        if (form["admissible"] == true) REQUIRE(at != amplitudes.end());
+        if (at == amplitudes.end()) continue;  // an impact after the pulse by an equation for one during it
+        ++compared;
+        const bool drawn = is_real[static_cast<std::size_t>(at - amplitudes.begin())];
+        const bool ends =
+            form["why_not"].is_string() && form["why_not"].get<std::string>().starts_with("not a minimum");
+        CHECK(drawn == (form["admissible"] == true || ends));
+        real += drawn ? 1 : 0;
+      }
+    }
+  }
+  CHECK(compared > 12);
+  CHECK(real > 8);
+  CHECK(std::abs(found_in_browser()["printed"][0].get<double>()) <
+        1e-12);  // (88) as printed holds at t = t_i alone
+  CHECK(std::abs(found_in_browser()["printed"][1].get<double>()) > 0.1);
 }
 
 TEST_CASE("a page is opened at its case, says it in words, and asks nothing of the network") {

@@ -49,7 +49,7 @@ const digits = (x, n = 4) => String(Number(x.toPrecision(n))).replace("-", "−"
 
 /// The words of `rocking` for a code.
 function wordsFor(code) {
-  if (code === null) return "no such pulse";
+  if (code === null) return "no pulse: the ground never pushes hard enough for rocking to start";
   if (code === 0) return "safe";
   const impacts = Math.abs(code) - 1;
   return `overturns to θ ${code < 0 ? "<" : ">"} 0 ` +

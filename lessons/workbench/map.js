@@ -79,14 +79,18 @@ const forms = {
   "(103)": { code: 1, amplitudes: ({ omega, push }) =>
     rootsOf((psi) => emitted.overturning_cosine_pulse(omega, psi, push), inside - Math.PI / 2, Math.PI / 2 - inside, 300)
       .map((psi) => emitted.amplitude_of_cosine_pulse(1, psi)) },
+  "(r15)": { code: 1, amplitudes: ({ omega }) =>  // ours: the paper has none from rest
+    rootsOf((psi) => emitted.overturning_cosine_pulse_from_rest(omega, 1, psi), inside, Math.PI / 2 - inside, 300)
+      .map((psi) => emitted.amplitude_of_cosine_pulse(1, psi)) },
   "(104)": { code: -1, amplitudes: ({ omega, push }) =>
     rootsOf((psi) => emitted.overturning_sine_pulse(omega, psi, push), inside, Math.PI - inside, 300).map(amplitudeAt) }
 };
 
 /// Those that apply to a pulse and its initial conditions.
 function formsFor(c) {
-  if (c.pulse === "cosine") return ["(103)"];
-  return c.angle || c.velocity ? ["(104)"] : ["(71)", "(78)", "(86), (88)", "(92a), (96)"];
+  const rests = !c.angle && !c.velocity;
+  if (c.pulse === "cosine") return rests ? ["(103)", "(r15)"] : ["(103)"];
+  return rests ? ["(71)", "(78)", "(86), (88)", "(92a), (96)"] : ["(104)"];
 }
 
 /// Whether the linear block's outcome changes there as the form says.

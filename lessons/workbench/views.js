@@ -256,7 +256,7 @@ function mapImage(map, frame, ratio, c) {
   return map.image;
 }
 
-const dashes = { "(71)": [], "(78)": [2, 3], "(86), (88)": [9, 4], "(92a), (96)": [9, 3, 2, 3], "(103)": [], "(104)": [] };
+const dashes = { "(71)": [], "(78)": [2, 3], "(86), (88)": [9, 4], "(92a), (96)": [9, 3, 2, 3], "(103)": [2, 3], "(r15)": [], "(104)": [] };
 
 function drawCurve(pen, plot, { name, points }, only, ink, c) {
   const last = [];

@@ -302,7 +302,7 @@ class Workbench {
 
   drawMap(c, map) {
     const chosen = this.radiosOf("curves").find((radio) => radio.checked).value, printed = chosen === "printed";
-    let curves = chosen === "none" ? [] : map.curves;
+    let curves = chosen === "none" ? [] : map.curves.filter(({ name }) => !printed || name !== "(r15)");
     const running = "(86), (88)";  // (88) as printed has a running t: that of the picture
     if (printed && formsFor(caseOf(this.state)).includes(running)) {
       const key = [map.job, this.time].join();
@@ -314,14 +314,15 @@ class Workbench {
     }
     this.plot = drawMap(this.find(".map canvas"), c, map, curves, printed, this.state);
     this.about(chosen, curves);
-    const present = [...new Set(map.cells.map((code) => kindOf(code ?? 0)))].sort((a, b) => a - b), legend = this.find(".legend");
+    const present = [...new Set(map.cells.filter((code) => code !== undefined).map(kindOf))].sort((a, b) => a - b);
+    const legend = this.find(".legend");
     const key = present.join() + c.safe;
     if (key === legend.dataset.key) return;
     legend.dataset.key = key;
     legend.replaceChildren(...present.map((code) => {
       const entry = document.createElement("span");
       const words = Math.abs(code) === 3 ? wordsFor(code).replace("2 impacts", "2 impacts or more") : wordsFor(code);
-      entry.append(swatch(code, c), `${code > 0 ? "+" : ""}${String(code).replace("-", "−")} ${words}`);
+      entry.append(swatch(code, c), `${code > 0 ? "+" : ""}${String(code ?? "").replace("-", "−")} ${words}`);
       return entry;
     }));
   }
@@ -329,12 +330,16 @@ class Workbench {
   /// Says which curves are drawn, and what is wrong with those that are printed.
   about(chosen, curves) {
     const drawn = (curve) => curve.points.some(([, found, real]) => (chosen === "printed" ? found.length : real.includes(true)));
-    const style = { "(71)": "full", "(78)": "dotted", "(86), (88)": "dashed", "(92a), (96)": "dash-dotted", "(103)": "full", "(104)": "full" };
-    const names = curves.filter(drawn).map(({ name }) => `${name} ${style[name]}`).join("; ");
+    const style = { "": "full", "2,3": "dotted", "9,4": "dashed", "9,3,2,3": "dash-dotted" };
+    const shown = curves.filter(drawn).map(({ name }) => name), has = (name) => shown.some((one) => one.includes(name));
+    const names = shown.map((name) => `${name} ${style[dashes[name]]}`).join("; ");
     const words = chosen === "none" ? "" : chosen === "corrected"
-      ? `${names || "No curve"}: roots at which the linear block's motion does change; in (88) the time is that of the impact.`
-      : `${names || "No curve"}: every root. (88) is printed with a running t: here that of the player, ` +
-        `p t = ${this.time.toFixed(2)}, and the curve moves with it.`;
+      ? (names || "No closed form holds") + ": roots at which the linear block's motion does change." +
+        (has("(88)") ? " In (88) the time is that of the impact." : "") +
+        (has("r15") ? " (r15) is a result of the ledger; the paper has none from rest." : "")
+      : `${names || "No root"}: every root.` + (has("(88)") ? " (88) is printed with a running t: here that of the player, " +
+        `p t = ${this.time.toFixed(2)}, and the curve moves with it.` : "") +
+        (has("(103)") ? " (103) is of a block that is on the side θ > 0 from the start." : "");
     const text = curves.length || chosen === "none" ? words : "Curves are being computed.";
     const place = this.find(".about-curves");
     if (place.textContent !== text) place.textContent = text;

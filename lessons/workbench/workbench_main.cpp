@@ -35,10 +35,22 @@ EmittedFunction printed_88() {
   throw std::runtime_error("there is no row (88)");
 }
 
+/// The threshold of the cosine pulse from rest, of which the paper has no equation.
+EmittedFunction cosine_from_rest() {
+  const Derivation derivation = derived("r15");
+  return {"overturning_cosine_pulse_from_rest",
+          {paper::omega_p, paper::p, paper::psi},
+          derivation.left - derivation.right,
+          {},
+          "r15",
+          "Left less right of the threshold of the one-cosine pulse from rest, theta > 0"};
+}
+
 /// What emit writes of the functions that the page calls, in a scope of its own.
 std::string physics(const std::string& script) {
   std::vector<EmittedFunction> functions = emitted_functions();
   functions.push_back(printed_88());
+  functions.push_back(cosine_from_rest());
   std::vector<TaylorStepper> steppers = taylor_steppers();
   // The script names a pair by what both sides have in common.
   const auto is_unused = [&](const auto& f) {
