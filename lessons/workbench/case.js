@@ -41,7 +41,8 @@ function stateFrom(text, complain = () => {}) {
   return state;
 }
 
-const said = (state) => Object.keys(options).filter((name) => always.includes(name) || state[name] !== options[name].value);
+const said = (state) =>
+  Object.keys(options).filter((name) => always.includes(name) || state[name] !== options[name].value);
 const commandOf = (state) => "rocking response " + said(state).map((name) => `--${name}=${state[name]}`).join(" ");
 const fragmentOf = (state) => "#" + said(state).map((name) => `${name}=${state[name]}`).join("&");
 

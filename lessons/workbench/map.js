@@ -12,7 +12,7 @@ function caseOf(state) {
   };
 }
 
-const station = (span, i) => (span.count === 1 ? span.from : span.from + ((span.to - span.from) * i) / (span.count - 1));
+const station = ({ from, to, count }, i) => (count === 1 ? from : from + ((to - from) * i) / (count - 1));
 
 /// The code of one cell; null where the pulse has no first instant.
 function codeOf(c, omega, amplitude) {

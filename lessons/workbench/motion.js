@@ -123,16 +123,20 @@ function timeOfRest(pulse, e, speed, begin, end) {
   return begin + until(over) <= over ? Math.min(over, begin + first / 2) : null;
 }
 
+/// What free motion on one side comes to: "critical_velocity", with which it just reaches |theta| = alpha from an
+/// angle; "impact_velocity_squared", with which it comes to upright.
+function ofFreeMotion({ linear, alpha }, what, side, ...state) {
+  const name = (linear ? "linear_" : "") + what + (side < 0 ? "_negative" : "_positive");
+  return linear ? emitted[name](...state) : emitted[name](alpha, ...state);
+}
+
 /// How far free motion is from overturning outwards and after one more impact; positive = it does. Energy is conserved
 /// between impacts (22), and multiplied by e^2 at each.
 function margins(c, pulse, side, angle, velocity) {
-  const name = (what, on) => emitted[(pulse.linear ? "linear_" : "") + what + (on < 0 ? "_negative" : "_positive")];
-  const block = pulse.linear ? [] : [pulse.alpha];
-  const critical = (on, at) => name("critical_velocity", on)(...block, at);
-  const squared = name("impact_velocity_squared", side)(...block, angle, velocity);
+  const squared = ofFreeMotion(pulse, "impact_velocity_squared", side, angle, velocity);
   return {
-    outward: side * (velocity - critical(side, angle)),
-    returning: c.e * Math.sqrt(Math.max(0, squared)) + side * critical(-side, 0)
+    outward: side * (velocity - ofFreeMotion(pulse, "critical_velocity", side, angle)),
+    returning: c.e * Math.sqrt(Math.max(0, squared)) + side * ofFreeMotion(pulse, "critical_velocity", -side, 0)
   };
 }
 

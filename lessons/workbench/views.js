@@ -98,8 +98,8 @@ function arcsOf(motion) {
   return motion.arcs;
 }
 
-/// The block on the ground, turned about O (theta < 0) or O' (theta > 0); beside it, the energy of free motion over that
-/// of the barrier.
+/// The block on the ground, turned about O (theta < 0) or O' (theta > 0); beside it, the energy of free motion over
+/// that of the barrier.
 function drawBlock(canvas, c, state, motion, at) {
   const view = sheet(canvas), { pen, width, height } = view, { alpha } = state;
   const [b, h] = [Math.sin(alpha), Math.cos(alpha)];
@@ -128,19 +128,17 @@ function drawBlock(canvas, c, state, motion, at) {
   arrow(pen, middle, height - 10, push * width * 0.3, 0, c.ground);
   write(pen, "ü", width - 24, height - 11, c.ground);
   write(pen, "g", width - 16, height - 7, c.ground);
-  drawEnergy(view, c, state, motion, at, ground);
+  drawEnergy(view, c, motion, at, ground);
 }
 
 /// How much of the energy that it takes to pass the barrier a free block would have here.
-function energyShare(state, motion, at) {
-  const { linear } = motion.pulse, side = at.side < 0 ? "_negative" : "_positive", name = linear ? "linear_" : "";
-  const block = linear ? [] : [state.alpha];
-  const critical = emitted[name + "critical_velocity" + side](...block, 0);
-  return emitted[name + "impact_velocity_squared" + side](...block, at.angle, at.velocity) / (critical * critical);
+function energyShare({ pulse }, { side, angle, velocity }) {
+  const critical = ofFreeMotion(pulse, "critical_velocity", side, 0);
+  return ofFreeMotion(pulse, "impact_velocity_squared", side, angle, velocity) / (critical * critical);
 }
 
-function drawEnergy({ pen }, c, state, motion, at, ground) {
-  const share = at.side ? energyShare(state, motion, at) : 0, top = 24, barrier = top + (ground - top) * 0.4;
+function drawEnergy({ pen }, c, motion, at, ground) {
+  const share = at.side ? energyShare(motion, at) : 0, top = 24, barrier = top + (ground - top) * 0.4;
   const y = Math.max(top, Math.min(ground, ground - share * (ground - barrier)));
   pen.fillStyle = share > 1 ? c.jump : c.motion;
   pen.fillRect(10, y, 12, ground - y);
@@ -184,18 +182,22 @@ function drawHistory(canvas, c, motion, at, time) {
 }
 
 /// The phase plane, with the separatrix: where free motion just reaches |theta| = alpha.
-function drawPhase(canvas, c, state, motion, at, time) {
+function drawPhase(canvas, c, motion, at, time) {
   const view = sheet(canvas), { pen } = view, arcs = arcsOf(motion);
   let [wide, high] = [1.3, 1.3];
-  for (const arc of arcs)
-    for (const [, angle, velocity] of arc) wide = Math.max(wide, Math.abs(angle)), high = Math.max(high, Math.abs(velocity));
+  for (const [, angle, velocity] of arcs.flat())
+    wide = Math.max(wide, Math.abs(angle)), high = Math.max(high, Math.abs(velocity));
   wide = Math.min(wide * 1.05, 2.4), high = Math.min(high * 1.05, 4);
   const plot = axes(view, c, [-wide, wide], [-high, high]);
   plot.clipped(() => {
     for (const side of [-1, 1])
-      for (const sign of [-1, 1]) stroke(pen, separatrix(state, motion, side, wide)
-        .map(([angle, velocity]) => [plot.x(angle), plot.y(sign * velocity)]), c.ink, 1.5, [2, 4]);
-    for (const arc of arcs) stroke(pen, arc.map(([, angle, velocity]) => [plot.x(angle), plot.y(velocity)]), c.motion, 1.5);
+      for (const sign of [-1, 1])
+        stroke(pen, Array.from({ length: 61 }, (_, i) => {
+          const angle = (side * wide * i) / 60;
+          return [plot.x(angle), plot.y(sign * ofFreeMotion(motion.pulse, "critical_velocity", side, angle))];
+        }), c.ink, 1.5, [2, 4]);
+    for (const arc of arcs)
+      stroke(pen, arc.map(([, angle, velocity]) => [plot.x(angle), plot.y(velocity)]), c.motion, 1.5);
     for (const { kind, time: when, before, after } of motion.events) {
       if (kind !== "impact" || Math.abs(before) < 1e-3) continue;
       const now = Math.abs(when - time) < 1e-9, from = plot.y(before);
@@ -203,14 +205,6 @@ function drawPhase(canvas, c, state, motion, at, time) {
       dot(pen, plot.x(0), plot.y(after), now ? 5 : 2.5, c.jump);
     }
     dot(pen, plot.x(at.angle), plot.y(at.velocity), 5, c.motion);
-  });
-}
-
-function separatrix(state, motion, side, wide) {
-  const { linear } = motion.pulse, name = (linear ? "linear_" : "") + "critical_velocity" + (side < 0 ? "_negative" : "_positive");
-  return Array.from({ length: 61 }, (_, i) => {
-    const angle = (side * wide * i) / 60;
-    return [angle, linear ? emitted[name](angle) : emitted[name](state.alpha, angle)];
   });
 }
 
@@ -245,8 +239,8 @@ function mapImage(map, frame, ratio, c) {
     const j = Math.round((1 - (y + 0.5) / h) * (amplitudes.count - 1));
     for (let x = 0; x < w; ++x) {
       const code = cells[Math.round(((x + 0.5) / w) * (omegas.count - 1)) * amplitudes.count + j];
-      paint(image.data, 4 * (y * w + x), code ?? (code === undefined ? 0 : null), Math.floor(x / ratio), Math.floor(y / ratio),
-        code === undefined ? unknown : blank);
+      const [kind, colour] = code === undefined ? [0, unknown] : [code, blank];
+      paint(image.data, 4 * (y * w + x), kind, Math.floor(x / ratio), Math.floor(y / ratio), colour);
     }
   }
   map.key = key;
@@ -256,7 +250,8 @@ function mapImage(map, frame, ratio, c) {
   return map.image;
 }
 
-const dashes = { "(71)": [], "(78)": [2, 3], "(86), (88)": [9, 4], "(92a), (96)": [9, 3, 2, 3], "(103)": [2, 3], "(r15)": [], "(104)": [] };
+const dashes = { "(71)": [], "(78)": [2, 3], "(86), (88)": [9, 4], "(92a), (96)": [9, 3, 2, 3],
+  "(103)": [2, 3], "(r15)": [], "(104)": [] };
 
 function drawCurve(pen, plot, { name, points }, only, ink, c) {
   const last = [];
@@ -289,8 +284,10 @@ function drawMap(canvas, c, map, curves, printed, state) {
     for (const curve of curves) drawCurve(pen, plot, curve, !printed, printed ? c.jump : c.ink, c);
     const [x, y] = [plot.x(state.omega), plot.y(state.amplitude)];
     for (const [colour, width] of [[c.paper, 6], [c.ink, 2.5]]) {
-      stroke(pen, Array.from({ length: 25 }, (_, i) => [x + 8 * Math.cos((i * Math.PI) / 12), y + 8 * Math.sin((i * Math.PI) / 12)]),
-        colour, width);
+      pen.beginPath();
+      pen.arc(x, y, 8, 0, 2 * Math.PI);
+      pen.strokeStyle = colour, pen.lineWidth = width;
+      pen.stroke();
       for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]])
         stroke(pen, [[x + 4 * dx, y + 4 * dy], [x + 14 * dx, y + 14 * dy]], colour, width);
     }

@@ -15,7 +15,8 @@ class OutcomeMap {
   }
   start(c, omegas, amplitudes) {
     const count = omegas.count * amplitudes.count;
-    Object.assign(this, { omegas, amplitudes, cells: new Array(count), fineness: new Array(count).fill(Infinity), curves: [] });
+    Object.assign(this, { omegas, amplitudes, curves: [] });
+    this.cells = new Array(count), this.fineness = new Array(count).fill(Infinity);
     this.waits = this.workers.length, this.began = performance.now(), this.seconds = null;
     ++this.job, ++this.version;
     this.workers.forEach((worker, share) =>
@@ -55,9 +56,6 @@ class Workbench {
     this.find = (what) => section.querySelector(what);
     this.own = document.body.classList.contains("own");
     this.time = 0, this.playing = false, this.started = this.own;
-    // Radio buttons of two workbenches on one page are two groups.
-    const number = document.querySelectorAll(".workbench").length > 1 ? [...document.querySelectorAll(".workbench")].indexOf(section) : 0;
-    for (const input of section.querySelectorAll("[type=radio]")) input.dataset.name = input.name, input.name += number || "";
     this.tell = seldom(() => this.say(wordsForCase(this.state, this.motion)), 350);
     this.remember = seldom(() => this.own && history.replaceState(null, "", fragmentOf(this.state)), 350);
     this.recompute = seldom(() => this.startMap(), 60);
@@ -118,7 +116,7 @@ class Workbench {
       this.map ??= new OutcomeMap(() => this.draw());
       this.map.start(caseOf(this.state), ...this.spans());
     } catch (error) {
-      this.find(".about-curves").textContent = "This browser runs no worker from a file, so there is no map: " + error.message;
+      this.find(".about-curves").textContent = "This browser runs no worker from a file: no map. " + error.message;
     }
   }
 
@@ -141,8 +139,9 @@ class Workbench {
     });
     for (const button of section.querySelectorAll("[data-do]"))
       button.addEventListener("click", () => this[button.dataset.do]());
-    section.addEventListener("keydown", (event) => {
-      if (event.target.closest("input,select,button,textarea,summary,a") || event.ctrlKey || event.metaKey || event.altKey) return;
+    (this.own ? document : section).addEventListener("keydown", (event) => {
+      const elsewhere = event.target.closest("input,select,button,textarea,summary,a");
+      if (elsewhere || event.ctrlKey || event.metaKey || event.altKey) return;
       if (event.key === " ") this.play();
       else if (!this.nudge(event)) return;
       event.preventDefault();
@@ -170,11 +169,12 @@ class Workbench {
     }, { rootMargin: "300px" }).observe(section);
   }
 
-  radiosOf(name) { return [...this.section.querySelectorAll("[type=radio]")].filter((radio) => radio.dataset.name === name); }
+  radiosOf(name) { return [...this.section.querySelectorAll(`[type=radio][name=${name}]`)]; }
 
   /// The point of the map, dragged; rounded to what a pixel can tell.
   drag(event) {
-    const { left, top } = event.target.getBoundingClientRect(), [x, y, w, h] = this.plot.frame, { omegas, amplitudes } = this.map;
+    const { left, top } = event.target.getBoundingClientRect(), { omegas, amplitudes } = this.map;
+    const [x, y, w, h] = this.plot.frame;
     const part = (v) => Math.max(0, Math.min(1, v));
     const at = (span, share) => Number((span.from + (span.to - span.from) * part(share)).toPrecision(3));
     this.set({ omega: Math.max(0.01, at(omegas, (event.clientX - left - x) / w)),
@@ -186,7 +186,8 @@ class Workbench {
     const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
     if (!way) return false;
     if (!event.target.closest(".map")) return way[0] ? (this.step(way[0]), true) : false;
-    const by = event.shiftKey ? 0.005 : 0.05, moved = (value, sign) => Number(Math.max(0.01, value + sign * by).toFixed(4));
+    const by = event.shiftKey ? 0.005 : 0.05;
+    const moved = (value, sign) => Number(Math.max(0.01, value + sign * by).toFixed(4));
     this.set({ omega: moved(this.state.omega, way[0]), amplitude: moved(this.state.amplitude, way[1]) });
     return true;
   }
@@ -250,7 +251,8 @@ class Workbench {
       const speed = Number(this.find("[name=speed]").value) * this.state["frequency-parameter"];
       let time = this.time + Math.min(passed, 0.6) * speed;
       const halt = this.find("[name=halt]").checked && this.motion.events.find((event) =>
-        event.kind === "impact" && event.time > this.time + 1e-9 && event.time <= time && Math.abs(event.before) > 1e-3);
+        event.kind === "impact" && event.time > this.time + 1e-9 && event.time <= time &&
+        Math.abs(event.before) > 1e-3);
       if (halt) time = halt.time;
       this.last = now;
       this.go(time);
@@ -291,7 +293,7 @@ class Workbench {
     const { state, motion, time, map } = this, c = inks(this.section), at = stateAt(motion, time);
     drawBlock(this.find(".block canvas"), c, state, motion, at);
     drawHistory(this.find(".history canvas"), c, motion, at, time);
-    drawPhase(this.find(".phase canvas"), c, state, motion, at, time);
+    drawPhase(this.find(".phase canvas"), c, motion, at, time);
     const slider = this.find("[name=time]");
     slider.max = motion.end, slider.value = time;
     const words = `τ = ${time.toFixed(2)}, θ/α = ${at.angle.toFixed(3)}`.replaceAll("-", "−");
@@ -329,7 +331,8 @@ class Workbench {
 
   /// Says which curves are drawn, and what is wrong with those that are printed.
   about(chosen, curves) {
-    const drawn = (curve) => curve.points.some(([, found, real]) => (chosen === "printed" ? found.length : real.includes(true)));
+    const drawn = ({ points }) =>
+      points.some(([, found, real]) => (chosen === "printed" ? found.length : real.includes(true)));
     const style = { "": "full", "2,3": "dotted", "9,4": "dashed", "9,3,2,3": "dash-dotted" };
     const shown = curves.filter(drawn).map(({ name }) => name), has = (name) => shown.some((one) => one.includes(name));
     const names = shown.map((name) => `${name} ${style[dashes[name]]}`).join("; ");
@@ -337,8 +340,9 @@ class Workbench {
       ? (names || "No closed form holds") + ": roots at which the linear block's motion does change." +
         (has("(88)") ? " In (88) the time is that of the impact." : "") +
         (has("r15") ? " (r15) is a result of the ledger; the paper has none from rest." : "")
-      : `${names || "No root"}: every root.` + (has("(88)") ? " (88) is printed with a running t: here that of the player, " +
-        `p t = ${this.time.toFixed(2)}, and the curve moves with it.` : "") +
+      : `${names || "No root"}: every root.` +
+        (has("(88)") ? " (88) is printed with a running t: here that of the player, p t = " +
+          `${this.time.toFixed(2)}, and the curve moves with it.` : "") +
         (has("(103)") ? " (103) is of a block that is on the side θ > 0 from the start." : "");
     const text = curves.length || chosen === "none" ? words : "Curves are being computed.";
     const place = this.find(".about-curves");
