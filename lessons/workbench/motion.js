@@ -136,7 +136,8 @@ function margins(c, pulse, side, angle, velocity) {
   const squared = ofFreeMotion(pulse, "impact_velocity_squared", side, angle, velocity);
   return {
     outward: side * (velocity - ofFreeMotion(pulse, "critical_velocity", side, angle)),
-    returning: c.e * Math.sqrt(Math.max(0, squared)) + side * ofFreeMotion(pulse, "critical_velocity", -side, 0)
+    returning: emitted.velocity_after_impact(c.e, Math.sqrt(Math.max(0, squared))) +
+      side * ofFreeMotion(pulse, "critical_velocity", -side, 0)
   };
 }
 
@@ -159,7 +160,7 @@ function motionOf(c, history = true, until = -1) {
   if (moved) note("start", thetadot / alpha);
 
   function impact() {
-    const after = c.e * thetadot;
+    const after = emitted.velocity_after_impact(c.e, thetadot);
     theta = 0;
     note("impact", after / alpha);
     ++total, ++impacts;

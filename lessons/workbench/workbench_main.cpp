@@ -1,11 +1,11 @@
 // Writes the workbench at build time: the element that lessons hold, and the page of its own.
 // Usage: workbench_page FOLDER SOURCES
 #include <derivations/emit/emit.hpp>
-#include <derivations/paper/ledger.hpp>
 #include <derivations/rocking_block/pulse.hpp>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 #include <stdexcept>
 
@@ -19,20 +19,28 @@ std::string whole_file(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+Relation printed(const std::string& id) { return parse_relation(judged(id).row.printed); }
+
 /// (88) as printed, left less right, to be drawn beside what is derived.
 EmittedFunction printed_88() {
-  for (const Row& row : read_rows(equations_file()))
-    if (row.id == "88") {
-      const Relation printed = parse_relation(row.printed);
-      const GiNaC::ex residual = lower(printed.sides.front()) - lower(printed.sides.back());
-      return {"overturning_impact_during_pulse_as_printed",
-              {paper::omega_p, paper::p, paper::psi, paper::t_i, paper::t, paper::e},
-              residual.subs(paper::T_ex == end_of_pulse(Pulse::sine)),
-              {},
-              "88",
-              "As printed, with a running t: vanishes where an impact leads to the threshold"};
-    }
-  throw std::runtime_error("there is no row (88)");
+  const Relation relation = printed("88");
+  const GiNaC::ex residual = lower(relation.sides.front()) - lower(relation.sides.back());
+  return {"overturning_impact_during_pulse_as_printed",
+          {paper::omega_p, paper::p, paper::psi, paper::t_i, paper::t, paper::e},
+          residual.subs(paper::T_ex == end_of_pulse(Pulse::sine)),
+          {},
+          "88",
+          "As printed, with a running t: vanishes where an impact leads to the threshold"};
+}
+
+/// The definition of e.
+EmittedFunction impact() {
+  return {"velocity_after_impact",
+          {paper::e, paper::thetadot_before},
+          lower(printed("u23").sides.back()),
+          {},
+          "u23",
+          "Angular velocity after an impact"};
 }
 
 /// The threshold of the cosine pulse from rest, of which the paper has no equation.
@@ -51,6 +59,7 @@ std::string physics(const std::string& script) {
   std::vector<EmittedFunction> functions = emitted_functions();
   functions.push_back(printed_88());
   functions.push_back(cosine_from_rest());
+  functions.push_back(impact());
   std::vector<TaylorStepper> steppers = taylor_steppers();
   // The script names a pair by what both sides have in common.
   const auto is_unused = [&](const auto& f) {
@@ -58,7 +67,8 @@ std::string physics(const std::string& script) {
     for (const std::string side : {"_negative", "_positive"})
       if (name.ends_with(side)) name.resize(name.size() - side.size());
     if (name.starts_with("linear_")) name.erase(0, 7);
-    return script.find(name) == std::string::npos;
+    return script.find("emitted." + name) == std::string::npos &&
+           script.find('"' + name) == std::string::npos;
   };
   std::erase_if(functions, is_unused);
   std::erase_if(steppers, is_unused);
@@ -88,10 +98,14 @@ void write_all(const std::filesystem::path& folder, const std::filesystem::path&
   const std::string motion = whole_file(sources / "motion.js") + whole_file(sources / "map.js");
   std::string scripts;
   for (const char* name : {"case.js", "views.js", "workbench.js"}) scripts += whole_file(sources / name);
+  std::string controls = whole_file(sources / "element.html");
+  const std::string law = "<!-- (46b) -->";
+  controls.replace(controls.find(law), law.size(),
+                   mathml(print_statement(relation_of(derived("46b")), Notation::latex)));
   const auto element = [&](const std::string& emitted) {
-    return "<style>\n" + whole_file(sources / "workbench.css") + "</style>\n" +
-           whole_file(sources / "element.html") + "<script class=\"workbench-physics\">\n" + emitted +
-           motion + "</script>\n<script>\n" + scripts + "</script>\n";
+    return "<style>\n" + whole_file(sources / "workbench.css") + "</style>\n" + controls +
+           "<script class=\"workbench-physics\">\n" + emitted + motion + "</script>\n<script>\n" + scripts +
+           "</script>\n";
   };
   const std::string emitted = physics(motion);
   write(folder / "workbench_element.html", element(without_documentation(emitted)));
