@@ -57,12 +57,16 @@ function wordsFor(code) {
     (impacts ? `after ${impacts} impact${impacts > 1 ? "s" : ""}` : "without impact");
 }
 
+/// The case, and what becomes of it.
 function wordsForCase(state, motion) {
-  const c = caseOf(state), impacts = motion.events.filter((event) => event.kind === "impact").length;
-  return `${state.model === "linear" ? "Linear" : "Nonlinear"} model, one-${state.pulse} pulse, ` +
-    `ω_p/p = ${digits(state.omega)}, a_p = ${digits(state.amplitude)} αg, α = ${digits(state.alpha)}, ` +
-    `e = ${digits(c.e)}: ${wordsFor(motion.code)}` + (motion.time === null
-    ? `; ${impacts} impact${impacts === 1 ? "" : "s"} until τ = ${digits(motion.end)}` +
-      (motion.events.length === 0 || motion.steps.length === 0 ? "; the block does not move" : "")
-    : ` at τ = ${digits(motion.time)}`) + ".";
+  const impacts = motion.events.filter((event) => event.kind === "impact").length, { theta0, thetadot0 } = state;
+  const parts = [state.model === "linear" ? "Linear model" : "Nonlinear model"];
+  if (state.amplitude === 0) parts.push("free motion");
+  else parts.push(`one-${state.pulse} pulse`, `ω_p/p = ${digits(state.omega)}`, `a_p = ${digits(state.amplitude)} αg`);
+  parts.push(`α = ${digits(state.alpha)}`, `e = ${digits(caseOf(state).e)}`);
+  if (theta0 || thetadot0) parts.push(`θ_0 = ${digits(theta0)} rad`, `θ̇_0 = ${digits(thetadot0)} rad/s`);
+  const end = motion.time !== null ? ` at τ = ${digits(motion.time)}`
+    : motion.steps.length === 0 ? "; the block does not move"
+    : `; ${impacts} impact${impacts === 1 ? "" : "s"} until τ = ${digits(motion.end)}`;
+  return `${parts.join(", ")}: ${wordsFor(motion.code)}${end}.`;
 }

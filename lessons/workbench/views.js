@@ -157,7 +157,7 @@ function drawHistory(canvas, c, motion, at, time) {
   most = Math.min(most * 1.05, 2.4);
   const plot = axes(view, c, [0, motion.end], [-most, most], { left: 38, right: 46, top: 10, bottom: 22 });
   const high = pulse.amplitude / pulse.alpha || 1, strong = (ground) => plot.y((ground / high) * most * 0.9);
-  for (const value of [-high, 0, high]) write(pen, digits(value, 3), width - 42, strong(value), c.ground, "left");
+  for (const value of pulse.amplitude ? [-high, 0, high] : []) write(pen, digits(value, 3), width - 42, strong(value), c.ground, "left");
   plot.clipped(() => {
     for (const level of [-1, 1])
       stroke(pen, [[plot.x(0), plot.y(level)], [plot.x(motion.end), plot.y(level)]], c.soft, 1, [2, 3]);

@@ -337,7 +337,7 @@ class Workbench {
     const shown = curves.filter(drawn).map(({ name }) => name), has = (name) => shown.some((one) => one.includes(name));
     const names = shown.map((name) => `${name} ${style[dashes[name]]}`).join("; ");
     const words = chosen === "none" ? "" : chosen === "corrected"
-      ? (names || "No closed form holds") + ": roots at which the linear block's motion does change." +
+      ? (names ? `${names}: roots at which the linear block's motion does change.` : "No closed form holds here.") +
         (has("(88)") ? " In (88) the time is that of the impact." : "") +
         (has("r15") ? " (r15) is a result of the ledger; the paper has none from rest." : "")
       : `${names || "No root"}: every root.` +
