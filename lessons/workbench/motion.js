@@ -24,6 +24,13 @@ function slopeOf(c, t, first) {
   return value;
 }
 
+/// No less than the polynomial anywhere in [0, h].
+function farthest(c, h) {
+  let value = 0;
+  for (let k = c.length - 1; k >= 0; --k) value = value * h + Math.abs(c[k]);
+  return value;
+}
+
 /// The first zero in (0, h] of a polynomial that is positive at 0; -1 if there is none. Where |y''| <= bound, there is
 /// none on an interval whose ends are high enough, and at most one where y' keeps its sign.
 function firstZero(c, first, h) {
@@ -144,7 +151,7 @@ function margins(c, pulse, side, angle, velocity) {
 /// The motion of a case {alpha, e, omega, amplitude, model, pulse, angle, velocity}: angle = theta/alpha and velocity =
 /// thetadot/(alpha p) at the start. With `history`, events and every step as polynomials {from, to, side, angle,
 /// velocity}; without, the outcome alone, at the tolerance of a map.
-function motionOf(c, history = true, until = -1) {
+function motionOf(c, history = true) {
   const pulse = pulseOf(c), { linear, alpha } = pulse, quick = !history;
   const tolerance = (quick ? 1e-12 : 1e-17) * alpha, lying = linear ? Infinity : Math.PI / 2;
   const beyond = linear ? 1 + pulse.amplitude : Infinity;  // from here on no ground brings it back
@@ -188,8 +195,9 @@ function motionOf(c, history = true, until = -1) {
       for (let k = 0; k < angle.length; ++k) outwards[k] = side * angle[k];
       if (!(first && angle[1] === 0)) hit = firstZero(outwards, first, h);
       if (hit > 0) h = hit;
-      const lies = outwards[0] < lying && valueOf(outwards, h) >= lying;
-      if (lies) h = zeroBetween(outwards.map((x, k) => (k ? -x : lying - x)), 0, 0, h);
+      const fall = farthest(outwards, h) < lying ? -1 : firstZero(outwards.map((x, k) => (k ? -x : lying - x)), 0, h);
+      const lies = fall > 0;
+      if (lies) h = fall, hit = -1;
       if (history)
         steps.push({ from: time, to: time + h, side, angle: angle.slice(), velocity: stepper.thetadot.slice() });
       stepper.advance(h);
@@ -202,8 +210,7 @@ function motionOf(c, history = true, until = -1) {
       else if (side * theta < 0) theta = stepper.theta[0] = 0;  // rounding, on leaving upright
       if (lies || (side * theta > beyond && side * thetadot >= 0)) {
         outcome ??= { code: side * (impacts + 1), impacts };
-        if (lies || !history || time > end - 1) return false;
-        if (side * theta > 30 * beyond) return false;
+        if (lies || !history || side * theta > 30 * beyond) return false;
       }
       if (instants >= 3) rest(time);
     }
@@ -228,7 +235,6 @@ function motionOf(c, history = true, until = -1) {
   }
 
   const goes = through(pulse.end);
-  const settled = { time, side, impacts };
   if (!outcome) {
     const free = side === 0 ? null : margins(c, pulse, side, theta / alpha, thetadot / alpha);
     outcome = { code: 0, impacts };
@@ -237,15 +243,14 @@ function motionOf(c, history = true, until = -1) {
   }
   if (!history) return outcome;
   if (goes) note("pulse_end", thetadot / alpha);
-  if (goes) through(until >= 0 ? Math.max(until, pulse.end) : pulse.end + afterwards + (outcome.code ? 50 : 0));
+  if (goes) through(pulse.end + afterwards + (outcome.code ? 50 : 0));
   const over = outcome.code ? overturning(steps, Math.sign(outcome.code), alpha) : null;
   if (over) events.push(over);
   events.sort((a, b) => a.time - b.time);
   const rested = events.find((event) => event.kind === "rest" && event.time >= pulse.end);
   const last = steps.length ? steps[steps.length - 1].to : 0;
-  let stop = over ? Math.min(last, over.time + (linear ? 1 : 5)) : rested ? rested.time : pulse.end + afterwards;
-  if (until >= 0) stop = until;
-  return { ...outcome, pulse, events: events.filter((event) => event.time <= stop), steps, settled,
+  const stop = over ? Math.min(last, over.time + (linear ? 1 : 5)) : rested ? rested.time : pulse.end + afterwards;
+  return { ...outcome, pulse, events: events.filter((event) => event.time <= stop), steps,
     time: over ? over.time : null, end: Math.max(stop, pulse.end, 1e-3) };
 }
 
