@@ -216,7 +216,8 @@ class HtmlRenderer : public Renderer {
     std::string text = whole_file(REDERIVE_WORKBENCH_ELEMENT);
     const std::string place = "data-case=\"";
     const std::size_t at = text.find(place);
-    if (at == std::string::npos) throw std::runtime_error("the workbench is not built");
+    if (at == std::string::npos)
+      throw std::runtime_error("the workbench is not built: build the target 'workbench'");
     return text.insert(at + place.size(), escaped(options));
   }
 
