@@ -151,6 +151,7 @@ void phase_portrait(Page& page) {
     Two things are left out here. A real block loses energy each time it passes through the upright
     position; that is lesson 5. And the corners of the curves on the axis $theta = 0$ are no fault of the
     plot: they are the jump in the acceleration.)");
+  page.workbench("--omega 2 --amplitude 1.5 --model nonlinear");
 }
 
 void try_it(Page& page) {
@@ -173,9 +174,7 @@ int main(int argc, char** argv) {
       .teaches =
           "From a drawing to an equation of motion: coordinates, velocities, energies, Lagrange's equation.",
       .builds_on = "Derivatives, the chain rule, kinetic energy of a rigid body.",
-      .equations = {"2a",  "2b",  "3",   "4a",  "4b",  "5",   "u2", "6",  "7a",  "7b",
-                    "8",   "9",   "10",  "11",  "12a", "12b", "13", "14", "15a", "15b",
-                    "16a", "16b", "17a", "17b", "18",  "19",  "20", "u5", "21a", "21b"},
+      .equations = equations_of(1),
       .steps = {{"The drawing", the_drawing},
                 {"Where is the centre of mass?", where_is_the_centre},
                 {"How fast does it move?", how_fast_does_it_move},

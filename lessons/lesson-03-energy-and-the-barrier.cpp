@@ -85,6 +85,7 @@ void total_energy(Page& page) {
   page.verdict("22a");
   page.lemma("22a");
   page.verdict("22b");
+  page.workbench("--omega 2 --amplitude 0 --theta0 0.24 --model nonlinear");
 }
 
 void the_sign(Page& page) {
@@ -134,7 +135,7 @@ int main(int argc, char** argv) {
                           "What it costs to overturn a block; negative stiffness; how to test a sentence "
                           "that begins with *clearly*.",
                       .builds_on = "Lessons 1 and 2.",
-                      .equations = {"3", "13", "9", "14", "10", "19", "u8", "22a", "22b"},
+                      .equations = equations_of(3),
                       .steps = {{"The barrier", potential},
                                 {"A picture of it", barrier_plot},
                                 {"The restoring moment", moment_rotation},

@@ -131,6 +131,7 @@ void decay(Page& page) {
       "Rotation and rate of a block with $alpha = 0.25$ under one sine pulse; the rate jumps at each impact.",
       "set xlabel 'p t'; set ylabel 'θ / α   and   rate / (α p)'",
       {{motion.angle, "θ / α", "with lines ls 1"}, {motion.velocity, "rate / (α p)", "with lines ls 2"}}));
+  page.workbench("--omega 2 --amplitude 1.2");
 }
 
 void try_it(Page& page) {
@@ -156,8 +157,7 @@ int main(int argc, char** argv) {
           "Impulsive forces and the right point for moments; integration over a body; what an assumption "
           "costs.",
       .builds_on = "Lessons 1 to 3; angular momentum.",
-      .equations = {"34",  "u12a", "u12b", "35",  "u13", "36", "37a", "37b", "38",  "39",  "40a",
-                    "40b", "41",   "42a",  "43a", "43b", "44", "45a", "45b", "u16", "46a", "46b"},
+      .equations = equations_of(5),
       .steps = {{"What happens at the impact?", what_happens},
                 {"Before", before},
                 {"A slip in a limit", a_slip},

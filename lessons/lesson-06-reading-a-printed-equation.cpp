@@ -130,8 +130,7 @@ int main(int argc, char** argv) {
           "Forces from accelerations; a special case as the strongest test of a formula; what one wrong sign "
           "does downstream.",
       .builds_on = "Lessons 1, 2 and 4.",
-      .equations = {"47a", "47b", "48a", "48b", "48c", "49a", "49b", "49c", "50a", "50b", "50", "50c",
-                    "u17", "51a", "51b", "51c", "r1",  "r2",  "r3",  "r4",  "r5",  "r6",  "r7", "r8"},
+      .equations = equations_of(6),
       .steps = {{"Two forces at a corner", two_forces},
                 {"The accelerations of C", accelerations},
                 {"The ratio", the_ratio},

@@ -55,6 +55,7 @@ void a_lost_index(Page& page) {
     line, (95), says it properly.)");
   page.result("95a");
   page.result("95b");
+  page.workbench("--omega 3 --amplitude 1.41");
 }
 
 void after_the_pulse(Page& page) {
@@ -155,10 +156,7 @@ int main(int argc, char** argv) {
       .teaches =
           "Conditions in two unknowns; elimination by energy; a bound as a test of a published number.",
       .builds_on = "Lessons 5, 7 and 8.",
-      .equations = {"79a", "79b", "80a", "80b", "u22", "u23", "81",   "82",   "83",  "84",
-                    "85",  "86",  "87a", "87b", "88",  "89a", "89b",  "90a",  "90b", "91a",
-                    "91b", "92a", "92b", "93a", "93b", "u24", "u25a", "u25b", "94a", "94b",
-                    "95a", "95b", "96",  "r9",  "r10", "r11", "r12"},
+      .equations = equations_of(9),
       .steps = {{"The way back", the_way_back},
                 {"Impact during the pulse", during_the_pulse},
                 {"A lost index", a_lost_index},

@@ -111,6 +111,7 @@ void in_numbers(Page& page) {
     One hundredth of a radian is a sheet of cardboard under one corner, and it changes the result visibly.
     So a number such as 2.3577 with five digits describes a perfect block on a perfect floor. For a real one
     the first digit is about right. That is worth knowing before one compares a calculation with a code.)");
+  page.workbench("--omega 2 --amplitude 3 --theta0 -0.01 --thetadot0 -0.1");
 }
 
 void try_it(Page& page) {
@@ -131,8 +132,7 @@ int main(int argc, char** argv) {
       .title = "Initial conditions and the cosine pulse",
       .teaches = "What part of an initial state matters; asking at the first instant which way a body moves.",
       .builds_on = "Lessons 4, 7 and 8.",
-      .equations = {"u27a", "u27b", "u27c", "u27d", "u27e", "97",  "98",  "99",  "100a", "100b",
-                    "u28",  "101a", "101b", "102",  "103",  "104", "u29", "r13", "r14",  "r15"},
+      .equations = equations_of(10),
       .steps = {{"A pulse that begins with a jolt", the_cosine_pulse},
                 {"Equation (103)", condition_103},
                 {"From rest?", from_rest},

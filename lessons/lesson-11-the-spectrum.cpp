@@ -143,6 +143,7 @@ void what_to_believe(Page& page) {
       {{first.angle, fmt::format("{:.2f}: {}", fallen.amplitude, in_words(first.code)), "with lines ls 2"},
        {second.angle, fmt::format("{:.2f}: {}", stands.amplitude, in_words(second.code)),
         "with lines ls 1"}}));
+  page.workbench("--omega 5 --amplitude 4.5");
 }
 
 void try_it(Page& page) {
@@ -166,7 +167,7 @@ int main(int argc, char** argv) {
                           "Reading a spectrum; why stronger can be safer; the difference between what was "
                           "found and what there is.",
                       .builds_on = "Lessons 8 and 9.",
-                      .equations = {"71", "86", "88", "92a", "96", "r9", "r10", "r11", "r12"},
+                      .equations = equations_of(11),
                       .steps = {{"One curve", one_curve},
                                 {"Windows", windows},
                                 {"More than two modes", more_impacts},

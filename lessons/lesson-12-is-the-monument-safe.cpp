@@ -57,6 +57,7 @@ void the_amplitudes(Page& page) {
   page.say(R"(
     Compare the rows for one and for four with the paper's numbers, one and two. A curve read from a figure
     is worth one digit, and one should say that it was read from a figure.)");
+  page.workbench("--omega 4 --amplitude 2");
 }
 
 void not_the_same_thing(Page& page) {
@@ -168,7 +169,7 @@ int main(int argc, char** argv) {
                           "From dimensionless results to seconds and metres; comparing like with like; how "
                           "to read a published number.",
                       .builds_on = "All lessons before.",
-                      .equations = {"28b", "24a", "52c", "u20", "u21", "71"},
+                      .equations = equations_of(12),
                       .steps = {{"Back to metres and seconds", back_to_seconds},
                                 {"The amplitudes", the_amplitudes},
                                 {"Two curves that are not the same thing", not_the_same_thing},

@@ -37,9 +37,10 @@ struct Table {
 struct Figure {
   std::string name, caption, script;
 };
-/// Commands to type, one a line.
+/// Commands to type, one a line; or, in a web page, the workbench at the case that they ask for.
 struct Commands {
   std::vector<std::string> lines;
+  std::string workbench = {};  ///< options of `rocking response`
 };
 /// A list of points, each like a Paragraph.
 struct BulletList {
@@ -80,6 +81,8 @@ class Page {
   void table(std::vector<std::string> header, std::vector<std::vector<std::string>> rows);
   void figure(Figure figure);
   void commands(std::vector<std::string> lines);
+  /// A case to play with, by the options of `rocking response`.
+  void workbench(const std::string& options);
   void points(std::vector<std::string> items);
 
   const std::vector<Passage>& blocks() const { return blocks_; }
@@ -100,6 +103,10 @@ struct Lesson {
   std::vector<std::string> equations;  ///< ids of the ledger rows that it covers
   std::vector<LessonStep> steps;
 };
+
+/// The ids of the rows that a lesson covers, and the first lesson that covers a row, 0 if none does.
+std::vector<std::string> equations_of(int lesson);
+int lesson_with(const std::string& id);
 
 /// The derivation of an equation of the paper. Throws std::out_of_range naming the id if there is none.
 Derivation derived(const std::string& id);

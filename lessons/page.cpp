@@ -172,6 +172,11 @@ void Page::lemma(const std::string& id) {
 }
 void Page::commands(std::vector<std::string> lines) { blocks_.push_back(Commands{std::move(lines)}); }
 
+void Page::workbench(const std::string& options) {
+  say("This case, to play with:");
+  blocks_.push_back(Commands{{"build/bin/rocking response " + options}, options});
+}
+
 void Page::points(std::vector<std::string> items) { blocks_.push_back(BulletList{std::move(items)}); }
 
 }  // namespace rederive

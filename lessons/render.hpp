@@ -13,11 +13,12 @@ enum class Format { unicode, plain, latex, markdown, html };
 
 struct Setting {
   Format format = Format::unicode;
-  std::size_t width = 80;         ///< of the terminal
-  bool lively = false;            ///< bold and colour allowed
-  std::filesystem::path figures;  ///< the folder that pictures are written into
-  bool beside = false;            ///< the text stands in that folder, too, and names them without it
-  std::string previous, next;     ///< programs of the neighbouring lessons; empty if there is none
+  std::size_t width = 80;            ///< of the terminal
+  bool lively = false;               ///< bold and colour allowed
+  std::filesystem::path figures;     ///< the folder that pictures are written into
+  bool beside = false;               ///< the text stands in that folder, too, and names them without it
+  std::string previous, next;        ///< programs of the neighbouring lessons; empty if there is none
+  std::vector<std::string> lessons;  ///< all programs, in order
 };
 
 /// One format. Steps are rendered one by one, so that a class sees each as it is computed.
@@ -54,6 +55,9 @@ std::optional<std::filesystem::path> draw(const Figure& figure, const std::strin
 /// LaTeX as `print` writes it → MathML, which browsers draw without help. Throws std::invalid_argument naming
 /// a command that it does not know.
 std::string mathml(const std::string& latex);
+/// The letters of formulas in pages, subset of Latin Modern Math; nothing where the build had neither font
+/// nor fonttools.
+std::string math_font_style();
 /// Text for HTML, with & < > " escaped.
 std::string escaped(const std::string& text);
 

@@ -1,4 +1,4 @@
-// A lesson as one self-contained HTML page: MathML, pictures inside, no script, nothing fetched.
+// A lesson as one self-contained HTML page: MathML, pictures and the workbench inside, nothing fetched.
 #include <fmt/format.h>
 
 #include <derivations/rocking_block/paper_symbols.hpp>
@@ -6,6 +6,8 @@
 #include <iterator>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
+#include <regex>
+#include <stdexcept>
 
 namespace rederive {
 namespace {
@@ -23,6 +25,10 @@ math{font-family:"Rederive Math",math;font-size:1.12em}
 .ledger{border-left:4px solid #888;background:#f6f6f2;padding:.4rem .8rem;margin:1rem 0;font-size:.93rem;overflow-x:auto}
 .ledger.proved,.ledger.proved_under{border-color:#2e8b57}.ledger.refuted{border-color:#c0392b}
 .ledger.approximation{border-color:#c98a1b}.ledger p{margin:.25rem 0}
+a.eq{position:relative;color:inherit;text-decoration:underline dotted}
+a.eq:hover::after,a.eq:focus-visible::after{content:attr(data-says);position:absolute;right:0;bottom:1.4em;
+ background:#1c1c1c;color:#fdfdfb;padding:.1rem .5rem;border-radius:4px;font-size:.85rem;white-space:nowrap;z-index:1}
+:target{background:#fff3c4}
 figure{margin:1.2rem 0;text-align:center}figure img{max-width:100%;border:1px solid #ddd}
 figcaption{font-size:.9rem;color:#444}
 .wide{overflow-x:auto}table{border-collapse:collapse;font-size:.93rem}td,th{border-bottom:1px solid #ccc;
@@ -48,27 +54,19 @@ std::string whole_file(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The letters of formulas, subset of Latin Modern Math; nothing where the build had neither font nor
-/// fonttools.
-std::string math_font() {
-  const std::string font = whole_file(REDERIVE_MATH_FONT);
-  return font.empty() ? ""
-                      : "<style>@font-face{font-family:\"Rederive Math\";src:url(data:font/woff2;base64," +
-                            base64(font) + ")}</style>\n";
-}
-
 class HtmlRenderer : public Renderer {
  public:
   explicit HtmlRenderer(const Setting& setting) : setting_(setting) {}
 
   std::string begin(const Lesson& lesson) override {
+    number_ = lesson.number;
     const std::string title = fmt::format("Lesson {}. {}", lesson.number, escaped(lesson.title));
     std::string ids;
-    for (const auto& id : lesson.equations) ids += fmt::format("{}({})", ids.empty() ? "" : " ", id);
+    for (const auto& id : lesson.equations) ids += (ids.empty() ? "" : " ") + equation_link(id);
     return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
            "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
            "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-           title + "</title>\n" + style + math_font() + "\n</head>\n<body>\n" + navigation() + "<h1>" +
+           title + "</title>\n" + style + math_font_style() + "\n</head>\n<body>\n" + navigation() + "<h1>" +
            title + "</h1>\n<div class=\"about\">\n<p><b>Teaches:</b> " + flat(lesson.teaches) +
            "</p>\n<p><b>Builds on:</b> " + flat(lesson.builds_on) + "</p>\n" +
            (ids.empty() ? "" : "<p><b>Equations:</b> " + ids + "</p>\n") + "</div>\n";
@@ -81,7 +79,9 @@ class HtmlRenderer : public Renderer {
     return text;
   }
 
-  std::string end(const Lesson&) override { return "\n" + navigation() + "</body>\n</html>\n"; }
+  std::string end(const Lesson& lesson) override {
+    return rest(lesson) + "\n" + navigation() + "</body>\n</html>\n";
+  }
 
  private:
   std::string navigation() const {
@@ -93,7 +93,7 @@ class HtmlRenderer : public Renderer {
            link(setting_.next, "next →") + "</nav>\n";
   }
 
-  static std::string flat(const std::string& sentence) {
+  std::string flat(const std::string& sentence) const {
     std::string text;
     for (const auto& span : spans(sentence)) {
       if (span.kind == Span::Kind::math)
@@ -103,9 +103,59 @@ class HtmlRenderer : public Renderer {
       else if (span.kind == Span::Kind::emphasis)
         text += "<em>" + escaped(span.text) + "</em>";
       else
-        text += escaped(span.text);
+        text += linked(span.text);
     }
     return text;
+  }
+
+  /// The rows that the lesson covers and does not show: what was derived, or what is printed of a definition,
+  /// so that every link to them leads somewhere.
+  std::string rest(const Lesson& lesson) {
+    std::string text;
+    for (const std::string& id : lesson.equations) {
+      if (lesson_with(id) != number_ || placed_.contains(id)) continue;
+      const Entry entry = judged(id);
+      text += render(
+          Formula{entry.derivation ? relation_of(*entry.derivation) : parse_relation(entry.row.claim()), id});
+    }
+    return text.empty()
+               ? text
+               : "\n<h2>Other equations of this lesson</h2>\n<p>" +
+                     flat("The steps to each: `build/bin/ledger show` and its number.") + "</p>\n" + text;
+  }
+
+  /// A number of an equation as a link to where it is derived, with the verdict on hover and focus. A number
+  /// that stands for several rows, "(21)", leads to the first of them.
+  std::string equation_link(const std::string& number) const {
+    const std::string id = lesson_with(number) == 0 ? number + "a" : number;
+    const auto lesson = static_cast<std::size_t>(lesson_with(id));
+    const std::string words = "(" + number + ")";
+    if (lesson == 0 || lesson > setting_.lessons.size()) return words;
+    const std::string page =
+        static_cast<int>(lesson) == number_ ? "" : setting_.lessons[lesson - 1] + ".html";
+    const std::string says = escaped(headline(judged(id)));
+    return "<a class=\"eq\" href=\"" + page + "#eq-" + id + "\" aria-label=\"" + says + "\" data-says=\"" +
+           says + "\">" + words + "</a>";
+  }
+
+  /// Where a row is derived, on its first appearance in the lesson that covers it.
+  std::string anchor(const std::string& id) {
+    return lesson_with(id) == number_ && placed_.insert(id).second ? " id=\"eq-" + id + "\"" : "";
+  }
+
+  /// Words with numbers of equations, "(71)", and exercises, "Exercise half-sine", as links.
+  std::string linked(const std::string& words) const {
+    static const std::regex reference(R"(\(([ur]?\d+[a-e]?)\)|Exercise ([a-z]+(?:-[a-z0-9]+)*))");
+    std::string text;
+    auto from = words.begin();
+    for (std::sregex_iterator match(words.begin(), words.end(), reference), end; match != end; ++match) {
+      text += escaped({from, words.begin() + match->position()});
+      from = words.begin() + match->position() + match->length();
+      text += (*match)[1].matched
+                  ? equation_link((*match)[1])
+                  : "<a href=\"exercises.html#" + (*match)[2].str() + "\">" + match->str() + "</a>";
+    }
+    return text + escaped({from, words.end()});
   }
 
   /// Each piece is a formula of its own, so that a narrow screen may break the line between them.
@@ -122,30 +172,31 @@ class HtmlRenderer : public Renderer {
     return text;
   }
 
-  static std::string render(const Paragraph& part) { return "<p>" + flat(part.text) + "</p>\n"; }
+  std::string render(const Paragraph& part) const { return "<p>" + flat(part.text) + "</p>\n"; }
 
-  static std::string render(const Formula& part) {
-    return "<div class=\"formula\"><div>" + broken(part.relation) +
+  std::string render(const Formula& part) {
+    return "<div class=\"formula\"" + anchor(part.number) + "><div>" + broken(part.relation) +
            (part.mark.empty() ? "" : "<span>\u2009" + part.mark + "</span>") + "</div>" +
-           (part.number.empty() ? "" : "<span>(" + part.number + ")</span>") + "</div>\n";
+           (part.number.empty() ? "" : "<span>" + equation_link(part.number) + "</span>") + "</div>\n";
   }
 
-  static std::string render(const Judgement& part) {
-    std::string text = "<div class=\"ledger " + to_string(part.entry.proof.verdict) +
-                       "\"><p><b>The ledger on " + escaped(headline(part.entry)) + "</b></p>\n";
+  std::string render(const Judgement& part) {
+    std::string text = "<div class=\"ledger " + to_string(part.entry.proof.verdict) + "\"" +
+                       anchor(part.entry.row.id) + "><p><b>The ledger on " + escaped(headline(part.entry)) +
+                       "</b></p>\n";
     for (const auto& line : findings(part.entry))
       text += "<p><i>" + line.label + ":</i> " + (line.formula ? broken(*line.formula) : flat(line.words)) +
               "</p>\n";
     return text + "</div>\n";
   }
 
-  static std::string row(const std::vector<std::string>& cells, const std::string& tag) {
+  std::string row(const std::vector<std::string>& cells, const std::string& tag) const {
     std::string line = "<tr>";
     for (const auto& cell : cells) line += "<" + tag + ">" + flat(cell) + "</" + tag + ">";
     return line + "</tr>\n";
   }
 
-  static std::string render(const Table& part) {
+  std::string render(const Table& part) const {
     std::string text = "<div class=\"wide\"><table>\n" + row(part.header, "th");
     for (const auto& cells : part.rows) text += row(cells, "td");
     return text + "</table></div>\n";
@@ -160,7 +211,18 @@ class HtmlRenderer : public Renderer {
     return "<figure>" + image + "<figcaption>" + flat(part.caption) + "</figcaption></figure>\n";
   }
 
+  /// The element and its scripts, opened at a case.
+  static std::string workbench(const std::string& options) {
+    std::string text = whole_file(REDERIVE_WORKBENCH_ELEMENT);
+    const std::string place = "data-case=\"";
+    const std::size_t at = text.find(place);
+    if (at == std::string::npos)
+      throw std::runtime_error("the workbench is not built: build the target 'workbench'");
+    return text.insert(at + place.size(), escaped(options));
+  }
+
   static std::string render(const Commands& part) {
+    if (!part.workbench.empty()) return workbench(part.workbench);
     std::string text = "<pre>";
     for (const auto& line : part.lines) text += escaped(line) + "\n";
     return text + "</pre>\n";
@@ -171,16 +233,25 @@ class HtmlRenderer : public Renderer {
            escaped(part.text) + "</pre></details>\n";
   }
 
-  static std::string render(const BulletList& part) {
+  std::string render(const BulletList& part) const {
     std::string text = "<ul>\n";
     for (const auto& item : part.items) text += "<li>" + flat(item) + "</li>\n";
     return text + "</ul>\n";
   }
 
   Setting setting_;
+  int number_ = 0;                ///< of the lesson
+  std::set<std::string> placed_;  ///< rows that have their anchor
 };
 
 }  // namespace
+
+std::string math_font_style() {
+  const std::string font = whole_file(REDERIVE_MATH_FONT);
+  return font.empty() ? ""
+                      : "<style>@font-face{font-family:\"Rederive Math\";src:url(data:font/woff2;base64," +
+                            base64(font) + ")}</style>\n";
+}
 
 std::unique_ptr<Renderer> html_renderer(const Setting& setting) {
   return std::make_unique<HtmlRenderer>(setting);

@@ -29,16 +29,20 @@ const std::map<std::string, Format> formats{{"unicode", Format::unicode},
 
 fs::path own_program() { return fs::read_symlink("/proc/self/exe"); }
 
-/// The lesson before (-1) or after (+1) this one: the programs stand side by side, numbered.
-std::string neighbour(int distance) {
-  const fs::path self = own_program();
+/// The programs of all lessons: they stand side by side, numbered.
+std::vector<std::string> all_lessons() {
   std::vector<std::string> names;
-  for (const auto& file : fs::directory_iterator(self.parent_path()))
+  for (const auto& file : fs::directory_iterator(own_program().parent_path()))
     if (file.path().filename().string().starts_with("lesson-") && !file.path().has_extension())
       names.push_back(file.path().filename());
   std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// The lesson before (-1) or after (+1) this one.
+std::string neighbour(const std::vector<std::string>& names, int distance) {
   const auto here =
-      std::find(names.begin(), names.end(), self.filename().string()) - names.begin() + distance;
+      std::find(names.begin(), names.end(), own_program().filename().string()) - names.begin() + distance;
   return here < 0 || here >= static_cast<std::ptrdiff_t>(names.size())
              ? ""
              : names[static_cast<std::size_t>(here)];
@@ -68,8 +72,9 @@ Setting setting_from(const Flags& flags) {
   setting.lively = flags.out.empty() && is_lively(1) && setting.format == Format::unicode;
   setting.figures = figures_folder(flags);
   setting.beside = !flags.out.empty();
-  setting.previous = neighbour(-1);
-  setting.next = neighbour(+1);
+  setting.lessons = all_lessons();
+  setting.previous = neighbour(setting.lessons, -1);
+  setting.next = neighbour(setting.lessons, +1);
   return setting;
 }
 

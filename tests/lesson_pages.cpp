@@ -2,6 +2,9 @@
 // telephone.
 #include <doctest/doctest.h>
 
+#include <map>
+#include <regex>
+
 #include "run_program.hpp"
 
 namespace {
@@ -13,12 +16,12 @@ constexpr auto probe = R"(<!doctype html><meta charset="utf-8"><body><pre id="ou
 document.getElementById('f').onload = function () {
   const d = this.contentDocument, w = [];
   for (const e of d.querySelectorAll('body *')) {
-    const inside = e.closest('.formula>div,.ledger,.wide,pre');
+    const inside = e.closest('.formula>div,.ledger,.wide,pre,.workbench option');
     if (!inside && e.getBoundingClientRect().right > 361) w.push(e.tagName);
   }
   document.getElementById('out').textContent = 'width ' + d.documentElement.scrollWidth + ' wide [' + w.join() + '] math ' +
     d.querySelectorAll('math').length + ' flat ' + [...d.querySelectorAll('math')].filter(m => m.getBoundingClientRect().height < 5).length +
-    ' requests ' + this.contentWindow.performance.getEntriesByType('resource').filter(r => !r.name.startsWith('data:')).length + ' end';
+    ' requests ' + this.contentWindow.performance.getEntriesByType('resource').filter(r => !/^(data|blob):/.test(r.name)).length + ' end';
 };</script>)";
 
 std::string dump(const std::filesystem::path& folder) {
@@ -58,4 +61,31 @@ TEST_CASE("a lesson fits a telephone and fetches nothing") {
     CHECK(found.find("requests 0 end") != std::string::npos);
   }
   CHECK(pages == 12);
+}
+
+TEST_CASE("equation numbers and exercises are links, and each leads somewhere") {
+  TemporaryFolder folder;
+  std::map<std::string, std::string> pages;
+  for (const std::string& lesson : lesson_programs()) {
+    const auto file = folder.path / (lesson + ".html");
+    REQUIRE(run_program(lesson, {"--format", "html", "--out", file.string()}).exit_code == 0);
+    pages[lesson + ".html"] = read_file(file);
+  }
+  const std::string exercises = run_program("exercises", {"list"}).out;
+  const std::regex link("href=\"([a-z0-9-]*\\.html)?#([a-z0-9-]+)\"");
+  int equations = 0, to_exercises = 0;
+  for (const auto& [name, text] : pages)
+    for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
+      const std::string page = (*match)[1], place = (*match)[2];
+      CAPTURE(name);
+      CAPTURE(match->str());
+      const bool to_exercise = page == "exercises.html";
+      ++(to_exercise ? to_exercises : equations);
+      CHECK(to_exercise
+                ? exercises.find("\n" + place + " ") != std::string::npos
+                : pages[page.empty() ? name : page].find(" id=\"" + place + "\"") != std::string::npos);
+    }
+  CHECK(equations > 500);
+  CHECK(to_exercises > 10);
+  CHECK(pages.begin()->second.find("data-says=\"(17b): refuted (argument)\"") != std::string::npos);
 }

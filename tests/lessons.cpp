@@ -106,7 +106,7 @@ TEST_CASE("a web page holds all that it shows") {
   CHECK(text.find("<math") != std::string::npos);
   CHECK(text.find("data:image/svg+xml;base64,") != std::string::npos);
   for (const auto* fetched :
-       {"src=\"http", "href=\"http", "<script", "@import", "url(http", "url(/", "url(\""})
+       {"src=\"http", "href=\"http", "<script src", "fetch(", "@import", "url(http", "url(/", "url(\""})
     CHECK_MESSAGE(text.find(fetched) == std::string::npos, fetched);
   CHECK(text.find("@font-face") != std::string::npos);
   CHECK(text.find("alt=\"lesson-") == std::string::npos);

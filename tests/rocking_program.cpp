@@ -71,6 +71,11 @@ TEST_CASE("rocking response --json keeps its contract") {
   CHECK(json_of({"response", "--omega", "2", "--amplitude", "0.9", "--json"})["outcome"] == "safe");
 }
 
+TEST_CASE("a block that begins beyond the corner, and stays there, overturns at once") {
+  CHECK(json_of({"response", "--omega", "1", "--amplitude", "1.01", "--theta0", "0.26", "--thetadot0", "0.75",
+                 "--json"})["time"] == 0);
+}
+
 TEST_CASE("histories, spectra and maps are written as CSV with their headers") {
   const TemporaryFolder folder;
   const std::string file = folder.path / "out.csv";

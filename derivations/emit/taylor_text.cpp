@@ -93,7 +93,9 @@ function quotient(a_k, b, c, k) {
 
 /// The value of a series a time h after its start, by Horner's rule.
 export function value_at(series, h) {
-  return series.reduceRight((value, coefficient) => value * h + coefficient);
+  let value = 0;
+  for (let k = series.length - 1; k >= 0; --k) value = value * h + series[k];
+  return value;
 }
 )";
 

@@ -1,11 +1,13 @@
 // rocking response: outcome, events and time history.
-#include <numerics/commands/options.hpp>
-#include <numerics/figures.hpp>
-#include <numerics/story.hpp>
-
 #include <fmt/format.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <numerics/commands/options.hpp>
+#include <numerics/figures.hpp>
+#include <numerics/story.hpp>
+#include <stdexcept>
 
 namespace rederive::inline numeric {
 namespace {
@@ -14,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 struct ResponseCommand {
   CommonOptions common;
-  std::string amplitude, until, csv, plot, friction, record, step, unit = "g", scale = "1";
+  std::string amplitude, until, csv, plot, page, friction, record, step, unit = "g", scale = "1";
 };
 
 struct Told {
@@ -129,7 +131,28 @@ Figure history_plot(const Told& told, const std::string& caption) {
   return figure;
 }
 
+/// The workbench, opened at this case: its scripts read it as options of this command.
+std::string page_of(const ResponseCommand& options, const Block& block) {
+  std::ifstream file(REDERIVE_WORKBENCH, std::ios::binary);
+  std::string page{std::istreambuf_iterator<char>(file), {}};
+  const std::string place = "data-case=\"";
+  const std::size_t at = page.find(place);
+  if (at == std::string::npos)
+    throw std::runtime_error("the workbench is not built: build the target 'workbench'");
+  const CommonOptions& common = options.common;
+  const std::string e =
+      common.restitution == "auto" ? common.restitution : fmt::format("{}", block.restitution);
+  page.insert(at + place.size(),
+              fmt::format("--omega={} --amplitude={} --alpha={} --restitution={} --frequency-parameter={} "
+                          "--model={} --pulse={} --theta0={} --thetadot0={}",
+                          number("--omega", common.omega), number("--amplitude", options.amplitude),
+                          block.alpha, e, block.p, name_of(common.model), name_of(common.pulse),
+                          number("--theta0", common.theta0), number("--thetadot0", common.thetadot0)));
+  return page;
+}
+
 int response(const ResponseCommand& options) {
+  if (!options.page.empty() && !options.record.empty()) throw BadInput("--page shows a pulse, and no record");
   Told told;
   told.block = block_of(options.common);
   told.model = options.common.model;
@@ -146,6 +169,7 @@ int response(const ResponseCommand& options) {
     draw(history_plot(told,
                       fmt::format("{} model: {}", name_of(told.model), words_for(told.story.outcome.code))),
          options.plot);
+  if (!options.page.empty()) write_whole(options.page, page_of(options, told.block));
   options.common.json ? print_as_json(told) : print_told(told);
   return as_expected;
 }
@@ -164,6 +188,8 @@ void add_response(CLI::App& app, Run& run) {
   add("--until", options->until, "TAU", "end of the history, in p t");
   add("--csv", options->csv, "FILE", "write the history")->check(file_name);
   add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);
+  add("--page", options->page, "FILE", "write a web page in which one can play with this case")
+      ->check(file_name);
   add("--friction", options->friction, "MU", "say whether this friction suffices");
   auto* record = add("--record", options->record, "FILE", "a recorded acceleration instead of a pulse");
   add("--step", options->step, "SECONDS", "time step of a record of one column")->needs(record);
@@ -173,4 +199,4 @@ void add_response(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return response(*options); }; });
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

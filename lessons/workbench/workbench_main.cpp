@@ -1,0 +1,128 @@
+// Writes the workbench at build time: the element that lessons hold, and the page of its own.
+// Usage: workbench_page FOLDER SOURCES
+#include <derivations/emit/emit.hpp>
+#include <derivations/rocking_block/pulse.hpp>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <lessons/prose.hpp>
+#include <lessons/render.hpp>
+#include <stdexcept>
+
+using namespace rederive;
+
+namespace {
+
+std::string whole_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path.string());
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+Relation printed(const std::string& id) { return parse_relation(judged(id).row.printed); }
+
+/// (88) as printed, left less right, to be drawn beside what is derived.
+EmittedFunction printed_88() {
+  const Relation relation = printed("88");
+  const GiNaC::ex residual = lower(relation.sides.front()) - lower(relation.sides.back());
+  return {"overturning_impact_during_pulse_as_printed",
+          {paper::omega_p, paper::p, paper::psi, paper::t_i, paper::t, paper::e},
+          residual.subs(paper::T_ex == end_of_pulse(Pulse::sine)),
+          {},
+          "88",
+          "As printed, with a running t: vanishes where an impact leads to the threshold"};
+}
+
+/// The definition of e.
+EmittedFunction impact() {
+  return {"velocity_after_impact",
+          {paper::e, paper::thetadot_before},
+          lower(printed("u23").sides.back()),
+          {},
+          "u23",
+          "Angular velocity after an impact"};
+}
+
+/// The threshold of the cosine pulse from rest, of which the paper has no equation.
+EmittedFunction cosine_from_rest() {
+  const Derivation derivation = derived("r15");
+  return {"overturning_cosine_pulse_from_rest",
+          {paper::omega_p, paper::p, paper::psi},
+          derivation.left - derivation.right,
+          {},
+          "r15",
+          "Left less right of the threshold of the one-cosine pulse from rest, theta > 0"};
+}
+
+/// What emit writes of the functions that the page calls, in a scope of its own.
+std::string physics(const std::string& script) {
+  std::vector<EmittedFunction> functions = emitted_functions();
+  functions.push_back(printed_88());
+  functions.push_back(cosine_from_rest());
+  functions.push_back(impact());
+  std::vector<TaylorStepper> steppers = taylor_steppers();
+  // The script names a pair by what both sides have in common.
+  const auto is_unused = [&](const auto& f) {
+    std::string name = f.name;
+    for (const std::string side : {"_negative", "_positive"})
+      if (name.ends_with(side)) name.resize(name.size() - side.size());
+    if (name.starts_with("linear_")) name.erase(0, 7);
+    return script.find("emitted." + name) == std::string::npos &&
+           script.find('"' + name) == std::string::npos;
+  };
+  std::erase_if(functions, is_unused);
+  std::erase_if(steppers, is_unused);
+  std::string text = emit(functions, Target::javascript, true, steppers), names;
+  // "export function NAME(", "export class NAME {"
+  for (std::size_t at = 0; (at = text.find("\nexport ", at)) != std::string::npos;) {
+    text.erase(++at, std::string("export ").size());
+    const std::size_t name = text.find(' ', at) + 1;
+    names += text.substr(name, text.find_first_of("( ", name) - name) + ", ";
+  }
+  return "const emitted = (() => {\n" + text + "\nreturn { " + names + "};\n})();\n";
+}
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  if (!(out << text).flush()) throw std::runtime_error("cannot write " + file.string());
+}
+
+/// The same without what emit says of each function: lessons are long enough.
+std::string without_documentation(std::string text) {
+  for (std::size_t at = 0; (at = text.find("/**", at)) != std::string::npos;)
+    text.erase(at, text.find("*/", at) + 3 - at);
+  return text;
+}
+
+void write_all(const std::filesystem::path& folder, const std::filesystem::path& sources) {
+  const std::string motion = whole_file(sources / "motion.js") + whole_file(sources / "map.js");
+  std::string scripts;
+  for (const char* name : {"case.js", "views.js", "workbench.js"}) scripts += whole_file(sources / name);
+  std::string controls = whole_file(sources / "element.html");
+  const std::string law = "<!-- (46b) -->";
+  controls.replace(controls.find(law), law.size(),
+                   mathml(print_statement(relation_of(derived("46b")), Notation::latex)));
+  const auto element = [&](const std::string& emitted) {
+    return "<style>\n" + whole_file(sources / "workbench.css") + "</style>\n" + controls +
+           "<script class=\"workbench-physics\">\n" + emitted + motion + "</script>\n<script>\n" + scripts +
+           "</script>\n";
+  };
+  const std::string emitted = physics(motion);
+  write(folder / "workbench_element.html", element(without_documentation(emitted)));
+  write(folder / "workbench.html", whole_file(sources / "head.html") + math_font_style() +
+                                       "</head>\n<body class=\"own\">\n<h1>The rocking block</h1>\n" +
+                                       element(emitted) + "</body>\n</html>\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    if (argc != 3) throw std::runtime_error("usage: workbench_page FOLDER SOURCES");
+    write_all(argv[1], argv[2]);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "workbench_page: " << error.what() << "\n";
+    return 3;
+  }
+}
