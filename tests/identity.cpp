@@ -29,7 +29,7 @@ struct Expressions {
   Symbols symbols;
   Ring ring;
   Translator translator{ring, symbols};
-  std::vector<DomainCondition> conditions;
+  std::vector<Atom> conditions;
 };
 
 bool are_same(const std::string& left, const std::string& right) {
@@ -117,7 +117,7 @@ TEST_CASE("the conditions say where an expression has a value") {
   (void)e.difference("sqrt(x)/(y-1)", "log(z)+p");
   REQUIRE(e.conditions.size() == 3);
   int positive = 0;
-  for (const DomainCondition& c : e.conditions) positive += c.allowed == Signs::positive() ? 1 : 0;
+  for (const Atom& c : e.conditions) positive += c.signs == Signs::positive() ? 1 : 0;
   CHECK(positive == 1);  // z
   CHECK_THROWS_AS(e.difference("1/(sin(x)^2+cos(x)^2-1)", "0"), NoValue);
 }

@@ -1,6 +1,5 @@
 // Circular functions and exponentials: of whole multiples of independent phases, so by the addition theorems.
 #include <derivations/identity/translator.hpp>
-#include <numeric>
 #include <utility>
 
 namespace rederive {
@@ -18,30 +17,26 @@ Pair add(const Ring& ring, const Pair& a, const Pair& b) {
           ring.normal(a.first * b.second + a.second * b.first)};
 }
 
-/// (cos, sin) of n times an argument.
-Pair multiple(const Ring& ring, const Pair& a, int n) {
-  Pair result{1, 0};
-  for (int k = 0; k < std::abs(n); ++k) result = add(ring, result, a);
-  if (n < 0) result.second = -result.second;
-  return result;
-}
-
 }  // namespace
+
+/// The least common multiple of this number and of all that were named before under this key.
+int Translator::common_multiple(const std::string& key, const cln::cl_I& number) {
+  const auto [place, is_new] = denominators_.try_emplace(key, 1);
+  const cln::cl_I before = std::exchange(place->second, cln::lcm(place->second, number));
+  if (place->second > 60) throw Undecidable("a phase or a root of a part above 60");
+  if (!is_new && place->second != before) throw OtherBasis();
+  return cln::cl_I_to_int(place->second);
+}
 
 /// A term of an argument as a whole multiple of a phase: of the term over the least common denominator that
 /// all its multiples have. Terms are linearly independent over the rationals, and so are the phases.
 Translator::Multiple Translator::multiple_of_phase(const std::string& function, const cl_RA& number,
                                                    const Fraction& term) {
   const bool is_turn = function == "cos " && term == pi();
-  const auto [place, is_new] = denominators_.try_emplace(is_turn ? "turn" : function + term.key(), 1);
-  cln::cl_I& known = place->second;
-  const cln::cl_I before = known;
-  known = cln::lcm(before, cln::denominator(number));
-  if (known > 60) throw Undecidable("a phase with a denominator above 60");
-  if (!is_new && known != before) throw OtherBasis();
-  const cl_RA times = (is_turn ? number - 2 * cln::round1(number / 2) : number) * known;
+  const int parts = common_multiple(is_turn ? "turn" : function + term.key(), cln::denominator(number));
+  const cl_RA times = (is_turn ? number - 2 * cln::round1(number / 2) : number) * parts;
   if (cln::abs(times) > 64) throw Undecidable("a multiple of a phase above 64");
-  return {term / Fraction(known), cln::cl_I_to_int(cln::numerator(times))};
+  return {term / parts, cln::cl_I_to_int(cln::numerator(times))};
 }
 
 /// cos and sin of a phase of the basis, as generators with c² + s² = 1.
@@ -83,7 +78,8 @@ Pair Translator::circular(const Fraction& argument) {
   Pair result{1, 0};
   for (const auto& [number, term] : terms_of(argument)) {
     const auto [part, times] = multiple_of_phase("cos ", number, term);
-    result = add(ring_, result, multiple(ring_, phase(part), times));
+    const auto [cosine, sine] = phase(part);
+    for (int k = 0; k < std::abs(times); ++k) result = add(ring_, result, {cosine, times < 0 ? -sine : sine});
   }
   if (!result.first.is_constant()) {
     const Interval range = ring_.range_of(argument);

@@ -1,10 +1,95 @@
-// Logarithms and the inverse circular functions.
+// Roots, sizes, logarithms and the inverse circular functions. What is known to have no negative values comes
+// out of a root or its bars, and what has a sign out of a logarithm, factor by factor.
+#include <algorithm>
 #include <derivations/identity/translator.hpp>
 
 namespace rederive {
 
-using cln::cl_RA;
 using Kind = Generator::Kind;
+
+namespace {
+
+Interval range_of_root(const Interval& base, int order) {
+  const Interval nonnegative = values_of(Signs::nonnegative()), u = overlap(base, nonnegative);
+  if (order == 2) return rederive::call("sqrt", u);
+  if (!u.is_positive()) return nonnegative;
+  return rederive::call("exp", rederive::call("log", u) * point({cln::cl_RA(1) / order}));
+}
+
+}  // namespace
+
+/// y with y^order = base, y >= 0: a power of the generator whose order all roots of this base share.
+Fraction Translator::root_generator(const Polynomial& base, int order) {
+  const int part = base == 2 ? 4 : base == 3 ? 6 : 0;  // √2 = 2 cos π/4, √3 = 2 cos π/6
+  if (order == 2 && part != 0 && cln::zerop(cln::mod(denominators_.at("turn"), part)))
+    return 2 * circular(pi() / part).first;
+  const std::string key = base.key();
+  const int common = common_multiple("root " + key, order);
+  const Fraction y = ring_.generator("root " + std::to_string(common) + " " + key, [&] {
+    const GiNaC::ex meaning = pow(ring_.meaning_of(base), GiNaC::numeric(1, common));
+    const Interval range = range_of_root(ring_.range_of(Fraction(base)), common);
+    return Generator{Kind::root, meaning, range, base, common, base, "sqrt"};
+  });
+  return power(y, common / order);
+}
+
+Fraction Translator::root(const Fraction& value, int order) {
+  const Fraction u = ring_.normal(value);
+  if (u.is_zero()) return 0;
+  // (n/d)^{1/k} = (n d^{k-1})^{1/k} / |d|
+  const auto& [sign, list] = factors(u.numerator * power(u.denominator, order - 1));
+  Signs of_odd = sign < 0 ? Signs::negative() : Signs::positive();
+  for (const auto& [factor, exponent] : list)
+    if (exponent % 2 != 0) of_odd = of_odd * ring_.signs_of(factor);
+  Fraction outside = 1 / absolute(u.denominator);
+  Polynomial inside = sign;
+  for (const auto& [factor, exponent] : list) {
+    const Signs signs = ring_.signs_of(factor);
+    const bool is_negative = signs.within(Signs::nonpositive()),
+               has_sign = is_negative || signs.within(Signs::nonnegative());
+    // beside what may be negative, what may be 0 stays: where it is 0 the rest may have no root
+    const bool comes_out = of_odd.within(Signs::nonnegative()) || signs.is_definite();
+    const int taken = !comes_out ? 0 : has_sign ? exponent : exponent - exponent % 2;
+    if (is_negative && taken % 2 != 0) inside = -inside;
+    inside = inside * power(factor, exponent - taken);
+    if (taken > 0) outside = outside * Fraction(power(size_of(factor), taken / order));
+    if (taken % order != 0) outside = outside * power(root_generator(size_of(factor), order), taken % order);
+  }
+  if (inside.is_one()) return ring_.normal(outside);
+  if (inside.is_constant()) throw NoValue("the root of a negative number");
+  return ring_.normal(outside * root_generator(inside, order));
+}
+
+/// base^exponent, for an exponent that is no whole number: (t^{2n})^q = |t|^{2nq}, before anything is
+/// multiplied out.
+Fraction Translator::root_of(const Tree& tree, const Fraction& base, const cln::cl_RA& exponent) {
+  const bool is_power = tree->kind == Node::Kind::power && tree->children[1]->kind == Node::Kind::number;
+  const cln::cl_RA inner = is_power ? exact(tree->children[1]->text) : cln::cl_RA(1);
+  if (cln::denominator(inner / 2) != 1) return raised(base, exponent);
+  return raised(absolute(translate(tree->children[0])), inner * exponent);
+}
+
+/// The size of an irreducible polynomial: without bars where its sign is known.
+Polynomial Translator::size_of(const Polynomial& factor) {
+  const Signs signs = ring_.signs_of(factor);
+  if (signs.within(Signs::nonnegative())) return factor;
+  if (signs.within(Signs::nonpositive())) return -factor;
+  return ring_.function(Kind::absolute, "fabs", factor, 2, factor * factor).numerator;
+}
+
+/// |u|, factor by factor.
+Fraction Translator::absolute(const Fraction& value) {
+  const Fraction u = ring_.normal(value);
+  Fraction result = 1;
+  for (const int side : {1, -1}) {
+    const auto& [sign, list] = factors(side > 0 ? u.numerator : u.denominator);
+    Polynomial size = std::abs(sign);
+    for (const auto& [factor, exponent] : list)
+      size = size * power(exponent % 2 == 0 ? factor : size_of(factor), exponent);
+    result = side > 0 ? Fraction(size) : result / size;
+  }
+  return ring_.normal(result);
+}
 
 /// log of a positive value: the sum over its factors of known sign; what is left stays in one logarithm.
 Fraction Translator::logarithm(const Fraction& value) {
@@ -44,16 +129,14 @@ Fraction Translator::logarithm_of(const Polynomial& p) {
 
 /// The argument itself, where asin undoes a sine or atan a tangent inside of its range.
 std::optional<Fraction> Translator::inverted(bool is_sine, const Fraction& value) {
-  const auto within = [&](const Fraction& x, int low, int high) {  // between these halves of π
-    const Interval range = ring_.range_of(x);
-    return compare(range.low, End{{0, cl_RA(low) / 2}}) >= 0 &&
-           compare(range.high, End{{0, cl_RA(high) / 2}}) <= 0;
+  const auto lies_in = [&](const Fraction& x, const char* one) {  // where sine, or cosine, is monotone
+    return is_within(ring_.range_of(x), monotone_piece(one).domain);
   };
   const auto is_zero = [&](const Fraction& f) { return ring_.normal(f).is_zero(); };
   for (const auto& [key, a] : arguments_) {
-    if (is_zero(value * (is_sine ? Fraction(1) : a.cosine) - a.sine) && within(a.argument, -1, 1))
+    if (is_zero(value * (is_sine ? Fraction(1) : a.cosine) - a.sine) && lies_in(a.argument, "sin"))
       return a.argument;
-    if (is_zero(value * (is_sine ? Fraction(1) : a.sine) - a.cosine) && within(a.argument, 0, 2))
+    if (is_zero(value * (is_sine ? Fraction(1) : a.sine) - a.cosine) && lies_in(a.argument, "cos"))
       return ring_.normal(pi() / 2 - a.argument);
   }
   return std::nullopt;

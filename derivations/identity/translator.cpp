@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <derivations/identity/translator.hpp>
+#include <derivations/language/syntax.hpp>
+#include <map>
 #include <utility>
 
 namespace rederive {
@@ -7,7 +9,7 @@ namespace rederive {
 using cln::cl_RA;
 using Kind = Generator::Kind;
 
-Fraction Translator::operator()(const Tree& tree, std::vector<DomainCondition>& conditions) {
+Fraction Translator::operator()(const Tree& tree, std::vector<Atom>& conditions) {
   argument_.reset(), conditions_ = &conditions;
   return translate(tree);
 }
@@ -65,7 +67,7 @@ Fraction Translator::power_of(const Node& node) {
   const bool is_whole = cln::denominator(number) == 1, is_below = cln::minusp(number);
   if (!is_whole) require(base, is_below ? Signs::positive() : Signs::nonnegative(), node.children[0]);
   if (is_whole && is_below) require(base, Signs::nonzero(), node.children[0]);
-  return raised(base, number);
+  return is_whole ? raised(base, number) : root_of(node.children[0], base, number);
 }
 
 /// base^exponent, of a base that is not negative where the exponent is a fraction.
@@ -98,7 +100,7 @@ Fraction Translator::call(const Node& node) {
   }
   if (name == "sin") return circular(x).second;
   if (name == "cos") return circular(x).first;
-  if (name == "sqrt") return square_root(argument);
+  if (name == "sqrt") return root_of(argument, x, cl_RA(1) / 2);
   if (name == "fabs") return absolute(x);
   if (name == "exp") return exponential(x);
   if (name == "log") return logarithm(x);
@@ -116,6 +118,45 @@ Fraction Translator::symbol(const std::string& name) {
 
 Fraction Translator::pi() {
   return ring_.generator("pi", [] { return Generator{Kind::pi, GiNaC::Pi, point({0, 1})}; });
+}
+
+const RewriteRule* rewrite_rule(const std::string& function) {
+  struct Row {
+    const char* function;
+    std::vector<std::pair<const char*, Signs>> domain;
+    const char* result = nullptr;
+  };
+  static const std::map<std::string, RewriteRule> rules = [] {
+    const Signs nonzero = Signs::nonzero(), positive = Signs::positive(), nonnegative = Signs::nonnegative();
+    const std::vector<Row> rows{{"tan", {{"cos(u)", nonzero}}, "sin(u)/cos(u)"},
+                                {"sec", {{"cos(u)", nonzero}}, "1/cos(u)"},
+                                {"cot", {{"sin(u)", nonzero}}, "cos(u)/sin(u)"},
+                                {"csc", {{"sin(u)", nonzero}}, "1/sin(u)"},
+                                {"sqrt", {{"u", nonnegative}}},
+                                {"log", {{"u", positive}}},
+                                {"asin", {{"1-u^2", nonnegative}}},
+                                {"acos", {{"1-u^2", nonnegative}}, "pi/2-asin(u)"},
+                                {"sinh", {}, "(exp(u)-exp(-u))/2"},
+                                {"cosh", {}, "(exp(u)+exp(-u))/2"},
+                                {"tanh", {}, "(exp(u)-exp(-u))/(exp(u)+exp(-u))"},
+                                {"sech", {}, "2/(exp(u)+exp(-u))"},
+                                {"coth", {{"u", nonzero}}, "(exp(u)+exp(-u))/(exp(u)-exp(-u))"},
+                                {"csch", {{"u", nonzero}}, "2/(exp(u)-exp(-u))"},
+                                {"asinh", {}, "log(u+sqrt(u^2+1))"},
+                                {"acosh", {{"u-1", nonnegative}}, "log(u+sqrt(u^2-1))"},
+                                {"atanh", {{"1-u", positive}, {"1+u", positive}}, "log((1+u)/(1-u))/2"}};
+    Symbols symbols;
+    symbols.declare("u", "u", "u", "1", all_numbers, "", "");
+    std::map<std::string, RewriteRule> result;
+    for (const Row& row : rows) {
+      RewriteRule& rule = result[row.function];
+      for (const auto& [value, signs] : row.domain) rule.domain.emplace_back(parse(value, symbols), signs);
+      if (row.result != nullptr) rule.result = parse(row.result, symbols);
+    }
+    return result;
+  }();
+  const auto found = rules.find(function);
+  return found == rules.end() ? nullptr : &found->second;
 }
 
 }  // namespace rederive

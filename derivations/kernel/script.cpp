@@ -57,7 +57,7 @@ Script::Script(const Problem& problem)
 }
 
 Fraction Script::value(const Tree& tree) {
-  std::vector<DomainCondition> unused;
+  std::vector<Atom> unused;
   return known_.translator(tree, unused);
 }
 

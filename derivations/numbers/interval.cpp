@@ -120,6 +120,14 @@ Interval overlap(const Interval& x, const Interval& y) {
   return {further(+1, x.low, y.low, false), further(-1, x.high, y.high, false)};
 }
 
+bool is_within(const Interval& x, const Interval& y) {
+  const auto lies_in = [](const End& end, const End& bound, int side) {
+    const int order = side * compare(end, bound);
+    return order < 0 || (order == 0 && (bound.closed || !end.closed));
+  };
+  return lies_in(x.high, y.high, 1) && lies_in(x.low, y.low, -1);
+}
+
 Interval operator+(const Interval& x, const Interval& y) {
   const auto sum = [](const End& a, const End& b) {
     return a.infinite ? a : b.infinite ? b : End{Constant(a) + b, 0, a.closed && b.closed};

@@ -40,6 +40,7 @@ Interval parse_range(std::string_view range);
 
 Interval hull(const Interval& x, const Interval& y);     ///< the smallest that holds both
 Interval overlap(const Interval& x, const Interval& y);  ///< what lies in both; perhaps empty
+bool is_within(const Interval& x, const Interval& y);    ///< whether all of x lies in y
 
 Interval operator+(const Interval& x, const Interval& y);
 Interval operator-(const Interval& x);

@@ -130,12 +130,13 @@ std::string in_words(const Relation& link, const Symbols& symbols) {
   return text(turn ? 1 : 0) + " " + op + " " + text(turn ? 0 : 1);
 }
 
-/// The assumed inequalities and declared ranges without which the proof does not go through.
-std::vector<std::string> conditions_used(Question q, const ProveRequest& request, Verdict verdict) {
+/// The assumed inequalities without which the proof does not go through, or needs another condition in their
+/// place, and the declared ranges without which it does not go through.
+std::vector<std::string> conditions_used(Question q, const ProveRequest& request, const Proof& proof) {
   constexpr std::size_t most = 10;
   std::vector<std::string> used;
-  const auto goes_through = [&](const Question& other) {
-    return decide_once(other, request).verdict == verdict;
+  const auto says_it_too = [&](const std::string& condition) {
+    return std::ranges::count(proof.side_conditions, condition) > 0;
   };
   std::vector<Relation> links;
   for (const Relation& a : q.assumptions)
@@ -148,7 +149,8 @@ std::vector<std::string> conditions_used(Question q, const ProveRequest& request
     }
     Question other = q;
     other.assumptions.erase(other.assumptions.begin() + static_cast<std::ptrdiff_t>(k));
-    if (tried++ < most && goes_through(other)) {
+    const Proof again = tried++ < most ? decide_once(other, request) : Proof{};
+    if (again.verdict == proof.verdict && std::ranges::all_of(again.side_conditions, says_it_too)) {
       q = std::move(other);
       continue;
     }
@@ -163,7 +165,7 @@ std::vector<std::string> conditions_used(Question q, const ProveRequest& request
     if (range == all_numbers) continue;
     Question other = q;
     other.symbols.narrow(name, all_numbers);
-    if (tried++ < most && goes_through(other)) {
+    if (tried++ < most && decide_once(other, request).verdict == proof.verdict) {
       q = std::move(other);
       continue;
     }
@@ -199,7 +201,7 @@ Proof decide(const ProveRequest& request) {
   check_order(request, question);
   Proof proof = decide_once(question, request);
   if (proof.verdict == Verdict::refuted || proof.verdict == Verdict::undecided) return proof;
-  for (const std::string& condition : conditions_used(question, request, proof.verdict))
+  for (const std::string& condition : conditions_used(question, request, proof))
     if (std::find(proof.side_conditions.begin(), proof.side_conditions.end(), condition) ==
         proof.side_conditions.end())
       proof.side_conditions.push_back(condition);
