@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <derivations/decide/comparison.hpp>
 #include <derivations/identity/translator.hpp>
-#include <numeric>
 #include <set>
 
 namespace rederive {
@@ -48,40 +47,17 @@ std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::
   return all;
 }
 
-/// Of a^n + b^n or a^n - b^n, with the same zeros: a ± b for an odd n, a^2 ± b^2 for an even one.
-Polynomial without_powers(const Polynomial& p) {
-  if (p.terms() != 2) return p;
-  int common = 0;
-  for (const std::size_t term : {0, 1})
-    for (const auto& [k, exponent] : p.powers(term)) common = std::gcd(common, exponent);
-  if (common < 3 || cln::abs(p.coefficient(0)) != 1 || cln::abs(p.coefficient(1)) != 1) return p;
-  const auto root = [&](std::size_t term) {
-    Polynomial result(p.coefficient(term));
-    for (const auto& [k, exponent] : p.powers(term))
-      result = result * power(Polynomial::variable(k), exponent / common * (common % 2 != 0 ? 1 : 2));
-    return result;
-  };
-  return root(0) + root(1);
-}
-
 /// The irreducible factors of an equation that may be 0. A root, a size or a sine counts by the factors of
-/// its power, an inverse function by its argument, log u by u - 1, e^u - 1 by u.
+/// its power.
 std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
-  using Kind = Generator::Kind;
   std::set<Polynomial> result;
-  for (const auto& [factor, exponent] : factors(without_powers(value.numerator)).second) {
+  for (const auto& [factor, exponent] : factors(value.numerator).second) {
     if (ring.signs_of(factor).is_definite()) continue;
-    const auto used = factor.used();
-    const Generator& g = ring.generators()[used[0]];
-    const Polynomial x = Polynomial::variable(used[0]);
-    const bool is_plain = factor == x;
-    const bool is_power = g.kind == Kind::root || g.kind == Kind::absolute || g.kind == Kind::sine;
-    if (is_plain && is_power && g.degree > 1)
+    const int k = factor.used()[0];
+    const Generator& g = ring.generators()[k];
+    const bool is_power = g.function == "sqrt" || g.function == "fabs" || g.function == "sin";
+    if (factor == Polynomial::variable(k) && is_power && g.degree > 1)
       result.merge(zero_set(ring, g.value));
-    else if ((is_plain && g.kind == Kind::angle) || (factor == x - 1 && g.kind == Kind::exponential))
-      result.merge(zero_set(ring, g.of));
-    else if (is_plain && g.kind == Kind::logarithm)
-      result.merge(zero_set(ring, g.of - 1));
     else
       result.insert(factor);
   }
@@ -126,7 +102,7 @@ std::optional<Sameness> all_follow(const Comparison& setting, const std::vector<
 Polynomial norm(const Ring& ring, const Polynomial& p) {
   Polynomial result = ring.normal(p).numerator;
   for (const int k : result.used())
-    if (ring.generators()[k].kind == Generator::Kind::sine && result.degree(k) == 1)
+    if (ring.generators()[k].function == "sin" && result.degree(k) == 1)
       result = ring.norm(result, k).numerator;
   return result;
 }

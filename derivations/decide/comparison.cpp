@@ -39,7 +39,7 @@ void relate(Ring& ring, const Fraction& value) {
   for (const int k : p.used()) {
     const Generator& g = ring.generators()[k];
     const int degree = p.degree(k);
-    if (g.degree != 0 || degree > 4 || g.kind != Generator::Kind::symbol) continue;
+    if (g.degree != 0 || degree > 4 || !GiNaC::is_a<GiNaC::symbol>(g.meaning)) continue;
     const auto c = p.coefficients(k);
     if (!c.back().is_constant()) continue;
     Polynomial rest = 0;

@@ -61,7 +61,7 @@ std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& settin
       static_cast<std::ptrdiff_t>(generators.size());  // those that come later may have no value
   if (auto found = same(setting, problem)) return found;
   const auto end = generators.begin() + known;
-  const auto bars = std::ranges::find(generators.begin(), end, Generator::Kind::absolute, &Generator::kind);
+  const auto bars = std::ranges::find(generators.begin(), end, "fabs", &Generator::function);
   if (bars == end || depth == 0) return std::nullopt;
   const Tree u = to_tree(setting.ring.meaning_of(bars->of), problem.symbols);
   Sameness both{"identity"};

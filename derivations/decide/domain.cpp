@@ -11,10 +11,7 @@ namespace {
 
 bool has_symbols_only(const Ring& ring, const Polynomial& p) {
   const auto used = p.used();
-  return std::ranges::all_of(used, [&](int k) {
-    const auto kind = ring.generators()[k].kind;
-    return kind == Generator::Kind::symbol || kind == Generator::Kind::pi;
-  });
+  return std::ranges::all_of(used, [&](int k) { return ring.generators()[k].function.empty(); });
 }
 
 /// The factors of a divisor as it is written.
@@ -41,6 +38,7 @@ void say_factors(const Atom& c, const Ring& ring, const Say& say) {
       rest = rest * factor;
     else if (c.signs != Signs::nonnegative() && !ring.signs_of(factor).is_definite())
       say(ring.meaning_of(Fraction(factor)), Signs::nonzero());
+  if (rest == -1 && c.signs == Signs::nonnegative()) rest = -fact.value;  // -x² >= 0 says x = 0
   if (!rest.is_constant()) say(ring.meaning_of(Fraction(rest)).expand(), c.signs);
 }
 

@@ -25,14 +25,14 @@ namespace rederive {
 
 /// One generator of the ring, and what it stands for.
 struct Generator {
-  enum class Kind { symbol, pi, cosine, sine, exponential, root, absolute, logarithm, angle };
-  Kind kind = Kind::symbol;
   GiNaC::ex meaning;          ///< in the symbols of the statement
   Interval range;             ///< the values that it takes
+  std::string function = {};  ///< its name in our syntax; empty of symbols and pi; sqrt of all roots
   Fraction of = 0;            ///< the phase, what stands under the root, between the bars, in the logarithm
   int degree = 0;             ///< generator^degree = value; 0: no relation
   Fraction value = 0;         ///< in generators that came before
-  std::string function = {};  ///< its name in our syntax; empty of symbols and pi; sqrt of all roots
+
+  bool is_angle() const { return function == "asin" || function == "atan"; }
 };
 
 /// The signs of the numbers in an interval; and the interval of the numbers that have one of these signs.
@@ -57,8 +57,7 @@ class Ring {
     return Polynomial::variable(index_[key] = static_cast<int>(generators_.size()) - 1);
   }
   /// The variable of f(of).
-  Fraction function(Generator::Kind kind, const std::string& f, const Fraction& of, int degree = 0,
-                    const Fraction& value = 0);
+  Fraction function(const std::string& f, const Fraction& of, int degree = 0, const Fraction& value = 0);
   const std::vector<Generator>& generators() const { return generators_; }
   /// What is assumed: the hypotheses of certificates.
   std::vector<Fact> facts = {};

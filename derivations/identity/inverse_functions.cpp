@@ -5,19 +5,6 @@
 
 namespace rederive {
 
-using Kind = Generator::Kind;
-
-namespace {
-
-Interval range_of_root(const Interval& base, int order) {
-  const Interval nonnegative = values_of(Signs::nonnegative()), u = overlap(base, nonnegative);
-  if (order == 2) return rederive::call("sqrt", u);
-  if (!u.is_positive()) return nonnegative;
-  return rederive::call("exp", rederive::call("log", u) * point({cln::cl_RA(1) / order}));
-}
-
-}  // namespace
-
 /// y with y^order = base, y >= 0: a power of the generator whose order all roots of this base share.
 Fraction Translator::root_generator(const Polynomial& base, int order) {
   const int part = base == 2 ? 4 : base == 3 ? 6 : 0;  // √2 = 2 cos π/4, √3 = 2 cos π/6
@@ -27,8 +14,8 @@ Fraction Translator::root_generator(const Polynomial& base, int order) {
   const int common = common_multiple("root " + key, order);
   const Fraction y = ring_.generator("root " + std::to_string(common) + " " + key, [&] {
     const GiNaC::ex meaning = pow(ring_.meaning_of(base), GiNaC::numeric(1, common));
-    const Interval range = range_of_root(ring_.range_of(Fraction(base)), common);
-    return Generator{Kind::root, meaning, range, base, common, base, "sqrt"};
+    const Interval range = rederive::power(ring_.range_of(Fraction(base)), cln::cl_RA(1) / common);
+    return Generator{meaning, range, "sqrt", base, common, base};
   });
   return power(y, common / order);
 }
@@ -74,41 +61,33 @@ Polynomial Translator::size_of(const Polynomial& factor) {
   const Signs signs = ring_.signs_of(factor);
   if (signs.within(Signs::nonnegative())) return factor;
   if (signs.within(Signs::nonpositive())) return -factor;
-  return ring_.function(Kind::absolute, "fabs", factor, 2, factor * factor).numerator;
+  return ring_.function("fabs", factor, 2, factor * factor).numerator;
 }
 
-/// |u|, factor by factor.
+/// |n/d| = |n d|/d², factor by factor.
 Fraction Translator::absolute(const Fraction& value) {
   const Fraction u = ring_.normal(value);
-  Fraction result = 1;
-  for (const int side : {1, -1}) {
-    const auto& [sign, list] = factors(side > 0 ? u.numerator : u.denominator);
-    Polynomial size = std::abs(sign);
-    for (const auto& [factor, exponent] : list)
-      size = size * power(exponent % 2 == 0 ? factor : size_of(factor), exponent);
-    result = side > 0 ? Fraction(size) : result / size;
-  }
-  return ring_.normal(result);
+  const auto& [sign, list] = factors(u.numerator * u.denominator);
+  Polynomial size = std::abs(sign);
+  for (const auto& [factor, exponent] : list)
+    size = size * power(exponent % 2 == 0 ? factor : size_of(factor), exponent);
+  return ring_.normal(Fraction(size, u.denominator * u.denominator));
 }
 
 /// log of a positive value: the sum over its factors of known sign; what is left stays in one logarithm.
 Fraction Translator::logarithm(const Fraction& value) {
   const Fraction u = ring_.normal(value);
+  const auto& [sign, list] = factors(u.numerator * u.denominator);  // n/d = n d / d²
   Fraction sum = 0;
-  Polynomial rest = 1;
-  for (const int side : {1, -1}) {
-    const auto& [sign, list] = factors(side > 0 ? u.numerator : u.denominator);
-    rest = sign * rest;
-    for (const auto& [factor, exponent] : list) {
-      const Signs signs = ring_.signs_of(factor);
-      const bool has_sign = signs == Signs::positive() || signs == Signs::negative();
-      // no factor is 0, so log f² = 2 log |f|; and n/d = n d / d²
-      const int stays = has_sign ? 0 : exponent % 2, twice = side < 0 ? -2 * stays : 0,
-                times = side * (exponent - stays) + twice;
-      if (times != 0) sum = sum + times * logarithm_of(size_of(factor));
-      if (stays != 0) rest = rest * factor;
-      if (signs == Signs::negative() && exponent % 2 != 0) rest = -rest;
-    }
+  Polynomial rest = sign;
+  for (const auto& [factor, exponent] : list) {
+    const Signs signs = ring_.signs_of(factor);
+    const bool has_sign = signs == Signs::positive() || signs == Signs::negative();
+    const int stays = has_sign ? 0 : exponent % 2,  // no factor is 0, so log f² = 2 log |f|
+        squares = quotient(u.denominator, factor) ? 2 * exponent : 0, times = exponent - stays - squares;
+    if (times != 0) sum = sum + times * logarithm_of(size_of(factor));
+    if (stays != 0) rest = rest * factor;
+    if (signs == Signs::negative() && exponent % 2 != 0) rest = -rest;
   }
   if (rest.is_one()) return ring_.normal(sum);
   if (rest.is_constant()) throw NoValue("the logarithm of a negative number");
@@ -121,34 +100,18 @@ Fraction Translator::logarithm_of(const Polynomial& p) {
   const auto used = p.used();
   if (used.size() == 1 && p == Polynomial::variable(used[0])) {
     const Generator g = ring_.generators()[used[0]];
-    if (g.kind == Kind::exponential) return g.of;
-    if (g.kind == Kind::root) return logarithm(g.of) / Fraction(g.degree);
+    if (g.function == "exp") return g.of;
+    if (g.function == "sqrt") return logarithm(g.of) / Fraction(g.degree);
   }
-  return ring_.function(Kind::logarithm, "log", p);
-}
-
-/// The argument itself, where asin undoes a sine or atan a tangent inside of its range.
-std::optional<Fraction> Translator::inverted(bool is_sine, const Fraction& value) {
-  const auto lies_in = [&](const Fraction& x, const char* one) {  // where sine, or cosine, is monotone
-    return is_within(ring_.range_of(x), monotone_piece(one).domain);
-  };
-  const auto is_zero = [&](const Fraction& f) { return ring_.normal(f).is_zero(); };
-  for (const auto& [key, a] : arguments_) {
-    if (is_zero(value * (is_sine ? Fraction(1) : a.cosine) - a.sine) && lies_in(a.argument, "sin"))
-      return a.argument;
-    if (is_zero(value * (is_sine ? Fraction(1) : a.sine) - a.cosine) && lies_in(a.argument, "cos"))
-      return ring_.normal(pi() / 2 - a.argument);
-  }
-  return std::nullopt;
+  return ring_.function("log", p);
 }
 
 /// asin u, or atan u, as a generator; both are odd.
 Fraction Translator::angle(bool is_sine, const Fraction& value) {
   const Fraction u = ring_.normal(value);
   if (u.is_zero()) return 0;
-  if (const auto x = inverted(is_sine, u)) return *x;
   if (u.numerator.leads_with_minus()) return -angle(is_sine, -u);
-  return ring_.function(Kind::angle, is_sine ? "asin" : "atan", u);
+  return ring_.function(is_sine ? "asin" : "atan", u);
 }
 
 }  // namespace rederive

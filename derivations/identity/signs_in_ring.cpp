@@ -48,14 +48,8 @@ void Ring::learn(const Fraction& value, Signs signs) {
   if (signs_of(normal(value)).within(signs)) return;
   const Fact fact = essential(value, signs);
   if (fact.value.is_constant()) return;
-  const auto note = [&](const Polynomial& p, Signs of_p) {
-    Signs& known = known_signs_.try_emplace(p, Signs::any()).first->second;
-    known = known & of_p;
-  };
-  note(fact.value, fact.signs);
-  if (signs.is_definite())  // no factor of what is not 0 is 0
-    for (const auto& [factor, exponent] : factors(fact.value).second)
-      note(factor, signs_of(factor) & Signs::nonzero());
+  Signs& known = known_signs_.try_emplace(fact.value, Signs::any()).first->second;
+  known = known & fact.signs;
   found_.clear();
   narrow(fact.value, values_of(fact.signs)), propagate();
 }
@@ -82,9 +76,8 @@ bool Ring::narrow(int generator, const Interval& range) {
 
 /// The values of u from those of f(u), where f can be inverted.
 bool Ring::narrow_backwards(const Generator& g) {
-  using Kind = Generator::Kind;
   const MonotonePiece& f = monotone_piece(g.function);
-  const bool is_root = g.kind == Kind::root;
+  const bool is_root = g.function == "sqrt";
   if ((!is_root && f.inverse == nullptr) || !g.of.denominator.is_constant()) return false;
   const Interval inside = range_of(g.of);
   Interval argument = is_root ? power(g.range, g.degree) : call(f.inverse, g.range);
@@ -92,7 +85,7 @@ bool Ring::narrow_backwards(const Generator& g) {
     if (compare(g.range.low, f.range.low) == 0) argument.low = Interval{}.low;
     if (compare(g.range.high, f.range.high) == 0) argument.high = Interval{}.high;
   } else if (!is_within(inside, f.domain)) {
-    if (g.kind != Kind::cosine || !is_within(inside, monotone_piece("sin").domain)) return false;
+    if (g.function != "cos" || !is_within(inside, monotone_piece("sin").domain)) return false;
     argument = hull(argument, -argument);  // even
   }
   return narrow(g.of.numerator, argument * point({g.of.denominator.constant()}));
@@ -106,8 +99,9 @@ void Ring::propagate() {
     for (std::size_t k = 0; k < generators_.size(); ++k) {
       const Generator g = generators_[k];
       if (g.function.empty()) continue;
-      if (g.kind != Generator::Kind::root || g.degree == 2)
-        has_changed = narrow(static_cast<int>(k), call(g.function, range_of(g.of))) || has_changed;
+      const Interval of = range_of(g.of), values = g.function == "sqrt" ? power(of, cln::cl_RA(1) / g.degree)
+                                                                        : call(g.function, of);
+      has_changed = narrow(static_cast<int>(k), values) || has_changed;
       has_changed = narrow_backwards(generators_[k]) || has_changed;
     }
   }

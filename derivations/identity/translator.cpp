@@ -7,21 +7,10 @@
 namespace rederive {
 
 using cln::cl_RA;
-using Kind = Generator::Kind;
 
 Fraction Translator::operator()(const Tree& tree, std::vector<Atom>& conditions) {
   argument_.reset(), conditions_ = &conditions;
   return translate(tree);
-}
-
-std::vector<Translator::Multiple> Translator::phases_of(const Fraction& argument, cl_RA* turns) {
-  std::vector<Multiple> result;
-  for (const auto& [number, term] : terms_of(argument))
-    if (turns != nullptr && term == pi())
-      *turns = number;
-    else
-      result.push_back(multiple_of_phase(turns != nullptr ? "cos " : "exp ", number, term));
-  return result;
 }
 
 void Translator::require(const Fraction& value, Signs allowed, const Tree& tree) {
@@ -112,49 +101,46 @@ Fraction Translator::symbol(const std::string& name) {
   return ring_.generator(name, [&] {
     const Symbol* known = symbols_.find(name);
     if (known == nullptr) throw Undecidable("the symbol " + name + ", which is not declared");
-    return Generator{Kind::symbol, known->ginac, parse_range(known->range)};
+    return Generator{known->ginac, parse_range(known->range)};
   });
 }
 
 Fraction Translator::pi() {
-  return ring_.generator("pi", [] { return Generator{Kind::pi, GiNaC::Pi, point({0, 1})}; });
+  return ring_.generator("pi", [] { return Generator{GiNaC::Pi, point({0, 1})}; });
 }
 
 const RewriteRule* rewrite_rule(const std::string& function) {
-  struct Row {
-    const char* function;
-    std::vector<std::pair<const char*, Signs>> domain;
-    const char* result = nullptr;
-  };
-  static const std::map<std::string, RewriteRule> rules = [] {
-    const Signs nonzero = Signs::nonzero(), positive = Signs::positive(), nonnegative = Signs::nonnegative();
-    const std::vector<Row> rows{{"tan", {{"cos(u)", nonzero}}, "sin(u)/cos(u)"},
-                                {"sec", {{"cos(u)", nonzero}}, "1/cos(u)"},
-                                {"cot", {{"sin(u)", nonzero}}, "cos(u)/sin(u)"},
-                                {"csc", {{"sin(u)", nonzero}}, "1/sin(u)"},
-                                {"sqrt", {{"u", nonnegative}}},
-                                {"log", {{"u", positive}}},
-                                {"asin", {{"1-u^2", nonnegative}}},
-                                {"acos", {{"1-u^2", nonnegative}}, "pi/2-asin(u)"},
-                                {"sinh", {}, "(exp(u)-exp(-u))/2"},
-                                {"cosh", {}, "(exp(u)+exp(-u))/2"},
-                                {"tanh", {}, "(exp(u)-exp(-u))/(exp(u)+exp(-u))"},
-                                {"sech", {}, "2/(exp(u)+exp(-u))"},
-                                {"coth", {{"u", nonzero}}, "(exp(u)+exp(-u))/(exp(u)-exp(-u))"},
-                                {"csch", {{"u", nonzero}}, "2/(exp(u)-exp(-u))"},
-                                {"asinh", {}, "log(u+sqrt(u^2+1))"},
-                                {"acosh", {{"u-1", nonnegative}}, "log(u+sqrt(u^2-1))"},
-                                {"atanh", {{"1-u", positive}, {"1+u", positive}}, "log((1+u)/(1-u))/2"}};
+  static const auto read = [](const char* text) {
     Symbols symbols;
     symbols.declare("u", "u", "u", "1", all_numbers, "", "");
-    std::map<std::string, RewriteRule> result;
-    for (const Row& row : rows) {
-      RewriteRule& rule = result[row.function];
-      for (const auto& [value, signs] : row.domain) rule.domain.emplace_back(parse(value, symbols), signs);
-      if (row.result != nullptr) rule.result = parse(row.result, symbols);
-    }
-    return result;
-  }();
+    return parse(text, symbols);
+  };
+  static const auto rule = [](const std::vector<std::pair<const char*, Signs>>& domain,
+                              const char* result = nullptr) {
+    RewriteRule made{{}, result == nullptr ? nullptr : read(result)};
+    for (const auto& [value, signs] : domain) made.domain.emplace_back(read(value), signs);
+    return made;
+  };
+  constexpr Signs nonzero = Signs::nonzero(), positive = Signs::positive(),
+                  nonnegative = Signs::nonnegative();
+  static const std::map<std::string, RewriteRule> rules = {
+      {"tan", rule({{"cos(u)", nonzero}}, "sin(u)/cos(u)")},
+      {"sec", rule({{"cos(u)", nonzero}}, "1/cos(u)")},
+      {"cot", rule({{"sin(u)", nonzero}}, "cos(u)/sin(u)")},
+      {"csc", rule({{"sin(u)", nonzero}}, "1/sin(u)")},
+      {"sqrt", rule({{"u", nonnegative}})},
+      {"log", rule({{"u", positive}})},
+      {"asin", rule({{"1-u^2", nonnegative}})},
+      {"acos", rule({{"1-u^2", nonnegative}}, "pi/2-asin(u)")},
+      {"sinh", rule({}, "(exp(u)-exp(-u))/2")},
+      {"cosh", rule({}, "(exp(u)+exp(-u))/2")},
+      {"tanh", rule({}, "(exp(u)-exp(-u))/(exp(u)+exp(-u))")},
+      {"sech", rule({}, "2/(exp(u)+exp(-u))")},
+      {"coth", rule({{"u", nonzero}}, "(exp(u)+exp(-u))/(exp(u)-exp(-u))")},
+      {"csch", rule({{"u", nonzero}}, "2/(exp(u)-exp(-u))")},
+      {"asinh", rule({}, "log(u+sqrt(u^2+1))")},
+      {"acosh", rule({{"u-1", nonnegative}}, "log(u+sqrt(u^2-1))")},
+      {"atanh", rule({{"1-u", positive}, {"1+u", positive}}, "log((1+u)/(1-u))/2")}};
   const auto found = rules.find(function);
   return found == rules.end() ? nullptr : &found->second;
 }

@@ -29,7 +29,7 @@ class Translator {
   /// The work in an empty ring, again and again until no part of it throws OtherBasis.
   template <class Work>
   auto with_basis(const Work& work, int rounds = 24) -> decltype(work()) {
-    ring_ = Ring(), arguments_.clear();
+    ring_ = Ring(), circular_.clear();
     try {
       return work();
     } catch (const OtherBasis&) {
@@ -47,11 +47,10 @@ class Translator {
   Fraction exponential(const Fraction& argument);
   Fraction logarithm(const Fraction& value);
 
-  /// A phase, and how often it stands in an argument.
+  Fraction pi();
+  /// A phase, and how often it stands in number · term, an argument of "cos " or "exp ".
   using Multiple = std::pair<Fraction, int>;
-  /// The argument of a circular function, or of an exponential, as multiples of independent phases; `turns`,
-  /// of a circular function alone, gets the rational multiple of π beside them.
-  std::vector<Multiple> phases_of(const Fraction& argument, cln::cl_RA* turns);
+  Multiple multiple_of_phase(const std::string& function, const cln::cl_RA& number, const Fraction& term);
 
  private:
   Fraction translate(const Tree& tree);
@@ -61,9 +60,7 @@ class Translator {
   void require(const Fraction& value, Signs allowed, const Tree& tree);
 
   Fraction symbol(const std::string& name);
-  Fraction pi();
   int common_multiple(const std::string& key, const cln::cl_I& number);
-  Multiple multiple_of_phase(const std::string& function, const cln::cl_RA& number, const Fraction& term);
   std::pair<Fraction, Fraction> phase(const Fraction& phase);
   std::pair<Fraction, Fraction> part_of_pi(const cln::cl_I& n);
 
@@ -75,17 +72,13 @@ class Translator {
   Fraction absolute(const Fraction& value);
   Fraction logarithm_of(const Polynomial& factor);
   Fraction angle(bool is_sine, const Fraction& value);
-  std::optional<Fraction> inverted(bool is_sine, const Fraction& value);
 
   Ring& ring_;
   const Symbols& symbols_;
   std::vector<Atom>* conditions_ = nullptr;
-  std::optional<Fraction> argument_;                            ///< u of the rule that is applied
-  std::map<std::string, cln::cl_I> denominators_{{"turn", 2}};  ///< of phases, and the orders of roots
-  struct Argument {
-    Fraction argument, cosine, sine;
-  };
-  std::map<std::string, Argument> arguments_;  ///< of circular functions that were met
+  std::optional<Fraction> argument_;                               ///< u of the rule that is applied
+  std::map<std::string, cln::cl_I> denominators_{{"turn", 2}};     ///< of phases, and the orders of roots
+  std::map<std::string, std::pair<Fraction, Fraction>> circular_;  ///< a memo table, by arguments
 };
 
 /// True if it is 0: by the relations of the ring; or as it has a factor d + e·g, with g² in the ring, such

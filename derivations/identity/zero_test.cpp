@@ -3,8 +3,6 @@
 
 namespace rederive {
 
-using Kind = Generator::Kind;
-
 namespace {
 
 /// d = -e·g, from d² = e²·g² and the signs.
@@ -32,8 +30,9 @@ bool is_angle(const Ring& ring, const Fraction& d, int turns) {
     return false;
   for (std::size_t t = 0; t < d.numerator.terms(); ++t) {
     const auto powers = d.numerator.powers(t);
-    const Kind kind = powers.size() == 1 ? ring.generators()[powers[0].first].kind : Kind::cosine;
-    if (kind != Kind::symbol && kind != Kind::pi && kind != Kind::angle) return false;
+    if (powers.size() != 1) return false;
+    const Generator& g = ring.generators()[powers[0].first];
+    if (!g.function.empty() && !g.is_angle()) return false;
   }
   return true;
 }
@@ -62,7 +61,7 @@ std::vector<Fraction> zeros_like(const Fraction& f, Ring& ring, Translator& tran
   const Fraction d = ring.normal(f);
   std::vector<Fraction> result{d};
   const auto used = d.numerator.used();
-  const auto is_logarithm = [&](int k) { return ring.generators()[k].kind == Kind::logarithm; };
+  const auto is_logarithm = [&](int k) { return ring.generators()[k].function == "log"; };
   try {
     if (is_angle(ring, d, 1)) result.push_back(translator.circular(d).second);
     if (is_angle(ring, d, 2)) result.push_back(ring.normal(1 - translator.circular(d).first));

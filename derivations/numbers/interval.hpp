@@ -47,7 +47,8 @@ Interval operator-(const Interval& x);
 Interval operator-(const Interval& x, const Interval& y);
 Interval operator*(const Interval& x, const Interval& y);
 Interval reciprocal(const Interval& x);  ///< of those that are not 0
-Interval power(const Interval& x, long n);
+Interval power(const Interval& x,
+               const cln::cl_RA& exponent);  ///< a fraction: of those that are not negative
 /// The values of a function of our syntax, by its name, where it has values. Throws std::out_of_range for an
 /// unknown one.
 Interval call(const std::string& function, const Interval& x);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <derivations/decide/decide.hpp>
+#include <derivations/language/unicode.hpp>
 #include <derivations/paper/prove.hpp>
 #include <regex>
 
@@ -206,6 +207,42 @@ Proof decide(const ProveRequest& request) {
         proof.side_conditions.end())
       proof.side_conditions.push_back(condition);
   return proof;
+}
+
+std::string explain(const SyntaxError& error, std::string_view text) {
+  constexpr std::size_t before = 80, after = 60;  // bytes
+  const std::size_t position = std::min(error.position, text.size());
+  const auto is_inside = [&](std::size_t at) { return at < text.size() && (text[at] & 0xC0) == 0x80; };
+  std::size_t first = text.substr(0, position).rfind('\n') + 1,  // 0 on the first line
+      last = std::min(text.find('\n', position), text.size());
+  const bool is_cut = position - first > before, is_cut_behind = last - position > after;
+  if (is_cut) first = position - before;
+  if (is_cut_behind) last = position + after;
+  while (is_cut && is_inside(first)) ++first;
+  while (is_inside(last)) ++last;
+  std::string indent = is_cut ? " " : "";
+  for (std::size_t at = first; at < position;
+       at += std::max<std::size_t>(first_character(text.substr(at)).bytes, 1)) {
+    const char32_t code = first_character(text.substr(at)).code;
+    if (code < 0x300 || code >= 0x370) indent += ' ';  // others stand above the character before
+  }
+  return std::string(error.what()) + "\n  " + (is_cut ? "…" : "") +
+         printable_line(std::string(text.substr(first, last - first))) + (is_cut_behind ? "…" : "") + "\n  " +
+         indent + "^";
+}
+
+std::vector<std::string> in_words(const Witness& witness) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : witness.at) {
+    const auto bounds = witness.between.find(name);
+    const auto exact = witness.exactly.find(name);
+    if (bounds != witness.between.end())
+      words.push_back(fmt::format("{} between {} and {} where {}", name, bounds->second.first,
+                                  bounds->second.second, witness.solves));
+    else
+      words.push_back(name + " = " + (exact != witness.exactly.end() ? exact->second : value));
+  }
+  return words;
 }
 
 }  // namespace rederive
