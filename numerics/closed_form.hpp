@@ -2,8 +2,8 @@
 // so.
 #pragma once
 
-#include <derivations/numbers/ball.hpp>
 #include <emitted/rocking_block.hpp>
+#include <numerics/ball_functions.hpp>
 #include <numerics/overturning.hpp>
 #include <optional>
 #include <stdexcept>

@@ -18,13 +18,13 @@ struct System {
   }
 
   Fraction operator()(const std::string& text) {
-    std::vector<DomainCondition> conditions;
+    std::vector<Atom> conditions;
     return translator(parse(text, symbols), conditions);
   }
   /// "x - 1 > 0", with 0 on the right.
   void know(const std::string& text) {
     const Relation relation = parse_relation(text, symbols);
-    std::vector<DomainCondition> conditions;
+    std::vector<Atom> conditions;
     const Fraction value = translator(relation.sides[0], conditions);
     const std::string& op = relation.operators[0];
     for (const Fact& fact : facts_of(ring, value, op == "=" ? Signs::zero() : op == ">" ? Signs::positive() : Signs::nonnegative()))

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <derivations/paper/prove.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <random>
 

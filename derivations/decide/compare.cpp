@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <derivations/decide/comparison.hpp>
 #include <derivations/identity/translator.hpp>
-#include <numeric>
 #include <set>
 
 namespace rederive {
@@ -14,31 +13,23 @@ void rest_on(Sameness& all, const std::string& by, const Certificate& part) {
   all.certificate.parts.insert(all.certificate.parts.end(), part.parts.begin(), part.parts.end());
 }
 
-/// left = factor · right, by a factor without zero or pole, positive for inequalities.
-std::optional<Sameness> same_up_to_a_factor(const Comparison& setting, const Atom& left, const Atom& right) {
-  const Ring& ring = setting.ring;
-  if (left.signs != right.signs) return std::nullopt;
-  if (left.value.is_zero() && right.value.is_zero()) return Sameness{"identity", 1};
-  if (left.value.is_zero() || right.value.is_zero()) return std::nullopt;
-  Sameness result{"identity", ring.rationalized(left.value / right.value)};
-  const bool is_equation = left.signs == Signs::zero();
-  const auto fits = [&](const Fraction& f) {
+/// left/right, if it has neither zero nor pole, and is positive for inequalities.
+std::optional<Fraction> factor_between(const Ring& ring, const Atom& left, const Atom& right, Sameness& all) {
+  const Signs wanted = left.signs == Signs::zero() ? Signs::nonzero() : Signs::positive();
+  const auto is_proved = [&](const Fraction& part) {
+    const auto found = prove_signs(ring, part, wanted);
+    if (found) rest_on(all, found->parts.empty() ? "identity" : "sign", *found);
+    return found.has_value();
+  };
+  for (const bool turned : {false, true}) {
+    const Fraction f = ring.rationalized(turned ? right.value / left.value : left.value / right.value);
     std::vector<Fraction> parts;
     for (const auto& [factor, exponent] : factors(f.numerator * f.denominator).second)
       parts.push_back(factor);
-    if (!is_equation) parts = {f};
-    return std::all_of(parts.begin(), parts.end(), [&](const Fraction& part) {
-      const Signs wanted = is_equation ? Signs::nonzero() : Signs::positive();
-      const auto found = prove_signs(ring, part, wanted);
-      if (found) rest_on(result, found->parts.empty() ? "identity" : "sign", *found);
-      return found.has_value();
-    });
-  };
-  if (fits(*result.factor)) return result;
-  const Fraction inverse = ring.rationalized(right.value / left.value);
-  if (!fits(inverse)) return std::nullopt;
-  result.factor = 1 / inverse;
-  return result;
+    if (wanted == Signs::positive()) parts = {f};
+    if (std::ranges::all_of(parts, is_proved)) return turned ? 1 / f : f;
+  }
+  return std::nullopt;
 }
 
 std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::vector<Atom>& left,
@@ -46,51 +37,27 @@ std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::
   if (left.empty() || left.size() != right.size()) return std::nullopt;
   Sameness all{"identity", 1};
   for (std::size_t k = 0; k < left.size(); ++k) {
-    const auto one = same_up_to_a_factor(setting, left[k], right[k]);
-    if (!one) return std::nullopt;
-    rest_on(all, one->by, one->certificate);
-    if (all.factor && (left.size() == 1 || *one->factor == 1))
-      all.factor = one->factor;
-    else
-      all.factor.reset();
+    const Atom &a = left[k], &b = right[k];
+    if (a.signs != b.signs || a.value.is_zero() != b.value.is_zero()) return std::nullopt;
+    const auto factor = a.value.is_zero() ? Fraction(1) : factor_between(setting.ring, a, b, all);
+    if (!factor) return std::nullopt;
+    if (left.size() == 1) all.factor = factor;
+    if (left.size() > 1 && !(*factor == 1)) all.factor.reset();
   }
   return all;
 }
 
-/// Of a^n + b^n or a^n - b^n, with the same zeros: a ± b for an odd n, a^2 ± b^2 for an even one.
-Polynomial without_powers(const Polynomial& p) {
-  if (p.terms() != 2) return p;
-  int common = 0;
-  for (const std::size_t term : {0, 1})
-    for (const auto& [k, exponent] : p.powers(term)) common = std::gcd(common, exponent);
-  if (common < 3 || cln::abs(p.coefficient(0)) != 1 || cln::abs(p.coefficient(1)) != 1) return p;
-  const auto root = [&](std::size_t term) {
-    Polynomial result(p.coefficient(term));
-    for (const auto& [k, exponent] : p.powers(term))
-      result = result * power(Polynomial::variable(k), exponent / common * (common % 2 != 0 ? 1 : 2));
-    return result;
-  };
-  return root(0) + root(1);
-}
-
 /// The irreducible factors of an equation that may be 0. A root, a size or a sine counts by the factors of
-/// its power, an inverse function by its argument, log u by u - 1, e^u - 1 by u.
+/// its power.
 std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
-  using Kind = Generator::Kind;
   std::set<Polynomial> result;
-  for (const auto& [factor, exponent] : factors(without_powers(value.numerator)).second) {
+  for (const auto& [factor, exponent] : factors(value.numerator).second) {
     if (ring.signs_of(factor).is_definite()) continue;
-    const auto used = factor.used();
-    const Generator& g = ring.generators()[used[0]];
-    const Polynomial x = Polynomial::variable(used[0]);
-    const bool is_plain = factor == x;
-    const bool is_power = g.kind == Kind::root || g.kind == Kind::absolute || g.kind == Kind::sine;
-    if (is_plain && is_power && g.degree > 1)
+    const int k = factor.used()[0];
+    const Generator& g = ring.generators()[k];
+    const bool is_power = g.function == "sqrt" || g.function == "fabs" || g.function == "sin";
+    if (factor == Polynomial::variable(k) && is_power && g.degree > 1)
       result.merge(zero_set(ring, g.value));
-    else if ((is_plain && g.kind == Kind::angle) || (factor == x - 1 && g.kind == Kind::exponential))
-      result.merge(zero_set(ring, g.of));
-    else if (is_plain && g.kind == Kind::logarithm)
-      result.merge(zero_set(ring, g.of - 1));
     else
       result.insert(factor);
   }
@@ -116,7 +83,7 @@ std::optional<Sameness> all_follow(const Comparison& setting, const std::vector<
       return false;
     const std::set<Polynomial> zeros = zero_set(setting.ring, claim.value),
                                cases = zero_set(setting.ring, from[k].value);
-    return std::all_of(cases.begin(), cases.end(), [&](const Polynomial& factor) {
+    return std::ranges::all_of(cases, [&](const Polynomial& factor) {
       auto case_of = from;
       case_of[k].value = factor;
       return zeros.contains(factor) || by_signs(case_of, claim);
@@ -135,7 +102,7 @@ std::optional<Sameness> all_follow(const Comparison& setting, const std::vector<
 Polynomial norm(const Ring& ring, const Polynomial& p) {
   Polynomial result = ring.normal(p).numerator;
   for (const int k : result.used())
-    if (ring.generators()[k].kind == Generator::Kind::sine && result.degree(k) == 1)
+    if (ring.generators()[k].function == "sin" && result.degree(k) == 1)
       result = ring.norm(result, k).numerator;
   return result;
 }
@@ -164,15 +131,15 @@ std::optional<Sameness> same(Comparison& setting, const Problem& problem) {
 }
 
 bool hides_a_solution(const Comparison& setting) {
-  const auto has = [](const std::vector<DomainCondition>& list, const DomainCondition& c) {
-    return std::ranges::find(list, c.value, &DomainCondition::value) != list.end();
+  const auto has = [](const std::vector<Atom>& list, const Atom& c) {
+    return std::ranges::find(list, c.value, &Atom::value) != list.end();
   };
   const auto vanish_together = [&](const Fraction& a, const Fraction& b) {
     return !gcd(norm(setting.ring, a.numerator), norm(setting.ring, b.numerator)).is_constant();
   };
   const auto hidden = [&](const Translated& divided, const Translated& other) {
-    for (const DomainCondition& c : divided.conditions) {
-      if (c.allowed == Signs::nonnegative() || !has(setting.conditions, c) || has(other.conditions, c))
+    for (const Atom& c : divided.conditions) {
+      if (c.signs == Signs::nonnegative() || !has(setting.conditions, c) || has(other.conditions, c))
         continue;
       const Fraction divisor = setting.ring.normal(c.value);
       for (const Atom& atom : other.atoms)

@@ -12,7 +12,7 @@ namespace {
 
 /// The links as atoms, without those that say nothing if others say something.
 std::vector<Atom> atoms_of(const std::vector<Relation>& links, Comparison& setting,
-                           std::vector<DomainCondition>& conditions) {
+                           std::vector<Atom>& conditions) {
   std::vector<Atom> atoms;
   for (const Relation& link : links) {
     const Fraction left = setting.translator(link.sides[0], conditions),
@@ -39,13 +39,13 @@ void relate(Ring& ring, const Fraction& value) {
   for (const int k : p.used()) {
     const Generator& g = ring.generators()[k];
     const int degree = p.degree(k);
-    if (g.degree != 0 || degree > 4 || g.kind != Generator::Kind::symbol) continue;
+    if (g.degree != 0 || degree > 4 || !GiNaC::is_a<GiNaC::symbol>(g.meaning)) continue;
     const auto c = p.coefficients(k);
     if (!c.back().is_constant()) continue;
     Polynomial rest = 0;
     for (int n = 0; n < degree; ++n) rest = rest + c[n] * power(Polynomial::variable(k), n);
     const auto others = rest.used();  // the relation must not lead round in a circle
-    if (std::any_of(others.begin(), others.end(), [&](int v) {
+    if (std::ranges::any_of(others, [&](int v) {
           const Fraction& of_v = ring.generators()[v].value;
           return of_v.numerator.degree(k) > 0 || of_v.denominator.degree(k) > 0;
         }))
@@ -57,9 +57,9 @@ void relate(Ring& ring, const Fraction& value) {
 
 /// A value is one, as its conditions say.
 Fraction defined(Comparison& setting, const Tree& tree) {
-  std::vector<DomainCondition> conditions;
+  std::vector<Atom> conditions;
   const Fraction value = setting.translator(tree, conditions);
-  for (const DomainCondition& c : conditions) learn(setting, c.value, c.allowed);
+  for (const Atom& c : conditions) learn(setting, c.value, c.signs);
   return value;
 }
 
@@ -71,11 +71,6 @@ void assume(Comparison& setting, const Relation& assumption) {
   const Atom atom = atom_of(left, op, right);
   if (atom.signs == Signs::zero()) relate(setting.ring, atom.value);
   learn(setting, atom.value, atom.signs);
-}
-
-/// Whether the ranges and the assumptions say it already.
-bool is_granted(const Comparison& setting, const DomainCondition& c) {
-  return prove_signs(setting.ring, c.value, c.allowed, !setting.ring.facts.empty()).has_value();
 }
 
 /// Both statements. That two expressions are the same says that their equation holds.
@@ -97,11 +92,12 @@ void translate(Comparison& setting, const Problem& problem) {
   }
   translate_statements(setting, problem);
   for (const Translated* side : {&setting.left, &setting.right})
-    for (const DomainCondition& c : side->conditions)
-      if (!is_granted(setting, c)) setting.conditions.push_back(c);
+    for (const Atom& c : side->conditions)  // unless ranges and assumptions say it already
+      if (!prove_signs(setting.ring, c.value, c.signs, !setting.ring.facts.empty()))
+        setting.conditions.push_back(c);
   setting.in_words = in_words(setting.conditions, setting.ring, problem.symbols);
   for (int round = 0; round < 2 && !setting.conditions.empty(); ++round) {
-    for (const DomainCondition& c : setting.conditions) learn(setting, c.value, c.allowed);
+    for (const Atom& c : setting.conditions) learn(setting, c.value, c.signs);
     translate_statements(setting, problem);
   }
 }
@@ -116,7 +112,7 @@ std::vector<std::vector<Atom>> readings_of(Comparison& setting, const Relation& 
     is_inverted = is_inverted || inverse.sides != link.sides;
     link = inverse;
   }
-  std::vector<DomainCondition> unused;
+  std::vector<Atom> unused;
   if (is_inverted) result.push_back(atoms_of(links, setting, unused));
   if (translated.atoms.size() != 1 || translated.atoms[0].signs != Signs::zero()) return result;
   for (const Fraction& other : zeros_like(translated.atoms[0].value, setting.ring, setting.translator))

@@ -7,17 +7,11 @@
 
 namespace rederive {
 
-/// One relation between a value and 0.
-struct Atom {
-  Fraction value;  ///< left - right, or right - left of < and <=
-  Signs signs;     ///< zero, positive or nonnegative
-};
-
 /// A statement in the ring: atoms that hold together. Of two expressions, the left one says nothing, and the
 /// right one that they are equal.
 struct Translated {
   std::vector<Atom> atoms;
-  std::vector<DomainCondition> conditions;  ///< for its sides to have values
+  std::vector<Atom> conditions;  ///< for its sides to have values
 };
 
 struct Comparison {
@@ -27,8 +21,8 @@ struct Comparison {
   Ring ring;  ///< its facts: assumptions, and what must hold for both statements to have values
   Translator translator;
   Translated left, right;
-  std::vector<DomainCondition> conditions;  ///< those that neither the ranges nor the assumptions grant
-  std::vector<std::string> in_words;        ///< the same: "x - 1 > 0", "cos(theta) != 0"
+  std::vector<Atom> conditions;       ///< those that neither the ranges nor the assumptions grant
+  std::vector<std::string> in_words;  ///< the same: "x - 1 > 0", "cos(theta) != 0"
 };
 
 /// The value and the sign that a link a op b asks for.
@@ -60,7 +54,7 @@ bool hides_a_solution(const Comparison& setting);
 
 /// "x - 1 > 0", "cos(theta) != 0": the conditions in our syntax, without the factors of which the ring knows
 /// the sign, and nothing said twice; x >= 0 and x != 0 are x > 0.
-std::vector<std::string> in_words(const std::vector<DomainCondition>& conditions, const Ring& ring,
+std::vector<std::string> in_words(const std::vector<Atom>& conditions, const Ring& ring,
                                   const Symbols& symbols);
 
 }  // namespace rederive

@@ -54,31 +54,20 @@ Proof proved(const Comparison& setting, const Sameness& found, const Symbols& sy
   return proof;
 }
 
-/// What stands between bars in a statement, or in one of its functions.
-std::optional<Fraction> between_bars(const Comparison& setting) {
-  const auto& generators = setting.ring.generators();
-  std::set<int> met;
-  const auto meet = [&](const Fraction& f) {
-    for (const int k : (f.numerator * f.denominator).used()) met.insert(k);
-  };
-  for (const Translated* side : {&setting.left, &setting.right})
-    for (const Atom& atom : side->atoms) meet(atom.value);
-  for (int k = static_cast<int>(generators.size()) - 1; k >= 0; --k)
-    if (met.contains(k)) meet(generators[k].of);
-  for (const int k : met)
-    if (generators[k].kind == Generator::Kind::absolute) return generators[k].of;
-  return std::nullopt;
-}
-
 /// The problem as it is; or, if what stands between bars may have either sign, with each of both.
 std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& setting, int depth) {
+  const auto& generators = setting.ring.generators();
+  const auto known =
+      static_cast<std::ptrdiff_t>(generators.size());  // those that come later may have no value
   if (auto found = same(setting, problem)) return found;
-  const auto u = between_bars(setting);
-  if (!u || depth == 0) return std::nullopt;
+  const auto end = generators.begin() + known;
+  const auto bars = std::ranges::find(generators.begin(), end, "fabs", &Generator::function);
+  if (bars == end || depth == 0) return std::nullopt;
+  const Tree u = to_tree(setting.ring.meaning_of(bars->of), problem.symbols);
   Sameness both{"identity"};
   for (const char* op : {">=", "<="}) {
     Problem part = problem;
-    part.assumptions.push_back({{to_tree(setting.ring.meaning_of(*u), problem.symbols), zero()}, {op}});
+    part.assumptions.push_back({{u, zero()}, {op}});
     Comparison of_part(part.symbols);
     const auto found = of_part.translator.with_basis([&]() -> std::optional<Sameness> {
       try {
@@ -126,19 +115,17 @@ Proof decide(const Relation& left, const Relation& right, const Symbols& symbols
              const std::vector<Given>& given, const std::vector<Relation>& assumptions) {
   if (left.operators.empty() != right.operators.empty())
     return undecided("an expression cannot be compared with a relation");
-  const auto is_equation = [](const Relation& a) {
-    return std::find(a.operators.begin(), a.operators.end(), "=") != a.operators.end();
-  };
+  const auto is_equation = [](const Relation& a) { return std::ranges::count(a.operators, "=") > 0; };
   try {
     const Problem problem = with_values({left, right, assumptions, symbols}, given);
-    if (std::none_of(assumptions.begin(), assumptions.end(), is_equation))
-      return decide_problem(problem, true);
-    std::vector<Relation> others;  // it may hold without the equations
-    std::remove_copy_if(assumptions.begin(), assumptions.end(), std::back_inserter(others), is_equation);
-    Proof proof = decide_problem(with_values({left, right, others, symbols}, given), false);
-    if (proof.verdict == Verdict::proved && search(problem, few).agreed > 0) return proof;
-    proof = decide_problem(problem, true);
-    if (proof.verdict == Verdict::proved) proof.verdict = Verdict::proved_under;
+    std::vector<Relation> others = assumptions;
+    const bool has_equations = std::erase_if(others, is_equation) > 0;
+    if (has_equations) {  // it may hold without them
+      const Proof proof = decide_problem(with_values({left, right, others, symbols}, given), false);
+      if (proof.verdict == Verdict::proved && search(problem, few).agreed > 0) return proof;
+    }
+    Proof proof = decide_problem(problem, true);
+    if (has_equations && proof.verdict == Verdict::proved) proof.verdict = Verdict::proved_under;
     return proof;
   } catch (const std::exception& error) {  // of GiNaC, which meets poles while it builds
     return undecided(in_plain_words(error));

@@ -11,10 +11,7 @@ namespace {
 
 bool has_symbols_only(const Ring& ring, const Polynomial& p) {
   const auto used = p.used();
-  return std::all_of(used.begin(), used.end(), [&](int k) {
-    const auto kind = ring.generators()[k].kind;
-    return kind == Generator::Kind::symbol || kind == Generator::Kind::pi;
-  });
+  return std::ranges::all_of(used, [&](int k) { return ring.generators()[k].function.empty(); });
 }
 
 /// The factors of a divisor as it is written.
@@ -29,26 +26,20 @@ void divide_up(const Tree& tree, std::vector<Tree>& parts) {
   }
 }
 
-/// What is 0 where a sum of fractions is, functions taken as symbols.
-GiNaC::ex numerator(const GiNaC::ex& value) {
-  GiNaC::exmap atoms;
-  const GiNaC::ex above = value.to_rational(atoms).numer().expand();
-  return (above / above.integer_content()).expand().subs(atoms, GiNaC::subs_options::no_pattern);
-}
-
 /// What is said of a value.
 using Say = std::function<void(const GiNaC::ex&, Signs)>;
 
 /// Of plain symbols: the factors that matter.
-void say_factors(const DomainCondition& c, const Ring& ring, const Say& say) {
-  const Fact fact = ring.essential(c.value, c.allowed);
-  Polynomial rest = fact.signs == c.allowed ? 1 : -1;
+void say_factors(const Atom& c, const Ring& ring, const Say& say) {
+  const Fact fact = ring.essential(c.value, c.signs);
+  Polynomial rest = fact.signs == c.signs ? 1 : -1;
   for (const auto& [factor, exponent] : factors(fact.value).second)
-    if (c.allowed != Signs::nonzero() && exponent % 2 != 0)
+    if (c.signs != Signs::nonzero() && exponent % 2 != 0)
       rest = rest * factor;
-    else if (c.allowed != Signs::nonnegative() && !ring.signs_of(factor).is_definite())
+    else if (c.signs != Signs::nonnegative() && !ring.signs_of(factor).is_definite())
       say(ring.meaning_of(Fraction(factor)), Signs::nonzero());
-  if (!rest.is_constant()) say(ring.meaning_of(Fraction(rest)).expand(), c.allowed);
+  if (rest == -1 && c.signs == Signs::nonnegative()) rest = -fact.value;  // -x² >= 0 says x = 0
+  if (!rest.is_constant()) say(ring.meaning_of(Fraction(rest)).expand(), c.signs);
 }
 
 /// Of anything else: the factors of a divisor as they are written.
@@ -57,7 +48,11 @@ void say_divisors(const Tree& divisor, const Symbols& symbols, const Say& say) {
   divide_up(divisor, parts);
   for (const Tree& part : parts) {
     GiNaC::ex value = lower(part, symbols);
-    if (!GiNaC::is_a<GiNaC::function>(value)) value = numerator(value);
+    if (!GiNaC::is_a<GiNaC::function>(value)) {  // what is 0 where a sum of fractions is
+      GiNaC::exmap functions;
+      const GiNaC::ex above = value.to_rational(functions).numer().expand();
+      value = (above / above.integer_content()).expand().subs(functions, GiNaC::subs_options::no_pattern);
+    }
     const std::string one = print(value, Notation::plain, symbols),
                       other = print(-value, Notation::plain, symbols);
     say(std::pair(other.size(), other) < std::pair(one.size(), one) ? -value : value, Signs::nonzero());
@@ -65,34 +60,34 @@ void say_divisors(const Tree& divisor, const Symbols& symbols, const Say& say) {
 }
 
 /// Without those that follow from the others; u >= 0 and u != 0 are u > 0.
-std::vector<DomainCondition> independent(const std::vector<DomainCondition>& conditions, const Ring& ring) {
-  std::vector<DomainCondition> result;
-  for (const DomainCondition& c : conditions) {
-    const auto same = std::ranges::find(result, c.value, &DomainCondition::value);
+std::vector<Atom> independent(const std::vector<Atom>& conditions, const Ring& ring) {
+  std::vector<Atom> result;
+  for (const Atom& c : conditions) {
+    const auto same = std::ranges::find(result, c.value, &Atom::value);
     if (same == result.end())
       result.push_back(c);
     else
-      same->allowed = same->allowed & c.allowed;
+      same->signs = same->signs & c.signs;
   }
   std::vector<std::size_t> order(result.size());  // the longest first
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
     return result[a].value.key().size() > result[b].value.key().size();
   });
   for (const std::size_t k : order) {
     Ring with_others = ring;
     for (std::size_t j = 0; j < result.size(); ++j)
-      if (j != k) with_others.learn(result[j].value, result[j].allowed);
-    if (with_others.signs_of(with_others.normal(result[k].value)).within(result[k].allowed))
-      result[k].allowed = Signs::any();
+      if (j != k) with_others.learn(result[j].value, result[j].signs);
+    if (with_others.signs_of(with_others.normal(result[k].value)).within(result[k].signs))
+      result[k].signs = Signs::any();
   }
-  std::erase_if(result, [](const DomainCondition& c) { return c.allowed == Signs::any(); });
+  std::erase_if(result, [](const Atom& c) { return c.signs == Signs::any(); });
   return result;
 }
 
 }  // namespace
 
-std::vector<std::string> in_words(const std::vector<DomainCondition>& conditions, const Ring& ring,
+std::vector<std::string> in_words(const std::vector<Atom>& conditions, const Ring& ring,
                                   const Symbols& symbols) {
   std::vector<std::string> words;
   const auto say = [&](const GiNaC::ex& value, Signs signs) {
@@ -103,13 +98,13 @@ std::vector<std::string> in_words(const std::vector<DomainCondition>& conditions
                                                                                   : " < 0");
     if (std::ranges::find(words, word) == words.end()) words.push_back(word);
   };
-  for (const DomainCondition& c : independent(conditions, ring))
+  for (const Atom& c : independent(conditions, ring))
     if (has_symbols_only(ring, c.value.numerator * c.value.denominator))
       say_factors(c, ring, say);
-    else if (c.allowed == Signs::nonzero())
+    else if (c.signs == Signs::nonzero())
       say_divisors(c.tree, symbols, say);
     else
-      say(lower(c.tree, symbols), c.allowed);
+      say(lower(c.tree, symbols), c.signs);
   return words;
 }
 

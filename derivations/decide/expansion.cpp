@@ -40,10 +40,10 @@ class Expansion {
   /// In the size of the small symbols. What its parts need to have values near 0 is kept in `conditions`.
   /// Throws Undecidable where there is no series.
   Series of(const Tree& tree) {
-    std::vector<DomainCondition> found;
+    std::vector<Atom> found;
     (void)known_.translator(with_exponentials(tree), found);
-    for (const DomainCondition& c : found)
-      require(of(lower(c.tree, symbols_)), c.allowed == Signs::nonnegative() ? Signs::positive() : c.allowed);
+    for (const Atom& c : found)
+      require(of(lower(c.tree, symbols_)), c.signs == Signs::nonnegative() ? Signs::positive() : c.signs);
     return of(lower(tree, symbols_));
   }
   Series of(const ex& e) { return of_scaled(e.subs(scaled_, GiNaC::subs_options::no_pattern)); }
@@ -51,12 +51,12 @@ class Expansion {
   /// Whether the logarithm of a small symbol stands in it: as the symbol goes to 0, it grows.
   bool has_log_of_small(const ex& e) const {
     if (GiNaC::is_a<GiNaC::function>(e) && GiNaC::ex_to<GiNaC::function>(e).get_name() == "log")
-      return std::any_of(small_.begin(), small_.end(), [&](auto& name) { return e.has(symbols_[name]); });
-    return std::any_of(e.begin(), e.end(), [&](const ex& part) { return has_log_of_small(part); });
+      return std::ranges::any_of(small_, [&](auto& name) { return e.has(symbols_[name]); });
+    return std::ranges::any_of(e, [&](const ex& part) { return has_log_of_small(part); });
   }
 
   /// What the assumptions do not grant.
-  std::vector<DomainCondition> conditions;
+  std::vector<Atom> conditions;
 
   /// The polynomial up to a power, at size 1.
   ex polynomial(const Series& series, int order) const {
@@ -70,7 +70,7 @@ class Expansion {
   Signs require(const Series& series, Signs signs) {
     const Series rest = from_its_lowest_term(series);
     const Tree lowest = to_tree(coefficient(rest, low(rest)), symbols_);
-    std::vector<DomainCondition> unused;
+    std::vector<Atom> unused;
     const Fraction f = known_.translator(lowest, unused);
     const Signs known = known_.ring.signs_of(f);
     if ((known & signs).is_none()) throw Undecidable("there is no series of what has no value");
@@ -127,7 +127,7 @@ class Expansion {
   }
   bool is_zero(const ex& e) {
     if (e.expand().is_zero()) return true;
-    std::vector<DomainCondition> unused;
+    std::vector<Atom> unused;
     const Fraction f = known_.translator(to_tree(e, symbols_), unused);
     return vanishes(f, known_.ring, known_.translator);
   }
@@ -207,10 +207,9 @@ std::vector<std::string> symbols_to_solve_for(const Relation& left, const Relati
 
 /// An equation that could not be put in, with what is small in it.
 bool ties(const std::vector<Relation>& assumptions, const std::vector<std::string>& small) {
-  return std::any_of(assumptions.begin(), assumptions.end(), [&](const Relation& a) {
+  return std::ranges::any_of(assumptions, [&](const Relation& a) {
     const auto names = names_of(a);
-    return a.operators[0] == "=" &&
-           std::any_of(small.begin(), small.end(), [&](auto& s) { return names.contains(s); });
+    return a.operators[0] == "=" && std::ranges::any_of(small, [&](auto& s) { return names.contains(s); });
   });
 }
 
@@ -229,7 +228,7 @@ std::pair<Relation, Relation> to_order(const Problem& problem, const std::vector
   if (is_symbol(left.sides[0]) && is_symbol(right.sides[0]) && left.sides[0]->text != right.sides[0]->text)
     throw Undecidable("the two say what different symbols are, and the order may differ");
   for (const std::string& name : symbols_to_solve_for(left, right)) {
-    if (std::find(small.begin(), small.end(), name) != small.end()) continue;
+    if (std::ranges::find(small, name) != small.end()) continue;
     const auto a = said_of(left, symbols[name], symbols), b = said_of(right, symbols[name], symbols);
     if (!a || !b) continue;
     const auto says = [&](const Relation& relation, const SolvedFor& said) {
@@ -262,8 +261,8 @@ Proof decide_to_order(const Relation& left, const Relation& right, const std::ve
       return to_order(problem, small, order, *expansion);
     });
     std::vector<Relation> holds = problem.assumptions;
-    for (const DomainCondition& c : expansion->conditions)
-      holds.push_back({{c.tree, zero()}, {c.allowed == Signs::nonzero() ? "!=" : ">"}});
+    for (const Atom& c : expansion->conditions)
+      holds.push_back({{c.tree, zero()}, {c.signs == Signs::nonzero() ? "!=" : ">"}});
     proof = decide(a, b, symbols, {}, holds);
     if (proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under) {
       proof.verdict = Verdict::approximation, proof.by = "expansion";

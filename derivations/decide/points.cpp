@@ -33,8 +33,7 @@ Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks
   Candidates result;
   const auto add = [&](const cl_RA& value) {
     auto& list = result.plain;
-    if (range.contains({value}) && std::find(list.begin(), list.end(), value) == list.end())
-      list.push_back(value);
+    if (range.contains({value}) && std::ranges::find(list, value) == list.end()) list.push_back(value);
   };
   for (const char* text : {"1",   "1/2",   "2",     "3/2",  "1/3", "-1",   "3",   "-1/2",   "2/3", "-2",
                            "1/4", "5/2",   "3/4",   "-1/3", "5",   "-3/2", "4",   "1/10",   "-3",  "-5/2",
@@ -137,7 +136,7 @@ bool has_value(const Tree& tree, const Point& point) {
 bool is_admitted(const Problem& problem, const Point& point) {
   for (const auto& [name, value] : problem.values)
     if (!has_value(value, point)) return false;
-  return std::all_of(problem.assumptions.begin(), problem.assumptions.end(), [&](const Relation& a) {
+  return std::ranges::all_of(problem.assumptions, [&](const Relation& a) {
     const Truth truth = truth_at(a, point, 200);
     return truth == Truth::holds || (truth == Truth::unknown && is_equation(a));
   });
@@ -162,8 +161,7 @@ bool differ_at(const Relation& solved, const Relation& other, const Point& point
   if (truth_at(other, point, 200) != (holds ? Truth::fails : Truth::holds)) return false;
   const Truth own = truth_at(equal, point, 200);
   return (own == Truth::holds || own == Truth::unknown) &&
-         std::all_of(solved.sides.begin(), solved.sides.end(),
-                     [&](const Tree& side) { return has_value(side, point); });
+         std::ranges::all_of(solved.sides, [&](const Tree& side) { return has_value(side, point); });
 }
 
 std::optional<Witness> at_solutions(const Problem& problem, const Point& point, int turn) {

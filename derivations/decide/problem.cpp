@@ -8,8 +8,7 @@ namespace rederive {
 bool is_symbol(const Tree& tree) { return tree->kind == Node::Kind::symbol && tree->text != "pi"; }
 
 bool is_equation(const Relation& r) {
-  return !r.operators.empty() &&
-         std::count(r.operators.begin(), r.operators.end(), "=") == std::ssize(r.operators);
+  return !r.operators.empty() && std::ranges::count(r.operators, "=") == std::ssize(r.operators);
 }
 
 std::vector<Relation> links_of(const Relation& chain) {
@@ -70,13 +69,8 @@ bool is_within(const Tree& tree, const Interval& bounds, const Symbols& symbols)
   try {
     Ring ring;
     Translator translator(ring, symbols);
-    std::vector<DomainCondition> unused;
-    const Interval range = translator.with_basis([&] { return ring.range_of(translator(tree, unused)); });
-    const auto inside = [&](const End& end, const End& bound, int side) {
-      const int order = side * compare(end, bound);
-      return order < 0 || (order == 0 && (bound.closed || !end.closed));
-    };
-    return inside(range.high, bounds.high, 1) && inside(range.low, bounds.low, -1);
+    std::vector<Atom> unused;
+    return is_within(translator.with_basis([&] { return ring.range_of(translator(tree, unused)); }), bounds);
   } catch (const Undecidable&) {
     return false;
   }

@@ -26,9 +26,6 @@ struct Witness {
   std::string solves = {};  ///< of this equation: "y - cos(y) = 0"
 };
 
-/// "x = 2/5", "alpha = pi/6", "y between 0.739 and 0.740 where y - cos(y) = 0": a text for every symbol.
-std::vector<std::string> in_words(const Witness& witness);
-
 struct Proof {
   Verdict verdict = Verdict::undecided;
   std::string factor = {};  ///< left = factor * right, of relations; empty where there is none

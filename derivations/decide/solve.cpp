@@ -43,34 +43,33 @@ bool lies_in(const Number& number, const Interval& range) {
          compare(End{{value.ball.upper()}}, range.high) < 0;
 }
 
-/// y of c·y + d = 0, put into the point.
-bool solve_linear(Point& point, const Tree& residual, const std::string& name, const Symbols& symbols) {
+/// y of c·y + d = 0 at the point.
+std::optional<Number> solve_linear(const Point& point, const Tree& residual, const std::string& name,
+                                   const Symbols& symbols) {
   const GiNaC::ex e = lower(residual, symbols).expand(), y = symbols[name];
-  if (!e.is_polynomial(y) || e.degree(y) != 1) return false;
+  if (!e.is_polynomial(y) || e.degree(y) != 1) return std::nullopt;
   const Tree value = to_tree(-e.coeff(y, 0) / e.coeff(y, 1), symbols);
   const Value found = value_at(value, point, 128);
-  if (found.is != Value::Is::certain) return false;
-  const Tree constant = found.constant ? nullptr : with_coordinates(value, point, name);
-  if (!found.constant && !constant) return false;
-  point.insert_or_assign(name, constant ? Number(constant) : number_of(*found.constant));
-  return true;
+  if (found.is != Value::Is::certain) return std::nullopt;
+  if (found.constant) return number_of(*found.constant);
+  const Tree constant = with_coordinates(value, point, name);
+  return constant ? std::optional<Number>(constant) : std::nullopt;
 }
 
 /// A zero between two neighbours on a grid over the range, narrowed to a thousandth: the first one from
 /// below, or from above.
-bool enclose(Point& point, const Tree& residual, const std::string& name, const Interval& range,
-             bool from_above) {
+std::optional<Number> enclose(const Point& point, const Tree& residual, const std::string& name,
+                              const Interval& range, bool from_above) {
   const Tree tree = with_coordinates(residual, point, name);
-  if (!tree) return false;
+  if (!tree) return std::nullopt;
   const auto sign = [&](const cl_RA& x) { return sign_at(tree, zero(), {{name, Number(x)}}, 400); };
-  const auto found = [&](const Number& x) { return point.insert_or_assign(name, x), true; };
   cl_RA low = 0, high = 0;
   Sign before = Sign::unknown;
   for (int k = -40; k <= 40; ++k, low = high) {
     high = cl_RA(from_above ? -2 * k - 1 : 2 * k + 1) / 8;
     if (!range.contains({high})) continue;
     const Sign here = sign(high), last = std::exchange(before, here);
-    if (here == Sign::zero) return found(high);
+    if (here == Sign::zero) return high;
     if (!(last == Sign::negative && here == Sign::positive) &&
         !(last == Sign::positive && here == Sign::negative))
       continue;
@@ -78,15 +77,15 @@ bool enclose(Point& point, const Tree& residual, const std::string& name, const 
     while (cln::abs(b - a) > cl_RA(1) / 1000) {
       const cl_RA middle = cl_RA(cln::floor1(500 * (a + b))) / 1000;
       const Sign there = sign(middle);
-      if (there == Sign::zero) return found(middle);
+      if (there == Sign::zero) return middle;
       (there == last ? a : b) = middle;
     }
     if (from_above) std::swap(a, b);
     const Number zero(tree, name, a, b);
     // a finite ball over the whole of it: continuous there, no pole
-    if (value_at(tree, {{name, zero}}, 128).is == Value::Is::certain) return found(zero);
+    if (value_at(tree, {{name, zero}}, 128).is == Value::Is::certain) return zero;
   }
-  return false;
+  return std::nullopt;
 }
 
 /// Solves one equation for one of the symbols that are not fixed yet.
@@ -95,18 +94,15 @@ bool solve_one(Point& point, const Tree& residual, const std::vector<std::string
   for (const bool is_linear : {true, false})
     for (const std::string& name : names) {
       if (fixed.contains(name)) continue;
-      Point next = point;
       const Interval range = parse_range(symbols.find(name)->range);
       try {
-        if (!(is_linear ? solve_linear(next, residual, name, symbols)
-                        : enclose(next, residual, name, range, turn % 2 != 0)))
-          continue;
-        if (!lies_in(next.at(name), range)) continue;
+        const auto number = is_linear ? solve_linear(point, residual, name, symbols)
+                                      : enclose(point, residual, name, range, turn % 2 != 0);
+        if (!number || !lies_in(*number, range)) continue;
+        point.insert_or_assign(name, *number);
+        return true;
       } catch (const SyntaxError&) {  // GiNaC meets a pole as it builds
-        continue;
       }
-      point = next;
-      return true;
     }
   return false;
 }
@@ -119,8 +115,7 @@ std::optional<Point> solve(const std::vector<Relation>& equations, Point point, 
   std::vector<Relation> links;
   for (const Relation& chain : equations)
     for (Relation& link : links_of(chain)) links.push_back(std::move(link));
-  std::stable_sort(links.begin(), links.end(),
-                   [](auto& a, auto& b) { return names_of(a).size() < names_of(b).size(); });
+  std::ranges::stable_sort(links, [](auto& a, auto& b) { return names_of(a).size() < names_of(b).size(); });
   for (const Relation& link : links) {
     const Tree residual = residual_of(link.sides[0], link.sides[1], turn);
     if (fixed.empty() && sign_at(residual, zero(), point, 200) == Sign::zero) continue;

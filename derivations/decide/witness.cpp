@@ -67,18 +67,4 @@ std::optional<Witness> make_witness(const Problem& problem, const Point& point, 
   return witness;
 }
 
-std::vector<std::string> in_words(const Witness& witness) {
-  std::vector<std::string> words;
-  for (const auto& [name, value] : witness.at) {
-    const auto bounds = witness.between.find(name);
-    const auto exact = witness.exactly.find(name);
-    if (bounds != witness.between.end())
-      words.push_back(fmt::format("{} between {} and {} where {}", name, bounds->second.first,
-                                  bounds->second.second, witness.solves));
-    else
-      words.push_back(name + " = " + (exact != witness.exactly.end() ? exact->second : value));
-  }
-  return words;
-}
-
 }  // namespace rederive

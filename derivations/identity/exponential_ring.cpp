@@ -4,11 +4,10 @@
 
 namespace rederive {
 
-Fraction Ring::function(Generator::Kind kind, const std::string& f, const Fraction& of, int degree,
-                        const Fraction& value) {
+Fraction Ring::function(const std::string& f, const Fraction& of, int degree, const Fraction& value) {
   return generator(f + " " + of.key(), [&] {
     const GiNaC::ex meaning = find_function(f)->of(meaning_of(of));
-    return Generator{kind, meaning, call(f, range_of(of)), of, degree, value, f};
+    return Generator{meaning, call(f, range_of(of)), f, of, degree, value};
   });
 }
 

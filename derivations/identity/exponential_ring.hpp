@@ -25,22 +25,19 @@ namespace rederive {
 
 /// One generator of the ring, and what it stands for.
 struct Generator {
-  enum class Kind { symbol, pi, cosine, sine, exponential, root, absolute, logarithm, angle };
-  Kind kind = Kind::symbol;
   GiNaC::ex meaning;          ///< in the symbols of the statement
   Interval range;             ///< the values that it takes
+  std::string function = {};  ///< its name in our syntax; empty of symbols and pi; sqrt of all roots
   Fraction of = 0;            ///< the phase, what stands under the root, between the bars, in the logarithm
   int degree = 0;             ///< generator^degree = value; 0: no relation
   Fraction value = 0;         ///< in generators that came before
-  std::string function = {};  ///< its name in our syntax; empty of symbols and pi; sqrt of all roots
+
+  bool is_angle() const { return function == "asin" || function == "atan"; }
 };
 
-/// All numbers that are not negative, and all that are positive.
-inline Interval nonnegative_numbers() { return {End{{}, 0, true}, End{{}, 1}}; }
-inline Interval positive_numbers() { return {End{{}, 0, false}, End{{}, 1}}; }
-
-/// The signs of the numbers in an interval.
+/// The signs of the numbers in an interval; and the interval of the numbers that have one of these signs.
 Signs signs_of(const Interval& values);
+Interval values_of(Signs signs);
 
 /// A polynomial of the ring and the signs that it has.
 struct Fact {
@@ -60,8 +57,7 @@ class Ring {
     return Polynomial::variable(index_[key] = static_cast<int>(generators_.size()) - 1);
   }
   /// The variable of f(of).
-  Fraction function(Generator::Kind kind, const std::string& f, const Fraction& of, int degree = 0,
-                    const Fraction& value = 0);
+  Fraction function(const std::string& f, const Fraction& of, int degree = 0, const Fraction& value = 0);
   const std::vector<Generator>& generators() const { return generators_; }
   /// What is assumed: the hypotheses of certificates.
   std::vector<Fact> facts = {};
@@ -88,7 +84,7 @@ class Ring {
   void learn(const Fraction& value, Signs signs);
 
   Interval range_of(const Fraction& f) const;
-  Signs signs_of(const Polynomial& p) const;
+  Signs signs_of(const Polynomial& p) const { return signs_of(p, 2); }
   Signs signs_of(const Fraction& f) const { return signs_of(f.numerator) * signs_of(f.denominator); }
 
   /// Back in the symbols of the statement; or with other names of the generators.
@@ -98,18 +94,20 @@ class Ring {
  private:
   Fraction reduced(const Polynomial& p) const;
   Interval range_of(const Polynomial& p) const;
+  Signs known_signs(const Polynomial& p) const;
   Signs signs_of(const Polynomial& p, int depth) const;
-  Signs signs_of_coefficients(const Polynomial& p, int depth) const;
-  Signs signs_of_quadratic(const Polynomial& p, int depth) const;
-  void narrow(const Polynomial& p, Signs signs);
+  Signs signs_anew(const Polynomial& p, int depth) const;
+  Signs signs_of_irreducible(const Polynomial& p, int depth) const;
+  bool narrow(const Polynomial& p, const Interval& values);
   bool narrow(int generator, const Interval& range);
   bool narrow_backwards(const Generator& g);
   void propagate();
 
   std::vector<Generator> generators_;
   std::map<std::string, int> index_;
-  std::map<Polynomial, Signs> known_signs_;    ///< of polynomials that lead with plus, content 1
-  mutable std::map<Polynomial, Signs> found_;  ///< a memo table of signs_of, for what is known now
+  std::map<Polynomial, Signs> known_signs_;  ///< of polynomials that lead with plus, content 1
+  /// A memo table of signs_of, for what is known now.
+  mutable std::map<std::pair<Polynomial, int>, Signs> found_;
 };
 
 }  // namespace rederive

@@ -1,29 +1,93 @@
-// Logarithms and the inverse circular functions.
+// Roots, sizes, logarithms and the inverse circular functions. What is known to have no negative values comes
+// out of a root or its bars, and what has a sign out of a logarithm, factor by factor.
+#include <algorithm>
 #include <derivations/identity/translator.hpp>
 
 namespace rederive {
 
-using cln::cl_RA;
-using Kind = Generator::Kind;
+/// y with y^order = base, y >= 0: a power of the generator whose order all roots of this base share.
+Fraction Translator::root_generator(const Polynomial& base, int order) {
+  const int part = base == 2 ? 4 : base == 3 ? 6 : 0;  // √2 = 2 cos π/4, √3 = 2 cos π/6
+  if (order == 2 && part != 0 && cln::zerop(cln::mod(denominators_.at("turn"), part)))
+    return 2 * circular(pi() / part).first;
+  const std::string key = base.key();
+  const int common = common_multiple("root " + key, order);
+  const Fraction y = ring_.generator("root " + std::to_string(common) + " " + key, [&] {
+    const GiNaC::ex meaning = pow(ring_.meaning_of(base), GiNaC::numeric(1, common));
+    const Interval range = rederive::power(ring_.range_of(Fraction(base)), cln::cl_RA(1) / common);
+    return Generator{meaning, range, "sqrt", base, common, base};
+  });
+  return power(y, common / order);
+}
+
+Fraction Translator::root(const Fraction& value, int order) {
+  const Fraction u = ring_.normal(value);
+  if (u.is_zero()) return 0;
+  // (n/d)^{1/k} = (n d^{k-1})^{1/k} / |d|
+  const auto& [sign, list] = factors(u.numerator * power(u.denominator, order - 1));
+  Signs of_odd = sign < 0 ? Signs::negative() : Signs::positive();
+  for (const auto& [factor, exponent] : list)
+    if (exponent % 2 != 0) of_odd = of_odd * ring_.signs_of(factor);
+  Fraction outside = 1 / absolute(u.denominator);
+  Polynomial inside = sign;
+  for (const auto& [factor, exponent] : list) {
+    const Signs signs = ring_.signs_of(factor);
+    const bool is_negative = signs.within(Signs::nonpositive()),
+               has_sign = is_negative || signs.within(Signs::nonnegative());
+    // beside what may be negative, what may be 0 stays: where it is 0 the rest may have no root
+    const bool comes_out = of_odd.within(Signs::nonnegative()) || signs.is_definite();
+    const int taken = !comes_out ? 0 : has_sign ? exponent : exponent - exponent % 2;
+    if (is_negative && taken % 2 != 0) inside = -inside;
+    inside = inside * power(factor, exponent - taken);
+    if (taken > 0) outside = outside * Fraction(power(size_of(factor), taken / order));
+    if (taken % order != 0) outside = outside * power(root_generator(size_of(factor), order), taken % order);
+  }
+  if (inside.is_one()) return ring_.normal(outside);
+  if (inside.is_constant()) throw NoValue("the root of a negative number");
+  return ring_.normal(outside * root_generator(inside, order));
+}
+
+/// base^exponent, for an exponent that is no whole number: (t^{2n})^q = |t|^{2nq}, before anything is
+/// multiplied out.
+Fraction Translator::root_of(const Tree& tree, const Fraction& base, const cln::cl_RA& exponent) {
+  const bool is_power = tree->kind == Node::Kind::power && tree->children[1]->kind == Node::Kind::number;
+  const cln::cl_RA inner = is_power ? exact(tree->children[1]->text) : cln::cl_RA(1);
+  if (cln::denominator(inner / 2) != 1) return raised(base, exponent);
+  return raised(absolute(translate(tree->children[0])), inner * exponent);
+}
+
+/// The size of an irreducible polynomial: without bars where its sign is known.
+Polynomial Translator::size_of(const Polynomial& factor) {
+  const Signs signs = ring_.signs_of(factor);
+  if (signs.within(Signs::nonnegative())) return factor;
+  if (signs.within(Signs::nonpositive())) return -factor;
+  return ring_.function("fabs", factor, 2, factor * factor).numerator;
+}
+
+/// |n/d| = |n d|/d², factor by factor.
+Fraction Translator::absolute(const Fraction& value) {
+  const Fraction u = ring_.normal(value);
+  const auto& [sign, list] = factors(u.numerator * u.denominator);
+  Polynomial size = std::abs(sign);
+  for (const auto& [factor, exponent] : list)
+    size = size * power(exponent % 2 == 0 ? factor : size_of(factor), exponent);
+  return ring_.normal(Fraction(size, u.denominator * u.denominator));
+}
 
 /// log of a positive value: the sum over its factors of known sign; what is left stays in one logarithm.
 Fraction Translator::logarithm(const Fraction& value) {
   const Fraction u = ring_.normal(value);
+  const auto& [sign, list] = factors(u.numerator * u.denominator);  // n/d = n d / d²
   Fraction sum = 0;
-  Polynomial rest = 1;
-  for (const int side : {1, -1}) {
-    const auto& [sign, list] = factors(side > 0 ? u.numerator : u.denominator);
-    rest = sign * rest;
-    for (const auto& [factor, exponent] : list) {
-      const Signs signs = ring_.signs_of(factor);
-      const bool has_sign = signs == Signs::positive() || signs == Signs::negative();
-      // no factor is 0, so log f² = 2 log |f|; and n/d = n d / d²
-      const int stays = has_sign ? 0 : exponent % 2, twice = side < 0 ? -2 * stays : 0,
-                times = side * (exponent - stays) + twice;
-      if (times != 0) sum = sum + times * logarithm_of(size_of(factor));
-      if (stays != 0) rest = rest * factor;
-      if (signs == Signs::negative() && exponent % 2 != 0) rest = -rest;
-    }
+  Polynomial rest = sign;
+  for (const auto& [factor, exponent] : list) {
+    const Signs signs = ring_.signs_of(factor);
+    const bool has_sign = signs == Signs::positive() || signs == Signs::negative();
+    const int stays = has_sign ? 0 : exponent % 2,  // no factor is 0, so log f² = 2 log |f|
+        squares = quotient(u.denominator, factor) ? 2 * exponent : 0, times = exponent - stays - squares;
+    if (times != 0) sum = sum + times * logarithm_of(size_of(factor));
+    if (stays != 0) rest = rest * factor;
+    if (signs == Signs::negative() && exponent % 2 != 0) rest = -rest;
   }
   if (rest.is_one()) return ring_.normal(sum);
   if (rest.is_constant()) throw NoValue("the logarithm of a negative number");
@@ -36,36 +100,18 @@ Fraction Translator::logarithm_of(const Polynomial& p) {
   const auto used = p.used();
   if (used.size() == 1 && p == Polynomial::variable(used[0])) {
     const Generator g = ring_.generators()[used[0]];
-    if (g.kind == Kind::exponential) return g.of;
-    if (g.kind == Kind::root) return logarithm(g.of) / Fraction(g.degree);
+    if (g.function == "exp") return g.of;
+    if (g.function == "sqrt") return logarithm(g.of) / Fraction(g.degree);
   }
-  return ring_.function(Kind::logarithm, "log", p);
-}
-
-/// The argument itself, where asin undoes a sine or atan a tangent inside of its range.
-std::optional<Fraction> Translator::inverted(bool is_sine, const Fraction& value) {
-  const auto within = [&](const Fraction& x, int low, int high) {  // between these halves of π
-    const Interval range = ring_.range_of(x);
-    return compare(range.low, End{{0, cl_RA(low) / 2}}) >= 0 &&
-           compare(range.high, End{{0, cl_RA(high) / 2}}) <= 0;
-  };
-  const auto is_zero = [&](const Fraction& f) { return ring_.normal(f).is_zero(); };
-  for (const auto& [key, a] : arguments_) {
-    if (is_zero(value * (is_sine ? Fraction(1) : a.cosine) - a.sine) && within(a.argument, -1, 1))
-      return a.argument;
-    if (is_zero(value * (is_sine ? Fraction(1) : a.sine) - a.cosine) && within(a.argument, 0, 2))
-      return ring_.normal(pi() / 2 - a.argument);
-  }
-  return std::nullopt;
+  return ring_.function("log", p);
 }
 
 /// asin u, or atan u, as a generator; both are odd.
 Fraction Translator::angle(bool is_sine, const Fraction& value) {
   const Fraction u = ring_.normal(value);
   if (u.is_zero()) return 0;
-  if (const auto x = inverted(is_sine, u)) return *x;
   if (u.numerator.leads_with_minus()) return -angle(is_sine, -u);
-  return ring_.function(Kind::angle, is_sine ? "asin" : "atan", u);
+  return ring_.function(is_sine ? "asin" : "atan", u);
 }
 
 }  // namespace rederive

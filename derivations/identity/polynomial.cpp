@@ -2,6 +2,7 @@
 #include <flint/fmpz_factor.h>
 #include <flint/fmpz_mpoly_factor.h>
 #include <flint/fmpz_poly.h>
+#include <flint/fmpz_vec.h>
 
 #include <derivations/identity/polynomial.hpp>
 #include <derivations/numbers/integer.hpp>
@@ -61,10 +62,12 @@ std::vector<std::pair<int, int>> Polynomial::powers(std::size_t term) const {
   return result;
 }
 
-cln::cl_I Polynomial::content() const {
-  cln::cl_I result = 0;
-  for (std::size_t k = 0; k < terms() && result != 1; ++k) result = cln::gcd(result, coefficient(k));
-  return result;
+Polynomial Polynomial::primitive() const {
+  Polynomial result;
+  Integer content;
+  _fmpz_vec_content(content.z, p_->coeffs, p_->length);
+  if (leads_with_minus()) fmpz_neg(content.z, content.z);
+  return fmpz_mpoly_scalar_divexact_fmpz(result.p_, p_, content.z, context()), result;
 }
 
 std::string Polynomial::key() const {
@@ -90,14 +93,6 @@ std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b) {
   Polynomial result;
   if (b.is_zero() || fmpz_mpoly_divides(result.p_, a.p_, b.p_, Polynomial::context()) == 0)
     return std::nullopt;
-  return result;
-}
-
-Division divided(const Polynomial& a, const Polynomial& b) {
-  Division result;
-  Integer scale;
-  fmpz_mpoly_quasidivrem(scale.z, result.whole.p_, result.rest.p_, a.p_, b.p_, Polynomial::context());
-  result.scale = scale.value();
   return result;
 }
 
@@ -170,8 +165,7 @@ std::string Fraction::key() const {
 }
 Fraction Fraction::operator-() const {
   Fraction result = *this;
-  result.numerator = -result.numerator;
-  return result;
+  return result.numerator = -numerator, result;
 }
 Fraction operator+(const Fraction& a, const Fraction& b) {
   if (a.denominator == b.denominator) return {a.numerator + b.numerator, a.denominator};
@@ -195,14 +189,15 @@ Fraction power(const Fraction& base, int exponent) {
 }
 
 std::vector<std::pair<cln::cl_RA, Fraction>> terms_of(const Fraction& f) {
-  const cln::cl_I number = f.denominator.content();
-  const Polynomial rest = *quotient(f.denominator, Polynomial(number));
-  const auto [scale, whole, remainder] = divided(f.numerator, rest);
+  const Polynomial divisor = f.denominator.primitive();
+  Polynomial whole, rest;
+  Integer scale;  // scale · numerator = whole · divisor + rest
+  fmpz_mpoly_quasidivrem(scale.z, whole.p_, rest.p_, f.numerator.p_, divisor.p_, Polynomial::context());
+  const cln::cl_RA below = f.denominator.coefficient(0) * scale.value() / cln::cl_RA(divisor.coefficient(0));
   std::vector<std::pair<cln::cl_RA, Fraction>> result;
-  for (const auto& [part, below] : {std::pair{whole, Polynomial(1)}, std::pair{remainder, rest}})
+  for (const auto& [part, under] : {std::pair{whole, Polynomial(1)}, std::pair{rest, divisor}})
     for (std::size_t k = 0; k < part.terms(); ++k)
-      result.emplace_back(part.coefficient(k) / cln::cl_RA(number * scale),
-                          Fraction(part.monomial(k), below));
+      result.emplace_back(part.coefficient(k) / below, Fraction(part.monomial(k), under));
   return result;
 }
 

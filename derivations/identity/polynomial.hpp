@@ -27,7 +27,6 @@ struct NoValue : Undecidable {
 };
 
 class Polynomial;
-struct Division;
 /// A sign, and irreducible polynomials with their exponents: of the content its primes below 2000, and what
 /// is left of it.
 using Factors = std::pair<int, std::vector<std::pair<Polynomial, int>>>;
@@ -62,7 +61,8 @@ class Polynomial {
   /// Without its coefficient.
   Polynomial monomial(std::size_t term) const { return of<fmpz_mpoly_get_term_monomial>(p_, term); }
   std::vector<std::pair<int, int>> powers(std::size_t term) const;  ///< (variable, exponent > 0)
-  cln::cl_I content() const;  ///< the positive number that all coefficients have in common
+  /// Divided by what its coefficients have in common; it leads with plus.
+  Polynomial primitive() const;
   bool leads_with_minus() const { return !is_zero() && cln::minusp(coefficient(0)); }
   std::string key() const;  ///< the same text for the same polynomial
 
@@ -83,8 +83,7 @@ class Polynomial {
   }
   /// a/b, if that leaves nothing.
   friend std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b);
-  /// What is left has no term that the leading term of b divides.
-  friend Division divided(const Polynomial& a, const Polynomial& b);
+  friend std::vector<std::pair<cln::cl_RA, struct Fraction>> terms_of(const struct Fraction& f);
   friend Polynomial gcd(const Polynomial& a, const Polynomial& b);
   /// Each factor leads with plus, and those that are no numbers have content 1. Kept in a memo table.
   friend Factors factors(const Polynomial& p);
@@ -101,12 +100,6 @@ class Polynomial {
     return result;
   }
   fmpz_mpoly_t p_;
-};
-
-/// scale · a = whole · b + rest.
-struct Division {
-  cln::cl_I scale = 1;
-  Polynomial whole, rest;
 };
 
 /// Throws Undecidable where the power has too many terms.

@@ -1,25 +1,16 @@
 #include <algorithm>
 #include <derivations/identity/translator.hpp>
+#include <derivations/language/syntax.hpp>
+#include <map>
 #include <utility>
 
 namespace rederive {
 
 using cln::cl_RA;
-using Kind = Generator::Kind;
 
-Fraction Translator::operator()(const Tree& tree, std::vector<DomainCondition>& conditions) {
+Fraction Translator::operator()(const Tree& tree, std::vector<Atom>& conditions) {
   argument_.reset(), conditions_ = &conditions;
   return translate(tree);
-}
-
-std::vector<Translator::Multiple> Translator::phases_of(const Fraction& argument, cl_RA* turns) {
-  std::vector<Multiple> result;
-  for (const auto& [number, term] : terms_of(argument))
-    if (turns != nullptr && term == pi())
-      *turns = number;
-    else
-      result.push_back(multiple_of_phase(turns != nullptr ? "cos " : "exp ", number, term));
-  return result;
 }
 
 void Translator::require(const Fraction& value, Signs allowed, const Tree& tree) {
@@ -65,7 +56,7 @@ Fraction Translator::power_of(const Node& node) {
   const bool is_whole = cln::denominator(number) == 1, is_below = cln::minusp(number);
   if (!is_whole) require(base, is_below ? Signs::positive() : Signs::nonnegative(), node.children[0]);
   if (is_whole && is_below) require(base, Signs::nonzero(), node.children[0]);
-  return raised(base, number);
+  return is_whole ? raised(base, number) : root_of(node.children[0], base, number);
 }
 
 /// base^exponent, of a base that is not negative where the exponent is a fraction.
@@ -98,7 +89,7 @@ Fraction Translator::call(const Node& node) {
   }
   if (name == "sin") return circular(x).second;
   if (name == "cos") return circular(x).first;
-  if (name == "sqrt") return square_root(argument);
+  if (name == "sqrt") return root_of(argument, x, cl_RA(1) / 2);
   if (name == "fabs") return absolute(x);
   if (name == "exp") return exponential(x);
   if (name == "log") return logarithm(x);
@@ -110,12 +101,48 @@ Fraction Translator::symbol(const std::string& name) {
   return ring_.generator(name, [&] {
     const Symbol* known = symbols_.find(name);
     if (known == nullptr) throw Undecidable("the symbol " + name + ", which is not declared");
-    return Generator{Kind::symbol, known->ginac, parse_range(known->range)};
+    return Generator{known->ginac, parse_range(known->range)};
   });
 }
 
 Fraction Translator::pi() {
-  return ring_.generator("pi", [] { return Generator{Kind::pi, GiNaC::Pi, point({0, 1})}; });
+  return ring_.generator("pi", [] { return Generator{GiNaC::Pi, point({0, 1})}; });
+}
+
+const RewriteRule* rewrite_rule(const std::string& function) {
+  static const auto read = [](const char* text) {
+    Symbols symbols;
+    symbols.declare("u", "u", "u", "1", all_numbers, "", "");
+    return parse(text, symbols);
+  };
+  static const auto rule = [](const std::vector<std::pair<const char*, Signs>>& domain,
+                              const char* result = nullptr) {
+    RewriteRule made{{}, result == nullptr ? nullptr : read(result)};
+    for (const auto& [value, signs] : domain) made.domain.emplace_back(read(value), signs);
+    return made;
+  };
+  constexpr Signs nonzero = Signs::nonzero(), positive = Signs::positive(),
+                  nonnegative = Signs::nonnegative();
+  static const std::map<std::string, RewriteRule> rules = {
+      {"tan", rule({{"cos(u)", nonzero}}, "sin(u)/cos(u)")},
+      {"sec", rule({{"cos(u)", nonzero}}, "1/cos(u)")},
+      {"cot", rule({{"sin(u)", nonzero}}, "cos(u)/sin(u)")},
+      {"csc", rule({{"sin(u)", nonzero}}, "1/sin(u)")},
+      {"sqrt", rule({{"u", nonnegative}})},
+      {"log", rule({{"u", positive}})},
+      {"asin", rule({{"1-u^2", nonnegative}})},
+      {"acos", rule({{"1-u^2", nonnegative}}, "pi/2-asin(u)")},
+      {"sinh", rule({}, "(exp(u)-exp(-u))/2")},
+      {"cosh", rule({}, "(exp(u)+exp(-u))/2")},
+      {"tanh", rule({}, "(exp(u)-exp(-u))/(exp(u)+exp(-u))")},
+      {"sech", rule({}, "2/(exp(u)+exp(-u))")},
+      {"coth", rule({{"u", nonzero}}, "(exp(u)+exp(-u))/(exp(u)-exp(-u))")},
+      {"csch", rule({{"u", nonzero}}, "2/(exp(u)-exp(-u))")},
+      {"asinh", rule({}, "log(u+sqrt(u^2+1))")},
+      {"acosh", rule({{"u-1", nonnegative}}, "log(u+sqrt(u^2-1))")},
+      {"atanh", rule({{"1-u", positive}, {"1+u", positive}}, "log((1+u)/(1-u))/2")}};
+  const auto found = rules.find(function);
+  return found == rules.end() ? nullptr : &found->second;
 }
 
 }  // namespace rederive

@@ -8,11 +8,11 @@
 
 namespace rederive {
 
-/// What must hold for a tree to have a value: the sign of `value`, which stands in the tree as `tree`.
-struct DomainCondition {
+/// A value and the signs that it has. What must hold for a tree to have a value stands in it as `tree`.
+struct Atom {
   Fraction value;
-  Signs allowed;
-  Tree tree;
+  Signs signs;
+  Tree tree = nullptr;
 };
 
 /// A phase was met that must be divided further, or a root of a higher order: all that is in the ring must be
@@ -29,7 +29,7 @@ class Translator {
   /// The work in an empty ring, again and again until no part of it throws OtherBasis.
   template <class Work>
   auto with_basis(const Work& work, int rounds = 24) -> decltype(work()) {
-    ring_ = Ring(), arguments_.clear();
+    ring_ = Ring(), circular_.clear();
     try {
       return work();
     } catch (const OtherBasis&) {
@@ -40,18 +40,17 @@ class Translator {
 
   /// The tree in the ring, and what must hold for it to have a value. Throws NoValue, OtherBasis and
   /// Undecidable, as do the next ones.
-  Fraction operator()(const Tree& tree, std::vector<DomainCondition>& conditions);
+  Fraction operator()(const Tree& tree, std::vector<Atom>& conditions);
 
   /// cos and sin of an argument in the ring, e^argument, and the logarithm of a positive value.
   std::pair<Fraction, Fraction> circular(const Fraction& argument);
   Fraction exponential(const Fraction& argument);
   Fraction logarithm(const Fraction& value);
 
-  /// A phase, and how often it stands in an argument.
+  Fraction pi();
+  /// A phase, and how often it stands in number · term, an argument of "cos " or "exp ".
   using Multiple = std::pair<Fraction, int>;
-  /// The argument of a circular function, or of an exponential, as multiples of independent phases; `turns`,
-  /// of a circular function alone, gets the rational multiple of π beside them.
-  std::vector<Multiple> phases_of(const Fraction& argument, cln::cl_RA* turns);
+  Multiple multiple_of_phase(const std::string& function, const cln::cl_RA& number, const Fraction& term);
 
  private:
   Fraction translate(const Tree& tree);
@@ -61,37 +60,29 @@ class Translator {
   void require(const Fraction& value, Signs allowed, const Tree& tree);
 
   Fraction symbol(const std::string& name);
-  Fraction pi();
-  Multiple multiple_of_phase(const std::string& function, const cln::cl_RA& number, const Fraction& term);
+  int common_multiple(const std::string& key, const cln::cl_I& number);
   std::pair<Fraction, Fraction> phase(const Fraction& phase);
   std::pair<Fraction, Fraction> part_of_pi(const cln::cl_I& n);
 
-  // radicals.cpp
+  // inverse_functions.cpp
   Fraction root(const Fraction& value, int order);
-  Fraction square_root(const Tree& tree);
+  Fraction root_of(const Tree& tree, const Fraction& base, const cln::cl_RA& exponent);
   Fraction root_generator(const Polynomial& base, int order);
   Polynomial size_of(const Polynomial& factor);
   Fraction absolute(const Fraction& value);
-  // inverse_functions.cpp
   Fraction logarithm_of(const Polynomial& factor);
   Fraction angle(bool is_sine, const Fraction& value);
-  std::optional<Fraction> inverted(bool is_sine, const Fraction& value);
 
   Ring& ring_;
   const Symbols& symbols_;
-  std::vector<DomainCondition>* conditions_ = nullptr;
-  std::optional<Fraction> argument_;  ///< u of the rule that is applied
-  std::map<std::string, cln::cl_I> denominators_{
-      {"turn", 2}};                         ///< the least common one of all multiples of a term
-  std::map<std::string, int> root_orders_;  ///< key of a base → the least common multiple of its roots
-  struct Argument {
-    Fraction argument, cosine, sine;
-  };
-  std::map<std::string, Argument> arguments_;  ///< of circular functions that were met
+  std::vector<Atom>* conditions_ = nullptr;
+  std::optional<Fraction> argument_;                               ///< u of the rule that is applied
+  std::map<std::string, cln::cl_I> denominators_{{"turn", 2}};     ///< of phases, and the orders of roots
+  std::map<std::string, std::pair<Fraction, Fraction>> circular_;  ///< a memo table, by arguments
 };
 
-/// True if it is 0: by the relations of the ring; and d + e·g, with g² in the ring, if (d + e·g)(d - e·g) is
-/// 0 and d and e·g have opposite signs. False says nothing.
+/// True if it is 0: by the relations of the ring; or as it has a factor d + e·g, with g² in the ring, such
+/// that (d + e·g)(d - e·g) is 0, and d and e·g have opposite signs. False says nothing.
 bool vanishes(const Fraction& f, const Ring& ring);
 
 /// What is 0 at the same points as d: d itself; of angles sin d, if it lies between -π and π, and 1 - cos d,

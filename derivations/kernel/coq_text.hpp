@@ -18,7 +18,7 @@ std::string coq_text(const Relation& relation);
 std::string coq_text(const Tree& value, Signs signs);
 
 /// What trees need to have values, in the order in which they ask for it: divisors that are not 0, and what
-/// the functions need (rewrite_rules.hpp). Nothing is said twice, and nothing of numbers.
+/// the functions need (translator.hpp). Nothing is said twice, and nothing of numbers.
 std::vector<std::pair<Tree, Signs>> needs_of(const std::vector<Tree>& trees);
 
 }  // namespace rederive

@@ -7,8 +7,6 @@ namespace rederive {
 
 namespace {
 
-using Kind = Generator::Kind;
-
 /// a - b for a > b and a != b, a for a > 0.
 Tree difference_of(const Relation& a) {
   const bool is_zero = a.sides[1]->kind == Node::Kind::number && a.sides[1]->text == "0";
@@ -18,7 +16,7 @@ Tree difference_of(const Relation& a) {
 bool has_symbols_only(const Ring& ring, const Polynomial& p) {
   const auto used = p.used();
   return std::all_of(used.begin(), used.end(),
-                     [&](int k) { return ring.generators()[k].kind == Kind::symbol; });
+                     [&](int k) { return GiNaC::is_a<GiNaC::symbol>(ring.generators()[k].meaning); });
 }
 
 /// With cos² = 1 - sin².
@@ -26,7 +24,7 @@ Polynomial in_sines(const Ring& ring, const Polynomial& p) {
   Polynomial result = p;
   for (int k = 0; k < static_cast<int>(ring.generators().size()); ++k) {
     const Generator& g = ring.generators()[k];
-    if (g.kind != Kind::sine || g.degree != 2) continue;
+    if (g.function != "sin" || g.degree != 2) continue;
     const int cosine = g.value.numerator.used().at(0);
     const auto coefficients = result.coefficients(cosine);
     result = 0;
@@ -57,7 +55,7 @@ Script::Script(const Problem& problem)
 }
 
 Fraction Script::value(const Tree& tree) {
-  std::vector<DomainCondition> unused;
+  std::vector<Atom> unused;
   return known_.translator(tree, unused);
 }
 
@@ -102,8 +100,13 @@ void Script::say_argument(const Tree& argument, bool is_circular) {
   std::string sum;
   const auto add = [&](const std::string& term) { sum += (sum.empty() ? "" : " + ") + term; };
   cln::cl_RA turns = 0;
-  for (const auto& [phase, times] :
-       known_.translator.phases_of(value(argument), is_circular ? &turns : nullptr)) {
+  for (const auto& [number, term] : terms_of(value(argument))) {
+    if (is_circular && term == known_.translator.pi()) {
+      turns = number;
+      continue;
+    }
+    const auto [phase, times] =
+        known_.translator.multiple_of_phase(is_circular ? "cos " : "exp ", number, term);
     const std::string name = coq_name(name_of(phase));
     for (int k = 0; k < std::abs(times); ++k) add(times > 0 ? name : "- " + name);
   }
@@ -127,23 +130,23 @@ std::string Script::base_of(const Generator& root, int index) {
 void Script::say_facts() {
   for (const Generator& g : std::vector<Generator>(known_.ring.generators())) {
     GiNaC::ex meaning = g.meaning;
-    const bool is_number = g.kind == Kind::cosine && !known_.ring.find("sin " + g.of.key());  // cos(pi/n)
-    if (!is_number && (g.kind == Kind::cosine || g.kind == Kind::sine || g.kind == Kind::exponential)) {
+    const bool is_number = g.function == "cos" && !known_.ring.find("sin " + g.of.key());  // cos(pi/n)
+    if (!is_number && (g.function == "cos" || g.function == "sin" || g.function == "exp")) {
       const std::string name = name_of(g.of);
       const GiNaC::ex x = names_[name];
-      meaning = g.kind == Kind::cosine ? cos(x) : sin(x);
-      if (g.kind == Kind::exponential) {  // by a name: GiNaC writes exp(x)^2 as exp(2 x)
+      meaning = g.function == "cos" ? cos(x) : sin(x);
+      if (g.function == "exp") {  // by a name: GiNaC writes exp(x)^2 as exp(2 x)
         meaning = declare("exp_" + name).ginac;
         exponentials_["exp_" + name] =
             make_tree(Node::Kind::call, "exp", {make_tree(Node::Kind::symbol, name)});
       }
-      if (g.kind == Kind::sine) say_fact("assert (# := pyth " + coq_name(name) + ")");
-    } else if (g.kind == Kind::root && g.degree == 2) {
+      if (g.function == "sin") say_fact("assert (# := pyth " + coq_name(name) + ")");
+    } else if (g.function == "sqrt" && g.degree == 2) {
       const int index = static_cast<int>(meanings_.size());
       const std::string name = "root" + std::to_string(index);
       say_fact("square_root " + name + " # (" + base_of(g, index) + ")");
       meaning = declare(name).ginac;
-    } else if (g.kind == Kind::root || g.kind == Kind::absolute || g.kind == Kind::logarithm) {
+    } else if (g.function == "sqrt" || g.function == "fabs" || g.function == "log") {
       throw Undecidable("there is no script for roots of higher order, bars and logarithms");
     }
     meanings_.push_back(meaning);

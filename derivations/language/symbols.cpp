@@ -5,14 +5,6 @@
 
 namespace rederive {
 
-namespace {
-
-[[noreturn]] void refuse(const std::string& what, const std::string& name) {
-  throw std::invalid_argument("symbol '" + name + "': " + what);
-}
-
-}  // namespace
-
 Range read_range(std::string_view text) {
   static const std::regex form(R"( *([(\[]) *([^,]*[^, ]) *, *([^,]*[^, ]) *([)\]]) *)");
   std::cmatch part;
@@ -21,34 +13,14 @@ Range read_range(std::string_view text) {
   return {part[2], part[3], part[1] == "[", part[4] == "]"};
 }
 
-Dimension parse_unit(std::string_view text) {
-  static const std::regex factor(R"((^|^1/|[*/])(kg|m|s)(?:\^([0-9]))?)");
-  Dimension dimension{0, 0, 0};
-  std::ptrdiff_t read = text == "1" ? 1 : 0;
-  std::cregex_iterator part(text.begin(), text.end(), factor), none;
-  for (; part != none && part->position() == read; read += part->length(), ++part) {
-    const std::string sign = (*part)[1], base = (*part)[2], power = (*part)[3];
-    dimension[base == "kg"  ? 0
-              : base == "m" ? 1
-                            : 2] += (sign.ends_with('/') ? -1 : 1) * (power.empty() ? 1 : power[0] - '0');
-  }
-  if (!text.empty() && read == std::ssize(text)) return dimension;
-  throw std::invalid_argument("a unit is written like 'kg*m^2/s^2', not '" + std::string(text) + "'");
-}
-
 const Symbol& Symbols::declare(Symbol symbol) {
   static const std::regex name_form("(?![Pp][Ii]$|inf$)[A-Za-z_][A-Za-z_0-9]*");
   // Of an end that is not negative: nothing is subtracted, and no function in it has negative values.
   static const std::regex nonnegative("([^-A-Za-z]|pi|sqrt|exp)*");
   if (!std::regex_match(symbol.name, name_form))
-    refuse("a name is letters, digits and '_', and neither 'pi' nor 'inf'", symbol.name);
-  Range ends;
-  try {
-    ends = read_range(symbol.range);
-    (void)parse_unit(symbol.unit);
-  } catch (const std::invalid_argument& error) {
-    refuse(error.what(), symbol.name);
-  }
+    throw std::invalid_argument("a name is letters, digits and '_', and neither 'pi' nor 'inf', not '" +
+                                symbol.name + "'");
+  const Range ends = read_range(symbol.range);
   if (!GiNaC::is_a<GiNaC::symbol>(symbol.ginac)) {
     // GiNaC simplifies sqrt(x^2) to x where it knows that x is not negative.
     symbol.ginac = std::regex_match(ends.lower, nonnegative)

@@ -3,7 +3,6 @@
 
 #include <ginac/ginac.h>
 
-#include <array>
 #include <map>
 #include <string>
 #include <string_view>
@@ -52,16 +51,11 @@ struct Range {
 /// Reads "(0, pi/2]". Throws std::invalid_argument.
 Range read_range(std::string_view text);
 
-/// Exponents of kg, m, s.
-using Dimension = std::array<GiNaC::numeric, 3>;
-/// Reads "kg*m^2/s^2" or "1". Throws std::invalid_argument.
-Dimension parse_unit(std::string_view text);
-
 /// A set of declared symbols. Copies share the GiNaC symbols, except those that are declared again.
 class Symbols {
  public:
   /// Declares a symbol, or declares it anew (a user's assumption replaces the range).
-  /// Throws std::invalid_argument if the range or the unit cannot be read.
+  /// Throws std::invalid_argument if the name or the range cannot be read.
   const Symbol& declare(std::string name, std::string latex, std::string unicode, std::string unit,
                         std::string range, std::string meaning, std::string introduced) {
     return declare({name, latex, unicode, unit, range, meaning, introduced, SymbolExpression()});

@@ -35,7 +35,4 @@ Relation parse_relation(std::string_view text, const Symbols& symbols, const Lim
 /// Reads either: an expression comes back as a Relation with one side and no operator. Throws SyntaxError.
 Relation parse_statement(std::string_view text, const Symbols& symbols, const Limits& limits = {});
 
-/// The message, the line and a caret under the character at fault: three lines for a terminal.
-std::string explain(const SyntaxError& error, std::string_view text);
-
 }  // namespace rederive

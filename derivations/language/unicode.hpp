@@ -50,9 +50,6 @@ inline bool is_space(char32_t code) {
          (code >= 0x2000 && code <= 0x200A);
 }
 
-/// Whether a terminal shows it above or below the character before.
-inline bool is_combining(char32_t code) { return code >= 0x300 && code < 0x370; }
-
 /// "theta" for θ; empty if it is no Greek letter.
 inline std::string greek_name(char32_t code) {
   constexpr const char* names[] = {"alpha",   "beta", "gamma", "delta",  "epsilon", "zeta", "eta",

@@ -4,6 +4,7 @@
 #include <derivations/language/print.hpp>
 #include <derivations/language/unicode.hpp>
 #include <derivations/mechanics/dimension.hpp>
+#include <regex>
 #include <sstream>
 
 namespace rederive {
@@ -151,6 +152,21 @@ std::string side_name(std::size_t side, std::size_t sides) {
 }
 
 }  // namespace
+
+Dimension parse_unit(std::string_view text) {
+  static const std::regex factor(R"((^|^1/|[*/])(kg|m|s)(?:\^([0-9]))?)");
+  Dimension dimension{0, 0, 0};
+  std::ptrdiff_t read = text == "1" ? 1 : 0;
+  std::cregex_iterator part(text.begin(), text.end(), factor), none;
+  for (; part != none && part->position() == read; read += part->length(), ++part) {
+    const std::string sign = (*part)[1], base = (*part)[2], power = (*part)[3];
+    dimension[base == "kg"  ? 0
+              : base == "m" ? 1
+                            : 2] += (sign.ends_with('/') ? -1 : 1) * (power.empty() ? 1 : power[0] - '0');
+  }
+  if (!text.empty() && read == std::ssize(text)) return dimension;
+  throw std::invalid_argument("a unit is written like 'kg*m^2/s^2', not '" + std::string(text) + "'");
+}
 
 std::string unit_text(const Dimension& dimension) {
   std::string above, below;

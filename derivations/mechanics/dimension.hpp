@@ -1,12 +1,18 @@
 // Is every term of this equation of one dimension?
 #pragma once
 
+#include <array>
 #include <derivations/language/symbols.hpp>
 #include <derivations/language/tree.hpp>
 #include <optional>
 #include <string>
 
 namespace rederive {
+
+/// Exponents of kg, m, s.
+using Dimension = std::array<GiNaC::numeric, 3>;
+/// Reads "kg*m^2/s^2" or "1". Throws std::invalid_argument.
+Dimension parse_unit(std::string_view text);
 
 /// "kg·m²/s²"; "1" for a pure number.
 std::string unit_text(const Dimension& dimension);

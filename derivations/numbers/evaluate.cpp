@@ -10,13 +10,6 @@ namespace {
 using cln::cl_RA;
 using Is = Value::Is;
 
-/// "0.25" of "0.25000", if that is the whole number.
-std::string without_zeros(const std::string& text, const cl_RA& whole) {
-  const std::string shorter =
-      std::regex_replace(text, std::regex("\\.?0*(e|$)"), "$1", std::regex_constants::format_first_only);
-  return exact(shorter.substr(shorter[0] == '-')) == cln::abs(whole) ? shorter : text;
-}
-
 /// By quadratic interval refinement (Abbott 2006) until so many bits are certain: the secant guesses a cell
 /// of the bracket, signs confirm it, and cells get smaller each time; else the bracket is halved.
 Value zero_between(const Tree& tree, const std::string& symbol, cl_RA low, cl_RA high, long bits) {
@@ -94,7 +87,11 @@ std::optional<std::string> digits_at(const Tree& tree, const Point& point, int d
     const Value value = value_at(tree, point, bits);
     if (value.is == Is::nowhere) return std::nullopt;
     const auto text = value.is == Is::certain ? value.ball.digits(digits) : std::nullopt;
-    if (text) return value.exact ? without_zeros(*text, *value.exact) : *text;
+    if (!text) continue;
+    if (!value.exact) return text;
+    const std::string shorter =  // "0.25" of "0.25000", if that is the whole number
+        std::regex_replace(*text, std::regex("\\.?0*(e|$)"), "$1", std::regex_constants::format_first_only);
+    return exact(shorter.substr(shorter[0] == '-')) == cln::abs(*value.exact) ? shorter : *text;
   }
   return std::nullopt;
 }

@@ -120,6 +120,14 @@ Interval overlap(const Interval& x, const Interval& y) {
   return {further(+1, x.low, y.low, false), further(-1, x.high, y.high, false)};
 }
 
+bool is_within(const Interval& x, const Interval& y) {
+  const auto lies_in = [](const End& end, const End& bound, int side) {
+    const int order = side * compare(end, bound);
+    return order < 0 || (order == 0 && (bound.closed || !end.closed));
+  };
+  return lies_in(x.high, y.high, 1) && lies_in(x.low, y.low, -1);
+}
+
 Interval operator+(const Interval& x, const Interval& y) {
   const auto sum = [](const End& a, const End& b) {
     return a.infinite ? a : b.infinite ? b : End{Constant(a) + b, 0, a.closed && b.closed};
@@ -146,13 +154,15 @@ Interval reciprocal(const Interval& x) {
                [](const Value& v) { return known(Ball(1)) / v; });
 }
 
-Interval power(const Interval& x, long n) {
-  if (n < 0) return reciprocal(power(x, -n));
-  if (n == 0) return point({1});
-  const Interval base = n % 2 == 0 ? absolute(x) : x;
+Interval power(const Interval& x, const cl_RA& exponent) {
+  if (cln::minusp(exponent)) return reciprocal(power(x, -exponent));
+  if (cln::zerop(exponent)) return point({1});
+  const bool is_root = cln::denominator(exponent) != 1, is_even = cln::evenp(cln::numerator(exponent));
+  const Interval base = is_root ? overlap(x, nonnegative) : is_even ? absolute(x) : x;
   const End low = base.is_positive() ? End{} : infinity(-1), high = base.is_negative() ? End{} : infinity(1);
-  const Interval result = image(base, low, high, [&](const Value& v) { return pow(v, known(Ball(n))); });
-  return n % 2 == 0 ? overlap(result, nonnegative) : result;
+  const Interval result =
+      image(base, low, high, [&](const Value& v) { return pow(v, known(Constant{exponent}, bits)); });
+  return is_root || is_even ? overlap(result, nonnegative) : result;
 }
 
 Interval call(const std::string& name, const Interval& x) {

@@ -40,13 +40,15 @@ Interval parse_range(std::string_view range);
 
 Interval hull(const Interval& x, const Interval& y);     ///< the smallest that holds both
 Interval overlap(const Interval& x, const Interval& y);  ///< what lies in both; perhaps empty
+bool is_within(const Interval& x, const Interval& y);    ///< whether all of x lies in y
 
 Interval operator+(const Interval& x, const Interval& y);
 Interval operator-(const Interval& x);
 Interval operator-(const Interval& x, const Interval& y);
 Interval operator*(const Interval& x, const Interval& y);
 Interval reciprocal(const Interval& x);  ///< of those that are not 0
-Interval power(const Interval& x, long n);
+Interval power(const Interval& x,
+               const cln::cl_RA& exponent);  ///< a fraction: of those that are not negative
 /// The values of a function of our syntax, by its name, where it has values. Throws std::out_of_range for an
 /// unknown one.
 Interval call(const std::string& function, const Interval& x);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <derivations/decide/decide.hpp>
+#include <derivations/language/unicode.hpp>
 #include <derivations/paper/prove.hpp>
 #include <regex>
 
@@ -130,12 +131,13 @@ std::string in_words(const Relation& link, const Symbols& symbols) {
   return text(turn ? 1 : 0) + " " + op + " " + text(turn ? 0 : 1);
 }
 
-/// The assumed inequalities and declared ranges without which the proof does not go through.
-std::vector<std::string> conditions_used(Question q, const ProveRequest& request, Verdict verdict) {
+/// The assumed inequalities without which the proof does not go through, or needs another condition in their
+/// place, and the declared ranges without which it does not go through.
+std::vector<std::string> conditions_used(Question q, const ProveRequest& request, const Proof& proof) {
   constexpr std::size_t most = 10;
   std::vector<std::string> used;
-  const auto goes_through = [&](const Question& other) {
-    return decide_once(other, request).verdict == verdict;
+  const auto says_it_too = [&](const std::string& condition) {
+    return std::ranges::count(proof.side_conditions, condition) > 0;
   };
   std::vector<Relation> links;
   for (const Relation& a : q.assumptions)
@@ -148,7 +150,8 @@ std::vector<std::string> conditions_used(Question q, const ProveRequest& request
     }
     Question other = q;
     other.assumptions.erase(other.assumptions.begin() + static_cast<std::ptrdiff_t>(k));
-    if (tried++ < most && goes_through(other)) {
+    const Proof again = tried++ < most ? decide_once(other, request) : Proof{};
+    if (again.verdict == proof.verdict && std::ranges::all_of(again.side_conditions, says_it_too)) {
       q = std::move(other);
       continue;
     }
@@ -163,7 +166,7 @@ std::vector<std::string> conditions_used(Question q, const ProveRequest& request
     if (range == all_numbers) continue;
     Question other = q;
     other.symbols.narrow(name, all_numbers);
-    if (tried++ < most && goes_through(other)) {
+    if (tried++ < most && decide_once(other, request).verdict == proof.verdict) {
       q = std::move(other);
       continue;
     }
@@ -199,11 +202,47 @@ Proof decide(const ProveRequest& request) {
   check_order(request, question);
   Proof proof = decide_once(question, request);
   if (proof.verdict == Verdict::refuted || proof.verdict == Verdict::undecided) return proof;
-  for (const std::string& condition : conditions_used(question, request, proof.verdict))
+  for (const std::string& condition : conditions_used(question, request, proof))
     if (std::find(proof.side_conditions.begin(), proof.side_conditions.end(), condition) ==
         proof.side_conditions.end())
       proof.side_conditions.push_back(condition);
   return proof;
+}
+
+std::string explain(const SyntaxError& error, std::string_view text) {
+  constexpr std::size_t before = 80, after = 60;  // bytes
+  const std::size_t position = std::min(error.position, text.size());
+  const auto is_inside = [&](std::size_t at) { return at < text.size() && (text[at] & 0xC0) == 0x80; };
+  std::size_t first = text.substr(0, position).rfind('\n') + 1,  // 0 on the first line
+      last = std::min(text.find('\n', position), text.size());
+  const bool is_cut = position - first > before, is_cut_behind = last - position > after;
+  if (is_cut) first = position - before;
+  if (is_cut_behind) last = position + after;
+  while (is_cut && is_inside(first)) ++first;
+  while (is_inside(last)) ++last;
+  std::string indent = is_cut ? " " : "";
+  for (std::size_t at = first; at < position;
+       at += std::max<std::size_t>(first_character(text.substr(at)).bytes, 1)) {
+    const char32_t code = first_character(text.substr(at)).code;
+    if (code < 0x300 || code >= 0x370) indent += ' ';  // others stand above the character before
+  }
+  return std::string(error.what()) + "\n  " + (is_cut ? "…" : "") +
+         printable_line(std::string(text.substr(first, last - first))) + (is_cut_behind ? "…" : "") + "\n  " +
+         indent + "^";
+}
+
+std::vector<std::string> in_words(const Witness& witness) {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : witness.at) {
+    const auto bounds = witness.between.find(name);
+    const auto exact = witness.exactly.find(name);
+    if (bounds != witness.between.end())
+      words.push_back(fmt::format("{} between {} and {} where {}", name, bounds->second.first,
+                                  bounds->second.second, witness.solves));
+    else
+      words.push_back(name + " = " + (exact != witness.exactly.end() ? exact->second : value));
+  }
+  return words;
 }
 
 }  // namespace rederive

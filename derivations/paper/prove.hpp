@@ -30,6 +30,14 @@ Problem problem_of(const ProveRequest& request);
 /// that contradict each other.
 Proof decide(const ProveRequest& request);
 
+/// The message, the line and a caret under the character at fault: three lines for a terminal. A long line is
+/// shown around that character.
+std::string explain(const SyntaxError& error, std::string_view text);
+
+/// A witness: "x = 2/5", "alpha = pi/6", "y between 0.739 and 0.740 where y - cos(y) = 0": a text for every
+/// symbol.
+std::vector<std::string> in_words(const Witness& witness);
+
 /// Runs `read`; what it finds wrong with `text`, which a user typed, becomes BadInput, with a caret.
 template <class Read>
 auto reading(const std::string& text, Read read) {

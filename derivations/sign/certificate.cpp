@@ -67,23 +67,15 @@ std::vector<Fact> relevant(const Ring& ring, const std::vector<Fact>& negated) {
   return result;
 }
 
-/// What may stand in squares: 1, the generators, and the monomials of which the facts have the squares.
-std::vector<Polynomial> roots_of_squares(const std::vector<Fact>& facts, const std::set<int>& variables) {
-  constexpr std::size_t most = 9;
-  std::set<Polynomial> roots{1};
-  if (variables.size() < most)
-    for (const int k : variables) roots.insert(Polynomial::variable(k));
-  for (const Fact& f : facts)
-    for (std::size_t t = 0; t < f.value.terms(); ++t) {
-      Polynomial root = 1;
-      bool is_square = true;
-      for (const auto& [k, exponent] : f.value.powers(t)) {
-        is_square = is_square && exponent % 2 == 0;
-        root = root * power(Polynomial::variable(k), exponent / 2);
-      }
-      if (is_square && roots.size() < most) roots.insert(root);
-    }
-  return {roots.begin(), roots.end()};
+/// What may stand in squares: 1 and the generators, and of two generators the products.
+std::vector<Polynomial> roots_of_squares(const std::set<int>& variables) {
+  std::vector<Polynomial> roots{1};
+  if (variables.size() > 8) return roots;
+  for (const int k : variables) roots.push_back(Polynomial::variable(k));
+  for (const int i : variables)
+    for (const int j : variables)
+      if (variables.size() <= 2 && i <= j) roots.push_back(Polynomial::variable(i) * Polynomial::variable(j));
+  return roots;
 }
 
 /// Products of facts in pairs, squares of generators and of their differences, and equations times
@@ -108,7 +100,7 @@ std::vector<Column> columns_of(const Ring& ring, const std::vector<Fact>& facts)
   for (std::size_t i = 0; i < facts.size(); ++i)
     for (std::size_t j = i; j < facts.size(); ++j)
       add({facts[i].value, facts[j].value}, facts[i].signs * facts[j].signs);
-  const std::vector<Polynomial> roots = roots_of_squares(facts, variables);
+  const std::vector<Polynomial> roots = roots_of_squares(variables);
   for (std::size_t i = 0; i < roots.size(); ++i) {
     add({roots[i], roots[i]}, Signs::nonnegative());
     for (std::size_t j = 0; j < i; ++j)

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <derivations/paper/prove.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/definitions.hpp>
 #include <lessons/exercises/judge.hpp>

@@ -10,6 +10,7 @@
 #include <derivations/emit/command_line.hpp>
 #include <derivations/language/lexer.hpp>
 #include <derivations/paper/mutate.hpp>
+#include <derivations/paper/prove.hpp>
 #include <lessons/bounded.hpp>
 #include <lessons/certify/certify_command.hpp>
 #include <lessons/ledger/claims.hpp>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <derivations/paper/ledger.hpp>
+#include <derivations/paper/prove.hpp>
 #include <nlohmann/json.hpp>
 
 namespace rederive {
