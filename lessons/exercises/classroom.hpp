@@ -49,9 +49,10 @@ int watch(const Classroom& room, const std::string& folder, bool once);
 int selftest(const Classroom& room);
 
 struct GradeFlags {
-  std::string folder, csv;
-  unsigned workers = 0;  ///< 0: as many as there are processors
-  bool missing = false;  ///< a row also for what was not handed in
+  std::string folder, csv, gradebook, feedback, report;
+  std::string weights, deadline, handed_in;  ///< deadline: a time, or a file
+  unsigned workers = 0;                      ///< 0: as many as there are processors
+  bool missing = false;                      ///< a row also for what was not handed in
 };
 int grade(const Classroom& room, const GradeFlags& flags);
 

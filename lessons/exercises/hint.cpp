@@ -24,8 +24,7 @@ std::string hint_by_note(const std::string& note) {
       {"sin_cos",
        "Let the angle be zero. Which of sine and cosine is one there, and what must your answer come to?"},
       {"factor",
-       "Follow the numbers alone, line by line: halves, squares, what comes down by differentiating. Where "
-       "do "
+       "Follow the numbers alone, line by line: halves, squares, what comes down by differentiating. Is a half "
        "width taken for a whole one somewhere?"},
       {"power", "Write the unit under each symbol: where a square is lost, the units show it."},
       {"reciprocal", "Let one quantity become very large. Must the result grow or shrink?"},
