@@ -16,14 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t no_seat = ~std::size_t{0};
-
 /// A row still to be filled in by a job, or one that is finished already (`path` empty).
 struct Task {
   Row row;
   fs::path path;
   const Prepared* prepared = nullptr;
-  std::size_t seat = no_seat;  ///< of the student in the class, if it is one
+  std::size_t seat = 0;  ///< from 1: of the student in the class, if it is one
 };
 
 struct Class {
@@ -233,61 +231,6 @@ std::string summary_json(const Classroom& room, const std::vector<Task>& tasks, 
   return json.dump(2) + "\n";
 }
 
-/// Can this be written? Looked at before anything is judged or written.
-void check_file(const fs::path& file, std::set<fs::path>& others) {
-  std::error_code error;
-  if (file.empty()) return;
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  if (fs::is_directory(file, error)) throw BadInput("cannot write '" + file.string() + "': it is a folder");
-  if (!fs::is_directory(folder, error) || (!fs::exists(file, error) && ::access(folder.c_str(), W_OK) != 0))
-    throw BadInput("cannot write '" + file.string() + "': there is no folder '" + folder.string() +
-                   "' to write into");
-  if (!others.insert(fs::weakly_canonical(file, error)).second)
-    throw BadInput("'" + file.string() + "' cannot be two of the files that are written");
-}
-
-void check_feedback(const GradeFlags& flags, const std::set<fs::path>& files) {
-  if (flags.feedback.empty()) return;
-  std::error_code error;
-  fs::path folder = fs::weakly_canonical(flags.feedback, error);
-  if (!folder.has_filename()) folder = folder.parent_path();  // "pages/"
-  const std::string refused = "cannot write into '" + flags.feedback + "': ";
-  const bool is_there = fs::exists(folder, error);
-  if (is_there && !fs::is_directory(folder, error)) throw BadInput(refused + "it is no folder");
-  const fs::path place = is_there ? folder : folder.parent_path();
-  if (!fs::is_directory(place, error) || ::access(place.c_str(), W_OK) != 0)
-    throw BadInput(refused + "there is no folder '" + place.string() + "' to write into");
-  const auto inside = folder.lexically_relative(fs::canonical(flags.folder, error));
-  if (!inside.empty() && *inside.begin() != "..")
-    throw BadInput(refused + "it lies in the class's folder, and would be taken for a student");
-  for (const auto& file : files)
-    if (file.parent_path() == folder)
-      throw BadInput(refused + "'" + file.string() + "' could be one of its pages");
-}
-
-/// All pages, or none: first into a folder beside, then to their place.
-void write_pages(fs::path folder, const std::vector<std::pair<std::string, std::string>>& pages) {
-  if (!folder.has_filename()) folder = folder.parent_path();
-  const fs::path draft = folder.string() + ".part" + std::to_string(::getpid());
-  std::error_code error;
-  try {
-    for (const auto& [name, text] : pages)
-      if (fs::is_directory(folder / name, error))
-        throw BadInput("cannot write '" + (folder / name).string() + "': it is a folder");
-    fs::create_directories(draft);
-    for (const auto& [name, text] : pages) write_whole(draft / name, text);
-    fs::create_directories(folder);
-    for (const auto& [name, text] : pages) fs::rename(draft / name, folder / name);
-    fs::remove_all(draft, error);
-  } catch (const fs::filesystem_error& failed) {
-    fs::remove_all(draft, error);
-    throw BadInput("cannot write into '" + folder.string() + "': " + failed.code().message());
-  } catch (...) {
-    fs::remove_all(draft, error);
-    throw;
-  }
-}
-
 }  // namespace
 
 int grade(const Classroom& room, const GradeFlags& flags) {
@@ -298,23 +241,21 @@ int grade(const Classroom& room, const GradeFlags& flags) {
   const bool with_marks = !flags.gradebook.empty() || !flags.feedback.empty();
   if (!with_marks && !(flags.weights + flags.deadline + flags.handed_in).empty())
     throw BadInput("--weights, --deadline and --handed-in are for --gradebook and --feedback");
-  std::set<fs::path> files;
-  for (const auto& file : {flags.csv, flags.gradebook, flags.report}) check_file(file, files);
-  check_feedback(flags, files);
+  check_outputs(flags);
   const Rules rules = read_rules(room, flags);
   std::map<std::string, Prepared> answers;
   for (const auto& exercise : room.exercises) answers.emplace(exercise.id, prepare(exercise));
   Class whole;
   std::vector<Task>& tasks = whole.tasks;
-  for (const auto& student : *students) {
+  for (const auto& name : *students) {
     const std::size_t from = tasks.size(), before = whole.students.size();
-    add_student(fs::path(flags.folder) / student, answers, flags.missing, whole);
-    for (std::size_t i = from; i < tasks.size(); ++i)
-      tasks[i].seat = whole.students.size() > before ? before : no_seat;
+    add_student(fs::path(flags.folder) / name, answers, flags.missing, whole);
+    if (whole.students.size() > before)
+      for (std::size_t i = from; i < tasks.size(); ++i) tasks[i].seat = before + 1;
   }
   judge_all(tasks, flags.workers != 0 ? flags.workers : std::max(1u, std::thread::hardware_concurrency()));
   for (const auto& task : tasks)
-    if (task.seat != no_seat) whole.students[task.seat].rows.push_back(task.row);
+    if (task.seat != 0) whole.students[task.seat - 1].rows.push_back(task.row);
   if (!flags.feedback.empty()) write_pages(flags.feedback, feedback_pages(room, whole.students, rules));
   if (!flags.gradebook.empty()) write_whole(flags.gradebook, gradebook(room, whole.students, rules));
   if (!flags.report.empty()) write_whole(flags.report, report_page(room, whole.students));

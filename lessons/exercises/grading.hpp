@@ -56,4 +56,9 @@ std::vector<std::pair<std::string, std::string>> feedback_pages(const Classroom&
 /// A page about the class, without names: which slip is common, with typical answers.
 std::string report_page(const Classroom& room, const std::vector<Student>& students);
 
+/// Throws BadInput if a file or folder that the flags name cannot be written.
+void check_outputs(const GradeFlags& flags);
+/// Writes all pages or none: first into a folder beside, then to their place.
+void write_pages(std::filesystem::path folder, const std::vector<std::pair<std::string, std::string>>& pages);
+
 }  // namespace rederive::classroom

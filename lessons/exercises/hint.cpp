@@ -1,68 +1,20 @@
 // Hints: the one for the slip that was just made, then those of the exercise, one by one.
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 #include <derivations/emit/command_line.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/prose.hpp>
-#include <map>
 #include <nlohmann/json.hpp>
 
 namespace rederive::classroom {
 namespace {
 
-/// How to look for a slip of that name, in any exercise.
+/// How to look for a slip of that name, in any exercise; nothing for what is none.
 std::string hint_by_note(const std::string& note) {
-  static const std::map<std::string, std::string> hints{
-      {"sign",
-       "For the sign, take a case in which you know the direction: one quantity positive, all others zero. "
-       "Does your answer point that way?"},
-      {"wrong_angle",
-       "Draw the block turned, and write each angle into the drawing. At which value must what stands inside "
-       "become zero?"},
-      {"wrong_argument", "Ask when what stands inside the function must be zero, and try that case."},
-      {"sin_cos",
-       "Let the angle be zero. Which of sine and cosine is one there, and what must your answer come to?"},
-      {"factor",
-       "Follow the numbers alone, line by line: halves, squares, what comes down by differentiating. Is a half "
-       "width taken for a whole one somewhere?"},
-      {"power", "Write the unit under each symbol: where a square is lost, the units show it."},
-      {"reciprocal", "Let one quantity become very large. Must the result grow or shrink?"},
-      {"missing_term",
-       "List what contributes, one by one: each force, each motion, each constant. Which has no term in your "
-       "answer?"},
-      {"extra_term",
-       "Ask of each term in your answer where it comes from. Which one has no reason to be there?"},
-      {"missing_factor",
-       "Double one quantity in thought. By how much must the result change, and does yours?"},
-      {"extra_factor", "Double one quantity in thought. By how much must the result change, and does yours?"},
-      {"wrong_function",
-       "Try a value at which you know the answer, such as zero. Swinging motions go with sine and cosine, "
-       "runaway ones with the hyperbolic pair."},
-      {"extra_function", "Look at what the function takes: is it asked for its sine, or for itself?"},
-      {"absolute_value", "On which side is the block, and which sign has the quantity there?"},
-      {"wrong_symbol",
-       "Say in words what each symbol in your answer stands for, then read the statement again."},
-      {"missing_symbol",
-       "Go through the symbols that you may use. On which of them must the result depend, and does it?"},
-      {"extra_symbol", "Which quantity cancels on the way? Follow it from its first line on."},
-      {"missing_dot", "Which of your symbols are rates? A dot is lost somewhere: the units show where."},
-      {"dimension", "Write the unit under each term. The terms of a sum must have the same one."},
-      {"small_angle",
-       "Go back to the line in which you put an angle for its sine, and leave the sine there."},
-      {"not_linear",
-       "For small angles put the angle for its sine and one for its cosine; leave out products of small "
-       "quantities."},
-      {"not_everywhere", "Where can what you multiplied, divided or took the root of be zero or negative?"},
-      {"assumption", "Which quantity have you taken for zero, or for constant? Put it back in."},
-      {"unit", "Put the units into the formula, and carry them through like factors."},
-      {"missing_unit", "Put the units into the formula: which one is left at the end?"},
-      {"degrees", "Set the calculator to radians: the sine of 1.5708 must come out as one."},
-      {"power_of_ten", "Write every length in metres and every time in seconds before you put them in."},
-      {"rounding", "Keep all digits of what you compute on the way, and round once, at the end."},
-      {"form", "The value is right. Read under 'Form wanted' what it should look like: exercises show."}};
-  const auto found = hints.find(note);
-  return found == hints.end() ? "" : found->second;
+  static const toml::table hints = toml::parse_file((exercises_folder() / "slips.toml").string());
+  return hints[note].value_or(std::string());
 }
 
 }  // namespace

@@ -165,7 +165,8 @@ Exercise read_exercise(Reader reader) {
 std::vector<Exercise> read_exercises(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const auto& file : std::filesystem::directory_iterator(folder))
-    if (file.path().extension() == ".toml") files.push_back(file.path());
+    if (file.path().extension() == ".toml" && file.path().filename() != "slips.toml")
+      files.push_back(file.path());
   std::sort(files.begin(), files.end());
   std::vector<Exercise> exercises;
   std::set<std::string> ids;

@@ -34,9 +34,8 @@ std::string shown(const std::string& text, std::size_t most) {
   return escaped(printable(text.substr(0, end))) + (end < text.size() ? " …" : "");
 }
 
-/// A sentence with marks; one that quotes an answer line by line stays as it is.
+/// A sentence with marks.
 std::string in_html(const std::string& sentence) {
-  if (sentence.find("\n    ") != std::string::npos) return "<pre>" + shown(sentence, 2000) + "</pre>";
   std::string text;
   try {
     for (const auto& paragraph : paragraphs(sentence)) {
@@ -105,7 +104,10 @@ std::string section(const Exercise& exercise, const Rules& rules, const Student&
     text += "<p class=\"small\">Read as: <code>" + shown(row.read_as, 400) + "</code></p>\n";
   text +=
       fmt::format("<div class=\"said {}\"><p><b>{}</b></p>\n", row.verdict, verdict_in_words(row.verdict));
-  if (row.verdict != "correct") text += in_html(row.feedback);
+  if (row.feedback.find('\n') != std::string::npos)
+    text += "<pre>" + shown(row.feedback, 2000) + "</pre>\n";  // a caret must keep its place
+  else if (row.verdict != "correct")
+    text += in_html(row.feedback);
   if (!row.hint.empty()) text += in_html("A hint: " + row.hint);
   text += "</div>\n";
   if (const auto weight = rules.weights.find(exercise.id); weight != rules.weights.end())
