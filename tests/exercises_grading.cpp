@@ -145,6 +145,7 @@ TEST_CASE("hostile names and answers are text in pages, cells and names of files
     CHECK((!has(page, "<img") && !has(page, "<b>&")));
   }
   CHECK(std::count(names.begin(), names.end(), "Zoë.html") == 1);
+  CHECK(std::count(names.begin(), names.end(), "a-2.html") == 1);  // beside A.html, which may be the same
   CHECK(!has(read_file(room.report), "<img"));
   const std::string book = read_file(room.book);
   for (const auto* cell :
@@ -188,6 +189,7 @@ TEST_CASE("bad input: exit code 2, a message, and nothing written") {
           "line 2: '' is no time");
   refused({"--deadline", "2026-01-01"}, "are for --gradebook and --feedback");
   refused({"--gradebook", "/no/such/book.csv", "--feedback", room.pages}, "/no/such/book.csv");
+  refused({"--gradebook", std::string(300, 'x'), "--feedback", room.pages}, "xxx': ");
   refused({"--gradebook", room.answers, "--feedback", room.pages}, "it is a folder");
   refused({"--gradebook", book, "--report", book}, "cannot be two");
   refused({"--gradebook", book, "--feedback", room.folder.path}, "could be one of its pages");

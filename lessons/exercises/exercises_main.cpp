@@ -6,7 +6,7 @@
 //   exercises check ID "ANSWER"        or --file FILE
 //   exercises hint ID · solution ID [--give-up] · reset ID
 //   exercises watch DIR                judges DIR/<ID>.txt again whenever it changes
-//   exercises grade DIR [--csv FILE]   DIR/<student>/<ID>.txt, a whole class
+//   exercises grade DIR [--csv FILE]   DIR/<student>/<ID>.txt, a whole class; gradebook, feedback, report
 //   exercises selftest                 is the exercise set sound?
 #include <algorithm>
 #include <derivations/emit/command_line.hpp>

@@ -13,7 +13,11 @@ void check_file(const fs::path& file, std::set<fs::path>& others) {
   if (file.empty()) return;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   if (fs::is_directory(file, error)) throw BadInput("cannot write '" + file.string() + "': it is a folder");
-  if (!fs::is_directory(folder, error) || (!fs::exists(file, error) && ::access(folder.c_str(), W_OK) != 0))
+  const auto status = fs::status(file, error);
+  const bool in_place = fs::exists(status) && !fs::is_regular_file(status);  // a device, a pipe
+  if (error && status.type() != fs::file_type::not_found)
+    throw BadInput("cannot write '" + file.string() + "': " + error.message());
+  if (!fs::is_directory(folder, error) || (!in_place && ::access(folder.c_str(), W_OK) != 0))
     throw BadInput("cannot write '" + file.string() + "': there is no folder '" + folder.string() +
                    "' to write into");
   if (!others.insert(fs::weakly_canonical(file, error)).second)
