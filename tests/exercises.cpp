@@ -135,6 +135,30 @@ TEST_CASE("hints come one by one, the solution only when it is due, and reset ke
   CHECK(listed["next"] == "height-of-centre");
 }
 
+TEST_CASE("after a slip that was recognised the next hint is the one for it, once, and then the others") {
+  const Desk desk;
+  const auto hint = [&](const char* id) { return json::parse(desk.run({"hint", id, "--json"}).out); };
+  desk.judged("restitution", "cos(2*alpha)");
+  const json its_own = hint("restitution");
+  CHECK(its_own["slip"] == "missing_term");
+  CHECK(its_own["hint"].get<std::string>().find("turning about C") != std::string::npos);
+  CHECK(its_own["number"] == 0);
+  CHECK(hint("restitution")["slip"].is_null());
+  desk.judged("restitution", "cos(2*alpha)");  // the same again: nothing new to say
+  CHECK(hint("restitution")["number"] == 2);
+  desk.judged("restitution", "1 - 3*sin(alpha)^2");  // another slip, which the exercise does not list
+  const json by_name = hint("restitution");
+  CHECK(by_name["slip"] == "factor");
+  CHECK(by_name["hint"].get<std::string>().find("numbers") != std::string::npos);
+  desk.judged("restitution", "sin(alpha)^7 + alpha^3");  // none that is recognised
+  CHECK(hint("restitution")["number"] == 3);
+  desk.judged("which-momentum", "b");
+  CHECK(hint("which-momentum")["slip"] == "wrong_point");
+  desk.judged("momentum", "J_o*thetadot - m*R*u_gdot*cos(alpha-theta)");
+  desk.judged("momentum", "J_o*thetadot + m*R*u_gdot*cos(alpha-theta)");
+  CHECK(hint("momentum")["number"] == 1);  // solved: no slip is left
+}
+
 TEST_CASE("without a command it says what is next, and praises no giving up") {
   const Desk desk;
   const Result first = desk.run({});

@@ -32,6 +32,8 @@ std::string solution_text(const Prepared& prepared);
 std::string report(const Classroom& room, const Exercise& exercise, const Opinion& opinion);
 /// The same as the JSON document of `check --json`.
 std::string report_json(const Exercise& exercise, const Opinion& opinion);
+/// The hint for a slip that was recognised, by the exercise or by its note; nothing for one that was not.
+std::string hint_for(const Exercise& exercise, const Opinion& opinion);
 /// Enters an attempt; one that is invalid costs nothing.
 void enter(Progress& progress, const Exercise& exercise, const Opinion& opinion, const std::string& answer);
 
@@ -47,9 +49,10 @@ int watch(const Classroom& room, const std::string& folder, bool once);
 int selftest(const Classroom& room);
 
 struct GradeFlags {
-  std::string folder, csv;
-  unsigned workers = 0;  ///< 0: as many as there are processors
-  bool missing = false;  ///< a row also for what was not handed in
+  std::string folder, csv, gradebook, feedback, report;
+  std::string weights, deadline, handed_in;  ///< deadline: a time, or a file
+  unsigned workers = 0;                      ///< 0: as many as there are processors
+  bool missing = false;                      ///< a row also for what was not handed in
 };
 int grade(const Classroom& room, const GradeFlags& flags);
 

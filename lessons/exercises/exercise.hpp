@@ -30,11 +30,12 @@ struct Slip {
   std::string note, says;
   std::optional<Reference> road;  ///< the wrong answer, computed
   std::string typed;              ///< or the wrong answer as students write it
+  std::string hint;               ///< for one who asks for a hint after it
 };
 
 struct Option {
-  std::string text, claim;  ///< claim: in our syntax, or a verdict of the ledger; decides what is right
-  std::string note, says;   ///< said to one who chose it wrongly
+  std::string text, claim;       ///< claim: in our syntax, or a verdict of the ledger; decides what is right
+  std::string note, says, hint;  ///< said to one who chose it wrongly
 };
 
 /// Right under an assumption that was not given.

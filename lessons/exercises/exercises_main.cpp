@@ -6,7 +6,7 @@
 //   exercises check ID "ANSWER"        or --file FILE
 //   exercises hint ID · solution ID [--give-up] · reset ID
 //   exercises watch DIR                judges DIR/<ID>.txt again whenever it changes
-//   exercises grade DIR [--csv FILE]   DIR/<student>/<ID>.txt, a whole class
+//   exercises grade DIR [--csv FILE]   DIR/<student>/<ID>.txt, a whole class; gradebook, feedback, report
 //   exercises selftest                 is the exercise set sound?
 #include <algorithm>
 #include <derivations/emit/command_line.hpp>
@@ -57,6 +57,24 @@ void declare(CLI::App& app, Arguments& given) {
   auto* grade = with_json(app.add_subcommand("grade", "judge a whole class: DIR/<student>/<ID>.txt"), given);
   grade->add_option("DIR", given.grade.folder, "one folder a student in it")->required();
   grade->add_option("--csv", given.grade.csv, "write the rows here")->check(file_name)->type_name("FILE");
+  const auto file = [&](const char* name, std::string& into, const char* says) {
+    return grade->add_option(name, into, says)->check(file_name)->type_name("FILE");
+  };
+  file("--gradebook", given.grade.gradebook, "write the marks: a row a student, a column an exercise");
+  file("--report", given.grade.report, "write a page: which slips are common, with typical answers");
+  file("--feedback", given.grade.feedback, "write a page a student into this folder, to hand back")
+      ->type_name("DIR");
+  file("--weights", given.grade.weights, "the exercises that count, exercise,weight (else all count 1)");
+  file("--deadline", given.grade.deadline,
+       "later answers have no marks: a time, or exercise,deadline in a file")
+      ->type_name("TIME|FILE");
+  file("--handed-in", given.grade.handed_in, "times instead of the files' own: student,exercise,time");
+  grade->footer(
+      "Marks are weight x score; each attempt after the first costs a tenth, down to a half. Attempts are\n"
+      "known where a student handed in exercises.txt, the progress file, beside the answers. In the\n"
+      "gradebook an empty cell was not handed in; at ? the program could not decide: look yourself.\n"
+      "Lists are CSV with the header named above. Times are like 2026-12-01T12:00, in UTC or with +02:00\n"
+      "behind; a day alone ends at midnight; no exercise in --handed-in means all of that student.");
   grade->add_option("--workers", given.grade.workers, "answers judged at a time")->check(CLI::Range(1, 64));
   grade->add_flag("--missing", given.grade.missing, "a row also for each answer that was not handed in");
   with_json(app.add_subcommand("selftest", "is the exercise set sound?"), given);

@@ -1,10 +1,11 @@
 // A whole class: DIR/<student>/<exercise>.txt → one CSV, each answer judged in a process of its own.
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <derivations/emit/command_line.hpp>
 #include <lessons/exercises/answer_file.hpp>
-#include <lessons/exercises/classroom.hpp>
+#include <lessons/exercises/grading.hpp>
 #include <lessons/exercises/sandbox.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -15,16 +16,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Row {
-  std::string student, exercise, verdict, note;
-  double score = 0;
-};
-
 /// A row still to be filled in by a job, or one that is finished already (`path` empty).
 struct Task {
   Row row;
   fs::path path;
   const Prepared* prepared = nullptr;
+  std::size_t seat = 0;  ///< from 1: of the student in the class, if it is one
+};
+
+struct Class {
+  std::vector<Student> students;
+  std::vector<Task> tasks;
 };
 
 constexpr std::size_t most_strange_files = 20;  ///< of one student; beyond that one row says how many more
@@ -36,15 +38,6 @@ std::string as_text(const std::string& name) {
   for (unsigned char c : name)
     text += c < 0x80 ? std::string(1, static_cast<char>(c)) : fmt::format("\\x{:02X}", c);
   return text;
-}
-
-/// A cell of a CSV. A name that a spreadsheet would take for a formula gets an apostrophe before it.
-std::string quoted(const std::string& name) {
-  const std::string field = name.find_first_of("=+-@\t\r") == 0 ? "'" + name : name;
-  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
-  std::string text = "\"";
-  for (char c : field) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + "\"";
 }
 
 /// The names in a folder, in the order of their bytes. Nothing if it cannot be read.
@@ -66,15 +59,34 @@ Task finished(const std::string& student, const std::string& exercise, const std
   return {{student, exercise, "invalid", note, 0}, {}, nullptr};
 }
 
+/// How often a student tried, by the progress file that was handed in; nothing if it is none.
+std::optional<std::map<std::string, int>> attempts_in(const fs::path& file) {
+  std::map<std::string, int> attempts;
+  try {
+    if (!fs::is_regular_file(fs::symlink_status(file)) || fs::file_size(file) > 1u << 20) return {};
+    for (const auto& [id, record] : load_progress(file).records) attempts[id] = record.attempts;
+  } catch (const std::exception&) {
+    return {};
+  }
+  return attempts;
+}
+
+std::int64_t time_of(const fs::path& file) {
+  struct stat about {};
+  return ::lstat(file.c_str(), &about) == 0 ? about.st_mtim.tv_sec : 0;
+}
+
 /// What one student handed in.
 void add_student(const fs::path& folder, const std::map<std::string, Prepared>& answers, bool missing,
-                 std::vector<Task>& tasks) {
+                 Class& whole) {
+  std::vector<Task>& tasks = whole.tasks;
   const std::string student = as_text(folder.filename().string());
   std::error_code error;
   const auto status = fs::symlink_status(folder, error);
   if (fs::is_symlink(status)) return tasks.push_back(finished(student, "", "symlink"));
   if (!fs::is_directory(status)) return tasks.push_back(finished(student, "", "not_a_folder"));
   if (student[0] == '.') return tasks.push_back(finished(student, "", "hidden_folder"));
+  whole.students.push_back({student});
   const auto names = names_in(folder);
   if (!names) return tasks.push_back(finished(student, "", "unreadable"));
   std::set<std::string> handed_in;
@@ -82,12 +94,18 @@ void add_student(const fs::path& folder, const std::map<std::string, Prepared>& 
   for (const auto& name : *names) {
     const std::string id = name.ends_with(".txt") ? name.substr(0, name.size() - 4) : "";
     const auto known = answers.find(id);
+    if (name == "exercises.txt")
+      if (const auto attempts = attempts_in(folder / name)) {
+        whole.students.back().attempts = *attempts;
+        continue;
+      }
     if (known == answers.end()) {
       strange.push_back(name);
       continue;
     }
     handed_in.insert(id);
-    tasks.push_back({{student, id, "", "", 0}, folder / name, &known->second});
+    tasks.push_back({{student, id, "", "", 0, true}, folder / name, &known->second});
+    tasks.back().row.time = time_of(folder / name);
   }
   for (std::size_t i = 0; i < std::min(strange.size(), most_strange_files); ++i)
     tasks.push_back(finished(student, as_text(strange[i]), "unknown_exercise"));
@@ -98,24 +116,31 @@ void add_student(const fs::path& folder, const std::map<std::string, Prepared>& 
       if (!handed_in.contains(id)) tasks.push_back(finished(student, id, "not_handed_in"));
 }
 
-/// In the child: "verdict\tnote\tscore".
+/// In the child: the row's verdict and words.
 std::string judged_in_child(const Task& task) {
+  constexpr std::size_t most = 4000;  // bytes of a text that pages show the beginning of
   const AnswerFile file = read_answer_file(task.path);
   const Opinion opinion =
-      file.trouble.empty() ? judge_answer(*task.prepared, file.text) : invalid(file.trouble, "");
-  return fmt::format("{}\t{}\t{}", opinion.verdict, opinion.note, opinion.score);
+      file.trouble.empty() ? judge_answer(*task.prepared, file.text) : invalid(file.trouble, file.says);
+  return nlohmann::json{opinion.verdict,
+                        opinion.note,
+                        opinion.score,
+                        file.text.substr(0, most),
+                        opinion.read_as.substr(0, most),
+                        opinion.feedback.substr(0, most),
+                        hint_for(task.prepared->exercise, opinion)}
+      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 void fill_in(Row& row, const JobResult& result) {
-  const std::size_t first = result.text.find('\t'), second = result.text.find('\t', first + 1);
-  if (!result.failure.empty() || second == std::string::npos) {
+  const auto json = nlohmann::json::parse(result.text, nullptr, false);
+  if (!result.failure.empty() || !json.is_array() || json.size() != 7) {
     row.verdict = "undecided";
     row.note = result.failure.empty() ? "crash" : result.failure;
     return;
   }
-  row.verdict = result.text.substr(0, first);
-  row.note = result.text.substr(first + 1, second - first - 1);
-  row.score = std::stod(result.text.substr(second + 1));
+  row.verdict = json[0], row.note = json[1], row.score = json[2];
+  row.answer = json[3], row.read_as = json[4], row.feedback = json[5], row.hint = json[6];
 }
 
 void judge_all(std::vector<Task>& tasks, unsigned workers) {
@@ -135,9 +160,9 @@ void judge_all(std::vector<Task>& tasks, unsigned workers) {
 
 std::string csv_of(const std::vector<Task>& tasks) {
   std::string text = "student,exercise,verdict,note,score\n";
-  for (const auto& [row, path, prepared] : tasks)
-    text += fmt::format("{},{},{},{},{}\n", quoted(row.student), quoted(row.exercise), row.verdict, row.note,
-                        row.score);
+  for (const auto& task : tasks)
+    text += fmt::format("{},{},{},{},{}\n", csv_cell(task.row.student), csv_cell(task.row.exercise),
+                        task.row.verdict, task.row.note, task.row.score);
   return text;
 }
 
@@ -213,12 +238,27 @@ int grade(const Classroom& room, const GradeFlags& flags) {
   if (!fs::is_directory(flags.folder, error)) throw BadInput("there is no folder '" + flags.folder + "'");
   const auto students = names_in(flags.folder);
   if (!students) throw BadInput("the folder '" + flags.folder + "' cannot be read");
+  const bool with_marks = !flags.gradebook.empty() || !flags.feedback.empty();
+  if (!with_marks && !(flags.weights + flags.deadline + flags.handed_in).empty())
+    throw BadInput("--weights, --deadline and --handed-in are for --gradebook and --feedback");
+  check_outputs(flags);
+  const Rules rules = read_rules(room, flags);
   std::map<std::string, Prepared> answers;
   for (const auto& exercise : room.exercises) answers.emplace(exercise.id, prepare(exercise));
-  std::vector<Task> tasks;
-  for (const auto& student : *students)
-    add_student(fs::path(flags.folder) / student, answers, flags.missing, tasks);
+  Class whole;
+  std::vector<Task>& tasks = whole.tasks;
+  for (const auto& name : *students) {
+    const std::size_t from = tasks.size(), before = whole.students.size();
+    add_student(fs::path(flags.folder) / name, answers, flags.missing, whole);
+    if (whole.students.size() > before)
+      for (std::size_t i = from; i < tasks.size(); ++i) tasks[i].seat = before + 1;
+  }
   judge_all(tasks, flags.workers != 0 ? flags.workers : std::max(1u, std::thread::hardware_concurrency()));
+  for (const auto& task : tasks)
+    if (task.seat != 0) whole.students[task.seat - 1].rows.push_back(task.row);
+  if (!flags.feedback.empty()) write_pages(flags.feedback, feedback_pages(room, whole.students, rules));
+  if (!flags.gradebook.empty()) write_whole(flags.gradebook, gradebook(room, whole.students, rules));
+  if (!flags.report.empty()) write_whole(flags.report, report_page(room, whole.students));
   const std::string csv = csv_of(tasks);
   if (!flags.csv.empty()) write_whole(flags.csv, csv);
   if (room.json) {

@@ -12,7 +12,8 @@ namespace {
 
 constexpr auto heading =
     "# Rederive: what you have done so far. One exercise a line:\n"
-    "# exercise, status, attempts, hints seen, latest answer; between them a tab.\n";
+    "# exercise, status, attempts, hints seen, latest answer; between them a tab.\n"
+    "# \"hinted\" behind it: the hint for the slip in it has been given.\n";
 
 std::string packed(const std::string& text) {
   std::string result;
@@ -71,8 +72,9 @@ bool take_line(const std::string& line, Progress& progress) {
     progress.old_answers.emplace_back(parts[1], unpacked(parts[2]));
     return true;
   }
-  if (parts.size() != 5) return false;
-  Record record{parts[1], 0, 0, unpacked(parts[4])};
+  const bool hinted = parts.size() == 6 && parts[5] == "hinted";
+  if (parts.size() != 5 && !hinted) return false;
+  Record record{parts[1], 0, 0, unpacked(parts[4]), hinted};
   const bool known = record.status == "open" || record.status == "tried" || record.status == "solved" ||
                      record.status == "given_up";
   if (!known || !whole_number(parts[2], record.attempts) || !whole_number(parts[3], record.hints))
@@ -122,8 +124,8 @@ Progress load_progress(const std::filesystem::path& file) {
 void save_progress(const std::filesystem::path& file, const Progress& progress) {
   std::string text = heading;
   for (const auto& [id, record] : progress.records)
-    text += fmt::format("{}\t{}\t{}\t{}\t{}\n", id, record.status, record.attempts, record.hints,
-                        packed(record.answer));
+    text += fmt::format("{}\t{}\t{}\t{}\t{}{}\n", id, record.status, record.attempts, record.hints,
+                        packed(record.answer), record.hinted ? "\thinted" : "");
   for (const auto& [id, answer] : progress.old_answers)
     text += fmt::format("old\t{}\t{}\n", id, packed(answer));
   make_folder(file);

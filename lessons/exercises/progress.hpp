@@ -12,7 +12,8 @@ namespace rederive::classroom {
 struct Record {
   std::string status = "open";  ///< open, tried, solved, given_up
   int attempts = 0, hints = 0;
-  std::string answer;  ///< the latest that could be read
+  std::string answer;   ///< the latest that could be read
+  bool hinted = false;  ///< the hint for the slip in it has been given
 };
 
 struct Progress {

@@ -113,7 +113,11 @@ Reference read_reference(Reader reader) {
 }
 
 Slip read_slip(Reader reader) {
-  Slip slip{reader.text("note", true), reader.text("says", true), {}, reader.text("typed")};
+  Slip slip{reader.text("note", true),
+            reader.text("says", true),
+            {},
+            reader.text("typed"),
+            reader.text("hint", true)};
   if (auto road = reader.reader("road")) slip.road = read_reference(*road);
   if (slip.road.has_value() == !slip.typed.empty()) reader.fail("either road or typed is wanted");
   reader.done();
@@ -144,8 +148,8 @@ Exercise read_exercise(Reader reader) {
     reader.fail("'answer' is missing");
   for (auto& slip : reader.readers("slip")) exercise.slips.push_back(read_slip(slip));
   for (auto& option : reader.readers("option")) {
-    exercise.options.push_back(
-        {option.text("text", true), option.text("claim", true), option.text("note"), option.text("says")});
+    exercise.options.push_back({option.text("text", true), option.text("claim", true), option.text("note"),
+                                option.text("says"), option.text("hint")});
     option.done();
   }
   for (auto& assumption : reader.readers("assumption")) {
@@ -161,7 +165,8 @@ Exercise read_exercise(Reader reader) {
 std::vector<Exercise> read_exercises(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const auto& file : std::filesystem::directory_iterator(folder))
-    if (file.path().extension() == ".toml") files.push_back(file.path());
+    if (file.path().extension() == ".toml" && file.path().filename() != "slips.toml")
+      files.push_back(file.path());
   std::sort(files.begin(), files.end());
   std::vector<Exercise> exercises;
   std::set<std::string> ids;

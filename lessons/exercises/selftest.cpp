@@ -54,7 +54,10 @@ void check_texts(const Prepared& prepared, Findings& findings) {
     findings.check(!gives_away(prepared, text), "a hint contains the answer: " + text);
   }
   for (const auto& slip : exercise.slips)
-    findings.check(!gives_away(prepared, slip.says), "the feedback contains the answer: " + slip.says);
+    for (const auto& text : {slip.says, slip.hint})
+      findings.check(!gives_away(prepared, text), "the feedback contains the answer: " + text);
+  for (const auto& option : exercise.options)
+    findings.check(option.says.empty() == option.hint.empty(), "an option without a hint: " + option.text);
   findings.check(!exercise.statement.empty(), "no statement");
   findings.check(!presentation(exercise).empty(), "cannot be shown");
   if (exercise.kind != Kind::choice && exercise.kind != Kind::wrong_term)

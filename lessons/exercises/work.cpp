@@ -1,4 +1,4 @@
-// A student at work: list, check, hint, solution, reset.
+// A student at work: list, check, solution, reset.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -74,6 +74,7 @@ void enter(Progress& progress, const Exercise& exercise, const Opinion& opinion,
   if (opinion.verdict == "invalid" || opinion.verdict == "undecided") return;
   Record& record = progress.records[exercise.id];
   ++record.attempts;
+  record.hinted = record.hinted && record.answer == answer;
   record.answer = answer;
   if (opinion.verdict == "correct")
     record.status = "solved";
@@ -135,32 +136,6 @@ int check_file(const Classroom& room, const std::string& id, const std::string& 
   const AnswerFile answer = read_answer_file(file);
   if (!answer.trouble.empty()) return tell(room, exercise, invalid(answer.trouble, answer.says), "");
   return tell(room, exercise, judge_bounded(exercise, answer.text), answer.text);
-}
-
-int hint(const Classroom& room, const std::string& id) {
-  const Exercise& exercise = find_exercise(room, id);
-  const ProgressLock lock(room.progress);
-  Progress progress = load_progress(room.progress);
-  Record& record = progress.records[id];
-  const int all = static_cast<int>(exercise.hints.size());
-  const bool more = record.hints < all;
-  if (more) ++record.hints;
-  const std::string& text = exercise.hints.at(static_cast<std::size_t>(std::clamp(record.hints, 1, all) - 1));
-  if (more) save_progress(room.progress, progress);
-  if (room.json) {
-    put(nlohmann::ordered_json{{"exercise", id},
-                               {"hint", readable(text)},
-                               {"number", record.hints},
-                               {"of", all},
-                               {"last", record.hints >= all}}
-            .dump(2) +
-        "\n");
-    return as_expected;
-  }
-  put(fmt::format("Hint {} of {}\n", record.hints, all) + readable(text));
-  if (!more)
-    put(fmt::format("That was the last hint. To see the answer: exercises solution {} --give-up\n", id));
-  return as_expected;
 }
 
 int solution(const Classroom& room, const std::string& id, bool give_up) {

@@ -1,0 +1,64 @@
+// What a class handed in, judged, and what a teacher makes of it: a gradebook, pages to hand back, a report.
+#pragma once
+
+#include <cstdint>
+#include <lessons/exercises/classroom.hpp>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rederive::classroom {
+
+/// One answer; or, if it was not judged, why there is none (`exercise` is a file's name then, or empty).
+struct Row {
+  std::string student, exercise, verdict, note;
+  double score = 0;
+  bool judged = false;
+  std::string answer = {}, read_as = {}, feedback = {}, hint = {};
+  std::int64_t time = 0;  ///< of the file, in seconds since 1970
+};
+
+struct Student {
+  std::string name;
+  std::map<std::string, int> attempts = {};  ///< by the progress file handed in beside the answers
+  std::vector<Row> rows = {};
+};
+
+/// What an answer is worth, and until when.
+struct Rules {
+  std::map<std::string, double> weights;          ///< of the exercises that count
+  std::map<std::string, std::int64_t> deadlines;  ///< by exercise, in seconds since 1970
+  std::map<std::pair<std::string, std::string>, std::int64_t> handed_in;  ///< (student, exercise or "")
+};
+/// Reads what the flags name. Throws BadInput naming file, line and what would be right.
+Rules read_rules(const Classroom& room, const GradeFlags& flags);
+
+struct Mark {
+  double marks = 0;
+  int attempts = 1;
+  bool late = false;
+};
+/// weight · score · (1 − (attempts − 1)/10), that factor not below 1/2; nothing if late.
+Mark mark_of(const Rules& rules, const Student& student, const Row& row);
+/// Marks as they are written: "0.9".
+std::string mark_text(double marks);
+
+/// A cell of a CSV. What a spreadsheet would take for a formula gets an apostrophe before it.
+std::string csv_cell(const std::string& text);
+/// A row a student: student, a column an exercise, total, out_of. Empty: not handed in; ?: undecided.
+std::string gradebook(const Classroom& room, const std::vector<Student>& students, const Rules& rules);
+
+/// A page a student: a file's name that is safe anywhere and differs from all others, and the page.
+std::vector<std::pair<std::string, std::string>> feedback_pages(const Classroom& room,
+                                                                const std::vector<Student>& students,
+                                                                const Rules& rules);
+/// A page about the class, without names: which slip is common, with typical answers.
+std::string report_page(const Classroom& room, const std::vector<Student>& students);
+
+/// Throws BadInput if a file or folder that the flags name cannot be written.
+void check_outputs(const GradeFlags& flags);
+/// Writes all pages or none: first into a folder beside, then to their place.
+void write_pages(std::filesystem::path folder, const std::vector<std::pair<std::string, std::string>>& pages);
+
+}  // namespace rederive::classroom

@@ -1,0 +1,230 @@
+// What a teacher hands back and reads: pages of HTML. What students wrote is only ever text in them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <derivations/emit/command_line.hpp>
+#include <functional>
+#include <lessons/exercises/grading.hpp>
+#include <lessons/prose.hpp>
+#include <lessons/render.hpp>
+#include <set>
+
+namespace rederive::classroom {
+namespace {
+
+constexpr auto style = R"(<style>
+body{font:17px/1.5 Georgia,"DejaVu Serif",serif;color:#1c1c1c;background:#fdfdfb;margin:0 auto;max-width:46rem;
+ padding:1rem 1rem 3rem;overflow-wrap:anywhere}
+h1{font-size:1.5rem}h2{font-size:1.15rem;margin:2rem 0 .4rem;border-bottom:1px solid #ccc}p{margin:.4rem 0}
+math{font-family:"Rederive Math",math;font-size:1.12em}
+pre,code{font:.88em/1.45 "DejaVu Sans Mono",Consolas,monospace;background:#f1f1ec}
+pre{padding:.4rem .6rem;margin:.4rem 0;white-space:pre-wrap}
+.said{border-left:4px solid #c0392b;background:#f6f6f2;padding:.3rem .8rem}.correct{border-color:#2e8b57}
+.wrong_form,.correct_if,.undecided{border-color:#c98a1b}.small{font-size:.9rem;color:#444}
+table{border-collapse:collapse;width:100%;font-size:.93rem}
+td,th{border-bottom:1px solid #ccc;padding:.25rem .7rem .25rem 0;text-align:left;vertical-align:top}
+th,td:first-child{white-space:nowrap}@media print{section{break-inside:avoid}}
+</style>)";
+
+/// The beginning of a text that may be of any length and hold anything.
+std::string shown(const std::string& text, std::size_t most) {
+  std::size_t end = std::min(most, text.size());
+  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return escaped(printable(text.substr(0, end))) + (end < text.size() ? " …" : "");
+}
+
+/// A sentence with marks.
+std::string in_html(const std::string& sentence) {
+  std::string text;
+  try {
+    for (const auto& paragraph : paragraphs(sentence)) {
+      text += "<p>";
+      for (const auto& span : spans(paragraph))
+        text += span.kind == Span::Kind::math   ? mathml(print_inline(span.text, Notation::latex))
+                : span.kind == Span::Kind::code ? "<code>" + escaped(span.text) + "</code>"
+                                                : escaped(printable(span.text));
+      text += "</p>\n";
+    }
+  } catch (const std::exception&) {  // a formula that has no LaTeX
+    return "<p>" + shown(sentence, 2000) + "</p>\n";
+  }
+  return text;
+}
+
+std::string page(const std::string& title, const std::string& body) {
+  return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
+         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
+         "<link rel=\"icon\" href=\"data:,\">\n<title>" +
+         title + "</title>\n" + style +
+         (body.find("<math") != std::string::npos ? "\n" + math_font_style() : "\n") +
+         "</head>\n<body>\n<h1>" + title + "</h1>\n" + body + "</body>\n</html>\n";
+}
+
+std::string verdict_in_words(const std::string& verdict) {
+  if (verdict == "correct") return "Right.";
+  if (verdict == "wrong_form") return "The value is right, the form is not.";
+  if (verdict == "correct_if") return "Right only under a condition.";
+  if (verdict == "wrong") return "Not right.";
+  return verdict == "invalid" ? "This could not be read." : "The program could not decide this.";
+}
+
+std::string words_of(std::string note) {
+  std::replace(note.begin(), note.end(), '_', ' ');
+  return note;
+}
+
+/// A student's name as a file's name: letters, digits, - and _, at most 80 bytes, and not used before, nor on
+/// systems that take a for A.
+std::string file_name_for(const std::string& name, std::set<std::string>& used) {
+  std::string safe, rest = printable_line(name);
+  while (!rest.empty()) {
+    const std::size_t bytes = std::max<std::size_t>(first_character(rest).bytes, 1);
+    if (safe.size() + bytes > 80) break;
+    const unsigned char c = static_cast<unsigned char>(rest[0]);
+    safe += bytes > 1 || std::isalnum(c) != 0 || c == '-' ? rest.substr(0, bytes) : "_";
+    rest.erase(0, bytes);
+  }
+  if (safe[0] == '-') safe[0] = '_';
+  const auto small = [](std::string text) {
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return text;
+  };
+  std::string file = safe;
+  for (int k = 2; !used.insert(small(file)).second; ++k) file = safe + "-" + std::to_string(k);
+  return file + ".html";
+}
+
+std::string section(const Exercise& exercise, const Rules& rules, const Student& student, const Row& row) {
+  const Mark mark = mark_of(rules, student, row);
+  std::string text =
+      fmt::format("<section>\n<h2>{}</h2>\n{}", escaped(exercise.title), in_html(exercise.statement));
+  text += "<pre>" + (row.answer.empty() ? "(nothing)" : shown(row.answer, 400)) + "</pre>\n";
+  if (!row.read_as.empty() && row.read_as != row.answer)
+    text += "<p class=\"small\">Read as: <code>" + shown(row.read_as, 400) + "</code></p>\n";
+  text +=
+      fmt::format("<div class=\"said {}\"><p><b>{}</b></p>\n", row.verdict, verdict_in_words(row.verdict));
+  if (row.feedback.find('\n') != std::string::npos)
+    text += "<pre>" + shown(row.feedback, 2000) + "</pre>\n";  // a caret must keep its place
+  else if (row.verdict != "correct")
+    text += in_html(row.feedback);
+  if (!row.hint.empty()) text += in_html("A hint: " + row.hint);
+  text += "</div>\n";
+  if (const auto weight = rules.weights.find(exercise.id); weight != rules.weights.end())
+    text += fmt::format("<p class=\"small\">Marks: {} of {}{}{}</p>\n",
+                        row.verdict == "undecided" ? "?" : mark_text(mark.marks), mark_text(weight->second),
+                        mark.attempts > 1 ? fmt::format(", after {} attempts", mark.attempts) : "",
+                        mark.late ? "; handed in after the deadline" : "");
+  return text + "</section>\n";
+}
+
+std::string feedback_page(const Classroom& room, const Student& student, const Rules& rules) {
+  std::string body, missing, others;
+  double total = 0, out_of = 0;
+  for (const auto& exercise : room.exercises) {
+    bool there = false;
+    for (const auto& row : student.rows)
+      if (row.judged && row.exercise == exercise.id) {
+        body += section(exercise, rules, student, row);
+        total += mark_of(rules, student, row).marks;
+        there = true;
+      }
+    const auto weight = rules.weights.find(exercise.id);
+    if (weight == rules.weights.end()) continue;
+    out_of += weight->second;
+    if (!there) missing += (missing.empty() ? "" : ", ") + escaped(exercise.title);
+  }
+  for (const auto& row : student.rows)
+    if (!row.judged && row.note != "not_handed_in")
+      others += "<li>" + (row.exercise.empty() ? "" : "<code>" + shown(row.exercise, 100) + "</code>: ") +
+                words_of(row.note) + "</li>\n";
+  if (!others.empty()) body += "<h2>Not judged</h2>\n<ul>\n" + others + "</ul>\n";
+  if (!missing.empty()) body += "<h2>Not handed in</h2>\n<p>" + missing + "</p>\n";
+  return page(shown(student.name, 200),
+              fmt::format("<p>Marks: {} of {}</p>\n", mark_text(total), mark_text(out_of)) + body);
+}
+
+/// One slip, in one exercise or in all.
+struct Seen {
+  int times = 0;
+  std::map<std::string, int> answers;
+  std::set<std::string> exercises;
+};
+using Slips = std::map<std::string, Seen>;
+
+/// The most frequent first, then by name.
+template <class Map, class Count>
+auto by_frequency(const Map& map, Count count) {
+  std::vector<std::pair<typename Map::key_type, typename Map::mapped_type>> list(map.begin(), map.end());
+  std::stable_sort(list.begin(), list.end(),
+                   [&](const auto& a, const auto& b) { return count(a.second) > count(b.second); });
+  return list;
+}
+
+std::string table_of(const Slips& slips, const std::string& heading,
+                     const std::function<std::string(const Seen&)>& last) {
+  std::string text = "<table>\n<tr><th>slip</th><th>times</th><th>" + heading + "</th></tr>\n";
+  for (const auto& [note, seen] : by_frequency(slips, [](const Seen& one) { return one.times; }))
+    text +=
+        fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", words_of(note), seen.times, last(seen));
+  return text + "</table>\n";
+}
+
+std::string typical_answers(const Seen& seen) {
+  std::string text;
+  std::size_t shown_of = 0;
+  for (const auto& [answer, times] : by_frequency(seen.answers, [](int count) { return count; })) {
+    if (shown_of++ == 3) break;
+    text += (text.empty() ? "" : "<br>") + ("<code>" + shown(answer, 120) + "</code>") +
+            (times > 1 ? fmt::format(" × {}", times) : "");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> feedback_pages(const Classroom& room,
+                                                                const std::vector<Student>& students,
+                                                                const Rules& rules) {
+  std::vector<std::pair<std::string, std::string>> pages;
+  std::set<std::string> used;
+  for (const auto& student : students)
+    pages.emplace_back(file_name_for(student.name, used), feedback_page(room, student, rules));
+  return pages;
+}
+
+std::string report_page(const Classroom& room, const std::vector<Student>& students) {
+  Slips all;
+  std::map<std::string, Slips> slips;
+  std::map<std::string, std::pair<int, int>> counts;  // answers, right ones
+  for (const auto& student : students)
+    for (const auto& row : student.rows) {
+      if (!row.judged) continue;
+      auto& [answers, right] = counts[row.exercise];
+      ++answers;
+      right += row.verdict == "correct";
+      if (row.verdict == "correct") continue;
+      for (Seen* seen : {&slips[row.exercise][row.note], &all[row.note]}) {
+        ++seen->times;
+        ++seen->answers[row.read_as.empty() ? row.answer : row.read_as];
+        seen->exercises.insert(row.exercise);
+      }
+    }
+  std::string body =
+      fmt::format("<p>{} students, {} exercises with answers.</p>\n", students.size(), counts.size());
+  body += "<h2>Slips, the most common first</h2>\n" + table_of(all, "in", [](const Seen& seen) {
+            return escaped(fmt::format("{}", fmt::join(seen.exercises, ", ")));
+          });
+  for (const auto& exercise : room.exercises) {
+    const auto count = counts.find(exercise.id);
+    if (count == counts.end()) continue;
+    body += fmt::format("<section>\n<h2>{}</h2>\n<p>{} of {} answers are right.</p>\n",
+                        escaped(exercise.title), count->second.second, count->second.first);
+    if (slips.contains(exercise.id))
+      body += table_of(slips.at(exercise.id), "typical answers", typical_answers);
+    body += "</section>\n";
+  }
+  return page("What the class makes of the exercises", body);
+}
+
+}  // namespace rederive::classroom
