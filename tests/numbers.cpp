@@ -5,6 +5,7 @@
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/numbers/interval.hpp>
 #include <map>
+#include <numerics/ball_functions.hpp>
 #include <random>
 #include <sstream>
 
