@@ -23,12 +23,13 @@ Fraction Translator::root_generator(const Polynomial& base, int order) {
 Fraction Translator::root(const Fraction& value, int order) {
   const Fraction u = ring_.normal(value);
   if (u.is_zero()) return 0;
-  // (n/d)^{1/k} = (n d^{k-1})^{1/k} / |d|
-  const auto& [sign, list] = factors(u.numerator * power(u.denominator, order - 1));
+  // (n/d)^{1/k} = (n d^{km-1})^{1/k} / |d|^m, for an m with which km is even: n d^{km-1} has the sign of n/d
+  const int m = order % 2 == 0 ? 1 : 2;
+  const auto& [sign, list] = factors(u.numerator * power(u.denominator, order * m - 1));
   Signs of_odd = sign < 0 ? Signs::negative() : Signs::positive();
   for (const auto& [factor, exponent] : list)
     if (exponent % 2 != 0) of_odd = of_odd * ring_.signs_of(factor);
-  Fraction outside = 1 / absolute(u.denominator);
+  Fraction outside = 1 / (m == 1 ? absolute(u.denominator) : Fraction(u.denominator * u.denominator));
   Polynomial inside = sign;
   for (const auto& [factor, exponent] : list) {
     const Signs signs = ring_.signs_of(factor);
