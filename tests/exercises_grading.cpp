@@ -108,6 +108,12 @@ TEST_CASE("a page a student says what was answered, what is wrong with it, a hin
   CHECK(has(read_file(room.pages / "carl.html"), "empty folder"));
   room.grade({"--feedback", room.pages.string() + "/", "--deadline", "2026-04-01"});
   CHECK(read_file(room.pages / "anna.html") == anna);
+  // a folder that is named from where one stands
+  const std::string here = "cd " + quoted(room.folder.path) + " && " + quoted(REDERIVE_PROGRAMS "/exercises");
+  CHECK(
+      run_program("/bin/sh", {"-c", here + " grade class --feedback back --deadline 2026-04-01"}).exit_code ==
+      0);
+  CHECK(read_file(room.folder.path / "back/anna.html") == anna);
 }
 
 TEST_CASE("the report counts slips, the most common first, with typical answers and no names") {

@@ -20,14 +20,14 @@ void check_file(const fs::path& file, std::set<fs::path>& others) {
   if (!fs::is_directory(folder, error) || (!in_place && ::access(folder.c_str(), W_OK) != 0))
     throw BadInput("cannot write '" + file.string() + "': there is no folder '" + folder.string() +
                    "' to write into");
-  if (!others.insert(fs::weakly_canonical(file, error)).second)
+  if (!others.insert(fs::weakly_canonical(fs::absolute(file), error)).second)
     throw BadInput("'" + file.string() + "' cannot be two of the files that are written");
 }
 
 void check_feedback(const GradeFlags& flags, const std::set<fs::path>& files) {
   if (flags.feedback.empty()) return;
   std::error_code error;
-  fs::path folder = fs::weakly_canonical(flags.feedback, error);
+  fs::path folder = fs::weakly_canonical(fs::absolute(flags.feedback), error);
   if (!folder.has_filename()) folder = folder.parent_path();  // "pages/"
   const std::string refused = "cannot write into '" + flags.feedback + "': ";
   const bool is_there = fs::exists(folder, error);
