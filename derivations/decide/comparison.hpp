@@ -48,8 +48,8 @@ struct Sameness {
 /// were needed.
 std::optional<Sameness> same(Comparison& setting, const Problem& problem);
 
-/// A divisor of one statement that may be 0 where the other one holds: a condition that would hide a
-/// solution. Compared are the irreducible factors of both.
+/// A divisor of one equation that has a factor in common with the other one, of which it is a solution that
+/// the divisor hides. What vanishes there without such a factor, as x with exp(x) - 1, is not seen.
 bool hides_a_solution(const Comparison& setting);
 
 /// "x - 1 > 0", "cos(theta) != 0": the conditions in our syntax, without the factors of which the ring knows

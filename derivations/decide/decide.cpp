@@ -54,7 +54,7 @@ Proof proved(const Comparison& setting, const Sameness& found, const Symbols& sy
   return proof;
 }
 
-/// The problem as it is; or, if what stands between bars may have either sign, with each of both.
+/// Tries the problem; if that fails, splits on the sign of the first |u|, at most `depth` times.
 std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& setting, int depth) {
   const auto& generators = setting.ring.generators();
   const auto known =

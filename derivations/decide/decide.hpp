@@ -2,7 +2,7 @@
 //
 // An identity is proved where both sides are defined; if one side is defined where the other is not, that is
 // a side condition, and it is listed. Relations are the same if, wherever both have values, one holds where
-// and only where the other one does. In this order:
+// and only where the other one does, and where no solution is seen to be hidden. In this order:
 //
 // 1. what equations say of a symbol is put in (problem.hpp);
 // 2. a few points: where the two differ beyond doubt, in ball arithmetic, they are refuted (points.hpp);
@@ -12,7 +12,7 @@
 //    proved by identity (compare.cpp);
 // 5. each follows from the other one by a certificate of signs: proved by sign (sign/certificate.hpp);
 // 6. more points;
-// 7. series in small symbols (expansion.cpp).
+// 7. series in small symbols, where an order is asked for (decide_to_order, expansion.cpp).
 //
 // What none of these decides is undecided. Nothing is ever proved by agreement at points; but nothing is
 // called proved either before points were tried and agreed.
@@ -32,7 +32,7 @@ Proof decide(const Relation& left, const Relation& right, const Symbols& symbols
              const std::vector<Given>& given = {}, const std::vector<Relation>& assumptions = {});
 
 /// What an exception comes to, said to a reader: our own words stay; a pole, an overflow and the rest get a
-/// sentence each, for GiNaC and CLN speak of their own insides. std::bad_alloc is thrown on.
+/// sentence each, for GiNaC and CLN speak of their insides. For handlers alone: std::bad_alloc is thrown on.
 std::string in_plain_words(const std::exception& error);
 
 /// Whether the assumptions contradict each other, or the ranges: then nothing follows from them.

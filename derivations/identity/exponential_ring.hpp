@@ -4,10 +4,10 @@
 // sine of independent phases, exponentials of independent real arguments, roots, sizes, logarithms, inverse
 // functions. Between them hold true relations, each for a power of one generator in terms of earlier ones:
 // s² = 1 - c², y² = u, a² = u². What reduces to 0 modulo these is 0 wherever it has a value: that proves an
-// identity. Exponentials of arguments that are linearly independent over the rationals are algebraically
-// independent (Lindemann-Weierstrass for numbers, Ax 1971 for functions; Risch's structure theorem for towers
-// of them), so that within the class the converse holds, too. Davenport, Siret, Tournier, Computer Algebra,
-// ch. 5; Richardson 1997.
+// identity. Exponentials of arguments that are independent over the rationals are algebraically independent:
+// of algebraic numbers by Lindemann-Weierstrass, of functions modulo constants by Ax 1971 (Risch's structure
+// theorem for towers). There the converse holds, too; with π, e and logarithms of numbers together it needs
+// Schanuel's conjecture, and no proof rests on it. Davenport, Siret, Tournier, ch. 5; Richardson 1997.
 //
 // Beside its relation every generator has the range of its values. From these follow signs of polynomials: by
 // intervals, factor by factor, and by the discriminant of what is quadratic in a generator.
