@@ -26,7 +26,7 @@ namespace {
 /// Values of a symbol: small numbers first; and ends and multiples of pi, which are easily overlooked.
 struct Candidates {
   std::vector<cl_RA> plain;
-  std::vector<Number> special;
+  std::vector<Constant> special;
 };
 
 Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks) {
@@ -54,8 +54,8 @@ Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks
     if (end->infinite == 0) special.push_back(*end);
   for (const char* q : {"1/2", "1", "1/6", "1/4", "1/3", "-1/2", "2/3", "-1/6", "3/2", "-1/4", "2"})
     special.push_back({0, q});
-  for (const Constant& c : special)
-    if (range.contains(c)) result.special.push_back(number_of(c));
+  std::ranges::copy_if(special, std::back_inserter(result.special),
+                       [&](const Constant& c) { return range.contains(c); });
   return result;
 }
 
@@ -121,7 +121,7 @@ std::optional<Point> point_of(const Table& table, int index) {
                      : index % 4 == 3                ? index / 4
                                                      : mixed;
     if (c.plain.empty() || (!c.special.empty() && (is_zero || is_special)))
-      point.emplace(name, c.special[turn % c.special.size()]);
+      point.emplace(name, number_of(c.special[turn % c.special.size()]));
     else
       point.emplace(name, c.plain[turn % std::min<std::size_t>(c.plain.size(), 4 + index)]);
   }

@@ -52,13 +52,14 @@ std::optional<Witness> make_witness(const Problem& problem, const Point& point, 
   };
   for (const auto& [name, number] : point) {
     say(name, number.value(160));
-    const auto& [tree, symbol, low, high, bits, value] = *number;
-    if (!tree || value.constant) continue;
-    const std::string text = text_of(lower(tree, problem.symbols));
-    if (symbol.empty())
+    const Number::State& known = *number;
+    if (!known.tree || known.value.constant) continue;
+    const std::string text = text_of(lower(known.tree, problem.symbols));
+    if (known.symbol.empty())
       witness.exactly[name] = text;
     else
-      witness.between[name] = {rational_text(low), rational_text(high)}, witness.solves = text + " = 0";
+      witness.between[name] = {rational_text(known.low), rational_text(known.high)},
+      witness.solves = text + " = 0";
   }
   for (const auto& [name, tree] : problem.values)  // what was put in
     if (const Value value = value_at(tree, point, 160); value.is == Value::Is::certain) say(name, value);

@@ -34,7 +34,7 @@ using Factors = std::pair<int, std::vector<std::pair<Polynomial, int>>>;
 /// A polynomial with whole coefficients. Throws Undecidable where a result would have too many terms.
 class Polynomial {
  public:
-  static constexpr int variables = 48;
+  static constexpr int variables = 31;  ///< with their degree 32 exponents, in four words
   static constexpr std::size_t most_terms = 4000;
 
   Polynomial(long value = 0) {

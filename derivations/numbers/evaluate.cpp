@@ -10,28 +10,32 @@ namespace {
 using cln::cl_RA;
 using Is = Value::Is;
 
-/// By quadratic interval refinement (Abbott 2006) until so many bits are certain: the secant guesses a cell
-/// of the bracket, signs confirm it, and cells get smaller each time; else the bracket is halved.
-Value zero_between(const Tree& tree, const std::string& symbol, cl_RA low, cl_RA high, long bits) {
+/// Narrows the bracket by quadratic interval refinement (Abbott 2006) until so many bits are certain: the
+/// secant guesses a cell of it, signs confirm that, and cells get smaller each time; else it is halved.
+Value zero_between(const Tree& tree, const std::string& symbol, cl_RA& low, cl_RA& high, long bits) {
   const auto at = [&](const cl_RA& x) { return value_at(tree, {{symbol, x}}, 2 * bits + 256); };
-  const auto first = at(low).sign(), last = at(high).sign();
+  Value at_low = at(low), at_high = at(high);
+  const auto first = at_low.sign(), last = at_high.sign();
   if (first == 0 || last == 0) return known(Constant{first == 0 ? low : high}, bits);
   if (!first || !last || first == last) return {};
-  long log_cells = 1;
+  long log_cells = 8;
   while ((high - low) * cln::ash(cln::cl_I(1), bits) > std::max(cln::abs(low), cln::abs(high))) {
-    const Ball start = at(low).ball, share = start / (start - at(high).ball);
+    const Ball share = at_low.ball / (at_low.ball - at_high.ball);
     const cl_RA cells = cln::ash(cln::cl_I(1), log_cells), cell = (high - low) / cells,
                 guess = share.is_moderate() ? low + cln::floor1(cells * cl_RA(share.middle())) * cell : low;
-    if (at(guess).sign() == first && at(guess + cell).sign() == last) {
+    Value at_guess = at(guess), beyond = at(guess + cell);
+    if (at_guess.sign() == first && beyond.sign() == last) {
       low = guess, high = guess + cell, log_cells *= 2;
+      at_low = std::move(at_guess), at_high = std::move(beyond);
       continue;
     }
     log_cells = std::max(1L, log_cells / 2);
     const cl_RA middle = (low + high) / 2;
-    const auto there = at(middle).sign();
-    if (!there) break;
-    if (there == 0) return known(Constant{middle}, bits);
-    (there == first ? low : high) = middle;
+    Value there = at(middle);
+    const auto sign = there.sign();
+    if (!sign) break;
+    if (sign == 0) return known(Constant{middle}, bits);
+    (sign == first ? low : high) = middle, (sign == first ? at_low : at_high) = std::move(there);
   }
   return known(Ball::between(Ball(low, 2 * bits), Ball(high, 2 * bits)).at(bits));
 }
@@ -39,12 +43,12 @@ Value zero_between(const Tree& tree, const std::string& symbol, cl_RA low, cl_RA
 }  // namespace
 
 const Value& Number::value(long bits) const {
-  auto& [tree, symbol, low, high, known_bits, value] = *state_;
-  if (known_bits >= bits) return value;
-  known_bits = bits;
-  return value = !tree            ? known(Constant{low}, bits)
-                 : symbol.empty() ? value_at(tree, {}, bits)
-                                  : zero_between(tree, symbol, low, high, bits);
+  State& s = *state_;
+  if (s.bits >= bits) return s.value;
+  s.bits = bits;
+  return s.value = !s.tree            ? known(Constant{s.low}, bits)
+                   : s.symbol.empty() ? value_at(s.tree, {}, bits)
+                                      : zero_between(s.tree, s.symbol, s.from, s.to, bits);
 }
 
 Value value_at(const Tree& tree, const Point& point, long bits) {
@@ -58,8 +62,8 @@ Value value_at(const Tree& tree, const Point& point, long bits) {
   if (node.kind == Kind::power) return pow(child(0), child(1));
   if (node.kind == Kind::call) return call(node.text, child(0));
   const bool is_sum = node.kind == Kind::sum;
-  Value result = known(Constant{is_sum ? 0 : 1}, bits);
-  for (std::size_t i = 0; i < node.children.size(); ++i)
+  Value result = node.inverse[0] ? known(Constant{is_sum ? 0 : 1}, bits) : child(0);
+  for (std::size_t i = node.inverse[0] ? 0 : 1; i < node.children.size(); ++i)
     if (node.inverse[i])
       result = is_sum ? result - child(i) : result / child(i);
     else

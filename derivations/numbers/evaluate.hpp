@@ -12,21 +12,21 @@ namespace rederive {
 /// that copies of it belong to one thread.
 class Number {
  public:
-  Number(const cln::cl_RA& q) : state_(new State{nullptr, {}, q, q}) {}
+  Number(const cln::cl_RA& q) : state_(new State{nullptr, {}, q}) {}
   /// The value of a constant expression: pi/6, sqrt(2).
-  explicit Number(const Tree& constant) : state_(new State{constant, {}, 0, 0}) {}
+  explicit Number(const Tree& constant) : state_(new State{constant}) {}
   /// The zero of an expression in one symbol, between two rational numbers where it has different signs, is
   /// continuous and has one zero; unknown where its signs there are not certain.
   Number(const Tree& tree, const std::string& symbol, const cln::cl_RA& low, const cln::cl_RA& high)
-      : state_(new State{tree, symbol, low, high}) {}
+      : state_(new State{tree, symbol, low, high, low, high}) {}
   /// Its value; the ball of a zero has about so many bits that are right.
   const Value& value(long bits) const;
 
   struct State {
-    Tree tree;           ///< nullptr of a rational number
-    std::string symbol;  ///< empty of a constant
-    cln::cl_RA low, high;
-    long bits = 0;  ///< of the value
+    Tree tree;                                       ///< nullptr of a rational number
+    std::string symbol = {};                         ///< empty of a constant
+    cln::cl_RA low = 0, high = 0, from = 0, to = 0;  ///< the bracket; what is left of it
+    long bits = 0;                                   ///< of the value
     Value value = {};
   };
   const State& operator*() const { return *state_; }

@@ -2,10 +2,7 @@
 #pragma once
 
 #include <cln/integer.h>
-#include <cln/integer_io.h>
 #include <flint/fmpz.h>
-
-#include <sstream>
 
 namespace rederive {
 
@@ -13,12 +10,12 @@ namespace rederive {
 struct Integer {
   Integer() { fmpz_init(z); }
   explicit Integer(const cln::cl_I& value) : Integer() {
-    if (cln::integer_length(value) < 60) {
+    if (const auto length = cln::integer_length(value); length < 60) {
       fmpz_set_si(z, cln::cl_I_to_long(value));
     } else {
-      std::ostringstream digits;
-      digits << value;
-      fmpz_set_str(z, digits.str().c_str(), 10);
+      const Integer high(cln::ash(value, -static_cast<long>(length / 2)));
+      fmpz_mul_2exp(z, high.z, length / 2);
+      fmpz_add(z, z, Integer(cln::ldb(value, cln::cl_byte(length / 2, 0))).z);
     }
   }
   Integer(const Integer&) = delete;
@@ -26,10 +23,10 @@ struct Integer {
   ~Integer() { fmpz_clear(z); }
   cln::cl_I value() const {
     if (fmpz_fits_si(z)) return cln::cl_I(fmpz_get_si(z));
-    char* digits = fmpz_get_str(nullptr, 10, z);
-    const cln::cl_I result(static_cast<const char*>(digits));
-    flint_free(digits);
-    return result;
+    const auto half = fmpz_bits(z) / 2;
+    Integer high, low;
+    fmpz_fdiv_q_2exp(high.z, z, half), fmpz_fdiv_r_2exp(low.z, z, half);
+    return cln::ash(high.value(), static_cast<long>(half)) + low.value();
   }
   fmpz_t z;
 };

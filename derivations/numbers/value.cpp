@@ -36,6 +36,8 @@ Is both(const Value& x, const Value& y) {
   return x.is == Is::certain ? y.is : x.is;
 }
 
+long fewer_bits(const Value& x, const Value& y) { return std::min(x.ball.bits(), y.ball.bits()); }
+
 bool is_zero(const Value& x) { return x.constant && x.constant->is_zero(); }
 
 long length(const cl_RA& q) {
@@ -65,9 +67,8 @@ Ball Constant::ball(long bits) const {
 
 int Constant::sign() const {
   if (is_rational()) return cln::zerop(a) ? 0 : cln::minusp(a) ? -1 : 1;
-  long bits = 64;
-  while (!ball(bits).is_nonzero()) bits *= 2;
-  return ball(bits).is_positive() ? 1 : -1;
+  for (long bits = 64;; bits *= 2)
+    if (const Ball x = ball(bits); x.is_nonzero()) return x.is_positive() ? 1 : -1;
 }
 
 std::optional<int> Value::sign() const {
@@ -87,30 +88,32 @@ Value known(const Ball& x) {
 
 Value operator+(const Value& x, const Value& y) {
   if (both(x, y) != Is::certain) return {both(x, y)};
-  const Ball sum = x.ball + y.ball;
-  return x.constant && y.constant ? known(*x.constant + *y.constant, sum.bits()) : known(sum);
+  return x.constant && y.constant ? known(*x.constant + *y.constant, fewer_bits(x, y))
+                                  : known(x.ball + y.ball);
 }
 
-Value operator-(const Value& x, const Value& y) { return x + known(Constant{-1}, y.ball.bits()) * y; }
+Value operator-(const Value& x, const Value& y) {
+  if (both(x, y) != Is::certain) return {both(x, y)};
+  return x.constant && y.constant ? known(*x.constant - *y.constant, fewer_bits(x, y))
+                                  : known(x.ball - y.ball);
+}
 
 Value operator*(const Value& x, const Value& y) {
   if (both(x, y) != Is::certain) return {both(x, y)};
-  const Ball product = x.ball * y.ball;
-  if (is_zero(x) || is_zero(y)) return known(Constant{}, product.bits());
-  if (x.exact && y.constant) return known(*x.exact * *y.constant, product.bits());
-  return y.exact && x.constant ? y * x : known(product);
+  if (is_zero(x) || is_zero(y)) return known(Constant{}, fewer_bits(x, y));
+  if (x.exact && y.constant) return known(*x.exact * *y.constant, fewer_bits(x, y));
+  return y.exact && x.constant ? y * x : known(x.ball * y.ball);
 }
 
 Value operator/(const Value& x, const Value& y) {
   if (both(x, y) != Is::certain) return {both(x, y)};
   if (is_zero(y)) return {Is::nowhere};
-  const Ball ratio = x.ball / y.ball;
-  if (y.exact && x.constant) return known(1 / *y.exact * *x.constant, ratio.bits());
+  if (y.exact && x.constant) return known(1 / *y.exact * *x.constant, fewer_bits(x, y));
   if (x.constant && y.constant) {
     const Constant exact{x.constant->b / y.constant->b};
-    if ((*x.constant - exact.a * *y.constant).is_zero()) return known(exact, ratio.bits());
+    if ((*x.constant - exact.a * *y.constant).is_zero()) return known(exact, fewer_bits(x, y));
   }
-  return known(ratio);
+  return known(x.ball / y.ball);
 }
 
 Value pow(const Value& x, const Value& y) {
