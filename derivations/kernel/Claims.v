@@ -49,6 +49,7 @@ Qed.
 Section Small.
 Variables g alpha p omega_p psi a_p t theta thetaddot : R.
 Let u := a_p / g * sin (omega_p * t + psi).
+(* from 21a, 52, linearised *)
 Theorem derivation_56a :
   Rabs ((thetaddot + p ^ 2 * (u * cos (alpha + theta) - sin (alpha + theta))) -
         (thetaddot - p ^ 2 * theta - (p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi)))) <=
@@ -57,6 +58,7 @@ Proof.
   eapply Rle_trans; [ | apply (left_out p 1 u (alpha + theta)); ring ].
   apply Req_le; f_equal; unfold u; ring.
 Qed.
+(* from 21b, 52, linearised *)
 Theorem derivation_56b :
   Rabs ((thetaddot + p ^ 2 * (u * cos (alpha - theta) + sin (alpha - theta))) -
         (thetaddot - p ^ 2 * theta - (- p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi)))) <=
@@ -66,6 +68,7 @@ Proof.
   apply Req_le; f_equal; unfold u; ring.
 Qed.
 (* With u29, a_p/(alpha g) = 1/cos(psi). *)
+(* from 21b, u26, u29, linearised *)
 Theorem derivation_97 : let c := alpha * cos (omega_p * t + psi) / cos psi in
   Rabs ((thetaddot + p ^ 2 * (c * cos (alpha - theta) + sin (alpha - theta))) -
         (thetaddot - p ^ 2 * theta - (- p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * t + psi) / cos psi))) <=
@@ -93,9 +96,11 @@ Proof.
       [ | nra | nra ] ]; nra.
   - replace (tan alpha) with (a_p * x / g) by (rewrite E; field; lra); field; repeat split; lra.
 Qed.
+(* from 54, linearised *)
 Theorem derivation_u21 : 0 < g -> 0 < alpha <= 1 -> sin psi <> 0 -> a_p * sin psi = g * tan alpha ->
   Rabs (a_p / (g * alpha) - 1 / sin psi) <= alpha ^ 2 / Rabs (sin psi).
 Proof. apply amplitude_left_out. Qed.
+(* from u27d, linearised *)
 Theorem derivation_u29 : 0 < g -> 0 < alpha <= 1 -> cos psi <> 0 -> a_p * cos psi = g * tan alpha ->
   Rabs (a_p / (g * alpha) - 1 / cos psi) <= alpha ^ 2 / Rabs (cos psi).
 Proof. apply amplitude_left_out. Qed.

@@ -1,5 +1,9 @@
 (* The equation of motion and the restitution, from positions. Derivatives and integrals are Coquelicot's; the
-   numbers are the paper's, and R' is its R. *)
+   numbers are the paper's, and R' is its R.
+   Before each derivation stands from what: the rows whose equations are its hypotheses, and what it assumes.
+   newton, euler: the laws of motion. rotation: the block is rigid and turns about a corner. linearised: angles are
+   small. rest: the motion starts at rest, at theta = 0. criterion: the motion that just overturns tends to the
+   equilibrium at theta = alpha (or - alpha), where it would stand on its corner. *)
 From Rederive Require Import Rederive Solutions.
 From Coquelicot Require Import Coquelicot.
 
@@ -20,6 +24,7 @@ Lemma diagonal : R' ^ 2 = b ^ 2 + h ^ 2.
 Proof. rewrite corner, top; assert (P := pyth alpha); ring [P]. Qed.
 
 (* The moment of inertia about the centre of mass. *)
+(* from u13, u14, 42a *)
 Theorem derivation_u2 :
   exists inner, (forall x, is_RInt (fun y => rho * (x ^ 2 + y ^ 2)) (- h) h (inner x)) /\
                 is_RInt inner (- b) b (m * R' ^ 2 / 3).
@@ -29,6 +34,7 @@ Proof.
   - rewrite diagonal; unfold m; integral (fun x => rho * (2 / 3 * h * x ^ 3 + 2 / 3 * h ^ 3 * x)).
 Qed.
 (* About a corner. *)
+(* from u13, u14, 42a *)
 Theorem derivation_u3b :
   exists inner, (forall x, is_RInt (fun y => rho * (x ^ 2 + y ^ 2)) 0 (2 * h) (inner x)) /\
                 is_RInt inner 0 (2 * b) (4 / 3 * (m * R' ^ 2)).
@@ -38,10 +44,12 @@ Proof.
   - rewrite diagonal; unfold m; integral (fun x => rho * (2 / 3 * h * x ^ 3 + 8 / 3 * h ^ 3 * x)).
 Qed.
 (* That is Steiner's theorem. *)
+(* from u2, u3b *)
 Theorem derivation_u3a_u4 J_c J_o : J_c = m * R' ^ 2 / 3 -> J_o = 4 / 3 * m * R' ^ 2 -> J_o = J_c + m * R' ^ 2.
 Proof. intros; subst J_o J_c; field. Qed.
 
 (* The moment of momentum about the new corner before the impact: r^2 - 2 b r sin phi = x^2 + y^2 - 2 b x. *)
+(* from 39, 39b, 39c, 40b *)
 Theorem derivation_41 :
   exists inner, (forall x, is_RInt (fun y => x ^ 2 + y ^ 2 - 2 * b * x) 0 (2 * h) (inner x)) /\
                 is_RInt inner 0 (2 * b) (4 * h * b * (4 / 3 * h ^ 2 - 2 / 3 * b ^ 2)).
@@ -50,11 +58,13 @@ Proof.
   - intro x; integral (fun y => (x ^ 2 - 2 * b * x) * y + y ^ 3 / 3).
   - integral (fun x => 2 * h * (x ^ 3 / 3 - b * x ^ 2) + 8 / 3 * h ^ 3 * x).
 Qed.
+(* from 36, 41, u13, 42a *)
 Theorem derivation_43b thetadot_minus :
   rho * (4 * h * b * (4 / 3 * h ^ 2 - 2 / 3 * b ^ 2)) * thetadot_minus =
   m * R' ^ 2 * (4 / 3 - 2 * sin alpha ^ 2) * thetadot_minus.
 Proof. unfold m; rewrite corner, top; assert (P := pyth alpha); field [P]. Qed.
 (* About that corner it is the same after the impact. *)
+(* from 43b, 45b, u16 *)
 Theorem derivation_46a thetadot_minus thetadot_plus :
   0 < m -> 0 < R' ->
   (m * R' ^ 2 * (4 / 3 - 2 * sin alpha ^ 2) * thetadot_minus = 4 / 3 * m * R' ^ 2 * thetadot_plus <->
@@ -85,32 +95,40 @@ Ltac differentiate :=
   match goal with |- is_derive _ ?t _ => destruct (ground t) as [? ?]; destruct (angle t) as [? ?] end; derivatives.
 
 (* (4), (15) *)
+(* from 2a, 2b, 12a, 12b *)
 Theorem derivation_4a_15a t : is_derive u_c t (u_gdot t + R' * thetadot t * cos (alpha + side * theta t)).
 Proof. unfold u_c, x_c; differentiate; ring [sides]. Qed.
+(* from 3, 13 *)
 Theorem derivation_4b_15b t : is_derive y_c t (- side * R' * thetadot t * sin (alpha + side * theta t)).
 Proof. unfold y_c; differentiate; ring. Qed.
 
 (* (5) and (6), (16): the kinetic energy as a function of the angle, its rate and the speed of the ground. *)
 Definition K q v u := 1 / 2 * J_o * v ^ 2 + 1 / 2 * m * u ^ 2 + m * u * v * R' * cos (alpha + side * q).
 Definition Omega q := m * g * R' * (cos (alpha + side * q) - cos alpha).
+(* from 4a, 4b, 5, 15a, 15b, 16a, u2, u3b, u4 *)
 Theorem derivation_6_16b q v u :
   1 / 2 * J_c * v ^ 2 + 1 / 2 * m * ((u + R' * v * cos (alpha + side * q)) ^ 2 + (- side * R' * v * sin (alpha +
     side * q)) ^ 2) =
   K q v u.
 Proof. assert (P := pyth (alpha + side * q)); unfold K, J_c, J_o; field [P sides]. Qed.
 (* (9), (14): the potential of the weight. *)
+(* from 3, 13 *)
 Theorem derivation_9_14 t : m * g * y_c t = Omega (theta t).
 Proof. unfold y_c, Omega; ring. Qed.
 (* (7), (8), (10): its partial derivatives, and the rate of the first along the motion. *)
+(* from 6, 16b *)
 Theorem derivation_7a_17a q v u : is_derive (fun v => K q v u) v (J_o * v + m * u * R' * cos (alpha + side * q)).
 Proof. unfold K; auto_derive; [ trivial | field ]. Qed.
+(* from 7a, 17a *)
 Theorem derivation_7b_17b t :
   is_derive (fun t => J_o * thetadot t + m * u_gdot t * R' * cos (alpha + side * theta t)) t
     (J_o * thetaddot t + m * u_gddot t * R' * cos (alpha + side * theta t) -
      side * (m * u_gdot t * thetadot t * R' * sin (alpha + side * theta t))).
 Proof. differentiate; ring. Qed.
+(* from 6, 16b *)
 Theorem derivation_8_18 q v u : is_derive (fun q => K q v u) q (- side * (m * u * v * R' * sin (alpha + side * q))).
 Proof. unfold K; auto_derive; [ trivial | field ]. Qed.
+(* from 9, 14 *)
 Theorem derivation_10_19 q : is_derive Omega q (- side * (m * g * R' * sin (alpha + side * q))).
 Proof. unfold Omega; auto_derive; [ trivial | field ]. Qed.
 
@@ -118,6 +136,7 @@ Proof. unfold Omega; auto_derive; [ trivial | field ]. Qed.
 Definition lagrange t :=
   Derive (fun t => Derive (fun v => K (theta t) v (u_gdot t)) (thetadot t)) t -
   Derive (fun q => K q (thetadot t) (u_gdot t)) (theta t) + Derive Omega (theta t) = 0.
+(* from 1, 7b, 8, 10, 17b, 18, 19 *)
 Theorem derivation_11_20 t :
   lagrange t <-> J_o * thetaddot t + m * u_gddot t * R' * cos (alpha + side * theta t) -
                  side * (m * g * R' * sin (alpha + side * theta t)) = 0.
@@ -134,6 +153,7 @@ Proof.
   setoid_rewrite F.
   apply (eq_by 1); [ lra | ring ].
 Qed.
+(* from 11, 20, u3b, u4, 28b *)
 Theorem derivation_21a_21b p t :
   p ^ 2 = 3 * g / (4 * R') ->
   (lagrange t <-> thetaddot t + p ^ 2 * (u_gddot t / g * cos (alpha + side * theta t) - side * sin (alpha +
@@ -150,14 +170,19 @@ Definition x_cddot t := - side * (R' * thetaddot t * cos (alpha + side * theta t
   thetadot t ^ 2 * R' * sin (alpha + side * theta t).
 Definition y_cddot t := - side * R' * thetaddot t * sin (alpha + side * theta t) - R' * thetadot t ^ 2 * cos (alpha +
   side * theta t).
+(* from 48a *)
 Theorem derivation_48b t : is_derive x_c t (x_cdot t).
 Proof. unfold x_c, x_cdot; differentiate; ring. Qed.
+(* from 48b *)
 Theorem derivation_48c t : is_derive x_cdot t (x_cddot t).
 Proof. unfold x_cdot, x_cddot; differentiate; ring [sides]. Qed.
+(* from 49a *)
 Theorem derivation_49b t : is_derive y_c t (y_cdot t).
 Proof. unfold y_c, y_cdot; differentiate; ring. Qed.
+(* from 49b *)
 Theorem derivation_49c t : is_derive y_cdot t (y_cddot t).
 Proof. unfold y_cdot, y_cddot; differentiate; ring [sides]. Qed.
+(* from newton, 2a, 48c *)
 Theorem derivation_47a H t : H = m * Derive (fun t => Derive u_c t) t <-> H = m * (u_gddot t - side * x_cddot t).
 Proof.
   assert (E : Derive (fun t => Derive u_c t) t = u_gddot t - side * x_cddot t).
@@ -166,6 +191,7 @@ Proof.
     apply is_derive_unique; unfold x_cddot; differentiate; ring [sides]. }
   now rewrite E.
 Qed.
+(* from newton, 49c *)
 Theorem derivation_47b V t : V - m * g = m * Derive (fun t => Derive y_c t) t <-> V = m * (g + y_cddot t).
 Proof.
   assert (E : Derive (fun t => Derive y_c t) t = y_cddot t).
@@ -174,13 +200,16 @@ Proof.
   rewrite E; apply (eq_by 1); [ lra | ring ].
 Qed.
 (* At the start. *)
+(* from 47a, 48c *)
 Theorem derivation_25a H t : theta t = 0 -> thetadot t = 0 ->
   H = m * (u_gddot t - side * x_cddot t) -> H = m * (u_gddot t + R' * thetaddot t * cos alpha).
 Proof. intros A B ->; unfold x_cddot; rewrite A, B, Rmult_0_r, Rplus_0_r; ring [sides]. Qed.
+(* from 47b, 49c *)
 Theorem derivation_26a V t : theta t = 0 -> thetadot t = 0 ->
   V = m * (g + y_cddot t) -> V = m * (g - side * R' * thetaddot t * sin alpha).
 Proof. intros A B ->; unfold y_cddot; rewrite A, B, Rmult_0_r, Rplus_0_r; ring. Qed.
 (* While it rocks: (21) put into them. *)
+(* from 21a, 21b, 47a, 48c *)
 Theorem derivation_50a_r1_r3 p H t :
   thetaddot t + p ^ 2 * (u_gddot t / g * cos (alpha + side * theta t) - side * sin (alpha + side * theta t)) = 0 ->
   H = m * (u_gddot t - side * x_cddot t) ->
@@ -192,6 +221,7 @@ Proof.
     side * theta t) - side * sin (alpha + side * theta t)))) by lra.
   unfold x_cddot; rewrite F; field [sides]; lra.
 Qed.
+(* from 21a, 21b, 47b, 49c *)
 Theorem derivation_50b_r2_r4 p V t :
   thetaddot t + p ^ 2 * (u_gddot t / g * cos (alpha + side * theta t) - side * sin (alpha + side * theta t)) = 0 ->
   V = m * (g + y_cddot t) ->
@@ -204,6 +234,7 @@ Proof.
   unfold y_cddot; rewrite F; field [sides]; lra.
 Qed.
 (* It turns to theta < 0 from rest where the moment of the inertia force is the larger one, (11), (20). *)
+(* from 11 *)
 Theorem derivation_23 t : side = 1 -> lagrange t -> theta t = 0 ->
   (thetaddot t <= 0 <-> m * u_gddot t * R' * cos alpha >= m * g * R' * sin alpha).
 Proof.
@@ -214,6 +245,7 @@ Qed.
 (* The reactions do no work, so that Lagrange's equation says what Newton's and Euler's say: the moments of H and V
   about
    the centre of mass turn the block. *)
+(* from newton, euler, 47a, 47b, 6, 9, 14, 16b *)
 Theorem derivation_1 H V t : H = m * (u_gddot t - side * x_cddot t) -> V = m * (g + y_cddot t) ->
   (lagrange t <-> J_c * thetaddot t = side * (V * (R' * sin (alpha + side * theta t))) - H * (R' * cos (alpha +
     side * theta t))).
@@ -221,6 +253,7 @@ Proof.
   intros -> ->; rewrite derivation_11_20; assert (P := pyth (alpha + side * theta t)).
   apply (eq_by 1); [ lra | unfold x_cddot, y_cddot, J_o, J_c; field [P sides] ].
 Qed.
+(* from 25b, 26b, 11, 42a *)
 Theorem derivation_27 H V t : side = 1 -> lagrange t -> theta t = 0 ->
   H = m * (u_gddot t + R' * cos alpha * thetaddot t) -> V = m * (g - R' * sin alpha * thetaddot t) ->
   H * (R' * cos alpha) - V * (R' * sin alpha) + J_c * thetaddot t = 0.
@@ -229,14 +262,17 @@ Proof.
   rewrite <- L; unfold J_o, J_c; field [P].
 Qed.
 (* At rest on the ground H is the ground's own. *)
+(* from 47a, 48c *)
 Theorem derivation_u9a H t : theta t = 0 -> thetadot t = 0 -> thetaddot t = 0 ->
   H = m * (u_gddot t - side * x_cddot t) -> H = m * u_gddot t.
 Proof. intros A B C ->; unfold x_cddot; rewrite B, C; ring. Qed.
+(* from 11, u3b *)
 Theorem derivation_u5 : sqrt (m * g * R' / J_o) = sqrt (3 * g / (4 * R')).
 Proof. f_equal; unfold J_o; field; lra. Qed.
 End Motion.
 
 (* The unstable equilibrium (60), and the ground that would hold the block at theta = alpha. side as above. *)
+(* from 21a, 21b, criterion *)
 Theorem derivation_60a_60c p alpha side theta_star :
   0 < p -> side ^ 2 = 1 -> 0 < alpha < PI / 2 -> - (PI / 2) < theta_star < PI / 2 ->
   (0 + p ^ 2 * (0 * cos (alpha + side * theta_star) - side * sin (alpha + side * theta_star)) = 0 <->
@@ -252,14 +288,17 @@ Proof.
     + assert (sin (alpha + side * theta_star) > 0) by (apply sin_gt_0; destruct C; subst side; lra); lra.
   - intros ->; replace (alpha + side * (- side * alpha)) with 0 by ring [S]; rewrite sin_0; ring.
 Qed.
+(* from 60a, 60c *)
 Theorem derivation_60b theta_star t : is_derive (fun _ : R => theta_star) t 0.
 Proof. auto_derive; trivial. Qed.
+(* from 21a *)
 Theorem derivation_u6 p g alpha u : 0 < p -> 0 < g -> cos (2 * alpha) <> 0 ->
   (0 + p ^ 2 * (u / g * cos (alpha + alpha) - sin (alpha + alpha)) = 0 <-> u = g * sin (2 * alpha) / cos (2 * alpha)).
 Proof.
   intros P G C; replace (alpha + alpha) with (2 * alpha) by ring.
   apply (eq_by (p ^ 2 * cos (2 * alpha) / g)); [ nz | field; split; lra ].
 Qed.
+(* from 21b *)
 Theorem derivation_u7 p g alpha u : 0 < p -> 0 < g ->
   (0 + p ^ 2 * (u / g * cos (alpha - alpha) + sin (alpha - alpha)) = 0 <-> u = 0).
 Proof.

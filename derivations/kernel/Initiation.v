@@ -7,8 +7,10 @@ From Rederive Require Import Rederive.
 Section Geometry.
 Variables b h R' alpha : R.
 Hypotheses (b_pos : 0 < b) (h_pos : 0 < h) (R_pos : 0 < R').
+(* from u1 *)
 Theorem derivation_32b : alpha = atan (b / h) -> b / h = tan alpha.
 Proof. intros ->; now rewrite tan_atan. Qed.
+(* from u1 *)
 Theorem derivation_42a : alpha = atan (b / h) -> R' ^ 2 = b ^ 2 + h ^ 2 -> b = R' * sin alpha /\ h = R' * cos alpha.
 Proof.
   intros A Q; assert (T := derivation_32b A); assert (P := pyth alpha).
@@ -22,6 +24,7 @@ Proof.
   split; [ | exact Y ]; apply (Rmult_eq_reg_r (cos alpha)); [ rewrite S, Y; ring | lra ].
 Qed.
 Hypotheses (side_b : b = R' * sin alpha) (side_h : h = R' * cos alpha).
+(* from u1, 42a, rotation *)
 Theorem derivation_2b_12b side x_c theta : side = 1 \/ side = - 1 ->
   x_c = b - (b * cos theta + side * (h * sin theta)) -> x_c = b - R' * sin (alpha + side * theta).
 Proof.
@@ -29,30 +32,37 @@ Proof.
   - replace (1 * theta) with theta by ring; rewrite sin_plus; ring.
   - replace (-1 * theta) with (- theta) by ring; rewrite sin_plus, sin_neg, cos_neg; ring.
 Qed.
+(* from 42a *)
 Theorem derivation_42b : 4 * h * b * (4 / 3 * h ^ 2 - 2 / 3 * b ^ 2) = 4 * h * b * (4 / 3 * R' ^ 2 - 2 * R' ^ 2 * sin
   alpha ^ 2).
 Proof. rewrite side_b, side_h; assert (P := pyth alpha); field [P]. Qed.
 End Geometry.
 
 (* The moment of momentum of a point at (- r sin phi, r cos phi) from the old corner; the new one is at (- 2 b, 0). *)
+(* from 36, 37a, 37b, rotation *)
 Theorem derivation_38 b r phi thetadot_minus x' y' v_x v_y :
   x' = - r * sin phi -> y' = r * cos phi -> v_x = - thetadot_minus * y' -> v_y = thetadot_minus * x' ->
   (x' + 2 * b) * v_y - y' * v_x = (r ^ 2 - 2 * b * r * sin phi) * thetadot_minus.
 Proof. intros -> -> -> ->; assert (P := pyth phi); ring [P]. Qed.
+(* from 38, u15 *)
 Theorem derivation_39 b r phi x thetadot_minus hO_minus : r * sin phi = 2 * b - x ->
   hO_minus = (r ^ 2 - 2 * b * r * sin phi) * thetadot_minus -> hO_minus =
     (r ^ 2 - 2 * b * (2 * b - x)) * thetadot_minus.
 Proof. intros E ->; rewrite <- E; ring. Qed.
+(* from u15 *)
 Theorem derivation_40a b r phi x y : r * sin phi = 2 * b - x -> r * cos phi = y -> r ^ 2 = y ^ 2 + (2 * b - x) ^ 2.
 Proof. intros <- <-; assert (P := pyth phi); ring [P]. Qed.
+(* from 44, rotation *)
 Theorem derivation_45a r phi thetadot_plus x' y' v_x v_y :
   x' = - r * sin phi -> y' = r * cos phi -> v_x = - thetadot_plus * y' -> v_y = thetadot_plus * x' ->
   x' * v_y - y' * v_x = r ^ 2 * thetadot_plus.
 Proof. intros -> -> -> ->; assert (P := pyth phi); ring [P]. Qed.
+(* from 45a, u4 *)
 Theorem derivation_45b m R' J_o thetadot_plus : J_o = 4 / 3 * m * R' ^ 2 ->
   J_o * thetadot_plus = 4 / 3 * m * R' ^ 2 * thetadot_plus.
 Proof. now intros ->. Qed.
 (* The energy that the impact takes, where the ground does not move. *)
+(* from 6, 16b *)
 Theorem derivation_u12a m R' alpha J_o thetadot_minus thetadot_plus K : 
   (forall v u, K v u = 1 / 2 * J_o * v ^ 2 + 1 / 2 * m * u ^ 2 + m * u * v * R' * cos alpha) ->
   K thetadot_minus 0 - K thetadot_plus 0 = 1 / 2 * J_o * thetadot_minus ^ 2 - 1 / 2 * J_o * thetadot_plus ^ 2.
@@ -66,6 +76,7 @@ Lemma cos_pos : 0 < cos alpha. Proof. assert (Q := PI_RGT_0); apply cos_gt_0; lr
 Lemma sin_pos : 0 < sin alpha. Proof. assert (Q := PI_RGT_0); apply sin_gt_0; lra. Qed.
 Let b := R' * sin alpha.
 Let h := R' * cos alpha.
+(* from 23, u9a, u9b *)
 Theorem derivation_24a : m * a_p * R' * cos alpha >= m * g * R' * sin alpha <-> a_p >= g * tan alpha.
 Proof.
   assert (C := cos_pos); unfold tan; assert (K : 0 < m * R' * cos alpha) by pos.
@@ -74,6 +85,7 @@ Proof.
     by (field; lra).
   assert (L := Rinv_0_lt_compat _ K); split; intro; nra.
 Qed.
+(* from 23, 25b *)
 Theorem derivation_u10b : lambda * a_p >= g * tan alpha <-> lambda >= g * tan alpha / a_p.
 Proof.
   assert (E : g * tan alpha / a_p - lambda = / a_p * (g * tan alpha - lambda * a_p)) by (field; lra).
@@ -82,6 +94,7 @@ Qed.
 Hypotheses (equation_25b : H_0 = m * (lambda * a_p + h * thetaddot_0)) (equation_26b : V_0 =
   m * (g - b * thetaddot_0)).
 Hypothesis equation_27 : forall J_c, J_c = m * R' ^ 2 / 3 -> H_0 * h - V_0 * b + J_c * thetaddot_0 = 0.
+(* from 25b, 26b, 27, u2, 28b, 42a *)
 Theorem derivation_28a : p ^ 2 = 3 * g / (4 * R') -> thetaddot_0 = p ^ 2 * sin alpha * (1 - lambda * a_p / (g * tan
   alpha)).
 Proof.
@@ -96,12 +109,14 @@ Proof.
      m * R' ^ 2 / 3 * thetaddot_0 + m * g * R' * sin alpha - m * R' * cos alpha * (lambda * a_p)) by (field [Q]).
   rewrite E; ring.
 Qed.
+(* from 28a *)
 Theorem derivation_u11_u17 : 0 < p -> thetaddot_0 = p ^ 2 * sin alpha * (1 - lambda * a_p / (g * tan alpha)) ->
   (thetaddot_0 = 0 <-> lambda * a_p = g * tan alpha).
 Proof.
   intros P ->; assert (C := cos_pos); assert (S := sin_pos); assert (T : 0 < tan alpha) by (unfold tan; pos).
   apply (eq_by (- (p ^ 2 * sin alpha / (g * tan alpha)))); [ nz | field; lra ].
 Qed.
+(* from 25b, 26b, u11, 30, 42a *)
 Theorem derivation_32a_51a mu : thetaddot_0 = 0 -> lambda * a_p = g * tan alpha ->
   H_0 / V_0 = lambda * a_p / g /\ (mu >= H_0 / V_0 <-> mu >= b / h).
 Proof.
@@ -110,6 +125,7 @@ Proof.
   split; [ exact E | ]; replace (b / h) with (H_0 / V_0); [ reflexivity | ].
   rewrite E, L; unfold tan, b, h; field; lra.
 Qed.
+(* from 25b, 26b, 28a, 28b, 30, 42a *)
 Theorem derivation_31 mu : thetaddot_0 = 3 / 4 * (g / R') * sin alpha * (1 - lambda * a_p / (g * tan alpha)) ->
   V_0 <> 0 ->
   (mu >= H_0 / V_0 <->
@@ -130,6 +146,7 @@ End Start.
 Section Phase.
 Variables omega_p psi a_p g alpha : R.
 Hypothesis omega_pos : 0 < omega_p.
+(* from 52 *)
 Theorem derivation_52b_52c t : 0 <= omega_p * t + psi <= 2 * PI <-> - psi / omega_p <= t <= (2 * PI - psi) / omega_p.
 Proof.
   assert (A : 0 <= omega_p * t + psi <-> - psi / omega_p <= t) by (apply (le_by omega_p); [ lra | field; lra ]).
@@ -137,34 +154,44 @@ Proof.
     [ lra | field; lra ]).
   tauto.
 Qed.
+(* from 52 *)
 Theorem derivation_u20 T_ex : omega_p * T_ex + psi = 2 * PI <-> T_ex = (2 * PI - psi) / omega_p.
 Proof. apply (eq_by omega_p); [ lra | field; lra ]. Qed.
+(* from u26 *)
 Theorem derivation_u28 T_ex : omega_p * T_ex + PI / 2 + psi = 2 * PI <-> T_ex = (3 * PI / 2 - psi) / omega_p.
 Proof. apply (eq_by omega_p); [ lra | field; lra ]. Qed.
+(* from 52 *)
 Theorem derivation_53a : a_p * sin (omega_p * 0 + psi) = a_p * sin psi.
 Proof. now rewrite Rmult_0_r, Rplus_0_l. Qed.
+(* from 53a, 25b *)
 Theorem derivation_53b u_gddot_0 lambda : u_gddot_0 = a_p * sin psi -> u_gddot_0 = lambda * a_p ->
   a_p * sin psi = lambda * a_p.
 Proof. congruence. Qed.
+(* from 53b *)
 Theorem derivation_53c lambda : 0 < a_p -> - (PI / 2) <= psi <= PI / 2 -> a_p * sin psi = lambda * a_p ->
   psi = asin lambda.
 Proof.
   intros A P E; assert (S : lambda = sin psi) by (apply (Rmult_eq_reg_l a_p); lra).
   rewrite S; symmetry; now apply asin_sin.
 Qed.
+(* from 53c, u18 *)
 Theorem derivation_54 lambda : 0 < a_p -> psi = asin lambda -> lambda * a_p = g * tan alpha ->
   psi = asin (g * tan alpha / a_p).
 Proof. intros A -> E; f_equal; rewrite <- E; field; lra. Qed.
+(* from u26 *)
 Theorem derivation_u27a : a_p * cos (omega_p * 0 + psi) = a_p * cos psi.
 Proof. now rewrite Rmult_0_r, Rplus_0_l. Qed.
+(* from u27a, 25b *)
 Theorem derivation_u27b u_gddot_0 lambda : u_gddot_0 = a_p * cos psi -> u_gddot_0 = lambda * a_p ->
   a_p * cos psi = lambda * a_p.
 Proof. congruence. Qed.
+(* from u27b *)
 Theorem derivation_u27c lambda : 0 < a_p -> 0 <= psi <= PI -> a_p * cos psi = lambda * a_p -> psi = acos lambda.
 Proof.
   intros A P E; assert (S : lambda = cos psi) by (apply (Rmult_eq_reg_l a_p); lra).
   rewrite S; symmetry; now apply acos_cos.
 Qed.
+(* from u27b, u11 *)
 Theorem derivation_u27d lambda : cos psi <> 0 -> a_p * cos psi = lambda * a_p -> lambda * a_p = g * tan alpha ->
   a_p = g * tan alpha / cos psi.
 Proof. intros C E L; rewrite <- L, <- E; field; exact C. Qed.
@@ -175,12 +202,15 @@ Lemma sum_of_hyperbolic a c x : a * sinh x + c * cosh x = 0 -> a * cosh x + c * 
 Proof.
   unfold sinh, cosh; intros A B; assert (P := exp_pos x); assert (Q : (a + c) * exp x = 0) by lra; nra.
 Qed.
+(* from 65a, 65b *)
 Theorem derivation_67 alpha Abar_1 Abar_2 x :
   - alpha = Abar_1 * sinh x + Abar_2 * cosh x - alpha -> 0 = Abar_1 * cosh x + Abar_2 * sinh x -> Abar_1 = - Abar_2.
 Proof. intros A B; apply (sum_of_hyperbolic _ _ x); lra. Qed.
+(* from 72a, 72b *)
 Theorem derivation_74 alpha Abar_3 Abar_4 x :
   alpha = Abar_3 * sinh x + Abar_4 * cosh x + alpha -> 0 = Abar_3 * cosh x + Abar_4 * sinh x -> Abar_3 = - Abar_4.
 Proof. intros A B; apply (sum_of_hyperbolic _ _ x); lra. Qed.
+(* from 94a, 94b *)
 Theorem derivation_95a p alpha thetadot_after x : 0 < p ->
   thetadot_after / p * sinh x - alpha * cosh x = 0 -> thetadot_after / p * cosh x - alpha * sinh x = 0 ->
     thetadot_after - p * alpha = 0.
