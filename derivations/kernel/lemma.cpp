@@ -4,28 +4,16 @@
 #include <derivations/kernel/lemma.hpp>
 #include <derivations/kernel/script.hpp>
 #include <derivations/language/lower.hpp>
+#include <derivations/paper/prove.hpp>
 
 namespace rederive {
 
 namespace {
 
-/// "V != 0", "1 - lambda >= 0" as relations.
-std::vector<Relation> conditions_of(const Proof& proof, const Symbols& symbols) {
-  std::vector<Relation> result;
-  for (const std::string& text : proof.side_conditions) {
-    const auto at = text.find(" != ");
-    if (at == std::string::npos)
-      result.push_back(parse_relation(text, symbols));
-    else
-      result.push_back({{parse(text.substr(0, at), symbols), parse(text.substr(at + 4), symbols)}, {"!="}});
-  }
-  return result;
-}
-
 /// A question with the side conditions among its assumptions, and its parts in Coq.
 struct Statement {
   Statement(const Question& question, const Proof& proof) : q(question) {
-    for (Relation& condition : conditions_of(proof, q.symbols)) q.assumptions.push_back(std::move(condition));
+    for (const std::string& c : proof.side_conditions) q.assumptions.push_back(read_assumption(c, q.symbols));
     trees = q.left.sides;
     trees.insert(trees.end(), q.right.sides.begin(), q.right.sides.end());
     for (const Given& g : q.given) {

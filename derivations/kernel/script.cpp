@@ -14,9 +14,8 @@ Tree difference_of(const Relation& a) {
 }
 
 bool has_symbols_only(const Ring& ring, const Polynomial& p) {
-  const auto used = p.used();
-  return std::all_of(used.begin(), used.end(),
-                     [&](int k) { return GiNaC::is_a<GiNaC::symbol>(ring.generators()[k].meaning); });
+  return std::ranges::all_of(p.used(),
+                             [&](int k) { return GiNaC::is_a<GiNaC::symbol>(ring.generators()[k].meaning); });
 }
 
 /// With cos² = 1 - sin².
@@ -167,9 +166,8 @@ std::string Script::steps() {
   if (has_arguments_) lines.push_back("addition_theorems");
   lines.insert(lines.end(), facts_.begin(), facts_.end());
   for (const Tree& root : roots_) {
-    const std::string by = " by (field [" + names_of_facts_ + "]; nz)";
-    const std::string base = coq_text(root->children[0]);
-    lines.push_back("root (" + base + ") (" + text_of(value(root)) + ")" + by);
+    lines.push_back("root (" + coq_text(root->children[0]) + ") (" + text_of(value(root)) + ") by (field [" +
+                    names_of_facts_ + "]; nz)");
     if (std::find(lines.begin(), lines.end() - 1, lines.back()) != lines.end() - 1) lines.pop_back();
   }
   std::string text;
@@ -187,18 +185,26 @@ std::string Script::identity() const {
 std::string Script::meets(const Tree& need, Signs signs) {
   if (need->kind != Node::Kind::sum) return "defined";
   const Fraction f = value(need);
+  Polynomial rest = f.numerator;  // without what is assumed not to be 0
+  Fraction known = 1;
+  std::string text;
   for (const Relation& a : problem_.assumptions) {
-    if (is_same(difference_of(a), need)) return "defined";
-    const Tree known = difference_of(a);
-    const Fraction ratio = known_.ring.normal(value(known) / f);
-    if (ratio.numerator.terms() != 1 || ratio.denominator.terms() != 1) continue;
-    if (signs == Signs::nonzero()) return "(multiple (" + text_of(ratio) + ") (" + identity() + "))";
-    if (ratio == Fraction(1)) return "(as_known (" + identity() + "))";
+    const Tree tree = difference_of(a);
+    if (is_same(tree, need)) return "defined";
+    const Fraction one = value(tree), ratio = known_.ring.normal(one / f);
+    if (ratio.numerator.terms() == 1 && ratio.denominator.terms() == 1) {
+      if (signs == Signs::nonzero()) return "(multiple (" + text_of(ratio) + ") (" + identity() + "))";
+      if (ratio == Fraction(1)) return "(as_known (" + identity() + "))";
+    }
+    if (a.operators[0] == "!=" && !one.numerator.is_constant())
+      for (auto q = quotient(rest, one.numerator); q; q = quotient(rest, one.numerator))
+        rest = *q, known = known * one, text += "(" + coq_text(tree) + ") * ";
   }
-  if (signs != Signs::nonzero() || has_symbols_only(known_.ring, f.numerator)) return "defined";
-  const Fraction positive = known_.ring.normal(without_monomials(in_sines(known_.ring, f.numerator)));
-  return "(apply (nonzero_by (" + text_of(known_.ring.normal(positive / f)) + ") (" + text_of(positive) +
-         ")); [ nz | " + identity() + " ])";
+  if (signs != Signs::nonzero()) return "defined";
+  if (text.empty() && f.denominator.is_one() && has_symbols_only(known_.ring, rest)) return "defined";
+  const Fraction positive = known_.ring.normal(without_monomials(in_sines(known_.ring, rest)));
+  return "(apply (nonzero_by (" + text_of(known_.ring.normal(known * positive / f)) + ") (" + text + "(" +
+         text_of(positive) + "))); [ nz | " + identity() + " ])";
 }
 
 std::optional<std::string> Script::factor(const Tree& left, const Tree& right) {

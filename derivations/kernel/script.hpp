@@ -21,7 +21,7 @@ class Script {
   /// The tactic that proves an identity of fractions with the facts.
   std::string identity() const;
   /// The tactic that proves that a part of the problem is not 0, positive, not negative. A sum is a multiple
-  /// of what is assumed, or of a sum of positive terms.
+  /// of what is assumed, or of a product of that and a sum of positive terms.
   std::string meets(const Tree& need, Signs signs);
   /// left/right, of expressions that are 0 at the same points because this is neither 0 nor infinite; nothing
   /// where one of them is always 0. Throws Undecidable where that is not known.

@@ -1,8 +1,9 @@
 #include <derivations/emit/command_line.hpp>
 #include <derivations/kernel/lemma.hpp>
 #include <derivations/kernel/scripts.hpp>
+#include <derivations/paper/prove.hpp>
+#include <fstream>
 #include <regex>
-#include <sstream>
 
 namespace rederive {
 
@@ -35,8 +36,10 @@ std::optional<Lemma> lemma_of(const Entry& entry) {
   if (is_refuted) result.name += "_refuted", result.kind = "refutation";
   try {
     const Symbols symbols = symbols_in(entry.row.domain);
-    const Question question{parse_statement(entry.row.claim(), symbols), derived_relation(*entry.derivation),
-                            symbols, entry.derivation->given};
+    Question question{parse_statement(entry.row.claim(), symbols), derived_relation(*entry.derivation),
+                      symbols, entry.derivation->given};
+    if (const std::string& assumed = entry.derivation->assumption; !assumed.empty() && question.given.empty())
+      question.assumptions = {read_assumption(assumed.substr(0, assumed.find_first_of(";:")), symbols)};
     if (entry.proof.verdict == Verdict::undecided) throw Undecidable("the verdict is undecided");
     result.text = comment(entry) + (is_refuted ? refutation : lemma)(result.name, question, entry.proof);
   } catch (const Undecidable& error) {
@@ -47,10 +50,9 @@ std::optional<Lemma> lemma_of(const Entry& entry) {
 
 std::string shipped(const std::string& name) {
   std::ifstream file(std::filesystem::path(REDERIVE_KERNEL_FOLDER) / name);
-  std::ostringstream text;
-  text << file.rdbuf();
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file) throw std::runtime_error("a file that ships with the project cannot be read: " + name);
-  return text.str();
+  return text;
 }
 
 std::vector<Lemma> shipped_theorems() {

@@ -22,7 +22,8 @@ struct Derivation {
   std::string relation = "=";    ///< "=", "<", "<=", ">", ">="
   std::vector<Step> steps;
   std::vector<Given> given;      ///< what the names stand for: J_o = 4/3 m R², h = R cos α … (put in before comparing)
-  std::string assumption;        ///< holds only under this, which the paper leaves unsaid; empty if always
+  /// Holds only under this, which the paper leaves unsaid: a relation, and words behind : or ;. Empty if always.
+  std::string assumption;
   int order = 0;                 ///< > 0: a Taylor approximation to this order …
   std::string small;             ///< … in these symbols ("alpha, theta")
 };

@@ -54,7 +54,8 @@ Relation read(const std::string& text, const Symbols& symbols) {
   });
 }
 
-/// "x != y", too: the right side is read where it stands, so that an error is shown there.
+}  // namespace
+
 Relation read_assumption(const std::string& text, const Symbols& symbols) {
   const auto at = text.find("!=");
   if (at == std::string::npos) {
@@ -62,9 +63,12 @@ Relation read_assumption(const std::string& text, const Symbols& symbols) {
     if (relation.operators.empty()) throw BadInput("the assumption '" + text + "' is no relation");
     return relation;
   }
+  // the right side is read where it stands, so that an error is shown there
   const auto side = [&](const std::string& it) { return reading(text, [&] { return parse(it, symbols); }); };
   return {{side(text.substr(0, at)), side(std::string(at + 2, ' ') + text.substr(at + 2))}, {"!="}};
 }
+
+namespace {
 
 /// What is asked, read.
 struct Question {

@@ -22,6 +22,9 @@ struct ProveRequest {
 /// r and d are any real numbers: everybody uses them for something else than the paper does.
 Symbols declared_symbols(const ProveRequest& request);
 
+/// "x > 0", "x != y" as a relation. Throws BadInput, with a caret.
+Relation read_assumption(const std::string& text, const Symbols& symbols);
+
 /// What was asked, read. Throws BadInput, as `decide` does.
 Problem problem_of(const ProveRequest& request);
 

@@ -83,7 +83,7 @@ Derivation force_at_peak() {
   Derivation result =
       derived(m * u_gddot, m * a_p,
               {in_words("The ground acceleration reaches its amplitude α_p at its peak, and only there")});
-  result.assumption = "the ground acceleration is at its peak";
+  result.assumption = "u_gddot = a_p: the ground acceleration is at its peak";
   return result;
 }
 

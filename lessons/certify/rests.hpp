@@ -8,6 +8,7 @@ namespace rederive {
 /// How Coq has a row.
 struct Support {
   enum class By {
+    name,        ///< no row, but what theorems call an assumption: Newton, the linearisation
     hypothesis,  ///< a definition, or a row that follows from nothing before it: assumed
     theorem,     ///< by theorems of the files that ship
     step,        ///< by algebra from the rows before it (steps.hpp)
@@ -16,11 +17,13 @@ struct Support {
   std::string id;
   By by;
   std::vector<std::string> lemmas;  ///< names
-  std::vector<std::string> from;    ///< the rows before it
-  bool is_whole;  ///< by a theorem or a step, and so are the rows before it, down to hypotheses
+  std::vector<std::string> from;    ///< what its theorems take as hypotheses: rows and names
+  bool is_corrected;                ///< refuted as printed: the theorem says what is right
+  bool is_whole = false;  ///< by a theorem or a step, and so are the rows before it, down to hypotheses
 };
 
-/// One for each row, in the order of the ledger. `lemmas` are all of them.
+/// One for each row, in the order of the ledger, and then the names. `lemmas` are all of them. Throws
+/// std::out_of_range for a name that is none.
 std::vector<Support> supports_of(const std::vector<Entry>& entries, const std::vector<Lemma>& lemmas);
 
 /// How many rows are theorems all the way down.
