@@ -65,7 +65,7 @@ void after(Page& page) {
   page.say("The two are equal, and with them the ratio of the velocities is settled:");
   page.argue("46b");
   page.verdict("46b");
-  page.lemma("46b");
+  page.lemma("derivation_46a");
 }
 
 void second_road(Page& page) {

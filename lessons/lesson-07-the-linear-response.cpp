@@ -48,7 +48,7 @@ void solve(Page& page) {
     The equation is linear with constant coefficients. The solution is the general one of the free equation,
     and one that the sine enforces, found by undetermined coefficients:)");
   page.argue("57a");
-  page.lemma("57a");
+  page.lemma("derivation_57a");
   page.say("Initial conditions give the constants. In general:");
   page.result("58a");
   page.result("58b");

@@ -44,7 +44,7 @@ void equation_71(Page& page) {
   page.say("and the hyperbolic functions collect into one exponential:");
   page.argue("71");
   page.verdict("71");
-  page.lemma("71");
+  page.lemma("overturns");
   page.say(R"(
     One equation for one unknown, $psi$; everything about the block and the pulse has gone into the single
     number $omega_p/p$. Test the ends. For a very slow pulse the exponential vanishes and $psi$ approaches a

@@ -50,6 +50,7 @@ struct BulletList {
 /// A row as a lemma of Coq, with its proof: folded where a page can fold, else where to find it.
 struct CoqLemma {
   std::string id, text;
+  std::string where;  ///< the command that prints it, or its name and file
 };
 
 using Passage = std::variant<Paragraph, Formula, Judgement, Table, Figure, Commands, BulletList, CoqLemma>;
@@ -74,7 +75,8 @@ class Page {
   void argue(const Derivation& derivation, const std::string& number = "", const std::string& known = "");
   /// What the paper prints and what the ledger found.
   void verdict(const std::string& id);
-  /// The row as a lemma of Coq. Throws std::invalid_argument if there is no script for it.
+  /// The row as a lemma of Coq; or a theorem that ships, by its name. Throws std::invalid_argument if there
+  /// is no script for it.
   void lemma(const std::string& id);
   /// Lets the decision procedure compare two statements, and says what it found.
   void compare(const Relation& left, const Relation& right);

@@ -166,9 +166,13 @@ void Page::table(std::vector<std::string> header, std::vector<std::vector<std::s
 void Page::figure(Figure figure) { blocks_.push_back(std::move(figure)); }
 
 void Page::lemma(const std::string& id) {
+  for (const Lemma& theorem : shipped_theorems())
+    if (theorem.name == id)
+      return void(blocks_.push_back(CoqLemma{theorem.id, text_of(theorem),
+                                             "`" + id + "` in `derivations/kernel/" + theorem.file + "`"}));
   const auto found = lemma_of(judged(id));
   if (!found || found->text.empty()) throw std::invalid_argument("no lemma of equation (" + id + ")");
-  blocks_.push_back(CoqLemma{id, found->text});
+  blocks_.push_back(CoqLemma{id, found->text, "`build/bin/ledger show " + id + " --coq`"});
 }
 void Page::commands(std::vector<std::string> lines) { blocks_.push_back(Commands{std::move(lines)}); }
 

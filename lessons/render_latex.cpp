@@ -176,8 +176,7 @@ class LatexRenderer : public Renderer {
   }
 
   static std::string render(const CoqLemma& part) {
-    return flat("(" + part.id + ") as a lemma of Coq: `build/bin/ledger show " + part.id + " --coq`") +
-           "\n\n";
+    return flat("(" + part.id + ") as a lemma of Coq: " + part.where) + "\n\n";
   }
 
   static std::string render(const BulletList& part) {

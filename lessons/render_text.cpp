@@ -141,8 +141,7 @@ class TextRenderer : public Renderer {
   }
 
   std::string render(const CoqLemma& part) const {
-    return wrap(flat("(" + part.id + ") as a lemma of Coq: `build/bin/ledger show " + part.id + " --coq`"),
-                setting_.width, "  ", "  ");
+    return wrap(flat("(" + part.id + ") as a lemma of Coq: " + part.where), setting_.width, "  ", "  ");
   }
 
   std::string render(const BulletList& part) const {

@@ -14,8 +14,7 @@ namespace {
 struct Statement {
   Statement(const Question& question, const Proof& proof) : q(question) {
     for (const std::string& c : proof.side_conditions) q.assumptions.push_back(read_assumption(c, q.symbols));
-    trees = q.left.sides;
-    trees.insert(trees.end(), q.right.sides.begin(), q.right.sides.end());
+    trees = trees_of({q.left, q.right, {}, q.symbols});
     for (const Given& g : q.given) {
       trees.push_back(to_tree(g.value, q.symbols));
       names.insert(q.symbols.find(g.name)->name);

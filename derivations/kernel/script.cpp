@@ -203,8 +203,9 @@ std::string Script::meets(const Tree& need, Signs signs) {
   if (signs != Signs::nonzero()) return "defined";
   if (text.empty() && f.denominator.is_one() && has_symbols_only(known_.ring, rest)) return "defined";
   const Fraction positive = known_.ring.normal(without_monomials(in_sines(known_.ring, rest)));
-  return "(apply (nonzero_by (" + text_of(known_.ring.normal(known * positive / f)) + ") (" + text + "(" +
-         text_of(positive) + "))); [ nz | " + identity() + " ])";
+  text += text.empty() ? text_of(positive) : "(" + text_of(positive) + ")";
+  return "(apply (nonzero_by (" + text_of(known_.ring.normal(known * positive / f)) + ") (" + text +
+         ")); [ nz | " + identity() + " ])";
 }
 
 std::optional<std::string> Script::factor(const Tree& left, const Tree& right) {

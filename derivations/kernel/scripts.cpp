@@ -69,6 +69,13 @@ std::vector<Lemma> shipped_theorems() {
   return result;
 }
 
+std::string text_of(const Lemma& theorem) {
+  const std::string text = shipped(theorem.file);
+  const auto at = text.find("\nTheorem " + theorem.name), before = text.rfind("Qed.\n", at),
+             start = text.find_first_not_of('\n', before == std::string::npos ? 0 : before + 5);
+  return text.substr(start, text.find("Qed.\n", at) + 5 - start);
+}
+
 std::map<std::string, std::string> files_of(const std::vector<Lemma>& lemmas) {
   std::map<std::string, std::string> files;
   std::string project = "-R . Rederive\n";

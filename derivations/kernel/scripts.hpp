@@ -19,7 +19,7 @@ struct Lemma {
 /// The lemma of a row: proved, or refuted by its witness. None of a definition.
 std::optional<Lemma> lemma_of(const Entry& entry);
 
-/// What lemmas are proved with, in the order in which it compiles, and the files of theorems that ship.
+/// The prelude and what theorems need beside it, in the order in which they compile, and their files.
 inline constexpr std::array prelude{"Rederive.v", "Intervals.v", "Bounds.v", "Solutions.v"};
 inline constexpr std::array theorem_files{"Initiation.v", "Derivations.v", "Responses.v",
                                           "Claims.v",     "Thresholds.v",  "OneImpact.v"};
@@ -27,6 +27,8 @@ inline constexpr std::array theorem_files{"Initiation.v", "Derivations.v", "Resp
 inline bool ships(const Lemma& lemma) { return std::ranges::count(theorem_files, lemma.file) > 0; }
 /// Their theorems, read off the files; derivation_8_18 is about the rows 8 and 18.
 std::vector<Lemma> shipped_theorems();
+/// Such a theorem with its proof, and the comment before it.
+std::string text_of(const Lemma& theorem);
 
 /// The first line of every file of lemmas.
 inline constexpr const char* imports = "From Rederive Require Import Rederive Bounds.\n";

@@ -98,6 +98,10 @@ int certify(const std::vector<Entry>& entries, const CertifyOptions& options) {
   if (options.folder.empty() && !options.checks)
     throw BadInput(
         "certify wants a folder for the scripts, or --check; right is, for example, ledger certify proofs");
+  if (std::ranges::any_of(entries, [&](auto& e) { return e.row.id == options.folder; }))
+    throw BadInput("'" + options.folder +
+                   "' is a row, where the folder should stand; right is, for example, " +
+                   "ledger certify proofs " + options.folder);
   const std::vector<Lemma> lemmas = lemmas_of(entries, options.ids);
   if (!options.folder.empty()) write_all(options.folder, entries, lemmas, options.ids.empty());
   if (options.checks) {
