@@ -192,7 +192,7 @@ TEST_CASE("a folder with all rows says what rests on what, and draws it") {
   const auto scripts = folder.path / "proofs";
   REQUIRE(run_program("ledger", {"certify", scripts}).exit_code == 0);
   const std::string page = read_file(scripts / "README.md"), drawing = read_file(scripts / "rests.svg");
-  CHECK(page.find("| (71) | `step_71` | (68), (69a), (69b), (70a), (70b), (u20) | yes |") !=
+  CHECK(page.find("| (71) | `derivation_71` | (68), (69a), (69b), (70a), (70b), (u20) | yes |") !=
         std::string::npos);
   CHECK(page.find("- (52) `") != std::string::npos);  // assumed
   CHECK(drawing.find(">92a</text>") != std::string::npos);

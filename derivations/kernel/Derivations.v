@@ -271,26 +271,7 @@ Theorem derivation_u5 : sqrt (m * g * R' / J_o) = sqrt (3 * g / (4 * R')).
 Proof. f_equal; unfold J_o; field; lra. Qed.
 End Motion.
 
-(* The unstable equilibrium (60), and the ground that would hold the block at theta = alpha. side as above. *)
-(* from 21a, 21b, criterion *)
-Theorem derivation_60a_60c p alpha side theta_star :
-  0 < p -> side ^ 2 = 1 -> 0 < alpha < PI / 2 -> - (PI / 2) < theta_star < PI / 2 ->
-  (0 + p ^ 2 * (0 * cos (alpha + side * theta_star) - side * sin (alpha + side * theta_star)) = 0 <->
-    theta_star = - side * alpha).
-Proof.
-  intros P S A T; assert (Q := PI_RGT_0); assert (C : side = 1 \/ side = - 1) by nra; split.
-  - intro E; assert (Z : sin (alpha + side * theta_star) = 0) by (assert (0 < p ^ 2) by nra; destruct C; subst side;
-    nra).
-    destruct (Rtotal_order (alpha + side * theta_star) 0) as [L | [L | L]].
-    + assert (sin (- (alpha + side * theta_star)) > 0) by (apply sin_gt_0; destruct C; subst side; lra);
-      rewrite sin_neg in *; lra.
-    + destruct C; subst side; lra.
-    + assert (sin (alpha + side * theta_star) > 0) by (apply sin_gt_0; destruct C; subst side; lra); lra.
-  - intros ->; replace (alpha + side * (- side * alpha)) with 0 by ring [S]; rewrite sin_0; ring.
-Qed.
-(* from 60a, 60c *)
-Theorem derivation_60b theta_star t : is_derive (fun _ : R => theta_star) t 0.
-Proof. auto_derive; trivial. Qed.
+(* The ground that would hold the block at theta = alpha. *)
 (* from 21a *)
 Theorem derivation_u6 p g alpha u : 0 < p -> 0 < g -> cos (2 * alpha) <> 0 ->
   (0 + p ^ 2 * (u / g * cos (alpha + alpha) - sin (alpha + alpha)) = 0 <-> u = g * sin (2 * alpha) / cos (2 * alpha)).

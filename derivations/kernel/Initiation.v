@@ -1,6 +1,5 @@
-(* Rows between the equations of motion: geometry, the start of motion, sliding, the moment of momentum point by
-  point,
-   and the phase of the pulse. *)
+(* Rows between the equations of motion: geometry, the start of motion, sliding, the moment of momentum point
+   by point, and the phase of the pulse. *)
 From Rederive Require Import Rederive.
 
 (* Geometry: (u1), (2), (12). The block is turned about a corner, the vector to its centre of mass with it. *)
@@ -196,25 +195,3 @@ Theorem derivation_u27d lambda : cos psi <> 0 -> a_p * cos psi = lambda * a_p ->
   a_p = g * tan alpha / cos psi.
 Proof. intros C E L; rewrite <- L, <- E; field; exact C. Qed.
 End Phase.
-
-(* Two conditions at one moment, added: e^x is not 0. *)
-Lemma sum_of_hyperbolic a c x : a * sinh x + c * cosh x = 0 -> a * cosh x + c * sinh x = 0 -> a = - c.
-Proof.
-  unfold sinh, cosh; intros A B; assert (P := exp_pos x); assert (Q : (a + c) * exp x = 0) by lra; nra.
-Qed.
-(* from 65a, 65b *)
-Theorem derivation_67 alpha Abar_1 Abar_2 x :
-  - alpha = Abar_1 * sinh x + Abar_2 * cosh x - alpha -> 0 = Abar_1 * cosh x + Abar_2 * sinh x -> Abar_1 = - Abar_2.
-Proof. intros A B; apply (sum_of_hyperbolic _ _ x); lra. Qed.
-(* from 72a, 72b *)
-Theorem derivation_74 alpha Abar_3 Abar_4 x :
-  alpha = Abar_3 * sinh x + Abar_4 * cosh x + alpha -> 0 = Abar_3 * cosh x + Abar_4 * sinh x -> Abar_3 = - Abar_4.
-Proof. intros A B; apply (sum_of_hyperbolic _ _ x); lra. Qed.
-(* from 94a, 94b *)
-Theorem derivation_95a p alpha thetadot_after x : 0 < p ->
-  thetadot_after / p * sinh x - alpha * cosh x = 0 -> thetadot_after / p * cosh x - alpha * sinh x = 0 ->
-    thetadot_after - p * alpha = 0.
-Proof.
-  intros P A B; assert (E : thetadot_after / p = - - alpha) by (apply (sum_of_hyperbolic _ _ x); lra).
-  replace thetadot_after with (thetadot_after / p * p) by (field; lra); rewrite E; ring.
-Qed.

@@ -235,14 +235,6 @@ Proof. rewrite (derivation_63a t_o), (proj2 (at_start t_o Abar_1 Abar_2)); refle
 (* from 62a *)
 Theorem derivation_64b : Abar_2 = theta t_o + alpha.
 Proof. rewrite (equation_62a t_o), (proj1 (at_start t_o Abar_1 Abar_2)); ring. Qed.
-(* from 62a, 60c *)
-Theorem derivation_65a t : t_o = T_ex -> theta t = - alpha ->
-  - alpha = Abar_1 * sinh (p * (t - T_ex)) + Abar_2 * cosh (p * (t - T_ex)) - alpha.
-Proof. intros <- Z; rewrite <- Z at 1; apply equation_62a. Qed.
-(* from 63a, 60b *)
-Theorem derivation_65b t : t_o = T_ex -> thetadot t = 0 ->
-  0 = Abar_1 * cosh (p * (t - T_ex)) + Abar_2 * sinh (p * (t - T_ex)).
-Proof. intros <- Z; rewrite <- derivation_63a, Z; unfold Rdiv; ring. Qed.
 (* from 64a *)
 Theorem derivation_66a : t_o = T_ex -> Abar_1 = thetadot T_ex / p.
 Proof. intros <-; exact derivation_64a. Qed.
@@ -300,14 +292,6 @@ Proof. rewrite (derivation_63b t_o), (proj2 (at_start t_o Abar_3 Abar_4)); refle
 (* from 62b *)
 Theorem derivation_64d : Abar_4 = theta t_o - alpha.
 Proof. rewrite (equation_62b t_o), (proj1 (at_start t_o Abar_3 Abar_4)); ring. Qed.
-(* from 62b, 60a *)
-Theorem derivation_72a t : t_o = T_ex -> theta t = alpha ->
-  alpha = Abar_3 * sinh (p * (t - T_ex)) + Abar_4 * cosh (p * (t - T_ex)) + alpha.
-Proof. intros <- Z; rewrite <- Z at 1; apply equation_62b. Qed.
-(* from 63b, 60b *)
-Theorem derivation_72b t : t_o = T_ex -> thetadot t = 0 ->
-  0 = Abar_3 * cosh (p * (t - T_ex)) + Abar_4 * sinh (p * (t - T_ex)).
-Proof. intros <- Z; rewrite <- derivation_63b, Z; unfold Rdiv; ring. Qed.
 (* from 64c *)
 Theorem derivation_73a : t_o = T_ex -> Abar_3 = thetadot T_ex / p.
 Proof. intros <-; exact derivation_64c. Qed.
@@ -332,18 +316,6 @@ Proof. rewrite (equation_93a t_i), (proj1 (at_start t_i c_1 c_2)); lra. Qed.
 (* from 93b *)
 Theorem derivation_u25a : c_1 = thetadot t_i / p.
 Proof. rewrite derivation_93b, (proj2 (at_start t_i c_1 c_2)); reflexivity. Qed.
-(* It comes to theta = alpha, and comes to rest there. *)
-(* from 93a, u24, u25a, 60a *)
-Theorem derivation_94a t_star : theta t_i = 0 -> theta t_star = alpha ->
-  thetadot t_i / p * sinh (p * (t_star - t_i)) - alpha * cosh (p * (t_star - t_i)) = 0.
-Proof. intros Z T; rewrite <- derivation_u25a; rewrite (equation_93a t_star), (derivation_u24 Z) in T; lra. Qed.
-(* from 93b, u24, u25a, 60b *)
-Theorem derivation_94b t_star : theta t_i = 0 -> thetadot t_star = 0 ->
-  thetadot t_i / p * cosh (p * (t_star - t_i)) - alpha * sinh (p * (t_star - t_i)) = 0.
-Proof.
-  intros Z T; rewrite <- derivation_u25a; assert (F := derivation_93b t_star); rewrite T, (derivation_u24 Z) in F.
-  unfold Rdiv in F; lra.
-Qed.
 End Free.
 
 (* The cosine pulse, theta > 0: u29 is in (97). *)
