@@ -180,10 +180,11 @@ Qed.
 
 (* (r16), e after an impact at a distance d from the corner: larger than (46) unless d = 0. *)
 Theorem claim_c22_away_from_the_corner R' alpha d : 0 < R' -> 0 < alpha < PI / 2 -> 0 < d ->
-  0 < 4 * R' - 3 * d * sin alpha ->
-  1 - 3 / 2 * sin alpha ^ 2 < (4 * R' - 6 * R' * sin alpha ^ 2 + 3 * d * sin alpha) / (4 * R' - 3 * d * sin alpha).
+  R' * d * sin alpha < 4 / 3 * R' ^ 2 ->
+  1 - 3 / 2 * sin alpha ^ 2 <
+    (4 / 3 * R' ^ 2 - 2 * R' ^ 2 * sin alpha ^ 2 + R' * d * sin alpha) / (4 / 3 * R' ^ 2 - R' * d * sin alpha).
 Proof.
   intros R A D N; assert (Z := PI_RGT_0); assert (S := sin_gt_0 alpha); assert (B := SIN_bound alpha).
-  apply -> Rlt_div_r; [ | exact N ]; assert (0 < d * sin alpha) by nra.
-  assert (sin alpha ^ 2 <= 1) by nra; nra.
+  apply -> Rlt_div_r; [ | lra ]; assert (0 < R' * d * sin alpha) by (repeat apply Rmult_lt_0_compat; lra).
+  assert (0 < sin alpha ^ 2 <= 1) by nra; assert (0 < R' ^ 2) by nra; nra.
 Qed.

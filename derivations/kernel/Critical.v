@@ -195,6 +195,37 @@ Proof.
   intros C E F -> ->; rewrite (derivation_102 _ _ C E F); unfold tan.
   by_factor (- (alpha * w / (1 + w ^ 2) / cos psi)); field; repeat split; nz.
 Qed.
+(* From rest the block starts to turn to theta > 0 where the phase of the pulse is pi - psi, (r14); it ends after
+   (pi/2 + psi)/omega_p. The motion until then is x. *)
+(* from 75, 97, r14, rest *)
+Theorem derivation_r15 (x x_dot : R -> R) : cos psi <> 0 -> T_ex = (PI / 2 + psi) / omega_p ->
+  (forall t, is_derive x t (x_dot t)) ->
+  (forall t, is_derive x_dot t (p ^ 2 * x t - p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * t + (PI - psi)) / cos psi)) ->
+  x 0 = 0 -> x_dot 0 = 0 -> theta T_ex = x T_ex -> thetadot T_ex = x_dot T_ex ->
+  (tends_to theta alpha <-> w * cos psi - sin psi = exp (- ((PI / 2 + psi) / w))).
+Proof.
+  intros C T D E Z V F G; assert (W := w_pos); assert (Q : 0 < omega_p ^ 2 + p ^ 2) by nra.
+  set (k := alpha / (1 + w ^ 2) / cos psi).
+  assert (K : omega_p = w * p) by (unfold w; field; lra).
+  destruct (all_solutions p 0 p_pos x x_dot (fun t => k * cos (omega_p * t + (PI - psi)) + alpha)
+    (fun t => - (omega_p * k * sin (omega_p * t + (PI - psi))))
+    (fun t => - p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * t + (PI - psi)) / cos psi)) with (t := T_ex) as [A B].
+  - exact D.
+  - intro t; specialize (E t); match type of E with is_derive _ _ ?d => match goal with |- is_derive _ _ ?c =>
+      replace c with d by ring end end; exact E.
+  - intro t; auto_derive; [ trivial | ring ].
+  - intro t; auto_derive; [ trivial | unfold k; rewrite K; field; repeat split; nz ].
+  - assert (end_of_it : omega_p * T_ex + (PI - psi) = 3 * (PI / 2)) by (rewrite T; field; lra).
+    rewrite end_of_it, cos_3PI2, Z, V, !Rminus_0_r, Rmult_0_r, Rplus_0_l in A.
+    rewrite end_of_it, sin_3PI2, Z, V, !Rminus_0_r, Rmult_0_r, Rplus_0_l in B.
+    rewrite <- F in A; rewrite <- G in B.
+    rewrite sin_minus, cos_minus, sin_PI, cos_PI in A, B.
+    rewrite (criterion_right (omega_p * k * sin psi / p) (k * cos psi - alpha) (p * T_ex) (omega_p * k / p))
+      by (rewrite ?A, ?B; field; lra).
+    replace ((PI / 2 + psi) / w) with (p * T_ex) by (rewrite T; unfold w; field; lra).
+    unfold k; rewrite K.
+    by_factor (- (alpha * w / (1 + w ^ 2) / cos psi * exp (p * T_ex))); field; repeat split; nz.
+Qed.
 
 (* An impact at t_i, before the pulse ends. *)
 Variables t_i A_3 A_4 : R.
@@ -285,5 +316,84 @@ Proof.
   replace omega_p with (w * p) by (unfold w; field; lra); unfold tan.
   apply (eq_by (alpha * p)); [ nz | field; repeat split; nz ].
 Qed.
+(* With (92a), theta = 0 at t_i, and (92b), what the rate before the impact has to do with the end of the pulse. *)
+Let X := w / (1 + w ^ 2) * (w * sinh (p * T_ex) - cosh (p * T_ex) / tan psi + 1 / sin psi).
+Let Y := w / (1 + w ^ 2) * (w * cosh (p * T_ex) - sinh (p * T_ex) / tan psi).
+Hypotheses (sine : sin psi <> 0) (cosine : cos psi <> 0) (e_pos : 0 < e).
+Hypothesis equation_92a :
+  w / (1 + w ^ 2) * ((cosh (p * T_ex) / tan psi - w * sinh (p * T_ex) - 1 / sin psi) * sinh (p * (t_i - T_ex)) +
+                     (sinh (p * T_ex) / tan psi - w * cosh (p * T_ex)) * cosh (p * (t_i - T_ex))) = - 1.
+Hypothesis equation_92b : thetadot_before = alpha * omega_p / (1 + w ^ 2) *
+    ((w * sinh (p * T_ex) - cosh (p * T_ex) / tan psi + 1 / sin psi) * cosh (p * (t_i - T_ex)) +
+     (w * cosh (p * T_ex) - sinh (p * T_ex) / tan psi) * sinh (p * (t_i - T_ex))).
+Hypothesis comes_back : 0 < thetadot_before.
+Lemma squares_differ : (thetadot_before / (p * alpha)) ^ 2 - 1 = w ^ 2 / (1 + w ^ 2) ^ 2 *
+  (2 / sin psi ^ 2 - 1 - w ^ 2 + 2 / sin psi * (w * sinh (p * T_ex) - cot psi * cosh (p * T_ex))).
+Proof.
+  assert (W := w_pos); assert (A : X * sinh (p * (t_i - T_ex)) + Y * cosh (p * (t_i - T_ex)) = 1) by (unfold X, Y; lra).
+  assert (B : thetadot_before / (p * alpha) = X * cosh (p * (t_i - T_ex)) + Y * sinh (p * (t_i - T_ex))).
+  { rewrite equation_92b; unfold X, Y; replace omega_p with (w * p) by (unfold w; field; lra); unfold tan; field;
+      repeat split; nz. }
+  assert (D := hyperbolic (p * (t_i - T_ex))); assert (D' := hyperbolic (p * T_ex)); assert (P := pyth psi).
+  transitivity (X ^ 2 - Y ^ 2).
+  - rewrite B; transitivity ((X * cosh (p * (t_i - T_ex)) + Y * sinh (p * (t_i - T_ex))) ^ 2 -
+      (X * sinh (p * (t_i - T_ex)) + Y * cosh (p * (t_i - T_ex))) ^ 2); [ rewrite A; ring | ring [D] ].
+  - unfold X, Y, tan, cot; field [D' P]; repeat split; nz.
+Qed.
+(* from 92a, 92b, 95b *)
+Theorem derivation_r9 : e * thetadot_before - p * alpha = 0 <-> w ^ 2 / (1 + w ^ 2) ^ 2 *
+  (2 / sin psi ^ 2 - 1 - w ^ 2 + 2 / sin psi * (w * sinh (p * T_ex) - cot psi * cosh (p * T_ex))) = 1 / e ^ 2 - 1.
+Proof.
+  rewrite <- squares_differ; assert (K : 0 < e * thetadot_before + p * alpha) by (assert (0 < p * alpha) by pos; nra).
+  apply (eq_by (e ^ 2 * (p * alpha) ^ 2 / (e * thetadot_before + p * alpha))); [ nz | field; repeat split; nz ].
+Qed.
+(* It overturns where the rate after the impact is larger than p alpha. *)
+(* from 92a, 92b, 95b *)
+Theorem derivation_r10 : e * thetadot_before > p * alpha <-> w ^ 2 / (1 + w ^ 2) ^ 2 *
+  (2 / sin psi ^ 2 - 1 - w ^ 2 + 2 / sin psi * (w * sinh (p * T_ex) - cot psi * cosh (p * T_ex))) > 1 / e ^ 2 - 1.
+Proof.
+  rewrite <- squares_differ; assert (K : 0 < e * thetadot_before + p * alpha) by (assert (0 < p * alpha) by pos; nra).
+  apply (lt_by (e ^ 2 * (p * alpha) ^ 2 / (e * thetadot_before + p * alpha))); [ pos | field; repeat split; nz ].
+Qed.
+(* from 92a, 92b, 95b *)
+Theorem derivation_r11 : e * thetadot_before - p * alpha = 0 ->
+  exp (p * (t_i - T_ex)) * w / (1 + w ^ 2) * ((w - cot psi) * exp (p * T_ex) + 1 / sin psi) = 1 + 1 / e.
+Proof.
+  intro E; assert (W := w_pos).
+  assert (A : X * sinh (p * (t_i - T_ex)) + Y * cosh (p * (t_i - T_ex)) = 1) by (unfold X, Y; lra).
+  assert (B : X * cosh (p * (t_i - T_ex)) + Y * sinh (p * (t_i - T_ex)) = 1 / e).
+  { replace (1 / e) with (thetadot_before / (p * alpha)).
+    - rewrite equation_92b; unfold X, Y; replace omega_p with (w * p) by (unfold w; field; lra); unfold tan; field;
+        repeat split; nz.
+    - replace (p * alpha) with (e * thetadot_before) by lra; field; split; lra. }
+  transitivity (X * sinh (p * (t_i - T_ex)) + Y * cosh (p * (t_i - T_ex)) + 1 / e); [ rewrite <- B | now rewrite A ].
+  rewrite <- !sum_is_exp; unfold X, Y, tan, cot; field; repeat split; nz.
+Qed.
 End Late.
+(* A block that just comes back after the pulse: with (68) all but true, what it falls short of, |thetadot_ex/p +
+   theta_ex + alpha|, bounds how far its rate at the impact is from p alpha. *)
+(* from 68, 89a, 89b *)
+Theorem derivation_r12 t_i thetadot_before : let short := thetadot T_ex / p + (theta T_ex + alpha) in
+  0 = thetadot T_ex / p * sinh (p * (t_i - T_ex)) + (theta T_ex + alpha) * cosh (p * (t_i - T_ex)) - alpha ->
+  thetadot_before / p =
+    thetadot T_ex / p * cosh (p * (t_i - T_ex)) + (theta T_ex + alpha) * sinh (p * (t_i - T_ex)) ->
+  0 < thetadot_before ->
+  Rabs (thetadot_before - p * alpha) <= p / alpha * Rabs short * (Rabs short + 2 * Rabs (theta T_ex + alpha)).
+Proof.
+  intros short Z V S; set (v := thetadot T_ex / p) in *; set (q := theta T_ex + alpha) in *.
+  assert (D := hyperbolic (p * (t_i - T_ex))); set (u := thetadot_before / p) in *.
+  assert (E : u ^ 2 - alpha ^ 2 = short * (short - 2 * q)).
+  { unfold short; rewrite V; replace alpha with (v * sinh (p * (t_i - T_ex)) + q * cosh (p * (t_i - T_ex))) by lra.
+    ring [D]. }
+  assert (U : 0 < u) by (unfold u; pos).
+  assert (F : (u - alpha) * (u + alpha) = short * (short - 2 * q)) by (rewrite <- E; ring).
+  assert (G : Rabs (u - alpha) * (u + alpha) = Rabs short * Rabs (short - 2 * q)).
+  { rewrite <- Rabs_mult, <- F, Rabs_mult, (Rabs_pos_eq (u + alpha)); lra. }
+  assert (T := Rabs_triang short (- (2 * q))); rewrite Rabs_Ropp, Rabs_mult, (Rabs_pos_eq 2) in T by lra.
+  replace (thetadot_before - p * alpha) with (p * (u - alpha)) by (unfold u; field; lra).
+  rewrite Rabs_mult, (Rabs_pos_eq p) by lra; apply (Rmult_le_reg_r (alpha / p)); [ pos | ].
+  replace (p * Rabs (u - alpha) * (alpha / p)) with (Rabs (u - alpha) * alpha) by (field; lra).
+  replace (_ * (alpha / p)) with (Rabs short * (Rabs short + 2 * Rabs q)) by (field; lra).
+  assert (N := Rabs_pos (u - alpha)); assert (N' := Rabs_pos short); unfold Rminus in *; nra.
+Qed.
 End Linear.

@@ -64,6 +64,10 @@ Theorem derivation_43b thetadot_minus :
   m * R' ^ 2 * (4 / 3 - 2 * sin alpha ^ 2) * thetadot_minus.
 Proof. unfold m; rewrite corner, top; assert (P := pyth alpha); field [P]. Qed.
 (* About that corner it is the same after the impact. *)
+(* The inner integral of (43) goes as far as that of (39): what is printed is right of a square. *)
+(* from 39c *)
+Theorem derivation_43a y_end : y_end = 2 * h -> (y_end = 2 * b <-> h = b).
+Proof. intros ->; apply (eq_by 2); [ lra | ring ]. Qed.
 (* from 43b, 45b, u16 *)
 Theorem derivation_46a thetadot_minus thetadot_plus :
   0 < m -> 0 < R' ->
@@ -74,6 +78,21 @@ Proof.
   apply Ropp_neq_0_compat; nz.
 Qed.
 End Block.
+(* The impact elsewhere: an impulse P at a distance d from the new corner lifts the centre of mass, whose speed is (4b)
+   before and (15b) after, and adds to the moment of momentum about that corner. *)
+(* from newton, 4b, 15b, 43b, 45b *)
+Theorem derivation_r16 m R' alpha d thetadot_minus thetadot_plus y_cdot_minus y_cdot_plus P :
+  0 < m -> 0 < R' -> thetadot_minus <> 0 -> 4 / 3 * R' ^ 2 - R' * d * sin alpha <> 0 ->
+  y_cdot_minus = - R' * thetadot_minus * sin (alpha + 0) -> y_cdot_plus = R' * thetadot_plus * sin (alpha - 0) ->
+  P = m * y_cdot_plus - m * y_cdot_minus ->
+  4 / 3 * m * R' ^ 2 * thetadot_plus - m * R' ^ 2 * (4 / 3 - 2 * sin alpha ^ 2) * thetadot_minus = P * d ->
+  thetadot_plus / thetadot_minus =
+    (4 / 3 * R' ^ 2 - 2 * R' ^ 2 * sin alpha ^ 2 + R' * d * sin alpha) / (4 / 3 * R' ^ 2 - R' * d * sin alpha).
+Proof.
+  intros M R T N -> -> ->; rewrite Rplus_0_r, Rminus_0_r; apply (eq_by (/ (m * thetadot_minus *
+    (4 / 3 * R' ^ 2 - R' * d * sin alpha)))); [ | field; repeat split; lra ].
+  apply Rinv_neq_0_compat; repeat apply Rmult_integral_contrapositive_currified; lra.
+Qed.
 
 (* Motion: the ground is at u_g, the block is turned by theta; side = 1 where theta < 0, -1 where theta > 0. *)
 Section Motion.
@@ -232,6 +251,19 @@ Proof.
   intros E ->; assert (F : thetaddot t = - (p ^ 2 * (u_gddot t / g * cos (alpha +
     side * theta t) - side * sin (alpha + side * theta t)))) by lra.
   unfold y_cddot; rewrite F; field [sides]; lra.
+Qed.
+(* In contact with the ground: V > 0. *)
+(* from r2, r4 *)
+Theorem derivation_r7_r8 p V t : 0 < p ->
+  V / m = g - p ^ 2 * R' * (sin (alpha + side * theta t) ^ 2 -
+            side * (u_gddot t / g * sin (alpha + side * theta t) * cos (alpha +
+              side * theta t))) - R' * thetadot t ^ 2 * cos (alpha + side * theta t) ->
+  (V > 0 <->
+   g + side * (p ^ 2 * R' * (u_gddot t / g * sin (2 * (alpha + side * theta t)) / 2 -
+         side * sin (alpha + side * theta t) ^ 2 - side * (thetadot t ^ 2 / p ^ 2 * cos (alpha + side * theta t)))) > 0).
+Proof.
+  intros P E; rewrite sin_2a; apply (lt_by m); [ exact m_pos | ].
+  replace V with (V / m * m) by (field; lra); rewrite E; field [sides]; lra.
 Qed.
 (* It turns to theta < 0 from rest where the moment of the inertia force is the larger one, (11), (20). *)
 (* from 11 *)

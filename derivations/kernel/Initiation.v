@@ -140,6 +140,40 @@ Proof.
   rewrite A, B; match goal with |- (mu >= ?x <-> mu >= ?y) => replace x with y by (field; lra) end; reflexivity.
 Qed.
 End Start.
+(* from 24a *)
+Theorem derivation_24b m g R' alpha a_p_min : 0 < m -> 0 < g -> 0 < R' -> 0 < alpha < PI / 2 ->
+  let turns a_p := m * a_p * R' * cos alpha >= m * g * R' * sin alpha in
+  (turns a_p_min /\ (forall a_p, turns a_p -> a_p_min <= a_p) <-> a_p_min = g * tan alpha).
+Proof.
+  intros M G R A turns; assert (E : forall a_p, turns a_p <-> a_p >= g * tan alpha) by (intro;
+    apply derivation_24a; assumption).
+  split.
+  - intros [T L]; apply E in T; assert (Q : turns (g * tan alpha)) by (apply E; lra); specialize (L _ Q); lra.
+  - intros ->; split; [ apply E; lra | intros a_p Q; apply E in Q; lra ].
+Qed.
+(* from 25b, 52 *)
+Theorem derivation_u10a a_p lambda omega_p psi : 0 < a_p -> lambda * a_p = a_p * sin (omega_p * 0 + psi) -> 1 >= lambda.
+Proof. intros A E; assert (B := SIN_bound (omega_p * 0 + psi)); nra. Qed.
+
+(* Coulomb: the block slides unless |H| < mu V. H changes its sign while the block rocks; (33) is of H >= 0. *)
+Section Friction.
+Variables mu H V alpha b h g u_gddot_0 : R.
+Hypotheses (presses : 0 < V) (pushes : 0 <= H).
+Lemma quotient : Rabs H / V = H / V. Proof. now rewrite Rabs_pos_eq. Qed.
+(* from 29 *)
+Theorem derivation_33 : Rabs H < mu * V <-> mu > H / V.
+Proof. rewrite <- quotient; apply (lt_by V); [ exact presses | field; lra ]. Qed.
+(* from 29 *)
+Theorem derivation_50c : Rabs H <= mu * V <-> H / V <= mu.
+Proof. rewrite <- quotient; apply (le_by V); [ exact presses | field; lra ]. Qed.
+(* from 50c, 51a, 51b *)
+Theorem derivation_51c : H / V <= mu -> H / V = u_gddot_0 / g -> u_gddot_0 / g = tan alpha -> tan alpha <= mu.
+Proof. lra. Qed.
+(* from 33, 51a, 51b, 55a *)
+Theorem derivation_55b : mu > H / V -> H / V = u_gddot_0 / g -> u_gddot_0 / g = tan alpha -> tan alpha = b / h ->
+  b / h < mu.
+Proof. lra. Qed.
+End Friction.
 
 (* The phase: the pulse lasts while omega_p t + psi goes from 0 to 2 pi. *)
 Section Phase.

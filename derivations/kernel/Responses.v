@@ -342,6 +342,15 @@ Proof. rewrite (derivation_99 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l; unfold 
 (* from 98 *)
 Theorem derivation_100b : A_4 = theta 0 - alpha * (2 + s ^ 2) / (1 + s ^ 2).
 Proof. rewrite (equation_98 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l; fractions. Qed.
+(* At rest it is pushed to the other side. *)
+(* from 97, rest *)
+Theorem derivation_r13 : theta 0 = 0 ->
+  is_derive thetadot 0 (p ^ 2 * theta 0 - p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * 0 + psi) / cos psi) ->
+  is_derive thetadot 0 (-2 * p ^ 2 * alpha).
+Proof.
+  intros Z E; match type of E with is_derive _ _ ?d => replace (-2 * p ^ 2 * alpha) with d; [ exact E | ] end.
+  rewrite Z, !Rmult_0_r, Rplus_0_l; field; exact starts.
+Qed.
 Lemma end_of_cosine T_ex : T_ex = (3 * PI / 2 - psi) / omega_p -> omega_p * T_ex + psi = 3 * (PI / 2).
 Proof. intros ->; field; lra. Qed.
 (* from 98, u28 *)

@@ -11,6 +11,13 @@ Ltac derivatives :=
       change (Derive (fun x => f x) t) with (Derive f t); rewrite ?(is_derive_unique f t d H); clear H end;
         unfold Rminus ].
 
+Lemma hyperbolic x : cosh x ^ 2 = 1 + sinh x ^ 2.
+Proof. enough (cosh x ^ 2 - sinh x ^ 2 = 1) by lra; transitivity (exp x * exp (- x)).
+  - unfold cosh, sinh; field.
+  - rewrite <- exp_plus, Rplus_opp_r; apply exp_0.
+Qed.
+Lemma sum_is_exp x : cosh x + sinh x = exp x.
+Proof. unfold cosh, sinh; field. Qed.
 (* A function whose derivative is 0 is a constant. *)
 Lemma constant f : (forall t : R, is_derive f t 0) -> forall s t : R, f s = f t.
 Proof.
