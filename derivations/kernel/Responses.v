@@ -24,6 +24,18 @@ Lemma rate t_0 A B y_1 v_1 :
     (forall t, is_derive y_1 t (v_1 t)) ->
   forall t, thetadot t / p = A * cosh (p * (t - t_0)) + B * sinh (p * (t - t_0)) + v_1 t / p.
 Proof. intros E F; exact (rate_of p t_0 p_pos theta thetadot y_1 v_1 A B moves F E). Qed.
+(* The other way round: whatever the constants are, that satisfies the equation. *)
+Lemma satisfies t_0 force y_1 v_1 A B :
+  (forall t, is_derive y_1 t (v_1 t) /\ is_derive v_1 t (p ^ 2 * y_1 t + force t)) ->
+  (forall t, theta t = A * sinh (p * (t - t_0)) + B * cosh (p * (t - t_0)) + y_1 t) -> obeys force.
+Proof.
+  intros F E t; assert (G : forall s, thetadot s = p * (A * cosh (p * (s - t_0)) + B * sinh (p * (s - t_0))) + v_1 s).
+  { intro s; replace (thetadot s) with (p * (thetadot s / p)) by (field; lra).
+    rewrite (rate t_0 A B y_1 v_1 E (fun t => proj1 (F t))); field; lra. }
+  apply (is_derive_ext (fun t => p * (A * cosh (p * (t - t_0)) + B * sinh (p * (t - t_0))) + v_1 t)).
+  - intro s; now rewrite G.
+  - destruct (F t) as [_ D]; rewrite (E t); unfold sinh, cosh; derivatives; field.
+Qed.
 Lemma at_start t_0 A B : A * sinh (p * (t_0 - t_0)) + B * cosh (p * (t_0 - t_0)) = B /\
                          A * cosh (p * (t_0 - t_0)) + B * sinh (p * (t_0 - t_0)) = A.
 Proof. replace (t_0 - t_0) with 0 by ring; rewrite Rmult_0_r, sinh_0, cosh_0; lra. Qed.
@@ -55,6 +67,13 @@ Ltac by_response t_0 solution :=
     match type of E with is_derive _ _ ?d => match goal with |- is_derive _ _ ?c => replace c with d by (unfold Rdiv;
       ring) end end; exact E
   | exists A, B; intro t; rewrite (F t), ?Rminus_0_r; try solve [ unfold Rdiv; ring ] ].
+Ltac by_converse t_0 solution :=
+  let E := fresh in let F := fresh in let A := fresh in let B := fresh in let t := fresh in
+  intros [A [B E]] t; unshelve epose proof (satisfies t_0 _ _ _ A B solution _ t) as F;
+  [ intro; rewrite E, ?Rminus_0_r; try solve [ unfold Rdiv; ring ]
+  | match type of F with is_derive _ _ ?d => match goal with |- is_derive _ _ ?c => replace c with d by (unfold Rdiv;
+      ring) end end; exact F ].
+Ltac both_ways t_0 solution := split; [ by_response t_0 solution | by_converse t_0 solution ].
 Ltac by_rate t_0 A B solution E :=
   let F := fresh in let t := fresh in
   intro t; pose proof (fun O => rate t_0 A B _ _ O (fun t => proj1 (solution t)) t) as F; lapply F; clear F; intro F;
@@ -73,10 +92,10 @@ Ltac fractions := assert (Q := squares); unfold s; field; repeat split; try lra;
 (* theta < 0. *)
 (* from 56a *)
 Theorem derivation_57a :
-  (forall t, is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) ->
+  (forall t, is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) <->
   exists A_1 A_2, forall t, theta t = A_1 * sinh (p * t) + A_2 * cosh (p * t) + 1 / (1 +
     s ^ 2) * (a_p / g) * sin (omega_p * t + psi) - alpha.
-Proof. by_response 0 (sine_solves (- alpha)). Qed.
+Proof. both_ways 0 (sine_solves (- alpha)). Qed.
 Section Response_a.
 Variables A_1 A_2 : R.
 Hypothesis equation_57a : forall t, theta t = A_1 * sinh (p * t) + A_2 * cosh (p * t) + 1 / (1 +
@@ -123,10 +142,10 @@ End Response_a.
 (* theta > 0. *)
 (* from 56b *)
 Theorem derivation_57b :
-  (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) ->
+  (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) <->
   exists A_3 A_4, forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + 1 / (1 +
     s ^ 2) * (a_p / g) * sin (omega_p * t + psi) + alpha.
-Proof. by_response 0 (sine_solves (alpha)). Qed.
+Proof. both_ways 0 (sine_solves (alpha)). Qed.
 Section Response_b.
 Variables A_3 A_4 : R.
 Hypothesis equation_57b : forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + 1 / (1 +
@@ -167,13 +186,12 @@ Variables t_i : R.
 Hypotheses (equation_u21 : a_p / (g * alpha) = 1 / sin psi) (starts : sin psi <> 0).
 (* from 56b, u21 *)
 Theorem derivation_79a :
-  (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) ->
+  (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) <->
   exists A_3 A_4, forall t,
   theta t = A_3 * sinh (p * (t - t_i)) + A_4 * cosh (p * (t - t_i)) + alpha / (1 + s ^ 2) * sin (omega_p * t +
     psi) / sin psi + alpha.
 Proof.
-  by_response t_i (sine_solves alpha).
-  rewrite (amplitude _ equation_u21 starts); fractions.
+  both_ways t_i (sine_solves alpha); rewrite (amplitude _ equation_u21 starts); fractions.
 Qed.
 Variables A_3 A_4 : R.
 Hypothesis equation_79a : forall t,
@@ -220,9 +238,9 @@ Section Free.
 Variables t_o T_ex t_i : R.
 
 (* from 61a *)
-Theorem derivation_62a : (forall t, is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha)) ->
+Theorem derivation_62a : (forall t, is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha)) <->
   exists Abar_1 Abar_2, forall t, theta t = Abar_1 * sinh (p * (t - t_o)) + Abar_2 * cosh (p * (t - t_o)) - alpha.
-Proof. by_response t_o (constant_solves (- alpha)). Qed.
+Proof. both_ways t_o (constant_solves (- alpha)). Qed.
 Section Free_a.
 Variables Abar_1 Abar_2 : R.
 Hypothesis equation_62a : forall t, theta t = Abar_1 * sinh (p * (t - t_o)) + Abar_2 * cosh (p * (t - t_o)) - alpha.
@@ -277,9 +295,9 @@ Qed.
 End Free_a.
 
 (* from 61b *)
-Theorem derivation_62b : (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha)) ->
+Theorem derivation_62b : (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha)) <->
   exists Abar_3 Abar_4, forall t, theta t = Abar_3 * sinh (p * (t - t_o)) + Abar_4 * cosh (p * (t - t_o)) + alpha.
-Proof. by_response t_o (constant_solves (alpha)). Qed.
+Proof. both_ways t_o (constant_solves (alpha)). Qed.
 Section Free_b.
 Variables Abar_3 Abar_4 : R.
 Hypothesis equation_62b : forall t, theta t = Abar_3 * sinh (p * (t - t_o)) + Abar_4 * cosh (p * (t - t_o)) + alpha.
@@ -302,9 +320,9 @@ End Free_b.
 
 (* After an impact at t_i when the ground is at rest. *)
 (* from 61b *)
-Theorem derivation_93a : (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha)) ->
+Theorem derivation_93a : (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha)) <->
   exists c_1 c_2, forall t, theta t = c_1 * sinh (p * (t - t_i)) + c_2 * cosh (p * (t - t_i)) + alpha.
-Proof. by_response t_i (constant_solves alpha). Qed.
+Proof. both_ways t_i (constant_solves alpha). Qed.
 Variables c_1 c_2 : R.
 Hypothesis equation_93a : forall t, theta t = c_1 * sinh (p * (t - t_i)) + c_2 * cosh (p * (t - t_i)) + alpha.
 (* from 93a *)
@@ -324,10 +342,10 @@ Hypothesis starts : cos psi <> 0.
 (* from 97 *)
 Theorem derivation_98 :
   (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * t +
-    psi) / cos psi)) ->
+    psi) / cos psi)) <->
   exists A_3 A_4, forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + alpha / (1 +
     s ^ 2) * cos (omega_p * t + psi) / cos psi + alpha.
-Proof. by_response 0 (cosine_solves alpha (alpha / cos psi)); fractions. Qed.
+Proof. both_ways 0 (cosine_solves alpha (alpha / cos psi)); fractions. Qed.
 Variables A_3 A_4 : R.
 Hypothesis equation_98 : forall t,
   theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + alpha / (1 + s ^ 2) * cos (omega_p * t + psi) / cos psi + alpha.
