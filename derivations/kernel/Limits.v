@@ -14,6 +14,10 @@ Lemma tends_to_ext f g l : (forall t, f t = g t) -> (tends_to f l <-> tends_to g
 Proof.
   intro E; split; apply is_lim_ext; auto.
 Qed.
+Lemma tends_to_from T f g l : (forall t, T < t -> f t = g t) -> (tends_to f l <-> tends_to g l).
+Proof.
+  intro E; split; apply is_lim_ext_loc; exists T; intros t L; [ | symmetry ]; auto.
+Qed.
 (* A sinh + B cosh dies away just if its growing part, (A + B) exp/2, is 0. *)
 Lemma dies_away p t_o A B l : 0 < p ->
   (tends_to (fun t => A * sinh (p * (t - t_o)) + B * cosh (p * (t - t_o)) + l) l <-> A = - B).

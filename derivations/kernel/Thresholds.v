@@ -1,7 +1,7 @@
 (* The amplitude at which a block that rocks to one side overturns without impact, (71). The pulse is
    a_p sin(omega_p t + psi) with sin psi = alpha g/a_p, from rest, until T_ex = (2 pi - psi)/omega_p; the block
    is linear. w stands for omega_p/p. *)
-From Rederive Require Import Rederive Bounds Solutions.
+From Rederive Require Import Rederive Bounds Solutions Limits.
 From Coquelicot Require Import Coquelicot.
 
 (* (71) says that this is 0. *)
@@ -225,6 +225,87 @@ Proof.
   destruct (exponential_beats p ((theta T_ex + alpha + thetadot T_ex / p) / 2)
              ((theta T_ex + alpha - thetadot T_ex / p) / 2) (m + alpha)) as [T H]; [ lra | lra | ].
   exists T; intros s L; rewrite free_by_exponentials; specialize (H s L); lra.
+Qed.
+
+(* One motion: x is at rest at 0, obeys (56a) until T_ex, and (61a) from then on. *)
+Definition is_the_motion (x v : R -> R) :=
+  (forall t, is_derive x t (v t)) /\ (forall t, continuous v t) /\ x 0 = 0 /\ v 0 = 0 /\
+  (forall t, 0 < t < T_ex ->
+    is_derive v t (p ^ 2 * x t + p ^ 2 * alpha - p ^ 2 * (alpha / sin psi) * sin (omega_p * t + psi))) /\
+  (forall t, T_ex < t -> is_derive v t (p ^ 2 * x t + p ^ 2 * alpha)).
+Lemma T_ex_pos : 0 < T_ex.
+Proof. assert (L := PI_RGT_0); unfold T_ex; apply Rdiv_lt_0_compat; lra. Qed.
+Lemma the_motion_is x v : is_the_motion x v ->
+  (forall t, 0 <= t <= T_ex -> x t = theta t /\ v t = thetadot t) /\ forall t, T_ex <= t -> x t = free (t - T_ex).
+Proof.
+  intros [X [C [X0 [V0 [V W]]]]]; assert (P := T_ex_pos); destruct response_starts_at_rest as [T0 R0].
+  assert (A : forall t, 0 <= t <= T_ex -> x t = theta t /\ v t = thetadot t).
+  { apply (agrees_until p 0 p_pos T_ex x v theta thetadot
+      (fun t => p ^ 2 * alpha - p ^ 2 * (alpha / sin psi) * sin (omega_p * t + psi))); try assumption; try congruence.
+    - intros t I; specialize (V t I); replace (_ + _) with (p ^ 2 * x t + p ^ 2 * alpha - p ^ 2 * (alpha / sin psi) *
+        sin (omega_p * t + psi)) by ring; exact V.
+    - apply theta_derivative.
+    - intro t; assert (S := response_solves t); replace (_ + (_ - _)) with (p ^ 2 * theta t + p ^ 2 * alpha -
+        p ^ 2 * (alpha / sin psi) * sin (omega_p * t + psi)) by ring; exact S. }
+  split; [ exact A | intros t I ]; destruct (A T_ex) as [E F]; [ lra | ].
+  apply (agrees_until p T_ex p_pos t x v (fun t => free (t - T_ex))
+    (fun s => thetadot T_ex * ((exp (p * (s - T_ex)) + exp (- (p * (s - T_ex)))) / 2) +
+              p * (theta T_ex + alpha) * ((exp (p * (s - T_ex)) - exp (- (p * (s - T_ex)))) / 2))
+    (fun _ => p ^ 2 * alpha)); try assumption.
+  - intros s J; apply W; lra.
+  - intro s; unfold free; auto_derive; [ trivial | unfold Rminus; field; lra ].
+  - intro s; unfold free; auto_derive; [ trivial | unfold Rminus; field; lra ].
+  - rewrite E; unfold free, Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0, exp_0; field; lra.
+  - rewrite F; unfold Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0, exp_0; field.
+  - lra.
+Qed.
+(* There is such a motion. *)
+Theorem threshold_instance : exists x v, is_the_motion x v.
+Proof.
+  assert (S := sin_psi_pos); assert (P := T_ex_pos); destruct response_starts_at_rest as [T0 R0].
+  set (w := fun s => thetadot T_ex * ((exp (p * (s - T_ex)) + exp (- (p * (s - T_ex)))) / 2) +
+              p * (theta T_ex + alpha) * ((exp (p * (s - T_ex)) - exp (- (p * (s - T_ex)))) / 2)).
+  set (pulse := fun t => p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (alpha / sin psi) * sin (omega_p * t + psi)).
+  assert (F0 : theta T_ex = free (T_ex - T_ex)) by (unfold free, Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0, exp_0;
+    field; lra).
+  assert (W0 : thetadot T_ex = w T_ex) by (unfold w, Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0, exp_0; field).
+  assert (X := glued theta thetadot (fun t => free (t - T_ex)) w T_ex theta_derivative).
+  assert (V := glued thetadot pulse w (fun t => p ^ 2 * free (t - T_ex) + p ^ 2 * alpha) T_ex response_solves).
+  assert (Dx : forall t, is_derive (fun t => free (t - T_ex)) t (w t)) by (intro; unfold free, w; auto_derive;
+    [ trivial | unfold Rminus; field; lra ]).
+  assert (Dw : forall t, is_derive w t (p ^ 2 * free (t - T_ex) + p ^ 2 * alpha)) by (intro; unfold free, w; auto_derive;
+    [ trivial | unfold Rminus; field; lra ]).
+  specialize (X Dx F0 W0); specialize (V Dw W0).
+  assert (E : pulse T_ex = p ^ 2 * free (T_ex - T_ex) + p ^ 2 * alpha).
+  { rewrite <- F0; unfold pulse; replace (omega_p * T_ex + psi) with (2 * PI) by (unfold T_ex; field; lra).
+    rewrite sin_2PI; ring. }
+  specialize (V E); exists (fun t => if Rle_dec t T_ex then theta t else free (t - T_ex)),
+    (fun t => if Rle_dec t T_ex then thetadot t else w t).
+  split; [ exact X | split; [ intro t; apply (ex_derive_continuous (V := R_NormedModule)); eexists; apply V | ] ].
+  destruct (Rle_dec 0 T_ex) as [_ | N]; [ | lra ]; split; [ exact T0 | split; [ exact R0 | split ] ]; intros t I;
+    specialize (V t); destruct (Rle_dec t T_ex); try lra; exact V.
+Qed.
+(* (71) is its threshold: above it the block overturns and strikes nothing before, below it the block comes back, and
+   at it, and there alone, the block tends to the equilibrium. *)
+Theorem threshold_of_the_motion x v : is_the_motion x v ->
+  (0 < excess (omega_p / p) psi ->
+    (forall t, 0 < t -> x t < 0) /\ forall m, exists T, forall t, T < t -> x t < m) /\
+  (excess (omega_p / p) psi < 0 -> forall m, exists T, forall t, T < t -> m < x t) /\
+  (excess (omega_p / p) psi = 0 <-> tends_to x (- alpha)).
+Proof.
+  intro M; destruct (the_motion_is x v M) as [A B]; split; [ | split ].
+  - intro E; destruct (overturns E) as [N [F G]]; split.
+    + intros t I; destruct (Rle_dec t T_ex); [ rewrite (proj1 (A t ltac:(lra))); apply N; lra | rewrite B; [ apply F | ];
+        lra ].
+    + intro m; destruct (G m) as [T H]; exists (Rmax T_ex (T + T_ex)); intros t I.
+      assert (L := Rmax_l T_ex (T + T_ex)); assert (L' := Rmax_r T_ex (T + T_ex)); rewrite B by lra; apply H; lra.
+  - intros E m; destruct (comes_back E m) as [T H]; exists (Rmax T_ex (T + T_ex)); intros t I.
+    assert (L := Rmax_l T_ex (T + T_ex)); assert (L' := Rmax_r T_ex (T + T_ex)); rewrite B by lra; apply H; lra.
+  - rewrite (tends_to_from T_ex x (fun t => thetadot T_ex / p * sinh (p * (t - T_ex)) +
+      (theta T_ex + alpha) * cosh (p * (t - T_ex)) + - alpha)) by (intros t I; rewrite B by lra; reflexivity).
+    rewrite dies_away by exact p_pos; assert (G := growing_part); assert (S := sin_psi_pos); assert (Q := squares_pos).
+    assert (K : 0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 + p ^ 2))) by pos.
+    split; intro E; [ rewrite E in G; lra | nra ].
 Qed.
 End Response.
 
