@@ -1,98 +1,10 @@
-(* The equation of motion and the restitution, from positions. Derivatives and integrals are Coquelicot's; the
-   numbers are the paper's, and R' is its R.
+(* The equation of motion, from positions. Derivatives are Coquelicot's; the numbers are the paper's, and R' is its R.
    Before each derivation stands from what: the rows whose equations are its hypotheses, and what it assumes.
    newton, euler: the laws of motion. rotation: the block is rigid and turns about a corner. linearised: angles are
    small. rest: the motion starts at rest, at theta = 0. criterion: the motion that just overturns tends to the
    equilibrium at theta = alpha (or - alpha), where it would stand on its corner. *)
 From Rederive Require Import Rederive Solutions.
 From Coquelicot Require Import Coquelicot.
-
-(* An integral by an antiderivative. *)
-Ltac integral F :=
-  lazymatch goal with |- is_RInt ?f ?u ?v ?I =>
-    replace I with (minus (F v) (F u)) by (unfold minus, plus, opp; simpl; field);
-    apply (is_RInt_derive F f); intros;
-    [ auto_derive; [ trivial | field ] | apply (ex_derive_continuous (V := R_NormedModule)); auto_derive; trivial ]
-  end.
-
-(* A rectangle 2 b by 2 h of density rho. Double integrals, the inner one first. *)
-Section Block.
-Variables b h rho R' alpha : R.
-Hypotheses (corner : b = R' * sin alpha) (top : h = R' * cos alpha).
-Let m := rho * (2 * h * (2 * b)).
-Lemma diagonal : R' ^ 2 = b ^ 2 + h ^ 2.
-Proof. rewrite corner, top; assert (P := pyth alpha); ring [P]. Qed.
-
-(* The moment of inertia about the centre of mass. *)
-(* from u13, u14, 42a *)
-Theorem derivation_u2 :
-  exists inner, (forall x, is_RInt (fun y => rho * (x ^ 2 + y ^ 2)) (- h) h (inner x)) /\
-                is_RInt inner (- b) b (m * R' ^ 2 / 3).
-Proof.
-  exists (fun x => rho * (2 * h * x ^ 2 + 2 / 3 * h ^ 3)); split.
-  - intro x; integral (fun y => rho * (x ^ 2 * y + y ^ 3 / 3)).
-  - rewrite diagonal; unfold m; integral (fun x => rho * (2 / 3 * h * x ^ 3 + 2 / 3 * h ^ 3 * x)).
-Qed.
-(* About a corner. *)
-(* from u13, u14, 42a *)
-Theorem derivation_u3b :
-  exists inner, (forall x, is_RInt (fun y => rho * (x ^ 2 + y ^ 2)) 0 (2 * h) (inner x)) /\
-                is_RInt inner 0 (2 * b) (4 / 3 * (m * R' ^ 2)).
-Proof.
-  exists (fun x => rho * (2 * h * x ^ 2 + 8 / 3 * h ^ 3)); split.
-  - intro x; integral (fun y => rho * (x ^ 2 * y + y ^ 3 / 3)).
-  - rewrite diagonal; unfold m; integral (fun x => rho * (2 / 3 * h * x ^ 3 + 8 / 3 * h ^ 3 * x)).
-Qed.
-(* That is Steiner's theorem. *)
-(* from u2, u3b *)
-Theorem derivation_u3a_u4 J_c J_o : J_c = m * R' ^ 2 / 3 -> J_o = 4 / 3 * m * R' ^ 2 -> J_o = J_c + m * R' ^ 2.
-Proof. intros; subst J_o J_c; field. Qed.
-
-(* The moment of momentum about the new corner before the impact: r^2 - 2 b r sin phi = x^2 + y^2 - 2 b x. *)
-(* from 39, 39b, 39c, 40b *)
-Theorem derivation_41 :
-  exists inner, (forall x, is_RInt (fun y => x ^ 2 + y ^ 2 - 2 * b * x) 0 (2 * h) (inner x)) /\
-                is_RInt inner 0 (2 * b) (4 * h * b * (4 / 3 * h ^ 2 - 2 / 3 * b ^ 2)).
-Proof.
-  exists (fun x => 2 * h * (x ^ 2 - 2 * b * x) + 8 / 3 * h ^ 3); split.
-  - intro x; integral (fun y => (x ^ 2 - 2 * b * x) * y + y ^ 3 / 3).
-  - integral (fun x => 2 * h * (x ^ 3 / 3 - b * x ^ 2) + 8 / 3 * h ^ 3 * x).
-Qed.
-(* from 36, 41, u13, 42a *)
-Theorem derivation_43b thetadot_minus :
-  rho * (4 * h * b * (4 / 3 * h ^ 2 - 2 / 3 * b ^ 2)) * thetadot_minus =
-  m * R' ^ 2 * (4 / 3 - 2 * sin alpha ^ 2) * thetadot_minus.
-Proof. unfold m; rewrite corner, top; assert (P := pyth alpha); field [P]. Qed.
-(* About that corner it is the same after the impact. *)
-(* The inner integral of (43) goes as far as that of (39): what is printed is right of a square. *)
-(* from 39c *)
-Theorem derivation_43a y_end : y_end = 2 * h -> (y_end = 2 * b <-> h = b).
-Proof. intros ->; apply (eq_by 2); [ lra | ring ]. Qed.
-(* from 43b, 45b, u16 *)
-Theorem derivation_46a thetadot_minus thetadot_plus :
-  0 < m -> 0 < R' ->
-  (m * R' ^ 2 * (4 / 3 - 2 * sin alpha ^ 2) * thetadot_minus = 4 / 3 * m * R' ^ 2 * thetadot_plus <->
-   thetadot_plus = (1 - 3 / 2 * sin alpha ^ 2) * thetadot_minus).
-Proof.
-  intros M L; apply (eq_by (- (4 / 3 * m * R' ^ 2))); [ | field ].
-  apply Ropp_neq_0_compat; nz.
-Qed.
-End Block.
-(* The impact elsewhere: an impulse P at a distance d from the new corner lifts the centre of mass, whose speed is (4b)
-   before and (15b) after, and adds to the moment of momentum about that corner. *)
-(* from newton, 4b, 15b, 43b, 45b *)
-Theorem derivation_r16 m R' alpha d thetadot_minus thetadot_plus y_cdot_minus y_cdot_plus P :
-  0 < m -> 0 < R' -> thetadot_minus <> 0 -> 4 / 3 * R' ^ 2 - R' * d * sin alpha <> 0 ->
-  y_cdot_minus = - R' * thetadot_minus * sin (alpha + 0) -> y_cdot_plus = R' * thetadot_plus * sin (alpha - 0) ->
-  P = m * y_cdot_plus - m * y_cdot_minus ->
-  4 / 3 * m * R' ^ 2 * thetadot_plus - m * R' ^ 2 * (4 / 3 - 2 * sin alpha ^ 2) * thetadot_minus = P * d ->
-  thetadot_plus / thetadot_minus =
-    (4 / 3 * R' ^ 2 - 2 * R' ^ 2 * sin alpha ^ 2 + R' * d * sin alpha) / (4 / 3 * R' ^ 2 - R' * d * sin alpha).
-Proof.
-  intros M R T N -> -> ->; rewrite Rplus_0_r, Rminus_0_r; apply (eq_by (/ (m * thetadot_minus *
-    (4 / 3 * R' ^ 2 - R' * d * sin alpha)))); [ | field; repeat split; lra ].
-  apply Rinv_neq_0_compat; repeat apply Rmult_integral_contrapositive_currified; lra.
-Qed.
 
 (* Motion: the ground is at u_g, the block is turned by theta; side = 1 where theta < 0, -1 where theta > 0. *)
 Section Motion.
@@ -275,14 +187,15 @@ Proof.
   apply Rnot_lt_le; intro K; assert (N := Rmult_lt_0_compat _ _ J K); lra.
 Qed.
 (* The reactions do no work, so that Lagrange's equation says what Newton's and Euler's say: the moments of H and V
-  about
-   the centre of mass turn the block. *)
-(* from newton, euler, 47a, 47b, 6, 9, 14, 16b *)
-Theorem derivation_1 H V t : H = m * (u_gddot t - side * x_cddot t) -> V = m * (g + y_cddot t) ->
+   about the centre of mass turn the block. *)
+(* from newton, euler, 2a, 2b, 3, 6, 9, 12a, 12b, 13, 14, 16b *)
+Theorem derivation_1 H V t :
+  H = m * Derive (fun t => Derive u_c t) t -> V - m * g = m * Derive (fun t => Derive y_c t) t ->
   (lagrange t <-> J_c * thetaddot t = side * (V * (R' * sin (alpha + side * theta t))) - H * (R' * cos (alpha +
     side * theta t))).
 Proof.
-  intros -> ->; rewrite derivation_11_20; assert (P := pyth (alpha + side * theta t)).
+  rewrite derivation_47a, derivation_47b; intros -> ->; rewrite derivation_11_20.
+  assert (P := pyth (alpha + side * theta t)).
   apply (eq_by 1); [ lra | unfold x_cddot, y_cddot, J_o, J_c; field [P sides] ].
 Qed.
 (* from 25b, 26b, 11, 42a *)
