@@ -7,6 +7,7 @@
 #include <derivations/kernel/scripts.hpp>
 #include <derivations/language/print.hpp>
 #include <lessons/certify/steps.hpp>
+#include <lessons/ledger/claims.hpp>
 #include <regex>
 #include <tests/run_program.hpp>
 
@@ -176,15 +177,18 @@ TEST_CASE("the hypotheses of each lemma hold at some point") {
   CHECK(named >= 240);
 }
 
-TEST_CASE("the theorems that claims quote are there") {
+TEST_CASE("the theorems that claims quote are there, and about the claim that quotes them") {
   std::set<std::string> names;
   for (const Lemma& theorem : shipped_theorems()) names.insert(theorem.name);
-  const std::string claims = read_file(std::string(REDERIVE_SOURCE) + "/derivations/paper/claims.toml");
   static const std::regex quoted_name("claim_c\\w+");
   int found = 0;
-  for (std::sregex_iterator at(claims.begin(), claims.end(), quoted_name), end; at != end; ++at, ++found)
-    CHECK_MESSAGE(names.contains(at->str()), at->str());
-  CHECK(found >= 4);
+  for (const Claim& claim : read_claims(claims_file()))
+    for (const auto& [verdict, words] : claim.meaning)  // with those taken over from other claims
+      for (std::sregex_iterator at(words.begin(), words.end(), quoted_name), end; at != end; ++at, ++found) {
+        CHECK_MESSAGE(names.contains(at->str()), at->str());
+        CHECK_MESSAGE(at->str().starts_with("claim_" + claim.id + "_"), claim.id, " quotes ", at->str());
+      }
+  CHECK(found >= 6);
 }
 
 TEST_CASE("a folder with all rows says what rests on what, and draws it") {
@@ -192,7 +196,7 @@ TEST_CASE("a folder with all rows says what rests on what, and draws it") {
   const auto scripts = folder.path / "proofs";
   REQUIRE(run_program("ledger", {"certify", scripts}).exit_code == 0);
   const std::string page = read_file(scripts / "README.md"), drawing = read_file(scripts / "rests.svg");
-  CHECK(page.find("| (71) | `step_71` | (68), (69a), (69b), (70a), (70b), (u20) | yes |") !=
+  CHECK(page.find("| (71) | `derivation_71` | (68), (69a), (69b), (70a), (70b), (u20) | yes |") !=
         std::string::npos);
   CHECK(page.find("- (52) `") != std::string::npos);  // assumed
   CHECK(drawing.find(">92a</text>") != std::string::npos);

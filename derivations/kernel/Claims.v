@@ -106,33 +106,62 @@ Theorem derivation_u29 : 0 < g -> 0 < alpha <= 1 -> cos psi <> 0 -> a_p * cos ps
 Proof. apply amplitude_left_out. Qed.
 End Small.
 
-(* A block that nothing lifts does not turn: from rest under an acceleration of at most alpha g, what solves (56a)
-   is never negative, so that there is no motion with theta < 0. (And none with theta > 0 for the same reason.) *)
-Theorem claim_c69_nothing_lifts g alpha p (u theta thetadot : R -> R) :
-  0 < g -> 0 < p -> (forall t, u t <= alpha * g) ->
-  (forall t, is_derive theta t (thetadot t)) ->
-  (forall t, is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (u t / g))) ->
-  theta 0 = 0 -> thetadot 0 = 0 -> forall t, 0 <= t -> 0 <= theta t.
+(* A block that nothing lifts does not turn, and so does not overturn: from rest, under an acceleration of at most
+   alpha g either way, what obeys (56a) until T has no theta < 0 in that time, and what obeys (56b) no theta > 0. *)
+Lemma not_lifted alpha p T (f y v : R -> R) : 0 < p -> (forall t, 0 <= t <= T -> f t <= alpha) ->
+  (forall t, 0 <= t <= T -> is_derive y t (v t)) ->
+  (forall t, 0 <= t <= T -> is_derive v t (p ^ 2 * y t + p ^ 2 * alpha - p ^ 2 * f t)) ->
+  y 0 = 0 -> v 0 = 0 -> forall t, 0 <= t <= T -> 0 <= y t.
 Proof.
-  intros G P U D E Z R t T.
-  assert (B : forall t, u t / g <= alpha).
-  { intro s; apply (Rmult_le_reg_r g); [ exact G | ]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; specialize (U s);
-    lra. }
-  assert (W : forall s, 0 <= s -> 0 <= (thetadot s + p * theta s) * exp (- (p * s))).
-  { intros s S; replace 0 with ((thetadot 0 + p * theta 0) * exp (- (p * 0))) by (rewrite Z, R; ring).
-    apply (increases (fun s => (thetadot s + p * theta s) * exp (- (p * s))) (fun s => p ^ 2 * (alpha - u s / g) *
-      exp (- (p * s)))); [ exact S | |].
-    - intros z _; assert (Dz := D z); assert (Ez := E z); derivatives; ring.
-    - intros z _; specialize (B z); assert (X := exp_pos (- (p * z))); assert (Q := pow2_ge_0 p).
+  intros P B D E Z R t I.
+  assert (W : forall s, 0 <= s <= T -> 0 <= (v s + p * y s) * exp (- (p * s))).
+  { intros s S; replace 0 with ((v 0 + p * y 0) * exp (- (p * 0))) by (rewrite Z, R; ring).
+    apply (increases (fun s => (v s + p * y s) * exp (- (p * s))) (fun s => p ^ 2 * (alpha - f s) * exp (- (p * s))));
+      [ lra | |]; intros z L; assert (L' : 0 <= z <= T) by lra.
+    - assert (Dz := D z L'); assert (Ez := E z L'); derivatives; ring.
+    - specialize (B z L'); assert (X := exp_pos (- (p * z))); assert (Q := pow2_ge_0 p).
       apply Rmult_le_pos; [ apply Rmult_le_pos | ]; lra. }
-  assert (V : 0 <= theta t * exp (p * t)).
-  { replace 0 with (theta 0 * exp (p * 0)) by (rewrite Z; ring).
-    apply (increases (fun s => theta s * exp (p * s)) (fun s => (thetadot s + p * theta s) * exp (p * s)));
-      [ exact T | |].
-    - intros z _; assert (Dz := D z); derivatives; ring.
-    - intros z L; assert (X := W z (proj1 L)); assert (Y := exp_pos (- (p * z))); assert (Y' := exp_pos (p * z)).
+  assert (V : 0 <= y t * exp (p * t)).
+  { replace 0 with (y 0 * exp (p * 0)) by (rewrite Z; ring).
+    apply (increases (fun s => y s * exp (p * s)) (fun s => (v s + p * y s) * exp (p * s))); [ lra | |]; intros z L;
+      assert (L' : 0 <= z <= T) by lra.
+    - assert (Dz := D z L'); derivatives; ring.
+    - assert (X := W z L'); assert (Y := exp_pos (- (p * z))); assert (Y' := exp_pos (p * z)).
       apply Rmult_le_pos; [ | lra ]; apply Rnot_lt_le; intro N; nra. }
   assert (X := exp_pos (p * t)); apply Rnot_lt_le; intro N; nra.
+Qed.
+Theorem claim_c69_nothing_lifts g alpha p T (u theta thetadot : R -> R) :
+  0 < g -> 0 < p -> (forall t, Rabs (u t) <= alpha * g) ->
+  (forall t, 0 <= t <= T -> is_derive theta t (thetadot t)) -> theta 0 = 0 -> thetadot 0 = 0 ->
+  ((forall t, 0 <= t <= T -> is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (u t / g))) ->
+   forall t, 0 <= t <= T -> 0 <= theta t) /\
+  ((forall t, 0 <= t <= T -> is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (u t / g))) ->
+   forall t, 0 <= t <= T -> theta t <= 0).
+Proof.
+  intros G P U D Z R.
+  assert (B : forall t, - alpha <= u t / g <= alpha).
+  { intro s; specialize (U s); apply Rabs_le_between in U.
+    split; apply (Rmult_le_reg_r g); try exact G; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra. }
+  split; intros E t I.
+  - apply (not_lifted alpha p T (fun t => u t / g) theta thetadot); auto; intros; apply B.
+  - enough (0 <= - theta t) by lra.
+    apply (not_lifted alpha p T (fun t => - (u t / g)) (fun t => - theta t) (fun t => - thetadot t)); auto; try lra.
+    + intros s _; specialize (B s); lra.
+    + intros s S; assert (Ds := D s S); derivatives; ring.
+    + intros s S; assert (Es := E s S); derivatives; ring.
+Qed.
+(* Fig. 12: 0.71157 alpha g, as it is labelled, lifts no block, whatever omega_p/p is. *)
+Theorem claim_c61_does_not_lift g alpha p omega_p psi T (theta thetadot : R -> R) :
+  0 < g -> 0 < alpha -> 0 < p -> let u t := 71157/10^5 * (alpha * g) * sin (omega_p * t + psi) in
+  (forall t, 0 <= t <= T -> is_derive theta t (thetadot t)) -> theta 0 = 0 -> thetadot 0 = 0 ->
+  ((forall t, 0 <= t <= T -> is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (u t / g))) ->
+   forall t, 0 <= t <= T -> 0 <= theta t) /\
+  ((forall t, 0 <= t <= T -> is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (u t / g))) ->
+   forall t, 0 <= t <= T -> theta t <= 0).
+Proof.
+  intros G A P u; apply (claim_c69_nothing_lifts g alpha p T u theta thetadot G P).
+  intro t; assert (S := SIN_bound (omega_p * t + psi)); assert (K : 0 < alpha * g) by pos; unfold u.
+  apply Rabs_le_between; split; nra.
 Qed.
 
 (* (103) from rest is (78) at psi + pi/2: no curve of its own. *)
@@ -151,10 +180,11 @@ Qed.
 
 (* (r16), e after an impact at a distance d from the corner: larger than (46) unless d = 0. *)
 Theorem claim_c22_away_from_the_corner R' alpha d : 0 < R' -> 0 < alpha < PI / 2 -> 0 < d ->
-  0 < 4 * R' - 3 * d * sin alpha ->
-  1 - 3 / 2 * sin alpha ^ 2 < (4 * R' - 6 * R' * sin alpha ^ 2 + 3 * d * sin alpha) / (4 * R' - 3 * d * sin alpha).
+  R' * d * sin alpha < 4 / 3 * R' ^ 2 ->
+  1 - 3 / 2 * sin alpha ^ 2 <
+    (4 / 3 * R' ^ 2 - 2 * R' ^ 2 * sin alpha ^ 2 + R' * d * sin alpha) / (4 / 3 * R' ^ 2 - R' * d * sin alpha).
 Proof.
   intros R A D N; assert (Z := PI_RGT_0); assert (S := sin_gt_0 alpha); assert (B := SIN_bound alpha).
-  apply -> Rlt_div_r; [ | exact N ]; assert (0 < d * sin alpha) by nra.
-  assert (sin alpha ^ 2 <= 1) by nra; nra.
+  apply -> Rlt_div_r; [ | lra ]; assert (0 < R' * d * sin alpha) by (repeat apply Rmult_lt_0_compat; lra).
+  assert (0 < sin alpha ^ 2 <= 1) by nra; assert (0 < R' ^ 2) by nra; nra.
 Qed.

@@ -1,79 +1,10 @@
-(* The equation of motion and the restitution, from positions. Derivatives and integrals are Coquelicot's; the
-   numbers are the paper's, and R' is its R.
+(* The equation of motion, from positions. Derivatives are Coquelicot's; the numbers are the paper's, and R' is its R.
    Before each derivation stands from what: the rows whose equations are its hypotheses, and what it assumes.
    newton, euler: the laws of motion. rotation: the block is rigid and turns about a corner. linearised: angles are
    small. rest: the motion starts at rest, at theta = 0. criterion: the motion that just overturns tends to the
    equilibrium at theta = alpha (or - alpha), where it would stand on its corner. *)
 From Rederive Require Import Rederive Solutions.
 From Coquelicot Require Import Coquelicot.
-
-(* An integral by an antiderivative. *)
-Ltac integral F :=
-  lazymatch goal with |- is_RInt ?f ?u ?v ?I =>
-    replace I with (minus (F v) (F u)) by (unfold minus, plus, opp; simpl; field);
-    apply (is_RInt_derive F f); intros;
-    [ auto_derive; [ trivial | field ] | apply (ex_derive_continuous (V := R_NormedModule)); auto_derive; trivial ]
-  end.
-
-(* A rectangle 2 b by 2 h of density rho. Double integrals, the inner one first. *)
-Section Block.
-Variables b h rho R' alpha : R.
-Hypotheses (corner : b = R' * sin alpha) (top : h = R' * cos alpha).
-Let m := rho * (2 * h * (2 * b)).
-Lemma diagonal : R' ^ 2 = b ^ 2 + h ^ 2.
-Proof. rewrite corner, top; assert (P := pyth alpha); ring [P]. Qed.
-
-(* The moment of inertia about the centre of mass. *)
-(* from u13, u14, 42a *)
-Theorem derivation_u2 :
-  exists inner, (forall x, is_RInt (fun y => rho * (x ^ 2 + y ^ 2)) (- h) h (inner x)) /\
-                is_RInt inner (- b) b (m * R' ^ 2 / 3).
-Proof.
-  exists (fun x => rho * (2 * h * x ^ 2 + 2 / 3 * h ^ 3)); split.
-  - intro x; integral (fun y => rho * (x ^ 2 * y + y ^ 3 / 3)).
-  - rewrite diagonal; unfold m; integral (fun x => rho * (2 / 3 * h * x ^ 3 + 2 / 3 * h ^ 3 * x)).
-Qed.
-(* About a corner. *)
-(* from u13, u14, 42a *)
-Theorem derivation_u3b :
-  exists inner, (forall x, is_RInt (fun y => rho * (x ^ 2 + y ^ 2)) 0 (2 * h) (inner x)) /\
-                is_RInt inner 0 (2 * b) (4 / 3 * (m * R' ^ 2)).
-Proof.
-  exists (fun x => rho * (2 * h * x ^ 2 + 8 / 3 * h ^ 3)); split.
-  - intro x; integral (fun y => rho * (x ^ 2 * y + y ^ 3 / 3)).
-  - rewrite diagonal; unfold m; integral (fun x => rho * (2 / 3 * h * x ^ 3 + 8 / 3 * h ^ 3 * x)).
-Qed.
-(* That is Steiner's theorem. *)
-(* from u2, u3b *)
-Theorem derivation_u3a_u4 J_c J_o : J_c = m * R' ^ 2 / 3 -> J_o = 4 / 3 * m * R' ^ 2 -> J_o = J_c + m * R' ^ 2.
-Proof. intros; subst J_o J_c; field. Qed.
-
-(* The moment of momentum about the new corner before the impact: r^2 - 2 b r sin phi = x^2 + y^2 - 2 b x. *)
-(* from 39, 39b, 39c, 40b *)
-Theorem derivation_41 :
-  exists inner, (forall x, is_RInt (fun y => x ^ 2 + y ^ 2 - 2 * b * x) 0 (2 * h) (inner x)) /\
-                is_RInt inner 0 (2 * b) (4 * h * b * (4 / 3 * h ^ 2 - 2 / 3 * b ^ 2)).
-Proof.
-  exists (fun x => 2 * h * (x ^ 2 - 2 * b * x) + 8 / 3 * h ^ 3); split.
-  - intro x; integral (fun y => (x ^ 2 - 2 * b * x) * y + y ^ 3 / 3).
-  - integral (fun x => 2 * h * (x ^ 3 / 3 - b * x ^ 2) + 8 / 3 * h ^ 3 * x).
-Qed.
-(* from 36, 41, u13, 42a *)
-Theorem derivation_43b thetadot_minus :
-  rho * (4 * h * b * (4 / 3 * h ^ 2 - 2 / 3 * b ^ 2)) * thetadot_minus =
-  m * R' ^ 2 * (4 / 3 - 2 * sin alpha ^ 2) * thetadot_minus.
-Proof. unfold m; rewrite corner, top; assert (P := pyth alpha); field [P]. Qed.
-(* About that corner it is the same after the impact. *)
-(* from 43b, 45b, u16 *)
-Theorem derivation_46a thetadot_minus thetadot_plus :
-  0 < m -> 0 < R' ->
-  (m * R' ^ 2 * (4 / 3 - 2 * sin alpha ^ 2) * thetadot_minus = 4 / 3 * m * R' ^ 2 * thetadot_plus <->
-   thetadot_plus = (1 - 3 / 2 * sin alpha ^ 2) * thetadot_minus).
-Proof.
-  intros M L; apply (eq_by (- (4 / 3 * m * R' ^ 2))); [ | field ].
-  apply Ropp_neq_0_compat; nz.
-Qed.
-End Block.
 
 (* Motion: the ground is at u_g, the block is turned by theta; side = 1 where theta < 0, -1 where theta > 0. *)
 Section Motion.
@@ -233,6 +164,19 @@ Proof.
     side * theta t) - side * sin (alpha + side * theta t)))) by lra.
   unfold y_cddot; rewrite F; field [sides]; lra.
 Qed.
+(* In contact with the ground: V > 0. *)
+(* from r2, r4 *)
+Theorem derivation_r7_r8 p V t : 0 < p ->
+  V / m = g - p ^ 2 * R' * (sin (alpha + side * theta t) ^ 2 -
+            side * (u_gddot t / g * sin (alpha + side * theta t) * cos (alpha +
+              side * theta t))) - R' * thetadot t ^ 2 * cos (alpha + side * theta t) ->
+  (V > 0 <->
+   g + side * (p ^ 2 * R' * (u_gddot t / g * sin (2 * (alpha + side * theta t)) / 2 -
+         side * sin (alpha + side * theta t) ^ 2 - side * (thetadot t ^ 2 / p ^ 2 * cos (alpha + side * theta t)))) > 0).
+Proof.
+  intros P E; rewrite sin_2a; apply (lt_by m); [ exact m_pos | ].
+  replace V with (V / m * m) by (field; lra); rewrite E; field [sides]; lra.
+Qed.
 (* It turns to theta < 0 from rest where the moment of the inertia force is the larger one, (11), (20). *)
 (* from 11 *)
 Theorem derivation_23 t : side = 1 -> lagrange t -> theta t = 0 ->
@@ -243,14 +187,15 @@ Proof.
   apply Rnot_lt_le; intro K; assert (N := Rmult_lt_0_compat _ _ J K); lra.
 Qed.
 (* The reactions do no work, so that Lagrange's equation says what Newton's and Euler's say: the moments of H and V
-  about
-   the centre of mass turn the block. *)
-(* from newton, euler, 47a, 47b, 6, 9, 14, 16b *)
-Theorem derivation_1 H V t : H = m * (u_gddot t - side * x_cddot t) -> V = m * (g + y_cddot t) ->
+   about the centre of mass turn the block. *)
+(* from newton, euler, 2a, 2b, 3, 6, 9, 12a, 12b, 13, 14, 16b *)
+Theorem derivation_1 H V t :
+  H = m * Derive (fun t => Derive u_c t) t -> V - m * g = m * Derive (fun t => Derive y_c t) t ->
   (lagrange t <-> J_c * thetaddot t = side * (V * (R' * sin (alpha + side * theta t))) - H * (R' * cos (alpha +
     side * theta t))).
 Proof.
-  intros -> ->; rewrite derivation_11_20; assert (P := pyth (alpha + side * theta t)).
+  rewrite derivation_47a, derivation_47b; intros -> ->; rewrite derivation_11_20.
+  assert (P := pyth (alpha + side * theta t)).
   apply (eq_by 1); [ lra | unfold x_cddot, y_cddot, J_o, J_c; field [P sides] ].
 Qed.
 (* from 25b, 26b, 11, 42a *)
@@ -271,26 +216,7 @@ Theorem derivation_u5 : sqrt (m * g * R' / J_o) = sqrt (3 * g / (4 * R')).
 Proof. f_equal; unfold J_o; field; lra. Qed.
 End Motion.
 
-(* The unstable equilibrium (60), and the ground that would hold the block at theta = alpha. side as above. *)
-(* from 21a, 21b, criterion *)
-Theorem derivation_60a_60c p alpha side theta_star :
-  0 < p -> side ^ 2 = 1 -> 0 < alpha < PI / 2 -> - (PI / 2) < theta_star < PI / 2 ->
-  (0 + p ^ 2 * (0 * cos (alpha + side * theta_star) - side * sin (alpha + side * theta_star)) = 0 <->
-    theta_star = - side * alpha).
-Proof.
-  intros P S A T; assert (Q := PI_RGT_0); assert (C : side = 1 \/ side = - 1) by nra; split.
-  - intro E; assert (Z : sin (alpha + side * theta_star) = 0) by (assert (0 < p ^ 2) by nra; destruct C; subst side;
-    nra).
-    destruct (Rtotal_order (alpha + side * theta_star) 0) as [L | [L | L]].
-    + assert (sin (- (alpha + side * theta_star)) > 0) by (apply sin_gt_0; destruct C; subst side; lra);
-      rewrite sin_neg in *; lra.
-    + destruct C; subst side; lra.
-    + assert (sin (alpha + side * theta_star) > 0) by (apply sin_gt_0; destruct C; subst side; lra); lra.
-  - intros ->; replace (alpha + side * (- side * alpha)) with 0 by ring [S]; rewrite sin_0; ring.
-Qed.
-(* from 60a, 60c *)
-Theorem derivation_60b theta_star t : is_derive (fun _ : R => theta_star) t 0.
-Proof. auto_derive; trivial. Qed.
+(* The ground that would hold the block at theta = alpha. *)
 (* from 21a *)
 Theorem derivation_u6 p g alpha u : 0 < p -> 0 < g -> cos (2 * alpha) <> 0 ->
   (0 + p ^ 2 * (u / g * cos (alpha + alpha) - sin (alpha + alpha)) = 0 <-> u = g * sin (2 * alpha) / cos (2 * alpha)).

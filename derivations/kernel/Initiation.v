@@ -1,6 +1,4 @@
-(* Rows between the equations of motion: geometry, the start of motion, sliding, the moment of momentum point by
-  point,
-   and the phase of the pulse. *)
+(* Rows between the equations of motion: geometry, the start of motion, sliding, and the phase of the pulse. *)
 From Rederive Require Import Rederive.
 
 (* Geometry: (u1), (2), (12). The block is turned about a corner, the vector to its centre of mass with it. *)
@@ -32,46 +30,25 @@ Proof.
   - replace (1 * theta) with theta by ring; rewrite sin_plus; ring.
   - replace (-1 * theta) with (- theta) by ring; rewrite sin_plus, sin_neg, cos_neg; ring.
 Qed.
+(* The same vector's height, over that at rest, h. *)
+(* from u1, 42a, rotation *)
+Theorem derivation_3_13 side y_c theta : side = 1 \/ side = - 1 ->
+  y_c = h * cos theta - side * (b * sin theta) - h -> y_c = R' * (cos (alpha + side * theta) - cos alpha).
+Proof.
+  intros [-> | ->] ->; rewrite side_b, side_h.
+  - replace (1 * theta) with theta by ring; rewrite cos_plus; ring.
+  - replace (-1 * theta) with (- theta) by ring; rewrite cos_plus, sin_neg, cos_neg; ring.
+Qed.
 (* from 42a *)
 Theorem derivation_42b : 4 * h * b * (4 / 3 * h ^ 2 - 2 / 3 * b ^ 2) = 4 * h * b * (4 / 3 * R' ^ 2 - 2 * R' ^ 2 * sin
   alpha ^ 2).
 Proof. rewrite side_b, side_h; assert (P := pyth alpha); field [P]. Qed.
 End Geometry.
 
-(* The moment of momentum of a point at (- r sin phi, r cos phi) from the old corner; the new one is at (- 2 b, 0). *)
-(* from 36, 37a, 37b, rotation *)
-Theorem derivation_38 b r phi thetadot_minus x' y' v_x v_y :
-  x' = - r * sin phi -> y' = r * cos phi -> v_x = - thetadot_minus * y' -> v_y = thetadot_minus * x' ->
-  (x' + 2 * b) * v_y - y' * v_x = (r ^ 2 - 2 * b * r * sin phi) * thetadot_minus.
-Proof. intros -> -> -> ->; assert (P := pyth phi); ring [P]. Qed.
-(* from 38, u15 *)
-Theorem derivation_39 b r phi x thetadot_minus hO_minus : r * sin phi = 2 * b - x ->
-  hO_minus = (r ^ 2 - 2 * b * r * sin phi) * thetadot_minus -> hO_minus =
-    (r ^ 2 - 2 * b * (2 * b - x)) * thetadot_minus.
-Proof. intros E ->; rewrite <- E; ring. Qed.
-(* from u15 *)
-Theorem derivation_40a b r phi x y : r * sin phi = 2 * b - x -> r * cos phi = y -> r ^ 2 = y ^ 2 + (2 * b - x) ^ 2.
-Proof. intros <- <-; assert (P := pyth phi); ring [P]. Qed.
-(* from 44, rotation *)
-Theorem derivation_45a r phi thetadot_plus x' y' v_x v_y :
-  x' = - r * sin phi -> y' = r * cos phi -> v_x = - thetadot_plus * y' -> v_y = thetadot_plus * x' ->
-  x' * v_y - y' * v_x = r ^ 2 * thetadot_plus.
-Proof. intros -> -> -> ->; assert (P := pyth phi); ring [P]. Qed.
-(* from 45a, u4 *)
-Theorem derivation_45b m R' J_o thetadot_plus : J_o = 4 / 3 * m * R' ^ 2 ->
-  J_o * thetadot_plus = 4 / 3 * m * R' ^ 2 * thetadot_plus.
-Proof. now intros ->. Qed.
-(* The energy that the impact takes, where the ground does not move. *)
-(* from 6, 16b *)
-Theorem derivation_u12a m R' alpha J_o thetadot_minus thetadot_plus K : 
-  (forall v u, K v u = 1 / 2 * J_o * v ^ 2 + 1 / 2 * m * u ^ 2 + m * u * v * R' * cos alpha) ->
-  K thetadot_minus 0 - K thetadot_plus 0 = 1 / 2 * J_o * thetadot_minus ^ 2 - 1 / 2 * J_o * thetadot_plus ^ 2.
-Proof. intro E; rewrite !E; ring. Qed.
-
 (* The start: H_0, V_0 are the reactions at the corner, lambda a_p is the acceleration of the ground. *)
 Section Start.
 Variables m g R' alpha p a_p lambda thetaddot_0 H_0 V_0 : R.
-Hypotheses (m_pos : 0 < m) (g_pos : 0 < g) (R_pos : 0 < R') (angle : 0 < alpha < PI / 2) (a_pos : 0 < a_p).
+Hypotheses (m_pos : 0 < m) (g_pos : 0 < g) (R_pos : 0 < R') (angle : 0 < alpha < PI / 2).
 Lemma cos_pos : 0 < cos alpha. Proof. assert (Q := PI_RGT_0); apply cos_gt_0; lra. Qed.
 Lemma sin_pos : 0 < sin alpha. Proof. assert (Q := PI_RGT_0); apply sin_gt_0; lra. Qed.
 Let b := R' * sin alpha.
@@ -84,12 +61,6 @@ Proof.
     cos alpha))
     by (field; lra).
   assert (L := Rinv_0_lt_compat _ K); split; intro; nra.
-Qed.
-(* from 23, 25b *)
-Theorem derivation_u10b : lambda * a_p >= g * tan alpha <-> lambda >= g * tan alpha / a_p.
-Proof.
-  assert (E : g * tan alpha / a_p - lambda = / a_p * (g * tan alpha - lambda * a_p)) by (field; lra).
-  assert (L := Rinv_0_lt_compat _ a_pos); split; intro; nra.
 Qed.
 Hypotheses (equation_25b : H_0 = m * (lambda * a_p + h * thetaddot_0)) (equation_26b : V_0 =
   m * (g - b * thetaddot_0)).
@@ -116,14 +87,23 @@ Proof.
   intros P ->; assert (C := cos_pos); assert (S := sin_pos); assert (T : 0 < tan alpha) by (unfold tan; pos).
   apply (eq_by (- (p ^ 2 * sin alpha / (g * tan alpha)))); [ nz | field; lra ].
 Qed.
-(* from 25b, 26b, u11, 30, 42a *)
-Theorem derivation_32a_51a mu : thetaddot_0 = 0 -> lambda * a_p = g * tan alpha ->
-  H_0 / V_0 = lambda * a_p / g /\ (mu >= H_0 / V_0 <-> mu >= b / h).
+(* from 25b, 26b, 27, u2, u17, 42a *)
+Theorem derivation_51a : lambda * a_p = g * tan alpha -> H_0 / V_0 = lambda * a_p / g.
 Proof.
-  intros Z L; assert (C := cos_pos).
-  assert (E : H_0 / V_0 = lambda * a_p / g) by (rewrite equation_25b, equation_26b, Z; unfold h, b; field; lra).
-  split; [ exact E | ]; replace (b / h) with (H_0 / V_0); [ reflexivity | ].
-  rewrite E, L; unfold tan, b, h; field; lra.
+  intro L; assert (C := cos_pos); assert (P := pyth alpha); assert (E := equation_27 _ eq_refl).
+  assert (T : lambda * a_p * cos alpha = g * sin alpha) by (rewrite L; unfold tan; field; lra).
+  assert (Z : thetaddot_0 = 0).
+  { rewrite equation_25b, equation_26b in E; unfold h, b in E; apply (Rmult_eq_reg_l (4 / 3 * m * R' ^ 2)); [ | nz ].
+    transitivity (m * (lambda * a_p + R' * cos alpha * thetaddot_0) * (R' * cos alpha) -
+      m * (g - R' * sin alpha * thetaddot_0) * (R' * sin alpha) + m * R' ^ 2 / 3 * thetaddot_0 -
+      m * R' * (lambda * a_p * cos alpha - g * sin alpha)); [ field [P] | rewrite E, T; ring ]. }
+  rewrite equation_25b, equation_26b, Z; field; lra.
+Qed.
+(* from 30, 51a, u11, 42a *)
+Theorem derivation_32a mu : lambda * a_p = g * tan alpha -> (mu >= H_0 / V_0 <-> mu >= b / h).
+Proof.
+  intro L; assert (C := cos_pos); replace (b / h) with (H_0 / V_0); [ reflexivity | ].
+  rewrite (derivation_51a L), L; unfold tan, b, h; field; lra.
 Qed.
 (* from 25b, 26b, 28a, 28b, 30, 42a *)
 Theorem derivation_31 mu : thetaddot_0 = 3 / 4 * (g / R') * sin alpha * (1 - lambda * a_p / (g * tan alpha)) ->
@@ -141,6 +121,49 @@ Proof.
   rewrite A, B; match goal with |- (mu >= ?x <-> mu >= ?y) => replace x with y by (field; lra) end; reflexivity.
 Qed.
 End Start.
+(* from 24a *)
+Theorem derivation_24b m g R' alpha a_p_min : 0 < m -> 0 < g -> 0 < R' -> 0 < alpha < PI / 2 ->
+  let turns a_p := m * a_p * R' * cos alpha >= m * g * R' * sin alpha in
+  (turns a_p_min /\ (forall a_p, turns a_p -> a_p_min <= a_p) <-> a_p_min = g * tan alpha).
+Proof.
+  intros M G R A turns; assert (E : forall a_p, turns a_p <-> a_p >= g * tan alpha) by (intro;
+    apply derivation_24a; assumption).
+  split.
+  - intros [T L]; apply E in T; assert (Q : turns (g * tan alpha)) by (apply E; lra); specialize (L _ Q); lra.
+  - intros ->; split; [ apply E; lra | intros a_p Q; apply E in Q; lra ].
+Qed.
+(* from 23, 25b *)
+Theorem derivation_u10b m g R' alpha a_p lambda : 0 < m -> 0 < g -> 0 < R' -> 0 < alpha < PI / 2 -> 0 < a_p ->
+  (m * (lambda * a_p) * R' * cos alpha >= m * g * R' * sin alpha <-> lambda >= g * tan alpha / a_p).
+Proof.
+  intros M G R A P; rewrite derivation_24a by assumption.
+  assert (E : g * tan alpha <= lambda * a_p <-> g * tan alpha / a_p <= lambda) by (apply (le_by a_p);
+    [ exact P | field; lra ]).
+  split; intro H; apply Rle_ge, E, Rge_le, H.
+Qed.
+(* from 25b, 52 *)
+Theorem derivation_u10a a_p lambda omega_p psi : 0 < a_p -> lambda * a_p = a_p * sin (omega_p * 0 + psi) -> 1 >= lambda.
+Proof. intros A E; assert (B := SIN_bound (omega_p * 0 + psi)); nra. Qed.
+
+(* Coulomb: the block slides unless |H| < mu V. H changes its sign while the block rocks; (33) is of H >= 0. *)
+Section Friction.
+Variables mu H V alpha b h g u_gddot_0 : R.
+Hypotheses (presses : 0 < V) (pushes : 0 <= H).
+Lemma quotient : Rabs H / V = H / V. Proof. now rewrite Rabs_pos_eq. Qed.
+(* from 29 *)
+Theorem derivation_33 : Rabs H < mu * V <-> mu > H / V.
+Proof. rewrite <- quotient; apply (lt_by V); [ exact presses | field; lra ]. Qed.
+(* from 29 *)
+Theorem derivation_50c : Rabs H <= mu * V <-> H / V <= mu.
+Proof. rewrite <- quotient; apply (le_by V); [ exact presses | field; lra ]. Qed.
+(* from 50c, 51a, 51b *)
+Theorem derivation_51c : H / V <= mu -> H / V = u_gddot_0 / g -> u_gddot_0 / g = tan alpha -> tan alpha <= mu.
+Proof. lra. Qed.
+(* from 33, 51a, 51b, 55a *)
+Theorem derivation_55b : mu > H / V -> H / V = u_gddot_0 / g -> u_gddot_0 / g = tan alpha -> tan alpha = b / h ->
+  b / h < mu.
+Proof. lra. Qed.
+End Friction.
 
 (* The phase: the pulse lasts while omega_p t + psi goes from 0 to 2 pi. *)
 Section Phase.
@@ -196,25 +219,3 @@ Theorem derivation_u27d lambda : cos psi <> 0 -> a_p * cos psi = lambda * a_p ->
   a_p = g * tan alpha / cos psi.
 Proof. intros C E L; rewrite <- L, <- E; field; exact C. Qed.
 End Phase.
-
-(* Two conditions at one moment, added: e^x is not 0. *)
-Lemma sum_of_hyperbolic a c x : a * sinh x + c * cosh x = 0 -> a * cosh x + c * sinh x = 0 -> a = - c.
-Proof.
-  unfold sinh, cosh; intros A B; assert (P := exp_pos x); assert (Q : (a + c) * exp x = 0) by lra; nra.
-Qed.
-(* from 65a, 65b *)
-Theorem derivation_67 alpha Abar_1 Abar_2 x :
-  - alpha = Abar_1 * sinh x + Abar_2 * cosh x - alpha -> 0 = Abar_1 * cosh x + Abar_2 * sinh x -> Abar_1 = - Abar_2.
-Proof. intros A B; apply (sum_of_hyperbolic _ _ x); lra. Qed.
-(* from 72a, 72b *)
-Theorem derivation_74 alpha Abar_3 Abar_4 x :
-  alpha = Abar_3 * sinh x + Abar_4 * cosh x + alpha -> 0 = Abar_3 * cosh x + Abar_4 * sinh x -> Abar_3 = - Abar_4.
-Proof. intros A B; apply (sum_of_hyperbolic _ _ x); lra. Qed.
-(* from 94a, 94b *)
-Theorem derivation_95a p alpha thetadot_after x : 0 < p ->
-  thetadot_after / p * sinh x - alpha * cosh x = 0 -> thetadot_after / p * cosh x - alpha * sinh x = 0 ->
-    thetadot_after - p * alpha = 0.
-Proof.
-  intros P A B; assert (E : thetadot_after / p = - - alpha) by (apply (sum_of_hyperbolic _ _ x); lra).
-  replace thetadot_after with (thetadot_after / p * p) by (field; lra); rewrite E; ring.
-Qed.

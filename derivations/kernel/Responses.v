@@ -24,6 +24,18 @@ Lemma rate t_0 A B y_1 v_1 :
     (forall t, is_derive y_1 t (v_1 t)) ->
   forall t, thetadot t / p = A * cosh (p * (t - t_0)) + B * sinh (p * (t - t_0)) + v_1 t / p.
 Proof. intros E F; exact (rate_of p t_0 p_pos theta thetadot y_1 v_1 A B moves F E). Qed.
+(* The other way round: whatever the constants are, that satisfies the equation. *)
+Lemma satisfies t_0 force y_1 v_1 A B :
+  (forall t, is_derive y_1 t (v_1 t) /\ is_derive v_1 t (p ^ 2 * y_1 t + force t)) ->
+  (forall t, theta t = A * sinh (p * (t - t_0)) + B * cosh (p * (t - t_0)) + y_1 t) -> obeys force.
+Proof.
+  intros F E t; assert (G : forall s, thetadot s = p * (A * cosh (p * (s - t_0)) + B * sinh (p * (s - t_0))) + v_1 s).
+  { intro s; replace (thetadot s) with (p * (thetadot s / p)) by (field; lra).
+    rewrite (rate t_0 A B y_1 v_1 E (fun t => proj1 (F t))); field; lra. }
+  apply (is_derive_ext (fun t => p * (A * cosh (p * (t - t_0)) + B * sinh (p * (t - t_0))) + v_1 t)).
+  - intro s; now rewrite G.
+  - destruct (F t) as [_ D]; rewrite (E t); unfold sinh, cosh; derivatives; field.
+Qed.
 Lemma at_start t_0 A B : A * sinh (p * (t_0 - t_0)) + B * cosh (p * (t_0 - t_0)) = B /\
                          A * cosh (p * (t_0 - t_0)) + B * sinh (p * (t_0 - t_0)) = A.
 Proof. replace (t_0 - t_0) with 0 by ring; rewrite Rmult_0_r, sinh_0, cosh_0; lra. Qed.
@@ -55,6 +67,13 @@ Ltac by_response t_0 solution :=
     match type of E with is_derive _ _ ?d => match goal with |- is_derive _ _ ?c => replace c with d by (unfold Rdiv;
       ring) end end; exact E
   | exists A, B; intro t; rewrite (F t), ?Rminus_0_r; try solve [ unfold Rdiv; ring ] ].
+Ltac by_converse t_0 solution :=
+  let E := fresh in let F := fresh in let A := fresh in let B := fresh in let t := fresh in
+  intros [A [B E]] t; unshelve epose proof (satisfies t_0 _ _ _ A B solution _ t) as F;
+  [ intro; rewrite E, ?Rminus_0_r; try solve [ unfold Rdiv; ring ]
+  | match type of F with is_derive _ _ ?d => match goal with |- is_derive _ _ ?c => replace c with d by (unfold Rdiv;
+      ring) end end; exact F ].
+Ltac both_ways t_0 solution := split; [ by_response t_0 solution | by_converse t_0 solution ].
 Ltac by_rate t_0 A B solution E :=
   let F := fresh in let t := fresh in
   intro t; pose proof (fun O => rate t_0 A B _ _ O (fun t => proj1 (solution t)) t) as F; lapply F; clear F; intro F;
@@ -73,10 +92,10 @@ Ltac fractions := assert (Q := squares); unfold s; field; repeat split; try lra;
 (* theta < 0. *)
 (* from 56a *)
 Theorem derivation_57a :
-  (forall t, is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) ->
+  (forall t, is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) <->
   exists A_1 A_2, forall t, theta t = A_1 * sinh (p * t) + A_2 * cosh (p * t) + 1 / (1 +
     s ^ 2) * (a_p / g) * sin (omega_p * t + psi) - alpha.
-Proof. by_response 0 (sine_solves (- alpha)). Qed.
+Proof. both_ways 0 (sine_solves (- alpha)). Qed.
 Section Response_a.
 Variables A_1 A_2 : R.
 Hypothesis equation_57a : forall t, theta t = A_1 * sinh (p * t) + A_2 * cosh (p * t) + 1 / (1 +
@@ -123,10 +142,10 @@ End Response_a.
 (* theta > 0. *)
 (* from 56b *)
 Theorem derivation_57b :
-  (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) ->
+  (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) <->
   exists A_3 A_4, forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + 1 / (1 +
     s ^ 2) * (a_p / g) * sin (omega_p * t + psi) + alpha.
-Proof. by_response 0 (sine_solves (alpha)). Qed.
+Proof. both_ways 0 (sine_solves (alpha)). Qed.
 Section Response_b.
 Variables A_3 A_4 : R.
 Hypothesis equation_57b : forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + 1 / (1 +
@@ -167,13 +186,12 @@ Variables t_i : R.
 Hypotheses (equation_u21 : a_p / (g * alpha) = 1 / sin psi) (starts : sin psi <> 0).
 (* from 56b, u21 *)
 Theorem derivation_79a :
-  (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) ->
+  (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * (a_p / g) * sin (omega_p * t + psi))) <->
   exists A_3 A_4, forall t,
   theta t = A_3 * sinh (p * (t - t_i)) + A_4 * cosh (p * (t - t_i)) + alpha / (1 + s ^ 2) * sin (omega_p * t +
     psi) / sin psi + alpha.
 Proof.
-  by_response t_i (sine_solves alpha).
-  rewrite (amplitude _ equation_u21 starts); fractions.
+  both_ways t_i (sine_solves alpha); rewrite (amplitude _ equation_u21 starts); fractions.
 Qed.
 Variables A_3 A_4 : R.
 Hypothesis equation_79a : forall t,
@@ -220,9 +238,9 @@ Section Free.
 Variables t_o T_ex t_i : R.
 
 (* from 61a *)
-Theorem derivation_62a : (forall t, is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha)) ->
+Theorem derivation_62a : (forall t, is_derive thetadot t (p ^ 2 * theta t + p ^ 2 * alpha)) <->
   exists Abar_1 Abar_2, forall t, theta t = Abar_1 * sinh (p * (t - t_o)) + Abar_2 * cosh (p * (t - t_o)) - alpha.
-Proof. by_response t_o (constant_solves (- alpha)). Qed.
+Proof. both_ways t_o (constant_solves (- alpha)). Qed.
 Section Free_a.
 Variables Abar_1 Abar_2 : R.
 Hypothesis equation_62a : forall t, theta t = Abar_1 * sinh (p * (t - t_o)) + Abar_2 * cosh (p * (t - t_o)) - alpha.
@@ -235,14 +253,6 @@ Proof. rewrite (derivation_63a t_o), (proj2 (at_start t_o Abar_1 Abar_2)); refle
 (* from 62a *)
 Theorem derivation_64b : Abar_2 = theta t_o + alpha.
 Proof. rewrite (equation_62a t_o), (proj1 (at_start t_o Abar_1 Abar_2)); ring. Qed.
-(* from 62a, 60c *)
-Theorem derivation_65a t : t_o = T_ex -> theta t = - alpha ->
-  - alpha = Abar_1 * sinh (p * (t - T_ex)) + Abar_2 * cosh (p * (t - T_ex)) - alpha.
-Proof. intros <- Z; rewrite <- Z at 1; apply equation_62a. Qed.
-(* from 63a, 60b *)
-Theorem derivation_65b t : t_o = T_ex -> thetadot t = 0 ->
-  0 = Abar_1 * cosh (p * (t - T_ex)) + Abar_2 * sinh (p * (t - T_ex)).
-Proof. intros <- Z; rewrite <- derivation_63a, Z; unfold Rdiv; ring. Qed.
 (* from 64a *)
 Theorem derivation_66a : t_o = T_ex -> Abar_1 = thetadot T_ex / p.
 Proof. intros <-; exact derivation_64a. Qed.
@@ -285,9 +295,9 @@ Qed.
 End Free_a.
 
 (* from 61b *)
-Theorem derivation_62b : (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha)) ->
+Theorem derivation_62b : (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha)) <->
   exists Abar_3 Abar_4, forall t, theta t = Abar_3 * sinh (p * (t - t_o)) + Abar_4 * cosh (p * (t - t_o)) + alpha.
-Proof. by_response t_o (constant_solves (alpha)). Qed.
+Proof. both_ways t_o (constant_solves (alpha)). Qed.
 Section Free_b.
 Variables Abar_3 Abar_4 : R.
 Hypothesis equation_62b : forall t, theta t = Abar_3 * sinh (p * (t - t_o)) + Abar_4 * cosh (p * (t - t_o)) + alpha.
@@ -300,14 +310,6 @@ Proof. rewrite (derivation_63b t_o), (proj2 (at_start t_o Abar_3 Abar_4)); refle
 (* from 62b *)
 Theorem derivation_64d : Abar_4 = theta t_o - alpha.
 Proof. rewrite (equation_62b t_o), (proj1 (at_start t_o Abar_3 Abar_4)); ring. Qed.
-(* from 62b, 60a *)
-Theorem derivation_72a t : t_o = T_ex -> theta t = alpha ->
-  alpha = Abar_3 * sinh (p * (t - T_ex)) + Abar_4 * cosh (p * (t - T_ex)) + alpha.
-Proof. intros <- Z; rewrite <- Z at 1; apply equation_62b. Qed.
-(* from 63b, 60b *)
-Theorem derivation_72b t : t_o = T_ex -> thetadot t = 0 ->
-  0 = Abar_3 * cosh (p * (t - T_ex)) + Abar_4 * sinh (p * (t - T_ex)).
-Proof. intros <- Z; rewrite <- derivation_63b, Z; unfold Rdiv; ring. Qed.
 (* from 64c *)
 Theorem derivation_73a : t_o = T_ex -> Abar_3 = thetadot T_ex / p.
 Proof. intros <-; exact derivation_64c. Qed.
@@ -318,9 +320,9 @@ End Free_b.
 
 (* After an impact at t_i when the ground is at rest. *)
 (* from 61b *)
-Theorem derivation_93a : (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha)) ->
+Theorem derivation_93a : (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha)) <->
   exists c_1 c_2, forall t, theta t = c_1 * sinh (p * (t - t_i)) + c_2 * cosh (p * (t - t_i)) + alpha.
-Proof. by_response t_i (constant_solves alpha). Qed.
+Proof. both_ways t_i (constant_solves alpha). Qed.
 Variables c_1 c_2 : R.
 Hypothesis equation_93a : forall t, theta t = c_1 * sinh (p * (t - t_i)) + c_2 * cosh (p * (t - t_i)) + alpha.
 (* from 93a *)
@@ -332,18 +334,6 @@ Proof. rewrite (equation_93a t_i), (proj1 (at_start t_i c_1 c_2)); lra. Qed.
 (* from 93b *)
 Theorem derivation_u25a : c_1 = thetadot t_i / p.
 Proof. rewrite derivation_93b, (proj2 (at_start t_i c_1 c_2)); reflexivity. Qed.
-(* It comes to theta = alpha, and comes to rest there. *)
-(* from 93a, u24, u25a, 60a *)
-Theorem derivation_94a t_star : theta t_i = 0 -> theta t_star = alpha ->
-  thetadot t_i / p * sinh (p * (t_star - t_i)) - alpha * cosh (p * (t_star - t_i)) = 0.
-Proof. intros Z T; rewrite <- derivation_u25a; rewrite (equation_93a t_star), (derivation_u24 Z) in T; lra. Qed.
-(* from 93b, u24, u25a, 60b *)
-Theorem derivation_94b t_star : theta t_i = 0 -> thetadot t_star = 0 ->
-  thetadot t_i / p * cosh (p * (t_star - t_i)) - alpha * sinh (p * (t_star - t_i)) = 0.
-Proof.
-  intros Z T; rewrite <- derivation_u25a; assert (F := derivation_93b t_star); rewrite T, (derivation_u24 Z) in F.
-  unfold Rdiv in F; lra.
-Qed.
 End Free.
 
 (* The cosine pulse, theta > 0: u29 is in (97). *)
@@ -352,10 +342,10 @@ Hypothesis starts : cos psi <> 0.
 (* from 97 *)
 Theorem derivation_98 :
   (forall t, is_derive thetadot t (p ^ 2 * theta t - p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * t +
-    psi) / cos psi)) ->
+    psi) / cos psi)) <->
   exists A_3 A_4, forall t, theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + alpha / (1 +
     s ^ 2) * cos (omega_p * t + psi) / cos psi + alpha.
-Proof. by_response 0 (cosine_solves alpha (alpha / cos psi)); fractions. Qed.
+Proof. both_ways 0 (cosine_solves alpha (alpha / cos psi)); fractions. Qed.
 Variables A_3 A_4 : R.
 Hypothesis equation_98 : forall t,
   theta t = A_3 * sinh (p * t) + A_4 * cosh (p * t) + alpha / (1 + s ^ 2) * cos (omega_p * t + psi) / cos psi + alpha.
@@ -370,6 +360,15 @@ Proof. rewrite (derivation_99 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l; unfold 
 (* from 98 *)
 Theorem derivation_100b : A_4 = theta 0 - alpha * (2 + s ^ 2) / (1 + s ^ 2).
 Proof. rewrite (equation_98 0), !Rmult_0_r, cosh_0, sinh_0, Rplus_0_l; fractions. Qed.
+(* At rest it is pushed to the other side. *)
+(* from 97, rest *)
+Theorem derivation_r13 : theta 0 = 0 ->
+  is_derive thetadot 0 (p ^ 2 * theta 0 - p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * 0 + psi) / cos psi) ->
+  is_derive thetadot 0 (-2 * p ^ 2 * alpha).
+Proof.
+  intros Z E; match type of E with is_derive _ _ ?d => replace (-2 * p ^ 2 * alpha) with d; [ exact E | ] end.
+  rewrite Z, !Rmult_0_r, Rplus_0_l; field; exact starts.
+Qed.
 Lemma end_of_cosine T_ex : T_ex = (3 * PI / 2 - psi) / omega_p -> omega_p * T_ex + psi = 3 * (PI / 2).
 Proof. intros ->; field; lra. Qed.
 (* from 98, u28 *)

@@ -1,7 +1,7 @@
 (* The amplitude at which a block that rocks to one side overturns without impact, (71). The pulse is
    a_p sin(omega_p t + psi) with sin psi = alpha g/a_p, from rest, until T_ex = (2 pi - psi)/omega_p; the block
    is linear. w stands for omega_p/p. *)
-From Rederive Require Import Rederive Bounds Solutions.
+From Rederive Require Import Rederive Bounds Solutions Limits.
 From Coquelicot Require Import Coquelicot.
 
 (* (71) says that this is 0. *)
@@ -137,16 +137,84 @@ Lemma free_by_exponentials s :
            (theta T_ex + alpha - thetadot T_ex / p) / 2 * exp (- (p * s)) - alpha.
 Proof. unfold free; field; lra. Qed.
 
-(* Above the threshold, where psi is smaller, the block overturns; below it, it comes back. *)
-Theorem overturns : 0 < excess (omega_p / p) psi -> forall m, exists T, forall s, T < s -> free s < m.
+(* What the pulse asks for exceeds alpha, its value at the start, until its phase is pi - psi, and never after that. *)
+Lemma sine_above x : psi < x < PI - psi -> sin psi < sin x.
 Proof.
-  intros E m; assert (S := sin_psi_pos); assert (Q := squares_pos).
-  assert (G : theta T_ex + alpha + thetadot T_ex / p < 0).
-  { rewrite growing_part; assert (0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 +
-    p ^ 2))) by pos; nra. }
-  destruct (exponential_beats p (- ((theta T_ex + alpha + thetadot T_ex / p) / 2))
+  intro X; destruct (Rle_dec x (PI / 2)) as [L | L]; [ apply sin_increasing_1; lra | ].
+  rewrite <- (sin_PI_x x); apply sin_increasing_1; lra.
+Qed.
+Lemma sine_below x : psi < PI / 2 -> PI - psi < x <= 2 * PI -> sin x < sin psi.
+Proof.
+  intros H X; assert (S := sin_psi_pos); destruct (Rle_dec x PI) as [L | L].
+  - rewrite <- (sin_PI_x x); apply sin_increasing_1; lra.
+  - assert (N := sin_le_0 x); lra.
+Qed.
+(* Where the block overturns, thetadot + p theta is negative while the pulse lasts: its product with exp (- p t) falls
+   from 0 as long as the pulse exceeds alpha, and then rises to a value that is negative. So theta exp (p t) falls. *)
+Lemma growing_part_negative : 0 < excess (omega_p / p) psi -> theta T_ex + alpha + thetadot T_ex / p < 0.
+Proof.
+  intro E; assert (S := sin_psi_pos); assert (Q := squares_pos); rewrite growing_part.
+  assert (0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 + p ^ 2))) by pos; nra.
+Qed.
+Lemma no_impact : 0 < excess (omega_p / p) psi -> forall t, 0 < t <= T_ex -> theta t < 0.
+Proof.
+  intros E; assert (S := sin_psi_pos); assert (G := growing_part_negative E); assert (L := PI_RGT_0).
+  assert (W : 0 < omega_p / p) by pos.
+  assert (H : psi < PI / 2) by (apply Rnot_le_lt; intro; assert (N := excess_negative _ psi W); lra).
+  destruct response_starts_at_rest as [T0 V0].
+  assert (phase : forall a b t, a <= omega_p * t + psi < b <-> (a - psi) / omega_p <= t < (b - psi) / omega_p).
+  { intros a b t; assert (A : a <= omega_p * t + psi <-> (a - psi) / omega_p <= t) by (apply (le_by omega_p); [ lra | field;
+      lra ]); assert (B : omega_p * t + psi < b <-> t < (b - psi) / omega_p) by (apply (lt_by omega_p); [ lra | field;
+      lra ]); tauto. }
+  set (m := (PI - psi - psi) / omega_p).
+  assert (M : 0 < m) by (unfold m; apply Rdiv_lt_0_compat; lra).
+  assert (M' : omega_p * m + psi = PI - psi) by (unfold m; field; lra).
+  assert (T' : omega_p * T_ex + psi = 2 * PI) by (unfold T_ex; field; lra).
+  set (V := fun t => (thetadot t + p * theta t) * exp (- (p * t))).
+  set (V' := fun t => - (p ^ 2 * alpha / sin psi * (sin (omega_p * t + psi) - sin psi) * exp (- (p * t)))).
+  assert (D : forall t, is_derive V t (V' t)).
+  { intro t; assert (A := theta_derivative t); assert (B := response_solves t); unfold V, V'; derivatives; field; lra. }
+  assert (K : 0 < p ^ 2 * alpha / sin psi) by pos.
+  assert (X : forall t, 0 < t <= T_ex -> V t < 0).
+  { intros t [P N]; destruct (Rle_dec t m) as [C | C].
+    - enough (- V 0 < - V t) by (unfold V in *; rewrite T0, V0 in *; lra).
+      apply (grows (fun t => - V t) (fun t => - V' t)); [ exact P | |].
+      + intros x _; assert (Dx := D x); derivatives; ring.
+      + intros x I; unfold V'; rewrite Ropp_involutive; apply Rmult_lt_0_compat; [ | apply exp_pos ].
+        assert (A := sine_above (omega_p * x + psi)); apply Rmult_lt_0_compat; [ exact K | nra ].
+    - apply Rle_lt_trans with (V T_ex).
+      + apply (increases V V'); [ exact N | intros; apply D | ].
+        intros x I; unfold V'; assert (A := sine_below (omega_p * x + psi) H).
+        assert (B := exp_pos (- (p * x))); assert (A' : sin (omega_p * x + psi) < sin psi) by (apply A; split; nra).
+        assert (0 < p ^ 2 * alpha / sin psi * (sin psi - sin (omega_p * x + psi))) by (apply Rmult_lt_0_compat; lra); nra.
+      + unfold V; assert (B := exp_pos (- (p * T_ex))).
+        assert (thetadot T_ex + p * theta T_ex < 0).
+        { replace (thetadot T_ex) with (p * (thetadot T_ex / p)) by (field; lra); nra. }
+        nra. }
+  intros t I; assert (B := exp_pos (p * t)).
+  enough (- (theta 0 * exp (p * 0)) < - (theta t * exp (p * t))) by (rewrite T0 in *; nra).
+  apply (grows (fun t => - (theta t * exp (p * t))) (fun t => - ((thetadot t + p * theta t) * exp (p * t)))); [ lra | |].
+  - intros x _; assert (A := theta_derivative x); derivatives; ring.
+  - intros x J; assert (Y := X x); unfold V in Y; assert (Z := exp_pos (- (p * x))); assert (Z' := exp_pos (p * x)); nra.
+Qed.
+
+(* Above the threshold, where psi is smaller, the block overturns, and nowhere before does it come back to theta = 0,
+   where it would strike the ground; below it, it comes back. *)
+Theorem overturns : 0 < excess (omega_p / p) psi ->
+  (forall t, 0 < t <= T_ex -> theta t < 0) /\ (forall s, 0 <= s -> free s < 0) /\
+  forall m, exists T, forall s, T < s -> free s < m.
+Proof.
+  intro E; assert (N := no_impact E); assert (G := growing_part_negative E); split; [ exact N | split ].
+  - intros s I; rewrite free_by_exponentials.
+    assert (U : exp (p * s) * exp (- (p * s)) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0).
+    assert (P := exp_ineq1_le (p * s)); assert (Q := exp_pos (- (p * s))); assert (1 <= exp (p * s)) by nra.
+    assert (exp (- (p * s)) <= 1) by nra; assert (L := PI_RGT_0).
+    assert (0 < T_ex) by (unfold T_ex; apply Rdiv_lt_0_compat; lra); specialize (N T_ex).
+    set (d := theta T_ex + alpha - thetadot T_ex / p) in *; set (g := theta T_ex + alpha + thetadot T_ex / p) in *.
+    assert (g + d < 2 * alpha) by (unfold g, d; lra); destruct (Rle_dec 0 d); nra.
+  - intro m; destruct (exponential_beats p (- ((theta T_ex + alpha + thetadot T_ex / p) / 2))
              (- ((theta T_ex + alpha - thetadot T_ex / p) / 2)) (- (m + alpha))) as [T H]; [ lra | lra | ].
-  exists T; intros s L; rewrite free_by_exponentials; specialize (H s L); lra.
+    exists T; intros s L; rewrite free_by_exponentials; specialize (H s L); lra.
 Qed.
 Theorem comes_back : excess (omega_p / p) psi < 0 -> forall m, exists T, forall s, T < s -> m < free s.
 Proof.
@@ -157,6 +225,87 @@ Proof.
   destruct (exponential_beats p ((theta T_ex + alpha + thetadot T_ex / p) / 2)
              ((theta T_ex + alpha - thetadot T_ex / p) / 2) (m + alpha)) as [T H]; [ lra | lra | ].
   exists T; intros s L; rewrite free_by_exponentials; specialize (H s L); lra.
+Qed.
+
+(* One motion: x is at rest at 0, obeys (56a) until T_ex, and (61a) from then on. *)
+Definition is_the_motion (x v : R -> R) :=
+  (forall t, is_derive x t (v t)) /\ (forall t, continuous v t) /\ x 0 = 0 /\ v 0 = 0 /\
+  (forall t, 0 < t < T_ex ->
+    is_derive v t (p ^ 2 * x t + p ^ 2 * alpha - p ^ 2 * (alpha / sin psi) * sin (omega_p * t + psi))) /\
+  (forall t, T_ex < t -> is_derive v t (p ^ 2 * x t + p ^ 2 * alpha)).
+Lemma T_ex_pos : 0 < T_ex.
+Proof. assert (L := PI_RGT_0); unfold T_ex; apply Rdiv_lt_0_compat; lra. Qed.
+Lemma the_motion_is x v : is_the_motion x v ->
+  (forall t, 0 <= t <= T_ex -> x t = theta t /\ v t = thetadot t) /\ forall t, T_ex <= t -> x t = free (t - T_ex).
+Proof.
+  intros [X [C [X0 [V0 [V W]]]]]; assert (P := T_ex_pos); destruct response_starts_at_rest as [T0 R0].
+  assert (A : forall t, 0 <= t <= T_ex -> x t = theta t /\ v t = thetadot t).
+  { apply (agrees_until p 0 p_pos T_ex x v theta thetadot
+      (fun t => p ^ 2 * alpha - p ^ 2 * (alpha / sin psi) * sin (omega_p * t + psi))); try assumption; try congruence.
+    - intros t I; specialize (V t I); replace (_ + _) with (p ^ 2 * x t + p ^ 2 * alpha - p ^ 2 * (alpha / sin psi) *
+        sin (omega_p * t + psi)) by ring; exact V.
+    - apply theta_derivative.
+    - intro t; assert (S := response_solves t); replace (_ + (_ - _)) with (p ^ 2 * theta t + p ^ 2 * alpha -
+        p ^ 2 * (alpha / sin psi) * sin (omega_p * t + psi)) by ring; exact S. }
+  split; [ exact A | intros t I ]; destruct (A T_ex) as [E F]; [ lra | ].
+  apply (agrees_until p T_ex p_pos t x v (fun t => free (t - T_ex))
+    (fun s => thetadot T_ex * ((exp (p * (s - T_ex)) + exp (- (p * (s - T_ex)))) / 2) +
+              p * (theta T_ex + alpha) * ((exp (p * (s - T_ex)) - exp (- (p * (s - T_ex)))) / 2))
+    (fun _ => p ^ 2 * alpha)); try assumption.
+  - intros s J; apply W; lra.
+  - intro s; unfold free; auto_derive; [ trivial | unfold Rminus; field; lra ].
+  - intro s; unfold free; auto_derive; [ trivial | unfold Rminus; field; lra ].
+  - rewrite E; unfold free, Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0, exp_0; field; lra.
+  - rewrite F; unfold Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0, exp_0; field.
+  - lra.
+Qed.
+(* There is such a motion. *)
+Theorem threshold_instance : exists x v, is_the_motion x v.
+Proof.
+  assert (S := sin_psi_pos); assert (P := T_ex_pos); destruct response_starts_at_rest as [T0 R0].
+  set (w := fun s => thetadot T_ex * ((exp (p * (s - T_ex)) + exp (- (p * (s - T_ex)))) / 2) +
+              p * (theta T_ex + alpha) * ((exp (p * (s - T_ex)) - exp (- (p * (s - T_ex)))) / 2)).
+  set (pulse := fun t => p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (alpha / sin psi) * sin (omega_p * t + psi)).
+  assert (F0 : theta T_ex = free (T_ex - T_ex)) by (unfold free, Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0, exp_0;
+    field; lra).
+  assert (W0 : thetadot T_ex = w T_ex) by (unfold w, Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0, exp_0; field).
+  assert (X := glued theta thetadot (fun t => free (t - T_ex)) w T_ex theta_derivative).
+  assert (V := glued thetadot pulse w (fun t => p ^ 2 * free (t - T_ex) + p ^ 2 * alpha) T_ex response_solves).
+  assert (Dx : forall t, is_derive (fun t => free (t - T_ex)) t (w t)) by (intro; unfold free, w; auto_derive;
+    [ trivial | unfold Rminus; field; lra ]).
+  assert (Dw : forall t, is_derive w t (p ^ 2 * free (t - T_ex) + p ^ 2 * alpha)) by (intro; unfold free, w; auto_derive;
+    [ trivial | unfold Rminus; field; lra ]).
+  specialize (X Dx F0 W0); specialize (V Dw W0).
+  assert (E : pulse T_ex = p ^ 2 * free (T_ex - T_ex) + p ^ 2 * alpha).
+  { rewrite <- F0; unfold pulse; replace (omega_p * T_ex + psi) with (2 * PI) by (unfold T_ex; field; lra).
+    rewrite sin_2PI; ring. }
+  specialize (V E); exists (fun t => if Rle_dec t T_ex then theta t else free (t - T_ex)),
+    (fun t => if Rle_dec t T_ex then thetadot t else w t).
+  split; [ exact X | split; [ intro t; apply (ex_derive_continuous (V := R_NormedModule)); eexists; apply V | ] ].
+  destruct (Rle_dec 0 T_ex) as [_ | N]; [ | lra ]; split; [ exact T0 | split; [ exact R0 | split ] ]; intros t I;
+    specialize (V t); destruct (Rle_dec t T_ex); try lra; exact V.
+Qed.
+(* (71) is its threshold: above it the block overturns and strikes nothing before, below it the block comes back, and
+   at it, and there alone, the block tends to the equilibrium. *)
+Theorem threshold_of_the_motion x v : is_the_motion x v ->
+  (0 < excess (omega_p / p) psi ->
+    (forall t, 0 < t -> x t < 0) /\ forall m, exists T, forall t, T < t -> x t < m) /\
+  (excess (omega_p / p) psi < 0 -> forall m, exists T, forall t, T < t -> m < x t) /\
+  (excess (omega_p / p) psi = 0 <-> tends_to x (- alpha)).
+Proof.
+  intro M; destruct (the_motion_is x v M) as [A B]; split; [ | split ].
+  - intro E; destruct (overturns E) as [N [F G]]; split.
+    + intros t I; destruct (Rle_dec t T_ex); [ rewrite (proj1 (A t ltac:(lra))); apply N; lra | rewrite B; [ apply F | ];
+        lra ].
+    + intro m; destruct (G m) as [T H]; exists (Rmax T_ex (T + T_ex)); intros t I.
+      assert (L := Rmax_l T_ex (T + T_ex)); assert (L' := Rmax_r T_ex (T + T_ex)); rewrite B by lra; apply H; lra.
+  - intros E m; destruct (comes_back E m) as [T H]; exists (Rmax T_ex (T + T_ex)); intros t I.
+    assert (L := Rmax_l T_ex (T + T_ex)); assert (L' := Rmax_r T_ex (T + T_ex)); rewrite B by lra; apply H; lra.
+  - rewrite (tends_to_from T_ex x (fun t => thetadot T_ex / p * sinh (p * (t - T_ex)) +
+      (theta T_ex + alpha) * cosh (p * (t - T_ex)) + - alpha)) by (intros t I; rewrite B by lra; reflexivity).
+    rewrite dies_away by exact p_pos; assert (G := growing_part); assert (S := sin_psi_pos); assert (Q := squares_pos).
+    assert (K : 0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 + p ^ 2))) by pos.
+    split; intro E; [ rewrite E in G; lra | nra ].
 Qed.
 End Response.
 
@@ -191,18 +340,35 @@ Theorem threshold_at_4 : exists psi, is_threshold 4 psi /\ 19205592348801668/10^
   (forall x, is_threshold 4 x -> x = psi) /\ 5238964357601738/10^15 < / sin psi < 5238964357601739/10^15.
 Proof. threshold 4 (19205592348801668/10^17) (19205592348801669/10^17). Qed.
 
-(* Fig. 8: with omega_p/p = 2 the linear block is said not to overturn without impact at 2.35766 alpha g. It does. *)
+(* Fig. 8 and Fig. 9 print amplitudes in units of alpha g at which the block without impact is said to be at the
+   threshold. They are above that of the linear block, which overturns there. *)
+Lemma overturns_above w a alpha p psi x : 0 < alpha -> 0 < p -> 0 < w -> 0 < psi <= PI / 2 -> is_threshold w x ->
+  / sin x < a -> / sin psi = a -> let th := theta alpha p (w * p) psi in let fr := free alpha p (w * p) psi in
+  (forall t, 0 < t <= T_ex (w * p) psi -> th t < 0) /\ (forall s, 0 <= s -> fr s < 0) /\
+  forall m, exists T, forall s, T < s -> fr s < m.
+Proof.
+  intros A P W I [X Z] B S th fr; assert (L := PI_RGT_0); apply overturns; try lra; [ nra | ].
+  replace (w * p / p) with w by (field; lra); apply (sign_of_excess w x psi); try lra.
+  apply Rnot_le_lt; intro N; assert (H : x < PI / 2).
+  { apply Rnot_le_lt; intro; assert (M := excess_negative w x W); lra. }
+  assert (D : sin x <= sin psi) by (apply sin_incr_1; lra); assert (E : 0 < sin x) by (apply sin_gt_0; lra).
+  assert (F : / sin psi <= / sin x) by (apply Rinv_le_contravar; lra); lra.
+Qed.
 Theorem claim_c54_figure_8_is_not_linear alpha p psi :
   0 < alpha -> 0 < p -> 0 < psi <= PI / 2 -> / sin psi = 235766/10^5 ->
-  forall m, exists T, forall s, T < s -> free alpha p (2 * p) psi s < m.
+  let th := theta alpha p (2 * p) psi in let fr := free alpha p (2 * p) psi in
+  (forall t, 0 < t <= T_ex (2 * p) psi -> th t < 0) /\ (forall s, 0 <= s -> fr s < 0) /\
+  forall m, exists T, forall s, T < s -> fr s < m.
 Proof.
-  intros A P I S; assert (L := PI_RGT_0); apply overturns; try lra.
-  replace (2 * p / p) with 2 by (field; lra).
-  destruct threshold_at_2 as [x [[X Z] [B [U C]]]].
-  apply (sign_of_excess 2 x psi); try lra.
-  apply Rnot_le_lt; intro N.
-  assert (D : sin x <= sin psi) by (apply sin_incr_1; lra).
-  assert (E : 0 < sin x) by (apply sin_gt_0; lra).
-  assert (F : / sin psi <= / sin x) by (apply Rinv_le_contravar; lra).
-  rewrite S in F; lra.
+  intros A P I S; destruct threshold_at_2 as [x [X [_ [_ C]]]].
+  apply (overturns_above 2 (235766/10^5) alpha p psi x); try assumption; lra.
+Qed.
+Theorem claim_c55_figure_9_is_not_linear alpha p psi :
+  0 < alpha -> 0 < p -> 0 < psi <= PI / 2 -> / sin psi = 53230/10^4 ->
+  let th := theta alpha p (4 * p) psi in let fr := free alpha p (4 * p) psi in
+  (forall t, 0 < t <= T_ex (4 * p) psi -> th t < 0) /\ (forall s, 0 <= s -> fr s < 0) /\
+  forall m, exists T, forall s, T < s -> fr s < m.
+Proof.
+  intros A P I S; destruct threshold_at_4 as [x [X [_ [_ C]]]].
+  apply (overturns_above 4 (53230/10^4) alpha p psi x); try assumption; lra.
 Qed.

@@ -20,9 +20,9 @@ struct Lemma {
 std::optional<Lemma> lemma_of(const Entry& entry);
 
 /// The prelude and what theorems need beside it, in the order in which they compile, and their files.
-inline constexpr std::array prelude{"Rederive.v", "Intervals.v", "Bounds.v", "Solutions.v"};
-inline constexpr std::array theorem_files{"Initiation.v", "Derivations.v", "Responses.v",
-                                          "Claims.v",     "Thresholds.v",  "OneImpact.v"};
+inline constexpr std::array prelude{"Rederive.v", "Intervals.v", "Bounds.v", "Solutions.v", "Limits.v"};
+inline constexpr std::array theorem_files{"Initiation.v", "Derivations.v", "Impact.v",     "Responses.v",
+                                          "Critical.v",   "Claims.v",      "Thresholds.v", "OneImpact.v"};
 /// Whether a lemma is one of theirs.
 inline bool ships(const Lemma& lemma) { return std::ranges::count(theorem_files, lemma.file) > 0; }
 /// Their theorems, read off the files; derivation_8_18 is about the rows 8 and 18.
