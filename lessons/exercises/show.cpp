@@ -11,6 +11,36 @@
 namespace rederive::classroom {
 namespace {
 
+std::string symbol_table(const Exercise& exercise) {
+  std::string text;
+  std::size_t width = 0;
+  for (const auto& name : exercise.symbols) width = std::max(width, name.size());
+  for (const auto& name : exercise.symbols) {
+    const auto* symbol = paper_symbols().find(name);
+    if (symbol == nullptr) throw std::runtime_error("exercise " + exercise.id + ": no symbol " + name);
+    const std::string unit = symbol->unit == "1" ? "" : ", " + symbol->unit;
+    const std::string sign = symbol->unicode == name ? "" : symbol->unicode + "  ";
+    text += fmt::format("  {:{}}  {}{}{}\n", name, width, sign, symbol->meaning, unit);
+  }
+  return text;
+}
+
+std::string numbered_terms(const Exercise& exercise) {
+  const Entry entry = judged(exercise.answer.row);
+  const Relation printed = parse_relation(entry.row.printed);
+  std::string text = fmt::format("  ({})  {}\n\n", entry.row.id, print(printed, Notation::unicode));
+  const auto terms = terms_to_point_at(printed);
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    text += fmt::format("  [{}]  {}\n", i + 1, print(terms[i], Notation::unicode));
+  return text + "\n";
+}
+
+std::string colour(const Classroom& room, const std::string& code, const std::string& text) {
+  return room.lively ? "\033[" + code + "m" + text + "\033[0m" : text;
+}
+
+}  // namespace
+
 std::string form_in_words(const Exercise& exercise) {
   std::string words, rest = exercise.form;
   while (!rest.empty()) {
@@ -61,34 +91,6 @@ std::string default_example(const Exercise& exercise) {
   }
 }
 
-std::string symbol_table(const Exercise& exercise) {
-  std::string text;
-  std::size_t width = 0;
-  for (const auto& name : exercise.symbols) width = std::max(width, name.size());
-  for (const auto& name : exercise.symbols) {
-    const auto* symbol = paper_symbols().find(name);
-    if (symbol == nullptr) throw std::runtime_error("exercise " + exercise.id + ": no symbol " + name);
-    const std::string unit = symbol->unit == "1" ? "" : ", " + symbol->unit;
-    const std::string sign = symbol->unicode == name ? "" : symbol->unicode + "  ";
-    text += fmt::format("  {:{}}  {}{}{}\n", name, width, sign, symbol->meaning, unit);
-  }
-  return text;
-}
-
-std::string numbered_terms(const Exercise& exercise) {
-  const Entry entry = judged(exercise.answer.row);
-  const Relation printed = parse_relation(entry.row.printed);
-  std::string text = fmt::format("  ({})  {}\n\n", entry.row.id, print(printed, Notation::unicode));
-  const auto terms = terms_to_point_at(printed);
-  for (std::size_t i = 0; i < terms.size(); ++i)
-    text += fmt::format("  [{}]  {}\n", i + 1, print(terms[i], Notation::unicode));
-  return text + "\n";
-}
-
-std::string colour(const Classroom& room, const std::string& code, const std::string& text) {
-  return room.lively ? "\033[" + code + "m" + text + "\033[0m" : text;
-}
-
 std::string verdict_in_words(const std::string& verdict) {
   if (verdict == "correct") return "Correct.";
   if (verdict == "wrong_form") return "The value is right, the form is not.";
@@ -97,8 +99,6 @@ std::string verdict_in_words(const std::string& verdict) {
   if (verdict == "invalid") return "This could not be read; it does not count as an attempt.";
   return "Undecided.";
 }
-
-}  // namespace
 
 std::string readable(const std::string& sentence, const std::string& indent) {
   std::string text;
