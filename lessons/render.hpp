@@ -61,6 +61,10 @@ std::string mathml(const std::string& latex);
 std::string math_font_style();
 /// Text for HTML, with & < > " escaped.
 std::string escaped(const std::string& text);
+/// What a file holds, or nothing.
+std::string whole_file(const std::filesystem::path& path);
+/// A path as a word of a shell.
+std::string in_quotes(const std::filesystem::path& path);
 /// The beginning of a web page, with its style, up to the body. The title is HTML.
 std::string page_head(const std::string& title);
 /// A sentence with marks; what stands between the marks by `words`.

@@ -26,11 +26,6 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-std::string whole_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 class HtmlRenderer : public Renderer {
  public:
   explicit HtmlRenderer(const Setting& setting) : setting_(setting) {}
@@ -223,6 +218,11 @@ class HtmlRenderer : public Renderer {
 };
 
 }  // namespace
+
+std::string whole_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 std::string page_head(const std::string& title) {
   return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"

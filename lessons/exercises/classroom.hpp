@@ -32,6 +32,8 @@ std::string readable(const std::string& sentence, const std::string& indent = ""
 std::string form_in_words(const Exercise& exercise);
 std::string default_example(const Exercise& exercise);
 std::string verdict_in_words(const std::string& verdict);
+/// Of an equation, what has a value at a point: "thetaddot = ".
+std::string pivot_in_words(const Exercise& exercise);
 /// The statement with all that is needed to answer it.
 std::string presentation(const Exercise& exercise);
 /// How the answer comes about.

@@ -2,7 +2,6 @@
 
 #include <derivations/emit/command_line.hpp>
 #include <derivations/paper/prove.hpp>
-#include <iterator>
 #include <lessons/bounded.hpp>
 #include <lessons/exercises/in_page.hpp>
 #include <lessons/exercises/units.hpp>
@@ -30,6 +29,11 @@ std::string line_html(const std::string& sentence) {
   } catch (const std::exception&) {
     return shown(sentence, 2000);
   }
+}
+
+std::string feedback_html(const std::string& feedback) {
+  return feedback.find('\n') == std::string::npos ? in_html(feedback)  // a caret must keep its place
+                                                  : "<pre>" + shown(feedback, 2000) + "</pre>\n";
 }
 
 std::string standing(const Record& record) {
@@ -89,8 +93,7 @@ std::string element(const Exercise& exercise, const Progress& progress, bool ope
 }
 
 std::string script() {
-  std::ifstream file(exercises_folder() / "exercise.js");
-  return "<script type=\"module\">\n" + std::string{std::istreambuf_iterator<char>(file), {}} + "</script>\n";
+  return "<script type=\"module\">\n" + whole_file(exercises_folder() / "exercise.js") + "</script>\n";
 }
 
 /// What is read while a student types, in a process of its own.
@@ -108,19 +111,13 @@ std::string read_back(const Exercise& exercise, const std::string& text) {
   return outcome.result ? *outcome.result : "This could not be read: " + escaped(outcome.why) + ".";
 }
 
-std::string opinion_html(const Exercise& exercise, const Opinion& opinion) {
-  std::string text = opinion.read_as.empty() ? "" : "<p>Read as: " + code(opinion.read_as) + "</p>\n";
-  text += "<p><b>" + verdict_in_words(opinion.verdict) + "</b></p>\n";
-  if (opinion.verdict != "correct") text += feedback_html(opinion.feedback);
-  if (!opinion.witness) return text;
+std::string witness_html(const Exercise& exercise, const Witness& witness) {
   std::string at;
-  for (const auto& [name, value] : opinion.witness->at)
+  for (const auto& [name, value] : witness.at)
     at += fmt::format("{}{} = {}", at.empty() ? "" : ", ", name, value);
-  const std::string what = exercise.kind != Kind::equation ? ""
-                           : exercise.pivot.empty()        ? "left side - right side = "
-                                                           : exercise.pivot + " = ";
-  return text + fmt::format("<p>At {}</p>\n<p>yours: {}<br>right: {}</p>\n", code(at),
-                            code(what + opinion.witness->printed), code(what + opinion.witness->derived));
+  const std::string what = pivot_in_words(exercise);
+  return fmt::format("<p>At {}</p>\n<p>yours: {}<br>right: {}</p>\n", code(at), code(what + witness.printed),
+                     code(what + witness.derived));
 }
 
 std::string next_html(const Classroom& room, const Progress& progress) {
@@ -145,9 +142,11 @@ std::string in_html(const std::string& sentences) {
   return text;
 }
 
-std::string feedback_html(const std::string& feedback) {
-  return feedback.find('\n') == std::string::npos ? in_html(feedback)
-                                                  : "<pre>" + shown(feedback, 2000) + "</pre>\n";
+std::string verdict_html(const std::string& verdict, const std::string& read_as, const std::string& feedback,
+                         const std::string& more) {
+  return fmt::format("<div class=\"said {}\">\n{}<p><b>{}</b></p>\n{}{}</div>\n", verdict,
+                     read_as.empty() ? "" : "<p>Read as: " + code(read_as) + "</p>\n",
+                     verdict_in_words(verdict), verdict == "correct" ? "" : feedback_html(feedback), more);
 }
 
 std::string with_exercises(const Classroom& room, std::string page) {
@@ -169,19 +168,16 @@ std::string with_exercises(const Classroom& room, std::string page) {
   return page.insert(page.rfind("</body>"), script());
 }
 
-std::string page_of_exercises(const Classroom& room, const std::vector<std::string>& lessons) {
+std::string page_of_exercises(const Classroom& room, const std::map<std::string, std::string>& contents) {
   const Progress progress = load_progress(room.progress);
   std::string text =
       page_head("The exercises") + "<h1>The lessons and their exercises</h1>\n" + next_html(room, progress);
-  int lesson = 0;
-  for (const auto& exercise : room.exercises) {
-    for (; lesson < exercise.lesson; ++lesson) {
-      std::string title = lessons.at(static_cast<std::size_t>(lesson)).substr(10);
-      std::replace(title.begin(), title.end(), '-', ' ');
-      text += fmt::format("<h2>Lesson {}: <a href=\"{}.html\">{}</a></h2>\n", lesson + 1,
-                          lessons[static_cast<std::size_t>(lesson)], title);
-    }
-    text += element(exercise, progress, false);
+  int number = 0;
+  for (const auto& [lesson, list] : contents) {
+    text += "<h2><a href=\"" + lesson + ".html\">" + escaped(list.substr(0, list.find('\n'))) + "</a></h2>\n";
+    ++number;
+    for (const auto& exercise : room.exercises)
+      if (exercise.lesson == number) text += element(exercise, progress, false);
   }
   return text + "<p><a href=\"workbench.html\">The workbench</a>: the block in motion</p>\n" + script() +
          "</body>\n</html>\n";
@@ -196,10 +192,10 @@ Reply reply(const Classroom& room, const Exercise& exercise, const std::string& 
   } else if (what == "check") {
     const Opinion opinion = judge_bounded(exercise, answer);
     const std::string trouble = keep(room, exercise, opinion, answer, progress);
-    text = opinion_html(exercise, opinion) +
-           (trouble.empty() ? "" : "<p>But " + escaped(trouble) + "</p>\n") +
-           (opinion.verdict == "correct" ? next_html(room, progress) : "");
-    text = "<div class=\"said " + opinion.verdict + "\">\n" + text + "</div>\n";
+    text = verdict_html(opinion.verdict, opinion.read_as, opinion.feedback,
+                        (opinion.witness ? witness_html(exercise, *opinion.witness) : "") +
+                            (trouble.empty() ? "" : "<p>But " + escaped(trouble) + "</p>\n") +
+                            (opinion.verdict == "correct" ? next_html(room, progress) : ""));
   } else if (what == "hint") {
     const Hint hint = next_hint(room, exercise);
     text = "<div class=\"said\">\n<p><b>" + shown(hint.head, 400) + "</b></p>\n" + in_html(hint.text) +

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <lessons/exercises/classroom.hpp>
+#include <map>
 #include <string>
-#include <vector>
 
 namespace rederive::classroom {
 
@@ -12,13 +12,14 @@ namespace rederive::classroom {
 std::string shown(const std::string& text, std::size_t most);
 /// Sentences with marks.
 std::string in_html(const std::string& sentences);
-/// What the judge says; a caret keeps its place.
-std::string feedback_html(const std::string& feedback);
+/// What the judge says; `more` is HTML.
+std::string verdict_html(const std::string& verdict, const std::string& read_as, const std::string& feedback,
+                         const std::string& more);
 
 /// The page of a lesson, its exercises in their places, with a form each.
 std::string with_exercises(const Classroom& room, std::string page);
-/// All exercises, lesson by lesson, with what is done. `lessons` are the programs' names, in order.
-std::string page_of_exercises(const Classroom& room, const std::vector<std::string>& lessons);
+/// All exercises, lesson by lesson, with what is done. `contents` by the lessons' programs, in order.
+std::string page_of_exercises(const Classroom& room, const std::map<std::string, std::string>& contents);
 
 /// What comes of a form: HTML to show, and where the student stands.
 struct Reply {

@@ -91,6 +91,12 @@ std::string default_example(const Exercise& exercise) {
   }
 }
 
+std::string pivot_in_words(const Exercise& exercise) {
+  return exercise.kind != Kind::equation ? ""
+         : exercise.pivot.empty()        ? "left side - right side = "
+                                         : exercise.pivot + " = ";
+}
+
 std::string verdict_in_words(const std::string& verdict) {
   if (verdict == "correct") return "Correct.";
   if (verdict == "wrong_form") return "The value is right, the form is not.";
@@ -143,9 +149,7 @@ std::string report(const Classroom& room, const Exercise& exercise, const Opinio
     for (const auto& [name, value] : opinion.witness->at)
       at += fmt::format("{}{} = {}", at.empty() ? "" : ", ", name, value);
     text += wrap("at " + at, 80, "  ", "     ");
-    const std::string what = exercise.kind != Kind::equation ? ""
-                             : exercise.pivot.empty()        ? "left side - right side = "
-                                                             : exercise.pivot + " = ";
+    const std::string what = pivot_in_words(exercise);
     text += fmt::format("  yours: {0}{1}\n  right: {0}{2}\n", what, opinion.witness->printed,
                         opinion.witness->derived);
   }

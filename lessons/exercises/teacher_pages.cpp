@@ -18,14 +18,6 @@ std::string page(const std::string& title, const std::string& body) {
          "</main>\n</body>\n</html>\n";
 }
 
-std::string verdict_in_words(const std::string& verdict) {
-  if (verdict == "correct") return "Right.";
-  if (verdict == "wrong_form") return "The value is right, the form is not.";
-  if (verdict == "correct_if") return "Right only under a condition.";
-  if (verdict == "wrong") return "Not right.";
-  return verdict == "invalid" ? "This could not be read." : "The program could not decide this.";
-}
-
 std::string words_of(std::string note) {
   std::replace(note.begin(), note.end(), '_', ' ');
   return note;
@@ -57,13 +49,8 @@ std::string section(const Exercise& exercise, const Rules& rules, const Student&
   std::string text =
       fmt::format("<section>\n<h2>{}</h2>\n{}", escaped(exercise.title), in_html(exercise.statement));
   text += "<pre>" + (row.answer.empty() ? "(nothing)" : shown(row.answer, 400)) + "</pre>\n";
-  if (!row.read_as.empty() && row.read_as != row.answer)
-    text += "<p class=\"small\">Read as: <code>" + shown(row.read_as, 400) + "</code></p>\n";
-  text +=
-      fmt::format("<div class=\"said {}\"><p><b>{}</b></p>\n", row.verdict, verdict_in_words(row.verdict));
-  if (row.verdict != "correct") text += feedback_html(row.feedback);
-  if (!row.hint.empty()) text += in_html("A hint: " + row.hint);
-  text += "</div>\n";
+  text += verdict_html(row.verdict, row.read_as == row.answer ? "" : row.read_as, row.feedback,
+                       row.hint.empty() ? "" : in_html("A hint: " + row.hint));
   if (const auto weight = rules.weights.find(exercise.id); weight != rules.weights.end())
     text += fmt::format("<p class=\"small\">Marks: {} of {}{}{}</p>\n",
                         row.verdict == "undecided" ? "?" : mark_text(mark.marks), mark_text(weight->second),

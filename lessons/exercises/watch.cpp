@@ -8,7 +8,6 @@
 #include <derivations/emit/command_line.hpp>
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/classroom.hpp>
-#include <lessons/exercises/sandbox.hpp>
 #include <map>
 #include <set>
 
