@@ -80,6 +80,10 @@ void set_limits(httplib::Server& server) {
        {"Referrer-Policy", "same-origin"},
        {"Cross-Origin-Resource-Policy", "same-origin"},
        {"Cache-Control", "no-store"}});
+  server.set_socket_options([](socket_t socket) {  // the library's own would share a port that is taken
+    const int yes = 1;
+    ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  });
   server.set_payload_max_length(most_bytes);
   server.set_keep_alive_timeout(1);
   server.new_task_queue = [] { return new httplib::ThreadPool(2 * most_waiting); };
@@ -89,6 +93,7 @@ void set_limits(httplib::Server& server) {
 
 int serve(const Classroom& room, int port) {
   httplib::Server server;
+  set_limits(server);
   if (port != 0 && !server.bind_to_port("127.0.0.1", port))
     throw BadInput(
         fmt::format("port {} cannot be had: another program has it, or the system keeps it; without "
@@ -99,7 +104,6 @@ int serve(const Classroom& room, int port) {
   std::random_device random;
   const std::string host = fmt::format("127.0.0.1:{}", port),
                     root = fmt::format("/{:08x}{:08x}{:08x}{:08x}/", random(), random(), random(), random());
-  set_limits(server);
   server.set_pre_routing_handler(
       [&](const Request& request, Response& response) { return guard(request, response, host, root); });
   std::mutex judge;  // GiNaC is not made for threads
