@@ -196,14 +196,6 @@ std::map<std::string, Tally> tally(const std::vector<Task>& tasks) {
   return result;
 }
 
-/// The notes of a tally, the most frequent first.
-std::vector<std::pair<std::string, int>> by_frequency(const Tally& tally) {
-  std::vector<std::pair<std::string, int>> notes(tally.notes.begin(), tally.notes.end());
-  std::stable_sort(notes.begin(), notes.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-  return notes;
-}
-
 std::string summary(const Classroom& room, const std::vector<Task>& tasks) {
   const auto tallies = tally(tasks);
   std::string text = fmt::format("{:<28} {:>7} {:>7}  {}\n", "exercise", "answers", "correct",
@@ -212,7 +204,7 @@ std::string summary(const Classroom& room, const std::vector<Task>& tasks) {
     const auto found = tallies.find(exercise.id);
     if (found == tallies.end()) continue;
     std::string slips;
-    const auto notes = by_frequency(found->second);
+    const auto notes = by_frequency(found->second.notes, std::identity());
     for (std::size_t i = 0; i < std::min<std::size_t>(notes.size(), 3); ++i)
       slips += fmt::format("{}{} ({})", slips.empty() ? "" : ", ", notes[i].first, notes[i].second);
     text += fmt::format("{:<28} {:>7} {:>7}  {}\n", exercise.id, found->second.answers, found->second.correct,

@@ -93,19 +93,10 @@ struct Seen {
 };
 using Slips = std::map<std::string, Seen>;
 
-/// The most frequent first, then by name.
-template <class Map, class Count>
-auto by_frequency(const Map& map, Count count) {
-  std::vector<std::pair<typename Map::key_type, typename Map::mapped_type>> list(map.begin(), map.end());
-  std::stable_sort(list.begin(), list.end(),
-                   [&](const auto& a, const auto& b) { return count(a.second) > count(b.second); });
-  return list;
-}
-
 std::string table_of(const Slips& slips, const std::string& heading,
                      const std::function<std::string(const Seen&)>& last) {
   std::string text = "<table>\n<tr><th>slip</th><th>times</th><th>" + heading + "</th></tr>\n";
-  for (const auto& [note, seen] : by_frequency(slips, [](const Seen& one) { return one.times; }))
+  for (const auto& [note, seen] : by_frequency(slips, &Seen::times))
     text +=
         fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", words_of(note), seen.times, last(seen));
   return text + "</table>\n";
@@ -114,7 +105,7 @@ std::string table_of(const Slips& slips, const std::string& heading,
 std::string typical_answers(const Seen& seen) {
   std::string text;
   std::size_t shown_of = 0;
-  for (const auto& [answer, times] : by_frequency(seen.answers, [](int count) { return count; })) {
+  for (const auto& [answer, times] : by_frequency(seen.answers, std::identity())) {
     if (shown_of++ == 3) break;
     text += (text.empty() ? "" : "<br>") + ("<code>" + shown(answer, 120) + "</code>") +
             (times > 1 ? fmt::format(" × {}", times) : "");
