@@ -138,9 +138,9 @@ int serve(const Classroom& room, int port) {
   sigset_t endings;
   sigemptyset(&endings), sigaddset(&endings, SIGINT), sigaddset(&endings, SIGTERM);
   ::pthread_sigmask(SIG_BLOCK, &endings, nullptr);  // in the threads to come, too
-  std::thread listening([&] { server.listen_after_bind(); });
   std::printf("http://%s%s\nOpen this address in a browser; Ctrl-C ends it.\n", host.c_str(), root.c_str());
-  std::fflush(stdout);
+  if (std::fflush(stdout) != 0) throw std::runtime_error("standard output could not be written");
+  std::thread listening([&] { server.listen_after_bind(); });  // who comes before waits
   int signal = 0;
   ::sigwait(&endings, &signal);
   server.stop();
