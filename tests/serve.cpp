@@ -35,7 +35,7 @@ Asked ask(const Server& server, const Request& request) {
   if (!request.origin.empty()) sent.set_header("Origin", request.origin);
   if (request.method == "POST") sent.set_header("Content-Type", request.type);
   const auto result = client.send(sent);
-  REQUIRE(result);
+  REQUIRE_MESSAGE(result, httplib::to_string(result.error()));
   return {result->status, result->body};
 }
 
@@ -204,7 +204,7 @@ TEST_CASE("a hostile answer is given up, and others wait for it or are told to c
   const Request request{.path = path_to(server, "height-of-centre", "check"),
                         .body = Json{{"answer", hostile}}.dump()};
   std::vector<std::future<Asked>> all;
-  for (int k = 0; k < 12; ++k)
+  for (int k = 0; k < 20; ++k)
     all.push_back(std::async(std::launch::async, [&] { return ask(server, request); }));
   int judged = 0, sent_away = 0;
   for (auto& one : all) {
@@ -213,7 +213,8 @@ TEST_CASE("a hostile answer is given up, and others wait for it or are told to c
     sent_away += asked.status == 503;
   }
   CHECK(judged >= 8);
-  CHECK(judged + sent_away == 12);
+  CHECK(sent_away > 0);
+  CHECK(judged + sent_away == 20);
   CHECK(has(says(server, "height-of-centre", "check", "R*(cos(alpha-theta)-cos(alpha))"), "Correct."));
 }
 

@@ -80,10 +80,6 @@ void set_limits(httplib::Server& server) {
        {"Referrer-Policy", "same-origin"},
        {"Cross-Origin-Resource-Policy", "same-origin"},
        {"Cache-Control", "no-store"}});
-  server.set_socket_options([](socket_t socket) {  // the library's own would share a port that is taken
-    const int yes = 1;
-    ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-  });
   server.set_payload_max_length(most_bytes);
   server.set_keep_alive_timeout(1);
   server.new_task_queue = [] { return new httplib::ThreadPool(2 * most_waiting); };
@@ -94,13 +90,18 @@ void set_limits(httplib::Server& server) {
 int serve(const Classroom& room, int port) {
   httplib::Server server;
   set_limits(server);
+  socket_t listener = -1;
+  server.set_socket_options([&](socket_t socket) {  // the library's own would share a port that is taken
+    const int yes = 1;
+    ::setsockopt(listener = socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  });
   if (port != 0 && !server.bind_to_port("127.0.0.1", port))
     throw BadInput(
         fmt::format("port {} cannot be had: another program has it, or the system keeps it; without "
                     "--port a free one is taken",
                     port));
   if (port == 0) port = server.bind_to_any_port("127.0.0.1");
-  if (port < 0) throw std::runtime_error("no port to be had");
+  if (port < 0 || ::listen(listener, 8 * most_waiting) != 0) throw std::runtime_error("no port to be had");
   std::random_device random;
   const std::string host = fmt::format("127.0.0.1:{}", port),
                     root = fmt::format("/{:08x}{:08x}{:08x}{:08x}/", random(), random(), random(), random());

@@ -9,37 +9,6 @@
 #include <nlohmann/json.hpp>
 
 namespace rederive::classroom {
-namespace {
-
-std::string symbol_table(const Exercise& exercise) {
-  std::string text;
-  std::size_t width = 0;
-  for (const auto& name : exercise.symbols) width = std::max(width, name.size());
-  for (const auto& name : exercise.symbols) {
-    const auto* symbol = paper_symbols().find(name);
-    if (symbol == nullptr) throw std::runtime_error("exercise " + exercise.id + ": no symbol " + name);
-    const std::string unit = symbol->unit == "1" ? "" : ", " + symbol->unit;
-    const std::string sign = symbol->unicode == name ? "" : symbol->unicode + "  ";
-    text += fmt::format("  {:{}}  {}{}{}\n", name, width, sign, symbol->meaning, unit);
-  }
-  return text;
-}
-
-std::string numbered_terms(const Exercise& exercise) {
-  const Entry entry = judged(exercise.answer.row);
-  const Relation printed = parse_relation(entry.row.printed);
-  std::string text = fmt::format("  ({})  {}\n\n", entry.row.id, print(printed, Notation::unicode));
-  const auto terms = terms_to_point_at(printed);
-  for (std::size_t i = 0; i < terms.size(); ++i)
-    text += fmt::format("  [{}]  {}\n", i + 1, print(terms[i], Notation::unicode));
-  return text + "\n";
-}
-
-std::string colour(const Classroom& room, const std::string& code, const std::string& text) {
-  return room.lively ? "\033[" + code + "m" + text + "\033[0m" : text;
-}
-
-}  // namespace
 
 std::string form_in_words(const Exercise& exercise) {
   std::string words, rest = exercise.form;
@@ -90,6 +59,38 @@ std::string default_example(const Exercise& exercise) {
       return "3/4*R^2*sin(alpha)";
   }
 }
+
+namespace {
+
+std::string symbol_table(const Exercise& exercise) {
+  std::string text;
+  std::size_t width = 0;
+  for (const auto& name : exercise.symbols) width = std::max(width, name.size());
+  for (const auto& name : exercise.symbols) {
+    const auto* symbol = paper_symbols().find(name);
+    if (symbol == nullptr) throw std::runtime_error("exercise " + exercise.id + ": no symbol " + name);
+    const std::string unit = symbol->unit == "1" ? "" : ", " + symbol->unit;
+    const std::string sign = symbol->unicode == name ? "" : symbol->unicode + "  ";
+    text += fmt::format("  {:{}}  {}{}{}\n", name, width, sign, symbol->meaning, unit);
+  }
+  return text;
+}
+
+std::string numbered_terms(const Exercise& exercise) {
+  const Entry entry = judged(exercise.answer.row);
+  const Relation printed = parse_relation(entry.row.printed);
+  std::string text = fmt::format("  ({})  {}\n\n", entry.row.id, print(printed, Notation::unicode));
+  const auto terms = terms_to_point_at(printed);
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    text += fmt::format("  [{}]  {}\n", i + 1, print(terms[i], Notation::unicode));
+  return text + "\n";
+}
+
+std::string colour(const Classroom& room, const std::string& code, const std::string& text) {
+  return room.lively ? "\033[" + code + "m" + text + "\033[0m" : text;
+}
+
+}  // namespace
 
 std::string pivot_in_words(const Exercise& exercise) {
   return exercise.kind != Kind::equation ? ""
