@@ -12,6 +12,7 @@
 #include <chrono>
 #include <csignal>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -23,6 +24,7 @@ struct Bounded {
   std::optional<std::string> result;  ///< what the work returned, if it ended well
   std::string why;     ///< else: "it took longer than it may", "more memory than it may have", what it threw
   double seconds = 0;  ///< what it took, as the limit counts it
+  std::string note = {};  ///< in a word: time, memory, crash; empty if it ended well
 };
 
 inline double in_seconds(const timeval& time) {
@@ -37,25 +39,29 @@ inline double processor_seconds(pid_t process) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// In words, of a child that said nothing.
-inline std::string why_it_ended(int status) {
+/// Of a child that said nothing.
+inline Bounded why_it_ended(int status, double taken) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGXCPU) return "it took longer than it may";
-  return signal == SIGKILL ? "it was ended from outside" : "it ran out of memory or stack";
+  if (signal == SIGXCPU) return {std::nullopt, "it took longer than it may", taken, "time"};
+  if (signal == SIGKILL) return {std::nullopt, "it was ended from outside", taken, "time"};
+  return {std::nullopt, "it ran out of memory or stack", taken, "crash"};
 }
 
 /// Runs `work` in a child process and brings its text back. At most `seconds` and `megabytes` of address
 /// space. The seconds are wall-clock time, but at most twice the processor time: work that only waits for its
 /// turn on a busy machine is not given up, so that what is decided does not depend on the others. After
-/// `patience` seconds of wall-clock time it is, whatever it waits for. Throws std::runtime_error if no child
-/// can be made.
+/// `patience` seconds of wall-clock time it is, whatever it waits for. Several threads may call it. Throws
+/// std::runtime_error if no child can be made.
 inline Bounded run_bounded(const std::function<std::string()>& work, double seconds, long megabytes,
                            double patience = 60) {
+  static std::mutex forking;  // or the child of another thread would keep the end that we wait for
+  std::unique_lock lock(forking);
   int ends[2];
   if (::pipe(ends) != 0) throw std::runtime_error("no pipe to be had");
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error("no process to be had");
   if (child == 0) {
+    lock.unlock();
     ::close(ends[0]);
     const rlimit memory{static_cast<rlim_t>(megabytes) << 20, static_cast<rlim_t>(megabytes) << 20};
     const rlimit time{static_cast<rlim_t>(seconds) + 1, static_cast<rlim_t>(seconds) + 1}, none{0, 0};
@@ -68,7 +74,7 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
     try {
       text = "+" + work();
     } catch (const std::bad_alloc&) {
-      text = "-more memory than it may have";
+      text = "!more memory than it may have";
     } catch (const std::exception& error) {
       text = std::string("-") + error.what();
     }
@@ -80,6 +86,7 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
     ::_exit(0);
   }
   ::close(ends[1]);
+  lock.unlock();
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const auto clock = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
@@ -103,10 +110,10 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
   int status = 0;
   ::wait4(child, &status, 0, &used);
   const double taken = counted(in_seconds(used.ru_utime) + in_seconds(used.ru_stime));
-  if (is_late) return {std::nullopt, "it took longer than it may", taken};
-  if (text.empty()) return {std::nullopt, why_it_ended(status), taken};
-  if (text[0] == '-') return {std::nullopt, text.substr(1), taken};
-  return {text.substr(1), "", taken};
+  if (is_late) return {std::nullopt, "it took longer than it may", taken, "time"};
+  if (text.empty()) return why_it_ended(status, taken);
+  if (text[0] == '+') return {text.substr(1), "", taken};
+  return {std::nullopt, text.substr(1), taken, text[0] == '!' ? "memory" : "crash"};
 }
 
 }  // namespace rederive

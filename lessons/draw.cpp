@@ -27,13 +27,13 @@ bool has_gnuplot() {
   return found;
 }
 
+}  // namespace
+
 std::string in_quotes(const std::filesystem::path& path) {
   std::string text = "'";
   for (char c : path.string()) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return text + "'";
 }
-
-}  // namespace
 
 std::optional<std::filesystem::path> draw(const Figure& figure, const std::string& kind,
                                           const std::filesystem::path& folder) {

@@ -110,9 +110,8 @@ Figure block_at_rest(const std::string& name) {
   const double theta = 0.17, alpha = std::atan(half_width / half_height);
   const Place centre{left_foot.x - half_width, half_height};
   const Place centre_turned = turned({-half_width, half_height}, theta, right_foot);
-  std::string script =
-      "unset border; unset tics; unset key\nset size ratio -1\nset xrange [-1.6:6.4]\n"
-      "set yrange [-0.7:3.7]\n";
+  std::string script = bare;
+  script += "set xrange [-1.6:6.4]\nset yrange [-0.7:3.7]\n";
   script += outline("standing", 0, left_foot) + outline("turned", theta, right_foot);
   script += line({-1.5, 0}, {6.3, 0}, "nohead lw 2 lc rgb '#555555'");
   script += line(left_foot, centre, "nohead dt 2 lw 1.5 lc rgb '#1f5fa8'");
@@ -121,10 +120,7 @@ Figure block_at_rest(const std::string& name) {
   script += line({-0.75, 0}, {-0.75, 3}, "heads lc rgb '#555555'") + label("2h", {-1.05, 1.5});
   script += label("C", {centre.x - 0.2, centre.y}) + label("R", {centre.x + 0.12, 0.75});
   script += label("α", {left_foot.x - 0.11, 1.0}) + label("O", {-0.5, -0.3}) + label("O′", {0.5, -0.3});
-  script += fmt::format("set object 1 circle at {:.3f},{:.3f} size 0.05 fs solid fc rgb 'black'\n", centre.x,
-                        centre.y);
-  script += fmt::format("set object 2 circle at {:.3f},{:.3f} size 0.05 fs solid fc rgb 'black'\n",
-                        centre_turned.x, centre_turned.y);
+  script += dot(1, centre) + dot(2, centre_turned);
   script += line(right_foot, centre_turned, "nohead dt 2 lw 1.5 lc rgb '#1f5fa8'");
   script += line(right_foot, {right_foot.x, 3.2}, "nohead dt 3 lc rgb '#999999'");
   const Place edge = turned({0, 3.3}, theta, right_foot);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <lessons/lesson.hpp>
 #include <memory>
 #include <optional>
@@ -60,5 +61,18 @@ std::string mathml(const std::string& latex);
 std::string math_font_style();
 /// Text for HTML, with & < > " escaped.
 std::string escaped(const std::string& text);
+/// What a file holds, or nothing.
+std::string whole_file(const std::filesystem::path& path);
+/// A path as a word of a shell.
+std::string in_quotes(const std::filesystem::path& path);
+/// The beginning of a web page, with its style, up to the body. The title is HTML.
+std::string page_head(const std::string& title);
+/// A sentence with marks; what stands between the marks by `words`.
+std::string sentence_html(const std::string& sentence,
+                          const std::function<std::string(const std::string&)>& words = escaped);
+/// Each piece is a formula of its own, so that a narrow screen may break the line between them.
+std::string formula_html(const Relation& relation);
+/// All that stands on a page of a lesson, without links.
+std::string page_html(const Page& page);
 
 }  // namespace rederive

@@ -8,33 +8,10 @@
 #include <lessons/render.hpp>
 #include <regex>
 #include <stdexcept>
+#include <utility>
 
 namespace rederive {
 namespace {
-
-constexpr auto style = R"(<style>
-:root{color-scheme:light}
-body{font:17px/1.55 Georgia,"DejaVu Serif",serif;color:#1c1c1c;background:#fdfdfb;margin:0 auto;max-width:46rem;
- padding:1rem 1rem 3rem;overflow-wrap:break-word}
-h1{font-size:1.6rem;line-height:1.2}h2{font-size:1.2rem;margin-top:2.2rem;border-bottom:1px solid #ccc}
-nav{font-size:.9rem;display:flex;justify-content:space-between;gap:1rem}a{color:#1f5fa8}
-.about{background:#f1f3f0;padding:.6rem .9rem;border-radius:4px;font-size:.95rem}.about p{margin:.3rem 0}
-math{font-family:"Rederive Math",math;font-size:1.12em}
-.formula{margin:.8rem 0 .8rem 1.2rem;display:flex;gap:.8rem;align-items:center;justify-content:space-between}
-.formula>div{overflow:auto hidden;min-width:0;padding:.35rem 0}.formula math{margin:.15em 0}
-.ledger{border-left:4px solid #888;background:#f6f6f2;padding:.4rem .8rem;margin:1rem 0;font-size:.93rem;overflow-x:auto}
-.ledger.proved,.ledger.proved_under{border-color:#2e8b57}.ledger.refuted{border-color:#c0392b}
-.ledger.approximation{border-color:#c98a1b}.ledger p{margin:.25rem 0}
-a.eq{position:relative;color:inherit;text-decoration:underline dotted}
-a.eq:hover::after,a.eq:focus-visible::after{content:attr(data-says);position:absolute;right:0;bottom:1.4em;
- background:#1c1c1c;color:#fdfdfb;padding:.1rem .5rem;border-radius:4px;font-size:.85rem;white-space:nowrap;z-index:1}
-:target{background:#fff3c4}
-figure{margin:1.2rem 0;text-align:center}figure img{max-width:100%;border:1px solid #ddd}
-figcaption{font-size:.9rem;color:#444}
-.wide{overflow-x:auto}table{border-collapse:collapse;font-size:.93rem}td,th{border-bottom:1px solid #ccc;
- padding:.2rem .7rem .2rem 0;text-align:left}
-pre,code{font:.88em/1.45 "DejaVu Sans Mono",Consolas,monospace;background:#f1f1ec}pre{padding:.6rem;overflow-x:auto}
-</style>)";
 
 std::string base64(const std::string& bytes) {
   static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -49,11 +26,6 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-std::string whole_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 class HtmlRenderer : public Renderer {
  public:
   explicit HtmlRenderer(const Setting& setting) : setting_(setting) {}
@@ -63,24 +35,28 @@ class HtmlRenderer : public Renderer {
     const std::string title = fmt::format("Lesson {}. {}", lesson.number, escaped(lesson.title));
     std::string ids;
     for (const auto& id : lesson.equations) ids += (ids.empty() ? "" : " ") + equation_link(id);
-    return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
-           "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
-           "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-           title + "</title>\n" + style + math_font_style() + "\n</head>\n<body>\n" + navigation() + "<h1>" +
-           title + "</h1>\n<div class=\"about\">\n<p><b>Teaches:</b> " + flat(lesson.teaches) +
+    return page_head(title) + navigation() + "<h1>" + title +
+           "</h1>\n<div class=\"about\">\n<p><b>Teaches:</b> " + flat(lesson.teaches) +
            "</p>\n<p><b>Builds on:</b> " + flat(lesson.builds_on) + "</p>\n" +
            (ids.empty() ? "" : "<p><b>Equations:</b> " + ids + "</p>\n") + "</div>\n";
   }
 
   std::string step(std::size_t number, const std::string& heading, const Page& page) override {
     std::string text = fmt::format("\n<h2 id=\"step-{0}\">{0}. {1}</h2>\n", number, escaped(heading));
+    return text + blocks(page);
+  }
+
+  std::string blocks(const Page& page) {
+    std::string text;
     for (const auto& block : page.blocks())
       text += std::visit([this](const auto& part) { return render(part); }, block);
     return text;
   }
 
   std::string end(const Lesson& lesson) override {
-    return rest(lesson) + "\n" + navigation() + "</body>\n</html>\n";
+    return rest(lesson) + "\n" +
+           place_for_exercises(fmt::format("data-lesson=\"{}\"", lesson.number), mentioned_.empty()) +
+           navigation() + "</body>\n</html>\n";
   }
 
  private:
@@ -93,19 +69,8 @@ class HtmlRenderer : public Renderer {
            link(setting_.next, "next →") + "</nav>\n";
   }
 
-  std::string flat(const std::string& sentence) const {
-    std::string text;
-    for (const auto& span : spans(sentence)) {
-      if (span.kind == Span::Kind::math)
-        text += mathml(print_inline(span.text, Notation::latex));
-      else if (span.kind == Span::Kind::code)
-        text += "<code>" + escaped(span.text) + "</code>";
-      else if (span.kind == Span::Kind::emphasis)
-        text += "<em>" + escaped(span.text) + "</em>";
-      else
-        text += linked(span.text);
-    }
-    return text;
+  std::string flat(const std::string& sentence) {
+    return sentence_html(sentence, [this](const std::string& words) { return linked(words); });
   }
 
   /// The rows that the lesson covers and does not show: what was derived, or what is printed of a definition,
@@ -144,7 +109,7 @@ class HtmlRenderer : public Renderer {
   }
 
   /// Words with numbers of equations, "(71)", and exercises, "Exercise half-sine", as links.
-  std::string linked(const std::string& words) const {
+  std::string linked(const std::string& words) {
     static const std::regex reference(R"(\(([ur]?\d+[a-e]?)\)|Exercise ([a-z]+(?:-[a-z0-9]+)*))");
     std::string text;
     auto from = words.begin();
@@ -154,28 +119,34 @@ class HtmlRenderer : public Renderer {
       text += (*match)[1].matched
                   ? equation_link((*match)[1])
                   : "<a href=\"exercises.html#" + (*match)[2].str() + "\">" + match->str() + "</a>";
+      if ((*match)[2].matched && mentioned_.insert((*match)[2]).second)
+        here_ += (here_.empty() ? "" : " ") + (*match)[2].str();
     }
     return text + escaped({from, words.end()});
   }
 
-  /// Each piece is a formula of its own, so that a narrow screen may break the line between them.
-  static std::string broken(const Relation& relation) {
-    std::string text;
-    for (const auto& piece : pieces(relation, Notation::latex)) {
-      std::string formula = mathml(piece);
-      constexpr std::size_t head = std::string_view("<math>").size();
-      if (!text.empty() && formula.compare(head, 3, "<mo") == 0)  // it stands between two pieces
-        formula.replace(head, formula.find('>', head) - head, "<mo form=\"infix\"");
-      formula.replace(0, 6, "<math displaystyle=\"true\">");
-      text += (text.empty() ? "" : "<wbr>") + formula;
-    }
-    return text;
+  /// Where `exercises serve` puts exercises; a page opened without it says how to start it.
+  static std::string place_for_exercises(const std::string& which, bool says) {
+    return "<aside class=\"exercise\" " + which + ">" +
+           (says ? "<p>To answer in this page, type <code>build/bin/exercises serve</code> and open the "
+                   "address "
+                   "that it prints.</p>"
+                 : "") +
+           "</aside>\n";
   }
 
-  std::string render(const Paragraph& part) const { return "<p>" + flat(part.text) + "</p>\n"; }
+  /// For the exercises that were mentioned since the last place.
+  std::string place_for_mentioned() {
+    const std::string ids = std::exchange(here_, "");
+    return ids.empty() ? "" : place_for_exercises("data-exercises=\"" + ids + "\"", true);
+  }
+
+  std::string render(const Paragraph& part) {
+    return "<p>" + flat(part.text) + "</p>\n" + place_for_mentioned();
+  }
 
   std::string render(const Formula& part) {
-    return "<div class=\"formula\"" + anchor(part.number) + "><div>" + broken(part.relation) +
+    return "<div class=\"formula\"" + anchor(part.number) + "><div>" + formula_html(part.relation) +
            (part.mark.empty() ? "" : "<span>\u2009" + part.mark + "</span>") + "</div>" +
            (part.number.empty() ? "" : "<span>" + equation_link(part.number) + "</span>") + "</div>\n";
   }
@@ -185,24 +156,24 @@ class HtmlRenderer : public Renderer {
                        anchor(part.entry.row.id) + "><p><b>The ledger on " + escaped(headline(part.entry)) +
                        "</b></p>\n";
     for (const auto& line : findings(part.entry))
-      text += "<p><i>" + line.label + ":</i> " + (line.formula ? broken(*line.formula) : flat(line.words)) +
-              "</p>\n";
+      text += "<p><i>" + line.label + ":</i> " +
+              (line.formula ? formula_html(*line.formula) : flat(line.words)) + "</p>\n";
     return text + "</div>\n";
   }
 
-  std::string row(const std::vector<std::string>& cells, const std::string& tag) const {
+  std::string row(const std::vector<std::string>& cells, const std::string& tag) {
     std::string line = "<tr>";
     for (const auto& cell : cells) line += "<" + tag + ">" + flat(cell) + "</" + tag + ">";
     return line + "</tr>\n";
   }
 
-  std::string render(const Table& part) const {
+  std::string render(const Table& part) {
     std::string text = "<div class=\"wide\"><table>\n" + row(part.header, "th");
     for (const auto& cells : part.rows) text += row(cells, "td");
     return text + "</table></div>\n";
   }
 
-  std::string render(const Figure& part) const {
+  std::string render(const Figure& part) {
     const auto picture = draw(part, "svg", setting_.figures);
     const std::string image = picture ? "<img alt=\"" + escaped(unmarked(part.caption, Notation::unicode)) +
                                             "\" src=\"data:image/svg+xml;base64," +
@@ -233,18 +204,64 @@ class HtmlRenderer : public Renderer {
            escaped(part.text) + "</pre></details>\n";
   }
 
-  std::string render(const BulletList& part) const {
+  std::string render(const BulletList& part) {
     std::string text = "<ul>\n";
     for (const auto& item : part.items) text += "<li>" + flat(item) + "</li>\n";
-    return text + "</ul>\n";
+    return text + "</ul>\n" + place_for_mentioned();
   }
 
   Setting setting_;
-  int number_ = 0;                ///< of the lesson
-  std::set<std::string> placed_;  ///< rows that have their anchor
+  int number_ = 0;                   ///< of the lesson
+  std::set<std::string> placed_;     ///< rows that have their anchor
+  std::set<std::string> mentioned_;  ///< exercises
+  std::string here_;                 ///< those of them that have no place yet
 };
 
 }  // namespace
+
+std::string whole_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string page_head(const std::string& title) {
+  return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
+         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
+         "<link rel=\"icon\" href=\"data:,\">\n<title>" +
+         title + "</title>\n<style>\n" + whole_file(REDERIVE_PAGE_STYLE) + "</style>\n" + math_font_style() +
+         "</head>\n<body>\n";
+}
+
+std::string sentence_html(const std::string& sentence,
+                          const std::function<std::string(const std::string&)>& words) {
+  std::string text;
+  for (const auto& span : spans(sentence)) {
+    if (span.kind == Span::Kind::math)
+      text += mathml(print_inline(span.text, Notation::latex));
+    else if (span.kind == Span::Kind::code)
+      text += "<code>" + escaped(span.text) + "</code>";
+    else if (span.kind == Span::Kind::emphasis)
+      text += "<em>" + escaped(span.text) + "</em>";
+    else
+      text += words(span.text);
+  }
+  return text;
+}
+
+std::string formula_html(const Relation& relation) {
+  std::string text;
+  for (const auto& piece : pieces(relation, Notation::latex)) {
+    std::string formula = mathml(piece);
+    constexpr std::size_t head = std::string_view("<math>").size();
+    if (!text.empty() && formula.compare(head, 3, "<mo") == 0)  // it stands between two pieces
+      formula.replace(head, formula.find('>', head) - head, "<mo form=\"infix\"");
+    formula.replace(0, 6, "<math displaystyle=\"true\">");
+    text += (text.empty() ? "" : "<wbr>") + formula;
+  }
+  return text;
+}
+
+std::string page_html(const Page& page) { return HtmlRenderer({}).blocks(page); }
 
 std::string math_font_style() {
   const std::string font = whole_file(REDERIVE_MATH_FONT);

@@ -29,16 +29,6 @@ const std::map<std::string, Format> formats{{"unicode", Format::unicode},
 
 fs::path own_program() { return fs::read_symlink("/proc/self/exe"); }
 
-/// The programs of all lessons: they stand side by side, numbered.
-std::vector<std::string> all_lessons() {
-  std::vector<std::string> names;
-  for (const auto& file : fs::directory_iterator(own_program().parent_path()))
-    if (file.path().filename().string().starts_with("lesson-") && !file.path().has_extension())
-      names.push_back(file.path().filename());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 /// The lesson before (-1) or after (+1) this one.
 std::string neighbour(const std::vector<std::string>& names, int distance) {
   const auto here =
@@ -139,6 +129,15 @@ int run(const Lesson& lesson, const Flags& flags) {
 }
 
 }  // namespace
+
+std::vector<std::string> all_lessons() {
+  std::vector<std::string> names;
+  for (const auto& file : fs::directory_iterator(own_program().parent_path()))
+    if (file.path().filename().string().starts_with("lesson-") && !file.path().has_extension())
+      names.push_back(file.path().filename());
+  std::sort(names.begin(), names.end());
+  return names;
+}
 
 std::unique_ptr<Renderer> make_renderer(const Setting& setting) {
   switch (setting.format) {

@@ -7,5 +7,7 @@ namespace rederive {
 
 /// Parses the flags that all lessons share, and prints what they ask for. Gives the exit code.
 int run_lesson(const Lesson& lesson, int argc, char** argv);
+/// The programs of all lessons, in order: they stand beside the one that runs.
+std::vector<std::string> all_lessons();
 
 }  // namespace rederive

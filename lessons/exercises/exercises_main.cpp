@@ -5,6 +5,7 @@
 //   exercises show [ID]                the statement; without ID, of the next exercise
 //   exercises check ID "ANSWER"        or --file FILE
 //   exercises hint ID · solution ID [--give-up] · reset ID
+//   exercises serve [--port N]         the lessons and their exercises in a browser
 //   exercises watch DIR                judges DIR/<ID>.txt again whenever it changes
 //   exercises grade DIR [--csv FILE]   DIR/<student>/<ID>.txt, a whole class; gradebook, feedback, report
 //   exercises selftest                 is the exercise set sound?
@@ -21,6 +22,7 @@ namespace {
 struct Arguments {
   std::string id, answer, file, folder, progress;
   bool json = false, give_up = false, once = false;
+  int port = 0;
   GradeFlags grade;
 };
 
@@ -51,6 +53,9 @@ void declare(CLI::App& app, Arguments& given) {
   command_with_id(app, "solution", "the answer and how it comes about", given)
       ->add_flag("--give-up", given.give_up, "show it although the exercise is not solved");
   command_with_id(app, "reset", "open again; the old answer is kept", given);
+  app.add_subcommand("serve", "lessons and exercises in a browser on this machine; prints the address")
+      ->add_option("--port", given.port, "listen here; 0, or none: a free port")
+      ->check(CLI::Range(0, 65535));
   auto* watch = app.add_subcommand("watch", "judge the files of a folder whenever they change");
   watch->add_option("DIR", given.folder, "where your answers are: DIR/<ID>.txt")->required();
   watch->add_flag("--once", given.once, "look once and stop");
@@ -88,6 +93,7 @@ int run(const CLI::App& app, const Arguments& given) {
   if (app.got_subcommand("hint")) return hint(room, given.id);
   if (app.got_subcommand("solution")) return solution(room, given.id, given.give_up);
   if (app.got_subcommand("reset")) return reset(room, given.id);
+  if (app.got_subcommand("serve")) return serve(room, given.port);
   if (app.got_subcommand("watch")) return watch(room, given.folder, given.once);
   if (app.got_subcommand("grade")) return grade(room, given.grade);
   if (app.got_subcommand("selftest")) return selftest(room);

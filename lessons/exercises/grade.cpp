@@ -1,12 +1,15 @@
 // A whole class: DIR/<student>/<exercise>.txt → one CSV, each answer judged in a process of its own.
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <atomic>
 #include <derivations/emit/command_line.hpp>
+#include <future>
+#include <lessons/bounded.hpp>
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/grading.hpp>
-#include <lessons/exercises/sandbox.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <thread>
@@ -116,8 +119,12 @@ void add_student(const fs::path& folder, const std::map<std::string, Prepared>& 
       if (!handed_in.contains(id)) tasks.push_back(finished(student, id, "not_handed_in"));
 }
 
-/// In the child: the row's verdict and words.
+/// In the child, which has 2 s of processor time, and no terminal: the row's verdict and words.
 std::string judged_in_child(const Task& task) {
+  const rlimit time{2, 3};
+  ::setrlimit(RLIMIT_CPU, &time);
+  const int nowhere = ::open("/dev/null", O_RDWR);
+  for (int standard = 0; standard < 3; ++standard) ::dup2(nowhere, standard);
   constexpr std::size_t most = 4000;  // bytes of a text that pages show the beginning of
   const AnswerFile file = read_answer_file(task.path);
   const Opinion opinion =
@@ -132,13 +139,13 @@ std::string judged_in_child(const Task& task) {
       .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-void fill_in(Row& row, const JobResult& result) {
-  const auto json = nlohmann::json::parse(result.text, nullptr, false);
-  if (!result.failure.empty() || !json.is_array() || json.size() != 7) {
+void fill_in(Row& row, const Bounded& outcome) {
+  if (!outcome.result) {
     row.verdict = "undecided";
-    row.note = result.failure.empty() ? "crash" : result.failure;
+    row.note = outcome.note;
     return;
   }
+  const auto json = nlohmann::json::parse(*outcome.result);
   row.verdict = json[0], row.note = json[1], row.score = json[2];
   row.answer = json[3], row.read_as = json[4], row.feedback = json[5], row.hint = json[6];
 }
@@ -148,14 +155,18 @@ void judge_all(std::vector<Task>& tasks, unsigned workers) {
   for (auto& task : tasks)
     if (task.prepared != nullptr) jobs.push_back(&task);
   const bool lively = is_lively(2);
-  const auto say = [&](std::size_t done) {
-    if (lively && (done % 20 == 0 || done == jobs.size()))
-      std::fprintf(stderr, "\rJudged %zu of %zu", done, jobs.size());
+  std::atomic<std::size_t> next = 0, done = 0;
+  const auto work = [&] {
+    for (std::size_t i; (i = next++) < jobs.size();) {
+      fill_in(jobs[i]->row, run_bounded([&] { return judged_in_child(*jobs[i]); }, 10, 1024, 10));
+      if (const std::size_t count = ++done; lively && (count % 20 == 0 || count == jobs.size()))
+        std::fprintf(stderr, "\rJudged %zu of %zu", count, jobs.size());
+    }
   };
-  const auto results = run_jobs(
-      jobs.size(), workers, [&](std::size_t i) { return judged_in_child(*jobs[i]); }, say);
+  std::vector<std::future<void>> desks;
+  for (unsigned k = 0; k < workers; ++k) desks.push_back(std::async(std::launch::async, work));
+  for (auto& desk : desks) desk.get();
   if (lively && !jobs.empty()) std::fputs("\n", stderr);
-  for (std::size_t i = 0; i < jobs.size(); ++i) fill_in(jobs[i]->row, results[i]);
 }
 
 std::string csv_of(const std::vector<Task>& tasks) {
@@ -185,14 +196,6 @@ std::map<std::string, Tally> tally(const std::vector<Task>& tasks) {
   return result;
 }
 
-/// The notes of a tally, the most frequent first.
-std::vector<std::pair<std::string, int>> by_frequency(const Tally& tally) {
-  std::vector<std::pair<std::string, int>> notes(tally.notes.begin(), tally.notes.end());
-  std::stable_sort(notes.begin(), notes.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-  return notes;
-}
-
 std::string summary(const Classroom& room, const std::vector<Task>& tasks) {
   const auto tallies = tally(tasks);
   std::string text = fmt::format("{:<28} {:>7} {:>7}  {}\n", "exercise", "answers", "correct",
@@ -201,7 +204,7 @@ std::string summary(const Classroom& room, const std::vector<Task>& tasks) {
     const auto found = tallies.find(exercise.id);
     if (found == tallies.end()) continue;
     std::string slips;
-    const auto notes = by_frequency(found->second);
+    const auto notes = by_frequency(found->second.notes, std::identity());
     for (std::size_t i = 0; i < std::min<std::size_t>(notes.size(), 3); ++i)
       slips += fmt::format("{}{} ({})", slips.empty() ? "" : ", ", notes[i].first, notes[i].second);
     text += fmt::format("{:<28} {:>7} {:>7}  {}\n", exercise.id, found->second.answers, found->second.correct,

@@ -1,7 +1,9 @@
 // What a class handed in, judged, and what a teacher makes of it: a gradebook, pages to hand back, a report.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <lessons/exercises/classroom.hpp>
 #include <map>
 #include <string>
@@ -43,6 +45,16 @@ struct Mark {
 Mark mark_of(const Rules& rules, const Student& student, const Row& row);
 /// Marks as they are written: "0.9".
 std::string mark_text(double marks);
+
+/// The most frequent first, then by name.
+template <class Map, class Count>
+auto by_frequency(const Map& map, Count count) {
+  std::vector<std::pair<typename Map::key_type, typename Map::mapped_type>> list(map.begin(), map.end());
+  std::stable_sort(list.begin(), list.end(), [&](const auto& a, const auto& b) {
+    return std::invoke(count, a.second) > std::invoke(count, b.second);
+  });
+  return list;
+}
 
 /// A cell of a CSV. What a spreadsheet would take for a formula gets an apostrophe before it.
 std::string csv_cell(const std::string& text);

@@ -32,44 +32,48 @@ std::string hint_for(const Exercise& exercise, const Opinion& opinion) {
   return hint_by_note(opinion.note);
 }
 
-int hint(const Classroom& room, const std::string& id) {
-  const Exercise& exercise = find_exercise(room, id);
+Hint next_hint(const Classroom& room, const Exercise& exercise) {
   const ProgressLock lock(room.progress);
   Progress progress = load_progress(room.progress);
-  Record& record = progress.records[id];
-  Opinion opinion;
-  std::string text;
-  if (record.status == "tried" && !record.hinted) {
-    opinion = judge_bounded(exercise, record.answer);
-    text = hint_for(exercise, opinion);
-  }
-  const bool for_slip = !text.empty();
+  Record& record = progress.records[exercise.id];
   const int all = static_cast<int>(exercise.hints.size());
-  const bool more = for_slip || record.hints < all;
-  if (for_slip)
-    record.hinted = true;
-  else
-    record.hints += more;
+  if (record.status == "tried" && !record.hinted) {
+    const Opinion opinion = judge_bounded(exercise, record.answer);
+    if (const std::string text = hint_for(exercise, opinion); !text.empty()) {
+      record.hinted = true;
+      save_progress(room.progress, progress);
+      return {"A hint for your last answer, " + record.answer, text, opinion.note, record.hints, all, true};
+    }
+  }
+  const bool more = record.hints < all;
+  record.hints += more;
   if (more) save_progress(room.progress, progress);
-  if (!for_slip) text = exercise.hints.at(static_cast<std::size_t>(std::clamp(record.hints, 1, all) - 1));
+  return {fmt::format("Hint {} of {}", record.hints, all),
+          exercise.hints.at(static_cast<std::size_t>(std::clamp(record.hints, 1, all) - 1)),
+          "",
+          record.hints,
+          all,
+          more};
+}
+
+int hint(const Classroom& room, const std::string& id) {
+  const Hint hint = next_hint(room, find_exercise(room, id));
   if (room.json) {
-    const nlohmann::ordered_json slip = for_slip ? nlohmann::ordered_json(opinion.note) : nullptr;
+    const nlohmann::ordered_json slip = hint.slip.empty() ? nullptr : nlohmann::ordered_json(hint.slip);
     std::fputs((nlohmann::ordered_json{{"exercise", id},
-                                       {"hint", readable(text)},
+                                       {"hint", readable(hint.text)},
                                        {"slip", slip},
-                                       {"number", record.hints},
-                                       {"of", all},
-                                       {"last", record.hints >= all}}
+                                       {"number", hint.number},
+                                       {"of", hint.of},
+                                       {"last", hint.number >= hint.of}}
                     .dump(2) +
                 "\n")
                    .c_str(),
                stdout);
     return as_expected;
   }
-  const std::string head = for_slip ? "A hint for your last answer, " + record.answer + "\n"
-                                    : fmt::format("Hint {} of {}\n", record.hints, all);
-  std::fputs((printable(head) + readable(text)).c_str(), stdout);
-  if (!more)
+  std::fputs((printable(hint.head) + "\n" + readable(hint.text)).c_str(), stdout);
+  if (!hint.more)
     std::fputs(fmt::format("That was the last hint. To see the answer: exercises solution {} --give-up\n", id)
                    .c_str(),
                stdout);

@@ -51,6 +51,11 @@ std::string model_answer(const Prepared& prepared);
 int exit_code(const Opinion& opinion);
 
 // By kind; used by judge_answer.
+/// Text → the statement to judge: of "y_c = ..." the right side where an expression is asked for and y_c is
+/// its name. Throws SyntaxError.
+Relation read_answer(const Exercise& exercise, const std::string& text);
+/// "p = 2.69 1/s" without what stands before the value.
+std::string without_name(const Exercise& exercise, const std::string& text);
 Opinion judge_formula(const Prepared& prepared, const std::string& text);
 Opinion judge_number(const Prepared& prepared, const std::string& text);
 Opinion judge_choice(const Prepared& prepared, const std::string& text);

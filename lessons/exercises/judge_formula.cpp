@@ -82,8 +82,8 @@ void refuse_unit(const Exercise& exercise, const std::string& text) {
   throw SyntaxError("unit_not_wanted", blank + 1, "no unit is wanted here: the symbols have theirs already");
 }
 
-/// Text → the statement to judge: of "y_c = ..." the right side where an expression is asked for and y_c is
-/// its name.
+}  // namespace
+
 Relation read_answer(const Exercise& exercise, const std::string& text) {
   refuse_unit(exercise, text);
   Relation read = parse_statement(text);
@@ -108,6 +108,8 @@ Relation read_answer(const Exercise& exercise, const std::string& text) {
   check_symbols(exercise, checked);
   return read;
 }
+
+namespace {
 
 /// |x| as students type it.
 std::string as_typed(std::string text) {

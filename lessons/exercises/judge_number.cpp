@@ -75,7 +75,8 @@ std::string number_words(const std::string& note) {
   return found == sentences.end() ? explanation_of(note) : found->second;
 }
 
-/// "p = 2.69 1/s" without what stands before the value.
+}  // namespace
+
 std::string without_name(const Exercise& exercise, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || exercise.name.empty()) return text;
@@ -85,6 +86,8 @@ std::string without_name(const Exercise& exercise, const std::string& text) {
     return text;
   }
 }
+
+namespace {
 
 std::string whole_number_in(const std::string& text) {
   std::string digits;

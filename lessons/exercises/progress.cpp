@@ -15,19 +15,14 @@ constexpr auto heading =
     "# exercise, status, attempts, hints seen, latest answer; between them a tab.\n"
     "# \"hinted\" behind it: the hint for the slip in it has been given.\n";
 
+/// What would break a line, and the letter behind a backslash that stands for it.
+constexpr std::string_view breaks = "\n\r\t\\", letters = "nrt\\";
+
 std::string packed(const std::string& text) {
   std::string result;
   for (char c : text) {
-    if (c == '\n')
-      result += "\\n";
-    else if (c == '\r')
-      result += "\\r";
-    else if (c == '\t')
-      result += "\\t";
-    else if (c == '\\')
-      result += "\\\\";
-    else
-      result += c;
+    const std::size_t at = breaks.find(c);
+    result += at == breaks.npos ? std::string(1, c) : std::string("\\") + letters[at];
   }
   return result;
 }
@@ -35,16 +30,9 @@ std::string packed(const std::string& text) {
 std::string unpacked(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '\\' || i + 1 == text.size())
-      result += text[i];
-    else if (const char c = text[++i]; c == 'n')
-      result += '\n';
-    else if (c == 'r')
-      result += '\r';
-    else if (c == 't')
-      result += '\t';
-    else
-      result += c;
+    const bool is_break = text[i] == '\\' && i + 1 < text.size();
+    const std::size_t at = is_break ? letters.find(text[++i]) : letters.npos;
+    result += at == letters.npos ? text[i] : breaks[at];
   }
   return result;
 }

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 namespace rederive::classroom {
-namespace {
 
 std::string form_in_words(const Exercise& exercise) {
   std::string words, rest = exercise.form;
@@ -61,6 +60,8 @@ std::string default_example(const Exercise& exercise) {
   }
 }
 
+namespace {
+
 std::string symbol_table(const Exercise& exercise) {
   std::string text;
   std::size_t width = 0;
@@ -89,6 +90,14 @@ std::string colour(const Classroom& room, const std::string& code, const std::st
   return room.lively ? "\033[" + code + "m" + text + "\033[0m" : text;
 }
 
+}  // namespace
+
+std::string pivot_in_words(const Exercise& exercise) {
+  return exercise.kind != Kind::equation ? ""
+         : exercise.pivot.empty()        ? "left side - right side = "
+                                         : exercise.pivot + " = ";
+}
+
 std::string verdict_in_words(const std::string& verdict) {
   if (verdict == "correct") return "Correct.";
   if (verdict == "wrong_form") return "The value is right, the form is not.";
@@ -97,8 +106,6 @@ std::string verdict_in_words(const std::string& verdict) {
   if (verdict == "invalid") return "This could not be read; it does not count as an attempt.";
   return "Undecided.";
 }
-
-}  // namespace
 
 std::string readable(const std::string& sentence, const std::string& indent) {
   std::string text;
@@ -143,9 +150,7 @@ std::string report(const Classroom& room, const Exercise& exercise, const Opinio
     for (const auto& [name, value] : opinion.witness->at)
       at += fmt::format("{}{} = {}", at.empty() ? "" : ", ", name, value);
     text += wrap("at " + at, 80, "  ", "     ");
-    const std::string what = exercise.kind != Kind::equation ? ""
-                             : exercise.pivot.empty()        ? "left side - right side = "
-                                                             : exercise.pivot + " = ";
+    const std::string what = pivot_in_words(exercise);
     text += fmt::format("  yours: {0}{1}\n  right: {0}{2}\n", what, opinion.witness->printed,
                         opinion.witness->derived);
   }

@@ -61,11 +61,16 @@ void argue(const Prepared& prepared, Page& page) {
 
 }  // namespace
 
-std::string solution_text(const Prepared& prepared) {
-  const auto& exercise = prepared.exercise;
+Page way_to_answer(const Prepared& prepared) {
   Page page;
   argue(prepared, page);
-  std::string text = exercise.title + "\n\nHow it comes about:\n" + lines_of(page) + "\nSo the answer is\n\n";
+  return page;
+}
+
+std::string solution_text(const Prepared& prepared) {
+  const auto& exercise = prepared.exercise;
+  std::string text = exercise.title + "\n\nHow it comes about:\n" + lines_of(way_to_answer(prepared)) +
+                     "\nSo the answer is\n\n";
   if (exercise.kind == Kind::choice)
     text += readable(exercise.options.at(prepared.choice - 1).text, "  ") + "\n";
   return text + model_answer(prepared) + "\n";

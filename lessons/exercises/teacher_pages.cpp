@@ -6,67 +6,16 @@
 #include <derivations/emit/command_line.hpp>
 #include <functional>
 #include <lessons/exercises/grading.hpp>
-#include <lessons/prose.hpp>
+#include <lessons/exercises/in_page.hpp>
 #include <lessons/render.hpp>
 #include <set>
 
 namespace rederive::classroom {
 namespace {
 
-constexpr auto style = R"(<style>
-body{font:17px/1.5 Georgia,"DejaVu Serif",serif;color:#1c1c1c;background:#fdfdfb;margin:0 auto;max-width:46rem;
- padding:1rem 1rem 3rem;overflow-wrap:anywhere}
-h1{font-size:1.5rem}h2{font-size:1.15rem;margin:2rem 0 .4rem;border-bottom:1px solid #ccc}p{margin:.4rem 0}
-math{font-family:"Rederive Math",math;font-size:1.12em}
-pre,code{font:.88em/1.45 "DejaVu Sans Mono",Consolas,monospace;background:#f1f1ec}
-pre{padding:.4rem .6rem;margin:.4rem 0;white-space:pre-wrap}
-.said{border-left:4px solid #c0392b;background:#f6f6f2;padding:.3rem .8rem}.correct{border-color:#2e8b57}
-.wrong_form,.correct_if,.undecided{border-color:#c98a1b}.small{font-size:.9rem;color:#444}
-table{border-collapse:collapse;width:100%;font-size:.93rem}
-td,th{border-bottom:1px solid #ccc;padding:.25rem .7rem .25rem 0;text-align:left;vertical-align:top}
-th,td:first-child{white-space:nowrap}@media print{section{break-inside:avoid}}
-</style>)";
-
-/// The beginning of a text that may be of any length and hold anything.
-std::string shown(const std::string& text, std::size_t most) {
-  std::size_t end = std::min(most, text.size());
-  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
-  return escaped(printable(text.substr(0, end))) + (end < text.size() ? " …" : "");
-}
-
-/// A sentence with marks.
-std::string in_html(const std::string& sentence) {
-  std::string text;
-  try {
-    for (const auto& paragraph : paragraphs(sentence)) {
-      text += "<p>";
-      for (const auto& span : spans(paragraph))
-        text += span.kind == Span::Kind::math   ? mathml(print_inline(span.text, Notation::latex))
-                : span.kind == Span::Kind::code ? "<code>" + escaped(span.text) + "</code>"
-                                                : escaped(printable(span.text));
-      text += "</p>\n";
-    }
-  } catch (const std::exception&) {  // a formula that has no LaTeX
-    return "<p>" + shown(sentence, 2000) + "</p>\n";
-  }
-  return text;
-}
-
 std::string page(const std::string& title, const std::string& body) {
-  return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
-         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
-         "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-         title + "</title>\n" + style +
-         (body.find("<math") != std::string::npos ? "\n" + math_font_style() : "\n") +
-         "</head>\n<body>\n<h1>" + title + "</h1>\n" + body + "</body>\n</html>\n";
-}
-
-std::string verdict_in_words(const std::string& verdict) {
-  if (verdict == "correct") return "Right.";
-  if (verdict == "wrong_form") return "The value is right, the form is not.";
-  if (verdict == "correct_if") return "Right only under a condition.";
-  if (verdict == "wrong") return "Not right.";
-  return verdict == "invalid" ? "This could not be read." : "The program could not decide this.";
+  return page_head(title) + "<main class=\"class\">\n<h1>" + title + "</h1>\n" + body +
+         "</main>\n</body>\n</html>\n";
 }
 
 std::string words_of(std::string note) {
@@ -100,16 +49,8 @@ std::string section(const Exercise& exercise, const Rules& rules, const Student&
   std::string text =
       fmt::format("<section>\n<h2>{}</h2>\n{}", escaped(exercise.title), in_html(exercise.statement));
   text += "<pre>" + (row.answer.empty() ? "(nothing)" : shown(row.answer, 400)) + "</pre>\n";
-  if (!row.read_as.empty() && row.read_as != row.answer)
-    text += "<p class=\"small\">Read as: <code>" + shown(row.read_as, 400) + "</code></p>\n";
-  text +=
-      fmt::format("<div class=\"said {}\"><p><b>{}</b></p>\n", row.verdict, verdict_in_words(row.verdict));
-  if (row.feedback.find('\n') != std::string::npos)
-    text += "<pre>" + shown(row.feedback, 2000) + "</pre>\n";  // a caret must keep its place
-  else if (row.verdict != "correct")
-    text += in_html(row.feedback);
-  if (!row.hint.empty()) text += in_html("A hint: " + row.hint);
-  text += "</div>\n";
+  text += verdict_html(row.verdict, row.read_as == row.answer ? "" : row.read_as, row.feedback,
+                       row.hint.empty() ? "" : in_html("A hint: " + row.hint));
   if (const auto weight = rules.weights.find(exercise.id); weight != rules.weights.end())
     text += fmt::format("<p class=\"small\">Marks: {} of {}{}{}</p>\n",
                         row.verdict == "undecided" ? "?" : mark_text(mark.marks), mark_text(weight->second),
@@ -152,19 +93,10 @@ struct Seen {
 };
 using Slips = std::map<std::string, Seen>;
 
-/// The most frequent first, then by name.
-template <class Map, class Count>
-auto by_frequency(const Map& map, Count count) {
-  std::vector<std::pair<typename Map::key_type, typename Map::mapped_type>> list(map.begin(), map.end());
-  std::stable_sort(list.begin(), list.end(),
-                   [&](const auto& a, const auto& b) { return count(a.second) > count(b.second); });
-  return list;
-}
-
 std::string table_of(const Slips& slips, const std::string& heading,
                      const std::function<std::string(const Seen&)>& last) {
   std::string text = "<table>\n<tr><th>slip</th><th>times</th><th>" + heading + "</th></tr>\n";
-  for (const auto& [note, seen] : by_frequency(slips, [](const Seen& one) { return one.times; }))
+  for (const auto& [note, seen] : by_frequency(slips, &Seen::times))
     text +=
         fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", words_of(note), seen.times, last(seen));
   return text + "</table>\n";
@@ -173,7 +105,7 @@ std::string table_of(const Slips& slips, const std::string& heading,
 std::string typical_answers(const Seen& seen) {
   std::string text;
   std::size_t shown_of = 0;
-  for (const auto& [answer, times] : by_frequency(seen.answers, [](int count) { return count; })) {
+  for (const auto& [answer, times] : by_frequency(seen.answers, std::identity())) {
     if (shown_of++ == 3) break;
     text += (text.empty() ? "" : "<br>") + ("<code>" + shown(answer, 120) + "</code>") +
             (times > 1 ? fmt::format(" × {}", times) : "");

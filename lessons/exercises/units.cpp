@@ -2,48 +2,41 @@
 #include <cln/real.h>
 #include <fmt/format.h>
 
-#include <array>
 #include <cctype>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/exercises/units.hpp>
 #include <limits>
+#include <sstream>
 
 namespace rederive::classroom {
 namespace {
 
+/// A unit, what it measures in base units, and its size in those.
 struct Unit {
-  const char *name, *si;  ///< what it measures, in base units
-  const char* factor;     ///< its size in those
+  std::string name, si, factor;
 };
+constexpr auto table = R"(
+m m 1  cm m 1/100  mm m 1/1000  km m 1000  g m/s^2 981/100
+s s 1  sec s 1  ms s 1/1000  min s 60  Hz 1/s 2*pi
+kg kg 1  t kg 1000  N kg*m/s^2 1  kN kg*m/s^2 1000  Pa kg/m/s^2 1
+J kg*m^2/s^2 1  kJ kg*m^2/s^2 1000  Nm kg*m^2/s^2 1  W kg*m^2/s^3 1
+rad 1 1  deg 1 pi/180  percent 1 1/100)";
 
-constexpr std::array<Unit, 22> units{{{"m", "m", "1"},
-                                      {"g", "m/s^2", "981/100"},
-                                      {"cm", "m", "1/100"},
-                                      {"mm", "m", "1/1000"},
-                                      {"km", "m", "1000"},
-                                      {"s", "s", "1"},
-                                      {"sec", "s", "1"},
-                                      {"ms", "s", "1/1000"},
-                                      {"min", "s", "60"},
-                                      {"kg", "kg", "1"},
-                                      {"t", "kg", "1000"},
-                                      {"N", "kg*m/s^2", "1"},
-                                      {"kN", "kg*m/s^2", "1000"},
-                                      {"J", "kg*m^2/s^2", "1"},
-                                      {"kJ", "kg*m^2/s^2", "1000"},
-                                      {"Nm", "kg*m^2/s^2", "1"},
-                                      {"Hz", "1/s", "2*pi"},
-                                      {"rad", "1", "1"},
-                                      {"deg", "1", "pi/180"},
-                                      {"percent", "1", "1/100"},
-                                      {"W", "kg*m^2/s^3", "1"},
-                                      {"Pa", "kg/m/s^2", "1"}}};
+const std::vector<Unit>& units() {
+  static const auto list = [] {
+    std::vector<Unit> all;
+    std::istringstream words(table);
+    for (Unit unit; words >> unit.name >> unit.si >> unit.factor;) all.push_back(unit);
+    return all;
+  }();
+  return list;
+}
 
 const Symbols& unit_symbols() {
   static const Symbols table = [] {
     Symbols symbols;
-    for (const auto& unit : units)
+    for (const auto& unit : units())
       symbols.declare(unit.name, unit.name, unit.name, unit.si, "(0, inf)", "a unit", "SI");
     return symbols;
   }();
@@ -75,7 +68,7 @@ double as_number(const Tree& tree) {
 std::pair<double, Dimension> read_unit(const std::string& text) {
   const Tree tree = parse(text, unit_symbols());
   GiNaC::exmap sizes;
-  for (const auto& unit : units)
+  for (const auto& unit : units())
     sizes[unit_symbols()[unit.name]] = lower(parse(unit.factor, no_symbols()), no_symbols());
   const auto report = dimension(tree, unit_symbols());
   if (names_of(tree).empty()) throw SyntaxError("unit", 0, "this is no unit: " + text);

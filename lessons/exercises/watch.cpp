@@ -8,7 +8,6 @@
 #include <derivations/emit/command_line.hpp>
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/classroom.hpp>
-#include <lessons/exercises/sandbox.hpp>
 #include <map>
 #include <set>
 
@@ -141,12 +140,9 @@ class Watch {
     if (answer.trouble == "empty") return say("No answer in the file yet.\n");
     const Opinion opinion =
         answer.trouble.empty() ? judge_bounded(exercise, answer.text) : invalid(answer.trouble, answer.says);
-    {
-      const ProgressLock lock(room_.progress);
-      Progress progress = load_progress(room_.progress);
-      enter(progress, exercise, opinion, answer.text);
-      save_progress(room_.progress, progress);
-    }
+    Progress progress;
+    if (const std::string trouble = keep(room_, exercise, opinion, answer.text, progress); !trouble.empty())
+      throw BadInput(trouble);
     say(report(room_, exercise, opinion));
     if (opinion.verdict == "correct") say("Press n for the next exercise.\n");
   }

@@ -15,31 +15,16 @@ void put(const std::string& text) { std::fputs(text.c_str(), stdout); }
 std::string next_line(const Classroom& room, const Progress& progress) {
   if (const Exercise* next = next_exercise(room, progress))
     return fmt::format("Next: exercises show {}\n", next->id);
-  std::size_t given_up = 0;
-  for (const auto& exercise : room.exercises)
-    given_up += progress.records.at(exercise.id).status == "given_up";
+  const auto given_up = count_of(room, progress, "given_up");
   return given_up == 0
              ? "All exercises are solved. Well worked.\n"
              : fmt::format("All exercises are done, {} of them given up: exercises list\n", given_up);
 }
 
-/// Keeps the attempt; a progress file that cannot be written costs a warning, not the verdict.
-Progress keep(const Classroom& room, const Exercise& exercise, const Opinion& opinion,
-              const std::string& answer) {
-  Progress progress;
-  try {
-    const ProgressLock lock(room.progress);
-    progress = load_progress(room.progress);
-    enter(progress, exercise, opinion, answer);
-    save_progress(room.progress, progress);
-  } catch (const BadInput& error) {
-    std::fprintf(stderr, "exercises: your progress is not kept: %s\n", error.what());
-  }
-  return progress;
-}
-
 int tell(const Classroom& room, const Exercise& exercise, const Opinion& opinion, const std::string& answer) {
-  const Progress progress = keep(room, exercise, opinion, answer);
+  Progress progress;
+  if (const std::string trouble = keep(room, exercise, opinion, answer, progress); !trouble.empty())
+    std::fprintf(stderr, "exercises: %s\n", trouble.c_str());
   if (room.json)
     put(report_json(exercise, opinion));
   else
@@ -60,14 +45,36 @@ const Exercise& find_exercise(const Classroom& room, const std::string& id) {
                              like.empty() ? "See: exercises list" : "Did you mean one of: " + like + "?"));
 }
 
+Record record_of(const Progress& progress, const Exercise& exercise) {
+  const auto record = progress.records.find(exercise.id);
+  return record == progress.records.end() ? Record{} : record->second;
+}
+
+std::ptrdiff_t count_of(const Classroom& room, const Progress& progress, const std::string& status) {
+  return std::count_if(room.exercises.begin(), room.exercises.end(), [&](const Exercise& exercise) {
+    return record_of(progress, exercise).status == status;
+  });
+}
+
 const Exercise* next_exercise(const Classroom& room, const Progress& progress) {
   for (const auto& exercise : room.exercises) {
-    const auto record = progress.records.find(exercise.id);
-    if (record == progress.records.end() ||
-        (record->second.status != "solved" && record->second.status != "given_up"))
-      return &exercise;
+    const std::string status = record_of(progress, exercise).status;
+    if (status != "solved" && status != "given_up") return &exercise;
   }
   return nullptr;
+}
+
+std::string keep(const Classroom& room, const Exercise& exercise, const Opinion& opinion,
+                 const std::string& answer, Progress& progress) {
+  try {
+    const ProgressLock lock(room.progress);
+    progress = load_progress(room.progress);
+    enter(progress, exercise, opinion, answer);
+    save_progress(room.progress, progress);
+  } catch (const BadInput& error) {
+    return std::string("your progress is not kept: ") + error.what();
+  }
+  return "";
 }
 
 void enter(Progress& progress, const Exercise& exercise, const Opinion& opinion, const std::string& answer) {
@@ -87,11 +94,8 @@ int list(const Classroom& room) {
   nlohmann::ordered_json json{{"exercises", nlohmann::ordered_json::array()}};
   std::string text =
       fmt::format("{:<28} {:>6}  {:<44} {:<9} {:>8}\n", "exercise", "lesson", "title", "status", "attempts");
-  std::size_t solved = 0;
   for (const auto& exercise : room.exercises) {
-    const auto found = progress.records.find(exercise.id);
-    const Record record = found == progress.records.end() ? Record{} : found->second;
-    solved += record.status == "solved";
+    const Record record = record_of(progress, exercise);
     text += fmt::format("{:<28} {:>6}  {:<44} {:<9} {:>8}\n", exercise.id, exercise.lesson, exercise.title,
                         record.status == "given_up" ? "given up" : record.status, record.attempts);
     json["exercises"].push_back({{"id", exercise.id},
@@ -104,20 +108,17 @@ int list(const Classroom& room) {
   const Exercise* next = next_exercise(room, progress);
   json["next"] = next == nullptr ? nlohmann::ordered_json() : nlohmann::ordered_json(next->id);
   put(room.json ? json.dump(2) + "\n"
-                : text + fmt::format("\n{} of {} solved.  ", solved, room.exercises.size()) +
+                : text +
+                      fmt::format("\n{} of {} solved.  ", count_of(room, progress, "solved"),
+                                  room.exercises.size()) +
                       next_line(room, progress));
   return as_expected;
 }
 
 int what_is_next(const Classroom& room) {
   const Progress progress = load_progress(room.progress);
-  std::size_t solved = 0;
-  for (const auto& exercise : room.exercises) {
-    const auto found = progress.records.find(exercise.id);
-    solved += found != progress.records.end() && found->second.status == "solved";
-  }
-  put(fmt::format("{} of {} solved.  ", solved, room.exercises.size()) + next_line(room, progress) +
-      "All that can be done here: exercises --help\n");
+  put(fmt::format("{} of {} solved.  ", count_of(room, progress, "solved"), room.exercises.size()) +
+      next_line(room, progress) + "All that can be done here: exercises --help\n");
   return as_expected;
 }
 
@@ -138,19 +139,25 @@ int check_file(const Classroom& room, const std::string& id, const std::string& 
   return tell(room, exercise, judge_bounded(exercise, answer.text), answer.text);
 }
 
-int solution(const Classroom& room, const std::string& id, bool give_up) {
-  const Exercise& exercise = find_exercise(room, id);
+bool solution_is_due(const Classroom& room, const Exercise& exercise, bool give_up, Progress& progress) {
   const ProgressLock lock(room.progress);
-  Progress progress = load_progress(room.progress);
-  Record& record = progress.records[id];
-  if (record.status != "solved" && !give_up) {
-    std::fprintf(stderr, "exercises: %s is not solved yet. Try again, ask for a hint, or add --give-up.\n",
-                 id.c_str());
-    return not_as_expected;
-  }
+  progress = load_progress(room.progress);
+  Record& record = progress.records[exercise.id];
+  if (record.status != "solved" && !give_up) return false;
   if (record.status != "solved" && record.status != "given_up") {
     record.status = "given_up";
     save_progress(room.progress, progress);
+  }
+  return true;
+}
+
+int solution(const Classroom& room, const std::string& id, bool give_up) {
+  const Exercise& exercise = find_exercise(room, id);
+  Progress progress;
+  if (!solution_is_due(room, exercise, give_up, progress)) {
+    std::fprintf(stderr, "exercises: %s is not solved yet. Try again, ask for a hint, or add --give-up.\n",
+                 id.c_str());
+    return not_as_expected;
   }
   const Prepared prepared = prepare(exercise);
   const std::string answer = model_answer(prepared);

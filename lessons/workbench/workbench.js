@@ -122,23 +122,19 @@ class Workbench {
 
   listen() {
     const { section } = this;
-    for (const slider of section.querySelectorAll("[data-of]"))
-      slider.addEventListener("input", () => this.set({ [slider.dataset.of]: Number(slider.value) }));
-    for (const input of section.querySelectorAll(".controls input:not([type])")) {
-      input.addEventListener("change", () => this.type(input.name, input.value));
-      input.addEventListener("keydown", (event) => event.key === "Enter" && (event.preventDefault(), input.blur()));
-    }
-    for (const name of ["pulse", "model"])
-      for (const radio of this.radiosOf(name)) radio.addEventListener("change", () => this.set({ [name]: radio.value }));
-    this.find("[name=auto]").addEventListener("change", (event) =>
-      this.set({ restitution: event.target.checked ? "auto" : Number(caseOf(this.state).e.toPrecision(6)) }));
-    for (const radio of this.radiosOf("curves")) radio.addEventListener("change", () => this.draw());
-    this.find("[name=time]").addEventListener("input", (event) => {
-      this.pause();
-      this.go(Number(event.target.value));
+    section.addEventListener("input", ({ target: { dataset, name, value } }) => {
+      if (dataset.of) this.set({ [dataset.of]: Number(value) });
+      if (name === "time") this.pause(), this.go(Number(value));
     });
+    section.addEventListener("change", ({ target: { name, value, checked } }) => {
+      if (name === "curves") this.draw();
+      else if (name === "auto") this.set({ restitution: checked ? "auto" : Number(caseOf(this.state).e.toPrecision(6)) });
+      else if (name in options) this.type(name, value);
+    });
+    this.find(".controls").addEventListener("keydown", (event) =>
+      event.key === "Enter" && (event.preventDefault(), event.target.blur()));
     for (const button of section.querySelectorAll("[data-do]"))
-      button.addEventListener("click", () => this[button.dataset.do]());
+      button.addEventListener("click", () => this[button.dataset.do](Number(button.dataset.way)));
     (this.own ? document : section).addEventListener("keydown", (event) => {
       const elsewhere = event.target.closest("input,select,button,textarea,summary,a");
       if (elsewhere || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -200,20 +196,11 @@ class Workbench {
     this.pause();
     this.go(this.time + way * 0.05);
   }
-  less() { this.step(-1); }
-  more() { this.step(1); }
   toEvent(way) {
     this.pause();
     const times = [0, ...this.motion.events.map((event) => event.time), this.motion.end].sort((a, b) => way * (a - b));
-    const time = times.find((when) => way * (when - this.time) > 1e-9) ?? this.time;
-    this.go(time);
-    this.sayEvent(time);
-  }
-  back() { this.toEvent(-1); }
-  next() { this.toEvent(1); }
-
-  sayEvent(time) {
-    const event = this.motion.events.find((one) => Math.abs(one.time - time) < 1e-9);
+    this.go(times.find((when) => way * (when - this.time) > 1e-9) ?? this.time);
+    const event = this.motion.events.find((one) => Math.abs(one.time - this.time) < 1e-9);
     if (event) this.say(this.wordsOf(event));
   }
   wordsOf(event) {

@@ -1,10 +1,9 @@
 // Writes the workbench at build time: the element that lessons hold, and the page of its own.
 // Usage: workbench_page FOLDER SOURCES
+#include <derivations/emit/command_line.hpp>
 #include <derivations/emit/emit.hpp>
 #include <derivations/rocking_block/pulse.hpp>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 #include <stdexcept>
@@ -12,12 +11,6 @@
 using namespace rederive;
 
 namespace {
-
-std::string whole_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + path.string());
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 Relation printed(const std::string& id) { return parse_relation(judged(id).row.printed); }
 
@@ -82,11 +75,6 @@ std::string physics(const std::string& script) {
   return "const emitted = (() => {\n" + text + "\nreturn { " + names + "};\n})();\n";
 }
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  if (!(out << text).flush()) throw std::runtime_error("cannot write " + file.string());
-}
-
 /// The same without what emit says of each function: lessons are long enough.
 std::string without_documentation(std::string text) {
   for (std::size_t at = 0; (at = text.find("/**", at)) != std::string::npos;)
@@ -108,8 +96,8 @@ void write_all(const std::filesystem::path& folder, const std::filesystem::path&
            "</script>\n";
   };
   const std::string emitted = physics(motion);
-  write(folder / "workbench_element.html", element(without_documentation(emitted)));
-  write(folder / "workbench.html", whole_file(sources / "head.html") + math_font_style() +
+  write_whole(folder / "workbench_element.html", element(without_documentation(emitted)));
+  write_whole(folder / "workbench.html", whole_file(sources / "head.html") + math_font_style() +
                                        "</head>\n<body class=\"own\">\n<h1>The rocking block</h1>\n" +
                                        element(emitted) + "</body>\n</html>\n");
 }

@@ -1,0 +1,62 @@
+// `exercises serve` as a process, with a progress file of its own.
+#pragma once
+
+#include <fcntl.h>
+#include <spawn.h>
+
+#include <csignal>
+
+#include "run_program.hpp"
+
+extern char** environ;
+
+/// A program that runs beside the test; descriptors are (here, there).
+inline pid_t start_program(const std::vector<std::string>& command,
+                           const std::vector<std::pair<int, int>>& descriptors) {
+  std::vector<char*> arguments;
+  for (const auto& argument : command) arguments.push_back(const_cast<char*>(argument.c_str()));
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  for (const auto& [here, there] : descriptors) ::posix_spawn_file_actions_adddup2(&actions, here, there);
+  pid_t process = -1;
+  if (::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ) != 0)
+    throw std::runtime_error("cannot start " + command[0]);
+  ::posix_spawn_file_actions_destroy(&actions);
+  return process;
+}
+
+class Server {
+ public:
+  TemporaryFolder folder;
+  std::filesystem::path progress = folder.path / "progress.txt";
+  std::string url, token;
+  int port = 0;
+
+  Server() {
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe to be had");
+    process_ =
+        start_program({REDERIVE_PROGRAMS "/exercises", "--progress", progress, "serve"}, {{ends[1], 1}});
+    ::close(ends[1]);
+    for (char c; ::read(ends[0], &c, 1) == 1 && c != '\n';) url += c;
+    ::close(ends[0]);
+    const std::size_t colon = url.rfind(':'), slash = url.find('/', colon);
+    port = std::stoi(url.substr(colon + 1));
+    token = url.substr(slash + 1, url.size() - slash - 2);
+  }
+  ~Server() {
+    if (process_ > 0) end(SIGKILL);
+  }
+  /// Its exit code; -1 if it ended by the signal.
+  int end(int signal) {
+    int status = 0;
+    ::kill(process_, signal);
+    ::waitpid(process_, &status, 0);
+    process_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  pid_t process_ = -1;
+};
