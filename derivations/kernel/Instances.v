@@ -153,7 +153,8 @@ Proof.
 Qed.
 End Right.
 
-(* (92a), (92b), (96) and r9 to r11: psi = pi/4, omega_p = p = 1, and the time at which the block is back at theta = 0,
+(* (92a), (92b), (96) and r9 to r11: psi = pi/4, omega_p = p = 1, and the time at which the block is back at theta =
+  0,
    where X sinh + Y cosh is 1. *)
 Lemma is_one X Y : 0 < X + Y -> 0 < X - Y -> exists x, X * sinh x + Y * cosh x = 1 /\ 0 < X * cosh x + Y * sinh x.
 Proof.
@@ -204,12 +205,14 @@ Proof.
     assert (Hb : b = Y) by (rewrite H, U, W, cot_1; unfold Y, alpha, p; rewrite !Rmult_1_l; field).
     assert (at_0 : theta (T_ex + x) = 0) by (rewrite E, Z, Ga, Hb, A; unfold alpha; ring).
     assert (rising : 0 < thetadot (T_ex + x)).
-    { replace (thetadot (T_ex + x)) with (thetadot (T_ex + x) / p) by (unfold p; field); rewrite F, Z, Ga, Hb; exact B. }
+    { replace (thetadot (T_ex + x)) with (thetadot (T_ex + x) / p) by (unfold p; field); rewrite F, Z, Ga, Hb; exact
+      B. }
     split; [ exact at_0 | split; [ exact rising | ] ].
     assert (one : 0 < 1) by lra.
     assert (E' : forall t, theta t = a * sinh (p * (t - T_ex)) + b * cosh (p * (t - T_ex)) - alpha) by exact E.
     apply (derivation_r9 alpha p omega_p psi T_ex one one one (T_ex + x)); try assumption; try lra.
-    + apply (derivation_92a alpha p omega_p psi one one one theta thetadot D T_ex T_ex (T_ex + x) a b E' U V); auto; lra.
+    + apply (derivation_92a alpha p omega_p psi one one one theta thetadot D T_ex T_ex (T_ex + x) a b E' U V); auto;
+      lra.
     + apply (derivation_92b alpha p omega_p psi one one theta thetadot D T_ex T_ex (T_ex + x) a b E' U V); auto; lra.
 Qed.
 End Back.
@@ -231,7 +234,8 @@ Theorem instance_28a m g R' alpha p a_p lambda : 0 < m -> 0 < g -> 0 < R' -> 0 <
   thetaddot_0 = p ^ 2 * sin alpha * (1 - lambda * a_p / (g * tan alpha)) /\
   (lambda * a_p = g * tan alpha -> 0 < V_0).
 Proof.
-  intros M G R A P; assert (C : 0 < cos alpha) by (apply cos_gt_0; lra); assert (S : 0 < sin alpha) by (apply sin_gt_0;
+  intros M G R A P; assert (C : 0 < cos alpha) by (apply cos_gt_0; lra); assert (S : 0 < sin alpha) by (apply
+    sin_gt_0;
     lra).
   exists (p ^ 2 * sin alpha * (1 - lambda * a_p / (g * tan alpha))); do 2 eexists.
   split; [ reflexivity | split; [ reflexivity | split; [ | split; [ reflexivity | ] ] ] ].
