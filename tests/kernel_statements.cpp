@@ -177,6 +177,24 @@ TEST_CASE("the hypotheses of each lemma hold at some point") {
   CHECK(named >= 240);
 }
 
+TEST_CASE("before each derivation stands from what: rows, and what is assumed") {
+  std::set<std::string> known{"newton", "euler", "rotation", "linearised", "rest", "criterion"};
+  for (const Entry& entry : entries()) known.insert(entry.row.id);
+  static const std::regex theorem("\n(\\(\\* from ([^*]*) \\*\\)\n)?Theorem (derivation_\\w+)"),
+      word("[^, ]+");
+  int found = 0;
+  for (const std::string file : theorem_files) {
+    const std::string text = shipped(file);
+    for (std::sregex_iterator at(text.begin(), text.end(), theorem), end; at != end; ++at, ++found) {
+      CHECK_MESSAGE((*at)[1].matched, (*at)[3].str());
+      const std::string from = (*at)[2];
+      for (std::sregex_iterator of(from.begin(), from.end(), word); of != end; ++of)
+        CHECK_MESSAGE(known.contains(of->str()), (*at)[3].str(), " from ", of->str());
+    }
+  }
+  CHECK(found >= 150);
+}
+
 TEST_CASE("the theorems that claims quote are there, and about the claim that quotes them") {
   std::set<std::string> names;
   for (const Lemma& theorem : shipped_theorems()) names.insert(theorem.name);

@@ -51,7 +51,8 @@ Qed.
 Lemma rate_dies_away p t_o A B : 0 < p ->
   (tends_to (fun t => A * cosh (p * (t - t_o)) + B * sinh (p * (t - t_o))) 0 <-> A = - B).
 Proof.
-  intro P; rewrite (tends_to_ext _ (fun t => B * sinh (p * (t - t_o)) + A * cosh (p * (t - t_o)) + 0)) by (intro; ring).
+  intro P; rewrite (tends_to_ext _ (fun t => B * sinh (p * (t - t_o)) + A * cosh (p * (t - t_o)) + 0)) by (intro;
+    ring).
   rewrite dies_away by exact P; split; lra.
 Qed.
 
@@ -101,7 +102,8 @@ Lemma criterion_left A_1 A_2 : sin psi <> 0 ->
   thetadot T_ex / p = A_1 * cosh (p * T_ex) + A_2 * sinh (p * T_ex) + alpha * w / (1 + w ^ 2) * (1 / sin psi) ->
   (tends_to theta (- alpha) <-> (A_1 + A_2) * exp (p * T_ex) + alpha * w / (1 + w ^ 2) * (1 / sin psi) = 0).
 Proof.
-  intros S E F; rewrite derivation_68; rewrite <- (by_growing_part p (- alpha) _ _ _ _ _ _ (Rgt_not_eq _ _ p_pos) E F).
+  intros S E F; rewrite derivation_68; rewrite <- (by_growing_part p (- alpha) _ _ _ _ _ _ (Rgt_not_eq _ _ p_pos) E
+    F).
   apply (eq_by 1); [ lra | ring ].
 Qed.
 (* from 68, 69a, 69b, 70a, 70b, u20 *)
@@ -200,7 +202,8 @@ Qed.
 (* from 75, 97, r14, rest *)
 Theorem derivation_r15 (x x_dot : R -> R) : cos psi <> 0 -> T_ex = (PI / 2 + psi) / omega_p ->
   (forall t, is_derive x t (x_dot t)) ->
-  (forall t, is_derive x_dot t (p ^ 2 * x t - p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * t + (PI - psi)) / cos psi)) ->
+  (forall t, is_derive x_dot t (p ^ 2 * x t - p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * t + (PI - psi)) / cos
+    psi)) ->
   x 0 = 0 -> x_dot 0 = 0 -> theta T_ex = x T_ex -> thetadot T_ex = x_dot T_ex ->
   (tends_to theta alpha <-> w * cos psi - sin psi = exp (- ((PI / 2 + psi) / w))).
 Proof.
@@ -242,7 +245,8 @@ Proof.
 Qed.
 Variables e thetadot_before : R.
 Hypothesis equation_81 : A_4 = - alpha - alpha / (1 + w ^ 2) * sin (omega_p * t_i + psi) / sin psi.
-Hypothesis equation_82 : A_3 = e * thetadot_before / p - alpha * w / (1 + w ^ 2) * cos (omega_p * t_i + psi) / sin psi.
+Hypothesis equation_82 : A_3 = e * thetadot_before / p - alpha * w / (1 + w ^ 2) * cos (omega_p * t_i + psi) / sin
+  psi.
 (* from 81, 82, 83 *)
 Theorem derivation_87a : tends_to theta alpha <->
   (1 + w ^ 2) * (e * thetadot_before / (alpha * p) - 1) * sin psi - w * cos (omega_p * t_i + psi) -
@@ -294,7 +298,8 @@ Proof.
   assert (E : thetadot t_i / p = - - alpha <-> thetadot t_i - p * alpha = 0) by (apply (eq_by (/ p)); [ nz | field;
     lra ]).
   rewrite derivation_94a, derivation_94b, <- E; split.
-  - rewrite (tends_to_ext _ (fun t => thetadot t_i / p * sinh (p * (t - t_i)) + - alpha * cosh (p * (t - t_i)) + alpha))
+  - rewrite (tends_to_ext _ (fun t => thetadot t_i / p * sinh (p * (t - t_i)) + - alpha * cosh (p * (t - t_i)) +
+    alpha))
       by (intro; ring); now apply dies_away.
   - rewrite (tends_to_ext _ (fun t => thetadot t_i / p * cosh (p * (t - t_i)) + - alpha * sinh (p * (t - t_i))))
       by (intro; ring); now apply rate_dies_away.
@@ -330,7 +335,8 @@ Hypothesis comes_back : 0 < thetadot_before.
 Lemma squares_differ : (thetadot_before / (p * alpha)) ^ 2 - 1 = w ^ 2 / (1 + w ^ 2) ^ 2 *
   (2 / sin psi ^ 2 - 1 - w ^ 2 + 2 / sin psi * (w * sinh (p * T_ex) - cot psi * cosh (p * T_ex))).
 Proof.
-  assert (W := w_pos); assert (A : X * sinh (p * (t_i - T_ex)) + Y * cosh (p * (t_i - T_ex)) = 1) by (unfold X, Y; lra).
+  assert (W := w_pos); assert (A : X * sinh (p * (t_i - T_ex)) + Y * cosh (p * (t_i - T_ex)) = 1) by (unfold X, Y;
+    lra).
   assert (B : thetadot_before / (p * alpha) = X * cosh (p * (t_i - T_ex)) + Y * sinh (p * (t_i - T_ex))).
   { rewrite equation_92b; unfold X, Y; replace omega_p with (w * p) by (unfold w; field; lra); unfold tan; field;
       repeat split; nz. }

@@ -172,7 +172,8 @@ Theorem derivation_r7_r8 p V t : 0 < p ->
               side * theta t))) - R' * thetadot t ^ 2 * cos (alpha + side * theta t) ->
   (V > 0 <->
    g + side * (p ^ 2 * R' * (u_gddot t / g * sin (2 * (alpha + side * theta t)) / 2 -
-         side * sin (alpha + side * theta t) ^ 2 - side * (thetadot t ^ 2 / p ^ 2 * cos (alpha + side * theta t)))) > 0).
+         side * sin (alpha + side * theta t) ^ 2 - side * (thetadot t ^ 2 / p ^ 2 * cos (alpha + side * theta t)))) >
+           0).
 Proof.
   intros P E; rewrite sin_2a; apply (lt_by m); [ exact m_pos | ].
   replace V with (V / m * m) by (field; lra); rewrite E; field [sides]; lra.

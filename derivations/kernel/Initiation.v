@@ -142,7 +142,8 @@ Proof.
   split; intro H; apply Rle_ge, E, Rge_le, H.
 Qed.
 (* from 25b, 52 *)
-Theorem derivation_u10a a_p lambda omega_p psi : 0 < a_p -> lambda * a_p = a_p * sin (omega_p * 0 + psi) -> 1 >= lambda.
+Theorem derivation_u10a a_p lambda omega_p psi : 0 < a_p -> lambda * a_p = a_p * sin (omega_p * 0 + psi) -> 1 >=
+  lambda.
 Proof. intros A E; assert (B := SIN_bound (omega_p * 0 + psi)); nra. Qed.
 
 (* Coulomb: the block slides unless |H| < mu V. H changes its sign while the block rocks; (33) is of H >= 0. *)

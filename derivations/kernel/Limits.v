@@ -55,7 +55,8 @@ Proof.
     - intros x X; apply E; lra.
     - intros x X; apply continuity_pt_filterlim, (ex_derive_continuous f); eexists; apply E; lra.
     - exists c; split; assumption. }
-  assert (slow : forall eps, 0 < eps -> exists T, t_o < T /\ forall t, T < t -> exists c, t <= c <= t + 1 /\ Rabs (v c) < eps).
+  assert (slow : forall eps, 0 < eps -> exists T, t_o < T /\ forall t, T < t -> exists c, t <= c <= t + 1 /\ Rabs (v
+    c) < eps).
   { intros eps E; destruct (Y (eps / 2)) as [T H]; [ lra | ]; exists (Rmax T t_o + 1).
     assert (M := Rmax_l T t_o); assert (N := Rmax_r T t_o); split; [ lra | intros t G ].
     destruct (between y v (fun s S => proj1 (D s S)) t (t + 1)) as [c [I F]]; [ lra | ].

@@ -151,7 +151,8 @@ Lemma glued (f f' g g' : R -> R) T : (forall t, is_derive f t (f' t)) -> (forall
 Proof.
   intros F G E E' t; destruct (Rtotal_order t T) as [L | [-> | L]].
   - destruct (Rle_dec t T) as [_ | N]; [ | lra ]; apply (is_derive_ext_loc f); [ | apply F ].
-    apply (filter_imp (fun s => s < T)); [ intros s S; destruct (Rle_dec s T); [ reflexivity | lra ] | now apply open_lt ].
+    apply (filter_imp (fun s => s < T)); [ intros s S; destruct (Rle_dec s T); [ reflexivity | lra ] | now apply
+      open_lt ].
   - destruct (Rle_dec T T) as [_ | N]; [ | lra ]; apply is_derive_Reals; intros eps P.
     destruct (proj1 (is_derive_Reals _ _ _) (F T) eps P) as [d A].
     destruct (proj1 (is_derive_Reals _ _ _) (G T) eps P) as [d' B].
@@ -159,5 +160,6 @@ Proof.
     assert (M := Rmin_l d d'); assert (M' := Rmin_r d d'); destruct (Rle_dec T T) as [_ | X]; [ | lra ].
     destruct (Rle_dec (T + h) T); [ apply A | rewrite E, E'; apply B ]; lra.
   - destruct (Rle_dec t T) as [N | _]; [ lra | ]; apply (is_derive_ext_loc g); [ | apply G ].
-    apply (filter_imp (fun s => T < s)); [ intros s S; destruct (Rle_dec s T); [ lra | reflexivity ] | now apply open_gt ].
+    apply (filter_imp (fun s => T < s)); [ intros s S; destruct (Rle_dec s T); [ lra | reflexivity ] | now apply
+      open_gt ].
 Qed.

@@ -137,7 +137,8 @@ Lemma free_by_exponentials s :
            (theta T_ex + alpha - thetadot T_ex / p) / 2 * exp (- (p * s)) - alpha.
 Proof. unfold free; field; lra. Qed.
 
-(* What the pulse asks for exceeds alpha, its value at the start, until its phase is pi - psi, and never after that. *)
+(* What the pulse asks for exceeds alpha, its value at the start, until its phase is pi - psi, and never after that.
+  *)
 Lemma sine_above x : psi < x < PI - psi -> sin psi < sin x.
 Proof.
   intro X; destruct (Rle_dec x (PI / 2)) as [L | L]; [ apply sin_increasing_1; lra | ].
@@ -163,7 +164,8 @@ Proof.
   assert (H : psi < PI / 2) by (apply Rnot_le_lt; intro; assert (N := excess_negative _ psi W); lra).
   destruct response_starts_at_rest as [T0 V0].
   assert (phase : forall a b t, a <= omega_p * t + psi < b <-> (a - psi) / omega_p <= t < (b - psi) / omega_p).
-  { intros a b t; assert (A : a <= omega_p * t + psi <-> (a - psi) / omega_p <= t) by (apply (le_by omega_p); [ lra | field;
+  { intros a b t; assert (A : a <= omega_p * t + psi <-> (a - psi) / omega_p <= t) by (apply (le_by omega_p); [ lra |
+    field;
       lra ]); assert (B : omega_p * t + psi < b <-> t < (b - psi) / omega_p) by (apply (lt_by omega_p); [ lra | field;
       lra ]); tauto. }
   set (m := (PI - psi - psi) / omega_p).
@@ -173,7 +175,8 @@ Proof.
   set (V := fun t => (thetadot t + p * theta t) * exp (- (p * t))).
   set (V' := fun t => - (p ^ 2 * alpha / sin psi * (sin (omega_p * t + psi) - sin psi) * exp (- (p * t)))).
   assert (D : forall t, is_derive V t (V' t)).
-  { intro t; assert (A := theta_derivative t); assert (B := response_solves t); unfold V, V'; derivatives; field; lra. }
+  { intro t; assert (A := theta_derivative t); assert (B := response_solves t); unfold V, V'; derivatives; field;
+    lra. }
   assert (K : 0 < p ^ 2 * alpha / sin psi) by pos.
   assert (X : forall t, 0 < t <= T_ex -> V t < 0).
   { intros t [P N]; destruct (Rle_dec t m) as [C | C].
@@ -186,16 +189,19 @@ Proof.
       + apply (increases V V'); [ exact N | intros; apply D | ].
         intros x I; unfold V'; assert (A := sine_below (omega_p * x + psi) H).
         assert (B := exp_pos (- (p * x))); assert (A' : sin (omega_p * x + psi) < sin psi) by (apply A; split; nra).
-        assert (0 < p ^ 2 * alpha / sin psi * (sin psi - sin (omega_p * x + psi))) by (apply Rmult_lt_0_compat; lra); nra.
+        assert (0 < p ^ 2 * alpha / sin psi * (sin psi - sin (omega_p * x + psi))) by (apply Rmult_lt_0_compat; lra);
+          nra.
       + unfold V; assert (B := exp_pos (- (p * T_ex))).
         assert (thetadot T_ex + p * theta T_ex < 0).
         { replace (thetadot T_ex) with (p * (thetadot T_ex / p)) by (field; lra); nra. }
         nra. }
   intros t I; assert (B := exp_pos (p * t)).
   enough (- (theta 0 * exp (p * 0)) < - (theta t * exp (p * t))) by (rewrite T0 in *; nra).
-  apply (grows (fun t => - (theta t * exp (p * t))) (fun t => - ((thetadot t + p * theta t) * exp (p * t)))); [ lra | |].
+  apply (grows (fun t => - (theta t * exp (p * t))) (fun t => - ((thetadot t + p * theta t) * exp (p * t)))); [ lra |
+    |].
   - intros x _; assert (A := theta_derivative x); derivatives; ring.
-  - intros x J; assert (Y := X x); unfold V in Y; assert (Z := exp_pos (- (p * x))); assert (Z' := exp_pos (p * x)); nra.
+  - intros x J; assert (Y := X x); unfold V in Y; assert (Z := exp_pos (- (p * x))); assert (Z' := exp_pos (p * x));
+    nra.
 Qed.
 
 (* Above the threshold, where psi is smaller, the block overturns, and nowhere before does it come back to theta = 0,
@@ -266,14 +272,16 @@ Proof.
   set (w := fun s => thetadot T_ex * ((exp (p * (s - T_ex)) + exp (- (p * (s - T_ex)))) / 2) +
               p * (theta T_ex + alpha) * ((exp (p * (s - T_ex)) - exp (- (p * (s - T_ex)))) / 2)).
   set (pulse := fun t => p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (alpha / sin psi) * sin (omega_p * t + psi)).
-  assert (F0 : theta T_ex = free (T_ex - T_ex)) by (unfold free, Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0, exp_0;
+  assert (F0 : theta T_ex = free (T_ex - T_ex)) by (unfold free, Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0,
+    exp_0;
     field; lra).
   assert (W0 : thetadot T_ex = w T_ex) by (unfold w, Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0, exp_0; field).
   assert (X := glued theta thetadot (fun t => free (t - T_ex)) w T_ex theta_derivative).
   assert (V := glued thetadot pulse w (fun t => p ^ 2 * free (t - T_ex) + p ^ 2 * alpha) T_ex response_solves).
   assert (Dx : forall t, is_derive (fun t => free (t - T_ex)) t (w t)) by (intro; unfold free, w; auto_derive;
     [ trivial | unfold Rminus; field; lra ]).
-  assert (Dw : forall t, is_derive w t (p ^ 2 * free (t - T_ex) + p ^ 2 * alpha)) by (intro; unfold free, w; auto_derive;
+  assert (Dw : forall t, is_derive w t (p ^ 2 * free (t - T_ex) + p ^ 2 * alpha)) by (intro; unfold free, w;
+    auto_derive;
     [ trivial | unfold Rminus; field; lra ]).
   specialize (X Dx F0 W0); specialize (V Dw W0).
   assert (E : pulse T_ex = p ^ 2 * free (T_ex - T_ex) + p ^ 2 * alpha).
@@ -295,7 +303,8 @@ Theorem threshold_of_the_motion x v : is_the_motion x v ->
 Proof.
   intro M; destruct (the_motion_is x v M) as [A B]; split; [ | split ].
   - intro E; destruct (overturns E) as [N [F G]]; split.
-    + intros t I; destruct (Rle_dec t T_ex); [ rewrite (proj1 (A t ltac:(lra))); apply N; lra | rewrite B; [ apply F | ];
+    + intros t I; destruct (Rle_dec t T_ex); [ rewrite (proj1 (A t ltac:(lra))); apply N; lra | rewrite B; [ apply F
+      | ];
         lra ].
     + intro m; destruct (G m) as [T H]; exists (Rmax T_ex (T + T_ex)); intros t I.
       assert (L := Rmax_l T_ex (T + T_ex)); assert (L' := Rmax_r T_ex (T + T_ex)); rewrite B by lra; apply H; lra.
@@ -303,7 +312,8 @@ Proof.
     assert (L := Rmax_l T_ex (T + T_ex)); assert (L' := Rmax_r T_ex (T + T_ex)); rewrite B by lra; apply H; lra.
   - rewrite (tends_to_from T_ex x (fun t => thetadot T_ex / p * sinh (p * (t - T_ex)) +
       (theta T_ex + alpha) * cosh (p * (t - T_ex)) + - alpha)) by (intros t I; rewrite B by lra; reflexivity).
-    rewrite dies_away by exact p_pos; assert (G := growing_part); assert (S := sin_psi_pos); assert (Q := squares_pos).
+    rewrite dies_away by exact p_pos; assert (G := growing_part); assert (S := sin_psi_pos); assert (Q :=
+      squares_pos).
     assert (K : 0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 + p ^ 2))) by pos.
     split; intro E; [ rewrite E in G; lra | nra ].
 Qed.
@@ -340,35 +350,34 @@ Theorem threshold_at_4 : exists psi, is_threshold 4 psi /\ 19205592348801668/10^
   (forall x, is_threshold 4 x -> x = psi) /\ 5238964357601738/10^15 < / sin psi < 5238964357601739/10^15.
 Proof. threshold 4 (19205592348801668/10^17) (19205592348801669/10^17). Qed.
 
-(* Fig. 8 and Fig. 9 print amplitudes in units of alpha g at which the block without impact is said to be at the
-   threshold. They are above that of the linear block, which overturns there. *)
-Lemma overturns_above w a alpha p psi x : 0 < alpha -> 0 < p -> 0 < w -> 0 < psi <= PI / 2 -> is_threshold w x ->
-  / sin x < a -> / sin psi = a -> let th := theta alpha p (w * p) psi in let fr := free alpha p (w * p) psi in
-  (forall t, 0 < t <= T_ex (w * p) psi -> th t < 0) /\ (forall s, 0 <= s -> fr s < 0) /\
-  forall m, exists T, forall s, T < s -> fr s < m.
+(* Fig. 8 and Fig. 9 print amplitudes in units of alpha g at which the block is said not to overturn without impact.
+   They are above the threshold of the linear block, which overturns there. *)
+Lemma overturns_above w a alpha p psi threshold x v :
+  0 < alpha -> 0 < p -> 0 < w -> 0 < psi <= PI / 2 -> is_threshold w threshold -> / sin threshold < a -> / sin psi =
+    a ->
+  is_the_motion alpha p (w * p) psi x v -> (forall t, 0 < t -> x t < 0) /\ forall m, exists T, forall t, T < t -> x t
+    < m.
 Proof.
-  intros A P W I [X Z] B S th fr; assert (L := PI_RGT_0); apply overturns; try lra; [ nra | ].
-  replace (w * p / p) with w by (field; lra); apply (sign_of_excess w x psi); try lra.
-  apply Rnot_le_lt; intro N; assert (H : x < PI / 2).
-  { apply Rnot_le_lt; intro; assert (M := excess_negative w x W); lra. }
-  assert (D : sin x <= sin psi) by (apply sin_incr_1; lra); assert (E : 0 < sin x) by (apply sin_gt_0; lra).
-  assert (F : / sin psi <= / sin x) by (apply Rinv_le_contravar; lra); lra.
+  intros A P W I [X Z] B S M; assert (L := PI_RGT_0).
+  apply (threshold_of_the_motion alpha p (w * p) psi A P ltac:(nra) ltac:(lra) x v M).
+  replace (w * p / p) with w by (field; lra); apply (sign_of_excess w threshold psi); try lra.
+  apply Rnot_le_lt; intro N; assert (H : threshold < PI / 2).
+  { apply Rnot_le_lt; intro; assert (E := excess_negative w threshold W); lra. }
+  assert (D : sin threshold <= sin psi) by (apply sin_incr_1; lra).
+  assert (E : 0 < sin threshold) by (apply sin_gt_0; lra).
+  assert (F : / sin psi <= / sin threshold) by (apply Rinv_le_contravar; lra); lra.
 Qed.
-Theorem claim_c54_figure_8_is_not_linear alpha p psi :
-  0 < alpha -> 0 < p -> 0 < psi <= PI / 2 -> / sin psi = 235766/10^5 ->
-  let th := theta alpha p (2 * p) psi in let fr := free alpha p (2 * p) psi in
-  (forall t, 0 < t <= T_ex (2 * p) psi -> th t < 0) /\ (forall s, 0 <= s -> fr s < 0) /\
-  forall m, exists T, forall s, T < s -> fr s < m.
+Theorem claim_c54_figure_8_is_not_linear alpha p psi x v :
+  0 < alpha -> 0 < p -> 0 < psi <= PI / 2 -> / sin psi = 235766/10^5 -> is_the_motion alpha p (2 * p) psi x v ->
+  (forall t, 0 < t -> x t < 0) /\ forall m, exists T, forall t, T < t -> x t < m.
 Proof.
-  intros A P I S; destruct threshold_at_2 as [x [X [_ [_ C]]]].
-  apply (overturns_above 2 (235766/10^5) alpha p psi x); try assumption; lra.
+  intros A P I S; destruct threshold_at_2 as [c [X [_ [_ C]]]].
+  apply (overturns_above 2 (235766/10^5) alpha p psi c); try assumption; lra.
 Qed.
-Theorem claim_c55_figure_9_is_not_linear alpha p psi :
-  0 < alpha -> 0 < p -> 0 < psi <= PI / 2 -> / sin psi = 53230/10^4 ->
-  let th := theta alpha p (4 * p) psi in let fr := free alpha p (4 * p) psi in
-  (forall t, 0 < t <= T_ex (4 * p) psi -> th t < 0) /\ (forall s, 0 <= s -> fr s < 0) /\
-  forall m, exists T, forall s, T < s -> fr s < m.
+Theorem claim_c55_figure_9_is_not_linear alpha p psi x v :
+  0 < alpha -> 0 < p -> 0 < psi <= PI / 2 -> / sin psi = 53230/10^4 -> is_the_motion alpha p (4 * p) psi x v ->
+  (forall t, 0 < t -> x t < 0) /\ forall m, exists T, forall t, T < t -> x t < m.
 Proof.
-  intros A P I S; destruct threshold_at_4 as [x [X [_ [_ C]]]].
-  apply (overturns_above 4 (53230/10^4) alpha p psi x); try assumption; lra.
+  intros A P I S; destruct threshold_at_4 as [c [X [_ [_ C]]]].
+  apply (overturns_above 4 (53230/10^4) alpha p psi c); try assumption; lra.
 Qed.

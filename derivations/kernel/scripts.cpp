@@ -56,7 +56,7 @@ std::string shipped(const std::string& name) {
 }
 
 std::vector<Lemma> shipped_theorems() {
-  static const std::regex theorem("\nTheorem ((derivation|claim)_([^_ ]+)\\w*|\\w+)");
+  static const std::regex theorem("\nTheorem ((derivation|instance|claim)_([^_ ]+)\\w*|\\w+)");
   std::vector<Lemma> result;
   for (const std::string file : theorem_files) {
     const std::string text = shipped(file), threshold = file == "OneImpact.v" ? "88" : "71";

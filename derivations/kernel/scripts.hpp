@@ -11,7 +11,7 @@ namespace rederive {
 /// A lemma with its proof, and the comment that stands before it.
 struct Lemma {
   std::string id, file, name;  ///< "71", "Ledger.v", "equation_71"
-  std::string kind;            ///< row, refutation, derivation, threshold, claim
+  std::string kind;            ///< row, refutation, derivation, instance, threshold, claim
   std::string text;            ///< empty where there is no script, and of a theorem whose file ships
   std::string why;             ///< then: why
 };
@@ -19,10 +19,11 @@ struct Lemma {
 /// The lemma of a row: proved, or refuted by its witness. None of a definition.
 std::optional<Lemma> lemma_of(const Entry& entry);
 
-/// The prelude and what theorems need beside it, in the order in which they compile, and their files.
+/// The prelude and what theorems need beside it, and their files, in the order in which they compile.
 inline constexpr std::array prelude{"Rederive.v", "Intervals.v", "Bounds.v", "Solutions.v", "Limits.v"};
-inline constexpr std::array theorem_files{"Initiation.v", "Derivations.v", "Impact.v",     "Responses.v",
-                                          "Critical.v",   "Claims.v",      "Thresholds.v", "OneImpact.v"};
+inline constexpr std::array theorem_files{"Initiation.v", "Derivations.v", "Impact.v",
+                                          "Responses.v",  "Critical.v",    "Instances.v",
+                                          "Claims.v",     "Thresholds.v",  "OneImpact.v"};
 /// Whether a lemma is one of theirs.
 inline bool ships(const Lemma& lemma) { return std::ranges::count(theorem_files, lemma.file) > 0; }
 /// Their theorems, read off the files; derivation_8_18 is about the rows 8 and 18.

@@ -131,7 +131,13 @@ std::vector<Checked> check(const std::vector<Lemma>& lemmas,
       errors[&lemma] = "there is no script: " + lemma.why;
     else
       by_file[lemma.file].push_back(&lemma);
-  for (const auto& [file, all] : by_file) {
+  // Theorems may rest on those of the files before theirs.
+  std::vector<std::string> files(theorem_files.begin(), theorem_files.end());
+  for (const auto& [file, all] : by_file)
+    if (!ships(*all.front())) files.push_back(file);
+  for (const std::string& file : files) {
+    const auto& all = by_file[file];
+    if (all.empty()) continue;
     progress(file);
     const bool is_shipped = ships(*all.front());
     const Run whole = is_shipped ? compile(folder, file) : Run{0, ""};
