@@ -210,8 +210,7 @@ std::string Script::meets(const Tree& need, Signs signs) {
 
 std::optional<std::string> Script::factor(const Tree& left, const Tree& right) {
   const Fraction a = value(left), b = value(right);
-  if (a.is_zero() && b.is_zero()) return "1";
-  if (a.is_zero() || b.is_zero()) return std::nullopt;
+  if (a.is_zero() || b.is_zero()) return a == b ? std::optional("1") : std::nullopt;
   Fraction ratio = known_.ring.rationalized(a / b);
   ratio = Fraction(in_sines(known_.ring, ratio.numerator), in_sines(known_.ring, ratio.denominator));
   for (const auto& [factor, exponent] : factors(ratio.numerator * ratio.denominator).second)
