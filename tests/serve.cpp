@@ -192,8 +192,11 @@ TEST_CASE("what a student types is only ever text") {
          {"height-of-centre", "frequency-of-a-bookcase", "which-momentum", "misprint-in-17"})
       if (what == "check" || id.find("momentum") == std::string::npos)
         CHECK_FALSE(has(says(server, id, what, script), "<script"));
-  std::ofstream(server.progress) << "height-of-centre\ttried\t1\t0\tR*<script>\n";
+  std::ofstream(server.progress) << "height-of-centre\ttried\t1\t0\tR*theta\xff<script>\n"
+                                 << "restitution\ttried\t1\t0\tcos(2*alpha)\n";
   CHECK_FALSE(has(says(server, "height-of-centre", "hint"), "<script"));
+  CHECK(has(says(server, "restitution", "hint"), "cos(2*alpha)"));
+  CHECK(has(says(server, "restitution", "check", std::string("1\0", 2)), "could not be read"));
 }
 
 TEST_CASE("a hostile answer is given up, and others wait for it or are told to come again") {

@@ -133,7 +133,8 @@ int serve(const Classroom& room, int port) {
       const Exercise& exercise = find_exercise(room, request.matches[1]);
       const std::string answer = nlohmann::json::parse(request.body).at("answer");
       const Reply told = reply(room, exercise, request.matches[2], CLI::detail::trim_copy(answer));
-      return nlohmann::json{{"says", told.says}, {"standing", told.standing}}.dump();
+      return nlohmann::json{{"says", told.says}, {"standing", told.standing}}.dump(
+          -1, ' ', false, nlohmann::json::error_handler_t::replace);
     });
   });
   sigset_t endings;
