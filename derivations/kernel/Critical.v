@@ -202,8 +202,8 @@ Qed.
 (* from 75, 97, r14, rest *)
 Theorem derivation_r15 (x x_dot : R -> R) : cos psi <> 0 -> T_ex = (PI / 2 + psi) / omega_p ->
   (forall t, is_derive x t (x_dot t)) ->
-  (forall t, is_derive x_dot t (p ^ 2 * x t - p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * t + (PI - psi)) / cos
-    psi)) ->
+  (forall t, is_derive x_dot t
+    (p ^ 2 * x t - p ^ 2 * alpha - p ^ 2 * alpha * cos (omega_p * t + (PI - psi)) / cos psi)) ->
   x 0 = 0 -> x_dot 0 = 0 -> theta T_ex = x T_ex -> thetadot T_ex = x_dot T_ex ->
   (tends_to theta alpha <-> w * cos psi - sin psi = exp (- ((PI / 2 + psi) / w))).
 Proof.
@@ -245,8 +245,8 @@ Proof.
 Qed.
 Variables e thetadot_before : R.
 Hypothesis equation_81 : A_4 = - alpha - alpha / (1 + w ^ 2) * sin (omega_p * t_i + psi) / sin psi.
-Hypothesis equation_82 : A_3 = e * thetadot_before / p - alpha * w / (1 + w ^ 2) * cos (omega_p * t_i + psi) / sin
-  psi.
+Hypothesis equation_82 :
+  A_3 = e * thetadot_before / p - alpha * w / (1 + w ^ 2) * cos (omega_p * t_i + psi) / sin psi.
 (* from 81, 82, 83 *)
 Theorem derivation_87a : tends_to theta alpha <->
   (1 + w ^ 2) * (e * thetadot_before / (alpha * p) - 1) * sin psi - w * cos (omega_p * t_i + psi) -

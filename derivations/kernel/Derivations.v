@@ -1,7 +1,7 @@
 (* The equation of motion, from positions. Derivatives are Coquelicot's; the numbers are the paper's, and R' is its R.
    Before each derivation stands from what: the rows whose equations are its hypotheses, and what it assumes.
    newton, euler: the laws of motion. rotation: the block is rigid and turns about a corner. linearised: angles are
-   small. rest: the motion starts at rest, at theta = 0. criterion: the motion that just overturns tends to the
+   small. rest: the block is at rest at theta = 0. criterion: the motion that just overturns tends to the
    equilibrium at theta = alpha (or - alpha), where it would stand on its corner. *)
 From Rederive Require Import Rederive Solutions.
 From Coquelicot Require Import Coquelicot.
@@ -131,11 +131,11 @@ Proof.
   rewrite E; apply (eq_by 1); [ lra | ring ].
 Qed.
 (* At the start. *)
-(* from 47a, 48c *)
+(* from 47a, 48c, rest *)
 Theorem derivation_25a H t : theta t = 0 -> thetadot t = 0 ->
   H = m * (u_gddot t - side * x_cddot t) -> H = m * (u_gddot t + R' * thetaddot t * cos alpha).
 Proof. intros A B ->; unfold x_cddot; rewrite A, B, Rmult_0_r, Rplus_0_r; ring [sides]. Qed.
-(* from 47b, 49c *)
+(* from 47b, 49c, rest *)
 Theorem derivation_26a V t : theta t = 0 -> thetadot t = 0 ->
   V = m * (g + y_cddot t) -> V = m * (g - side * R' * thetaddot t * sin alpha).
 Proof. intros A B ->; unfold y_cddot; rewrite A, B, Rmult_0_r, Rplus_0_r; ring. Qed.
@@ -179,7 +179,7 @@ Proof.
   replace V with (V / m * m) by (field; lra); rewrite E; field [sides]; lra.
 Qed.
 (* It turns to theta < 0 from rest where the moment of the inertia force is the larger one, (11), (20). *)
-(* from 11 *)
+(* from 11, rest *)
 Theorem derivation_23 t : side = 1 -> lagrange t -> theta t = 0 ->
   (thetaddot t <= 0 <-> m * u_gddot t * R' * cos alpha >= m * g * R' * sin alpha).
 Proof.
@@ -199,7 +199,7 @@ Proof.
   assert (P := pyth (alpha + side * theta t)).
   apply (eq_by 1); [ lra | unfold x_cddot, y_cddot, J_o, J_c; field [P sides] ].
 Qed.
-(* from 25b, 26b, 11, 42a *)
+(* from 25b, 26b, 11, 42a, rest *)
 Theorem derivation_27 H V t : side = 1 -> lagrange t -> theta t = 0 ->
   H = m * (u_gddot t + R' * cos alpha * thetaddot t) -> V = m * (g - R' * sin alpha * thetaddot t) ->
   H * (R' * cos alpha) - V * (R' * sin alpha) + J_c * thetaddot t = 0.
@@ -208,7 +208,7 @@ Proof.
   rewrite <- L; unfold J_o, J_c; field [P].
 Qed.
 (* At rest on the ground H is the ground's own. *)
-(* from 47a, 48c *)
+(* from 47a, 48c, rest *)
 Theorem derivation_u9a H t : theta t = 0 -> thetadot t = 0 -> thetaddot t = 0 ->
   H = m * (u_gddot t - side * x_cddot t) -> H = m * u_gddot t.
 Proof. intros A B C ->; unfold x_cddot; rewrite B, C; ring. Qed.

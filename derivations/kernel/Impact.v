@@ -95,9 +95,8 @@ Proof.
   apply Ropp_neq_0_compat; nz.
 Qed.
 End Block.
-(* The impact elsewhere: an impulse P at a distance d from the new corner lifts the centre of mass, whose speed is
-  (4b)
-   before and (15b) after, and adds to the moment of momentum about that corner. *)
+(* The impact elsewhere: an impulse P at a distance d from the new corner lifts the centre of mass, whose
+   speed is (4b) before and (15b) after, and adds to the moment of momentum about that corner. *)
 (* from newton, 4b, 15b, 43b, 45b *)
 Theorem derivation_r16 m R' alpha d thetadot_minus thetadot_plus y_cdot_minus y_cdot_plus P :
   0 < m -> 0 < R' -> thetadot_minus <> 0 -> 4 / 3 * R' ^ 2 - R' * d * sin alpha <> 0 ->
@@ -133,15 +132,15 @@ Proof.
     [P].
 Qed.
 (* from 44, rotation *)
-Theorem derivation_45a : is_derive theta t thetadot_plus -> x' t * Derive y' t - y' t * Derive x' t = r ^ 2 *
-  thetadot_plus.
+Theorem derivation_45a : is_derive theta t thetadot_plus ->
+  x' t * Derive y' t - y' t * Derive x' t = r ^ 2 * thetadot_plus.
 Proof.
   intro D; destruct (speeds _ D) as [-> ->]; unfold x', y'; rewrite upright, Rplus_0_r; assert (P := pyth phi); ring
     [P].
 Qed.
 (* from 38, u15 *)
-Theorem derivation_39 x hO_minus : r * sin phi = 2 * b - x -> hO_minus = (r ^ 2 - 2 * b * r * sin phi) *
-  thetadot_minus ->
+Theorem derivation_39 x hO_minus : r * sin phi = 2 * b - x ->
+  hO_minus = (r ^ 2 - 2 * b * r * sin phi) * thetadot_minus ->
   hO_minus = (r ^ 2 - 2 * b * (2 * b - x)) * thetadot_minus.
 Proof. intros E ->; rewrite <- E; ring. Qed.
 (* from u15 *)

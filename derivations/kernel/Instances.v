@@ -153,8 +153,7 @@ Proof.
 Qed.
 End Right.
 
-(* (92a), (92b), (96) and r9 to r11: psi = pi/4, omega_p = p = 1, and the time at which the block is back at theta =
-  0,
+(* (92a), (92b), (96) and r9 to r11: psi = pi/4, omega_p = p = 1, and the time of the return to theta = 0,
    where X sinh + Y cosh is 1. *)
 Lemma is_one X Y : 0 < X + Y -> 0 < X - Y -> exists x, X * sinh x + Y * cosh x = 1 /\ 0 < X * cosh x + Y * sinh x.
 Proof.

@@ -337,6 +337,8 @@ Proof. rewrite derivation_93b, (proj2 (at_start t_i c_1 c_2)); reflexivity. Qed.
 End Free.
 
 (* The cosine pulse, theta > 0: u29 is in (97). *)
+Lemma cos_pi_minus x : cos (PI - x) = - cos x.
+Proof. rewrite cos_minus, cos_PI, sin_PI; ring. Qed.
 Section Cosine.
 Hypothesis starts : cos psi <> 0.
 (* from 97 *)
@@ -368,6 +370,17 @@ Theorem derivation_r13 : theta 0 = 0 ->
 Proof.
   intros Z E; match type of E with is_derive _ _ ?d => replace (-2 * p ^ 2 * alpha) with d; [ exact E | ] end.
   rewrite Z, !Rmult_0_r, Rplus_0_l; field; exact starts.
+Qed.
+(* At rest it is pushed to theta > 0 from the phase pi - psi on. *)
+(* from 97, rest *)
+Theorem derivation_r14 phi : 0 <= psi < PI / 2 -> 0 <= phi <= PI ->
+  (0 <= p ^ 2 * 0 - p ^ 2 * alpha - p ^ 2 * alpha * cos phi / cos psi <-> PI - psi <= phi).
+Proof.
+  intros I J; assert (C : 0 < cos psi) by (apply cos_gt_0; lra); assert (K : 0 < p ^ 2 * alpha / cos psi) by pos.
+  replace (_ - _) with (p ^ 2 * alpha / cos psi * (- cos psi - cos phi)) by (field; lra).
+  rewrite <- (cos_pi_minus psi); split; intro L.
+  - apply cos_decr_0; try lra; nra.
+  - assert (D := cos_decr_1 (PI - psi) phi); apply Rmult_le_pos; lra.
 Qed.
 Lemma end_of_cosine T_ex : T_ex = (3 * PI / 2 - psi) / omega_p -> omega_p * T_ex + psi = 3 * (PI / 2).
 Proof. intros ->; field; lra. Qed.
