@@ -41,7 +41,7 @@ int list(const Classroom& room);
 int what_is_next(const Classroom& room);
 int show(const Classroom& room, const std::string& id);
 int check(const Classroom& room, const std::string& id, const std::string& answer);
-int check_file(const Classroom& room, const std::string& id, const std::string& file);
+int check_file(const Classroom& room, const std::string& id, const std::string& file, bool is_working);
 int hint(const Classroom& room, const std::string& id);
 int solution(const Classroom& room, const std::string& id, bool give_up);
 int reset(const Classroom& room, const std::string& id);

@@ -3,7 +3,7 @@
 //   exercises                          what comes next
 //   exercises list                     what there is, what is done, what comes next
 //   exercises show [ID]                the statement; without ID, of the next exercise
-//   exercises check ID "ANSWER"        or --file FILE
+//   exercises check ID "ANSWER"        or --file FILE, or --working FILE
 //   exercises hint ID · solution ID [--give-up] · reset ID
 //   exercises watch DIR                judges DIR/<ID>.txt again whenever it changes
 //   exercises grade DIR [--csv FILE]   DIR/<student>/<ID>.txt, a whole class; gradebook, feedback, report
@@ -19,7 +19,7 @@ namespace {
 
 /// What the user typed.
 struct Arguments {
-  std::string id, answer, file, folder, progress;
+  std::string id, answer, file, working, folder, progress;
   bool json = false, give_up = false, once = false;
   GradeFlags grade;
 };
@@ -46,7 +46,19 @@ void declare(CLI::App& app, Arguments& given) {
   auto* check =
       command_with_id(app, "check", "judge an answer; -- before it if it begins with a minus", given);
   auto* answer = check->add_option("ANSWER", given.answer, "the answer, in quotes");
-  check->add_option("--file", given.file, "read the answer from here")->type_name("FILE")->excludes(answer);
+  auto* file_option = check->add_option("--file", given.file, "read the answer from here");
+  file_option->type_name("FILE")->excludes(answer);
+  check->add_option("--working", given.working, "read from here, line by line, how you came to it")
+      ->type_name("FILE")
+      ->excludes(answer)
+      ->excludes(file_option);
+  check->footer(
+      "A working is a chain of lines, each of which must follow from the one before; the last is the "
+      "answer.\n"
+      "A line is an equation, a chain a = b = c, or an expression, alone or behind a = sign; empty lines "
+      "and\n"
+      "those that begin with # are skipped. Behind a line stands what is assumed there and nowhere else:\n"
+      "[theta > 0, u_gddot = 0], or [small alpha, theta], by which a step need hold to first order only.");
   command_with_id(app, "hint", "one more hint", given);
   command_with_id(app, "solution", "the answer and how it comes about", given)
       ->add_flag("--give-up", given.give_up, "show it although the exercise is not solved");
@@ -93,9 +105,10 @@ int run(const CLI::App& app, const Arguments& given) {
   if (app.got_subcommand("selftest")) return selftest(room);
   if (app.get_subcommands().empty()) return what_is_next(room);
   const auto* check_command = app.get_subcommand("check");
-  if (!given.file.empty()) return check_file(room, given.id, given.file);
+  if (!given.file.empty()) return check_file(room, given.id, given.file, false);
+  if (!given.working.empty()) return check_file(room, given.id, given.working, true);
   if (check_command->get_option("ANSWER")->count() == 0)
-    throw BadInput("check: an ANSWER or --file FILE is wanted");
+    throw BadInput("check: an ANSWER, --file FILE or --working FILE is wanted");
   return check(room, given.id, CLI::detail::trim_copy(given.answer));
 }
 

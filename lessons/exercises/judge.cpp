@@ -41,6 +41,17 @@ std::set<std::string> names_to_sample(const Prepared& prepared) {
   return names;
 }
 
+/// From the answer, what answers are compared with.
+void add_comparisons(Prepared& prepared) {
+  const Exercise& exercise = prepared.exercise;
+  if (exercise.kind != Kind::number) {
+    prepared.points = sample_points(names_to_sample(prepared), 3);
+    prepared.signature =
+        signature(put_in(prepared.answer.relation, prepared.answer.given), exercise.pivot, prepared.points);
+  }
+  add_roads(prepared);
+}
+
 }  // namespace
 
 Prepared prepare(const Exercise& exercise) {
@@ -60,16 +71,35 @@ Prepared prepare(const Exercise& exercise) {
       prepared.choice = right_option(prepared);
       return prepared;
     }
-    if (exercise.kind != Kind::number) {
-      prepared.points = sample_points(names_to_sample(prepared), 3);
-      prepared.signature =
-          signature(put_in(prepared.answer.relation, prepared.answer.given), exercise.pivot, prepared.points);
-    }
-    add_roads(prepared);
+    add_comparisons(prepared);
   } catch (const std::exception& error) {
     throw std::runtime_error("exercise " + exercise.id + ": " + error.what());
   }
   return prepared;
+}
+
+Exercise as_exercise(const Exercise& whole, const Relation& before, const Relation& after) {
+  Exercise step;
+  step.id = whole.id;
+  step.kind = before.operators.empty() ? Kind::expression : Kind::equation;
+  std::set<std::string> first = names_of(before), names = names_of(after);
+  if (whole.kind == Kind::equation && first.contains(whole.pivot) && names.contains(whole.pivot))
+    step.pivot = whole.pivot;
+  names.merge(first);
+  step.symbols.assign(names.begin(), names.end());
+  return step;
+}
+
+Prepared prepare_step(const Prepared& whole, const Relation& before, const Relation& after) {
+  Prepared step;
+  step.exercise = as_exercise(whole.exercise, before, after);
+  step.symbols = whole.symbols;
+  step.answer.relation = before;
+  step.answer.given = whole.answer.given;
+  const auto& names = step.exercise.symbols;
+  add_definitions(step.answer.given, {names.begin(), names.end()}, whole.exercise.name);
+  add_comparisons(step);
+  return step;
 }
 
 Opinion judge_answer(const Prepared& prepared, const std::string& text) {

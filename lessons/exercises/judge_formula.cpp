@@ -176,15 +176,17 @@ void add_roads(Prepared& prepared) {
 }
 
 Opinion judge_formula(const Prepared& prepared, const std::string& text) {
-  Opinion opinion;
-  Relation read;
   try {
-    read = read_answer(prepared.exercise, text);
-    opinion.read_as = as_typed(read.operators.empty() ? print(read.sides[0]) : print(read));
-    for (const auto& side : read.sides) lower(side);  // refuses what is undefined at once, such as 1/0
+    return judge_formula(prepared, read_answer(prepared.exercise, text));
   } catch (const SyntaxError& error) {
     return invalid(error, text);
   }
+}
+
+Opinion judge_formula(const Prepared& prepared, const Relation& read) {
+  Opinion opinion;
+  opinion.read_as = as_typed(read.operators.empty() ? print(read.sides[0]) : print(read));
+  for (const auto& side : read.sides) lower(side);  // refuses what is undefined at once, such as 1/0
   const auto mine = signature_of(prepared, read);
   const bool surely_different = mine && prepared.signature && !alike(*mine, *prepared.signature) &&
                                 (read.operators.empty() || !prepared.exercise.pivot.empty());

@@ -128,14 +128,14 @@ std::string presentation(const Exercise& exercise) {
 }
 
 std::string report(const Classroom& room, const Exercise& exercise, const Opinion& opinion) {
-  std::string text;
+  std::string text = opinion.line == 0 ? "" : fmt::format("Line {}\n", opinion.line);
   if (!opinion.read_as.empty()) text += wrap(glued(opinion.read_as), 80, "Read as: ", "         ");
   const std::string code = opinion.verdict == "correct" ? "1;32"
                            : opinion.verdict == "wrong" ? "1;31"
                                                         : "1;33";
   text += colour(room, code, verdict_in_words(opinion.verdict)) + "\n";
   const bool several_lines = opinion.feedback.find('\n') != std::string::npos;  // a caret must keep its place
-  if (opinion.verdict != "correct")
+  if (opinion.verdict != "correct" || opinion.feedback != "Right.")
     text += several_lines ? opinion.feedback + "\n" : readable(opinion.feedback);
   if (text.ends_with("\n\n")) text.pop_back();
   if (opinion.witness) {
@@ -146,8 +146,10 @@ std::string report(const Classroom& room, const Exercise& exercise, const Opinio
     const std::string what = exercise.kind != Kind::equation ? ""
                              : exercise.pivot.empty()        ? "left side - right side = "
                                                              : exercise.pivot + " = ";
-    text += fmt::format("  yours: {0}{1}\n  right: {0}{2}\n", what, opinion.witness->printed,
-                        opinion.witness->derived);
+    const bool is_step = opinion.line != 0;
+    text +=
+        fmt::format("  {}{}{}\n  {}{}{}\n", is_step ? "here:   " : "yours: ", what, opinion.witness->printed,
+                    is_step ? "before: " : "right: ", what, opinion.witness->derived);
   }
   if (exit_code(opinion) == 1) text += fmt::format("Stuck? exercises hint {}\n", exercise.id);
   return text;
@@ -166,6 +168,7 @@ std::string report_json(const Exercise& exercise, const Opinion& opinion) {
                        {"answer", opinion.witness->printed},
                        {"right", opinion.witness->derived}};
   json["score"] = opinion.score;
+  if (opinion.line != 0) json["line"] = opinion.line;
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
