@@ -53,6 +53,7 @@ struct GradeFlags {
   std::string weights, deadline, handed_in;  ///< deadline: a time, or a file
   unsigned workers = 0;                      ///< 0: as many as there are processors
   bool missing = false;                      ///< a row also for what was not handed in
+  bool variants = false;                     ///< each student had the variants of the own name
 };
 int grade(const Classroom& room, const GradeFlags& flags);
 

@@ -8,6 +8,7 @@
 //   exercises watch DIR                judges DIR/<ID>.txt again whenever it changes
 //   exercises grade DIR [--csv FILE]   DIR/<student>/<ID>.txt, a whole class; gradebook, feedback, report
 //   exercises selftest                 is the exercise set sound?
+//   … --seed S                         the same for the variant of that seed
 #include <algorithm>
 #include <derivations/emit/command_line.hpp>
 #include <lessons/exercises/classroom.hpp>
@@ -19,7 +20,7 @@ namespace {
 
 /// What the user typed.
 struct Arguments {
-  std::string id, answer, file, working, folder, progress;
+  std::string id, answer, file, working, folder, progress, seed;
   bool json = false, give_up = false, once = false;
   GradeFlags grade;
 };
@@ -41,6 +42,8 @@ void declare(CLI::App& app, Arguments& given) {
   app.require_subcommand(0, 1);
   app.fallthrough();
   app.add_option("--progress", given.progress, "your progress file")->type_name("FILE");
+  app.add_option("--seed", given.seed,
+                 "exercises in the variant of this number or name: other numbers, another side");
   with_json(app.add_subcommand("list", "all exercises, and the next one to do"), given);
   command_with_id(app, "show", "the statement of an exercise (of the next one without ID)", given, false);
   auto* check =
@@ -88,13 +91,15 @@ void declare(CLI::App& app, Arguments& given) {
       "Lists are CSV with the header named above. Times are like 2026-12-01T12:00, in UTC or with +02:00\n"
       "behind; a day alone ends at midnight; no exercise in --handed-in means all of that student.");
   grade->add_option("--workers", given.grade.workers, "answers judged at a time")->check(CLI::Range(1, 64));
+  grade->add_flag("--variants", given.grade.variants,
+                  "to each student the variants of --seed and the folder's name");
   grade->add_flag("--missing", given.grade.missing, "a row also for each answer that was not handed in");
   with_json(app.add_subcommand("selftest", "is the exercise set sound?"), given);
 }
 
 int run(const CLI::App& app, const Arguments& given) {
-  const Classroom room{read_exercises(exercises_folder()), progress_file(given.progress), given.json,
-                       is_lively(1)};
+  const Classroom room{read_exercises(exercises_folder(), given.seed), progress_file(given.progress),
+                       given.json, is_lively(1)};
   if (app.got_subcommand("list")) return list(room);
   if (app.got_subcommand("show")) return show(room, given.id);
   if (app.got_subcommand("hint")) return hint(room, given.id);

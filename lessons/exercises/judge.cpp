@@ -60,7 +60,8 @@ Prepared prepare(const Exercise& exercise) {
   try {
     for (const auto& [name, range] : exercise.range) prepared.symbols.narrow(name, range);
     if (exercise.kind == Kind::wrong_term) {
-      prepared.choice = wrong_term(exercise.answer.row);
+      prepared.answer.relation = printed_with_slip(exercise.answer);
+      prepared.choice = wrong_term(prepared.answer.relation, exercise.answer.row);
       return prepared;
     }
     if (exercise.answer.row.empty()) prepared.answer = resolve(exercise.answer, exercise.kind);

@@ -108,7 +108,7 @@ std::string single_letter_in(const std::string& text) {
 
 /// The number of the term that was typed out instead of pointed at; 0 if it is none of them.
 std::size_t term_like(const Prepared& prepared, const std::string& text) {
-  const auto terms = terms_to_point_at(parse_relation(judged(prepared.exercise.answer.row).row.printed));
+  const auto terms = terms_to_point_at(prepared.answer.relation);
   const Relation read{{parse(text)}, {}};
   for (std::size_t i = 0; i < terms.size(); ++i)
     if (decide(read, Relation{{terms[i]}, {}}, paper_symbols()).verdict == Verdict::proved) return i + 1;
@@ -193,8 +193,7 @@ Opinion judge_choice(const Prepared& prepared, const std::string& text) {
     result.read_as = letter;
   } else {
     const std::string digits = whole_number_in(text);
-    const std::size_t count =
-        terms_to_point_at(parse_relation(judged(exercise.answer.row).row.printed)).size();
+    const std::size_t count = terms_to_point_at(prepared.answer.relation).size();
     try {
       chosen = digits.empty() ? term_like(prepared, text) : std::stoul(digits);
     } catch (const SyntaxError& error) {

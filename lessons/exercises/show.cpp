@@ -76,9 +76,8 @@ std::string symbol_table(const Exercise& exercise) {
 }
 
 std::string numbered_terms(const Exercise& exercise) {
-  const Entry entry = judged(exercise.answer.row);
-  const Relation printed = parse_relation(entry.row.printed);
-  std::string text = fmt::format("  ({})  {}\n\n", entry.row.id, print(printed, Notation::unicode));
+  const Relation printed = printed_with_slip(exercise.answer);
+  std::string text = fmt::format("  ({})  {}\n\n", exercise.answer.row, print(printed, Notation::unicode));
   const auto terms = terms_to_point_at(printed);
   for (std::size_t i = 0; i < terms.size(); ++i)
     text += fmt::format("  [{}]  {}\n", i + 1, print(terms[i], Notation::unicode));
@@ -123,8 +122,11 @@ std::string presentation(const Exercise& exercise) {
   if (!exercise.symbols.empty()) text += "You may use:\n" + symbol_table(exercise) + "\n";
   text += "Form wanted: " + form_in_words(exercise) + "\n";
   text += "An answer looks like this (another thing altogether): " + default_example(exercise) + "\n";
-  return text + fmt::format("\nTo answer: exercises check {} \"...\"     for help: exercises hint {}\n",
-                            exercise.id, exercise.id);
+  const std::string seed =
+      exercise.seed.empty() ? "" : fmt::format(" --seed \"{}\"", printable_line(exercise.seed));
+  return text +
+         fmt::format("\nTo answer: exercises check {0}{1} \"...\"     for help: exercises hint {0}{1}\n",
+                     exercise.id, seed);
 }
 
 std::string report(const Classroom& room, const Exercise& exercise, const Opinion& opinion) {
