@@ -98,11 +98,11 @@ TEST_CASE("a page a student says what was answered, what is wrong with it, a hin
   REQUIRE(room.grade({"--feedback", room.pages.string(), "--deadline", "2026-04-01"}).exit_code == 0);
   CHECK(room.page_names() == std::vector<std::string>{"anna.html", "bert.html", "carl.html"});
   const std::string anna = read_file(room.pages / "anna.html"), bert = read_file(room.pages / "bert.html");
-  for (const auto* part : {"<h1>anna</h1>", "Marks: 0.8 of 42", "Marks: 0.8 of 1, after 3 attempts", "Right.",
+  for (const auto* part : {"<h1>anna</h1>", "Marks: 0.8 of 42", "Marks: 0.8 of 1, after 3 attempts", "Correct.",
                            "Marks: 0 of 1, after 20 attempts; handed in after the deadline"})
     CHECK_MESSAGE(has(anna, part), part);
   for (const auto* part : {"<pre>cos(2*alpha)</pre>", "You have left out the rotation about C",
-                           "A hint: Write the", "Not right.", "The value is right, the form is not."})
+                           "A hint: Write the", "Not right yet.", "The value is right, the form is not."})
     CHECK_MESSAGE(has(bert, part), part);
   CHECK(!has(bert, "3/2"));  // the answer itself is not in it
   CHECK(has(read_file(room.pages / "carl.html"), "empty folder"));

@@ -28,6 +28,7 @@ std::string readable(const std::string& sentence, const std::string& indent = ""
 std::string presentation(const Exercise& exercise);
 /// The way to the answer; its last line is the answer, in the form asked for.
 std::string solution_text(const Prepared& prepared);
+std::string verdict_in_words(const std::string& verdict);
 /// What was read, the verdict, the feedback and the witness.
 std::string report(const Classroom& room, const Exercise& exercise, const Opinion& opinion);
 /// The same as the JSON document of `check --json`.

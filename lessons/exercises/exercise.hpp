@@ -47,14 +47,13 @@ struct Assumption {
 };
 
 struct Exercise {
-  std::string id, title, statement, example, form, name, pivot, unit;
+  std::string id, title, statement, example, name, pivot, unit;
   int lesson = 0;
   Kind kind = Kind::expression;
   std::vector<std::string> symbols;          ///< that an answer may use
   std::map<std::string, std::string> range;  ///< of a symbol, where the statement says more than its table
   Reference answer;
-  double tolerance = 0;  ///< relative; numbers only
-  int digits = 0;        ///< or significant digits
+  int digits = 3;  ///< of a number, the significant ones
   std::vector<std::string> hints, equivalents;
   std::vector<Slip> slips;
   std::vector<Option> options;

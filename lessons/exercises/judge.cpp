@@ -169,8 +169,7 @@ std::string model_answer(const Prepared& prepared) {
     case Kind::equation:
       return print(prepared.answer.relation);
     case Kind::number: {
-      const std::string value =
-          fmt::format("{:#.{}g}", prepared.answer.number, exercise.digits > 0 ? exercise.digits : 3);
+      const std::string value = fmt::format("{:#.{}g}", prepared.answer.number, exercise.digits);
       return exercise.unit.empty() || exercise.unit == "1" ? value : value + " " + exercise.unit;
     }
     case Kind::wrong_term:

@@ -97,7 +97,5 @@ std::string explanation_of(const std::string& note);
 Opinion invalid(const std::string& note, const std::string& feedback);
 /// A text that could not be read, with a caret.
 Opinion invalid(const SyntaxError& error, const std::string& text);
-/// Whether the answer has the form that was asked for; what to say if not.
-std::optional<std::string> not_in_form(const Exercise& exercise, const Relation& read);
 
 }  // namespace rederive::classroom

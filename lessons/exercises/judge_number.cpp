@@ -14,22 +14,19 @@
 namespace rederive::classroom {
 namespace {
 
-/// How far a value may be off: relative, or half a unit of the last of so many digits.
-double allowance(const Exercise& exercise, double right, int digits) {
-  if (exercise.digits > 0 && right != 0) {
-    const double last = std::floor(std::log10(std::abs(right))) - digits + 1;
-    return 0.5000001 * std::pow(10.0, last);
-  }
-  return (exercise.tolerance > 0 ? exercise.tolerance : 0.01) * std::abs(right);
+/// How far a value may be off: half a unit of the last of so many digits.
+double allowance(double right, int digits) {
+  if (right == 0) return 0;
+  return 0.5000001 * std::pow(10.0, std::floor(std::log10(std::abs(right))) - digits + 1);
 }
 
 bool near(const Exercise& exercise, double value, double right) {
-  return std::abs(value - right) <= allowance(exercise, right, exercise.digits);
+  return std::abs(value - right) <= allowance(right, exercise.digits);
 }
 
 /// Whether a wrong value is that of a slip: to the digits asked for, or to those typed if they are more.
 bool is_slip(const Exercise& exercise, const Quantity& read, double slip) {
-  return std::abs(read.value - slip) <= allowance(exercise, slip, std::max(exercise.digits, read.digits));
+  return std::abs(read.value - slip) <= allowance(slip, std::max(exercise.digits, read.digits));
 }
 
 Opinion opinion(const Quantity& read, const std::string& verdict, const std::string& note,
@@ -55,7 +52,7 @@ std::string slip_of(const Exercise& exercise, const Quantity& read, double right
     if (is(right * std::pow(10, power)) || is(right / std::pow(10, power))) return "power_of_ten";
   if (is(right * right) || (right > 0 && is(std::sqrt(right)))) return "power";
   if (right != 0 && is(1 / right)) return "reciprocal";
-  return std::abs(read.value - right) <= 10 * allowance(exercise, right, exercise.digits) ? "rounding" : "";
+  return std::abs(read.value - right) <= 10 * allowance(right, exercise.digits) ? "rounding" : "";
 }
 
 /// What a slip in a number looks like: never that it was made, for other ways may lead to the same value.

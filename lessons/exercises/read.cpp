@@ -175,12 +175,10 @@ Exercise read_exercise(const toml::table& table, const std::string& file, const 
   exercise.symbols = reader.texts("symbols");
   exercise.range = reader.pairs("range");
   exercise.example = reader.text("example");
-  exercise.form = reader.text("form");
   exercise.name = reader.text("name");
   exercise.pivot = reader.text("pivot");
   exercise.unit = reader.text("unit");
-  exercise.tolerance = reader.number("tolerance");
-  exercise.digits = static_cast<int>(reader.number("digits"));
+  if (const double digits = reader.number("digits"); digits > 0) exercise.digits = static_cast<int>(digits);
   exercise.hints = reader.texts("hints");
   exercise.equivalents = reader.texts("equivalents");
   if (auto answer = reader.reader("answer"))

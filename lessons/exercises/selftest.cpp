@@ -68,12 +68,8 @@ void check_texts(const Prepared& prepared, Findings& findings) {
 
 void check_right_answers(const Prepared& prepared, Findings& findings) {
   const Exercise& exercise = prepared.exercise;
-  if (exercise.form.empty() || !is_formula(exercise) || exercise.equivalents.empty()) {
-    const Opinion opinion = judge_answer(prepared, model_answer(prepared));
-    findings.check(
-        opinion.verdict == "correct" || (!exercise.form.empty() && opinion.verdict == "wrong_form"),
-        "its own answer " + model_answer(prepared) + " is " + got(opinion));
-  }
+  const Opinion own = judge_answer(prepared, model_answer(prepared));
+  findings.check(own.verdict == "correct", "its own answer " + model_answer(prepared) + " is " + got(own));
   for (const auto& text : exercise.equivalents) {
     const Opinion opinion = judge_answer(prepared, text);
     findings.check(opinion.verdict == "correct", text + " is " + got(opinion));

@@ -12,31 +12,13 @@ namespace rederive::classroom {
 namespace {
 
 std::string form_in_words(const Exercise& exercise) {
-  std::string words, rest = exercise.form;
-  while (!rest.empty()) {
-    const std::size_t comma = rest.find(',');
-    const std::string form = rest.substr(0, comma);
-    const std::size_t colon = form.find(':');
-    const std::string kind = form.substr(0, colon),
-                      detail = colon == std::string::npos ? "" : form.substr(colon + 1);
-    const std::string word = kind == "solved_for" ? "solved for " + detail + ": " + detail + " = ..."
-                             : kind == "expanded" ? "multiplied out"
-                             : kind == "factored" ? "as a product"
-                             : kind == "without"  ? "without " + detail
-                                                  : "without the symbol " + detail;
-    words += (words.empty() ? "" : ", ") + word;
-    rest = comma == std::string::npos ? "" : rest.substr(comma + 1);
-  }
-  if (!words.empty()) return words;
   switch (exercise.kind) {
     case Kind::expression:
       return "any equivalent expression";
     case Kind::equation:
       return "any equivalent equation";
     case Kind::number:
-      return exercise.digits > 0
-                 ? fmt::format("to {} significant digits", exercise.digits)
-                 : fmt::format("within {} %", 100 * (exercise.tolerance > 0 ? exercise.tolerance : 0.01));
+      return fmt::format("to {} significant digits", exercise.digits);
     case Kind::choice:
       return "one letter";
     case Kind::wrong_term:
@@ -88,6 +70,8 @@ std::string colour(const Classroom& room, const std::string& code, const std::st
   return room.lively ? "\033[" + code + "m" + text + "\033[0m" : text;
 }
 
+}  // namespace
+
 std::string verdict_in_words(const std::string& verdict) {
   if (verdict == "correct") return "Correct.";
   if (verdict == "wrong_form") return "The value is right, the form is not.";
@@ -96,8 +80,6 @@ std::string verdict_in_words(const std::string& verdict) {
   if (verdict == "invalid") return "This could not be read; it does not count as an attempt.";
   return "Undecided.";
 }
-
-}  // namespace
 
 std::string readable(const std::string& sentence, const std::string& indent) {
   std::string text;

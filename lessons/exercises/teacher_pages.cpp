@@ -61,14 +61,6 @@ std::string page(const std::string& title, const std::string& body) {
          "</head>\n<body>\n<h1>" + title + "</h1>\n" + body + "</body>\n</html>\n";
 }
 
-std::string verdict_in_words(const std::string& verdict) {
-  if (verdict == "correct") return "Right.";
-  if (verdict == "wrong_form") return "The value is right, the form is not.";
-  if (verdict == "correct_if") return "Right only under a condition.";
-  if (verdict == "wrong") return "Not right.";
-  return verdict == "invalid" ? "This could not be read." : "The program could not decide this.";
-}
-
 std::string words_of(std::string note) {
   std::replace(note.begin(), note.end(), '_', ' ');
   return note;
