@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <derivations/language/unicode.hpp>
 #include <lessons/exercises/answer_file.hpp>
 #include <sstream>
 
@@ -37,19 +38,9 @@ std::vector<std::pair<int, std::string>> without_comments(const std::string& tex
 }  // namespace
 
 bool is_utf8(const std::string& text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const unsigned char c = static_cast<unsigned char>(text[i]);
-    const int more = c < 0x80                ? 0
-                     : c >= 0xC2 && c < 0xE0 ? 1
-                     : c >= 0xE0 && c < 0xF0 ? 2
-                     : c >= 0xF0 && c < 0xF5 ? 3
-                                             : -1;
-    if (more < 0 || i + static_cast<std::size_t>(more) >= text.size() + (more == 0)) return false;
-    for (int k = 1; k <= more; ++k)
-      if ((static_cast<unsigned char>(text[i + static_cast<std::size_t>(k)]) & 0xC0) != 0x80) return false;
-    i += static_cast<std::size_t>(more) + 1;
-  }
-  return true;
+  std::size_t at = 0;
+  while (const std::size_t bytes = first_character(std::string_view(text).substr(at)).bytes) at += bytes;
+  return at == text.size();
 }
 
 AnswerFile read_answer_file(const std::filesystem::path& path) {

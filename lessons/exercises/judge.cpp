@@ -130,31 +130,6 @@ Opinion invalid(const SyntaxError& error, const std::string& text) {
   return invalid(error.note, explain(error, text));
 }
 
-std::string explanation_of(const std::string& note) {
-  static const std::map<std::string, std::string> sentences{
-      {"dimension", "The dimensions do not fit."},
-      {"small_angle",
-       "This agrees with the right answer for small angles only; the exact result was asked for. Was a sine "
-       "replaced by its angle somewhere, or a cosine by one?"},
-      {"not_linear",
-       "For small angles this agrees with the right answer, but the linear one was asked for: more than the "
-       "first power of an angle is left in it, or a sine or cosine."},
-      {"not_everywhere",
-       "This agrees with the right answer at some points, but not at all. Was it multiplied by something "
-       "that can "
-       "be zero, or did a root or an absolute value lose a sign?"},
-      {"missing_symbol", "Your answer does not depend on everything that it should depend on."},
-      {"extra_symbol", "Your answer depends on something that drops out of the right one."},
-      {"unit", "The value is right, but the unit is not."},
-      {"missing_unit", "The value is right. Say what it is a value of: give the unit."},
-      {"degrees", "This looks like a mix-up of degrees and radians."},
-      {"rounding",
-       "Close, but not close enough: carry more digits through your calculation and round at the end."},
-      {"other", "This is not right, and it is none of the usual slips. Try it at one point, by hand:"}};
-  const auto found = sentences.find(note);
-  return found == sentences.end() ? "" : found->second;
-}
-
 std::string model_answer(const Prepared& prepared) {
   const auto& exercise = prepared.exercise;
   switch (exercise.kind) {

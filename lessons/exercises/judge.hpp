@@ -92,8 +92,9 @@ Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::opt
 /// its sides, where the right one holds.
 std::optional<Witness> by_hand(const Prepared& prepared, const Relation& read);
 
-/// What a note means, for those notes that every exercise shares.
-std::string explanation_of(const std::string& note);
+/// What slips.toml says of a note: in its table "answer" or "number" what is wrong, in "part" with {} for the
+/// part of the answer, in "hint" how to look for it; empty where it says nothing.
+std::string slip_words(const std::string& table, const std::string& note);
 Opinion invalid(const std::string& note, const std::string& feedback);
 /// A text that could not be read, with a caret.
 Opinion invalid(const SyntaxError& error, const std::string& text);

@@ -91,13 +91,6 @@ Road road_to(const Prepared& prepared, const Relation& relation, const std::stri
   return {note, says, verdict, relation, signature_of(prepared, relation), 0};
 }
 
-Relation with_put(const Relation& relation, const std::map<std::string, std::string>& values) {
-  Relation result = relation;
-  for (const auto& [name, value] : values)
-    for (auto& side : result.sides) side = put_in(side, name, parse(value));
-  return result;
-}
-
 }  // namespace
 
 bool is_right(Verdict verdict) { return verdict == Verdict::proved || verdict == Verdict::proved_under; }
@@ -133,9 +126,12 @@ void add_roads(Prepared& prepared) {
     prepared.roads.push_back(road_to(prepared, relation, slip.note, slip.says));
   }
   if (exercise.kind == Kind::number) return add_roads_of_number(prepared);
-  for (const auto& assumption : exercise.assumptions)
-    prepared.roads.push_back(road_to(prepared, with_put(prepared.answer.relation, assumption.put),
-                                     "assumption", assumption.says, "correct_if"));
+  for (const auto& assumption : exercise.assumptions) {
+    Relation relation = prepared.answer.relation;
+    for (const auto& [name, value] : assumption.put)
+      relation = rederive::put_in(relation, name, parse(value));
+    prepared.roads.push_back(road_to(prepared, relation, "assumption", assumption.says, "correct_if"));
+  }
 }
 
 Opinion judge_formula(const Prepared& prepared, const std::string& text) {

@@ -29,17 +29,6 @@ bool is_slip(const Exercise& exercise, const Quantity& read, double slip) {
   return std::abs(read.value - slip) <= allowance(slip, std::max(exercise.digits, read.digits));
 }
 
-Opinion opinion(const Quantity& read, const std::string& verdict, const std::string& note,
-                const std::string& says, double score) {
-  Opinion result;
-  result.verdict = verdict;
-  result.note = note;
-  result.read_as = read.read_as;
-  result.feedback = says;
-  result.score = score;
-  return result;
-}
-
 /// The usual ways in which a number goes astray, whatever its formula is.
 std::string slip_of(const Exercise& exercise, const Quantity& read, double right) {
   const auto is = [&](double slip) { return is_slip(exercise, read, slip); };
@@ -57,19 +46,8 @@ std::string slip_of(const Exercise& exercise, const Quantity& read, double right
 
 /// What a slip in a number looks like: never that it was made, for other ways may lead to the same value.
 std::string number_words(const std::string& note) {
-  static const std::map<std::string, std::string> sentences{
-      {"sign", "This is what comes out when one sign is wrong."},
-      {"degrees", "This is what comes out when degrees and radians are mixed up."},
-      {"factor", "This is what comes out when a numerical factor is wrong: a whole for a half, or a square."},
-      {"power_of_ten", "The digits are right, the power of ten is not. Check the units you put in."},
-      {"power", "This is what comes out when a square or a root is lost, or there is one too many."},
-      {"reciprocal", "This is the reciprocal of the right value."},
-      {"wrong_angle", "This is what comes out when the angle inside a sine or cosine is not the right one."},
-      {"missing_term", "This is what comes out when a term is left out."},
-      {"missing_factor", "This is what comes out when a factor is left out."},
-      {"sin_cos", "This is what comes out when a sine and a cosine (or their like) are exchanged."}};
-  const auto found = sentences.find(note);
-  return found == sentences.end() ? explanation_of(note) : found->second;
+  const std::string words = slip_words("number", note);
+  return words.empty() ? slip_words("answer", note) : words;
 }
 
 /// "p = 2.69 1/s" without what stands before the value.
@@ -149,32 +127,34 @@ Opinion judge_number(const Prepared& prepared, const std::string& typed) {
   } catch (const SyntaxError& error) {
     return invalid(error, text);
   }
+  Opinion start;
+  start.read_as = read.read_as;
   const double right = prepared.answer.number;
   const bool angle = exercise.unit.empty() || exercise.unit == "rad";
   const Dimension wanted = parse_unit(angle ? "1" : exercise.unit);
   const bool pure = unit_text(wanted) == "1";
   if (read.dimension && *read.dimension != wanted)
-    return opinion(read, "wrong", near(exercise, read.value, right) ? "unit" : "dimension",
-                   fmt::format("{} You gave {}; {} is wanted.", explanation_of("dimension"),
-                               unit_text(*read.dimension), unit_text(wanted)),
-                   0);
+    return found(start, "wrong", near(exercise, read.value, right) ? "unit" : "dimension",
+                 fmt::format("{} You gave {}; {} is wanted.", slip_words("answer", "dimension"),
+                             unit_text(*read.dimension), unit_text(wanted)),
+                 0);
   if (near(exercise, read.value, right)) {
     if (!read.dimension && !pure)
-      return opinion(read, "wrong_form", "missing_unit", explanation_of("missing_unit"), 0.5);
-    return opinion(read, "correct", "correct", "Right.", 1);
+      return found(start, "wrong_form", "missing_unit", slip_words("answer", "missing_unit"), 0.5);
+    return found(start, "correct", "correct", "Right.", 1);
   }
   constexpr double turn = 6.283185307179586;
   if (read.read_as.find("Hz") != std::string::npos && near(exercise, read.value / turn, right))
-    return opinion(
-        read, "wrong", "unit",
+    return found(
+        start, "wrong", "unit",
         "Hz counts whole turns in a second: 1 Hz is $2*pi$ radians a second. What is asked for is no "
         "number of turns.",
         0);
   for (const auto& road : prepared.roads)
-    if (is_slip(exercise, read, road.number)) return opinion(read, "wrong", road.note, road.says, 0);
+    if (is_slip(exercise, read, road.number)) return found(start, "wrong", road.note, road.says, 0);
   if (const std::string note = slip_of(exercise, read, right); !note.empty())
-    return opinion(read, "wrong", note, number_words(note), 0);
-  return opinion(read, "wrong", "other", read.value > right ? "This is too large." : "This is too small.", 0);
+    return found(start, "wrong", note, number_words(note), 0);
+  return found(start, "wrong", "other", read.value > right ? "This is too large." : "This is too small.", 0);
 }
 
 Opinion judge_choice(const Prepared& prepared, const std::string& text) {
@@ -201,20 +181,13 @@ Opinion judge_choice(const Prepared& prepared, const std::string& text) {
                      fmt::format("Point at one term: a number from 1 to {}, or the term as printed.", count));
     result.read_as = fmt::format("term {}", chosen);
   }
-  const bool right = chosen == prepared.choice;
-  result.verdict = right ? "correct" : "wrong";
-  result.score = right ? 1 : 0;
-  result.note = right ? "correct" : "wrong_choice";
-  result.feedback = right ? "Right." : "No. Read the statement again and try a special case.";
-  if (exercise.kind == Kind::wrong_term && !right) {
-    result.note = "wrong_term";
-    result.feedback = "This term is as it should be. Derive the line yourself and compare term by term.";
-  } else if (!right) {
-    const Option& option = exercise.options[chosen - 1];
-    if (!option.note.empty()) result.note = option.note;
-    if (!option.says.empty()) result.feedback = option.says;
-  }
-  return result;
+  if (chosen == prepared.choice) return found(result, "correct", "correct", "Right.", 1);
+  if (exercise.kind == Kind::wrong_term)
+    return found(result, "wrong", "wrong_term",
+                 "This term is as it should be. Derive the line yourself and compare term by term.", 0);
+  const Option& option = exercise.options[chosen - 1];
+  return found(result, "wrong", option.note.empty() ? "wrong_choice" : option.note,
+               option.says.empty() ? "No. Read the statement again and try a special case." : option.says, 0);
 }
 
 }  // namespace rederive::classroom
