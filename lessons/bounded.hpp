@@ -12,21 +12,17 @@
 #include <chrono>
 #include <csignal>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
 namespace rederive {
 
-inline constexpr const char *too_long = "it took longer than it may",
-                            *too_large = "more memory than it may have";
-
 /// What bounded work came to.
 struct Bounded {
   std::optional<std::string> result;  ///< what the work returned, if it ended well
-  std::string why;                    ///< else: too_long, too_large, what it threw
-  double seconds = 0;                 ///< what it took, as the limit counts it
+  std::string why;     ///< else: "it took longer than it may", "more memory than it may have", what it threw
+  double seconds = 0;  ///< what it took, as the limit counts it
 };
 
 inline double in_seconds(const timeval& time) {
@@ -44,7 +40,7 @@ inline double processor_seconds(pid_t process) {
 /// In words, of a child that said nothing.
 inline std::string why_it_ended(int status) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGXCPU) return too_long;
+  if (signal == SIGXCPU) return "it took longer than it may";
   return signal == SIGKILL ? "it was ended from outside" : "it ran out of memory or stack";
 }
 
@@ -55,8 +51,6 @@ inline std::string why_it_ended(int status) {
 /// can be made.
 inline Bounded run_bounded(const std::function<std::string()>& work, double seconds, long megabytes,
                            double patience = 60) {
-  static std::mutex starting;  // no child holds the pipe of another, whichever thread makes it
-  std::unique_lock start_alone(starting);
   int ends[2];
   if (::pipe(ends) != 0) throw std::runtime_error("no pipe to be had");
   const pid_t child = ::fork();
@@ -74,7 +68,7 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
     try {
       text = "+" + work();
     } catch (const std::bad_alloc&) {
-      text = std::string("-") + too_large;
+      text = "-more memory than it may have";
     } catch (const std::exception& error) {
       text = std::string("-") + error.what();
     }
@@ -86,7 +80,6 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
     ::_exit(0);
   }
   ::close(ends[1]);
-  start_alone.unlock();
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const auto clock = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
@@ -110,7 +103,7 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
   int status = 0;
   ::wait4(child, &status, 0, &used);
   const double taken = counted(in_seconds(used.ru_utime) + in_seconds(used.ru_stime));
-  if (is_late) return {std::nullopt, too_long, taken};
+  if (is_late) return {std::nullopt, "it took longer than it may", taken};
   if (text.empty()) return {std::nullopt, why_it_ended(status), taken};
   if (text[0] == '-') return {std::nullopt, text.substr(1), taken};
   return {text.substr(1), "", taken};

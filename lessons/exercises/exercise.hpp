@@ -36,7 +36,7 @@ struct Slip {
 };
 
 struct Option {
-  std::string text, claim;       ///< claim: in our syntax; decides what is right
+  std::string text, claim;       ///< claim: in our syntax, or a verdict of the ledger; decides what is right
   std::string note, says, hint;  ///< said to one who chose it wrongly
 };
 

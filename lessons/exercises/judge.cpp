@@ -18,10 +18,15 @@ std::size_t right_option(const Prepared& prepared) {
   std::vector<std::size_t> right;
   for (std::size_t i = 0; i < exercise.options.size(); ++i) {
     const std::string& claim = exercise.options[i].claim;
-    if (is_right(
-            decide(parse_statement(claim), prepared.answer.relation, prepared.symbols, prepared.answer.given)
-                .verdict))
-      right.push_back(i + 1);
+    bool holds = false;
+    if (!exercise.answer.row.empty()) {
+      holds = claim == to_string(judged(exercise.answer.row).proof.verdict);
+    } else {
+      const Proof proof =
+          decide(parse_statement(claim), prepared.answer.relation, prepared.symbols, prepared.answer.given);
+      holds = proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
+    }
+    if (holds) right.push_back(i + 1);
   }
   if (right.size() != 1)
     throw std::runtime_error(fmt::format("{} of its options are right, one is wanted", right.size()));
@@ -59,7 +64,7 @@ Prepared prepare(const Exercise& exercise) {
       prepared.choice = wrong_term(prepared.answer.relation, exercise.answer.row);
       return prepared;
     }
-    prepared.answer = resolve(exercise.answer, exercise.kind);
+    if (exercise.answer.row.empty()) prepared.answer = resolve(exercise.answer, exercise.kind);
     std::set<std::string> at_hand = names_of(prepared.answer.relation);
     at_hand.insert(exercise.symbols.begin(), exercise.symbols.end());
     add_definitions(prepared.answer.given, at_hand, exercise.name);

@@ -13,8 +13,9 @@ struct JobResult {
   std::string text, failure;
 };
 
-/// Runs job(0) … job(count-1), `workers` at a time, each in a child process with 3 s (as run_bounded counts
-/// them) and 1 GB of memory. Results are in the order of the jobs. `done` is told how many are finished.
+/// Runs job(0) … job(count-1), `workers` at a time, each in a forked process with 2 s of processor time (10 s
+/// by the clock) and 1 GB of memory. Results are in the order of the jobs. `done` is told how many are
+/// finished.
 std::vector<JobResult> run_jobs(std::size_t count, unsigned workers,
                                 const std::function<std::string(std::size_t)>& job,
                                 const std::function<void(std::size_t)>& done);

@@ -23,14 +23,6 @@ std::string next_line(const Classroom& room, const Progress& progress) {
              : fmt::format("All exercises are done, {} of them given up: exercises list\n", given_up);
 }
 
-std::string solved_line(const Classroom& room, const Progress& progress) {
-  const auto solved = std::count_if(room.exercises.begin(), room.exercises.end(), [&](const Exercise& one) {
-    const auto found = progress.records.find(one.id);
-    return found != progress.records.end() && found->second.status == "solved";
-  });
-  return fmt::format("{} of {} solved.  ", solved, room.exercises.size()) + next_line(room, progress);
-}
-
 /// Keeps the attempt; a progress file that cannot be written costs a warning, not the verdict.
 Progress keep(const Classroom& room, const Exercise& exercise, const Opinion& opinion,
               const std::string& answer) {
@@ -95,9 +87,11 @@ int list(const Classroom& room) {
   nlohmann::ordered_json json{{"exercises", nlohmann::ordered_json::array()}};
   std::string text =
       fmt::format("{:<28} {:>6}  {:<44} {:<9} {:>8}\n", "exercise", "lesson", "title", "status", "attempts");
+  std::size_t solved = 0;
   for (const auto& exercise : room.exercises) {
     const auto found = progress.records.find(exercise.id);
     const Record record = found == progress.records.end() ? Record{} : found->second;
+    solved += record.status == "solved";
     text += fmt::format("{:<28} {:>6}  {:<44} {:<9} {:>8}\n", exercise.id, exercise.lesson, exercise.title,
                         record.status == "given_up" ? "given up" : record.status, record.attempts);
     json["exercises"].push_back({{"id", exercise.id},
@@ -109,13 +103,21 @@ int list(const Classroom& room) {
   }
   const Exercise* next = next_exercise(room, progress);
   json["next"] = next == nullptr ? nlohmann::ordered_json() : nlohmann::ordered_json(next->id);
-  put(room.json ? json.dump(2) + "\n" : text + "\n" + solved_line(room, progress));
+  put(room.json ? json.dump(2) + "\n"
+                : text + fmt::format("\n{} of {} solved.  ", solved, room.exercises.size()) +
+                      next_line(room, progress));
   return as_expected;
 }
 
 int what_is_next(const Classroom& room) {
   const Progress progress = load_progress(room.progress);
-  put(solved_line(room, progress) + "All that can be done here: exercises --help\n");
+  std::size_t solved = 0;
+  for (const auto& exercise : room.exercises) {
+    const auto found = progress.records.find(exercise.id);
+    solved += found != progress.records.end() && found->second.status == "solved";
+  }
+  put(fmt::format("{} of {} solved.  ", solved, room.exercises.size()) + next_line(room, progress) +
+      "All that can be done here: exercises --help\n");
   return as_expected;
 }
 
