@@ -10,7 +10,7 @@
 
 namespace rederive {
 
-enum class Format { unicode, plain, latex, markdown, html };
+enum class Format { unicode, plain, latex, markdown, notebook, html };
 
 struct Setting {
   Format format = Format::unicode;
@@ -33,7 +33,7 @@ class Renderer {
 
 std::unique_ptr<Renderer> text_renderer(const Setting& setting);  ///< unicode and plain
 std::unique_ptr<Renderer> latex_renderer(const Setting& setting);
-std::unique_ptr<Renderer> markdown_renderer(const Setting& setting);
+std::unique_ptr<Renderer> markdown_renderer(const Setting& setting);  ///< and notebook
 std::unique_ptr<Renderer> html_renderer(const Setting& setting);
 std::unique_ptr<Renderer> make_renderer(const Setting& setting);
 

@@ -1,9 +1,11 @@
 // Lessons as Markdown with GitHub's mathematics: $`...`$ in a sentence, a math fence for what is displayed.
-// These two forms are the ones whose contents Markdown does not touch.
+// These two forms are the ones whose contents Markdown does not touch. Jupyter wants $...$ and $$...$$; a
+// notebook is the same text in cells, with a cell of code for each list of commands.
 #include <fmt/format.h>
 
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
+#include <nlohmann/json.hpp>
 
 namespace rederive {
 namespace {
@@ -22,17 +24,24 @@ class MarkdownRenderer : public Renderer {
 
   std::string step(std::size_t number, const std::string& heading, const Page& page) override {
     std::string text = fmt::format("\n## {}. {}\n", number, heading);
-    for (const auto& block : page.blocks())
-      text += "\n" + std::visit([this](const auto& part) { return render(part); }, block);
+    for (const auto& block : page.blocks()) text += render_passage(block);
     return text;
   }
 
   std::string end(const Lesson&) override { return ""; }
 
- private:
-  static std::string inline_math(const std::string& latex) { return "$`" + latex + "`$"; }
+ protected:
+  std::string render_passage(const Passage& passage) const {
+    return "\n" + std::visit([this](const auto& part) { return render(part); }, passage);
+  }
 
-  static std::string flat(const std::string& sentence) {
+ private:
+  bool is_notebook() const { return setting_.format == Format::notebook; }
+  std::string inline_math(const std::string& latex) const {
+    return is_notebook() ? "$" + latex + "$" : "$`" + latex + "`$";
+  }
+
+  std::string flat(const std::string& sentence) const {
     std::string text;
     for (const auto& span : spans(sentence)) {
       if (span.kind == Span::Kind::math)
@@ -47,15 +56,16 @@ class MarkdownRenderer : public Renderer {
     return text;
   }
 
-  static std::string render(const Paragraph& part) { return flat(part.text) + "\n"; }
+  std::string render(const Paragraph& part) const { return flat(part.text) + "\n"; }
 
-  static std::string render(const Formula& part) {
+  std::string render(const Formula& part) const {
     const std::string tag = part.number.empty() ? "" : " \\tag{" + part.number + "}";
     const std::string mark = part.mark.empty() ? "" : "\\," + part.mark;
-    return "```math\n" + print_statement(part.relation, Notation::latex) + mark + tag + "\n```\n";
+    const std::string formula = print_statement(part.relation, Notation::latex) + mark + tag;
+    return is_notebook() ? "$$" + formula + "$$\n" : "```math\n" + formula + "\n```\n";
   }
 
-  static std::string render(const Judgement& part) {
+  std::string render(const Judgement& part) const {
     std::string text = "> **The ledger on " + headline(part.entry) + "**\n";
     for (const auto& line : findings(part.entry))
       text += fmt::format(
@@ -64,13 +74,13 @@ class MarkdownRenderer : public Renderer {
     return text;
   }
 
-  static std::string row(const std::vector<std::string>& cells) {
+  std::string row(const std::vector<std::string>& cells) const {
     std::string line = "|";
     for (const auto& cell : cells) line += " " + flat(cell) + " |";
     return line + "\n";
   }
 
-  static std::string render(const Table& part) {
+  std::string render(const Table& part) const {
     std::string text = row(part.header) + "|";
     for (std::size_t i = 0; i < part.header.size(); ++i) text += "---|";
     text += "\n";
@@ -98,7 +108,7 @@ class MarkdownRenderer : public Renderer {
            "```\n\n</details>\n";
   }
 
-  static std::string render(const BulletList& part) {
+  std::string render(const BulletList& part) const {
     std::string text;
     for (const auto& item : part.items) text += "- " + flat(item) + "\n";
     return text;
@@ -107,9 +117,65 @@ class MarkdownRenderer : public Renderer {
   Setting setting_;
 };
 
+class NotebookRenderer : public MarkdownRenderer {
+ public:
+  using MarkdownRenderer::MarkdownRenderer;
+
+  std::string begin(const Lesson& lesson) override {
+    add("markdown", MarkdownRenderer::begin(lesson) +
+                        "\nThe programs that the cells run stand in `build/bin`: have it on the `PATH`.\n");
+    return "";
+  }
+
+  std::string step(std::size_t number, const std::string& heading, const Page& page) override {
+    std::string text = MarkdownRenderer::step(number, heading, {});
+    for (const auto& block : page.blocks()) {
+      const auto* commands = std::get_if<Commands>(&block);
+      if (commands == nullptr || commands->lines.empty()) {
+        text += render_passage(block);
+        continue;
+      }
+      if (!text.empty()) add("markdown", text);
+      text.clear();
+      std::string code = "%%sh --no-raise-error\n";  // a verdict that is not as expected is no failure
+      for (const auto& line : commands->lines)
+        code += line.substr(line.starts_with(folder) ? folder.size() : 0) + "\n";
+      add("code", code);
+    }
+    if (!text.empty()) add("markdown", text);
+    return "";
+  }
+
+  std::string end(const Lesson&) override {
+    const Json kernel{{"name", "python3"}, {"display_name", "Python 3"}, {"language", "python"}};
+    return Json{{"cells", cells_},
+                {"metadata", {{"kernelspec", kernel}, {"language_info", {{"name", "python"}}}}},
+                {"nbformat", 4},
+                {"nbformat_minor", 5}}
+               .dump(1) +
+           "\n";
+  }
+
+ private:
+  using Json = nlohmann::ordered_json;
+  static constexpr std::string_view folder = "build/bin/";
+
+  void add(const std::string& type, const std::string& text) {
+    const std::size_t first = text.find_first_not_of('\n'), last = text.find_last_not_of('\n');
+    Json cell{
+        {"id", fmt::format("cell-{}", cells_.size() + 1)}, {"cell_type", type}, {"metadata", Json::object()}};
+    if (type == "code") cell["execution_count"] = nullptr, cell["outputs"] = Json::array();
+    cell["source"] = text.substr(first, last - first + 1);
+    cells_.push_back(cell);
+  }
+
+  Json cells_ = Json::array();
+};
+
 }  // namespace
 
 std::unique_ptr<Renderer> markdown_renderer(const Setting& setting) {
+  if (setting.format == Format::notebook) return std::make_unique<NotebookRenderer>(setting);
   return std::make_unique<MarkdownRenderer>(setting);
 }
 

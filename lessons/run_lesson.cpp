@@ -21,11 +21,9 @@ struct Flags {
   std::string format = "unicode", out;
 };
 
-const std::map<std::string, Format> formats{{"unicode", Format::unicode},
-                                            {"plain", Format::plain},
-                                            {"latex", Format::latex},
-                                            {"markdown", Format::markdown},
-                                            {"html", Format::html}};
+const std::map<std::string, Format> formats{{"unicode", Format::unicode},   {"plain", Format::plain},
+                                            {"latex", Format::latex},       {"markdown", Format::markdown},
+                                            {"notebook", Format::notebook}, {"html", Format::html}};
 
 fs::path own_program() { return fs::read_symlink("/proc/self/exe"); }
 
@@ -98,7 +96,7 @@ void write_lesson(const Lesson& lesson, const Flags& flags,
     lesson.steps[i].write(page);
     put(renderer->step(i + 1, lesson.steps[i].heading, page));
   }
-  if (!flags.step) put(renderer->end(lesson));
+  if (!flags.step || flags.format == "notebook") put(renderer->end(lesson));
 }
 
 int run(const Lesson& lesson, const Flags& flags) {
@@ -144,6 +142,7 @@ std::unique_ptr<Renderer> make_renderer(const Setting& setting) {
     case Format::latex:
       return latex_renderer(setting);
     case Format::markdown:
+    case Format::notebook:
       return markdown_renderer(setting);
     case Format::html:
       return html_renderer(setting);
@@ -157,8 +156,8 @@ int run_lesson(const Lesson& lesson, int argc, char** argv) {
   Flags flags;
   app.add_flag("--list", flags.list, "the steps of this lesson");
   app.add_option("--step", flags.step, "one step alone, to go slowly")->type_name("N");
-  app.add_option("--format", flags.format, "unicode, plain, latex, markdown or html")
-      ->check(CLI::IsMember({"unicode", "plain", "latex", "markdown", "html"}))
+  app.add_option("--format", flags.format, "unicode, plain, latex, markdown, notebook or html")
+      ->check(CLI::IsMember({"unicode", "plain", "latex", "markdown", "notebook", "html"}))
       ->type_name("FORMAT");
   app.add_flag("--quiet", flags.quiet, "the ledger's verdicts only");
   app.add_option("--out", flags.out, "write here instead of to the terminal")

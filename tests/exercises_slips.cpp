@@ -33,7 +33,7 @@ std::vector<std::string> one_edit_away(const Prepared& one) {
     for (const auto& [name, value] : one.answer.values) at[name] = rough_value(value, {});
     for (const auto& edit : edits(one.answer.relation.sides[0])) {
       char text[40];
-      std::snprintf(text, sizeof text, "%#.*g", exercise.digits > 0 ? exercise.digits : 3,
+      std::snprintf(text, sizeof text, "%#.*g", exercise.digits,
                     rough_value(edit.tree, at));
       result.push_back(text + (exercise.unit == "1" ? "" : " " + exercise.unit));
     }

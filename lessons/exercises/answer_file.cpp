@@ -19,17 +19,18 @@ struct Descriptor {
   }
 };
 
-AnswerFile trouble(const std::string& word, const std::string& says) { return {"", word, says}; }
+AnswerFile trouble(const std::string& word, const std::string& says) { return {"", word, says, {}}; }
 
-std::string without_comments(const std::string& text) {
+std::vector<std::pair<int, std::string>> without_comments(const std::string& text) {
   std::istringstream lines(text);
-  std::string line, result;
-  while (std::getline(lines, line)) {
+  std::vector<std::pair<int, std::string>> result;
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t'))
       line.pop_back();
     const std::size_t first = line.find_first_not_of(" \t");
     if (first == std::string::npos || line[first] == '#') continue;
-    result += (result.empty() ? "" : " ") + line.substr(first);
+    result.emplace_back(number, line.substr(first));
   }
   return result;
 }
@@ -64,7 +65,8 @@ AnswerFile read_answer_file(const std::filesystem::path& path) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);  // what some editors put before UTF-8
   if (bytes.find('\0') != std::string::npos || !is_utf8(bytes))
     return trouble("encoding", "The file is not text in UTF-8. Save it as UTF-8 (not Latin-1 or UTF-16).");
-  AnswerFile result{without_comments(bytes), "", ""};
+  AnswerFile result{"", "", "", without_comments(bytes)};
+  for (const auto& [number, line] : result.lines) result.text += (result.text.empty() ? "" : " ") + line;
   if (result.text.empty()) return trouble("empty", "There is no answer here yet.");
   return result;
 }

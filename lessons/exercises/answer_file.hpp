@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace rederive::classroom {
 
@@ -10,6 +12,7 @@ namespace rederive::classroom {
 /// encoding, empty; then `says` tells the student.
 struct AnswerFile {
   std::string text, trouble, says;
+  std::vector<std::pair<int, std::string>> lines = {};  ///< those that are no comments, with their numbers
 };
 
 /// Reads an answer: lines that begin with # are comments, the others are joined. Never follows a link, waits

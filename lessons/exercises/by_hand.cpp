@@ -65,7 +65,8 @@ std::optional<Witness> by_hand(const Prepared& prepared, const Relation& read) {
         point.insert_or_assign(name,
                                Number(small_number(*prepared.symbols.find(name), k += 2 + attempt % 3)));
     const bool solves = is_equation && pivot.empty();
-    if (solves && !solve_on_the_way(right, *prepared.symbols.find(*names.rbegin()), point)) continue;
+    const std::string& unknown = *std::next(names.rbegin(), attempt % static_cast<int>(names.size()));
+    if (solves && !solve_on_the_way(right, *prepared.symbols.find(unknown), point)) continue;
     const auto value = [&](const Relation& statement) {
       return solves ? digits_at(difference(statement.sides[0], statement.sides[1]), point, 6)
                     : digits_at(value_of(statement, pivot), point, 6);

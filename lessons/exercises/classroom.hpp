@@ -40,6 +40,7 @@ std::string presentation(const Exercise& exercise);
 Page way_to_answer(const Prepared& prepared);
 /// The same for a terminal; its last line is the answer, in the form asked for.
 std::string solution_text(const Prepared& prepared);
+std::string verdict_in_words(const std::string& verdict);
 /// What was read, the verdict, the feedback and the witness.
 std::string report(const Classroom& room, const Exercise& exercise, const Opinion& opinion);
 /// The same as the JSON document of `check --json`.
@@ -67,7 +68,7 @@ int list(const Classroom& room);
 int what_is_next(const Classroom& room);
 int show(const Classroom& room, const std::string& id);
 int check(const Classroom& room, const std::string& id, const std::string& answer);
-int check_file(const Classroom& room, const std::string& id, const std::string& file);
+int check_file(const Classroom& room, const std::string& id, const std::string& file, bool is_working);
 int hint(const Classroom& room, const std::string& id);
 int solution(const Classroom& room, const std::string& id, bool give_up);
 int reset(const Classroom& room, const std::string& id);
@@ -81,6 +82,7 @@ struct GradeFlags {
   std::string weights, deadline, handed_in;  ///< deadline: a time, or a file
   unsigned workers = 0;                      ///< 0: as many as there are processors
   bool missing = false;                      ///< a row also for what was not handed in
+  bool variants = false;                     ///< each student had the variants of the own name
 };
 int grade(const Classroom& room, const GradeFlags& flags);
 

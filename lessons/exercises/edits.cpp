@@ -14,23 +14,6 @@ std::string one_dot_less(const std::string& name) {
   return name.ends_with("ddot") ? name.substr(0, name.size() - 4) + "dot" : name.substr(0, name.size() - 3);
 }
 
-Tree without_child(const Tree& tree, std::size_t index) {
-  auto copy = std::make_shared<Node>(*tree);
-  copy->children.erase(copy->children.begin() + static_cast<std::ptrdiff_t>(index));
-  if (index < copy->inverse.size())
-    copy->inverse.erase(copy->inverse.begin() + static_cast<std::ptrdiff_t>(index));
-  if (copy->children.size() == 1 && !(copy->inverse.size() == 1 && copy->inverse[0]))
-    return copy->children[0];
-  return copy;
-}
-
-Tree with_flipped(const Tree& tree, std::size_t index) {
-  auto copy = std::make_shared<Node>(*tree);
-  copy->inverse.resize(copy->children.size(), false);
-  copy->inverse[index] = !copy->inverse[index];
-  return copy;
-}
-
 /// What can go wrong at this node itself. `inside` = the name of the function whose argument this is part of.
 void slips_here(const Tree& tree, bool inside, bool exponent, std::vector<Edit>& result) {
   const auto& children = tree->children;
@@ -109,6 +92,24 @@ Tree scaled(const std::string& over, const std::string& under, const Tree& tree)
 Tree with_child(const Tree& tree, std::size_t index, const Tree& child) {
   auto copy = std::make_shared<Node>(*tree);
   copy->children[index] = child;
+  return copy;
+}
+
+Tree without_child(const Tree& tree, std::size_t index) {
+  auto copy = std::make_shared<Node>(*tree);
+  copy->children.erase(copy->children.begin() + static_cast<std::ptrdiff_t>(index));
+  if (index < copy->inverse.size())
+    copy->inverse.erase(copy->inverse.begin() + static_cast<std::ptrdiff_t>(index));
+  if (copy->children.empty()) return number(tree->kind == Node::Kind::sum ? "0" : "1");
+  if (copy->children.size() == 1 && !(copy->inverse.size() == 1 && copy->inverse[0]))
+    return copy->children[0];
+  return copy;
+}
+
+Tree with_flipped(const Tree& tree, std::size_t index) {
+  auto copy = std::make_shared<Node>(*tree);
+  copy->inverse.resize(copy->children.size(), false);
+  copy->inverse[index] = !copy->inverse[index];
   return copy;
 }
 

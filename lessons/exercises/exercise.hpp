@@ -4,6 +4,7 @@
 #include <derivations/language/tree.hpp>
 #include <derivations/mechanics/derivation.hpp>
 #include <filesystem>
+#include <lessons/exercises/variants.hpp>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,6 +18,7 @@ enum class Kind { expression, equation, number, choice, wrong_term };
 struct Reference {
   std::string derivation;                   ///< an equation of the paper, as derived: "13"
   std::string row;                          ///< a row of the ledger, for its verdict or its wrong term: "17b"
+  std::size_t slip = 0;                     ///< the row has another wrong term: a slip of this number
   std::string function;                     ///< a number from the numerics: "amplitude_without_impact"
   std::string side = "right";               ///< of the derivation: left, right, whole
   std::string solve_for;                    ///< a symbol that the equation is linear in
@@ -45,22 +47,24 @@ struct Assumption {
 };
 
 struct Exercise {
-  std::string id, title, statement, example, form, name, pivot, unit;
+  std::string id, title, statement, example, name, pivot, unit;
   int lesson = 0;
   Kind kind = Kind::expression;
   std::vector<std::string> symbols;          ///< that an answer may use
   std::map<std::string, std::string> range;  ///< of a symbol, where the statement says more than its table
   Reference answer;
-  double tolerance = 0;  ///< relative; numbers only
-  int digits = 0;        ///< or significant digits
+  int digits = 3;  ///< of a number, the significant ones
   std::vector<std::string> hints, equivalents;
   std::vector<Slip> slips;
   std::vector<Option> options;
   std::vector<Assumption> assumptions;
+  Choice choice;     ///< what was put into the braces of its texts; empty where it has no variants
+  std::string seed;  ///< by which
 };
 
-/// All exercises, in the order of lessons. Throws std::runtime_error naming file, exercise and what is wrong.
-std::vector<Exercise> read_exercises(const std::filesystem::path& folder);
+/// All exercises, in the order of lessons; with a seed, those that have variants in the one of that seed.
+/// Throws std::runtime_error naming file, exercise and what is wrong.
+std::vector<Exercise> read_exercises(const std::filesystem::path& folder, const std::string& seed = "");
 /// The folder that ships with the project.
 std::filesystem::path exercises_folder();
 
@@ -82,7 +86,11 @@ Answer resolve(const Reference& reference, Kind kind);
 
 /// The terms that a reader can point at in a printed relation, from left to right.
 std::vector<Tree> terms_to_point_at(const Relation& relation);
-/// The one term (from 1) that, edited alone, makes the printed row right. Throws if there is not exactly one.
-std::size_t wrong_term(const std::string& row);
+/// A row as printed, with one wrong term: as the paper has it, or corrected and with a slip of `mutants` in
+/// it.
+Relation printed_with_slip(const Reference& reference);
+/// The one term (from 1) that, edited alone, makes what is printed say what is derived for the row. Throws if
+/// there is not exactly one.
+std::size_t wrong_term(const Relation& printed, const std::string& row);
 
 }  // namespace rederive::classroom

@@ -3,12 +3,13 @@
 //   exercises                          what comes next
 //   exercises list                     what there is, what is done, what comes next
 //   exercises show [ID]                the statement; without ID, of the next exercise
-//   exercises check ID "ANSWER"        or --file FILE
+//   exercises check ID "ANSWER"        or --file FILE, or --working FILE
 //   exercises hint ID · solution ID [--give-up] · reset ID
 //   exercises serve [--port N]         the lessons and their exercises in a browser
 //   exercises watch DIR                judges DIR/<ID>.txt again whenever it changes
 //   exercises grade DIR [--csv FILE]   DIR/<student>/<ID>.txt, a whole class; gradebook, feedback, report
 //   exercises selftest                 is the exercise set sound?
+//   … --seed S                         the same for the variant of that seed
 #include <algorithm>
 #include <derivations/emit/command_line.hpp>
 #include <lessons/exercises/classroom.hpp>
@@ -20,7 +21,7 @@ namespace {
 
 /// What the user typed.
 struct Arguments {
-  std::string id, answer, file, folder, progress;
+  std::string id, answer, file, working, folder, progress, seed;
   bool json = false, give_up = false, once = false;
   int port = 0;
   GradeFlags grade;
@@ -43,12 +44,26 @@ void declare(CLI::App& app, Arguments& given) {
   app.require_subcommand(0, 1);
   app.fallthrough();
   app.add_option("--progress", given.progress, "your progress file")->type_name("FILE");
+  app.add_option("--seed", given.seed,
+                 "exercises in the variant of this number or name: other numbers, another side");
   with_json(app.add_subcommand("list", "all exercises, and the next one to do"), given);
   command_with_id(app, "show", "the statement of an exercise (of the next one without ID)", given, false);
   auto* check =
       command_with_id(app, "check", "judge an answer; -- before it if it begins with a minus", given);
   auto* answer = check->add_option("ANSWER", given.answer, "the answer, in quotes");
-  check->add_option("--file", given.file, "read the answer from here")->type_name("FILE")->excludes(answer);
+  auto* file_option = check->add_option("--file", given.file, "read the answer from here");
+  file_option->type_name("FILE")->excludes(answer);
+  check->add_option("--working", given.working, "read from here, line by line, how you came to it")
+      ->type_name("FILE")
+      ->excludes(answer)
+      ->excludes(file_option);
+  check->footer(
+      "A working is a chain of lines, each of which must follow from the one before; the last is the "
+      "answer.\n"
+      "A line is an equation, a chain a = b = c, or an expression, alone or behind a = sign; empty lines "
+      "and\n"
+      "those that begin with # are skipped. Behind a line stands what is assumed there and nowhere else:\n"
+      "[theta > 0, u_gddot = 0], or [small alpha, theta], by which a step need hold to first order only.");
   command_with_id(app, "hint", "one more hint", given);
   command_with_id(app, "solution", "the answer and how it comes about", given)
       ->add_flag("--give-up", given.give_up, "show it although the exercise is not solved");
@@ -81,13 +96,15 @@ void declare(CLI::App& app, Arguments& given) {
       "Lists are CSV with the header named above. Times are like 2026-12-01T12:00, in UTC or with +02:00\n"
       "behind; a day alone ends at midnight; no exercise in --handed-in means all of that student.");
   grade->add_option("--workers", given.grade.workers, "answers judged at a time")->check(CLI::Range(1, 64));
+  grade->add_flag("--variants", given.grade.variants,
+                  "to each student the variants of --seed and the folder's name");
   grade->add_flag("--missing", given.grade.missing, "a row also for each answer that was not handed in");
   with_json(app.add_subcommand("selftest", "is the exercise set sound?"), given);
 }
 
 int run(const CLI::App& app, const Arguments& given) {
-  const Classroom room{read_exercises(exercises_folder()), progress_file(given.progress), given.json,
-                       is_lively(1)};
+  const Classroom room{read_exercises(exercises_folder(), given.seed), progress_file(given.progress),
+                       given.json, is_lively(1)};
   if (app.got_subcommand("list")) return list(room);
   if (app.got_subcommand("show")) return show(room, given.id);
   if (app.got_subcommand("hint")) return hint(room, given.id);
@@ -99,9 +116,10 @@ int run(const CLI::App& app, const Arguments& given) {
   if (app.got_subcommand("selftest")) return selftest(room);
   if (app.get_subcommands().empty()) return what_is_next(room);
   const auto* check_command = app.get_subcommand("check");
-  if (!given.file.empty()) return check_file(room, given.id, given.file);
+  if (!given.file.empty()) return check_file(room, given.id, given.file, false);
+  if (!given.working.empty()) return check_file(room, given.id, given.working, true);
   if (check_command->get_option("ANSWER")->count() == 0)
-    throw BadInput("check: an ANSWER or --file FILE is wanted");
+    throw BadInput("check: an ANSWER, --file FILE or --working FILE is wanted");
   return check(room, given.id, CLI::detail::trim_copy(given.answer));
 }
 

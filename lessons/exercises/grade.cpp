@@ -24,7 +24,8 @@ struct Task {
   Row row;
   fs::path path;
   const Prepared* prepared = nullptr;
-  std::size_t seat = 0;  ///< from 1: of the student in the class, if it is one
+  std::size_t seat = 0;                  ///< from 1: of the student in the class, if it is one
+  std::optional<Exercise> variant = {};  ///< the student's own
 };
 
 struct Class {
@@ -80,8 +81,8 @@ std::int64_t time_of(const fs::path& file) {
 }
 
 /// What one student handed in.
-void add_student(const fs::path& folder, const std::map<std::string, Prepared>& answers, bool missing,
-                 Class& whole) {
+void add_student(const fs::path& folder, const std::map<std::string, Prepared>& answers,
+                 const GradeFlags& flags, Class& whole) {
   std::vector<Task>& tasks = whole.tasks;
   const std::string student = as_text(folder.filename().string());
   std::error_code error;
@@ -92,6 +93,10 @@ void add_student(const fs::path& folder, const std::map<std::string, Prepared>& 
   whole.students.push_back({student});
   const auto names = names_in(folder);
   if (!names) return tasks.push_back(finished(student, "", "unreadable"));
+  std::map<std::string, Exercise> own;
+  if (flags.variants)
+    for (auto& exercise : read_exercises(exercises_folder(), student))
+      if (!exercise.choice.empty()) own.emplace(exercise.id, std::move(exercise));
   std::set<std::string> handed_in;
   std::vector<std::string> strange;
   for (const auto& name : *names) {
@@ -109,12 +114,15 @@ void add_student(const fs::path& folder, const std::map<std::string, Prepared>& 
     handed_in.insert(id);
     tasks.push_back({{student, id, "", "", 0, true}, folder / name, &known->second});
     tasks.back().row.time = time_of(folder / name);
+    if (const auto variant = own.find(id); variant != own.end()) tasks.back().variant = variant->second;
+    tasks.back().row.statement =
+        (tasks.back().variant ? *tasks.back().variant : known->second.exercise).statement;
   }
   for (std::size_t i = 0; i < std::min(strange.size(), most_strange_files); ++i)
     tasks.push_back(finished(student, as_text(strange[i]), "unknown_exercise"));
   if (strange.size() > most_strange_files) tasks.push_back(finished(student, "", "too_many_files"));
   if (names->empty()) tasks.push_back(finished(student, "", "empty_folder"));
-  if (missing)
+  if (flags.missing)
     for (const auto& [id, ignored] : answers)
       if (!handed_in.contains(id)) tasks.push_back(finished(student, id, "not_handed_in"));
 }
@@ -127,15 +135,17 @@ std::string judged_in_child(const Task& task) {
   for (int standard = 0; standard < 3; ++standard) ::dup2(nowhere, standard);
   constexpr std::size_t most = 4000;  // bytes of a text that pages show the beginning of
   const AnswerFile file = read_answer_file(task.path);
+  const std::optional<Prepared> own = task.variant ? std::optional(prepare(*task.variant)) : std::nullopt;
+  const Prepared& prepared = own ? *own : *task.prepared;
   const Opinion opinion =
-      file.trouble.empty() ? judge_answer(*task.prepared, file.text) : invalid(file.trouble, file.says);
+      file.trouble.empty() ? judge_answer(prepared, file.text) : invalid(file.trouble, file.says);
   return nlohmann::json{opinion.verdict,
                         opinion.note,
                         opinion.score,
                         file.text.substr(0, most),
                         opinion.read_as.substr(0, most),
                         opinion.feedback.substr(0, most),
-                        hint_for(task.prepared->exercise, opinion)}
+                        hint_for(prepared.exercise, opinion)}
       .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -252,7 +262,7 @@ int grade(const Classroom& room, const GradeFlags& flags) {
   std::vector<Task>& tasks = whole.tasks;
   for (const auto& name : *students) {
     const std::size_t from = tasks.size(), before = whole.students.size();
-    add_student(fs::path(flags.folder) / name, answers, flags.missing, whole);
+    add_student(fs::path(flags.folder) / name, answers, flags, whole);
     if (whole.students.size() > before)
       for (std::size_t i = from; i < tasks.size(); ++i) tasks[i].seat = before + 1;
   }

@@ -9,15 +9,10 @@
 #include <nlohmann/json.hpp>
 
 namespace rederive::classroom {
-namespace {
-
-/// How to look for a slip of that name, in any exercise; nothing for what is none.
-std::string hint_by_note(const std::string& note) {
-  static const toml::table hints = toml::parse_file((exercises_folder() / "slips.toml").string());
-  return hints[note].value_or(std::string());
+std::string slip_words(const std::string& table, const std::string& note) {
+  static const toml::table words = toml::parse_file((exercises_folder() / "slips.toml").string());
+  return words[table][note].value_or(std::string());
 }
-
-}  // namespace
 
 std::string hint_for(const Exercise& exercise, const Opinion& opinion) {
   const auto made = [&](const auto& slip) {
@@ -29,7 +24,7 @@ std::string hint_for(const Exercise& exercise, const Opinion& opinion) {
   if (const auto option = std::find_if(exercise.options.begin(), exercise.options.end(), made);
       option != exercise.options.end())
     return option->hint;
-  return hint_by_note(opinion.note);
+  return slip_words("hint", opinion.note);
 }
 
 Hint next_hint(const Classroom& room, const Exercise& exercise) {

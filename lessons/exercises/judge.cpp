@@ -41,6 +41,17 @@ std::set<std::string> names_to_sample(const Prepared& prepared) {
   return names;
 }
 
+/// From the answer, what answers are compared with.
+void add_comparisons(Prepared& prepared) {
+  const Exercise& exercise = prepared.exercise;
+  if (exercise.kind != Kind::number) {
+    prepared.points = sample_points(names_to_sample(prepared), 3);
+    prepared.signature =
+        signature(put_in(prepared.answer.relation, prepared.answer.given), exercise.pivot, prepared.points);
+  }
+  add_roads(prepared);
+}
+
 }  // namespace
 
 Prepared prepare(const Exercise& exercise) {
@@ -49,7 +60,8 @@ Prepared prepare(const Exercise& exercise) {
   try {
     for (const auto& [name, range] : exercise.range) prepared.symbols.narrow(name, range);
     if (exercise.kind == Kind::wrong_term) {
-      prepared.choice = wrong_term(exercise.answer.row);
+      prepared.answer.relation = printed_with_slip(exercise.answer);
+      prepared.choice = wrong_term(prepared.answer.relation, exercise.answer.row);
       return prepared;
     }
     if (exercise.answer.row.empty()) prepared.answer = resolve(exercise.answer, exercise.kind);
@@ -60,16 +72,35 @@ Prepared prepare(const Exercise& exercise) {
       prepared.choice = right_option(prepared);
       return prepared;
     }
-    if (exercise.kind != Kind::number) {
-      prepared.points = sample_points(names_to_sample(prepared), 3);
-      prepared.signature =
-          signature(put_in(prepared.answer.relation, prepared.answer.given), exercise.pivot, prepared.points);
-    }
-    add_roads(prepared);
+    add_comparisons(prepared);
   } catch (const std::exception& error) {
     throw std::runtime_error("exercise " + exercise.id + ": " + error.what());
   }
   return prepared;
+}
+
+Exercise as_exercise(const Exercise& whole, const Relation& before, const Relation& after) {
+  Exercise step;
+  step.id = whole.id;
+  step.kind = before.operators.empty() ? Kind::expression : Kind::equation;
+  std::set<std::string> first = names_of(before), names = names_of(after);
+  if (whole.kind == Kind::equation && first.contains(whole.pivot) && names.contains(whole.pivot))
+    step.pivot = whole.pivot;
+  names.merge(first);
+  step.symbols.assign(names.begin(), names.end());
+  return step;
+}
+
+Prepared prepare_step(const Prepared& whole, const Relation& before, const Relation& after) {
+  Prepared step;
+  step.exercise = as_exercise(whole.exercise, before, after);
+  step.symbols = whole.symbols;
+  step.answer.relation = before;
+  step.answer.given = whole.answer.given;
+  const auto& names = step.exercise.symbols;
+  add_definitions(step.answer.given, {names.begin(), names.end()}, whole.exercise.name);
+  add_comparisons(step);
+  return step;
 }
 
 Opinion judge_answer(const Prepared& prepared, const std::string& text) {
@@ -104,31 +135,6 @@ Opinion invalid(const SyntaxError& error, const std::string& text) {
   return invalid(error.note, explain(error, text));
 }
 
-std::string explanation_of(const std::string& note) {
-  static const std::map<std::string, std::string> sentences{
-      {"dimension", "The dimensions do not fit."},
-      {"small_angle",
-       "This agrees with the right answer for small angles only; the exact result was asked for. Was a sine "
-       "replaced by its angle somewhere, or a cosine by one?"},
-      {"not_linear",
-       "For small angles this agrees with the right answer, but the linear one was asked for: more than the "
-       "first power of an angle is left in it, or a sine or cosine."},
-      {"not_everywhere",
-       "This agrees with the right answer at some points, but not at all. Was it multiplied by something "
-       "that can "
-       "be zero, or did a root or an absolute value lose a sign?"},
-      {"missing_symbol", "Your answer does not depend on everything that it should depend on."},
-      {"extra_symbol", "Your answer depends on something that drops out of the right one."},
-      {"unit", "The value is right, but the unit is not."},
-      {"missing_unit", "The value is right. Say what it is a value of: give the unit."},
-      {"degrees", "This looks like a mix-up of degrees and radians."},
-      {"rounding",
-       "Close, but not close enough: carry more digits through your calculation and round at the end."},
-      {"other", "This is not right, and it is none of the usual slips. Try it at one point, by hand:"}};
-  const auto found = sentences.find(note);
-  return found == sentences.end() ? "" : found->second;
-}
-
 std::string model_answer(const Prepared& prepared) {
   const auto& exercise = prepared.exercise;
   switch (exercise.kind) {
@@ -138,8 +144,7 @@ std::string model_answer(const Prepared& prepared) {
     case Kind::equation:
       return print(prepared.answer.relation);
     case Kind::number: {
-      const std::string value =
-          fmt::format("{:#.{}g}", prepared.answer.number, exercise.digits > 0 ? exercise.digits : 3);
+      const std::string value = fmt::format("{:#.{}g}", prepared.answer.number, exercise.digits);
       return exercise.unit.empty() || exercise.unit == "1" ? value : value + " " + exercise.unit;
     }
     case Kind::wrong_term:

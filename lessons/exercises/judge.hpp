@@ -2,11 +2,13 @@
 #pragma once
 
 #include <derivations/rocking_block/paper_symbols.hpp>
+#include <functional>
 #include <lessons/exercises/exercise.hpp>
 #include <lessons/exercises/sieve.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rederive::classroom {
@@ -17,6 +19,7 @@ struct Opinion {
   std::string verdict, note, read_as, feedback;
   std::optional<Witness> witness;
   double score = 0;
+  int line = 0;  ///< of a working: the line that is meant
 };
 
 /// A wrong answer to compare with, computed beforehand.
@@ -45,6 +48,20 @@ Prepared prepare(const Exercise& exercise);
 Opinion judge_answer(const Prepared& prepared, const std::string& text);
 /// The same for whatever may have been typed: undecided after 1.5 seconds, or beyond 480 MB.
 Opinion judge_bounded(const Exercise& exercise, const std::string& text);
+/// What `judge` says, or that it could not, within the same bounds.
+Opinion bounded(const std::function<Opinion()>& judge);
+/// A step of a working as an exercise of its own, for expressions or equations: say `before` in another way.
+Exercise as_exercise(const Exercise& whole, const Relation& before, const Relation& after);
+Prepared prepare_step(const Prepared& whole, const Relation& before, const Relation& after);
+
+/// A working, judged: each line must follow from the one before, and the last one be the answer.
+struct Working {
+  Opinion opinion;     ///< of the first line that does not follow, else of the answer
+  std::string answer;  ///< the last line
+  Exercise about;      ///< what the opinion is of: a step, else the exercise
+};
+/// Judges numbered lines (working.cpp says what a line may be), each step within the bounds of an answer.
+Working judge_working(const Exercise& exercise, const std::vector<std::pair<int, std::string>>& lines);
 /// The right answer in our syntax, or as a number with its unit, or as a letter.
 std::string model_answer(const Prepared& prepared);
 /// 0 correct, 1 wrong, 2 invalid, 3 undecided.
@@ -57,6 +74,7 @@ Relation read_answer(const Exercise& exercise, const std::string& text);
 /// "p = 2.69 1/s" without what stands before the value.
 std::string without_name(const Exercise& exercise, const std::string& text);
 Opinion judge_formula(const Prepared& prepared, const std::string& text);
+Opinion judge_formula(const Prepared& prepared, const Relation& read);
 Opinion judge_number(const Prepared& prepared, const std::string& text);
 Opinion judge_choice(const Prepared& prepared, const std::string& text);
 /// The wrong roads that an exercise names, filled in once the answer is there.
@@ -79,12 +97,11 @@ Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::opt
 /// its sides, where the right one holds.
 std::optional<Witness> by_hand(const Prepared& prepared, const Relation& read);
 
-/// What a note means, for those notes that every exercise shares.
-std::string explanation_of(const std::string& note);
+/// What slips.toml says of a note: in its table "answer" or "number" what is wrong, in "part" with {} for the
+/// part of the answer, in "hint" how to look for it; empty where it says nothing.
+std::string slip_words(const std::string& table, const std::string& note);
 Opinion invalid(const std::string& note, const std::string& feedback);
 /// A text that could not be read, with a caret.
 Opinion invalid(const SyntaxError& error, const std::string& text);
-/// Whether the answer has the form that was asked for; what to say if not.
-std::optional<std::string> not_in_form(const Exercise& exercise, const Relation& read);
 
 }  // namespace rederive::classroom

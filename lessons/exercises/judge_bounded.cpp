@@ -38,9 +38,13 @@ Opinion undecided(const std::string& note, const std::string& why) {
 
 Opinion judge_bounded(const Exercise& exercise, const std::string& text) {
   const Prepared prepared = prepare(exercise);
+  return bounded([&] { return judge_answer(prepared, text); });
+}
+
+Opinion bounded(const std::function<Opinion()>& judge) {
   const auto work = [&] {
     try {
-      return packed(judge_answer(prepared, text));
+      return packed(judge());
     } catch (const std::exception& error) {
       return packed(undecided("undecided", in_plain_words(error)));
     }

@@ -11,39 +11,6 @@
 namespace rederive::classroom {
 namespace {
 
-/// left - right of an equation, as an expression.
-Relation residual_of(const Relation& equation) {
-  const auto residual = std::make_shared<Node>(
-      Node{Node::Kind::sum, "", {equation.sides[0], equation.sides[1]}, {false, true}, 0});
-  return {{residual}, {}};
-}
-
-/// "-3/2" as a tree, where the number is such a fraction.
-std::optional<Tree> small_fraction(double value) {
-  for (int under = 1; under <= 360; ++under) {
-    const double over = std::round(std::abs(value) * under);
-    if (over < 1 || over > 1e6 || std::abs(std::abs(value) * under - over) > 1e-9 * over) continue;
-    const Tree size = scaled(fmt::format("{:.0f}", over), std::to_string(under), number("1"));
-    return value < 0 ? negative(size) : size;
-  }
-  return {};
-}
-
-/// Two equations that differ by a number only: then one residual is that multiple of the other, identically.
-std::optional<Proof> same_up_to_a_number(const Prepared& prepared, const Relation& read,
-                                         const Relation& against) {
-  const Relation mine = residual_of(read), right = residual_of(against);
-  const auto a = signature(put_in(mine, prepared.answer.given), "", prepared.points);
-  const auto b = signature(put_in(right, prepared.answer.given), "", prepared.points);
-  const auto ratio = a && b ? common_ratio(*a, *b) : std::nullopt;
-  const auto factor = ratio ? small_fraction(*ratio) : std::nullopt;
-  if (!factor) return {};
-  const auto multiple =
-      std::make_shared<Node>(Node{Node::Kind::product, "", {*factor, right.sides[0]}, {false, false}, 0});
-  const Proof proof = decide(mine, Relation{{multiple}, {}}, prepared.symbols, prepared.answer.given);
-  return is_right(proof.verdict) ? std::optional(proof) : std::nullopt;
-}
-
 const Node* find_symbol(const Tree& tree, const std::string& name) {
   if (tree->kind == Node::Kind::symbol && tree->text == name) return tree.get();
   for (const auto& child : tree->children)
@@ -126,22 +93,11 @@ Road road_to(const Prepared& prepared, const Relation& relation, const std::stri
   return {note, says, verdict, relation, signature_of(prepared, relation), 0};
 }
 
-Relation with_put(const Relation& relation, const std::map<std::string, std::string>& values) {
-  Relation result = relation;
-  for (const auto& [name, value] : values)
-    for (auto& side : result.sides) side = put_in(side, name, parse(value));
-  return result;
-}
-
 }  // namespace
 
 bool is_right(Verdict verdict) { return verdict == Verdict::proved || verdict == Verdict::proved_under; }
 
 Proof proof_of(const Prepared& prepared, const Relation& read, const Relation& against) {
-  const bool equations =
-      read.operators == std::vector<std::string>{"="} && against.operators == read.operators;
-  if (equations)
-    if (const auto proof = same_up_to_a_number(prepared, read, against)) return *proof;
   return decide(read, against, prepared.symbols, prepared.answer.given);
 }
 
@@ -172,30 +128,31 @@ void add_roads(Prepared& prepared) {
     prepared.roads.push_back(road_to(prepared, relation, slip.note, slip.says));
   }
   if (exercise.kind == Kind::number) return add_roads_of_number(prepared);
-  for (const auto& assumption : exercise.assumptions)
-    prepared.roads.push_back(road_to(prepared, with_put(prepared.answer.relation, assumption.put),
-                                     "assumption", assumption.says, "correct_if"));
+  for (const auto& assumption : exercise.assumptions) {
+    Relation relation = prepared.answer.relation;
+    for (const auto& [name, value] : assumption.put)
+      relation = rederive::put_in(relation, name, parse(value));
+    prepared.roads.push_back(road_to(prepared, relation, "assumption", assumption.says, "correct_if"));
+  }
 }
 
 Opinion judge_formula(const Prepared& prepared, const std::string& text) {
-  Opinion opinion;
-  Relation read;
   try {
-    read = read_answer(prepared.exercise, text);
-    opinion.read_as = as_typed(read.operators.empty() ? print(read.sides[0]) : print(read));
-    for (const auto& side : read.sides) lower(side);  // refuses what is undefined at once, such as 1/0
+    return judge_formula(prepared, read_answer(prepared.exercise, text));
   } catch (const SyntaxError& error) {
     return invalid(error, text);
   }
+}
+
+Opinion judge_formula(const Prepared& prepared, const Relation& read) {
+  Opinion opinion;
+  opinion.read_as = as_typed(read.operators.empty() ? print(read.sides[0]) : print(read));
+  for (const auto& side : read.sides) lower(side);  // refuses what is undefined at once, such as 1/0
   const auto mine = signature_of(prepared, read);
   const bool surely_different = mine && prepared.signature && !alike(*mine, *prepared.signature) &&
                                 (read.operators.empty() || !prepared.exercise.pivot.empty());
   const Proof proof = proof_of(prepared, read, prepared.answer.relation);
-  if (is_right(proof.verdict)) {
-    if (const auto why = not_in_form(prepared.exercise, read))
-      return found(opinion, "wrong_form", "form", *why, 0.5);
-    return found(opinion, "correct", "correct", "Right.", 1);
-  }
+  if (is_right(proof.verdict)) return found(opinion, "correct", "correct", "Right.", 1);
   if (proof.verdict == Verdict::undecided && !surely_different)
     return found(opinion, "undecided", "undecided", "This could not be decided: " + proof.reason, 0);
   return why_wrong(prepared, read, mine, opinion);

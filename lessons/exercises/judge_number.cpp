@@ -14,33 +14,19 @@
 namespace rederive::classroom {
 namespace {
 
-/// How far a value may be off: relative, or half a unit of the last of so many digits.
-double allowance(const Exercise& exercise, double right, int digits) {
-  if (exercise.digits > 0 && right != 0) {
-    const double last = std::floor(std::log10(std::abs(right))) - digits + 1;
-    return 0.5000001 * std::pow(10.0, last);
-  }
-  return (exercise.tolerance > 0 ? exercise.tolerance : 0.01) * std::abs(right);
+/// How far a value may be off: half a unit of the last of so many digits.
+double allowance(double right, int digits) {
+  if (right == 0) return 0;
+  return 0.5000001 * std::pow(10.0, std::floor(std::log10(std::abs(right))) - digits + 1);
 }
 
 bool near(const Exercise& exercise, double value, double right) {
-  return std::abs(value - right) <= allowance(exercise, right, exercise.digits);
+  return std::abs(value - right) <= allowance(right, exercise.digits);
 }
 
 /// Whether a wrong value is that of a slip: to the digits asked for, or to those typed if they are more.
 bool is_slip(const Exercise& exercise, const Quantity& read, double slip) {
-  return std::abs(read.value - slip) <= allowance(exercise, slip, std::max(exercise.digits, read.digits));
-}
-
-Opinion opinion(const Quantity& read, const std::string& verdict, const std::string& note,
-                const std::string& says, double score) {
-  Opinion result;
-  result.verdict = verdict;
-  result.note = note;
-  result.read_as = read.read_as;
-  result.feedback = says;
-  result.score = score;
-  return result;
+  return std::abs(read.value - slip) <= allowance(slip, std::max(exercise.digits, read.digits));
 }
 
 /// The usual ways in which a number goes astray, whatever its formula is.
@@ -55,24 +41,13 @@ std::string slip_of(const Exercise& exercise, const Quantity& read, double right
     if (is(right * std::pow(10, power)) || is(right / std::pow(10, power))) return "power_of_ten";
   if (is(right * right) || (right > 0 && is(std::sqrt(right)))) return "power";
   if (right != 0 && is(1 / right)) return "reciprocal";
-  return std::abs(read.value - right) <= 10 * allowance(exercise, right, exercise.digits) ? "rounding" : "";
+  return std::abs(read.value - right) <= 10 * allowance(right, exercise.digits) ? "rounding" : "";
 }
 
 /// What a slip in a number looks like: never that it was made, for other ways may lead to the same value.
 std::string number_words(const std::string& note) {
-  static const std::map<std::string, std::string> sentences{
-      {"sign", "This is what comes out when one sign is wrong."},
-      {"degrees", "This is what comes out when degrees and radians are mixed up."},
-      {"factor", "This is what comes out when a numerical factor is wrong: a whole for a half, or a square."},
-      {"power_of_ten", "The digits are right, the power of ten is not. Check the units you put in."},
-      {"power", "This is what comes out when a square or a root is lost, or there is one too many."},
-      {"reciprocal", "This is the reciprocal of the right value."},
-      {"wrong_angle", "This is what comes out when the angle inside a sine or cosine is not the right one."},
-      {"missing_term", "This is what comes out when a term is left out."},
-      {"missing_factor", "This is what comes out when a factor is left out."},
-      {"sin_cos", "This is what comes out when a sine and a cosine (or their like) are exchanged."}};
-  const auto found = sentences.find(note);
-  return found == sentences.end() ? explanation_of(note) : found->second;
+  const std::string words = slip_words("number", note);
+  return words.empty() ? slip_words("answer", note) : words;
 }
 
 }  // namespace
@@ -111,7 +86,7 @@ std::string single_letter_in(const std::string& text) {
 
 /// The number of the term that was typed out instead of pointed at; 0 if it is none of them.
 std::size_t term_like(const Prepared& prepared, const std::string& text) {
-  const auto terms = terms_to_point_at(parse_relation(judged(prepared.exercise.answer.row).row.printed));
+  const auto terms = terms_to_point_at(prepared.answer.relation);
   const Relation read{{parse(text)}, {}};
   for (std::size_t i = 0; i < terms.size(); ++i)
     if (decide(read, Relation{{terms[i]}, {}}, paper_symbols()).verdict == Verdict::proved) return i + 1;
@@ -155,32 +130,34 @@ Opinion judge_number(const Prepared& prepared, const std::string& typed) {
   } catch (const SyntaxError& error) {
     return invalid(error, text);
   }
+  Opinion start;
+  start.read_as = read.read_as;
   const double right = prepared.answer.number;
   const bool angle = exercise.unit.empty() || exercise.unit == "rad";
   const Dimension wanted = parse_unit(angle ? "1" : exercise.unit);
   const bool pure = unit_text(wanted) == "1";
   if (read.dimension && *read.dimension != wanted)
-    return opinion(read, "wrong", near(exercise, read.value, right) ? "unit" : "dimension",
-                   fmt::format("{} You gave {}; {} is wanted.", explanation_of("dimension"),
-                               unit_text(*read.dimension), unit_text(wanted)),
-                   0);
+    return found(start, "wrong", near(exercise, read.value, right) ? "unit" : "dimension",
+                 fmt::format("{} You gave {}; {} is wanted.", slip_words("answer", "dimension"),
+                             unit_text(*read.dimension), unit_text(wanted)),
+                 0);
   if (near(exercise, read.value, right)) {
     if (!read.dimension && !pure)
-      return opinion(read, "wrong_form", "missing_unit", explanation_of("missing_unit"), 0.5);
-    return opinion(read, "correct", "correct", "Right.", 1);
+      return found(start, "wrong_form", "missing_unit", slip_words("answer", "missing_unit"), 0.5);
+    return found(start, "correct", "correct", "Right.", 1);
   }
   constexpr double turn = 6.283185307179586;
   if (read.read_as.find("Hz") != std::string::npos && near(exercise, read.value / turn, right))
-    return opinion(
-        read, "wrong", "unit",
+    return found(
+        start, "wrong", "unit",
         "Hz counts whole turns in a second: 1 Hz is $2*pi$ radians a second. What is asked for is no "
         "number of turns.",
         0);
   for (const auto& road : prepared.roads)
-    if (is_slip(exercise, read, road.number)) return opinion(read, "wrong", road.note, road.says, 0);
+    if (is_slip(exercise, read, road.number)) return found(start, "wrong", road.note, road.says, 0);
   if (const std::string note = slip_of(exercise, read, right); !note.empty())
-    return opinion(read, "wrong", note, number_words(note), 0);
-  return opinion(read, "wrong", "other", read.value > right ? "This is too large." : "This is too small.", 0);
+    return found(start, "wrong", note, number_words(note), 0);
+  return found(start, "wrong", "other", read.value > right ? "This is too large." : "This is too small.", 0);
 }
 
 Opinion judge_choice(const Prepared& prepared, const std::string& text) {
@@ -196,8 +173,7 @@ Opinion judge_choice(const Prepared& prepared, const std::string& text) {
     result.read_as = letter;
   } else {
     const std::string digits = whole_number_in(text);
-    const std::size_t count =
-        terms_to_point_at(parse_relation(judged(exercise.answer.row).row.printed)).size();
+    const std::size_t count = terms_to_point_at(prepared.answer.relation).size();
     try {
       chosen = digits.empty() ? term_like(prepared, text) : std::stoul(digits);
     } catch (const SyntaxError& error) {
@@ -208,20 +184,13 @@ Opinion judge_choice(const Prepared& prepared, const std::string& text) {
                      fmt::format("Point at one term: a number from 1 to {}, or the term as printed.", count));
     result.read_as = fmt::format("term {}", chosen);
   }
-  const bool right = chosen == prepared.choice;
-  result.verdict = right ? "correct" : "wrong";
-  result.score = right ? 1 : 0;
-  result.note = right ? "correct" : "wrong_choice";
-  result.feedback = right ? "Right." : "No. Read the statement again and try a special case.";
-  if (exercise.kind == Kind::wrong_term && !right) {
-    result.note = "wrong_term";
-    result.feedback = "This term is as it should be. Derive the line yourself and compare term by term.";
-  } else if (!right) {
-    const Option& option = exercise.options[chosen - 1];
-    if (!option.note.empty()) result.note = option.note;
-    if (!option.says.empty()) result.feedback = option.says;
-  }
-  return result;
+  if (chosen == prepared.choice) return found(result, "correct", "correct", "Right.", 1);
+  if (exercise.kind == Kind::wrong_term)
+    return found(result, "wrong", "wrong_term",
+                 "This term is as it should be. Derive the line yourself and compare term by term.", 0);
+  const Option& option = exercise.options[chosen - 1];
+  return found(result, "wrong", option.note.empty() ? "wrong_choice" : option.note,
+               option.says.empty() ? "No. Read the statement again and try a special case." : option.says, 0);
 }
 
 }  // namespace rederive::classroom

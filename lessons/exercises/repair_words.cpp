@@ -5,6 +5,7 @@
 #include <cmath>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/edits.hpp>
+#include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/repairs.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <numbers>
@@ -31,32 +32,11 @@ std::optional<Tree> plain_number(double value) {
 }
 
 std::string in_words(const Repair& repair) {
-  static const std::map<std::string, std::string> sentences{
-      {"sign", "The sign of {} is wrong: check the direction in which each quantity counts as positive."},
-      {"wrong_angle", "What stands inside {} is not right."},
-      {"wrong_argument", "What stands inside {} is not right."},
-      {"extra_term", "{} does not belong there."},
-      {"missing_term",
-       "A term is missing beside {}. Write down each contribution by itself before you add them up."},
-      {"extra_factor", "The factor {} does not belong there."},
-      {"missing_factor", "A factor is missing at {}."},
-      {"power", "The power of {} is wrong: a square is lost, or there is one too many."},
-      {"reciprocal", "{} is upside down: its reciprocal belongs there."},
-      {"sin_cos",
-       "A sine and a cosine (or their like) have been exchanged in {}. Try an angle for which you know the "
-       "answer, "
-       "such as zero."},
-      {"wrong_function", "The function in {} is not the right one."},
-      {"extra_function", "No function belongs where {} stands."},
-      {"absolute_value", "Without the absolute value, what stands in {} would do."},
-      {"wrong_symbol", "{} is not the quantity that belongs there."},
-      {"degrees", "Degrees and radians are mixed up in {}."},
-      {"rounding", "{} is rounded. Leave the fraction, or pi, as it is."}};
   const std::string part = repair.part == nullptr ? "the whole" : "$" + print(repair.part) + "$";
   std::string text = repair.note == "factor"
                          ? fmt::format("A numerical factor is wrong: {} is ${}$ times what it should be.",
                                        part, print(*plain_number(*repair.too_large)))
-                         : fmt::format(fmt::runtime(sentences.at(repair.note)), part);
+                         : fmt::format(fmt::runtime(slip_words("part", repair.note)), part);
   for (const auto& [clumsy, plain] :
        {std::pair(" beside the whole", ""), {" at the whole", ""}, {" in the whole", " throughout"}})
     if (const std::size_t at = text.find(clumsy); at != std::string::npos)

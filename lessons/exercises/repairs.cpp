@@ -34,14 +34,6 @@ Tree call(const std::string& name, const Tree& argument) {
   return make_tree(NodeKind::call, name, {argument});
 }
 
-Tree one_child_less(const Tree& tree, std::size_t k) {
-  Node copy = *tree;
-  copy.children.erase(copy.children.begin() + static_cast<std::ptrdiff_t>(k));
-  copy.inverse.erase(copy.inverse.begin() + static_cast<std::ptrdiff_t>(k));
-  if (copy.children.empty()) return number(tree->kind == NodeKind::sum ? "0" : "1");
-  return std::make_shared<const Node>(std::move(copy));
-}
-
 /// The tree with another function in the place of each.
 Tree with_functions(const Tree& tree, const std::function<Tree(const Tree&)>& change) {
   std::vector<Tree> children;
@@ -194,17 +186,14 @@ class Search {
       offer(rebuild(node->children[0]), "power", node, around);
     offer(rebuild(product(number("1"), node, true)), "reciprocal", node, around);
     if (node->kind != NodeKind::product) return;
-    for (std::size_t k = 0; k < node->children.size(); ++k) {
-      Node copy = *node;
-      copy.inverse[k] = !copy.inverse[k];
-      offer(rebuild(std::make_shared<const Node>(copy)), "reciprocal", node->children[k], around);
-    }
+    for (std::size_t k = 0; k < node->children.size(); ++k)
+      offer(rebuild(with_flipped(node, k)), "reciprocal", node->children[k], around);
   }
 
   void factors(const Tree& node, const Rebuild& rebuild, const Tree& around) {
     if (node->kind == NodeKind::product)
       for (std::size_t k = 0; k < node->children.size(); ++k)
-        offer(rebuild(one_child_less(node, k)), "extra_factor", node->children[k], around);
+        offer(rebuild(without_child(node, k)), "extra_factor", node->children[k], around);
     for (const auto& factor : parts_.factors)
       for (const bool divide : {false, true})
         offer(rebuild(product(node, factor, divide)), "missing_factor", node, around);
@@ -217,7 +206,7 @@ class Search {
               around);
     if (node->kind != NodeKind::sum) return;
     for (std::size_t k = 0; k < node->children.size(); ++k)
-      offer(rebuild(one_child_less(node, k)), "extra_term", node->children[k], around);
+      offer(rebuild(without_child(node, k)), "extra_term", node->children[k], around);
   }
 
   /// The same change wherever a part stands.

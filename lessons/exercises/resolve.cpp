@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <derivations/paper/mutate.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/definitions.hpp>
 #include <lessons/exercises/edits.hpp>
@@ -165,16 +166,15 @@ std::vector<Tree> terms_to_point_at(const Relation& relation) {
   return terms;
 }
 
-std::size_t wrong_term(const std::string& row) {
-  const Entry entry = judged(row);
-  const Relation printed = parse_relation(entry.row.printed);
-  const Relation right = relation_of(derived(row));
+std::size_t wrong_term(const Relation& printed, const std::string& row) {
+  const Derivation derivation = derived(row);
+  const Relation right = relation_of(derivation);
   const auto terms = terms_to_point_at(printed);
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < terms.size(); ++i)
     for (const auto& repair : repairs(terms[i], only_in(printed, right), only_in(right, printed))) {
       const Proof proof =
-          decide(exchanged(printed, terms[i], repair), right, paper_symbols(), entry.derivation->given);
+          decide(exchanged(printed, terms[i], repair), right, paper_symbols(), derivation.given);
       if (proof.verdict != Verdict::proved) continue;
       found.push_back(i + 1);
       break;
@@ -182,6 +182,26 @@ std::size_t wrong_term(const std::string& row) {
   if (found.size() != 1)
     throw std::runtime_error(fmt::format("row {} has {} terms that an edit would repair", row, found.size()));
   return found.front();
+}
+
+Relation printed_with_slip(const Reference& reference) {
+  const Entry entry = judged(reference.row);
+  if (reference.slip == 0) return parse_relation(entry.row.printed);
+  const Relation right = parse_relation(entry.correction.empty() ? entry.row.printed : entry.correction);
+  const auto all = mutants(right);
+  const auto right_terms = terms_to_point_at(right);
+  for (std::size_t k = 0; k < all.size(); ++k) {  // the next one that can be pointed at
+    const Relation& printed = all[(reference.slip + k) % all.size()].relation;
+    if (compare(printed, *entry.derivation, paper_symbols()).verdict != Verdict::refuted) continue;
+    try {
+      const Tree wrong = terms_to_point_at(printed)[wrong_term(printed, reference.row) - 1];
+      if (std::none_of(right_terms.begin(), right_terms.end(),
+                       [&](const Tree& t) { return is_same(t, wrong); }))
+        return printed;
+    } catch (const std::runtime_error&) {  // no one term is wrong
+    }
+  }
+  throw std::runtime_error("no slip in row " + reference.row + " can be pointed at");
 }
 
 }  // namespace rederive::classroom

@@ -8,6 +8,7 @@
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/prose.hpp>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace rederive::classroom {
 namespace {
@@ -67,12 +68,8 @@ void check_texts(const Prepared& prepared, Findings& findings) {
 
 void check_right_answers(const Prepared& prepared, Findings& findings) {
   const Exercise& exercise = prepared.exercise;
-  if (exercise.form.empty() || !is_formula(exercise) || exercise.equivalents.empty()) {
-    const Opinion opinion = judge_answer(prepared, model_answer(prepared));
-    findings.check(
-        opinion.verdict == "correct" || (!exercise.form.empty() && opinion.verdict == "wrong_form"),
-        "its own answer " + model_answer(prepared) + " is " + got(opinion));
-  }
+  const Opinion own = judge_answer(prepared, model_answer(prepared));
+  findings.check(own.verdict == "correct", "its own answer " + model_answer(prepared) + " is " + got(own));
   for (const auto& text : exercise.equivalents) {
     const Opinion opinion = judge_answer(prepared, text);
     findings.check(opinion.verdict == "correct", text + " is " + got(opinion));
@@ -110,10 +107,13 @@ void check_wrong_answers(const Prepared& prepared, Findings& findings) {
 }  // namespace
 
 int selftest(const Classroom& room) {
-  std::size_t checks = 0;
+  std::size_t checks = 0, variants = 0;
   std::vector<std::string> complaints;
-  for (const auto& exercise : room.exercises) {
-    Findings findings(exercise.id);
+  std::set<std::pair<std::string, Choice>> seen;
+  const auto test = [&](const Exercise& exercise) {
+    if (!seen.emplace(exercise.id, exercise.choice).second) return;
+    variants += !exercise.choice.empty();
+    Findings findings(exercise.id + (exercise.seed.empty() ? "" : " --seed " + exercise.seed));
     try {
       const Prepared prepared = prepare(exercise);
       check_texts(prepared, findings);
@@ -125,19 +125,24 @@ int selftest(const Classroom& room) {
     checks += findings.checks();
     complaints.insert(complaints.end(), findings.complaints().begin(), findings.complaints().end());
     if (is_lively(2)) std::fprintf(stderr, "\r%-40s", exercise.id.c_str());
-  }
+  };
+  for (const auto& exercise : room.exercises) test(exercise);
+  for (int seed = 1; seed <= 20; ++seed)
+    for (const auto& exercise : read_exercises(exercises_folder(), std::to_string(seed))) test(exercise);
   if (is_lively(2)) std::fputs("\r", stderr);
   if (room.json) {
-    std::fputs((nlohmann::ordered_json{
-                    {"exercises", room.exercises.size()}, {"checks", checks}, {"complaints", complaints}}
+    std::fputs((nlohmann::ordered_json{{"exercises", room.exercises.size()},
+                                       {"variants", variants},
+                                       {"checks", checks},
+                                       {"complaints", complaints}}
                     .dump(2) +
                 "\n")
                    .c_str(),
                stdout);
   } else {
     for (const auto& complaint : complaints) std::fputs((complaint + "\n").c_str(), stdout);
-    std::fputs(fmt::format("{} exercises, {} checks, {} complaints\n", room.exercises.size(), checks,
-                           complaints.size())
+    std::fputs(fmt::format("{} exercises, {} variants, {} checks, {} complaints\n", room.exercises.size(),
+                           variants, checks, complaints.size())
                    .c_str(),
                stdout);
   }

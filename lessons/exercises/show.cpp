@@ -11,31 +11,13 @@
 namespace rederive::classroom {
 
 std::string form_in_words(const Exercise& exercise) {
-  std::string words, rest = exercise.form;
-  while (!rest.empty()) {
-    const std::size_t comma = rest.find(',');
-    const std::string form = rest.substr(0, comma);
-    const std::size_t colon = form.find(':');
-    const std::string kind = form.substr(0, colon),
-                      detail = colon == std::string::npos ? "" : form.substr(colon + 1);
-    const std::string word = kind == "solved_for" ? "solved for " + detail + ": " + detail + " = ..."
-                             : kind == "expanded" ? "multiplied out"
-                             : kind == "factored" ? "as a product"
-                             : kind == "without"  ? "without " + detail
-                                                  : "without the symbol " + detail;
-    words += (words.empty() ? "" : ", ") + word;
-    rest = comma == std::string::npos ? "" : rest.substr(comma + 1);
-  }
-  if (!words.empty()) return words;
   switch (exercise.kind) {
     case Kind::expression:
       return "any equivalent expression";
     case Kind::equation:
       return "any equivalent equation";
     case Kind::number:
-      return exercise.digits > 0
-                 ? fmt::format("to {} significant digits", exercise.digits)
-                 : fmt::format("within {} %", 100 * (exercise.tolerance > 0 ? exercise.tolerance : 0.01));
+      return fmt::format("to {} significant digits", exercise.digits);
     case Kind::choice:
       return "one letter";
     case Kind::wrong_term:
@@ -77,9 +59,8 @@ std::string symbol_table(const Exercise& exercise) {
 }
 
 std::string numbered_terms(const Exercise& exercise) {
-  const Entry entry = judged(exercise.answer.row);
-  const Relation printed = parse_relation(entry.row.printed);
-  std::string text = fmt::format("  ({})  {}\n\n", entry.row.id, print(printed, Notation::unicode));
+  const Relation printed = printed_with_slip(exercise.answer);
+  std::string text = fmt::format("  ({})  {}\n\n", exercise.answer.row, print(printed, Notation::unicode));
   const auto terms = terms_to_point_at(printed);
   for (std::size_t i = 0; i < terms.size(); ++i)
     text += fmt::format("  [{}]  {}\n", i + 1, print(terms[i], Notation::unicode));
@@ -130,19 +111,22 @@ std::string presentation(const Exercise& exercise) {
   if (!exercise.symbols.empty()) text += "You may use:\n" + symbol_table(exercise) + "\n";
   text += "Form wanted: " + form_in_words(exercise) + "\n";
   text += "An answer looks like this (another thing altogether): " + default_example(exercise) + "\n";
-  return text + fmt::format("\nTo answer: exercises check {} \"...\"     for help: exercises hint {}\n",
-                            exercise.id, exercise.id);
+  const std::string seed =
+      exercise.seed.empty() ? "" : fmt::format(" --seed \"{}\"", printable_line(exercise.seed));
+  return text +
+         fmt::format("\nTo answer: exercises check {0}{1} \"...\"     for help: exercises hint {0}{1}\n",
+                     exercise.id, seed);
 }
 
 std::string report(const Classroom& room, const Exercise& exercise, const Opinion& opinion) {
-  std::string text;
+  std::string text = opinion.line == 0 ? "" : fmt::format("Line {}\n", opinion.line);
   if (!opinion.read_as.empty()) text += wrap(glued(opinion.read_as), 80, "Read as: ", "         ");
   const std::string code = opinion.verdict == "correct" ? "1;32"
                            : opinion.verdict == "wrong" ? "1;31"
                                                         : "1;33";
   text += colour(room, code, verdict_in_words(opinion.verdict)) + "\n";
   const bool several_lines = opinion.feedback.find('\n') != std::string::npos;  // a caret must keep its place
-  if (opinion.verdict != "correct")
+  if (opinion.verdict != "correct" || opinion.feedback != "Right.")
     text += several_lines ? opinion.feedback + "\n" : readable(opinion.feedback);
   if (text.ends_with("\n\n")) text.pop_back();
   if (opinion.witness) {
@@ -151,8 +135,10 @@ std::string report(const Classroom& room, const Exercise& exercise, const Opinio
       at += fmt::format("{}{} = {}", at.empty() ? "" : ", ", name, value);
     text += wrap("at " + at, 80, "  ", "     ");
     const std::string what = pivot_in_words(exercise);
-    text += fmt::format("  yours: {0}{1}\n  right: {0}{2}\n", what, opinion.witness->printed,
-                        opinion.witness->derived);
+    const bool is_step = opinion.line != 0;
+    text +=
+        fmt::format("  {}{}{}\n  {}{}{}\n", is_step ? "here:   " : "yours: ", what, opinion.witness->printed,
+                    is_step ? "before: " : "right: ", what, opinion.witness->derived);
   }
   if (exit_code(opinion) == 1) text += fmt::format("Stuck? exercises hint {}\n", exercise.id);
   return text;
@@ -171,6 +157,7 @@ std::string report_json(const Exercise& exercise, const Opinion& opinion) {
                        {"answer", opinion.witness->printed},
                        {"right", opinion.witness->derived}};
   json["score"] = opinion.score;
+  if (opinion.line != 0) json["line"] = opinion.line;
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

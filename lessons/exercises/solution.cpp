@@ -55,8 +55,7 @@ void argue(const Prepared& prepared, Page& page) {
   }
   if (prepared.exercise.kind != Kind::wrong_term) return;
   page.say(fmt::format("Of the printed terms, number {} is the wrong one:", prepared.choice));
-  page.show(Relation{
-      {terms_to_point_at(parse_relation(judged(reference.row).row.printed)).at(prepared.choice - 1)}, {}});
+  page.show(Relation{{terms_to_point_at(prepared.answer.relation).at(prepared.choice - 1)}, {}});
 }
 
 }  // namespace

@@ -104,12 +104,4 @@ bool alike(const Signature& left, const Signature& right) {
   return left.size() == right.size() && std::equal(left.begin(), left.end(), right.begin(), close);
 }
 
-std::optional<double> common_ratio(const Signature& left, const Signature& right) {
-  if (left.empty() || left.size() != right.size() || right[0] == 0) return {};
-  const double ratio = left[0] / right[0];
-  for (std::size_t i = 0; i < left.size(); ++i)
-    if (!close(left[i], ratio * right[i])) return {};
-  return ratio;
-}
-
 }  // namespace rederive::classroom

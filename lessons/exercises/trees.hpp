@@ -27,7 +27,5 @@ using Signature = std::vector<double>;
 std::optional<Signature> signature(const Relation& statement, const std::string& pivot,
                                    const std::vector<Point>& points);
 bool alike(const Signature& left, const Signature& right);
-/// left = factor * right with one factor for all points; nothing if there is none.
-std::optional<double> common_ratio(const Signature& left, const Signature& right);
 
 }  // namespace rederive::classroom

@@ -109,8 +109,8 @@ std::optional<Opinion> for_small_angles(const Prepared& prepared, const Relation
     const SmallAngles angles(prepared, read, rotations_only);
     if (!angles.agree()) continue;
     return angles.right_is_linear()
-               ? found(start, "wrong", "not_linear", explanation_of("not_linear"), 0)
-               : found(start, "correct_if", "small_angle", explanation_of("small_angle"), 0.5);
+               ? found(start, "wrong", "not_linear", slip_words("answer", "not_linear"), 0)
+               : found(start, "correct_if", "small_angle", slip_words("answer", "small_angle"), 0.5);
   }
   return {};
 }
@@ -134,7 +134,7 @@ Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::opt
                           : std::nullopt;
   if (const auto why = wrong_dimension(prepared, read))
     return found(start, "wrong", "dimension",
-                 explanation_of("dimension") + " " + *why +
+                 slip_words("answer", "dimension") + " " + *why +
                      (repair && repair->part != nullptr && repair->part->kind != Node::Kind::number
                           ? " Look at $" + print(repair->part) + "$."
                           : ""),
@@ -143,9 +143,9 @@ Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::opt
   if (!agrees)
     if (auto opinion = for_small_angles(prepared, read, start)) return *opinion;
   if (const auto note = wrong_symbols(prepared, read))
-    return found(start, "wrong", *note, explanation_of(*note), 0);
+    return found(start, "wrong", *note, slip_words("answer", *note), 0);
   const std::string note = agrees ? "not_everywhere" : "other";
-  Opinion opinion = found(start, "wrong", note, explanation_of(note), 0);
+  Opinion opinion = found(start, "wrong", note, slip_words("answer", note), 0);
   opinion.witness = by_hand(prepared, read);
   return opinion;
 }

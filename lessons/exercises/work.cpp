@@ -129,14 +129,16 @@ int check(const Classroom& room, const std::string& id, const std::string& answe
   return tell(room, exercise, judge_bounded(exercise, answer), answer);
 }
 
-int check_file(const Classroom& room, const std::string& id, const std::string& file) {
+int check_file(const Classroom& room, const std::string& id, const std::string& file, bool is_working) {
   const Exercise& exercise = find_exercise(room, id);
   std::error_code error;
   if (!std::filesystem::exists(std::filesystem::symlink_status(file, error)))
     throw BadInput("there is no file '" + file + "'");
   const AnswerFile answer = read_answer_file(file);
   if (!answer.trouble.empty()) return tell(room, exercise, invalid(answer.trouble, answer.says), "");
-  return tell(room, exercise, judge_bounded(exercise, answer.text), answer.text);
+  if (!is_working) return tell(room, exercise, judge_bounded(exercise, answer.text), answer.text);
+  const Working working = judge_working(exercise, answer.lines);
+  return tell(room, working.about, working.opinion, working.answer);
 }
 
 bool solution_is_due(const Classroom& room, const Exercise& exercise, bool give_up, Progress& progress) {

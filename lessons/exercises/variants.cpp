@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <derivations/rocking_block/paper_symbols.hpp>
+#include <lessons/exercises/sieve.hpp>
+#include <lessons/exercises/variants.hpp>
+#include <regex>
+
+namespace rederive::classroom {
+
+std::size_t picked(const std::string& seed, const std::string& list, std::size_t count) {
+  if (seed.empty()) return 0;
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const unsigned char c : seed + '\0' + list) hash = (hash ^ c) * 0x100000001b3;
+  return static_cast<std::size_t>((hash ^ hash >> 32) % count);
+}
+
+std::vector<std::string> values_of(const std::string& text) {
+  static const std::regex range(R"(([0-9.]+):([0-9.]+):([0-9]*\.?([0-9]*)))");
+  std::smatch found;
+  if (!std::regex_match(text, found, range)) return {text};
+  const double from = std::stod(found[1]), to = std::stod(found[2]), step = std::stod(found[3]);
+  std::vector<std::string> values;
+  for (int k = 0; from + k * step < to + step / 2; ++k)
+    values.push_back(fmt::format("{:.{}f}", from + k * step, found[4].length()));
+  return values;
+}
+
+std::string filled(const std::string& text, const Choice& choice) {
+  std::string result;
+  std::size_t at = 0;
+  for (std::size_t open; !choice.empty() && (open = text.find('{', at)) != std::string::npos;) {
+    const std::size_t close = text.find('}', open);
+    if (close == std::string::npos) throw std::runtime_error("a brace is not closed: " + text.substr(open));
+    const std::string inside = text.substr(open + 1, close - open - 1);
+    result += text.substr(at, open - at);
+    at = close + 1;
+    if (const auto found = choice.find(inside); found != choice.end()) {
+      result += found->second;
+      continue;
+    }
+    Tree tree = parse(inside);
+    for (const auto& name : names_of(tree)) tree = rederive::put_in(tree, name, parse(choice.at(name)));
+    result += fmt::format("{:.10g}", rough_value(tree, {}));
+  }
+  return result + text.substr(at);
+}
+
+}  // namespace rederive::classroom
