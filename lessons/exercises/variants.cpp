@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <cstdint>
+#include <derivations/decide/problem.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
-#include <lessons/exercises/sieve.hpp>
 #include <lessons/exercises/variants.hpp>
 #include <regex>
 
@@ -43,7 +41,7 @@ std::string filled(const std::string& text, const Choice& choice) {
     }
     Tree tree = parse(inside);
     for (const auto& name : names_of(tree)) tree = rederive::put_in(tree, name, parse(choice.at(name)));
-    result += fmt::format("{:.10g}", rough_value(tree, {}));
+    result += fmt::format("{:.10g}", value_at(tree, {}, 90).ball.to_double());
   }
   return result + text.substr(at);
 }
