@@ -52,16 +52,13 @@ std::string symbols_html(const Exercise& exercise) {
                             "</table></div></details>\n";
 }
 
-/// The relation with a wrong term.
-Relation printed(const Exercise& exercise) { return parse_relation(judged(exercise.answer.row).row.printed); }
-
 /// Where the answer goes: one of what is offered, or a line to type into.
 std::string field(const Exercise& exercise) {
   std::vector<std::pair<std::string, std::string>> offered;
   for (const auto& option : exercise.options)
     offered.emplace_back(std::string(1, static_cast<char>('a' + offered.size())), line_html(option.text));
   if (exercise.kind == Kind::wrong_term)
-    for (const auto& term : terms_to_point_at(printed(exercise)))
+    for (const auto& term : terms_to_point_at(printed_with_slip(exercise.answer)))
       offered.emplace_back(std::to_string(offered.size() + 1), drawn({{term}, {}}));
   if (offered.empty())
     return fmt::format(
@@ -86,7 +83,7 @@ std::string element(const Exercise& exercise, const Progress& progress, bool ope
       in_html(exercise.statement));
   if (exercise.kind == Kind::wrong_term)
     text += fmt::format("<div class=\"formula\"><div>{}</div><span>({})</span></div>\n",
-                        drawn(printed(exercise)), exercise.answer.row);
+                        drawn(printed_with_slip(exercise.answer)), exercise.answer.row);
   return text + symbols_html(exercise) + "<form>\n" + field(exercise) +
          "<p><button value=\"check\">Check</button><button value=\"hint\">Hint</button>"
          "<button value=\"solution\">Solution</button></p>\n"
