@@ -88,10 +88,8 @@ int show_all(const Options& options) {
 int show_one(const Options& options) {
   const auto rows = rows_of(options);
   const Entry entry = judged(row_of(options.id, rows), rows);
-  if (options.coq && options.json)
-    put(nlohmann::ordered_json{{"id", entry.row.id}, {"coq", lemma_page(entry)}});
-  else if (options.coq)
-    put(lemma_page(entry));
+  if (options.coq)
+    options.json ? put({{"id", entry.row.id}, {"coq", lemma_page(entry)}}) : put(lemma_page(entry));
   else if (options.json)
     put(to_json(entry));
   else
@@ -275,10 +273,8 @@ int main(int argc, char** argv) {
           "prove wants two statements; right is, for example, ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
     for (std::string* text : {&options.request.left, &options.request.right}) CLI::detail::trim(*text);
     for (std::string& name : options.request.small) name = symbol_name(name);
-    if (*certificate) {
-      const int written = write_certificate(options.request, options.certificate);
-      return (void)show_proof(options), written;
-    }
+    if (*certificate)
+      return (void)show_proof(options), write_certificate(options.request, options.certificate);
     if (*proving) return show_proof(options);
     options.scripts.json = options.json;
     if (*certifying) return certify(all(options), options.scripts);
