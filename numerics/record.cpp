@@ -1,11 +1,11 @@
 // Reading a recorded ground acceleration.
-#include <numerics/ground_motion.hpp>
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <fstream>
-#include <regex>
+#include <numeric>
+#include <numerics/ground_motion.hpp>
+#include <numerics/record_header.hpp>
 #include <sstream>
 #include <stdexcept>
 
@@ -13,10 +13,6 @@ namespace rederive::inline numeric {
 namespace {
 
 constexpr std::size_t most_samples = 1'000'000;
-
-[[noreturn]] void refuse(const std::string& file, std::size_t line, const std::string& why) {
-  throw std::invalid_argument(fmt::format("{}:{}: {}", file, line, why));
-}
 
 /// The numbers of a line; commas and semicolons separate as blanks do.
 std::vector<double> numbers_in(std::string line, const std::string& file, std::size_t number) {
@@ -70,32 +66,52 @@ std::vector<std::string> lines_of(const std::string& file) {
   return lines;
 }
 
-/// The time step of a PEER header: "NPTS= 4000, DT= .0050 SEC" or "4000 0.0050 NPTS, DT".
-double step_of_header(const std::string& line) {
-  static const std::regex named(R"(DT\s*=\s*([0-9.eE+-]+))", std::regex::icase);
-  static const std::regex old(R"(^\s*[0-9]+\s+([0-9.eE+-]+)\s+NPTS)", std::regex::icase);
-  std::smatch found;
-  const std::string head = line.substr(0, 200);
-  if (!std::regex_search(head, found, named) && !std::regex_search(head, found, old)) return 0;
-  try {
-    return std::stod(found[1]);
-  } catch (const std::exception&) {
-    return 0;
+/// A blank before each sign that follows a digit or a point: there a new number begins.
+std::string parted_at_signs(const std::string& line) {
+  std::string words;
+  for (char c : line) {
+    const char before = words.empty() ? ' ' : words.back();
+    if ((c == '-' || c == '+') && ((before >= '0' && before <= '9') || before == '.')) words += ' ';
+    words += c;
   }
+  return words;
 }
 
-Record at_equal_steps(std::vector<double> values, double step) {
+/// The line with a blank between numbers that run together: after each `width` characters, as Fortran writes
+/// its columns, if each column then holds one word; else at signs.
+std::string parted(std::string line, std::size_t width) {
+  line.erase(line.find_last_not_of(" \t\r") + 1);
+  if (line.size() % width != 0) return parted_at_signs(line);
+  std::string columns;
+  for (std::size_t at = 0; at < line.size(); at += width) {
+    const std::string cell = line.substr(at, width);
+    const auto first = cell.find_first_not_of(' ');
+    if (first == std::string::npos || cell.find_first_of(" ,;\t", first) != std::string::npos ||
+        parted_at_signs(cell) != cell)
+      return parted_at_signs(line);
+    columns += cell + " ";
+  }
+  return columns;
+}
+
+Record headed_record(const RecordHeader& header, const std::vector<std::string>& lines,
+                     const std::string& file) {
   Record record;
-  for (std::size_t i = 0; i < values.size(); ++i) record.time.push_back(static_cast<double>(i) * step);
-  record.acceleration = std::move(values);
+  auto& values = record.acceleration;
+  for (std::size_t i = header.first; i < lines.size(); ++i)
+    for (double value : numbers_in(header.width > 0 ? parted(lines[i], header.width) : lines[i], file, i + 1))
+      values.push_back(value);
+  if (static_cast<double>(values.size()) != header.count)
+    refuse(
+        file, lines.size(),
+        fmt::format("the file holds {} values, but {} is {}", values.size(), header.counted, header.count));
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    record.time.push_back(static_cast<double>(i) * header.step);
+    if (header.offset) values[i] -= mean;
+    values[i] *= header.to_g;
+  }
   return record;
-}
-
-Record peer_record(const std::vector<std::string>& lines, const std::string& file, double step) {
-  std::vector<double> values;
-  for (std::size_t i = 4; i < lines.size(); ++i)
-    for (double value : numbers_in(lines[i], file, i + 1)) values.push_back(value);
-  return at_equal_steps(std::move(values), step);
 }
 
 Record column_record(const std::vector<std::string>& lines, const std::string& file, double step) {
@@ -125,13 +141,12 @@ Record read_record(const std::string& file, RecordUnit unit, double step) {
   if (!(step >= 0 && std::isfinite(step)))
     throw std::invalid_argument(fmt::format("the time step {} s must be positive", step));
   const auto lines = lines_of(file);
-  const double header_step = lines.size() > 4 ? step_of_header(lines[3]) : 0;
-  if (header_step < 0 || header_step > 1e6) refuse(file, 4, "the time step is out of range");
-  Record record = header_step > 0 ? peer_record(lines, file, header_step) : column_record(lines, file, step);
+  const auto header = record_header(lines, file);
+  Record record = header ? headed_record(*header, lines, file) : column_record(lines, file, step);
   if (record.time.size() < 2) throw std::invalid_argument("'" + file + "' holds fewer than two samples");
-  if (header_step == 0 && unit == RecordUnit::metres_per_second_squared)
+  if (!header && unit == RecordUnit::metres_per_second_squared)
     for (double& value : record.acceleration) value /= standard_gravity;
   return record;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -3,6 +3,19 @@
 
 #include <stdexcept>
 
+namespace {
+
+/// Refuses an option that was given an empty value, as "$N" of an unset N gives it.
+void refuse_empty_values(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& value : option->results())
+      if (value.empty() && !option->get_positional())
+        throw rederive::BadInput(option->get_name() + " '' is empty: a value is wanted");
+  for (const CLI::App* part : app.get_subcommands()) refuse_empty_values(*part);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace rederive;
   CLI::App app{
@@ -17,6 +30,7 @@ int main(int argc, char** argv) {
   add_figure(app, run);
   return run_command(app, argc, argv, [&] {
     try {
+      refuse_empty_values(app);
       if (!run) throw BadInput("one of threshold, response, spectrum, map, figure is wanted; see --help");
       return run();
     } catch (const std::invalid_argument& error) {

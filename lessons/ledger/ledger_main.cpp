@@ -214,7 +214,7 @@ int main(int argc, char** argv) {
       ->check(CLI::ExistingFile);
   auto* mutation = app.add_subcommand("mutate", "Spoils every row on purpose; nothing may pass");
   mutation->add_option("id", options.id, "One row alone");
-  mutation->add_option("--seed", options.seed, "Which slips are tried");
+  mutation->add_option("--seed", options.seed, "Which slips are tried")->check(CLI::Number);
   auto* dot = app.add_subcommand("graph", "What follows from what, in DOT");
   auto* proving = app.add_subcommand(
       "prove", "Decides any statement: LHS and RHS are expressions, equations or inequalities");

@@ -191,10 +191,10 @@ void add_response(CLI::App& app, Run& run) {
   add("--page", options->page, "FILE", "write a web page in which one can play with this case")
       ->check(file_name);
   add("--friction", options->friction, "MU", "say whether this friction suffices");
-  auto* record = add("--record", options->record, "FILE", "a recorded acceleration instead of a pulse");
+  auto* record = add("--record", options->record, "FILE",
+                     "a recorded acceleration: columns, PEER AT2, K-NET (about its mean), ESM");
   add("--step", options->step, "SECONDS", "time step of a record of one column")->needs(record);
-  add("--unit", options->unit, "NAME", "unit of the record: g or m/s2 [g]")
-      ->check(CLI::IsMember({"g", "m/s2"}));
+  add("--unit", options->unit, "NAME", "unit of columns: g or m/s2 [g]")->check(CLI::IsMember({"g", "m/s2"}));
   add("--scale", options->scale, "NUMBER", "multiplies the record [1]")->needs(record);
   command->callback([options, &run] { run = [options] { return response(*options); }; });
 }

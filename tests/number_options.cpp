@@ -1,0 +1,87 @@
+// Every number option of rocking, as --help lists them, refuses what is no number.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+
+#include "run_program.hpp"
+
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+/// A good call of each subcommand.
+const std::map<std::string, Arguments> calls{{"threshold", {"--omega", "2"}},
+                                             {"response", {"--omega", "2", "--amplitude", "1.6"}},
+                                             {"spectrum", {"--from", "1", "--to", "2", "--points", "2"}},
+                                             {"map", {"--omega", "1:2:2", "--amplitude", "1:2:2"}},
+                                             {"figure", {"16"}}};
+
+/// The options that take a number, from the lines "--omega W …" of --help; a span A:B:N takes three.
+std::map<std::string, std::string> number_options(const std::string& subcommand) {
+  static const std::regex line(R"(\n  (--[a-z0-9-]+) ([A-Z][A-Z0-9:|a-z]*)[ :])");
+  const std::string help = run_program("rocking", {subcommand, "--help"}).out;
+  std::map<std::string, std::string> found;
+  for (std::sregex_iterator at(help.begin(), help.end(), line), end; at != end; ++at)
+    if ((*at)[2] != "FILE" && !(*at)[2].str().starts_with("NAME")) found[(*at)[1]] = (*at)[2];
+  return found;
+}
+
+/// The good call with this value, and what the option needs beside it.
+Arguments call_with(const std::string& subcommand, const std::string& option, const std::string& value,
+                    const std::string& record) {
+  Arguments call = calls.at(subcommand);
+  const auto at = std::find(call.begin(), call.end(), option);
+  if (at != call.end())
+    *(at + 1) = value;
+  else
+    call.insert(call.end(), {option, value});
+  if (option == "--half-width") call.insert(call.end(), {"--half-height", "1"});
+  if (option == "--half-height") call.insert(call.end(), {"--half-width", "0.2"});
+  if (option == "--step" || option == "--scale") call.insert(call.end(), {"--record", record});
+  call.insert(call.begin(), subcommand);
+  return call;
+}
+
+}  // namespace
+
+TEST_CASE("every number option refuses what is no finite number, by its name") {
+  const TemporaryFolder folder;
+  const std::string record = folder.path / "record.txt";
+  std::ofstream(record) << "0 0\n1 0.1\n2 0\n";
+  int options = 0;
+  for (const auto& [subcommand, good] : calls)
+    for (const auto& [option, type] : number_options(subcommand)) {
+      ++options;
+      for (std::string value : {"nan", "inf", "-inf", "1e400", "", "1x", "0,5", "0x10", " ", "--"}) {
+        if (type.find(':') != std::string::npos) value = "1:" + value + ":2";
+        const Result result = run_program("rocking", call_with(subcommand, option, value, record));
+        CAPTURE(subcommand);
+        CAPTURE(value);
+        CAPTURE(result.err);
+        CHECK(result.exit_code == 2);
+        CHECK(result.out.empty());
+        CHECK_MESSAGE(result.err.find(option.substr(2)) != std::string::npos, option);
+      }
+    }
+  CHECK(options > 40);  // seven of the block in four subcommands, and their own
+}
+
+TEST_CASE("the other programs refuse what is no number, too") {
+  const TemporaryFolder folder;
+  for (const std::string value : {"nan", "inf", "1e400", "", "1x", "0,5", "-1"})
+    for (Arguments call :
+         {Arguments{"exercises", "grade", folder.path, "--workers"},
+          Arguments{"exercises", "serve", "--port"}, Arguments{"ledger", "mutate", "71", "--seed"},
+          Arguments{"ledger", "prove", "sin(x)", "x", "--small", "x", "--order"}}) {
+      const std::string program = call.front(), option = call.back();
+      call.erase(call.begin());
+      call.push_back(value);
+      const Result result = run_program(program, call);
+      CAPTURE(value);
+      CAPTURE(result.err);
+      CHECK(result.exit_code == 2);
+      CHECK_MESSAGE(result.err.find(option.substr(2)) != std::string::npos, option);
+    }
+}
