@@ -64,7 +64,7 @@ TEST_CASE("a K-NET file is read in gal about its mean") {
   const TemporaryFolder folder;
   const std::string text =
       "Origin Time       2001/01/01 12:00:00\nLat.              35.000\nLong.             135.000\n"
-      "Depth. (km)       10\nMag.              5.5\nStation Code      XXX001\nStation Lat.      35.1000\n"
+      "Depth. (km)       10\nMag.              5.5\nStation Code      TST001\nStation Lat.      35.1000\n"
       "Station Long.     135.1000\nStation Height(m) 10\nRecord Time       2001/01/01 12:00:15\n"
       "Sampling Freq(Hz) 5Hz\nDuration Time(s)  2\nDir.              N-S\nScale Factor      "
       "3920(gal)/6182761\n"
