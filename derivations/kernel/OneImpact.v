@@ -1,5 +1,5 @@
-(* The smallest amplitude at which a block overturns after one impact, (86) and (88), for omega_p/p = 3 and alpha =
-  1/4.
+(* An amplitude at which a block just overturns after one impact, (86) and (88), for omega_p/p = 3 and alpha = 1/4: the
+   only one with psi in [3/4, 21/25]. That there is no smaller one is not proved.
    Angles are in units of alpha/(10 sin psi), times in units of 1/p. *)
 From Rederive Require Import Rederive Bounds Solutions.
 From Coquelicot Require Import Coquelicot.
