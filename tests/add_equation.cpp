@@ -44,8 +44,8 @@ TEST_CASE("adding an equation works as the README says") {
 
   const std::string built = REDERIVE_BINARY;
   const std::string ledger = (folder.path / "ledger").string();
-  const Result made = run_program("/bin/bash", {"-c", "cd '" + folder.path.string() + "' && c++ -std=c++20 -O0 -DREDERIVE_VERSION='\"0\"' -I'" + root + "' -I'" + built +
-                                                         "' kinematics.cpp '" + root + "/lessons/ledger/ledger_main.cpp' " REDERIVE_LEDGER_LIBRARIES " -o ledger"});
+  const Result made = run_program("/bin/bash", {"-c", "cd '" + folder.path.string() + "' && c++ -std=c++20 -O0 -I'" + root + "' -I'" + built +
+                                                         "' kinematics.cpp " REDERIVE_LEDGER_OBJECTS " -o ledger"});
   REQUIRE_MESSAGE(made.exit_code == 0, made.err);
   const Result shown = run_program(ledger, {"--equations", equations.string(), "show", "w1", "--json"});
   CHECK(shown.exit_code == 0);

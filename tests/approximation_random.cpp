@@ -9,7 +9,7 @@
 #include <derivations/numbers/evaluate.hpp>
 #include <iostream>
 #include <lessons/ledger/prove_command.hpp>
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <random>
 
 using namespace rederive;

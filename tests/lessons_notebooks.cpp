@@ -12,22 +12,25 @@ namespace {
 
 const std::string python = "/usr/bin/python3";  // Debian's, whose packages the modules are
 
-/// Reads argv[1], which must be valid, runs it and writes it back.
+/// Reads each file that argv[2:] names, which must be valid, runs it in argv[1] by one kernel and writes it back.
 const std::string script = R"(
 import json, sys, nbformat
+from jupyter_client.manager import KernelManager
 from nbclient import NotebookClient
-notebook = nbformat.read(sys.argv[1], 4)
-nbformat.validate(notebook)
-NotebookClient(notebook, timeout=300, kernel_name="python3", resources={"metadata": {"path": sys.argv[2]}}).execute()
-json.dump(notebook, open(sys.argv[1], "w"))
+kernel = KernelManager(kernel_name="python3")
+kernel.start_kernel(cwd=sys.argv[1])
+try:
+    for file in sys.argv[2:]:
+        notebook = nbformat.read(file, 4)
+        nbformat.validate(notebook)
+        NotebookClient(notebook, km=kernel, timeout=300).execute()
+        json.dump(notebook, open(file, "w"))
+finally:
+    kernel.shutdown_kernel(now=True)
 )";
 
-/// What is wrong with the notebook of one lesson; empty if nothing is.
-std::string complaints(const std::string& lesson, const std::filesystem::path& folder) {
-  const std::string file = folder / (lesson + ".ipynb");
-  REQUIRE(run_program(lesson, {"--format", "notebook", "--out", file}).exit_code == 0);
-  const Result ran = run_program(python, {"-c", script, file, folder});
-  if (ran.exit_code != 0) return lesson + ": " + ran.err;
+/// What is wrong with the notebook of one lesson that was run; empty if nothing is.
+std::string complaints(const std::string& lesson, const std::string& file) {
   std::string said;
   int commands = 0;
   const json notebook = json::parse(read_file(file));
@@ -83,5 +86,13 @@ TEST_CASE("Jupyter runs every lesson") {
   ::setenv("PYDEVD_DISABLE_FILE_VALIDATION", "1", 1);
   ::setenv("IPYTHONDIR", (folder.path / "ipython").c_str(), 1);
   ::setenv("REDERIVE_PROGRESS", (folder.path / "progress.txt").c_str(), 1);
-  for (const auto& lesson : lesson_programs()) CHECK(complaints(lesson, folder.path) == "");
+  std::vector<std::string> arguments = {"-c", script, folder.path};
+  for (const auto& lesson : lesson_programs()) {
+    arguments.push_back(folder.path / (lesson + ".ipynb"));
+    REQUIRE(run_program(lesson, {"--format", "notebook", "--out", arguments.back()}).exit_code == 0);
+  }
+  const Result ran = run_program(python, arguments);
+  REQUIRE_MESSAGE(ran.exit_code == 0, ran.err);
+  for (std::size_t k = 0; k < lesson_programs().size(); ++k)
+    CHECK(complaints(lesson_programs()[k], arguments[k + 3]) == "");
 }

@@ -1,7 +1,7 @@
 // The table of statements, row by row, and the page that is written from it.
 #include <doctest/doctest.h>
 
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <nlohmann/json.hpp>
 #include <tests/run_program.hpp>

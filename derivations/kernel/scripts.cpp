@@ -1,4 +1,4 @@
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <derivations/kernel/lemma.hpp>
 #include <derivations/kernel/scripts.hpp>
 #include <derivations/paper/prove.hpp>

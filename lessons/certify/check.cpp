@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <lessons/certify/check.hpp>
 #include <regex>
 #include <set>

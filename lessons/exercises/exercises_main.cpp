@@ -120,7 +120,7 @@ int run(const CLI::App& app, const Arguments& given) {
   if (!given.working.empty()) return check_file(room, given.id, given.working, true);
   if (check_command->get_option("ANSWER")->count() == 0)
     throw BadInput("check: an ANSWER, --file FILE or --working FILE is wanted");
-  return check(room, given.id, CLI::detail::trim_copy(given.answer));
+  return check(room, given.id, trimmed(given.answer));
 }
 
 }  // namespace

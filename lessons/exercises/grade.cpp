@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <future>
 #include <lessons/bounded.hpp>
 #include <lessons/exercises/answer_file.hpp>

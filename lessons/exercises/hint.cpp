@@ -3,7 +3,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/prose.hpp>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <derivations/paper/prove.hpp>
 #include <lessons/bounded.hpp>
 #include <lessons/exercises/in_page.hpp>

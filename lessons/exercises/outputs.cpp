@@ -1,5 +1,5 @@
 // Where grade writes to: looked at before anything is judged, and written whole or not at all.
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <lessons/exercises/grading.hpp>
 #include <set>
 

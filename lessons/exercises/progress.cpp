@@ -3,7 +3,7 @@
 #include <sys/file.h>
 
 #include <charconv>
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <lessons/exercises/progress.hpp>
 #include <sstream>
 

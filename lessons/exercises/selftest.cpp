@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/prose.hpp>

@@ -5,7 +5,7 @@
 #include <httplib.h>
 #include <signal.h>
 
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <lessons/exercises/in_page.hpp>
 #include <lessons/render.hpp>
 #include <lessons/run_lesson.hpp>
@@ -132,7 +132,7 @@ int serve(const Classroom& room, int port) {
     handle(response, "application/json", [&] {
       const Exercise& exercise = find_exercise(room, request.matches[1]);
       const std::string answer = nlohmann::json::parse(request.body).at("answer");
-      const Reply told = reply(room, exercise, request.matches[2], CLI::detail::trim_copy(answer));
+      const Reply told = reply(room, exercise, request.matches[2], trimmed(answer));
       return nlohmann::json{{"says", told.says}, {"standing", told.standing}}.dump(
           -1, ' ', false, nlohmann::json::error_handler_t::replace);
     });

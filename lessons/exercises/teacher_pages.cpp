@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <functional>
 #include <lessons/exercises/grading.hpp>
 #include <lessons/exercises/in_page.hpp>

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <csignal>
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <map>

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <derivations/paper/prove.hpp>
 #include <lessons/exercises/judge.hpp>
 

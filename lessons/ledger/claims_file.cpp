@@ -2,7 +2,7 @@
 #include <fmt/args.h>
 #include <fmt/format.h>
 
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <derivations/paper/ledger.hpp>
 #include <derivations/paper/toml_rows.hpp>
 #include <lessons/ledger/claims.hpp>

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <lessons/ledger/claims_bench.hpp>
 #include <sstream>
 

@@ -271,7 +271,7 @@ int main(int argc, char** argv) {
     if (*proving && (!*lhs || !*rhs))
       throw BadInput(
           "prove wants two statements; right is, for example, ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
-    for (std::string* text : {&options.request.left, &options.request.right}) CLI::detail::trim(*text);
+    for (std::string* text : {&options.request.left, &options.request.right}) *text = trimmed(*text);
     for (std::string& name : options.request.small) name = symbol_name(name);
     if (*certificate)
       return (void)show_proof(options), write_certificate(options.request, options.certificate);

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <derivations/paper/toml_rows.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <map>

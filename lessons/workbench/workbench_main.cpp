@@ -1,6 +1,6 @@
 // Writes the workbench at build time: the element that lessons hold, and the page of its own.
 // Usage: workbench_page FOLDER SOURCES
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <derivations/emit/emit.hpp>
 #include <derivations/rocking_block/pulse.hpp>
 #include <iostream>
