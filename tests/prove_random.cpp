@@ -198,7 +198,7 @@ long from_environment(const char* name, long otherwise) {
 
 TEST_CASE("random identities are proved, and random slips are refuted") {
   const auto seed = static_cast<unsigned>(from_environment("REDERIVE_SEED", 20261120));
-  const long pairs = from_environment("REDERIVE_PAIRS", 5'000);
+  const long pairs = from_environment("REDERIVE_PAIRS", 3'000);
   std::cout << "seed " << seed << ", " << pairs << " pairs\n";
   Generator generator(seed);
   const Symbols symbols = declared_symbols({"x", "y", {}, {}, {}});
