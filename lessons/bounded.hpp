@@ -48,10 +48,9 @@ inline Bounded why_it_ended(int status, double taken) {
 }
 
 /// Runs `work` in a child process and brings its text back. At most `seconds` and `megabytes` of address
-/// space. The seconds are wall-clock time, but at most twice the processor time: work that only waits for its
-/// turn on a busy machine is not given up, so that what is decided does not depend on the others. After
-/// `patience` seconds of wall-clock time it is, whatever it waits for. Several threads may call it. Throws
-/// std::runtime_error if no child can be made.
+/// space. The seconds are processor time: what is decided does not depend on how busy the machine is. After
+/// `patience` seconds of wall-clock time it is given up, whatever it waits for. Several threads may call it.
+/// Throws std::runtime_error if no child can be made.
 inline Bounded run_bounded(const std::function<std::string()>& work, double seconds, long megabytes,
                            double patience = 60) {
   static std::mutex forking;  // or the child of another thread would keep the end that we wait for
@@ -90,11 +89,10 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   const auto clock = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  const auto counted = [&](double processor) { return std::min(clock(), 2 * processor); };
   std::string text;
   bool is_late = false;
   for (char buffer[4096];;) {
-    const double left = std::min((seconds - counted(processor_seconds(child))) / 2, patience - clock());
+    const double left = std::min(seconds - processor_seconds(child), patience - clock());
     is_late = left <= 0;
     if (is_late) break;
     pollfd ready{ends[0], POLLIN, 0};
@@ -109,7 +107,7 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
   rusage used{};
   int status = 0;
   ::wait4(child, &status, 0, &used);
-  const double taken = counted(in_seconds(used.ru_utime) + in_seconds(used.ru_stime));
+  const double taken = in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
   if (is_late) return {std::nullopt, "it took longer than it may", taken, "time"};
   if (text.empty()) return why_it_ended(status, taken);
   if (text[0] == '+') return {text.substr(1), "", taken};

@@ -58,7 +58,8 @@ class Planter {
   std::string expression() {
     std::string text = pick({"$a*($b-$c)", "$a^2-$b^2", "$a*$b", "$a+$b", "$a^2+$b^2", "$a^2*$b", "$a*$b*$c", "$a^3-$b",
                              "($a-$b)^2+$c", "$a/($b^2+1)", "fabs($a)-$b", "sqrt($a^2+1)*$b^2-sqrt($a^2+1)*$b^2+$c",
-                             "$a*$b-$b*$c", "2*$a-3*$b+$c"});
+                             "$a*$b-$b*$c", "2*$a-3*$b+$c", "sqrt($a^2)-$b", "sqrt(($a-$b)^2)+$c", "fabs($a-$b)+$a*$c",
+                             "sqrt($a)", "sqrt(fabs($a)+$a)*$b", "$b-fabs($a)-$a"});
     for (const char* place : {"$a", "$b", "$c"}) {
       const std::string name = pick({"x", "y", "z", "v", "w"});
       for (std::size_t k; (k = text.find(place)) != std::string::npos;) text.replace(k, 2, name);

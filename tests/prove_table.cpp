@@ -29,17 +29,20 @@ TEST_CASE("every row of the table has the verdict that it should have") {
 
 TEST_CASE("a verdict does not depend on the order that the computer algebra gives the symbols") {
   std::vector<GiNaC::realsymbol> others;  // each of them moves the order of those that come after it
-  std::map<std::string, Verdict> first;
+  std::map<std::size_t, Verdict> first;  // of the rows, by their place
   for (int k = 0; k < 4; ++k) {
-    for (const TableRow& row : rows_of_the_table()) {
-      if (row.group != "Lost solutions") continue;
+    const auto rows = rows_of_the_table();
+    for (std::size_t place = 0; place < rows.size(); ++place) {
+      const TableRow& row = rows[place];
+      if (row.group != "Traps") continue;
       INFO(row.request.left << "  |  " << row.request.right << "  with " << others.size()
                             << " other symbols");
       const Verdict verdict = decide(row.request).verdict;
-      CHECK(first.try_emplace(row.request.left + "|" + row.request.right, verdict).first->second == verdict);
+      CHECK(first.try_emplace(place, verdict).first->second == verdict);
     }
     others.emplace_back("other_" + std::to_string(k));
   }
+  CHECK(first.size() >= 50);
 }
 
 namespace {

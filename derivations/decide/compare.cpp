@@ -13,7 +13,7 @@ void rest_on(Sameness& all, const std::string& by, const Certificate& part) {
   all.certificate.parts.insert(all.certificate.parts.end(), part.parts.begin(), part.parts.end());
 }
 
-/// left/right, if it has neither zero nor pole, and is positive for inequalities.
+/// left/right, if it has no zero or pole; positive for inequalities, which a negative factor turns round.
 std::optional<Fraction> factor_between(const Ring& ring, const Atom& left, const Atom& right, Sameness& all) {
   const Signs wanted = left.signs == Signs::zero() ? Signs::nonzero() : Signs::positive();
   const auto is_proved = [&](const Fraction& part) {
@@ -21,13 +21,13 @@ std::optional<Fraction> factor_between(const Ring& ring, const Atom& left, const
     if (found) rest_on(all, found->parts.empty() ? "identity" : "sign", *found);
     return found.has_value();
   };
-  for (const bool turned : {false, true}) {
-    const Fraction f = ring.rationalized(turned ? right.value / left.value : left.value / right.value);
+  for (const bool is_reciprocal : {false, true}) {
+    const Fraction f = ring.rationalized(is_reciprocal ? right.value / left.value : left.value / right.value);
     std::vector<Fraction> parts;
     for (const auto& [factor, exponent] : factors(f.numerator * f.denominator).second)
       parts.push_back(factor);
     if (wanted == Signs::positive()) parts = {f};
-    if (std::ranges::all_of(parts, is_proved)) return turned ? 1 / f : f;
+    if (std::ranges::all_of(parts, is_proved)) return is_reciprocal ? 1 / f : f;
   }
   return std::nullopt;
 }
@@ -47,7 +47,7 @@ std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::
   return all;
 }
 
-/// The irreducible factors of an equation that may be 0. A root, a size or a sine counts by the factors of
+/// The irreducible factors of an equation that may be 0. A root, |u| or a sine counts by the factors of
 /// its power.
 std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
   std::set<Polynomial> result;
@@ -98,12 +98,11 @@ std::optional<Sameness> all_follow(const Comparison& setting, const std::vector<
   return all;
 }
 
-/// p times its conjugates in the sines: s and 1 - c vanish together where this has a common factor.
+/// p times its conjugates in sines, roots and |u|: where two vanish together, their norms share a factor.
 Polynomial norm(const Ring& ring, const Polynomial& p) {
   Polynomial result = ring.normal(p).numerator;
   for (const int k : result.used())
-    if (ring.generators()[k].function == "sin" && result.degree(k) == 1)
-      result = ring.norm(result, k).numerator;
+    if (ring.generators()[k].degree == 2 && result.degree(k) == 1) result = ring.norm(result, k).numerator;
   return result;
 }
 

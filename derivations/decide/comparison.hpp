@@ -7,8 +7,8 @@
 
 namespace rederive {
 
-/// A statement in the ring: atoms that hold together. Of two expressions, the left one says nothing, and the
-/// right one that they are equal.
+/// A statement in the ring: atoms that hold together. Of two expressions a and b: left none, right
+/// the equation a = b.
 struct Translated {
   std::vector<Atom> atoms;
   std::vector<Atom> conditions;  ///< for its sides to have values
@@ -25,15 +25,15 @@ struct Comparison {
   std::vector<std::string> in_words;  ///< the same: "x - 1 > 0", "cos(theta) != 0"
 };
 
-/// The value and the sign that a link a op b asks for.
+/// The relation a op b as a sign condition: a - b = 0, b - a > 0, …
 Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b);
 
 /// Both statements in one ring, which is empty before, where both have values: what must hold for that is
 /// learned, and both are translated once more with it. Throws OtherBasis, Undecidable and NoValue.
 void translate(Comparison& setting, const Problem& problem);
 
-/// Atoms that hold where the statement does, once it is translated: as it stands; with inversions of monotone
-/// functions; and of an equation, what is 0 at the same points (translator.hpp).
+/// Equivalent forms of a translated statement, to be tried in turn: as it stands; with f(u) = v solved for u,
+/// f monotone; of an equation, other values that are 0 at the same points (translator.hpp).
 std::vector<std::vector<Atom>> readings_of(Comparison& setting, const Relation& statement,
                                            const Translated& translated, const Symbols& symbols);
 
@@ -48,8 +48,8 @@ struct Sameness {
 /// were needed.
 std::optional<Sameness> same(Comparison& setting, const Problem& problem);
 
-/// A divisor of one equation that has a factor in common with the other one, of which it is a solution that
-/// the divisor hides. What vanishes there without such a factor, as x with exp(x) - 1, is not seen.
+/// True if one equation divides by something that shares a factor with the other one: where that factor is 0,
+/// a solution is lost. What vanishes there without a common factor, as x with exp(x) - 1, is not seen.
 bool hides_a_solution(const Comparison& setting);
 
 /// "x - 1 > 0", "cos(theta) != 0": the conditions in our syntax, without the factors of which the ring knows

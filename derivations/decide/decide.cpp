@@ -57,8 +57,7 @@ Proof proved(const Comparison& setting, const Sameness& found, const Symbols& sy
 /// Tries the problem; if that fails, splits on the sign of the first |u|, at most `depth` times.
 std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& setting, int depth) {
   const auto& generators = setting.ring.generators();
-  const auto known =
-      static_cast<std::ptrdiff_t>(generators.size());  // those that come later may have no value
+  const std::size_t known = generators.size();  // those that come later may have no value
   if (auto found = same(setting, problem)) return found;
   const auto end = generators.begin() + known;
   const auto bars = std::ranges::find(generators.begin(), end, "fabs", &Generator::function);

@@ -4,7 +4,7 @@
 // a side condition, and it is listed. Relations are the same if, wherever both have values, one holds where
 // and only where the other one does, and where no solution is seen to be hidden. In this order:
 //
-// 1. what equations say of a symbol is put in (problem.hpp);
+// 1. an equation x = value that is assumed is substituted (problem.hpp);
 // 2. a few points: where the two differ beyond doubt, in ball arithmetic, they are refuted (points.hpp);
 // 3. both become fractions of the ring of exponentials, with what must hold for them to have values
 //    (comparison.hpp);
@@ -24,15 +24,15 @@
 namespace rederive {
 
 /// Decides left against right: two expressions, two equations or two inequalities. A chain says that all its
-/// links hold: K = a = b that K = a and K = b. Against a relation of numbers, 0 < 1, the other one is asked
-/// wherever it has a value. What is given is put in first; assumptions are sign conditions and equations that
-/// hold. The verdict is proved, proved_under where equations that are assumed are needed, refuted or
-/// undecided. Throws std::bad_alloc alone.
+/// links hold: K = a = b that K = a and K = b. To ask whether a statement holds wherever
+/// it has a value, compare it with 0 < 1. What is given is substituted first; assumptions are sign conditions
+/// and equations that hold. The verdict is proved, proved_under where equations that are assumed are needed,
+/// refuted or undecided. Throws std::bad_alloc alone.
 Proof decide(const Relation& left, const Relation& right, const Symbols& symbols,
              const std::vector<Given>& given = {}, const std::vector<Relation>& assumptions = {});
 
-/// What an exception comes to, said to a reader: our own words stay; a pole, an overflow and the rest get a
-/// sentence each, for GiNaC and CLN speak of their insides. For handlers alone: std::bad_alloc is thrown on.
+/// An exception as a sentence for the user: our own messages are kept; a pole, an overflow and the rest of
+/// GiNaC and CLN get a sentence each. To be called in a handler: std::bad_alloc is thrown on.
 std::string in_plain_words(const std::exception& error);
 
 /// Whether the assumptions contradict each other, or the ranges: then nothing follows from them.

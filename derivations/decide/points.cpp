@@ -116,14 +116,14 @@ std::optional<Point> point_of(const Table& table, int index) {
     const bool is_alone = index / 5 % static_cast<int>(table.size()) == place - 1;
     const bool is_zero = is_alone ? index % 5 == 4 : index % 10 == 7;  // it alone, or all others
     const bool is_special = index > 9 && index % 3 == 0 && (mixed / 2 + place) % 2 == 0;
-    const int turn = is_zero                         ? 0
-                     : is_special || c.plain.empty() ? mixed / 3
-                     : index % 4 == 3                ? index / 4
-                                                     : mixed;
+    const int attempt = is_zero                         ? 0
+                        : is_special || c.plain.empty() ? mixed / 3
+                        : index % 4 == 3                ? index / 4
+                                                        : mixed;
     if (c.plain.empty() || (!c.special.empty() && (is_zero || is_special)))
-      point.emplace(name, number_of(c.special[turn % c.special.size()]));
+      point.emplace(name, number_of(c.special[attempt % c.special.size()]));
     else
-      point.emplace(name, c.plain[turn % std::min<std::size_t>(c.plain.size(), 4 + index)]);
+      point.emplace(name, c.plain[attempt % std::min<std::size_t>(c.plain.size(), 4 + index)]);
   }
   return point;
 }
@@ -164,13 +164,13 @@ bool differ_at(const Relation& solved, const Relation& other, const Point& point
          std::ranges::all_of(solved.sides, [&](const Tree& side) { return has_value(side, point); });
 }
 
-std::optional<Witness> at_solutions(const Problem& problem, const Point& point, int turn) {
+std::optional<Witness> at_solutions(const Problem& problem, const Point& point, int attempt) {
   for (const bool of_left : {false, true}) {
     const Relation& solved = of_left ? problem.left : problem.right;
     if (!is_equation(solved) && solved.operators.size() != 1) continue;
     std::vector<Relation> equations = equations_of(problem.assumptions);
     equations.push_back(solved);
-    const auto solution = solve(equations, point, problem.symbols, turn);
+    const auto solution = solve(equations, point, problem.symbols, attempt);
     if (!solution || !is_admitted(problem, *solution) ||
         !differ_at(solved, of_left ? problem.right : problem.left, *solution))
       continue;

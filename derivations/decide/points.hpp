@@ -1,5 +1,5 @@
-// Points inside the declared ranges, what two statements say there in ball arithmetic, and how a point is
-// said.
+// Points inside the declared ranges, the truth of two statements there in ball arithmetic (Johansson 2017),
+// and a witness: a point where they differ beyond doubt, which refutes.
 #pragma once
 
 #include <derivations/decide/problem.hpp>
@@ -13,10 +13,10 @@ enum class Truth { holds, fails, undefined, unknown };
 Truth truth_at(const Relation& relation, const Point& point, long bits = 1800);
 
 /// The point with other values of some symbols, such that all equations hold, each solved for a symbol of its
-/// own: one that occurs linearly, or one with a zero that a change of sign encloses. `turn` says which are
-/// tried first. Nothing where none is found in the range of its symbol.
+/// own: one that occurs linearly, or one with a zero that a change of sign encloses. `attempt` varies
+/// which are tried first. Nothing where none is found in the range of its symbol.
 std::optional<Point> solve(const std::vector<Relation>& equations, Point point, const Symbols& symbols,
-                           int turn);
+                           int attempt);
 
 /// Both values at the point, to 30 digits; nothing where these cannot be had. `of_left`: whether the point
 /// was found as one that solves the left statement, or the right one.
@@ -30,7 +30,7 @@ struct Search {
 };
 struct Effort {
   int points;
-  int solutions;  ///< of statements: for so many points those that solve one of the two are tried, too
+  int solutions;  ///< of relations: at so many points one is also solved for a symbol
   long bits;      ///< up to so many
 };
 Search search(const Problem& problem, const Effort& effort);

@@ -81,7 +81,7 @@ bool is_within(const Tree& tree, const Interval& bounds, const Symbols& symbols)
 bool is_monotone(const Tree& side, const Symbols& symbols) {
   if (side->kind != Node::Kind::call || reciprocal_of(side->text) != nullptr) return false;
   const MonotonePiece& f = monotone_piece(side->text);
-  return f.inverse != nullptr && (f.turned == 0 || is_within(side->children[0], f.domain, symbols));
+  return f.inverse != nullptr && (f.half_turn == 0 || is_within(side->children[0], f.domain, symbols));
 }
 
 /// "symbol = value" of an equation that says so, the symbol not in its value.

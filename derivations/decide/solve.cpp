@@ -12,16 +12,16 @@ namespace {
 
 /// What is 0 where an equation holds: the difference of its sides; of a product or a power beside 0 one
 /// factor, or the base.
-Tree residual_of(const Tree& a, const Tree& b, int turn) {
+Tree residual_of(const Tree& a, const Tree& b, int attempt) {
   const auto is_zero = [](const Tree& t) {
     return t->kind == Node::Kind::number && cln::zerop(exact(t->text));
   };
-  if (is_zero(a) && !is_zero(b)) return residual_of(b, a, turn);
+  if (is_zero(a) && !is_zero(b)) return residual_of(b, a, attempt);
   if (!is_zero(b)) return difference(a, b);
-  const std::size_t k = static_cast<std::size_t>(turn) % std::max<std::size_t>(a->children.size(), 1);
+  const std::size_t k = static_cast<std::size_t>(attempt) % std::max<std::size_t>(a->children.size(), 1);
   if (a->kind == Node::Kind::power && a->children[1]->kind == Node::Kind::number)
-    return residual_of(a->children[0], b, turn);
-  if (a->kind == Node::Kind::product && !a->inverse[k]) return residual_of(a->children[k], b, turn);
+    return residual_of(a->children[0], b, attempt);
+  if (a->kind == Node::Kind::product && !a->inverse[k]) return residual_of(a->children[k], b, attempt);
   return a;
 }
 
@@ -90,14 +90,14 @@ std::optional<Number> enclose(const Point& point, const Tree& residual, const st
 
 /// Solves one equation for one of the symbols that are not fixed yet.
 bool solve_one(Point& point, const Tree& residual, const std::vector<std::string>& names,
-               const Symbols& symbols, const std::set<std::string>& fixed, int turn) {
+               const Symbols& symbols, const std::set<std::string>& fixed, int attempt) {
   for (const bool is_linear : {true, false})
     for (const std::string& name : names) {
       if (fixed.contains(name)) continue;
       const Interval range = parse_range(symbols.find(name)->range);
       try {
         const auto number = is_linear ? solve_linear(point, residual, name, symbols)
-                                      : enclose(point, residual, name, range, turn % 2 != 0);
+                                      : enclose(point, residual, name, range, attempt % 2 != 0);
         if (!number || !lies_in(*number, range)) continue;
         point.insert_or_assign(name, *number);
         return true;
@@ -110,20 +110,20 @@ bool solve_one(Point& point, const Tree& residual, const std::vector<std::string
 }  // namespace
 
 std::optional<Point> solve(const std::vector<Relation>& equations, Point point, const Symbols& symbols,
-                           int turn) {
+                           int attempt) {
   std::set<std::string> fixed;
   std::vector<Relation> links;
   for (const Relation& chain : equations)
     for (Relation& link : links_of(chain)) links.push_back(std::move(link));
   std::ranges::stable_sort(links, [](auto& a, auto& b) { return names_of(a).size() < names_of(b).size(); });
   for (const Relation& link : links) {
-    const Tree residual = residual_of(link.sides[0], link.sides[1], turn);
+    const Tree residual = residual_of(link.sides[0], link.sides[1], attempt);
     if (fixed.empty() && sign_at(residual, zero(), point, 200) == Sign::zero) continue;
     const std::set<std::string> all = names_of(residual);
     std::vector<std::string> names(all.begin(), all.end());
     if (names.empty()) return std::nullopt;
-    std::rotate(names.begin(), names.begin() + turn % static_cast<int>(names.size()), names.end());
-    if (!solve_one(point, residual, names, symbols, fixed, turn)) return std::nullopt;
+    std::rotate(names.begin(), names.begin() + attempt % static_cast<int>(names.size()), names.end());
+    if (!solve_one(point, residual, names, symbols, fixed, attempt)) return std::nullopt;
     fixed.insert(all.begin(), all.end());
   }
   return point;

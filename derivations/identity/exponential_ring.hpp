@@ -1,13 +1,14 @@
 // The ring in which identities are decided.
 //
 // Every function of the paper becomes a rational function of generators: the symbols, π, the cosine and the
-// sine of independent phases, exponentials of independent real arguments, roots, sizes, logarithms, inverse
-// functions. Between them hold true relations, each for a power of one generator in terms of earlier ones:
-// s² = 1 - c², y² = u, a² = u². What reduces to 0 modulo these is 0 wherever it has a value: that proves an
-// identity. Exponentials of arguments that are independent over the rationals are algebraically independent:
-// of algebraic numbers by Lindemann-Weierstrass, of functions modulo constants by Ax 1971 (Risch's structure
-// theorem for towers). There the converse holds, too; with π, e and logarithms of numbers together it needs
-// Schanuel's conjecture, and no proof rests on it. Davenport, Siret, Tournier, ch. 5; Richardson 1997.
+// sine of independent phases, exponentials of independent real arguments, roots, absolute values, logarithms,
+// inverse functions. Between them hold true relations, each for a power of one generator in terms of earlier
+// ones: s² = 1 - c², y² = u, a² = u². What reduces to 0 modulo these is 0 wherever it has a value: that
+// proves an identity. Exponentials of arguments that are independent over the rationals are algebraically
+// independent: of algebraic numbers by Lindemann-Weierstrass, of functions modulo constants by Ax 1971
+// (Risch's structure theorem for towers). There the converse holds; with π, e and logarithms of numbers
+// together that needs Schanuel's conjecture; no proof rests on it. Davenport-Siret-Tournier ch. 5;
+// Richardson.
 //
 // Beside its relation every generator has the range of its values. From these follow signs of polynomials: by
 // intervals, factor by factor, and by the discriminant of what is quadratic in a generator.
@@ -76,7 +77,7 @@ class Ring {
   /// stays short: 1/(p - √u) is (p + √u)/(p² - u).
   Fraction rationalized(const Fraction& f) const;
 
-  /// What value = 0, value > 0 … says of the factors of which the sign is not known.
+  /// The same sign condition without the factors whose sign is known.
   Fact essential(const Fraction& value, Signs signs) const;
 
   /// What is known of a value: of its sign, and of the range of a generator if it is linear in one; that

@@ -1,5 +1,5 @@
-// Roots, sizes, logarithms and the inverse circular functions. What is known to have no negative values comes
-// out of a root or its bars, and what has a sign out of a logarithm, factor by factor.
+// Roots, absolute values, logarithms and the inverse circular functions. A factor that is never negative
+// comes out of a root or its bars, and one with a known sign out of a logarithm.
 #include <algorithm>
 #include <derivations/identity/translator.hpp>
 
@@ -29,6 +29,7 @@ Fraction Translator::root(const Fraction& value, int order) {
   Signs of_odd = sign < 0 ? Signs::negative() : Signs::positive();
   for (const auto& [factor, exponent] : list)
     if (exponent % 2 != 0) of_odd = of_odd * ring_.signs_of(factor);
+  if (of_odd == Signs::zero()) return 0;
   Fraction outside = 1 / (m == 1 ? absolute(u.denominator) : Fraction(u.denominator * u.denominator));
   Polynomial inside = sign;
   for (const auto& [factor, exponent] : list) {
@@ -40,8 +41,8 @@ Fraction Translator::root(const Fraction& value, int order) {
     const int taken = !comes_out ? 0 : has_sign ? exponent : exponent - exponent % 2;
     if (is_negative && taken % 2 != 0) inside = -inside;
     inside = inside * power(factor, exponent - taken);
-    if (taken > 0) outside = outside * Fraction(power(size_of(factor), taken / order));
-    if (taken % order != 0) outside = outside * power(root_generator(size_of(factor), order), taken % order);
+    if (taken > 0) outside = outside * Fraction(power(modulus(factor), taken / order));
+    if (taken % order != 0) outside = outside * power(root_generator(modulus(factor), order), taken % order);
   }
   if (inside.is_one()) return ring_.normal(outside);
   if (inside.is_constant()) throw NoValue("the root of a negative number");
@@ -57,8 +58,8 @@ Fraction Translator::root_of(const Tree& tree, const Fraction& base, const cln::
   return raised(absolute(translate(tree->children[0])), inner * exponent);
 }
 
-/// The size of an irreducible polynomial: without bars where its sign is known.
-Polynomial Translator::size_of(const Polynomial& factor) {
+/// The absolute value of an irreducible polynomial: without bars where its sign is known.
+Polynomial Translator::modulus(const Polynomial& factor) {
   const Signs signs = ring_.signs_of(factor);
   if (signs.within(Signs::nonnegative())) return factor;
   if (signs.within(Signs::nonpositive())) return -factor;
@@ -71,7 +72,7 @@ Fraction Translator::absolute(const Fraction& value) {
   const auto& [sign, list] = factors(u.numerator * u.denominator);
   Polynomial size = std::abs(sign);
   for (const auto& [factor, exponent] : list)
-    size = size * power(exponent % 2 == 0 ? factor : size_of(factor), exponent);
+    size = size * power(exponent % 2 == 0 ? factor : modulus(factor), exponent);
   return ring_.normal(Fraction(size, u.denominator * u.denominator));
 }
 
@@ -86,7 +87,7 @@ Fraction Translator::logarithm(const Fraction& value) {
     const bool has_sign = signs == Signs::positive() || signs == Signs::negative();
     const int stays = has_sign ? 0 : exponent % 2,  // no factor is 0, so log f² = 2 log |f|
         squares = quotient(u.denominator, factor) ? 2 * exponent : 0, times = exponent - stays - squares;
-    if (times != 0) sum = sum + times * logarithm_of(size_of(factor));
+    if (times != 0) sum = sum + times * logarithm_of(modulus(factor));
     if (stays != 0) rest = rest * factor;
     if (signs == Signs::negative() && exponent % 2 != 0) rest = -rest;
   }

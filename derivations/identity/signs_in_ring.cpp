@@ -81,7 +81,7 @@ bool Ring::narrow_backwards(const Generator& g) {
   if ((!is_root && f.inverse == nullptr) || !g.of.denominator.is_constant()) return false;
   const Interval inside = range_of(g.of);
   Interval argument = is_root ? power(g.range, g.degree) : call(f.inverse, g.range);
-  if (f.turned == 0) {  // an end that f always has says no more than that f has a value
+  if (f.half_turn == 0) {  // an end that f always has says no more than that f has a value
     if (compare(g.range.low, f.range.low) == 0) argument.low = Interval{}.low;
     if (compare(g.range.high, f.range.high) == 0) argument.high = Interval{}.high;
   } else if (!is_within(inside, f.domain)) {

@@ -15,8 +15,8 @@ struct Atom {
   Tree tree = nullptr;
 };
 
-/// A phase was met that must be divided further, or a root of a higher order: all that is in the ring must be
-/// translated once more.
+/// The common denominator of a phase, or the order of a root, has grown: everything must be translated again,
+/// in a new ring.
 struct OtherBasis : Undecidable {
   OtherBasis() : Undecidable("functions of functions, too deep") {}
 };
@@ -48,7 +48,7 @@ class Translator {
   Fraction logarithm(const Fraction& value);
 
   Fraction pi();
-  /// A phase, and how often it stands in number · term, an argument of "cos " or "exp ".
+  /// number · term = n · phase, of an argument of "cos " or "exp ": the phase and the whole number n.
   using Multiple = std::pair<Fraction, int>;
   Multiple multiple_of_phase(const std::string& function, const cln::cl_RA& number, const Fraction& term);
 
@@ -68,7 +68,7 @@ class Translator {
   Fraction root(const Fraction& value, int order);
   Fraction root_of(const Tree& tree, const Fraction& base, const cln::cl_RA& exponent);
   Fraction root_generator(const Polynomial& base, int order);
-  Polynomial size_of(const Polynomial& factor);
+  Polynomial modulus(const Polynomial& factor);
   Fraction absolute(const Fraction& value);
   Fraction logarithm_of(const Polynomial& factor);
   Fraction angle(bool is_sine, const Fraction& value);

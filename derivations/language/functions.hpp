@@ -13,7 +13,7 @@ namespace rederive {
 struct Function {
   std::string_view name;              ///< as in C, in our syntax and in GiNaC
   std::string_view latex;             ///< the command; empty where LaTeX has a sign of its own: √, |x|, e^x
-  std::string_view abroad;            ///< what it is called elsewhere, in small letters: "arctan atan2"
+  std::string_view aliases;           ///< what it is called elsewhere, in small letters: "arctan atan2"
   GiNaC::ex (*of)(const GiNaC::ex&);  ///< its value; throws as GiNaC does at a pole
   double least = -HUGE_VAL;           ///< the ends of its domain
   double most = HUGE_VAL;

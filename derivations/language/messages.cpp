@@ -51,7 +51,7 @@ std::string function_elsewhere(std::string_view name) {
   const std::string word = " " + lower_case(name) + " ";
   if (word == " log10 ") return "log(x)/log(10)";
   for (const Function& function : functions())
-    if ((" " + std::string(function.abroad) + " ").find(word) != std::string::npos)
+    if ((" " + std::string(function.aliases) + " ").find(word) != std::string::npos)
       return std::string(function.name);
   return {};
 }

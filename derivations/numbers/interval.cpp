@@ -68,8 +68,8 @@ Interval read_end(const std::string& text, bool is_closed) {
 
 const MonotonePiece& monotone_piece(const std::string& name) {
   static const auto piece = [](const char* domain, const char* values, const char* inverse = nullptr,
-                               int turned = 0) {
-    return MonotonePiece{parse_range(domain), parse_range(values), inverse, turned};
+                               int half_turn = 0) {
+    return MonotonePiece{parse_range(domain), parse_range(values), inverse, half_turn};
   };
   static const std::map<std::string, MonotonePiece> table = {
       {"sin", piece("[-pi/2, pi/2]", "[-1, 1]", "asin", -1)},
@@ -167,20 +167,20 @@ Interval power(const Interval& x, const cl_RA& exponent) {
 
 Interval call(const std::string& name, const Interval& x) {
   if (const char* other = reciprocal_of(name)) return reciprocal(call(other, x));
-  const auto& [domain, values, inverse, turned, range] = monotone_piece(name);
+  const auto& [domain, values, inverse, half_turn, range] = monotone_piece(name);
   const auto on_piece = [&](const Interval& y) {
     const Interval given = overlap(y, domain);
     const auto value = [&](const Value& v) { return call(name, v); };
     return given.is_empty() ? given : overlap(range, image(given, values.low, values.high, value));
   };
-  if (turned == 0) return on_piece(name == "cosh" || name == "fabs" ? absolute(x) : x);
+  if (half_turn == 0) return on_piece(name == "cosh" || name == "fabs" ? absolute(x) : x);
   constexpr int most = 8;  // half turns from 0
   if (compare(x.low, {{0, -most}}) < 0 || compare(x.high, {{0, most}}) > 0) return range;
   std::optional<Interval> result;  // the hull of what the pieces give, each moved to the one around 0
   for (int k = -most - 1; k <= most; ++k) {
     Interval piece = on_piece(x - point({0, k}));
     if (piece.is_empty()) continue;
-    if (turned < 0 && k % 2 != 0) piece = -piece;
+    if (half_turn < 0 && k % 2 != 0) piece = -piece;
     result = result ? hull(*result, piece) : piece;
   }
   return result.value_or(range);  // a pole alone

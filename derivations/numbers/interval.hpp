@@ -1,4 +1,4 @@
-// Which values can be taken while symbols stay in their ranges: ends that know whether they are attained.
+// Exact interval arithmetic (Moore 1966): all values of an expression over ranges, with open and closed ends.
 #pragma once
 
 #include <derivations/numbers/value.hpp>
@@ -57,8 +57,8 @@ Interval call(const std::string& function, const Interval& x);
 /// even ones; and the values at the ends of it, in this order.
 struct MonotonePiece {
   Interval domain, values;
-  const char* inverse;  ///< the function that undoes it on a piece that is its domain, or of a circular one
-  int turned = 0;       ///< of a circular function: f(x + pi)/f(x)
+  const char* inverse;  ///< null where the piece is not the whole domain, circular functions excepted
+  int half_turn = 0;    ///< f(x + pi)/f(x) of a circular function, else 0
   Interval range = hull({values.low, values.low}, {values.high, values.high});
 };
 /// Throws std::out_of_range for an unknown name, and for those that are defined as 1/f.

@@ -13,7 +13,7 @@
 
 namespace rederive {
 
-/// value · coefficient, summed, is 0, though no value is negative and one is positive.
+/// The sum of coefficient · product is 0, though no product is negative and one is positive: a contradiction.
 struct Certificate {
   struct Part {
     cln::cl_RA coefficient;
@@ -22,7 +22,7 @@ struct Certificate {
   std::vector<Part> parts;  ///< empty: by intervals and products alone
 };
 
-/// What value = 0, value > 0 … says, as 0, > 0 or >= 0; nothing where that is known, and of what is not 0.
+/// A sign condition as hypotheses p = 0, p > 0 or p >= 0; none where it is known, or is p != 0.
 std::vector<Fact> facts_of(const Ring& ring, const Fraction& value, Signs signs);
 
 /// A proof that under the facts of the ring the value has one of these signs wherever its generators have
