@@ -3,6 +3,8 @@
 
 #include <atomic>
 #include <functional>
+#include <mutex>
+#include <vector>
 
 namespace rederive::inline numeric {
 
@@ -17,4 +19,24 @@ struct Work {
 /// Returns how many were done.
 int for_each_index(const Work& work, const std::function<void(int)>& body);
 
-}  // namespace rederive::numeric
+/// Work whose results come together in one place.
+template <class Value>
+struct Task {
+  std::function<bool(int)> is_known = {};  ///< whether the results of this index need not be computed
+  std::function<std::vector<Value>(int)> compute;
+  std::function<void(int, const std::vector<Value>&)> accept;  ///< called from one thread at a time
+};
+
+/// Computes and accepts for each index, in no particular order.
+template <class Value>
+void share(const Work& work, const Task<Value>& task) {
+  std::mutex mutex;
+  for_each_index(work, [&](int i) {
+    if (task.is_known && task.is_known(i)) return;
+    const std::vector<Value> values = task.compute(i);
+    const std::lock_guard lock(mutex);
+    task.accept(i, values);
+  });
+}
+
+}  // namespace rederive::inline numeric
