@@ -27,11 +27,12 @@ int main(int argc, char** argv) {
   add_response(app, run);
   add_spectrum(app, run);
   add_map(app, run);
+  add_fragility(app, run);
   add_figure(app, run);
   return run_command(app, argc, argv, [&] {
     try {
       refuse_empty_values(app);
-      if (!run) throw BadInput("one of threshold, response, spectrum, map, figure is wanted; see --help");
+      if (!run) throw BadInput("one of threshold, response, spectrum, map, fragility, figure is wanted; see --help");
       return run();
     } catch (const std::invalid_argument& error) {
       throw BadInput(error.what());

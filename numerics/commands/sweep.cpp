@@ -33,9 +33,9 @@ Work sweep_work(const std::string& threads, int count, const char* unit) {
   return work;
 }
 
-bool was_interrupted(const Work& work) {
+bool was_interrupted(const Work& work, const char* consequence) {
   const bool stopped = interruption();
-  if (stopped) fmt::print(stderr, "{}interrupted: what was done is kept\n", work.progress ? "\n" : "");
+  if (stopped) fmt::print(stderr, "{}interrupted: {}\n", work.progress ? "\n" : "", consequence);
   return stopped;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <numerics/parallel.hpp>
-
 #include <string>
 
 namespace rederive::inline numeric {
@@ -10,7 +9,7 @@ namespace rederive::inline numeric {
 /// From --threads ("" = as many as the machine has), with progress on a terminal and stopping at Ctrl-C.
 Work sweep_work(const std::string& threads, int count, const char* unit);
 
-/// Whether Ctrl-C was pressed; ends the progress line.
-bool was_interrupted(const Work& work);
+/// Whether Ctrl-C was pressed; ends the progress line and says what comes of it.
+bool was_interrupted(const Work& work, const char* consequence = "what was done is kept");
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric
