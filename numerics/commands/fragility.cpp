@@ -6,6 +6,7 @@
 #include <map>
 #include <numerics/commands/blocks.hpp>
 #include <numerics/commands/options.hpp>
+#include <numerics/commands/ranks.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/fragility.hpp>
 #include <numerics/plot.hpp>
@@ -207,7 +208,7 @@ Figure figure_of(const Fragility& all) {
 
 int run_fragility(const FragilityCommand& options) {
   Fragility all = asked_of(options);
-  for (const auto& file : all.records)
+  for (const auto& file : is_first_rank() ? all.records : std::vector<std::string>())
     if (!(peak_of(record_of(options, file), all.peak) > 0))
       throw BadInput(fmt::format("'{}' is still ground and cannot be scaled", file));
   const int records = static_cast<int>(all.records.size());
@@ -258,7 +259,7 @@ void add_fragility(CLI::App& app, Run& run) {
   add_model(*command, options->common.model);
   add("--step", options->step, "SECONDS", "time step of records of one column");
   add("--unit", options->unit, "NAME", "unit of columns: g or m/s2 [g]")->check(CLI::IsMember({"g", "m/s2"}));
-  add("--threads", options->threads, "T", "threads [all]");
+  add("--threads", options->threads, "T", "threads [all; of each rank under mpirun: 1]");
   add("--csv", options->csv, "FILE", "write the table")->check(file_name);
   add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);
   add_json(*command, options->common.json);

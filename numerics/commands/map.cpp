@@ -4,6 +4,7 @@
 #include <map>
 #include <numerics/commands/map_file.hpp>
 #include <numerics/commands/options.hpp>
+#include <numerics/commands/ranks.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/map.hpp>
 #include <numerics/plot.hpp>
@@ -81,7 +82,7 @@ int run_map(const MapCommand& options) {
   const Work work = sweep_work(options.threads, static_cast<int>(ratios.size()), "frequencies");
   std::optional<MapFile> file;
   MapKeeper keeper;
-  if (!options.hdf5.empty()) {
+  if (!options.hdf5.empty() && is_first_rank()) {
     file.emplace(options.hdf5, attributes_of(options, asked), ratios, amplitudes);
     keeper = {file->known(), [&](const OutcomeMap& map, std::size_t first, std::size_t last) {
                 file->keep(map, first, last);
@@ -117,7 +118,7 @@ void add_map(CLI::App& app, Run& run) {
   };
   add("--omega", options->omega, "W1:W2:N", "omega_p/p from, to, how many")->required();
   add("--amplitude", options->amplitude, "A1:A2:M", "a_p/(alpha g) from, to, how many")->required();
-  add("--threads", options->threads, "T", "threads [all]");
+  add("--threads", options->threads, "T", "threads [all; of each rank under mpirun: 1]");
   add("--tolerance", options->tolerance, "NUMBER", "of the motions, relative to alpha [1e-12]");
   add_engine(*command, options->common.engine);
   add("--csv", options->csv, "FILE", "write the grid")->check(file_name);
