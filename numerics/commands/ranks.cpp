@@ -48,7 +48,9 @@ bool answer(const std::function<int()>& next,
             const std::function<void(int, const std::vector<char>&)>& take) {
   const auto letter = crew().ranks->receive();
   if (!letter) return false;
-  const std::string words = letter->text.substr(1);
+  const auto complain = [&](const auto& error) {
+    if (!crew().complaint) crew().complaint = std::make_exception_ptr(error);
+  };
   switch (letter->text[0]) {
     case brings:
       take(index_in(letter->text, 1), {letter->text.begin() + 1 + sizeof(int), letter->text.end()});
@@ -57,10 +59,10 @@ bool answer(const std::function<int()>& next,
       crew().ranks->send(letter->from, index_text(next()));
       return true;
     case refuses:
-      if (!crew().complaint) crew().complaint = std::make_exception_ptr(BadInput(words));
+      complain(BadInput(letter->text.substr(1)));
       break;
     case fails:
-      if (!crew().complaint) crew().complaint = std::make_exception_ptr(std::runtime_error(words));
+      complain(std::runtime_error(letter->text.substr(1)));
   }
   ++crew().left;
   return true;
