@@ -20,6 +20,7 @@ std::string quoted(const std::string& text) {
   for (char c : text) {
     if (c == '"' || c == '\\') result += '\\';
     if (c == '&') result += "\\\\";  // alone, it would be a phantom box in enhanced text
+    if (c == '`') c = '\'';         // between two of them gnuplot would run a command
     result += c == '\n' ? std::string("\\n") : std::string(1, c);
   }
   return result + "\"";
@@ -116,9 +117,9 @@ void draw(const Figure& figure, const fs::path& file) {
   script += fmt::format("set label 1 {} at screen 0.02, screen {:.6f} left font ',10'\n",
                         quoted(figure.caption), (caption - 20) / height);
   script += fmt::format(
-      "set multiplot layout {:.0f},{:.0f} margins screen 0.075,0.98,{:.6f},{:.6f} "
+      "set multiplot layout {:.0f},{:.0f} margins screen {:.3g},0.98,{:.6f},{:.6f} "
       "spacing screen 0.085,{:.6f}\n",
-      rows, columns, (caption + 50) / height, 1 - 34 / height, 112 / height);
+      rows, columns, count > 1 ? 0.075 : 0.09, (caption + 50) / height, 1 - 34 / height, 112 / height);
   for (std::size_t i = 0; i < count; ++i) {
     script += panel_script(figure.panels[i], i);
     if (i == 0) script += "unset label 1\n";

@@ -47,10 +47,12 @@ std::string text_of(const std::string& file) {
   constexpr std::size_t largest = 100'000'000;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw std::invalid_argument("cannot read '" + file + "'");
-  std::string text(largest + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text, some(65536, '\0');
+  do {
+    stream.read(some.data(), static_cast<std::streamsize>(some.size()));
+    text.append(some, 0, static_cast<std::size_t>(stream.gcount()));
+  } while (stream && text.size() <= largest);
   if (stream.bad()) throw std::invalid_argument("cannot read '" + file + "'");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > largest) throw std::invalid_argument("'" + file + "' is larger than 100 megabytes");
   return text;
 }

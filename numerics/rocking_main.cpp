@@ -1,5 +1,6 @@
 // rocking: thresholds, histories, spectra and figures of the rocking block, in numbers.
 #include <numerics/commands/options.hpp>
+#include <numerics/commands/ranks.hpp>
 
 #include <stdexcept>
 
@@ -18,6 +19,7 @@ void refuse_empty_values(const CLI::App& app) {
 
 int main(int argc, char** argv) {
   using namespace rederive;
+  be_silent_unless_first();
   CLI::App app{
       "Thresholds, histories, spectra and figures of a rigid block under ground excitation.\n"
       "Times are p t, amplitudes a_p/(alpha g); an overturning is coded side*(impacts+1), 0 = safe."};
@@ -27,12 +29,14 @@ int main(int argc, char** argv) {
   add_response(app, run);
   add_spectrum(app, run);
   add_map(app, run);
+  add_fragility(app, run);
   add_figure(app, run);
   return run_command(app, argc, argv, [&] {
     try {
       refuse_empty_values(app);
-      if (!run) throw BadInput("one of threshold, response, spectrum, map, figure is wanted; see --help");
-      return run();
+      if (!run) throw BadInput("one of threshold, response, spectrum, map, fragility, figure is wanted; see --help");
+      const std::string command = app.get_subcommands().front()->get_name();
+      return run_in_ranks(run, command == "map" || command == "spectrum" || command == "fragility");
     } catch (const std::invalid_argument& error) {
       throw BadInput(error.what());
     }

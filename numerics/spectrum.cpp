@@ -23,11 +23,16 @@ std::vector<SpectrumPoint> spectrum(const PulseCase& asked, const std::vector<do
                                     const WindowSearch& search, Work work) {
   std::vector<SpectrumPoint> points(omega_ratios.size());
   work.count = static_cast<int>(omega_ratios.size());
-  for_each_index(work, [&](int i) {
+  Task<SpectrumPoint> task;
+  task.compute = [&](int i) {
     PulseCase here = asked;
     here.omega_ratio = omega_ratios[static_cast<std::size_t>(i)];
-    points[static_cast<std::size_t>(i)] = spectrum_point(here, search);
-  });
+    return std::vector{spectrum_point(here, search)};
+  };
+  task.accept = [&](int i, const std::vector<SpectrumPoint>& found) {
+    points[static_cast<std::size_t>(i)] = found.front();
+  };
+  share(work, task);
   return points;
 }
 

@@ -16,6 +16,7 @@ const std::map<std::string, Arguments> calls{{"threshold", {"--omega", "2"}},
                                              {"response", {"--omega", "2", "--amplitude", "1.6"}},
                                              {"spectrum", {"--from", "1", "--to", "2", "--points", "2"}},
                                              {"map", {"--omega", "1:2:2", "--amplitude", "1:2:2"}},
+                                             {"fragility", {"--amplitudes", "1:2:2"}},
                                              {"figure", {"16"}}};
 
 /// The options that take a number, from the lines "--omega W …" of --help; a span A:B:N takes three.
@@ -39,7 +40,10 @@ Arguments call_with(const std::string& subcommand, const std::string& option, co
     call.insert(call.end(), {option, value});
   if (option == "--half-width") call.insert(call.end(), {"--half-height", "1"});
   if (option == "--half-height") call.insert(call.end(), {"--half-width", "0.2"});
-  if (option == "--step" || option == "--scale") call.insert(call.end(), {"--record", record});
+  if (subcommand == "fragility")
+    call.insert(call.end(), {"--records", std::filesystem::path(record).parent_path()});
+  else if (option == "--step" || option == "--scale")
+    call.insert(call.end(), {"--record", record});
   call.insert(call.begin(), subcommand);
   return call;
 }

@@ -184,7 +184,7 @@ TEST_CASE("a negative number may follow an option") {
 }
 
 TEST_CASE("every command has help and the program a version") {
-  for (const char* command : {"threshold", "response", "spectrum", "map", "figure"})
+  for (const char* command : {"threshold", "response", "spectrum", "map", "fragility", "figure"})
     CHECK(run_program("rocking", {command, "--help"}).exit_code == 0);
   CHECK(run_program("rocking", {"--version"}).out.starts_with("Rederive"));
 }

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <numerics/commands/map_file.hpp>
 #include <numerics/commands/options.hpp>
+#include <numerics/commands/ranks.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/map.hpp>
 #include <numerics/plot.hpp>
@@ -12,7 +14,7 @@ namespace {
 
 struct MapCommand {
   CommonOptions common;
-  std::string omega, amplitude, csv, plot, threads, tolerance = "1e-12";
+  std::string omega, amplitude, csv, hdf5, plot, threads, tolerance = "1e-12";
 };
 
 std::string csv_of(const OutcomeMap& map) {
@@ -47,6 +49,24 @@ std::vector<double> stations(const std::string& option, const std::string& text,
   return values;
 }
 
+Attributes attributes_of(const MapCommand& options, const PulseCase& asked) {
+  return {
+      {"title", "What overturns a rocking block under one pulse"},
+      {"program", "Rederive, rocking map"},
+      {"version", REDERIVE_VERSION},
+      {"unit", "alpha_g"},
+      {"units", "alpha, theta0 in rad; thetadot0 in rad/s; frequency_parameter in 1/s; amplitude in alpha g"},
+      {"model", name_of(asked.model)},
+      {"pulse", "one-" + name_of(asked.pulse)},
+      {"alpha", asked.block.alpha},
+      {"restitution", asked.block.restitution},
+      {"frequency_parameter", asked.block.p},
+      {"theta0", number("--theta0", options.common.theta0)},
+      {"thetadot0", number("--thetadot0", options.common.thetadot0)},
+      {"engine", asked.engine == Engine::taylor ? "taylor" : "gsl"},
+      {"tolerance", asked.tolerance}};
+}
+
 int run_map(const MapCommand& options) {
   const auto ratios = stations("--omega", options.omega, 0.01, 1000);
   const auto amplitudes = stations("--amplitude", options.amplitude, 0, 1e6);
@@ -60,8 +80,19 @@ int run_map(const MapCommand& options) {
         fmt::format("--amplitude: with initial conditions the pulse begins where rocking can start, from {}",
                     static_cast<double>(level)));
   const Work work = sweep_work(options.threads, static_cast<int>(ratios.size()), "frequencies");
-  const OutcomeMap map = outcome_map(asked, ratios, amplitudes, work);
+  std::optional<MapFile> file;
+  MapKeeper keeper;
+  if (!options.hdf5.empty() && is_first_rank()) {
+    file.emplace(options.hdf5, attributes_of(options, asked), ratios, amplitudes);
+    keeper = {file->known(), [&](const OutcomeMap& map, std::size_t first, std::size_t last) {
+                file->keep(map, first, last);
+              }};
+  }
+  const OutcomeMap map = outcome_map(asked, ratios, amplitudes, work, std::move(keeper));
   const bool stopped = was_interrupted(work);
+  if (file && !stopped) file->finish();
+  if (file && stopped)
+    fmt::print(stderr, "the same command goes on from '{}'\n", printable_line(file->part().string()));
   if (!options.csv.empty()) write_whole(options.csv, csv_of(map));
   if (!options.plot.empty())
     draw(Shades{map.omega_ratios, map.amplitudes, map.codes, "ω_p/p (dimensionless)",
@@ -87,10 +118,13 @@ void add_map(CLI::App& app, Run& run) {
   };
   add("--omega", options->omega, "W1:W2:N", "omega_p/p from, to, how many")->required();
   add("--amplitude", options->amplitude, "A1:A2:M", "a_p/(alpha g) from, to, how many")->required();
-  add("--threads", options->threads, "T", "threads [all]");
+  add("--threads", options->threads, "T", "threads [all; of each rank under mpirun: 1]");
   add("--tolerance", options->tolerance, "NUMBER", "of the motions, relative to alpha [1e-12]");
   add_engine(*command, options->common.engine);
   add("--csv", options->csv, "FILE", "write the grid")->check(file_name);
+  add("--hdf5", options->hdf5, "FILE",
+      "write the grid as HDF5; interrupted, the same command goes on from FILE.part")
+      ->check(file_name);
   add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);
   command->callback([options, &run] { run = [options] { return run_map(*options); }; });
 }

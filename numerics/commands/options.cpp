@@ -27,12 +27,10 @@ void add_engine(CLI::App& app, Engine& engine) {
              "what follows the nonlinear model [taylor]");
 }
 
-void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequency) {
+void add_block_options(CLI::App& app, CommonOptions& options) {
   const auto text = [&](const char* name, std::string& into, const char* what) {
     return app.add_option(name, into, what)->type_name("NUMBER");
   };
-  if (frequency == Frequency::required)
-    text("--omega", options.omega, "omega_p/p of the pulse")->type_name("W");
   auto* alpha = text("--alpha", options.alpha, "stockiness atan(b/h) in rad [0.25]");
   auto* p = text("--frequency-parameter", options.frequency_parameter, "p = sqrt(3g/4R) in 1/s [2.14]");
   auto* width = text("--half-width", options.half_width, "b in metres, with --half-height");
@@ -41,13 +39,27 @@ void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequen
   height->needs(width);
   text("--restitution", options.restitution, "0 < e <= 1, or auto = 1 - 3/2 sin^2(alpha) [auto]")
       ->type_name("E|auto");
-  add_choice(app, "--model", options.model, {{"linear", Model::linear}, {"nonlinear", Model::nonlinear}},
+}
+
+void add_model(CLI::App& app, Model& model) {
+  add_choice(app, "--model", model, {{"linear", Model::linear}, {"nonlinear", Model::nonlinear}},
              "the equations of motion [linear]");
+}
+
+void add_json(CLI::App& app, bool& json) {
+  app.add_flag("--json", json, "one JSON document on standard output");
+}
+
+void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequency) {
+  if (frequency == Frequency::required)
+    app.add_option("--omega", options.omega, "omega_p/p of the pulse")->type_name("W");
+  add_block_options(app, options);
+  add_model(app, options.model);
   add_choice(app, "--pulse", options.pulse, {{"sine", Pulse::sine}, {"cosine", Pulse::cosine}},
              "the pulse of the ground acceleration [sine]");
-  text("--theta0", options.theta0, "theta at t = 0, rad [0]");
-  text("--thetadot0", options.thetadot0, "thetadot at t = 0, rad/s [0]");
-  app.add_flag("--json", options.json, "one JSON document on standard output");
+  app.add_option("--theta0", options.theta0, "theta at t = 0, rad [0]")->type_name("NUMBER");
+  app.add_option("--thetadot0", options.thetadot0, "thetadot at t = 0, rad/s [0]")->type_name("NUMBER");
+  add_json(app, options.json);
 }
 
 double number(const std::string& option, const std::string& text) {

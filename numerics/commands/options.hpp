@@ -23,9 +23,12 @@ struct CommonOptions {
 
 enum class Frequency { required, absent };
 
-/// Adds --alpha, --restitution, --frequency-parameter, --half-width, --half-height, --model, --pulse,
-/// --theta0,
-/// --thetadot0 and --json, and --omega if it is one number.
+/// Adds --alpha, --restitution, --frequency-parameter, --half-width, --half-height.
+void add_block_options(CLI::App& app, CommonOptions& options);
+void add_model(CLI::App& app, Model& model);
+void add_json(CLI::App& app, bool& json);
+
+/// Adds these, --pulse, --theta0 and --thetadot0, and --omega if it is one number.
 void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequency);
 
 /// Adds --engine.
@@ -72,6 +75,7 @@ void add_threshold(CLI::App& app, Run& run);
 void add_response(CLI::App& app, Run& run);
 void add_spectrum(CLI::App& app, Run& run);
 void add_map(CLI::App& app, Run& run);
+void add_fragility(CLI::App& app, Run& run);
 void add_figure(CLI::App& app, Run& run);
 
 }  // namespace rederive::inline numeric

@@ -1,6 +1,7 @@
 #include <numerics/commands/sweep.hpp>
 
 #include <numerics/commands/options.hpp>
+#include <numerics/commands/ranks.hpp>
 
 #include <fmt/format.h>
 
@@ -20,7 +21,8 @@ std::atomic<bool>& interruption() {
 
 Work sweep_work(const std::string& threads, int count, const char* unit) {
   Work work;
-  const double machine = std::max(1U, std::thread::hardware_concurrency());
+  share_among_ranks(work);
+  const double machine = work.processes > 1 ? 1 : std::max(1U, std::thread::hardware_concurrency());
   work.threads = static_cast<int>(threads.empty() ? machine : number_between("--threads", threads, 1, 1024));
   work.count = count;
   work.stop = &interruption();
@@ -33,9 +35,9 @@ Work sweep_work(const std::string& threads, int count, const char* unit) {
   return work;
 }
 
-bool was_interrupted(const Work& work) {
+bool was_interrupted(const Work& work, const char* consequence) {
   const bool stopped = interruption();
-  if (stopped) fmt::print(stderr, "{}interrupted: what was done is kept\n", work.progress ? "\n" : "");
+  if (stopped) fmt::print(stderr, "{}interrupted: {}\n", work.progress ? "\n" : "", consequence);
   return stopped;
 }
 

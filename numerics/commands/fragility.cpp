@@ -1,0 +1,269 @@
+// rocking fragility: the share of records that overturn a block, against what they are scaled to.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <numerics/commands/blocks.hpp>
+#include <numerics/commands/options.hpp>
+#include <numerics/commands/ranks.hpp>
+#include <numerics/commands/sweep.hpp>
+#include <numerics/fragility.hpp>
+#include <numerics/plot.hpp>
+
+namespace rederive::inline numeric {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct FragilityCommand {
+  CommonOptions common;
+  std::string records, amplitudes, blocks, peak = "acceleration", unit = "g", step, csv, plot, threads;
+};
+
+struct BlockFragility {
+  NamedBlock of;
+  std::vector<std::vector<char>> outcomes;  ///< of each record at each peak
+  LognormalFit fit;
+
+  int count(std::size_t level) const {
+    return static_cast<int>(
+        std::ranges::count_if(outcomes, [&](const std::vector<char>& record) { return record[level] != 0; }));
+  }
+};
+
+struct Fragility {
+  Peak peak;
+  Model model;
+  std::vector<std::string> records;
+  std::vector<double> peaks;
+  std::vector<BlockFragility> blocks;
+
+  const char* unit() const { return peak == Peak::acceleration ? "g" : "m/s"; }
+  std::string measure() const {
+    return peak == Peak::acceleration ? "peak ground acceleration" : "peak ground velocity";
+  }
+  double share(int count) const { return static_cast<double>(count) / static_cast<double>(records.size()); }
+};
+
+/// The files of a folder by name, but for hidden ones.
+std::vector<std::string> files_in(const std::string& folder) {
+  std::error_code error;
+  std::vector<std::string> files;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (!entry->path().filename().string().starts_with('.') && !entry->is_directory())
+      files.push_back(entry->path());
+  if (error) throw BadInput("cannot read the folder '" + folder + "': " + error.message());
+  if (files.empty()) throw BadInput("the folder '" + folder + "' of records is empty");
+  std::ranges::sort(files);
+  return files;
+}
+
+Record record_of(const FragilityCommand& options, const std::string& file) {
+  const auto unit = options.unit == "g" ? RecordUnit::g : RecordUnit::metres_per_second_squared;
+  const double step = options.step.empty() ? 0 : number_between("--step", options.step, 1e-9, 1e6);
+  return read_record(file, unit, step);
+}
+
+Fragility asked_of(const FragilityCommand& options) {
+  Fragility asked;
+  asked.peak = options.peak == "acceleration" ? Peak::acceleration : Peak::velocity;
+  asked.model = options.common.model;
+  const Span span = span_of("--amplitudes", options.amplitudes);
+  if (!(span.from > 0 && span.to <= 1e6))
+    throw BadInput(fmt::format("--amplitudes {} must lie above 0, to 1e6", options.amplitudes));
+  for (int i = 0; i < span.count; ++i) asked.peaks.push_back(station(span, i));
+  if (asked.peaks.size() > 1 && !(asked.peaks.front() < asked.peaks.back()))
+    throw BadInput(fmt::format("--amplitudes {} are all the same", options.amplitudes));
+  if (options.blocks.empty())
+    asked.blocks.push_back({{"block", block_of(options.common)}, {}, {}});
+  else
+    for (NamedBlock& block : read_blocks(options.blocks)) asked.blocks.push_back({std::move(block), {}, {}});
+  if (!options.plot.empty() && asked.blocks.size() > 20)
+    throw BadInput("--plot: more than 20 blocks are too many for one picture");
+  if (!options.step.empty()) number_between("--step", options.step, 1e-9, 1e6);
+  asked.records = files_in(options.records);
+  return asked;
+}
+
+std::string in_csv(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string csv_of(const Fragility& all) {
+  std::string text = "block,amplitude,records,overturned,share,fit,low,high\n";
+  for (const BlockFragility& block : all.blocks)
+    for (std::size_t j = 0; j < all.peaks.size(); ++j) {
+      const int count = block.count(j);
+      text += fmt::format("{},{:.17g},{},{},{:.17g},", in_csv(block.of.name), all.peaks[j],
+                          all.records.size(), count, all.share(count));
+      if (block.fit.curve) {
+        const Estimate at = block.fit.curve->at(all.peaks[j]);
+        text += fmt::format("{:.17g},{:.17g},{:.17g}\n", at.value, at.low, at.high);
+      } else {
+        text += ",,\n";
+      }
+    }
+  return text;
+}
+
+Json json_of(const Estimate& estimate) {
+  return {{"value", estimate.value}, {"low", estimate.low}, {"high", estimate.high}};
+}
+
+Json json_of(const Fragility& all) {
+  Json document{{"measure", all.measure()}, {"unit", all.unit()},       {"model", name_of(all.model)},
+                {"confidence", 0.95},       {"records", Json::array()}, {"blocks", Json::array()}};
+  for (const auto& record : all.records)
+    document["records"].push_back(printable_line(fs::path(record).filename()));
+  for (const BlockFragility& block : all.blocks) {
+    const auto& curve = block.fit.curve;
+    Json levels = Json::array();
+    for (std::size_t j = 0; j < all.peaks.size(); ++j) {
+      const int count = block.count(j);
+      levels.push_back({{"amplitude", all.peaks[j]},
+                        {"overturned", count},
+                        {"share", all.share(count)},
+                        {"fit", curve ? json_of(curve->at(all.peaks[j])) : Json()}});
+    }
+    document["blocks"].push_back({{"name", block.of.name},
+                                  {"alpha", block.of.block.alpha},
+                                  {"frequency_parameter", block.of.block.p},
+                                  {"restitution", block.of.block.restitution},
+                                  {"median", curve ? json_of(curve->median()) : Json()},
+                                  {"beta", curve ? json_of(curve->beta()) : Json()},
+                                  {"why_no_fit", curve ? Json() : Json(block.fit.why_none)},
+                                  {"levels", std::move(levels)}});
+  }
+  return document;
+}
+
+void print_table(const Fragility& all) {
+  fmt::print("{} in {}, {} records, {} model\n", all.measure(), all.unit(), all.records.size(),
+             name_of(all.model));
+  for (const BlockFragility& block : all.blocks) {
+    fmt::print("\n{}: alpha = {:.6g} rad, p = {:.6g} 1/s, e = {:.6g}\n{:>12} {:>10} {:>8}", block.of.name,
+               block.of.block.alpha, block.of.block.p, block.of.block.restitution, all.unit(), "overturned",
+               "share");
+    fmt::print("{}\n", block.fit.curve ? fmt::format(" {:>8} {:>8} {:>8}", "fit", "low", "high") : "");
+    for (std::size_t j = 0; j < all.peaks.size(); ++j) {
+      const int count = block.count(j);
+      fmt::print("{:>12.6g} {:>10} {:>8.4f}", all.peaks[j], count, all.share(count));
+      if (block.fit.curve) {
+        const Estimate at = block.fit.curve->at(all.peaks[j]);
+        fmt::print(" {:>8.4f} {:>8.4f} {:>8.4f}", at.value, at.low, at.high);
+      }
+      fmt::print("\n");
+    }
+    if (block.fit.curve) {
+      const Estimate median = block.fit.curve->median(), beta = block.fit.curve->beta();
+      fmt::print("lognormal: median {:.6g} {} ({:.6g} to {:.6g}), beta {:.6g} ({:.6g} to {:.6g}); 95 %\n",
+                 median.value, all.unit(), median.low, median.high, beta.value, beta.low, beta.high);
+    } else {
+      fmt::print("no lognormal curve: {}\n", block.fit.why_none);
+    }
+  }
+}
+
+/// For gnuplot's enhanced text.
+std::string plain(const std::string& text) {
+  std::string result;
+  for (const char c : text)
+    result += (std::string("\\{}^_@~").find(c) == std::string::npos ? "" : "\\") + std::string(1, c);
+  return result;
+}
+
+Panel panel_of(const Fragility& all, const BlockFragility& block) {
+  Curve shares{"share of the records", {}, 1, true}, fit{"lognormal curve", {}, 1},
+      low{"its 95 % band", {}, 2}, high{"", {}, 2};
+  shares.symbol = 6, low.grey = high.grey = true;
+  for (std::size_t j = 0; j < all.peaks.size(); ++j)
+    shares.points.emplace_back(all.peaks[j], all.share(block.count(j)));
+  constexpr int points = 200;
+  for (int i = 0; block.fit.curve && i <= points; ++i) {
+    const double x = std::lerp(all.peaks.front(), all.peaks.back(), static_cast<double>(i) / points);
+    const Estimate at = block.fit.curve->at(x);
+    fit.points.emplace_back(x, at.value), low.points.emplace_back(x, at.low),
+        high.points.emplace_back(x, at.high);
+  }
+  Panel panel;
+  panel.title = plain(block.of.name) + (block.fit.curve ? "" : ": no lognormal curve");
+  panel.x_label = fmt::format("{} ({})", all.measure(), all.unit());
+  panel.y_label = "share that overturns (dimensionless)";
+  panel.curves = {shares, fit, low, high};
+  panel.y_range = {-0.02, 1.02};
+  panel.key = "bottom right";
+  return panel;
+}
+
+Figure figure_of(const Fragility& all) {
+  Figure figure{fmt::format("{} records, {} model", all.records.size(), name_of(all.model)), {}};
+  for (const BlockFragility& block : all.blocks) figure.panels.push_back(panel_of(all, block));
+  return figure;
+}
+
+int run_fragility(const FragilityCommand& options) {
+  Fragility all = asked_of(options);
+  for (const auto& file : is_first_rank() ? all.records : std::vector<std::string>())
+    if (!(peak_of(record_of(options, file), all.peak) > 0))
+      throw BadInput(fmt::format("'{}' is still ground and cannot be scaled", file));
+  const int records = static_cast<int>(all.records.size());
+  for (BlockFragility& block : all.blocks) block.outcomes.resize(all.records.size());
+  Work work = sweep_work(options.threads, records * static_cast<int>(all.blocks.size()), "motions");
+  Task<char> task;
+  task.compute = [&](int i) {
+    const Record record = record_of(options, all.records[static_cast<std::size_t>(i % records)]);
+    return overturned_at(all.blocks[static_cast<std::size_t>(i / records)].of.block, all.model, record,
+                         all.peak, all.peaks);
+  };
+  task.accept = [&](int i, const std::vector<char>& outcomes) {
+    all.blocks[static_cast<std::size_t>(i / records)].outcomes[static_cast<std::size_t>(i % records)] =
+        outcomes;
+  };
+  share(work, task);
+  if (was_interrupted(work, "nothing is written")) return not_as_expected;
+  for (BlockFragility& block : all.blocks) block.fit = lognormal_fit(all.peaks, block.outcomes);
+  if (!options.csv.empty()) write_whole(options.csv, csv_of(all));
+  if (!options.plot.empty()) draw(figure_of(all), options.plot);
+  options.common.json ? print_json(json_of(all)) : print_table(all);
+  return as_expected;
+}
+
+}  // namespace
+
+void add_fragility(CLI::App& app, Run& run) {
+  auto* command =
+      app.add_subcommand("fragility", "the share of records that overturn, and its lognormal curve");
+  auto options = std::make_shared<FragilityCommand>();
+  const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
+    return command->add_option(name, into, what)->type_name(type);
+  };
+  add("--records", options->records, "DIR",
+      "a folder of recorded accelerations, as response --record reads them")
+      ->required();
+  add("--amplitudes", options->amplitudes, "A1:A2:N",
+      "what the peak of each is scaled to: from, to, how many")
+      ->required();
+  add("--peak", options->peak, "NAME", "acceleration, in g, or velocity, in m/s [acceleration]")
+      ->check(CLI::IsMember({"acceleration", "velocity"}));
+  auto* blocks = add("--blocks", options->blocks, "FILE",
+                     "[[block]] tables of TOML: name; half_width, half_height or alpha, frequency_parameter; "
+                     "restitution");
+  add_block_options(*command, options->common);
+  for (const char* name : {"--alpha", "--frequency-parameter", "--half-width", "--restitution"})
+    blocks->excludes(command->get_option(name));
+  add_model(*command, options->common.model);
+  add("--step", options->step, "SECONDS", "time step of records of one column");
+  add("--unit", options->unit, "NAME", "unit of columns: g or m/s2 [g]")->check(CLI::IsMember({"g", "m/s2"}));
+  add("--threads", options->threads, "T", "threads [all; of each rank under mpirun: 1]");
+  add("--csv", options->csv, "FILE", "write the table")->check(file_name);
+  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);
+  add_json(*command, options->common.json);
+  command->callback([options, &run] { run = [options] { return run_fragility(*options); }; });
+}
+
+}  // namespace rederive::inline numeric
