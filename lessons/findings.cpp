@@ -69,8 +69,8 @@ std::string headline(const Entry& entry) {
   return wrong ? text + " (" + kind + ")" : text;
 }
 
-std::vector<Finding> findings(const Entry& entry) {
-  std::vector<Finding> lines;
+std::vector<Remark> findings(const Entry& entry) {
+  std::vector<Remark> lines;
   const auto formula = [&](const std::string& label, const std::string& text) {
     if (!text.empty()) lines.push_back({label, parse_statement(text), ""});
   };

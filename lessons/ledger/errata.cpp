@@ -2,10 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/language/unicode.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/report.hpp>
-#include <sstream>
+#include <lessons/render.hpp>
 
 namespace rederive {
 
@@ -31,36 +30,6 @@ std::vector<Entry> those_refuted(const std::vector<Entry>& entries) {
            std::pair(spread(b, wrong), b.rests_on_it.size());
   });
   return sorted;
-}
-
-/// A sign, what LaTeX has for it, and a bar.
-constexpr auto latex_signs =
-    R"(% \%|& \&|# \#|_ \_|$ \$|{ \{|} \}|^ \textasciicircum{}|~ \textasciitilde{}|\ \textbackslash{}|
-< \textless{}|> \textgreater{}|θ̈ $\ddot\theta$|θ̇ $\dot\theta$|θ $\theta$|α $\alpha$|ψ $\psi$|
-ω $\omega$|π $\pi$|μ $\mu$|λ $\lambda$|τ $\tau$|² $^2$|³ $^3$|· $\cdot$|− $-$|≥ $\ge$|≤ $\le$|≠ $\ne$|
-′ $'$|ẍ $\ddot x$|ÿ $\ddot y$|ü $\ddot u$|Ω $\Omega$|ρ $\rho$|φ $\varphi$|∂ $\partial$|→ $\to$|
-∞ $\infty$|– --|— ---|’ '|½ $\frac12$|× $\times$|… \dots{}|ẋ $\dot x$|ẏ $\dot y$|u̇ $\dot u$|≈ $\approx$|
-√ $\surd$|ξ $\xi$|η $\eta$|ε $\varepsilon$|∫ $\int$|)";
-
-/// Text for LaTeX. Where one sign of the table begins another, the longer one counts; for any other sign
-/// beyond ASCII, at which pdflatex would stop, stands "?".
-std::string latex_escaped(std::string_view text) {
-  static const auto table = [] {
-    std::map<std::string, std::string, std::greater<>> result;  // the longer one first
-    std::istringstream signs(latex_signs);
-    for (std::string sign, with; signs >> sign >> std::ws && std::getline(signs, with, '|');)
-      result[sign] = with;
-    return result;
-  }();
-  std::string out;
-  while (!text.empty()) {
-    const auto known = std::find_if(table.begin(), table.end(),
-                                    [&](const auto& entry) { return text.starts_with(entry.first); });
-    const std::size_t bytes = std::max<std::size_t>(first_character(text).bytes, 1);
-    out += known != table.end() ? known->second : bytes == 1 ? std::string(text.substr(0, 1)) : "?";
-    text.remove_prefix(known != table.end() ? known->first.size() : bytes);
-  }
-  return out;
 }
 
 std::vector<std::string> last_steps(const Entry& entry, Notation notation, const char* open,
