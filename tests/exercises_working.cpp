@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <lessons/exercises/classroom.hpp>
-#include <lessons/exercises/edits.hpp>
+#include <derivations/paper/mutate.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -44,7 +44,7 @@ TEST_CASE(
     const Opinion right = judged(one.id, joined(lines));
     CHECK_MESSAGE(right.verdict == "correct", one.id, ": line ", right.line, " ", right.feedback);
     ++workings;
-    const auto spoilt = edits(parse_statement(lines.back(), paper_symbols()));
+    const auto spoilt = mutants(parse_statement(lines.back(), paper_symbols()));
     lines.insert(lines.end() - 1, "");
     for (std::size_t k = 0; k < spoilt.size(); k += 1 + spoilt.size() / 3) {
       const Relation& slip = spoilt[k].relation;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <derivations/paper/mutate.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
-#include <lessons/exercises/edits.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/units.hpp>
 #include <lessons/lesson.hpp>
@@ -105,7 +105,14 @@ void add_roads_of_number(Prepared& prepared) {
   RoughPoint at;
   for (const auto& [name, value] : prepared.answer.values) at[name] = rough_value(value, {});
   const Tree& formula = prepared.answer.relation.sides[0];
-  for (const auto& edit : edits(formula)) add(edit.tree, at, edit.note);
+  const auto each_slip = [](const Tree& tree, const auto& take) {
+    static const std::map<std::string, std::string> notes{
+        {"sign", "sign"},           {"coefficient", "factor"}, {"function", "sin_cos"},
+        {"symbol", "wrong_symbol"}, {"square", "power"},       {"factor", "missing_factor"},
+        {"term", "missing_term"},   {"dot", "missing_dot"}};
+    for (const auto& mutant : mutants({{tree}, {}})) take(mutant.relation.sides[0], notes.at(mutant.slip));
+  };
+  each_slip(formula, [&](const Tree& wrong, const std::string& note) { add(wrong, at, note); });
   for (const auto& [name, value] : prepared.answer.values) {
     constexpr double degree = 0.017453292519943295;
     for (const double factor : {2.0, 0.5, degree, 1 / degree}) {
@@ -113,11 +120,11 @@ void add_roads_of_number(Prepared& prepared) {
       other[name] *= factor;
       add(formula, other, factor == 2 || factor == 0.5 ? "factor" : "degrees");
     }
-    for (const auto& edit : edits(value)) {
+    each_slip(value, [&](const Tree& wrong, const std::string& note) {
       RoughPoint other = at;
-      other[name] = rough_value(edit.tree, {});
-      add(formula, other, edit.note);
-    }
+      other[name] = rough_value(wrong, {});
+      add(formula, other, note);
+    });
   }
 }
 

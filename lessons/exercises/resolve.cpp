@@ -133,12 +133,12 @@ Relation exchanged(const Relation& relation, const Tree& old, const Tree& fresh)
   return result;
 }
 
-/// The slips that a typesetter makes in a term, undone: its sign turned, each single edit of it, and a symbol
+/// The slips that a typesetter makes in a term, undone: its sign turned, each single slip in it, and a symbol
 /// that does not belong there exchanged for one that is missing.
 std::vector<Tree> repairs(const Tree& term, const std::set<std::string>& strange,
                           const std::set<std::string>& missing) {
   std::vector<Tree> result{negative(term), scaled("2", "1", term), scaled("1", "2", term)};
-  for (const auto& edit : edits(term)) result.push_back(edit.tree);
+  for (const auto& mutant : mutants({{term}, {}})) result.push_back(mutant.relation.sides[0]);
   for (const auto& old : strange)
     for (const auto& fresh : missing)
       if (names_of(term).contains(old)) result.push_back(put_in(term, old, parse(fresh)));
