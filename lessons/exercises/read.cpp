@@ -40,10 +40,12 @@ std::vector<toml::table> taken(toml::table& from, std::string_view key) {
   return parts;
 }
 
+/// What is named in such a table, by name; an empty name stands for nothing.
 Texts texts_taken(toml::table& from, std::string_view key) {
   Texts texts;
   for (const auto& part : taken(from, key))
-    for (const auto& [name, value] : part) texts[std::string(name.str())] = value.value_or(std::string());
+    for (const auto& [name, value] : part)
+      if (!name.str().empty()) texts[std::string(name.str())] = value.value_or(std::string());
   return texts;
 }
 
@@ -115,6 +117,12 @@ Exercise read_exercise(toml::table table, const std::string& file, const std::st
                                 row.text("says"), row.text("hint")});
     row.done();
   }
+  if (auto& options = exercise.options; !options.empty()) {  // their order is what varies
+    const std::size_t first = picked(seed, exercise.id + "/options", options.size());
+    std::rotate(options.begin(), options.begin() + static_cast<std::ptrdiff_t>(first), options.end());
+    exercise.choice["options"] = std::to_string(first);
+    exercise.seed = seed;
+  }
   for (auto& assumption : taken(table, "assumption")) {
     const Texts put = texts_taken(assumption, "put");
     TomlRow row(assumption, where + ", assumption");
@@ -128,6 +136,7 @@ Exercise read_exercise(toml::table table, const std::string& file, const std::st
   exercise.title = row.text("title", true);
   exercise.statement = row.text("statement", true);
   exercise.symbols = row.texts("symbols");
+  std::erase(exercise.symbols, "");
   exercise.example = row.text("example");
   exercise.name = row.text("name");
   exercise.pivot = row.text("pivot");
