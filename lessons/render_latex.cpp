@@ -41,8 +41,7 @@ class LatexRenderer : public Renderer {
   explicit LatexRenderer(const Setting& setting) : setting_(setting) {}
 
   std::string begin(const Lesson& lesson) override {
-    std::string ids;
-    for (const auto& id : lesson.equations) ids += fmt::format("{}({})", ids.empty() ? "" : " ", id);
+    const std::string ids = numbers_of(equations_of(lesson.number));
     return preamble +
            fmt::format("\\title{{Lesson {}. {}}}\n\\author{{}}\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
                        lesson.number, latex_escaped(lesson.title)) +
@@ -95,9 +94,7 @@ class LatexRenderer : public Renderer {
   }
 
   static std::string row(const std::vector<std::string>& cells) {
-    std::string line;
-    for (const auto& cell : cells) line += (line.empty() ? "" : " & ") + flat(cell);
-    return line + " \\\\\n";
+    return joined(cells, " & ", flat) + " \\\\\n";
   }
 
   static std::string render(const Table& part) {

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <derivations/emit/command_line.hpp>
 #include <lessons/certify/check.hpp>
+#include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 #include <regex>
 #include <set>
@@ -56,15 +57,11 @@ std::vector<std::string> axioms_in(const std::string& output) {
 /// What lemmas assume, taken together: asked for one by one, each goes through all of Coq's reals.
 std::vector<std::string> axioms_of(const Folder& folder, const std::vector<const Lemma*>& lemmas) {
   std::set<std::string> files;
-  std::string imported, names;
-  for (const Lemma* lemma : lemmas) {
-    files.insert(lemma->file.substr(0, lemma->file.size() - 2));
-    names += (names.empty() ? "" : ", ") + lemma->name;
-  }
-  for (const std::string& file : files) imported += " " + file;
-  write_whole(folder.path / "Assumptions.v", "From Rederive Require Import" + imported +
-                                                 ".\nDefinition all := (" + names +
-                                                 ").\nPrint Assumptions all.\n");
+  for (const Lemma* lemma : lemmas) files.insert(lemma->file.substr(0, lemma->file.size() - 2));
+  write_whole(folder.path / "Assumptions.v",
+              "From Rederive Require Import " + joined(files, " ") + ".\nDefinition all := (" +
+                  joined(lemmas, ", ", [](const Lemma* lemma) { return lemma->name; }) +
+                  ").\nPrint Assumptions all.\n");
   const Said run = compile(folder, "Assumptions.v");
   if (run.status != 0) throw std::runtime_error("coqc does not say what the lemmas assume: " + run.text);
   return axioms_in(run.text);

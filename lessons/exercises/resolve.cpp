@@ -5,11 +5,11 @@
 #include <derivations/paper/mutate.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/definitions.hpp>
-#include <lessons/exercises/edits.hpp>
 #include <lessons/exercises/exercise.hpp>
 #include <lessons/exercises/functions.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/lesson.hpp>
+#include <lessons/prose.hpp>
 #include <stdexcept>
 
 namespace rederive::classroom {
@@ -35,10 +35,7 @@ GiNaC::exmap values_to_put(const Reference& reference) {
 
 /// "$R = 3/2$, $alpha = 1/5$".
 std::string in_words(const std::map<std::string, std::string>& values) {
-  std::string words;
-  for (const auto& [name, value] : values)
-    words += fmt::format("{}${} = {}$", words.empty() ? "" : ", ", name, value);
-  return words;
+  return joined(values, ", ", [](const auto& one) { return "$" + one.first + " = " + one.second + "$"; });
 }
 
 /// Tangents as quotients, so that a sum of them can be simplified.

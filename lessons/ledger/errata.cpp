@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/report.hpp>
+#include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 
 namespace rederive {
@@ -46,8 +47,6 @@ std::vector<std::string> last_steps(const Entry& entry, Notation notation, const
   return lines;
 }
 
-std::string at(const Witness& witness) { return fmt::format("{}", fmt::join(in_words(witness), ", ")); }
-
 std::string text_sheet(const std::vector<Entry>& wrong) {
   std::string text;
   for (const Entry& entry : wrong) {
@@ -57,9 +56,9 @@ std::string text_sheet(const std::vector<Entry>& wrong) {
     for (const auto& line : last_steps(entry, Notation::unicode, "", ""))
       text += "  why        " + line + "\n";
     if (entry.proof.witness)
-      text +=
-          fmt::format("  witness    {}\n             printed {}\n             derived {}\n",
-                      at(*entry.proof.witness), entry.proof.witness->printed, entry.proof.witness->derived);
+      text += fmt::format("  witness    {}\n             printed {}\n             derived {}\n",
+                          joined(in_words(*entry.proof.witness), ", "), entry.proof.witness->printed,
+                          entry.proof.witness->derived);
     text += fmt::format("  so         {}\n\n", entry.row.consequence);
   }
   return text + fmt::format("{} errors.\n", wrong.size());
@@ -77,9 +76,9 @@ std::string markdown_sheet(const std::vector<Entry>& wrong) {
         print(parse_statement(entry.correction), Notation::latex));
     for (const auto& line : last_steps(entry, Notation::latex, "$", "$")) text += "1. " + line + "\n";
     if (entry.proof.witness)
-      text +=
-          fmt::format("\nWitness: at `{}` the printed side is `{}`, the derived one `{}`.\n",
-                      at(*entry.proof.witness), entry.proof.witness->printed, entry.proof.witness->derived);
+      text += fmt::format("\nWitness: at `{}` the printed side is `{}`, the derived one `{}`.\n",
+                          joined(in_words(*entry.proof.witness), ", "), entry.proof.witness->printed,
+                          entry.proof.witness->derived);
     text += fmt::format("\nConsequence: {}\n\n", entry.row.consequence);
   }
   return text;
@@ -112,8 +111,8 @@ std::string latex_sheet(const std::vector<Entry>& wrong) {
     }
     if (entry.proof.witness)
       text += fmt::format("Witness: at {}\\\\ printed {}\\\\ derived {}.\n\n",
-                          latex_escaped(at(*entry.proof.witness)), entry.proof.witness->printed,
-                          entry.proof.witness->derived);
+                          latex_escaped(joined(in_words(*entry.proof.witness), ", ")),
+                          entry.proof.witness->printed, entry.proof.witness->derived);
     text += "Consequence: " + latex_escaped(entry.row.consequence) + "\n\n";
   }
   text.replace(text.find("\\usepackage{amsmath}"), 20, "\\usepackage{amsmath,graphicx}");
