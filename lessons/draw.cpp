@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <lessons/render.hpp>
-#include <sstream>
 
 namespace rederive {
 namespace {
@@ -29,6 +28,16 @@ bool has_gnuplot() {
 
 }  // namespace
 
+Said said_by(const std::string& command) {
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error("no process to be had");
+  Said said;
+  char buffer[65536];
+  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) said.text.append(buffer, n);
+  said.status = ::pclose(pipe);
+  return said;
+}
+
 std::string in_quotes(const std::filesystem::path& path) {
   std::string text = "'";
   for (char c : path.string()) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -42,20 +51,15 @@ std::optional<std::filesystem::path> draw(const Figure& figure, const std::strin
   const auto picture = folder / (figure.name + "." + kind);
   const auto partial = folder / fmt::format(".{}.{}.{}", figure.name, ::getpid(), kind);
   const auto script = folder / fmt::format(".{}.{}.gnuplot", figure.name, ::getpid());
-  const auto log = folder / fmt::format(".{}.{}.log", figure.name, ::getpid());
   std::ofstream(script) << terminals << terminal(kind) << "set output '" << partial.filename().string()
                         << "'\n"
                         << figure.script << "\n";
-  const int status = std::system(fmt::format("cd {} && gnuplot {} >{} 2>&1", in_quotes(folder),
-                                             in_quotes(script.filename()), in_quotes(log.filename()))
-                                     .c_str());
-  std::ostringstream said;
-  said << std::ifstream(log).rdbuf();
+  const Said said =
+      said_by(fmt::format("cd {} && gnuplot {} 2>&1", in_quotes(folder), in_quotes(script.filename())));
   std::filesystem::remove(script);
-  std::filesystem::remove(log);
   std::error_code none;
-  if (status != 0 || std::filesystem::file_size(partial, none) == 0)
-    throw std::runtime_error("gnuplot could not draw " + figure.name + ": " + said.str());
+  if (said.status != 0 || std::filesystem::file_size(partial, none) == 0)
+    throw std::runtime_error("gnuplot could not draw " + figure.name + ": " + said.text);
   std::filesystem::rename(partial, picture);
   return picture;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <emitted/rocking_block.hpp>
 #include <lessons/drawings.hpp>
+#include <lessons/prose.hpp>
 
 namespace rederive {
 namespace {
@@ -133,7 +134,7 @@ Figure block_at_rest(const std::string& name) {
   script += line({2.0, -0.45}, {2.9, -0.45}, "lw 2 lc rgb '#2e8b57'") + label("u_g", {3.2, -0.45});
   script += "plot $standing with lines lw 2 lc rgb 'black', $turned with lines lw 2 lc rgb '#c0392b'\n";
   return {name,
-          "The block at rest (black), and turned clockwise by $theta > 0$ about its right corner O' (red). "
+          "The block at rest, and turned clockwise by $theta > 0$ about its right corner O' (red). "
           "The ground moves by $u_g$ to the right.",
           script};
 }
@@ -153,9 +154,8 @@ Figure phase_portrait_of_free_rocking(const std::string& name) {
   }
   data += "EOD\n";
   const double barrier = emitted::rocking_energy_positive(alpha, alpha, 0.0, 1.0);
-  std::string levels, curves;
-  for (const double part : {0.2, 0.5, 0.8, 1.3, 1.8})
-    levels += fmt::format("{}{:.7f}", levels.empty() ? "" : ",", part * barrier);
+  const std::string levels = joined(std::array{0.2, 0.5, 0.8, 1.3, 1.8}, ",",
+                                    [&](double part) { return fmt::format("{:.7f}", part * barrier); });
   const std::string script =
       data +
       fmt::format(

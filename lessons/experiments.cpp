@@ -1,11 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <lessons/experiments.hpp>
-#include <numerics/closed_form.hpp>
-#include <numerics/code_spectrum.hpp>
+#include <lessons/prose.hpp>
 #include <numerics/ground_motion.hpp>
 #include <numerics/story.hpp>
-#include <numerics/windows.hpp>
 #include <stdexcept>
 
 namespace rederive {
@@ -21,12 +19,6 @@ PulseCase case_of(const Experiment& experiment) {
   asked.omega_ratio = experiment.omega;
   asked.initial = initial_state(asked.block, asked.model, experiment.theta_0, experiment.thetadot_0);
   return asked;
-}
-
-std::string in_parentheses(const std::vector<std::string>& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "(" : " and (") + name + ")";
-  return text;
 }
 
 }  // namespace
@@ -61,21 +53,16 @@ std::string in_words(int code) {
   return std::string("overturns to ") + (code < 0 ? "θ < 0 " : "θ > 0 ") + times;
 }
 
-std::vector<AmplitudeWindow> overturning_amplitudes(const Experiment& experiment, double largest) {
+std::vector<Window> overturning_amplitudes(const Experiment& experiment, double largest) {
   WindowSearch search;
   search.largest = largest;
-  std::vector<AmplitudeWindow> result;
-  for (const auto& window : overturning_windows(case_of(experiment), search))
-    result.push_back({window.from, window.to, window.code});
-  return result;
+  return overturning_windows(case_of(experiment), search);
 }
 
-LeastOverturning least_overturning(const Experiment& experiment, double largest) {
-  WindowSearch search;
-  search.largest = largest;
-  const auto least = least_window(overturning_windows(case_of(experiment), search));
+Window least_overturning(const Experiment& experiment, double largest) {
+  const auto least = least_window(overturning_amplitudes(experiment, largest));
   if (!least) throw std::runtime_error("none of the amplitudes asked overturns this block");
-  return {least->from, least->code};
+  return *least;
 }
 
 double simulated_without_impact(const Experiment& experiment) {
@@ -91,23 +78,21 @@ std::optional<double> least_by_conditions(const Experiment& experiment, double l
   return least;
 }
 
-std::vector<ConditionRoot> condition_roots(const Experiment& experiment) {
-  std::vector<ConditionRoot> result;
-  for (const auto& root : closed_forms(case_of(experiment)))
-    result.push_back({in_parentheses(root.equations()), root.amplitude, root.psi, root.impact_time, root.pulse_end,
-                      root.admissible, root.why_not.substr(0, root.why_not.find(':'))});
-  return result;
+std::vector<ClosedForm> condition_roots(const Experiment& experiment) {
+  return closed_forms(case_of(experiment));
 }
 
-double code_response(char ground, double damping_percent, double period) {
-  return elastic_response(ground_type(ground), 1, damping_percent, period);
+std::string conditions_of(const ClosedForm& root) { return "(" + joined(root.equations(), ") and (") + ")"; }
+
+std::string is_real(const ClosedForm& root) {
+  return root.admissible ? "yes" : root.why_not.substr(0, root.why_not.find(':'));
 }
 
 double amplitude_without_impact(double omega) {
   Experiment experiment;
   experiment.omega = omega;
   for (const auto& root : condition_roots(experiment))
-    if (root.equations == "(71)" && root.admissible) return root.amplitude;
+    if (root.form == Form::eq71 && root.admissible) return root.amplitude;
   throw std::runtime_error("(71) has no admissible root here");
 }
 

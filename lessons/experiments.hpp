@@ -2,6 +2,8 @@
 // amplitudes a_p/(αg), as in DESIGN; the block has p = 2.14 1/s and the restitution of (46).
 #pragma once
 
+#include <numerics/closed_form.hpp>
+#include <numerics/windows.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,39 +29,20 @@ Motion motion_of(const Experiment& experiment, int points = 400);
 /// "safe", "overturns to θ < 0 without impact" …
 std::string in_words(int code);
 
-/// An interval of amplitudes that overturn, all in the same way.
-struct AmplitudeWindow {
-  double from;
-  std::optional<double> to;
-  int code;
-};
-std::vector<AmplitudeWindow> overturning_amplitudes(const Experiment& experiment, double largest = 12);
-
-/// The smallest amplitude that overturns, and how.
-struct LeastOverturning {
-  double amplitude;
-  int code;
-};
-LeastOverturning least_overturning(const Experiment& experiment, double largest = 12);
+/// The intervals of amplitudes that overturn, each in one way, and the one that begins first.
+std::vector<Window> overturning_amplitudes(const Experiment& experiment, double largest = 12);
+Window least_overturning(const Experiment& experiment, double largest = 12);
 /// The smallest amplitude that overturns without impact, by simulation alone: bisected until two neighbouring
 /// numbers of the machine are left. The one way to know it for the nonlinear model.
 double simulated_without_impact(const Experiment& experiment);
 /// The smallest admissible root of the paper's conditions; nothing if there is none up to `largest`.
 std::optional<double> least_by_conditions(const Experiment& experiment, double largest = 12);
 
-/// A root of one of the paper's conditions for overturning.
-struct ConditionRoot {
-  std::string equations;
-  double amplitude, psi;
-  std::optional<double> impact_time;
-  double pulse_end;
-  bool admissible;
-  std::string why_not;  ///< in short; `rocking threshold` says more
-};
-std::vector<ConditionRoot> condition_roots(const Experiment& experiment);
-
-/// S_e of Eurocode 8 (Type 1, ground A to E) in units of the design ground acceleration a_g; period in s.
-double code_response(char ground, double damping_percent, double period);
+/// The roots of the paper's conditions for overturning; which conditions, "(86) and (88)", and whether the
+/// block moves so: "yes", or why not in short; `rocking threshold` says more.
+std::vector<ClosedForm> condition_roots(const Experiment& experiment);
+std::string conditions_of(const ClosedForm& root);
+std::string is_real(const ClosedForm& root);
 
 /// a_p/(αg) by (71).
 double amplitude_without_impact(double omega);

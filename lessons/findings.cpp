@@ -1,6 +1,7 @@
 // What a judgement says, in words that every format shares.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/prose.hpp>
@@ -21,9 +22,7 @@ std::string shortened(const std::string& digits) {
 
 /// "123…/456…" → six digits.
 std::string approximately(const std::string& fraction) {
-  const std::size_t bar = fraction.find('/');
-  const double under = bar == std::string::npos ? 1 : std::stod(fraction.substr(bar + 1));
-  return fmt::format("{:.6f}", std::stod(fraction.substr(0, bar)) / under);
+  return fmt::format("{:.6f}", number_of(lower(parse(fraction))));
 }
 
 /// What is short enough to work with by hand: "$x = 2/5$", "$x = pi/6$"; else "$x$ ≈ 0.5236". The ledger has
@@ -36,9 +35,9 @@ std::string value_sentence(const Witness& witness, const std::string& symbol, co
 }
 
 std::string witness_sentence(const Witness& witness) {
-  std::string at;
-  for (const auto& [symbol, value] : witness.at)
-    at += (at.empty() ? "" : ", ") + value_sentence(witness, symbol, value);
+  const std::string at = joined(witness.at, ", ", [&](const auto& value) {
+    return value_sentence(witness, value.first, value.second);
+  });
   return fmt::format("at {} the printed form comes to {}, the derived one to {}", at,
                      shortened(witness.printed), shortened(witness.derived));
 }
@@ -50,27 +49,18 @@ std::string condition_text(const std::string& condition) {
   return "$" + condition.substr(0, sign) + "$ ≠ $" + condition.substr(sign + 4) + "$";
 }
 
-std::string joined(const std::vector<std::string>& conditions) {
-  std::string text;
-  for (const auto& condition : conditions) text += (text.empty() ? "" : ", ") + condition_text(condition);
-  return text;
-}
-
 }  // namespace
 
 std::string headline(const Entry& entry) {
   std::string text = fmt::format("({}): {}", entry.row.id, to_string(entry.proof.verdict));
-  for (char& c : text)
-    if (c == '_') c = ' ';
-  const bool wrong = entry.proof.verdict == Verdict::refuted && !entry.row.error.empty();
-  std::string kind = entry.row.error;
-  for (char& c : kind)
-    if (c == '_') c = ' ';
-  return wrong ? text + " (" + kind + ")" : text;
+  if (entry.proof.verdict == Verdict::refuted && !entry.row.error.empty())
+    text += " (" + entry.row.error + ")";
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
 }
 
-std::vector<Finding> findings(const Entry& entry) {
-  std::vector<Finding> lines;
+std::vector<Remark> findings(const Entry& entry) {
+  std::vector<Remark> lines;
   const auto formula = [&](const std::string& label, const std::string& text) {
     if (!text.empty()) lines.push_back({label, parse_statement(text), ""});
   };
@@ -81,7 +71,7 @@ std::vector<Finding> findings(const Entry& entry) {
   formula("correct", entry.correction);
   const std::string& factor = entry.proof.factor;
   if (!factor.empty() && factor != "1") formula("up to the factor", factor);
-  words("provided that", joined(entry.proof.side_conditions));
+  words("provided that", joined(entry.proof.side_conditions, ", ", condition_text));
   if (entry.derivation) words("assuming that", marked(entry.derivation->assumption));
   if (entry.derivation && entry.proof.verdict == Verdict::approximation)
     words("approximation",

@@ -174,7 +174,6 @@ int main(int argc, char** argv) {
       .teaches =
           "From a drawing to an equation of motion: coordinates, velocities, energies, Lagrange's equation.",
       .builds_on = "Derivatives, the chain rule, kinetic energy of a rigid body.",
-      .equations = equations_of(1),
       .steps = {{"The drawing", the_drawing},
                 {"Where is the centre of mass?", where_is_the_centre},
                 {"How fast does it move?", how_fast_does_it_move},

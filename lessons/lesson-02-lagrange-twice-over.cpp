@@ -114,7 +114,6 @@ int main(int argc, char** argv) {
       .title = "Lagrange's equation, twice over",
       .teaches = "Deriving an equation by two independent roads; symmetry and relativity as checks.",
       .builds_on = "Lesson 1; moments of forces and of inertia forces.",
-      .equations = equations_of(2),
       .steps = {{"Why derive a thing twice?", why_twice},
                 {"The first road: energies", by_energies},
                 {"The second road: moments", by_moments},

@@ -135,7 +135,6 @@ int main(int argc, char** argv) {
                           "What it costs to overturn a block; negative stiffness; how to test a sentence "
                           "that begins with *clearly*.",
                       .builds_on = "Lessons 1 and 2.",
-                      .equations = equations_of(3),
                       .steps = {{"The barrier", potential},
                                 {"A picture of it", barrier_plot},
                                 {"The restoring moment", moment_rotation},

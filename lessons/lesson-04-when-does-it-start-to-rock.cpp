@@ -123,7 +123,6 @@ int main(int argc, char** argv) {
                           "The conditions for the start of rocking; reactions from Newton's law; limits as a "
                           "check of a long formula.",
                       .builds_on = "Lessons 1 to 3; Coulomb friction.",
-                      .equations = equations_of(4),
                       .steps = {{"What lifts an edge", lifting_an_edge},
                                 {"The first instant", the_first_instant},
                                 {"Does it slide?", does_it_slide},

@@ -157,7 +157,6 @@ int main(int argc, char** argv) {
           "Impulsive forces and the right point for moments; integration over a body; what an assumption "
           "costs.",
       .builds_on = "Lessons 1 to 3; angular momentum.",
-      .equations = equations_of(5),
       .steps = {{"What happens at the impact?", what_happens},
                 {"Before", before},
                 {"A slip in a limit", a_slip},

@@ -130,7 +130,6 @@ int main(int argc, char** argv) {
           "Forces from accelerations; a special case as the strongest test of a formula; what one wrong sign "
           "does downstream.",
       .builds_on = "Lessons 1, 2 and 4.",
-      .equations = equations_of(6),
       .steps = {{"Two forces at a corner", two_forces},
                 {"The accelerations of C", accelerations},
                 {"The ratio", the_ratio},

@@ -147,7 +147,6 @@ int main(int argc, char** argv) {
       .title = "The linear response",
       .teaches = "Linearising to a stated order; solving a linear equation; what an approximation costs.",
       .builds_on = "Lessons 1 and 5; linear differential equations.",
-      .equations = equations_of(7),
       .steps = {{"One sine of ground acceleration", the_pulse},
                 {"Small angles", linearise},
                 {"The solution", solve},

@@ -114,9 +114,9 @@ void a_false_root(Page& page) {
   std::vector<std::vector<std::string>> rows;
   for (const double omega : {2.0, 4.0})
     for (const auto& root : condition_roots({.omega = omega}))
-      if (root.equations == "(71)" || root.equations == "(78)")
-        rows.push_back({fmt::format("{:.0f}", omega), root.equations, fmt::format("{:.5f}", root.amplitude),
-                        root.admissible ? "yes" : root.why_not});
+      if (root.form == Form::eq71 || root.form == Form::eq78)
+        rows.push_back({fmt::format("{:.0f}", omega), conditions_of(root),
+                        fmt::format("{:.5f}", root.amplitude), is_real(root)});
   page.table({"$omega_p/p$", "condition", "$a_p/(alpha*g)$", "does the block move so?"}, rows);
   page.say(R"(
     This is a lesson about conditions in general. A root of a condition is a *candidate*. It was derived
@@ -143,7 +143,6 @@ int main(int argc, char** argv) {
       .title = "Overturning without impact",
       .teaches = "From a response to a condition; a root as a candidate; closed form against simulation.",
       .builds_on = "Lesson 7.",
-      .equations = equations_of(8),
       .steps = {{"The condition", the_condition},
                 {"Equation (71)", equation_71},
                 {"Solved, and simulated", solved},

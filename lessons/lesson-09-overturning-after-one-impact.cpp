@@ -80,9 +80,9 @@ void solved(Page& page) {
   for (const double omega : {2.0, 3.0, 4.0, 5.5, 6.5})
     for (const auto& root : condition_roots({.omega = omega}))
       if (root.impact_time)
-        rows.push_back({fmt::format("{:.1f}", omega), root.equations, fmt::format("{:.5f}", root.amplitude),
-                        fmt::format("{:.3f}", *root.impact_time), fmt::format("{:.3f}", root.pulse_end),
-                        root.admissible ? "yes" : root.why_not});
+        rows.push_back({fmt::format("{:.1f}", omega), conditions_of(root),
+                        fmt::format("{:.5f}", root.amplitude), fmt::format("{:.3f}", *root.impact_time),
+                        fmt::format("{:.3f}", root.pulse_end), is_real(root)});
   page.say("All roots of both pairs, each followed in the linear model:");
   page.table(
       {"$omega_p/p$", "conditions", "$a_p/(alpha*g)$", "$p*t_i$", "$p*T_ex$", "does the block move so?"},
@@ -106,9 +106,9 @@ void a_number_that_cannot_be(Page& page) {
     So the bound catches what the digits hide. Five decimal places look like accuracy; they only say with
     what care something was written down. *Before you admire the digits of a number, ask in which interval
     it must lie.*)",
-                       least.amplitude, in_words(least.code)));
+                       least.from, in_words(least.code)));
   Experiment theirs{.omega = 3, .nonlinear = true, .restitution = 0.9};
-  const double amplitude = least_overturning(theirs, 2).amplitude;
+  const double amplitude = least_overturning(theirs, 2).from;
   const double in_tangents = amplitude * number_of(paper::alpha / tan(paper::alpha), {{"alpha", "0.25"}});
   page.say(fmt::format(R"(
     Where does the number come from? Lesson 8 taught us to vary what might have been meant. Take the
@@ -121,10 +121,8 @@ void a_number_that_cannot_be(Page& page) {
 
 void a_picture(Page& page) {
   const auto least = least_overturning({.omega = 3}, 4);
-  const Motion safe =
-      motion_of({.omega = 3, .amplitude = least.amplitude * 0.9995, .alpha = 0.25, .until = 14});
-  const Motion falls =
-      motion_of({.omega = 3, .amplitude = least.amplitude * 1.0005, .alpha = 0.25, .until = 14});
+  const Motion safe = motion_of({.omega = 3, .amplitude = least.from * 0.9995, .alpha = 0.25, .until = 14});
+  const Motion falls = motion_of({.omega = 3, .amplitude = least.from * 1.0005, .alpha = 0.25, .until = 14});
   page.figure(
       plot("lesson-09-phase",
            "Two motions in the phase plane at $omega_p/p = 3$, with amplitudes that differ by a thousandth.",
@@ -156,7 +154,6 @@ int main(int argc, char** argv) {
       .teaches =
           "Conditions in two unknowns; elimination by energy; a bound as a test of a published number.",
       .builds_on = "Lessons 5, 7 and 8.",
-      .equations = equations_of(9),
       .steps = {{"The way back", the_way_back},
                 {"Impact during the pulse", during_the_pulse},
                 {"A lost index", a_lost_index},

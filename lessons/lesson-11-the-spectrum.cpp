@@ -167,7 +167,6 @@ int main(int argc, char** argv) {
                           "Reading a spectrum; why stronger can be safer; the difference between what was "
                           "found and what there is.",
                       .builds_on = "Lessons 8 and 9.",
-                      .equations = equations_of(11),
                       .steps = {{"One curve", one_curve},
                                 {"Windows", windows},
                                 {"More than two modes", more_impacts},

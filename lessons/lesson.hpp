@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -80,12 +81,14 @@ class Page {
   void lemma(const std::string& id);
   /// Lets the decision procedure compare two statements, and says what it found.
   void compare(const Relation& left, const Relation& right);
-  void table(std::vector<std::string> header, std::vector<std::vector<std::string>> rows);
-  void figure(Figure figure);
-  void commands(std::vector<std::string> lines);
+  void table(std::vector<std::string> header, std::vector<std::vector<std::string>> rows) {
+    blocks_.push_back(Table{std::move(header), std::move(rows)});
+  }
+  void figure(Figure figure) { blocks_.push_back(std::move(figure)); }
+  void commands(std::vector<std::string> lines) { blocks_.push_back(Commands{std::move(lines)}); }
   /// A case to play with, by the options of `rocking response`.
   void workbench(const std::string& options);
-  void points(std::vector<std::string> items);
+  void points(std::vector<std::string> items) { blocks_.push_back(BulletList{std::move(items)}); }
 
   const std::vector<Passage>& blocks() const { return blocks_; }
 
@@ -102,7 +105,6 @@ struct LessonStep {
 struct Lesson {
   int number;
   std::string title, teaches, builds_on;
-  std::vector<std::string> equations;  ///< ids of the ledger rows that it covers
   std::vector<LessonStep> steps;
 };
 

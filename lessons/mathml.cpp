@@ -11,20 +11,11 @@ namespace rederive {
 namespace {
 
 const std::map<std::string, std::string, std::less<>> letters{
-    {"alpha", "α"},      {"beta", "β"}, {"gamma", "γ"},  {"delta", "δ"},    {"epsilon", "ϵ"},
-    {"varepsilon", "ε"}, {"eta", "η"},  {"theta", "θ"},  {"vartheta", "ϑ"}, {"lambda", "λ"},
-    {"mu", "μ"},         {"xi", "ξ"},   {"pi", "π"},     {"rho", "ρ"},      {"sigma", "σ"},
-    {"tau", "τ"},        {"phi", "ϕ"},  {"varphi", "φ"}, {"psi", "ψ"},      {"omega", "ω"},
-    {"Omega", "Ω"},      {"Psi", "Ψ"},  {"Delta", "Δ"},  {"infty", "∞"},    {"partial", "∂"},
-    {"ell", "ℓ"},        {"chi", "χ"},  {"nu", "ν"},     {"kappa", "κ"},    {"zeta", "ζ"},
-    {"Theta", "Θ"},      {"Phi", "Φ"},  {"Lambda", "Λ"}, {"Sigma", "Σ"}};
+    {"alpha", "α"}, {"theta", "θ"}, {"lambda", "λ"}, {"mu", "μ"},    {"pi", "π"},     {"rho", "ρ"},
+    {"phi", "ϕ"},   {"psi", "ψ"},   {"omega", "ω"},  {"Omega", "Ω"}, {"partial", "∂"}};
 const std::map<std::string, std::string, std::less<>> operators{
-    {"cdot", "·"},   {"times", "×"}, {"le", "≤"},     {"leq", "≤"},   {"ge", "≥"},   {"geq", "≥"},
-    {"ne", "≠"},     {"neq", "≠"},   {"approx", "≈"}, {"pm", "±"},    {"mp", "∓"},   {"to", "→"},
-    {"int", "∫"},    {"prime", "′"}, {"lvert", "|"},  {"rvert", "|"}, {"vert", "|"}, {"langle", "⟨"},
-    {"rangle", "⟩"}, {"ast", "*"},   {"star", "⋆"},   {"lt", "<"},    {"gt", ">"}};
-const std::map<std::string, std::string, std::less<>> accents{
-    {"dot", "˙"}, {"ddot", "¨"}, {"bar", "¯"}, {"overline", "¯"}, {"hat", "^"}, {"tilde", "~"}};
+    {"cdot", "·"}, {"times", "×"}, {"le", "≤"}, {"ge", "≥"}};
+const std::map<std::string, std::string, std::less<>> accents{{"dot", "˙"}, {"ddot", "¨"}, {"bar", "¯"}};
 
 constexpr std::string_view functions =
     " sin cos tan cot sec csc sinh cosh tanh coth exp log ln arcsin arccos arctan arsinh arcosh artanh min "
@@ -156,13 +147,7 @@ class Translator {
 
   std::string delimiter(const std::string& form, bool stretches = true) {
     skip_blanks();
-    std::string sign(1, text_.at(at_++));
-    if (sign == "\\") {
-      const std::string name = command();
-      const auto found = operators.find(name);
-      sign = name == "{" || name == "}" ? name : found != operators.end() ? found->second : "";
-      if (sign.empty()) fail("\\" + name + " as a bracket");
-    }
+    const std::string sign(1, text_.at(at_++));
     const std::string stretchy = stretches ? "true" : "false";
     return sign == "." ? std::string()
                        : "<mo form=\"" + form + "\" lspace=\"0\" rspace=\"0\" stretchy=\"" + stretchy +
@@ -177,7 +162,7 @@ class Translator {
     if (const auto found = accents.find(name); found != accents.end())
       return "<mover accent=\"true\">" + argument() + "<mo stretchy=\"false\">" + found->second +
              "</mo></mover>";
-    if (name == "frac" || name == "tfrac" || name == "dfrac") {
+    if (name == "frac") {
       const std::string over = argument();
       return "<mfrac>" + over + argument() + "</mfrac>";
     }
@@ -196,14 +181,9 @@ class Translator {
       at_ = end;
       return "<mrow>" + open + inner + close + "</mrow>";
     }
-    if (name == "mathrm" || name == "text" || name == "operatorname" || name == "mathit")
+    if (name == "mathrm" || name == "operatorname")
       return "<mi mathvariant=\"normal\">" + escaped(words()) + "</mi>";
-    if (name == "," || name == ";" || name == ":" || name == " " || name == "quad")
-      return name == "quad" ? "<mspace width=\"1em\"/>" : "<mspace width=\"0.17em\"/>";
-    if (name == "!") return "";
-    if (name == "displaystyle" || name == "bigl" || name == "bigr" || name == "Bigl" || name == "Bigr")
-      return "";
-    if (name == "{" || name == "}") return "<mo>" + name + "</mo>";
+    if (name == ",") return thin_gap;
     return function(name);
   }
 

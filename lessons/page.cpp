@@ -159,12 +159,6 @@ void Page::compare(const Relation& left, const Relation& right) {
   say(text + ".");
 }
 
-void Page::table(std::vector<std::string> header, std::vector<std::vector<std::string>> rows) {
-  blocks_.push_back(Table{std::move(header), std::move(rows)});
-}
-
-void Page::figure(Figure figure) { blocks_.push_back(std::move(figure)); }
-
 void Page::lemma(const std::string& id) {
   for (const Lemma& theorem : shipped_theorems())
     if (theorem.name == id)
@@ -174,13 +168,10 @@ void Page::lemma(const std::string& id) {
   if (!found || found->text.empty()) throw std::invalid_argument("no lemma of equation (" + id + ")");
   blocks_.push_back(CoqLemma{id, found->text, "`build/bin/ledger show " + id + " --coq`"});
 }
-void Page::commands(std::vector<std::string> lines) { blocks_.push_back(Commands{std::move(lines)}); }
 
 void Page::workbench(const std::string& options) {
   say("This case, to play with:");
   blocks_.push_back(Commands{{"build/bin/rocking response " + options}, options});
 }
-
-void Page::points(std::vector<std::string> items) { blocks_.push_back(BulletList{std::move(items)}); }
 
 }  // namespace rederive

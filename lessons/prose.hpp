@@ -2,8 +2,10 @@
 #pragma once
 
 #include <derivations/rocking_block/paper_symbols.hpp>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rederive {
@@ -41,6 +43,21 @@ std::string marked(const std::string& words);
 std::string to_ascii(std::string_view text);
 /// Blanks made no-break spaces, so that wrap keeps the text in one piece.
 std::string glued(const std::string& text);
+/// Texts as one, with the same between them; `say` makes a text of an item.
+template <class Items, class Say = std::identity>
+std::string joined(const Items& items, std::string_view between, Say say = {}) {
+  std::string text;
+  bool fresh = true;
+  for (const auto& item : items) {
+    text += (std::exchange(fresh, false) ? "" : between);
+    text += say(item);
+  }
+  return text;
+}
+/// "(71) (86)".
+inline std::string numbers_of(const std::vector<std::string>& ids) {
+  return ids.empty() ? "" : "(" + joined(ids, ") (") + ")";
+}
 /// How many columns a UTF-8 text takes in a terminal; combining marks take none.
 std::size_t columns(std::string_view text);
 /// Breaks words into lines. A no-break space (U+00A0) stays inside its word and is printed as a blank.

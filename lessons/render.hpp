@@ -38,7 +38,7 @@ std::unique_ptr<Renderer> html_renderer(const Setting& setting);
 std::unique_ptr<Renderer> make_renderer(const Setting& setting);
 
 /// One line of a judgement: a label, and a formula or words (with marks as in a Paragraph).
-struct Finding {
+struct Remark {
   std::string label;
   std::optional<Relation> formula;
   std::string words;
@@ -46,7 +46,7 @@ struct Finding {
 /// "(17b): refuted (argument)".
 std::string headline(const Entry& entry);
 /// What the ledger found, line by line: printed, correct, factor, conditions, witness, dimension, notes.
-std::vector<Finding> findings(const Entry& entry);
+std::vector<Remark> findings(const Entry& entry);
 
 /// Draws a figure with gnuplot. `kind` is "svg" or "pdf". Gives the file, or nothing if gnuplot is not there.
 /// Throws std::runtime_error with gnuplot's own words if the script is wrong.
@@ -59,10 +59,21 @@ std::string mathml(const std::string& latex);
 /// The letters of formulas in pages, subset of Latin Modern Math; nothing where the build had neither font
 /// nor fonttools.
 std::string math_font_style();
+/// Text for LaTeX: what means something to it, and signs of formulas, as commands. Where one sign begins
+/// another, the longer one counts; letters with accents stay; for any other sign beyond ASCII, at which
+/// pdflatex would stop, stands "?".
+std::string latex_escaped(std::string_view text);
 /// Text for HTML, with & < > " escaped.
 std::string escaped(const std::string& text);
 /// What a file holds, or nothing.
 std::string whole_file(const std::filesystem::path& path);
+/// What a command of the shell writes, and what it ends with.
+struct Said {
+  int status;
+  std::string text;
+};
+/// Throws std::runtime_error if no process can be had.
+Said said_by(const std::string& command);
 /// A path as a word of a shell.
 std::string in_quotes(const std::filesystem::path& path);
 /// The beginning of a web page, with its style, up to the body. The title is HTML.

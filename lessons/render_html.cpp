@@ -33,8 +33,8 @@ class HtmlRenderer : public Renderer {
   std::string begin(const Lesson& lesson) override {
     number_ = lesson.number;
     const std::string title = fmt::format("Lesson {}. {}", lesson.number, escaped(lesson.title));
-    std::string ids;
-    for (const auto& id : lesson.equations) ids += (ids.empty() ? "" : " ") + equation_link(id);
+    const std::string ids =
+        joined(equations_of(lesson.number), " ", [this](const std::string& id) { return equation_link(id); });
     return page_head(title) + navigation() + "<h1>" + title +
            "</h1>\n<div class=\"about\">\n<p><b>Teaches:</b> " + flat(lesson.teaches) +
            "</p>\n<p><b>Builds on:</b> " + flat(lesson.builds_on) + "</p>\n" +
@@ -77,7 +77,7 @@ class HtmlRenderer : public Renderer {
   /// so that every link to them leads somewhere.
   std::string rest(const Lesson& lesson) {
     std::string text;
-    for (const std::string& id : lesson.equations) {
+    for (const std::string& id : equations_of(lesson.number)) {
       if (lesson_with(id) != number_ || placed_.contains(id)) continue;
       const Entry entry = judged(id);
       text += render(

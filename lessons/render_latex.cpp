@@ -1,8 +1,11 @@
 // Lessons as a LaTeX article that pdflatex takes as it is.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <derivations/language/unicode.hpp>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
+#include <sstream>
 
 namespace rederive {
 namespace {
@@ -23,88 +26,31 @@ constexpr auto preamble = R"(\documentclass[11pt,a4paper]{article}
   $\displaystyle #1$\hspace*{\fill}\mbox{#2}\end{list}}
 )";
 
-/// Letters that appear in sentences, as pdflatex wants them declared.
-constexpr auto declared_letters = R"(\DeclareUnicodeCharacter{03B1}{\ensuremath{\alpha}}
-\DeclareUnicodeCharacter{03B8}{\ensuremath{\theta}}
-\DeclareUnicodeCharacter{03C8}{\ensuremath{\psi}}
-\DeclareUnicodeCharacter{03C9}{\ensuremath{\omega}}
-\DeclareUnicodeCharacter{03C0}{\ensuremath{\pi}}
-\DeclareUnicodeCharacter{03C4}{\ensuremath{\tau}}
-\DeclareUnicodeCharacter{03C1}{\ensuremath{\rho}}
-\DeclareUnicodeCharacter{03C6}{\ensuremath{\varphi}}
-\DeclareUnicodeCharacter{03BC}{\ensuremath{\mu}}
-\DeclareUnicodeCharacter{03BB}{\ensuremath{\lambda}}
-\DeclareUnicodeCharacter{03A9}{\ensuremath{\Omega}}
-\DeclareUnicodeCharacter{0307}{\ensuremath{^{\cdot}}}
-\DeclareUnicodeCharacter{0308}{\ensuremath{^{\cdot\cdot}}}
-\DeclareUnicodeCharacter{207A}{\ensuremath{^{+}}}
-\DeclareUnicodeCharacter{207B}{\ensuremath{^{-}}}
-\DeclareUnicodeCharacter{208A}{\ensuremath{_{+}}}
-\DeclareUnicodeCharacter{208B}{\ensuremath{_{-}}}
-\DeclareUnicodeCharacter{2080}{\ensuremath{_0}}
-\DeclareUnicodeCharacter{2081}{\ensuremath{_1}}
-\DeclareUnicodeCharacter{2082}{\ensuremath{_2}}
-\DeclareUnicodeCharacter{2083}{\ensuremath{_3}}
-\DeclareUnicodeCharacter{2084}{\ensuremath{_4}}
-\DeclareUnicodeCharacter{2070}{\ensuremath{^0}}
-\DeclareUnicodeCharacter{222B}{\ensuremath{\int}}
-\DeclareUnicodeCharacter{221A}{\ensuremath{\surd}}
-\DeclareUnicodeCharacter{2212}{\ensuremath{-}}
-\DeclareUnicodeCharacter{2202}{\ensuremath{\partial}}
-\DeclareUnicodeCharacter{2264}{\ensuremath{\le}}
-\DeclareUnicodeCharacter{2265}{\ensuremath{\ge}}
-\DeclareUnicodeCharacter{2248}{\ensuremath{\approx}}
-\DeclareUnicodeCharacter{2260}{\ensuremath{\ne}}
-\DeclareUnicodeCharacter{2032}{\ensuremath{'}}
-\DeclareUnicodeCharacter{2192}{\ensuremath{\to}}
-\DeclareUnicodeCharacter{221E}{\ensuremath{\infty}}
-)";
-
-std::string protect(const std::string& text) {
-  std::string result;
-  for (char c : text) {
-    switch (c) {
-      case '\\':
-        result += "\\textbackslash{}";
-        break;
-      case '~':
-        result += "\\textasciitilde{}";
-        break;
-      case '^':
-        result += "\\textasciicircum{}";
-        break;
-      case '&':
-      case '%':
-      case '#':
-      case '_':
-      case '{':
-      case '}':
-      case '$':
-        result += '\\';
-        [[fallthrough]];
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
+/// A sign, what LaTeX has for it, and a bar.
+constexpr auto latex_signs =
+    R"(% \%|& \&|# \#|_ \_|$ \$|{ \{|} \}|^ \textasciicircum{}|~ \textasciitilde{}|\ \textbackslash{}|
+< \textless{}|> \textgreater{}|θ̈ $\ddot\theta$|θ̇ $\dot\theta$|θ $\theta$|α $\alpha$|ψ $\psi$|
+ω $\omega$|π $\pi$|μ $\mu$|λ $\lambda$|τ $\tau$|² $^2$|³ $^3$|· $\cdot$|− $-$|≥ $\ge$|≤ $\le$|≠ $\ne$|
+′ $'$|ẍ $\ddot x$|ÿ $\ddot y$|ü $\ddot u$|Ω $\Omega$|ρ $\rho$|φ $\varphi$|∂ $\partial$|→ $\to$|
+∞ $\infty$|– --|— ---|’ '|½ $\frac12$|× $\times$|… \dots{}|ẋ $\dot x$|ẏ $\dot y$|u̇ $\dot u$|≈ $\approx$|
+√ $\surd$|⁺ $^+$|⁻ $^-$|₊ $_+$|₋ $_-$|₀ $_0$|₁ $_1$|₂ $_2$|₃ $_3$|₄ $_4$|
+ξ $\xi$|η $\eta$|ε $\varepsilon$|∫ $\int$|)";
 
 class LatexRenderer : public Renderer {
  public:
   explicit LatexRenderer(const Setting& setting) : setting_(setting) {}
 
   std::string begin(const Lesson& lesson) override {
-    std::string ids;
-    for (const auto& id : lesson.equations) ids += fmt::format("{}({})", ids.empty() ? "" : " ", id);
-    return std::string(preamble) + declared_letters +
+    const std::string ids = numbers_of(equations_of(lesson.number));
+    return preamble +
            fmt::format("\\title{{Lesson {}. {}}}\n\\author{{}}\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
-                       lesson.number, protect(lesson.title)) +
+                       lesson.number, latex_escaped(lesson.title)) +
            "\\textbf{Teaches:} " + flat(lesson.teaches) + "\n\n\\textbf{Builds on:} " +
            flat(lesson.builds_on) + "\n" + (ids.empty() ? "" : "\n\\textbf{Equations:} " + ids + "\n");
   }
 
   std::string step(std::size_t, const std::string& heading, const Page& page) override {
-    std::string text = "\n\\section{" + protect(heading) + "}\n";
+    std::string text = "\n\\section{" + latex_escaped(heading) + "}\n";
     for (const auto& block : page.blocks())
       text += "\n" + std::visit([this](const auto& part) { return render(part); }, block);
     return text;
@@ -119,11 +65,11 @@ class LatexRenderer : public Renderer {
       if (span.kind == Span::Kind::math)
         text += "$" + print_inline(span.text, Notation::latex) + "$";
       else if (span.kind == Span::Kind::code)
-        text += "\\texttt{" + protect(span.text) + "}";
+        text += "\\texttt{" + latex_escaped(span.text) + "}";
       else if (span.kind == Span::Kind::emphasis)
-        text += "\\emph{" + protect(span.text) + "}";
+        text += "\\emph{" + latex_escaped(span.text) + "}";
       else
-        text += protect(span.text);
+        text += latex_escaped(span.text);
     }
     return text;
   }
@@ -137,7 +83,8 @@ class LatexRenderer : public Renderer {
   }
 
   static std::string render(const Judgement& part) {
-    std::string text = "\\begin{quote}\\small\\textbf{The ledger on " + protect(headline(part.entry)) + "}\n";
+    std::string text =
+        "\\begin{quote}\\small\\textbf{The ledger on " + latex_escaped(headline(part.entry)) + "}\n";
     for (const auto& line : findings(part.entry))
       text += "\\\\\\emph{" + line.label + ":} {\\raggedright " +
               (line.formula ? "$\\displaystyle " + print_statement(*line.formula, Notation::latex) + "$"
@@ -147,9 +94,7 @@ class LatexRenderer : public Renderer {
   }
 
   static std::string row(const std::vector<std::string>& cells) {
-    std::string line;
-    for (const auto& cell : cells) line += (line.empty() ? "" : " & ") + flat(cell);
-    return line + " \\\\\n";
+    return joined(cells, " & ", flat) + " \\\\\n";
   }
 
   static std::string render(const Table& part) {
@@ -189,6 +134,27 @@ class LatexRenderer : public Renderer {
 };
 
 }  // namespace
+
+std::string latex_escaped(std::string_view text) {
+  static const auto table = [] {
+    std::map<std::string, std::string, std::greater<>> result;  // the longer one first
+    std::istringstream signs(latex_signs);
+    for (std::string sign, with; signs >> sign >> std::ws && std::getline(signs, with, '|');)
+      result[sign] = with;
+    return result;
+  }();
+  std::string out;
+  while (!text.empty()) {
+    const auto known = std::find_if(table.begin(), table.end(),
+                                    [&](const auto& entry) { return text.starts_with(entry.first); });
+    const auto [code, length] = first_character(text);
+    const std::size_t bytes = std::max<std::size_t>(length, 1);
+    const bool is_letter = bytes == 1 || (code >= 0xC0 && code < 0x250);
+    out += known != table.end() ? known->second : is_letter ? std::string(text.substr(0, bytes)) : "?";
+    text.remove_prefix(known != table.end() ? known->first.size() : bytes);
+  }
+  return out;
+}
 
 std::unique_ptr<Renderer> latex_renderer(const Setting& setting) {
   return std::make_unique<LatexRenderer>(setting);

@@ -15,8 +15,7 @@ class MarkdownRenderer : public Renderer {
   explicit MarkdownRenderer(const Setting& setting) : setting_(setting) {}
 
   std::string begin(const Lesson& lesson) override {
-    std::string ids;
-    for (const auto& id : lesson.equations) ids += fmt::format("{}({})", ids.empty() ? "" : " ", id);
+    const std::string ids = numbers_of(equations_of(lesson.number));
     std::string text = fmt::format("# Lesson {}. {}\n\n", lesson.number, lesson.title);
     text += "**Teaches:** " + flat(lesson.teaches) + "\n\n**Builds on:** " + flat(lesson.builds_on) + "\n";
     return ids.empty() ? text : text + "\n**Equations:** " + ids + "\n";
@@ -75,9 +74,7 @@ class MarkdownRenderer : public Renderer {
   }
 
   std::string row(const std::vector<std::string>& cells) const {
-    std::string line = "|";
-    for (const auto& cell : cells) line += " " + flat(cell) + " |";
-    return line + "\n";
+    return "| " + joined(cells, " | ", [this](const std::string& cell) { return flat(cell); }) + " |\n";
   }
 
   std::string render(const Table& part) const {

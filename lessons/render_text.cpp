@@ -20,8 +20,7 @@ class TextRenderer : public Renderer {
     std::string text = strong(title) + "\n" + rule(title, plain_ ? "=" : "═") + "\n\n";
     text += wrap(flat("Teaches: " + lesson.teaches), setting_.width, "", "  ");
     text += wrap(flat("Builds on: " + lesson.builds_on), setting_.width, "", "  ");
-    std::string ids;
-    for (const auto& id : lesson.equations) ids += fmt::format("{}({})", ids.empty() ? "" : " ", id);
+    const std::string ids = numbers_of(equations_of(lesson.number));
     if (!ids.empty()) text += wrap("Equations: " + ids, setting_.width, "", "  ");
     return ascii(text);
   }

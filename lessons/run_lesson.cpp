@@ -69,7 +69,7 @@ Setting setting_from(const Flags& flags) {
 /// The verdict on each equation of the lesson, one a line; 1 if one is not as expected.
 int verdicts(const Lesson& lesson, std::string& text) {
   int code = as_expected;
-  for (const auto& id : lesson.equations) {
+  for (const auto& id : equations_of(lesson.number)) {
     const Entry entry = judged(id);
     const bool expected = entry.row.expected == to_string(entry.proof.verdict);
     if (!expected) code = not_as_expected;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <derivations/paper/mutate.hpp>
 #include <lessons/exercises/classroom.hpp>
-#include <lessons/exercises/edits.hpp>
 
 using namespace rederive;
 using namespace rederive::classroom;
@@ -31,10 +31,10 @@ std::vector<std::string> one_edit_away(const Prepared& one) {
     if (one.answer.relation.sides.empty()) return result;
     RoughPoint at;
     for (const auto& [name, value] : one.answer.values) at[name] = rough_value(value, {});
-    for (const auto& edit : edits(one.answer.relation.sides[0])) {
+    for (const auto& mutant : mutants(one.answer.relation)) {
       char text[40];
       std::snprintf(text, sizeof text, "%#.*g", exercise.digits,
-                    rough_value(edit.tree, at));
+                    rough_value(mutant.relation.sides[0], at));
       result.push_back(text + (exercise.unit == "1" ? "" : " " + exercise.unit));
     }
     return result;
@@ -42,9 +42,9 @@ std::vector<std::string> one_edit_away(const Prepared& one) {
   std::vector<std::string> right = exercise.equivalents;
   right.push_back(model_answer(one));
   for (const auto& text : right)
-    for (const auto& edit : edits(parse_statement(text)))
-      result.push_back(edit.relation.operators.empty() ? print(edit.relation.sides[0])
-                                                       : print(edit.relation));
+    for (const auto& mutant : mutants(parse_statement(text)))
+      result.push_back(mutant.relation.operators.empty() ? print(mutant.relation.sides[0])
+                                                         : print(mutant.relation));
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;

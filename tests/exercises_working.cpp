@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <lessons/exercises/classroom.hpp>
-#include <lessons/exercises/edits.hpp>
+#include <derivations/paper/mutate.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -44,7 +44,7 @@ TEST_CASE(
     const Opinion right = judged(one.id, joined(lines));
     CHECK_MESSAGE(right.verdict == "correct", one.id, ": line ", right.line, " ", right.feedback);
     ++workings;
-    const auto spoilt = edits(parse_statement(lines.back(), paper_symbols()));
+    const auto spoilt = mutants(parse_statement(lines.back(), paper_symbols()));
     lines.insert(lines.end() - 1, "");
     for (std::size_t k = 0; k < spoilt.size(); k += 1 + spoilt.size() / 3) {
       const Relation& slip = spoilt[k].relation;
@@ -62,6 +62,33 @@ TEST_CASE(
   CHECK(slips >= 40);
   CHECK(pointed_at == slips);
   CHECK(10 * named >= 9 * slips);
+}
+
+TEST_CASE("what is undefined is refused where it stands") {
+  const Opinion alone = judged("height-of-centre", "R/0"), first = judged("height-of-centre", "R/0\n= R");
+  CHECK(alone.verdict == "invalid");
+  CHECK(first.verdict == "invalid");
+  CHECK(first.line == 1);
+}
+
+TEST_CASE("a working of a number is followed with the numbers of the exercise") {
+  const std::string id = "frequency-of-a-bookcase";
+  const std::string good =
+      "h = 2/2 m\nb = 0.4/2 m = 20 cm\nR = sqrt(h^2 + b^2) = 1.02 m\np^2 = 3*g/(4*R) = 7.21\n"
+      "p = sqrt(7.2146) = 2.69 1/s\n";
+  CHECK(judged(id, good).verdict == "correct");
+  const Opinion whole = judged(id, "R = sqrt(2^2 + 0.4^2) = 2.04 m\np = sqrt(3*g/(4*R)) = 2.69 1/s");
+  CHECK(whole.verdict == "wrong");
+  CHECK(whole.line == 1);
+  const Opinion slip = judged(id, "p = sqrt(3*9.81/(4*1.02)) = 2.96 1/s");
+  CHECK(slip.line == 1);
+  CHECK(slip.feedback.find("2.686") != std::string::npos);
+  const Opinion other = judged(id, "p = 7.21 1/s");
+  CHECK(other.note == "power");
+  CHECK(judged(id, "p = 1/2*sqrt(3*g/R)\np = 7.21 1/s").line == 2);
+  CHECK(judged(id, "p = 2.69 = = 1/s").verdict == "invalid");
+  CHECK(judged(id, "p = 2.69 apples").verdict == "invalid");
+  CHECK(judged(id, "p = 9^9^9^9 = 2.69 1/s").verdict == "invalid");
 }
 
 TEST_CASE("chains, equations in what is asked for, and definitions") {
@@ -158,7 +185,8 @@ TEST_CASE("on the command line: the answer counts, exit codes are those of an an
   CHECK(run("restitution", "1 - 3/2*sin(alpha)^2\n\xff\n").exit_code == 2);
   CHECK(run("restitution", "# nothing\n").exit_code == 2);
   CHECK(run("restitution", "1 - 3/2*sin(alpha)^2\n= 1 -\n").out.find("Line 2\n") == 0);
-  const Result number = run("first-lift", "2.94 m/s^2\n");
+  const Result number = run("which-momentum", "c\n");
+  CHECK(run("first-lift", "tan(alpha) = 0.3\na_p = g*tan(alpha) = 2.94 m/s^2\n").exit_code == 0);
   CHECK(number.exit_code == 2);
   CHECK(number.err.find("asks for no formula") != std::string::npos);
   CHECK(run("restitution", "1 - 3/2*sin(alpha)^2\n= 1 - 3/2*(1 - cos(alpha)^2)\n").exit_code == 0);

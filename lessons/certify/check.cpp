@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <derivations/emit/program.hpp>
 #include <lessons/certify/check.hpp>
+#include <lessons/prose.hpp>
+#include <lessons/render.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -28,25 +28,8 @@ struct Folder {
   std::filesystem::path path;
 };
 
-struct Run {
-  int status;
-  std::string output;
-};
-
-/// Runs a command in a folder whose name needs no quotes.
-Run run_in(const std::filesystem::path& folder, const std::string& command) {
-  std::FILE* pipe = ::popen(("cd '" + folder.string() + "' && " + command + " 2>&1").c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("no process can be started");
-  Run run;
-  std::array<char, 4096> piece;
-  for (std::size_t size; (size = std::fread(piece.data(), 1, piece.size(), pipe)) > 0;)
-    run.output.append(piece.data(), size);
-  run.status = ::pclose(pipe);
-  return run;
-}
-
-Run compile(const Folder& folder, const std::string& file) {
-  return run_in(folder.path, "coqc -q -R . Rederive " + file);
+Said compile(const Folder& folder, const std::string& file) {
+  return said_by("cd " + in_quotes(folder.path) + " && coqc -q -R . Rederive " + file + " 2>&1");
 }
 
 /// The lemma in which a line of a file lies; `line` counts from 1.
@@ -74,18 +57,14 @@ std::vector<std::string> axioms_in(const std::string& output) {
 /// What lemmas assume, taken together: asked for one by one, each goes through all of Coq's reals.
 std::vector<std::string> axioms_of(const Folder& folder, const std::vector<const Lemma*>& lemmas) {
   std::set<std::string> files;
-  std::string imported, names;
-  for (const Lemma* lemma : lemmas) {
-    files.insert(lemma->file.substr(0, lemma->file.size() - 2));
-    names += (names.empty() ? "" : ", ") + lemma->name;
-  }
-  for (const std::string& file : files) imported += " " + file;
-  write_whole(folder.path / "Assumptions.v", "From Rederive Require Import" + imported +
-                                                 ".\nDefinition all := (" + names +
-                                                 ").\nPrint Assumptions all.\n");
-  const Run run = compile(folder, "Assumptions.v");
-  if (run.status != 0) throw std::runtime_error("coqc does not say what the lemmas assume: " + run.output);
-  return axioms_in(run.output);
+  for (const Lemma* lemma : lemmas) files.insert(lemma->file.substr(0, lemma->file.size() - 2));
+  write_whole(folder.path / "Assumptions.v",
+              "From Rederive Require Import " + joined(files, " ") + ".\nDefinition all := (" +
+                  joined(lemmas, ", ", [](const Lemma* lemma) { return lemma->name; }) +
+                  ").\nPrint Assumptions all.\n");
+  const Said run = compile(folder, "Assumptions.v");
+  if (run.status != 0) throw std::runtime_error("coqc does not say what the lemmas assume: " + run.text);
+  return axioms_in(run.text);
 }
 
 /// Lemmas of one file that pass together; the errors of the others are kept.
@@ -97,13 +76,13 @@ std::vector<const Lemma*> passing(const Folder& folder, const std::string& file,
     std::string text = imports;
     for (const Lemma* lemma : lemmas) text += lemma->text + "\n";
     write_whole(folder.path / file, text);
-    const Run run = compile(folder, file);
+    const Said run = compile(folder, file);
     if (run.status == 0) break;
     std::smatch where;
-    const bool is_placed = std::regex_search(run.output, where, place);
+    const bool is_placed = std::regex_search(run.text, where, place);
     const Lemma* failed = is_placed ? lemma_at(std::stoi(where[1]), text, lemmas) : nullptr;
-    if (failed == nullptr) throw std::runtime_error("coqc fails on " + file + ": " + run.output);
-    errors[failed] = run.output;
+    if (failed == nullptr) throw std::runtime_error("coqc fails on " + file + ": " + run.text);
+    errors[failed] = run.text;
     std::erase(lemmas, failed);
   }
   return lemmas;
@@ -119,9 +98,9 @@ std::vector<Checked> check(const std::vector<Lemma>& lemmas,
   write_scripts(folder.path, lemmas);
   for (const char* name : prelude) {
     progress(name);
-    if (const Run run = compile(folder, name); run.status != 0)
+    if (const Said run = compile(folder, name); run.status != 0)
       throw std::runtime_error(std::string("coqc does not take ") + name +
-                               " (are libcoq-coquelicot and libcoq-interval there?): " + run.output);
+                               " (are libcoq-coquelicot and libcoq-interval there?): " + run.text);
   }
   std::map<std::string, std::vector<const Lemma*>> by_file;
   std::map<const Lemma*, std::string> errors;
@@ -140,9 +119,9 @@ std::vector<Checked> check(const std::vector<Lemma>& lemmas,
     if (all.empty()) continue;
     progress(file);
     const bool is_shipped = ships(*all.front());
-    const Run whole = is_shipped ? compile(folder, file) : Run{0, ""};
+    const Said whole = is_shipped ? compile(folder, file) : Said{0, ""};
     if (whole.status != 0)
-      for (const Lemma* lemma : all) errors[lemma] = whole.output;
+      for (const Lemma* lemma : all) errors[lemma] = whole.text;
     const auto good = is_shipped ? (whole.status == 0 ? all : std::vector<const Lemma*>{})
                                  : passing(folder, file, all, errors);
     passed.insert(passed.end(), good.begin(), good.end());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <lessons/certify/rests.hpp>
+#include <lessons/prose.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -45,13 +46,6 @@ std::map<std::string, std::vector<std::string>> premises() {
         result[(*found)[2]].push_back(k->str());
     }
   }
-  return result;
-}
-
-std::string joined(const std::vector<std::string>& texts, const std::string& before,
-                   const std::string& after) {
-  std::string result;
-  for (const std::string& text : texts) result += (result.empty() ? "" : ", ") + before + text + after;
   return result;
 }
 
@@ -135,11 +129,12 @@ std::string rests_page(const std::vector<Entry>& entries, const std::vector<Supp
   page += "\n## Derived\n\n| row | by | from | down to what is assumed |\n|---|---|---|---|\n";
   for (const Support& s : supports)
     if (s.by == By::theorem || s.by == By::step)
-      page += fmt::format("| ({}){} | {} | {} | {} |\n", s.id, s.is_corrected ? ", corrected" : "",
-                          joined(s.lemmas, "`", "`"), joined(s.from, "", ""), s.is_whole ? "yes" : "no");
+      page +=
+          fmt::format("| ({}){} | {} | {} | {} |\n", s.id, s.is_corrected ? ", corrected" : "",
+                      "`" + joined(s.lemmas, "`, `") + "`", joined(s.from, ", "), s.is_whole ? "yes" : "no");
   page += "\n## No lemma\n\n";
   for (const Support& s : supports)
-    if (s.by == By::nothing) page += "- (" + s.id + ") from " + joined(s.from, "", "") + "\n";
+    if (s.by == By::nothing) page += "- (" + s.id + ") from " + joined(s.from, ", ") + "\n";
   return page;
 }
 

@@ -31,9 +31,12 @@ std::string readable(const std::string& sentence, const std::string& indent = ""
 /// What is asked for, and an answer to something else.
 std::string form_in_words(const Exercise& exercise);
 std::string default_example(const Exercise& exercise);
-std::string verdict_in_words(const std::string& verdict);
 /// Of an equation, what has a value at a point: "thetaddot = ".
 std::string pivot_in_words(const Exercise& exercise);
+/// What a command is to be given for it: its id, and the seed of a variant.
+std::string id_and_seed(const Exercise& exercise);
+/// Where a witness is: "R = 3, alpha = 0.2".
+std::string place_of(const Witness& witness);
 /// The statement with all that is needed to answer it.
 std::string presentation(const Exercise& exercise);
 /// How the answer comes about.

@@ -63,7 +63,8 @@ void declare(CLI::App& app, Arguments& given) {
       "A line is an equation, a chain a = b = c, or an expression, alone or behind a = sign; empty lines "
       "and\n"
       "those that begin with # are skipped. Behind a line stands what is assumed there and nowhere else:\n"
-      "[theta > 0, u_gddot = 0], or [small alpha, theta], by which a step need hold to first order only.");
+      "[theta > 0, u_gddot = 0], or [small alpha, theta], by which a step need hold to first order only.\n"
+      "Where a number is asked for, each line is a chain a = b = c that is true with the numbers given.");
   command_with_id(app, "hint", "one more hint", given);
   command_with_id(app, "solution", "the answer and how it comes about", given)
       ->add_flag("--give-up", given.give_up, "show it although the exercise is not solved");
@@ -103,8 +104,11 @@ void declare(CLI::App& app, Arguments& given) {
 }
 
 int run(const CLI::App& app, const Arguments& given) {
-  const Classroom room{read_exercises(exercises_folder(), given.seed), progress_file(given.progress),
-                       given.json, is_lively(1)};
+  const auto progress = progress_file(given.progress);
+  std::string seed = given.seed;  // help without one is for the variant that was tried last
+  if (app.get_option("--seed")->empty() && (app.got_subcommand("hint") || app.got_subcommand("solution")))
+    seed = load_progress(progress).records[given.id].seed;
+  const Classroom room{read_exercises(exercises_folder(), seed), progress, given.json, is_lively(1)};
   if (app.got_subcommand("list")) return list(room);
   if (app.got_subcommand("show")) return show(room, given.id);
   if (app.got_subcommand("hint")) return hint(room, given.id);

@@ -1,10 +1,6 @@
-#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <lessons/exercises/functions.hpp>
 #include <lessons/experiments.hpp>
-#include <lessons/lesson.hpp>
-#include <regex>
 #include <stdexcept>
 
 namespace rederive::classroom {
@@ -27,31 +23,17 @@ Experiment experiment_of(const Arguments& arguments) {
 }  // namespace
 
 double function_value(const std::string& name, const Arguments& arguments) {
-  static const std::map<std::string, std::function<double(const Arguments&)>> functions{
-      {"amplitude_without_impact",
-       [](const auto& a) { return amplitude_without_impact(argument(a, "omega")); }},
-      {"least_amplitude", [](const auto& a) { return least_overturning(experiment_of(a)).amplitude; }}};
-  const auto found = functions.find(name);
-  if (found == functions.end()) throw std::out_of_range("there is no function " + name);
-  return found->second(arguments);
+  if (name == "amplitude_without_impact") return amplitude_without_impact(argument(arguments, "omega"));
+  if (name == "least_amplitude") return least_overturning(experiment_of(arguments)).from;
+  throw std::out_of_range("there is no function " + name);
 }
 
 Conditions conditions_behind(const std::string& name, const Arguments& arguments) {
   const double value = function_value(name, arguments);
-  const auto roots = condition_roots(experiment_of(arguments));
-  const auto root = std::find_if(roots.begin(), roots.end(), [&](const ConditionRoot& one) {
-    return one.admissible && std::abs(one.amplitude - value) < 1e-6 * value;
-  });
-  if (root == roots.end()) throw std::runtime_error("no condition leads to the value of " + name);
-  Conditions result{{}, root->psi, root->impact_time};
-  static const std::regex number(R"(\((\w+)\))");
-  for (std::sregex_iterator match(root->equations.begin(), root->equations.end(), number), end; match != end;
-       ++match)
-    result.rows.push_back((*match)[1]);
-  if (root->impact_time)
-    result.restitution =
-        number_of(derived("46b").right, {{"alpha", std::to_string(experiment_of(arguments).alpha)}});
-  return result;
+  for (const ClosedForm& root : condition_roots(experiment_of(arguments)))
+    if (root.admissible && std::abs(root.amplitude - value) < 1e-6 * value)
+      return {root.equations(), root.psi, root.impact_time};
+  throw std::runtime_error("no condition leads to the value of " + name);
 }
 
 }  // namespace rederive::classroom

@@ -14,8 +14,8 @@ double function_value(const std::string& name, const std::map<std::string, doubl
 /// The derived conditions whose solution that value is: the rows of the ledger, and what solves them.
 struct Conditions {
   std::vector<std::string> rows;
-  double psi = 0;
-  std::optional<double> impact_time = {}, restitution = {};
+  double psi;
+  std::optional<double> impact_time;
 };
 /// Throws std::out_of_range as above, or std::runtime_error where no condition leads to the value.
 Conditions conditions_behind(const std::string& name, const std::map<std::string, double>& arguments);

@@ -187,54 +187,37 @@ std::string csv_of(const std::vector<Task>& tasks) {
   return text;
 }
 
-struct Tally {
-  int answers = 0, correct = 0;
-  std::map<std::string, int> notes;  ///< of what is not correct
-};
-
-std::map<std::string, Tally> tally(const std::vector<Task>& tasks) {
-  std::map<std::string, Tally> result;
-  for (const auto& task : tasks) {
-    if (task.prepared == nullptr) continue;
-    Tally& one = result[task.row.exercise];
-    ++one.answers;
-    if (task.row.verdict == "correct")
-      ++one.correct;
-    else
-      ++one.notes[task.row.note];
-  }
-  return result;
-}
-
-std::string summary(const Classroom& room, const std::vector<Task>& tasks) {
-  const auto tallies = tally(tasks);
+std::string summary(const Classroom& room, const std::map<std::string, Tally>& tallies) {
   std::string text = fmt::format("{:<28} {:>7} {:>7}  {}\n", "exercise", "answers", "correct",
                                  "what went wrong, most common first");
   for (const auto& exercise : room.exercises) {
     const auto found = tallies.find(exercise.id);
     if (found == tallies.end()) continue;
     std::string slips;
-    const auto notes = by_frequency(found->second.notes, std::identity());
+    const auto notes = by_frequency(found->second.slips, &Seen::times);
     for (std::size_t i = 0; i < std::min<std::size_t>(notes.size(), 3); ++i)
-      slips += fmt::format("{}{} ({})", slips.empty() ? "" : ", ", notes[i].first, notes[i].second);
+      slips += fmt::format("{}{} ({})", slips.empty() ? "" : ", ", notes[i].first, notes[i].second.times);
     text += fmt::format("{:<28} {:>7} {:>7}  {}\n", exercise.id, found->second.answers, found->second.correct,
                         slips);
   }
   return text;
 }
 
-std::string summary_json(const Classroom& room, const std::vector<Task>& tasks, const std::string& csv) {
-  const auto tallies = tally(tasks);
+std::string summary_json(const Classroom& room, const std::vector<Task>& tasks,
+                         const std::map<std::string, Tally>& tallies, const std::string& csv) {
   nlohmann::ordered_json json{{"rows", tasks.size()},
                               {"csv", csv.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(csv)},
                               {"exercises", nlohmann::ordered_json::array()},
                               {"grades", nlohmann::ordered_json::array()}};
   for (const auto& exercise : room.exercises)
-    if (const auto found = tallies.find(exercise.id); found != tallies.end())
+    if (const auto found = tallies.find(exercise.id); found != tallies.end()) {
+      std::map<std::string, int> notes;
+      for (const auto& [note, seen] : found->second.slips) notes[note] = seen.times;
       json["exercises"].push_back({{"exercise", exercise.id},
                                    {"answers", found->second.answers},
                                    {"correct", found->second.correct},
-                                   {"notes", found->second.notes}});
+                                   {"notes", notes}});
+    }
   for (const auto& task : tasks)
     json["grades"].push_back({{"student", task.row.student},
                               {"exercise", task.row.exercise},
@@ -269,17 +252,18 @@ int grade(const Classroom& room, const GradeFlags& flags) {
   judge_all(tasks, flags.workers != 0 ? flags.workers : std::max(1u, std::thread::hardware_concurrency()));
   for (const auto& task : tasks)
     if (task.seat != 0) whole.students[task.seat - 1].rows.push_back(task.row);
+  const auto tallies = tallies_of(whole.students);
   if (!flags.feedback.empty()) write_pages(flags.feedback, feedback_pages(room, whole.students, rules));
   if (!flags.gradebook.empty()) write_whole(flags.gradebook, gradebook(room, whole.students, rules));
   if (!flags.report.empty()) write_whole(flags.report, report_page(room, whole.students));
   const std::string csv = csv_of(tasks);
   if (!flags.csv.empty()) write_whole(flags.csv, csv);
   if (room.json) {
-    std::fputs(summary_json(room, tasks, flags.csv).c_str(), stdout);
+    std::fputs(summary_json(room, tasks, tallies, flags.csv).c_str(), stdout);
     return as_expected;
   }
   if (flags.csv.empty()) std::fputs(csv.c_str(), stdout);
-  std::fputs(summary(room, tasks).c_str(), flags.csv.empty() ? stderr : stdout);
+  std::fputs(summary(room, tallies).c_str(), flags.csv.empty() ? stderr : stdout);
   return as_expected;
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <lessons/exercises/classroom.hpp>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,6 +46,19 @@ struct Mark {
 Mark mark_of(const Rules& rules, const Student& student, const Row& row);
 /// Marks as they are written: "0.9".
 std::string mark_text(double marks);
+
+/// How often a slip was made, and with which answers.
+struct Seen {
+  int times = 0;
+  std::map<std::string, int> answers = {};
+  std::set<std::string> exercises = {};
+};
+/// What became of the answers to an exercise.
+struct Tally {
+  int answers = 0, correct = 0;
+  std::map<std::string, Seen> slips = {};  ///< by note: of what is not correct
+};
+std::map<std::string, Tally> tallies_of(const std::vector<Student>& students);
 
 /// The most frequent first, then by name.
 template <class Map, class Count>

@@ -18,12 +18,10 @@ std::string hint_for(const Exercise& exercise, const Opinion& opinion) {
   const auto made = [&](const auto& slip) {
     return slip.note == opinion.note && slip.says == opinion.feedback;
   };
-  if (const auto slip = std::find_if(exercise.slips.begin(), exercise.slips.end(), made);
-      slip != exercise.slips.end())
-    return slip->hint;
-  if (const auto option = std::find_if(exercise.options.begin(), exercise.options.end(), made);
-      option != exercise.options.end())
-    return option->hint;
+  for (const auto& slip : exercise.slips)
+    if (made(slip)) return slip.hint;
+  for (const auto& option : exercise.options)
+    if (made(option)) return option.hint;
   return slip_words("hint", opinion.note);
 }
 
@@ -32,7 +30,7 @@ Hint next_hint(const Classroom& room, const Exercise& exercise) {
   Progress progress = load_progress(room.progress);
   Record& record = progress.records[exercise.id];
   const int all = static_cast<int>(exercise.hints.size());
-  if (record.status == "tried" && !record.hinted) {
+  if (record.status == "tried" && !record.hinted && record.seed == exercise.seed) {
     const Opinion opinion = judge_bounded(exercise, record.answer);
     if (const std::string text = hint_for(exercise, opinion); !text.empty()) {
       record.hinted = true;

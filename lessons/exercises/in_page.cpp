@@ -110,12 +110,9 @@ std::string read_back(const Exercise& exercise, const std::string& text) {
 }
 
 std::string witness_html(const Exercise& exercise, const Witness& witness) {
-  std::string at;
-  for (const auto& [name, value] : witness.at)
-    at += fmt::format("{}{} = {}", at.empty() ? "" : ", ", name, value);
   const std::string what = pivot_in_words(exercise);
-  return fmt::format("<p>At {}</p>\n<p>yours: {}<br>right: {}</p>\n", code(at), code(what + witness.printed),
-                     code(what + witness.derived));
+  return fmt::format("<p>At {}</p>\n<p>yours: {}<br>right: {}</p>\n", code(place_of(witness)),
+                     code(what + witness.printed), code(what + witness.derived));
 }
 
 std::string next_html(const Classroom& room, const Progress& progress) {

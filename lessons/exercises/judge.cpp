@@ -82,6 +82,7 @@ Prepared prepare(const Exercise& exercise) {
 Exercise as_exercise(const Exercise& whole, const Relation& before, const Relation& after) {
   Exercise step;
   step.id = whole.id;
+  step.seed = whole.seed;
   step.kind = before.operators.empty() ? Kind::expression : Kind::equation;
   std::set<std::string> first = names_of(before), names = names_of(after);
   if (whole.kind == Kind::equation && first.contains(whole.pivot) && names.contains(whole.pivot))
@@ -124,11 +125,7 @@ int exit_code(const Opinion& opinion) {
 }
 
 Opinion invalid(const std::string& note, const std::string& feedback) {
-  Opinion opinion;
-  opinion.verdict = "invalid";
-  opinion.note = note;
-  opinion.feedback = feedback;
-  return opinion;
+  return {"invalid", note, "", feedback, {}};
 }
 
 Opinion invalid(const SyntaxError& error, const std::string& text) {

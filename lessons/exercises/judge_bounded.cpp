@@ -6,27 +6,20 @@
 namespace rederive::classroom {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using nlohmann::json;
 
 std::string packed(const Opinion& opinion) {
-  Json json{{"verdict", opinion.verdict},   {"note", opinion.note},   {"read_as", opinion.read_as},
-            {"feedback", opinion.feedback}, {"score", opinion.score}, {"witness", nullptr}};
-  if (opinion.witness)
-    json["witness"] = {{"at", opinion.witness->at},
-                       {"printed", opinion.witness->printed},
-                       {"derived", opinion.witness->derived}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  json list{opinion.verdict, opinion.note, opinion.read_as, opinion.feedback, opinion.score, opinion.line};
+  if (const auto& witness = opinion.witness)
+    list.insert(list.end(), {witness->at, witness->printed, witness->derived});
+  return list.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 Opinion opinion_in(const std::string& text) {
-  const Json json = Json::parse(text);
-  Opinion opinion{json["verdict"], json["note"], json["read_as"], json["feedback"], {}, json["score"]};
-  if (const Json& witness = json["witness"]; !witness.is_null()) {
-    opinion.witness.emplace();
-    opinion.witness->at = witness["at"].get<std::map<std::string, std::string>>();
-    opinion.witness->printed = witness["printed"];
-    opinion.witness->derived = witness["derived"];
-  }
+  const json list = json::parse(text);
+  Opinion opinion{list[0], list[1], list[2], list[3], {}, list[4], list[5]};
+  if (list.size() > 6)
+    opinion.witness.emplace(Witness{.at = list[6], .printed = list[7], .derived = list[8]});
   return opinion;
 }
 

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <derivations/rocking_block/paper_symbols.hpp>
-#include <lessons/exercises/edits.hpp>
 #include <lessons/exercises/judge.hpp>
+#include <lessons/exercises/trees.hpp>
 #include <lessons/exercises/units.hpp>
+#include <regex>
 
 namespace rederive::classroom {
 namespace {
@@ -20,15 +21,14 @@ const Node* find_symbol(const Tree& tree, const std::string& name) {
 
 /// Refuses symbols that the exercise does not give, where they stand.
 void check_symbols(const Exercise& exercise, const Relation& read) {
-  std::string allowed;
-  for (const auto& name : exercise.symbols) allowed += (allowed.empty() ? "" : ", ") + name;
   for (const auto& name : names_of(read)) {
     const auto& names = exercise.symbols;
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     for (const auto& side : read.sides)
       if (const Node* node = find_symbol(side, name))
         throw SyntaxError("symbol_not_given", node->position,
-                          fmt::format("'{}' is not among the symbols of this exercise: {}", name, allowed));
+                          fmt::format("'{}' is not among the symbols of this exercise: {}", name,
+                                      fmt::join(exercise.symbols, ", ")));
   }
 }
 
@@ -77,12 +77,6 @@ Relation read_answer(const Exercise& exercise, const std::string& text) {
 }
 
 namespace {
-
-/// |x| as students type it.
-std::string as_typed(std::string text) {
-  for (std::size_t at = 0; (at = text.find("fabs(", at)) != std::string::npos;) text.erase(at, 1);
-  return text;
-}
 
 std::optional<Signature> signature_of(const Prepared& prepared, const Relation& read) {
   return signature(put_in(read, prepared.answer.given), prepared.exercise.pivot, prepared.points);
@@ -146,7 +140,8 @@ Opinion judge_formula(const Prepared& prepared, const std::string& text) {
 
 Opinion judge_formula(const Prepared& prepared, const Relation& read) {
   Opinion opinion;
-  opinion.read_as = as_typed(read.operators.empty() ? print(read.sides[0]) : print(read));
+  opinion.read_as = std::regex_replace(read.operators.empty() ? print(read.sides[0]) : print(read),
+                                       std::regex("fabs\\("), "abs(");  // as students type it
   for (const auto& side : read.sides) lower(side);  // refuses what is undefined at once, such as 1/0
   const auto mine = signature_of(prepared, read);
   const bool surely_different = mine && prepared.signature && !alike(*mine, *prepared.signature) &&

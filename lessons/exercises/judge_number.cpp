@@ -2,14 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <derivations/emit/program.hpp>
+#include <derivations/paper/mutate.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
-#include <lessons/exercises/edits.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/units.hpp>
 #include <lessons/lesson.hpp>
 #include <map>
+#include <regex>
 
 namespace rederive::classroom {
 namespace {
@@ -64,24 +65,14 @@ std::string without_name(const Exercise& exercise, const std::string& text) {
 
 namespace {
 
-std::string whole_number_in(const std::string& text) {
-  std::string digits;
-  for (char c : text)
-    if (std::isdigit(static_cast<unsigned char>(c)))
-      digits += c;
-    else if (!std::isspace(static_cast<unsigned char>(c)) && c != '[' && c != ']')
-      return "";
-  return digits.size() > 3 ? "" : digits;
-}
-
-std::string single_letter_in(const std::string& text) {
-  std::string letters;
-  for (char c : text)
-    if (std::isalpha(static_cast<unsigned char>(c)))
-      letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    else if (!std::isspace(static_cast<unsigned char>(c)) && c != '(' && c != ')' && c != '.')
-      return "";
-  return letters.size() == 1 ? letters : "";
+/// "(c)", "[3]", "c." without what stands around it, in small letters; empty where that is anything else.
+std::string pointed_at(const std::string& text, const char* what) {
+  const std::regex form(R"(\s*[(\[]?\s*()" + std::string(what) + R"()\s*[)\].]?\s*)", std::regex::icase);
+  std::smatch found;
+  if (!std::regex_match(text, found, form)) return {};
+  std::string letters = found[1];
+  std::ranges::transform(letters, letters.begin(), [](unsigned char c) { return std::tolower(c); });
+  return letters;
 }
 
 /// The number of the term that was typed out instead of pointed at; 0 if it is none of them.
@@ -105,7 +96,14 @@ void add_roads_of_number(Prepared& prepared) {
   RoughPoint at;
   for (const auto& [name, value] : prepared.answer.values) at[name] = rough_value(value, {});
   const Tree& formula = prepared.answer.relation.sides[0];
-  for (const auto& edit : edits(formula)) add(edit.tree, at, edit.note);
+  const auto each_slip = [](const Tree& tree, const auto& take) {
+    static const std::map<std::string, std::string> notes{
+        {"sign", "sign"},           {"coefficient", "factor"}, {"function", "sin_cos"},
+        {"symbol", "wrong_symbol"}, {"square", "power"},       {"factor", "missing_factor"},
+        {"term", "missing_term"},   {"dot", "missing_dot"}};
+    for (const auto& mutant : mutants({{tree}, {}})) take(mutant.relation.sides[0], notes.at(mutant.slip));
+  };
+  each_slip(formula, [&](const Tree& wrong, const std::string& note) { add(wrong, at, note); });
   for (const auto& [name, value] : prepared.answer.values) {
     constexpr double degree = 0.017453292519943295;
     for (const double factor : {2.0, 0.5, degree, 1 / degree}) {
@@ -113,11 +111,11 @@ void add_roads_of_number(Prepared& prepared) {
       other[name] *= factor;
       add(formula, other, factor == 2 || factor == 0.5 ? "factor" : "degrees");
     }
-    for (const auto& edit : edits(value)) {
+    each_slip(value, [&](const Tree& wrong, const std::string& note) {
       RoughPoint other = at;
-      other[name] = rough_value(edit.tree, {});
-      add(formula, other, edit.note);
-    }
+      other[name] = rough_value(wrong, {});
+      add(formula, other, note);
+    });
   }
 }
 
@@ -165,14 +163,14 @@ Opinion judge_choice(const Prepared& prepared, const std::string& text) {
   Opinion result;
   std::size_t chosen = 0;
   if (exercise.kind == Kind::choice) {
-    const std::string letter = single_letter_in(text);
+    const std::string letter = pointed_at(text, "[a-z]");
     if (!letter.empty()) chosen = static_cast<std::size_t>(letter[0] - 'a') + 1;
     if (chosen == 0 || chosen > exercise.options.size())
       return invalid("choice", fmt::format("One letter is wanted, from a to {}.",
                                            static_cast<char>('a' + exercise.options.size() - 1)));
     result.read_as = letter;
   } else {
-    const std::string digits = whole_number_in(text);
+    const std::string digits = pointed_at(text, "[0-9]{1,3}");
     const std::size_t count = terms_to_point_at(prepared.answer.relation).size();
     try {
       chosen = digits.empty() ? term_like(prepared, text) : std::stoul(digits);

@@ -13,7 +13,7 @@ namespace {
 constexpr auto heading =
     "# Rederive: what you have done so far. One exercise a line:\n"
     "# exercise, status, attempts, hints seen, latest answer; between them a tab.\n"
-    "# \"hinted\" behind it: the hint for the slip in it has been given.\n";
+    "# Behind it \"hinted\": the hint for the slip in it has been given; \"seed\": of which variant.\n";
 
 /// What would break a line, and the letter behind a backslash that stands for it.
 constexpr std::string_view breaks = "\n\r\t\\", letters = "nrt\\";
@@ -60,9 +60,15 @@ bool take_line(const std::string& line, Progress& progress) {
     progress.old_answers.emplace_back(parts[1], unpacked(parts[2]));
     return true;
   }
-  const bool hinted = parts.size() == 6 && parts[5] == "hinted";
-  if (parts.size() != 5 && !hinted) return false;
-  Record record{parts[1], 0, 0, unpacked(parts[4]), hinted};
+  if (parts.size() < 5) return false;
+  Record record{parts[1], 0, 0, unpacked(parts[4]), false, ""};
+  for (std::size_t k = 5; k < parts.size(); ++k)
+    if (parts[k] == "hinted")
+      record.hinted = true;
+    else if (parts[k].starts_with("seed "))
+      record.seed = unpacked(parts[k].substr(5));
+    else
+      return false;
   const bool known = record.status == "open" || record.status == "tried" || record.status == "solved" ||
                      record.status == "given_up";
   if (!known || !whole_number(parts[2], record.attempts) || !whole_number(parts[3], record.hints))
@@ -112,8 +118,9 @@ Progress load_progress(const std::filesystem::path& file) {
 void save_progress(const std::filesystem::path& file, const Progress& progress) {
   std::string text = heading;
   for (const auto& [id, record] : progress.records)
-    text += fmt::format("{}\t{}\t{}\t{}\t{}{}\n", id, record.status, record.attempts, record.hints,
-                        packed(record.answer), record.hinted ? "\thinted" : "");
+    text += fmt::format("{}\t{}\t{}\t{}\t{}{}{}\n", id, record.status, record.attempts, record.hints,
+                        packed(record.answer), record.hinted ? "\thinted" : "",
+                        record.seed.empty() ? "" : "\tseed " + packed(record.seed));
   for (const auto& [id, answer] : progress.old_answers)
     text += fmt::format("old\t{}\t{}\n", id, packed(answer));
   make_folder(file);

@@ -14,6 +14,7 @@ struct Record {
   int attempts = 0, hints = 0;
   std::string answer;   ///< the latest that could be read
   bool hinted = false;  ///< the hint for the slip in it has been given
+  std::string seed;     ///< of the variant that it answers
 };
 
 struct Progress {

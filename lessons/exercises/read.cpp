@@ -3,6 +3,8 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
+#include <derivations/paper/toml_rows.hpp>
 #include <lessons/exercises/exercise.hpp>
 #include <set>
 #include <stdexcept>
@@ -10,129 +12,68 @@
 namespace rederive::classroom {
 namespace {
 
-/// A table whose keys are checked off as they are read, so that a misspelt one is noticed.
-class Reader {
- public:
-  Reader(const toml::table& table, std::string where, const Choice& choice)
-      : table_(table), where_(std::move(where)), choice_(choice) {}
+using Texts = std::map<std::string, std::string>;
 
-  std::string text(const std::string& key, bool needed = false) {
-    const auto* node = find(key, needed);
-    if (node == nullptr) return "";
-    if (node->is_string()) return filled(*node);
-    fail("'" + key + "' must be text");
-  }
-  double number(const std::string& key) {
-    const auto* node = find(key, false);
-    return node == nullptr ? 0 : node->value_or(0.0);
-  }
-  std::vector<std::string> texts(const std::string& key) {
-    std::vector<std::string> result;
-    if (const auto* node = find(key, false))
-      for (const auto& item : *array(*node, key)) result.push_back(filled(item));
-    return result;
-  }
-  std::map<std::string, std::string> pairs(const std::string& key) {
-    std::map<std::string, std::string> result;
-    if (const auto* node = find(key, false))
-      for (const auto& [name, value] : *sub(*node, key))
-        result[filled(toml::value(std::string(name.str())))] = filled(value);
-    return result;
-  }
-  std::map<std::string, double> numbers(const std::string& key) {
-    std::map<std::string, double> result;
-    if (const auto* node = find(key, false))
-      for (const auto& [name, value] : *sub(*node, key))
-        result[std::string(name.str())] = value.is_string() ? std::stod(filled(value)) : value.value_or(0.0);
-    return result;
-  }
-  std::vector<Reader> readers(const std::string& key) {
-    std::vector<Reader> result;
-    if (const auto* node = find(key, false))
-      for (const auto& item : *array(*node, key))
-        result.emplace_back(*item.as_table(), where_ + ", " + key, choice_);
-    return result;
-  }
-  std::optional<Reader> reader(const std::string& key) {
-    const auto* node = find(key, false);
-    if (node == nullptr) return {};
-    return Reader(*sub(*node, key), where_ + ", " + key, choice_);
-  }
-  void is_read(const std::string& key) { asked_.insert(key); }
-  /// Throws if there is a key that nobody asked for.
-  void done() const {
-    for (const auto& [key, value] : table_)
-      if (!asked_.contains(std::string(key.str()))) fail("unknown key '" + std::string(key.str()) + "'");
-  }
-  [[noreturn]] void fail(const std::string& why) const { throw std::runtime_error(where_ + ": " + why); }
-
- private:
-  std::string filled(const toml::node& node) const {
-    try {
-      return classroom::filled(node.value_or(std::string()), choice_);
-    } catch (const std::exception& error) {
-      fail(error.what());
+/// Fills in the braces of all texts, and of the names in tables.
+void fill_in(toml::node& node, const Choice& choice) {
+  if (auto* text = node.as_string()) *text = filled(text->get(), choice);
+  if (auto* list = node.as_array())
+    for (auto& item : *list) fill_in(item, choice);
+  if (auto* table = node.as_table()) {
+    toml::table renamed;
+    for (auto&& [name, value] : *table) {
+      fill_in(value, choice);
+      renamed.insert(filled(std::string(name.str()), choice), value);
     }
+    *table = std::move(renamed);
   }
-  const toml::node* find(const std::string& key, bool needed) {
-    asked_.insert(key);
-    const auto* node = table_.get(key);
-    if (node == nullptr && needed) fail("'" + key + "' is missing");
-    return node;
-  }
-  const toml::array* array(const toml::node& node, const std::string& key) const {
-    if (node.as_array() == nullptr) fail("'" + key + "' must be a list");
-    return node.as_array();
-  }
-  const toml::table* sub(const toml::node& node, const std::string& key) const {
-    if (node.as_table() == nullptr) fail("'" + key + "' must be a table");
-    return node.as_table();
-  }
-
-  const toml::table& table_;
-  std::string where_;
-  const Choice& choice_;
-  std::set<std::string> asked_;
-};
-
-Kind kind_of(const std::string& name, const Reader& reader) {
-  static const std::map<std::string, Kind> kinds{{"expression", Kind::expression},
-                                                 {"equation", Kind::equation},
-                                                 {"number", Kind::number},
-                                                 {"choice", Kind::choice},
-                                                 {"wrong_term", Kind::wrong_term}};
-  const auto found = kinds.find(name);
-  if (found == kinds.end())
-    reader.fail("kind '" + name + "' is none of expression, equation, number, choice, wrong_term");
-  return found->second;
 }
 
-Reference read_reference(Reader reader) {
+/// Takes out of a table the tables that stand under a key: one, or a list of them.
+std::vector<toml::table> taken(toml::table& from, std::string_view key) {
+  std::vector<toml::table> parts;
+  if (const auto* one = from[key].as_table()) parts.push_back(*one);
+  if (const auto* list = from[key].as_array())
+    for (const auto& item : *list)
+      if (item.is_table()) parts.push_back(*item.as_table());
+  if (!parts.empty()) from.erase(key);
+  return parts;
+}
+
+/// What is named in such a table, by name; an empty name stands for nothing.
+Texts texts_taken(toml::table& from, std::string_view key) {
+  Texts texts;
+  for (const auto& part : taken(from, key))
+    for (const auto& [name, value] : part)
+      if (!name.str().empty()) texts[std::string(name.str())] = value.value_or(std::string());
+  return texts;
+}
+
+Reference read_reference(toml::table table, const std::string& where) {
   Reference result;
-  result.derivation = reader.text("derivation");
-  result.row = reader.text("row");
-  if (const auto slip = reader.text("slip"); !slip.empty()) result.slip = std::stoul(slip);
-  result.function = reader.text("function");
-  if (const auto side = reader.text("side"); !side.empty()) result.side = side;
-  result.solve_for = reader.text("solve_for");
-  result.put = reader.pairs("put");
-  result.differentiate = reader.text("differentiate");
-  result.arguments = reader.numbers("arguments");
+  result.put = texts_taken(table, "put");
+  for (const auto& [name, text] : texts_taken(table, "arguments")) result.arguments[name] = std::stod(text);
+  TomlRow row(table, where + ", answer");
+  result.derivation = row.text("derivation");
+  result.row = row.text("row");
+  if (const auto slip = row.text("slip"); !slip.empty()) result.slip = std::stoul(slip);
+  result.function = row.text("function");
+  if (const auto side = row.text("side"); !side.empty()) result.side = side;
+  result.solve_for = row.text("solve_for");
+  result.differentiate = row.text("differentiate");
+  row.done();
   const int given = !result.derivation.empty() + !result.row.empty() + !result.function.empty();
-  if (given != 1) reader.fail("exactly one of derivation, row and function is wanted");
-  reader.done();
+  if (given != 1) row.fail("exactly one of derivation, row and function is wanted");
   return result;
 }
 
-Slip read_slip(Reader reader) {
-  Slip slip{reader.text("note", true),
-            reader.text("says", true),
-            {},
-            reader.text("typed"),
-            reader.text("hint", true)};
-  if (auto road = reader.reader("road")) slip.road = read_reference(*road);
-  if (slip.road.has_value() == !slip.typed.empty()) reader.fail("either road or typed is wanted");
-  reader.done();
+Slip read_slip(toml::table table, const std::string& where) {
+  const auto road = taken(table, "road");
+  TomlRow row(table, where + ", slip");
+  Slip slip{row.text("note", true), row.text("says", true), {}, row.text("typed"), row.text("hint", true)};
+  row.done();
+  if (!road.empty()) slip.road = read_reference(road.front(), where);
+  if (slip.road.has_value() == !slip.typed.empty()) row.fail("either road or typed is wanted");
   return slip;
 }
 
@@ -160,42 +101,56 @@ Choice chosen(const toml::table& exercise, const std::string& id, const std::str
   return choice;
 }
 
-Exercise read_exercise(const toml::table& table, const std::string& file, const std::string& seed) {
-  const std::string id = table["id"].value_or(std::string("without id"));
+Exercise read_exercise(toml::table table, const std::string& file, const std::string& seed) {
   Exercise exercise;
-  exercise.choice = chosen(table, id, seed);
+  exercise.id = table["id"].value_or(std::string("without id"));
+  exercise.choice = chosen(table, exercise.id, seed);
   if (!exercise.choice.empty()) exercise.seed = seed;
-  Reader reader(table, file + ", exercise " + id, exercise.choice);
-  reader.is_read("vary");
-  exercise.id = reader.text("id", true);
-  exercise.lesson = static_cast<int>(reader.number("lesson"));
-  exercise.title = reader.text("title", true);
-  exercise.kind = kind_of(reader.text("kind", true), reader);
-  exercise.statement = reader.text("statement", true);
-  exercise.symbols = reader.texts("symbols");
-  exercise.range = reader.pairs("range");
-  exercise.example = reader.text("example");
-  exercise.name = reader.text("name");
-  exercise.pivot = reader.text("pivot");
-  exercise.unit = reader.text("unit");
-  if (const double digits = reader.number("digits"); digits > 0) exercise.digits = static_cast<int>(digits);
-  exercise.hints = reader.texts("hints");
-  exercise.equivalents = reader.texts("equivalents");
-  if (auto answer = reader.reader("answer"))
-    exercise.answer = read_reference(*answer);
-  else
-    reader.fail("'answer' is missing");
-  for (auto& slip : reader.readers("slip")) exercise.slips.push_back(read_slip(slip));
-  for (auto& option : reader.readers("option")) {
-    exercise.options.push_back({option.text("text", true), option.text("claim", true), option.text("note"),
-                                option.text("says"), option.text("hint")});
-    option.done();
+  const std::string where = file + ", exercise " + exercise.id;
+  table.erase("vary");
+  fill_in(table, exercise.choice);
+  const auto answers = taken(table, "answer");
+  for (const auto& slip : taken(table, "slip")) exercise.slips.push_back(read_slip(slip, where));
+  for (const auto& option : taken(table, "option")) {
+    TomlRow row(option, where + ", option");
+    exercise.options.push_back({row.text("text", true), row.text("claim", true), row.text("note"),
+                                row.text("says"), row.text("hint")});
+    row.done();
   }
-  for (auto& assumption : reader.readers("assumption")) {
-    exercise.assumptions.push_back({assumption.pairs("put"), assumption.text("says", true)});
-    assumption.done();
+  if (auto& options = exercise.options; !options.empty()) {  // their order is what varies
+    const std::size_t first = picked(seed, exercise.id + "/options", options.size());
+    std::rotate(options.begin(), options.begin() + static_cast<std::ptrdiff_t>(first), options.end());
+    exercise.choice["options"] = std::to_string(first);
+    exercise.seed = seed;
   }
-  reader.done();
+  for (auto& assumption : taken(table, "assumption")) {
+    const Texts put = texts_taken(assumption, "put");
+    TomlRow row(assumption, where + ", assumption");
+    exercise.assumptions.push_back({put, row.text("says", true)});
+    row.done();
+  }
+  exercise.range = texts_taken(table, "range");
+  TomlRow row(table, where);
+  (void)row.text("id", true);
+  exercise.lesson = static_cast<int>(row.number("lesson"));
+  exercise.title = row.text("title", true);
+  exercise.statement = row.text("statement", true);
+  exercise.symbols = row.texts("symbols");
+  std::erase(exercise.symbols, "");
+  exercise.example = row.text("example");
+  exercise.name = row.text("name");
+  exercise.pivot = row.text("pivot");
+  exercise.unit = row.text("unit");
+  if (const double digits = row.number("digits"); digits > 0) exercise.digits = static_cast<int>(digits);
+  exercise.hints = row.texts("hints");
+  exercise.equivalents = row.texts("equivalents");
+  constexpr std::array kinds{"expression", "equation", "number", "choice", "wrong_term"};
+  const auto kind = std::find(kinds.begin(), kinds.end(), row.text("kind", true));
+  row.done();
+  if (kind == kinds.end()) row.fail(fmt::format("the kind is none of {}", fmt::join(kinds, ", ")));
+  exercise.kind = static_cast<Kind>(kind - kinds.begin());
+  if (answers.size() != 1) row.fail("one answer is wanted");
+  exercise.answer = read_reference(answers.front(), where);
   return exercise;
 }
 

@@ -4,7 +4,6 @@
 #include <cctype>
 #include <cmath>
 #include <derivations/rocking_block/paper_symbols.hpp>
-#include <lessons/exercises/edits.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/repairs.hpp>
 #include <lessons/exercises/trees.hpp>

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <derivations/rocking_block/paper_symbols.hpp>
-#include <lessons/exercises/edits.hpp>
 #include <lessons/exercises/repairs.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <numbers>

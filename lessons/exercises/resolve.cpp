@@ -5,11 +5,11 @@
 #include <derivations/paper/mutate.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/definitions.hpp>
-#include <lessons/exercises/edits.hpp>
 #include <lessons/exercises/exercise.hpp>
 #include <lessons/exercises/functions.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/lesson.hpp>
+#include <lessons/prose.hpp>
 #include <stdexcept>
 
 namespace rederive::classroom {
@@ -35,10 +35,7 @@ GiNaC::exmap values_to_put(const Reference& reference) {
 
 /// "$R = 3/2$, $alpha = 1/5$".
 std::string in_words(const std::map<std::string, std::string>& values) {
-  std::string words;
-  for (const auto& [name, value] : values)
-    words += fmt::format("{}${} = {}$", words.empty() ? "" : ", ", name, value);
-  return words;
+  return joined(values, ", ", [](const auto& one) { return "$" + one.first + " = " + one.second + "$"; });
 }
 
 /// Tangents as quotients, so that a sum of them can be simplified.
@@ -133,12 +130,12 @@ Relation exchanged(const Relation& relation, const Tree& old, const Tree& fresh)
   return result;
 }
 
-/// The slips that a typesetter makes in a term, undone: its sign turned, each single edit of it, and a symbol
+/// The slips that a typesetter makes in a term, undone: its sign turned, each single slip in it, and a symbol
 /// that does not belong there exchanged for one that is missing.
 std::vector<Tree> repairs(const Tree& term, const std::set<std::string>& strange,
                           const std::set<std::string>& missing) {
   std::vector<Tree> result{negative(term), scaled("2", "1", term), scaled("1", "2", term)};
-  for (const auto& edit : edits(term)) result.push_back(edit.tree);
+  for (const auto& mutant : mutants({{term}, {}})) result.push_back(mutant.relation.sides[0]);
   for (const auto& old : strange)
     for (const auto& fresh : missing)
       if (names_of(term).contains(old)) result.push_back(put_in(term, old, parse(fresh)));

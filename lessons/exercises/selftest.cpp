@@ -13,20 +13,15 @@
 namespace rederive::classroom {
 namespace {
 
-class Findings {
- public:
-  explicit Findings(std::string id) : id_(std::move(id)) {}
-  void check(bool holds, const std::string& complaint) {
-    ++checks_;
-    if (!holds) complaints_.push_back(id_ + ": " + complaint);
-  }
-  std::size_t checks() const { return checks_; }
-  const std::vector<std::string>& complaints() const { return complaints_; }
+struct Findings {
+  std::string id;
+  std::size_t checks = 0;
+  std::vector<std::string> complaints = {};
 
- private:
-  std::string id_;
-  std::size_t checks_ = 0;
-  std::vector<std::string> complaints_;
+  void check(bool holds, const std::string& complaint) {
+    ++checks;
+    if (!holds) complaints.push_back(id + ": " + complaint);
+  }
 };
 
 std::string got(const Opinion& opinion) { return fmt::format("{} ({})", opinion.verdict, opinion.note); }
@@ -113,7 +108,7 @@ int selftest(const Classroom& room) {
   const auto test = [&](const Exercise& exercise) {
     if (!seen.emplace(exercise.id, exercise.choice).second) return;
     variants += !exercise.choice.empty();
-    Findings findings(exercise.id + (exercise.seed.empty() ? "" : " --seed " + exercise.seed));
+    Findings findings{id_and_seed(exercise)};
     try {
       const Prepared prepared = prepare(exercise);
       check_texts(prepared, findings);
@@ -122,8 +117,8 @@ int selftest(const Classroom& room) {
     } catch (const std::exception& error) {
       findings.check(false, error.what());
     }
-    checks += findings.checks();
-    complaints.insert(complaints.end(), findings.complaints().begin(), findings.complaints().end());
+    checks += findings.checks;
+    complaints.insert(complaints.end(), findings.complaints.begin(), findings.complaints.end());
     if (is_lively(2)) std::fprintf(stderr, "\r%-40s", exercise.id.c_str());
   };
   for (const auto& exercise : room.exercises) test(exercise);

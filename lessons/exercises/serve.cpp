@@ -24,13 +24,9 @@ constexpr int most_waiting = 8;  // that want something of the judge; more are t
 /// What a lesson's program writes.
 std::string written_by(const std::string& lesson, const std::string& options) {
   const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / lesson;
-  std::FILE* pipe = ::popen((in_quotes(program) + options).c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("no process to be had");
-  std::string text;
-  char buffer[65536];
-  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) text.append(buffer, n);
-  if (::pclose(pipe) != 0) throw std::runtime_error(lesson + " failed");
-  return text;
+  const Said said = said_by(in_quotes(program) + options);
+  if (said.status != 0) throw std::runtime_error(lesson + " failed");
+  return said.text;
 }
 
 /// A page by its name. What lessons write is kept.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <derivations/emit/program.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/lesson.hpp>
@@ -11,35 +12,14 @@
 namespace rederive::classroom {
 
 std::string form_in_words(const Exercise& exercise) {
-  switch (exercise.kind) {
-    case Kind::expression:
-      return "any equivalent expression";
-    case Kind::equation:
-      return "any equivalent equation";
-    case Kind::number:
-      return fmt::format("to {} significant digits", exercise.digits);
-    case Kind::choice:
-      return "one letter";
-    case Kind::wrong_term:
-      return "the number of the wrong term, or the term as printed";
-  }
-  return "";
+  constexpr std::array forms{"any equivalent expression", "any equivalent equation",
+                             "to {} significant digits", "one letter",
+                             "the number of the wrong term, or the term as printed"};
+  return fmt::format(fmt::runtime(forms.at(static_cast<std::size_t>(exercise.kind))), exercise.digits);
 }
 
 std::string default_example(const Exercise& exercise) {
-  if (!exercise.example.empty()) return exercise.example;
-  switch (exercise.kind) {
-    case Kind::equation:
-      return "2*x = 3*sin(alpha)^2 - 1";
-    case Kind::number:
-      return exercise.unit.empty() || exercise.unit == "1" ? "0.125" : "0.125 " + exercise.unit;
-    case Kind::choice:
-      return "b";
-    case Kind::wrong_term:
-      return "2";
-    default:
-      return "3/4*R^2*sin(alpha)";
-  }
+  return !exercise.example.empty() ? exercise.example : exercise.kind == Kind::choice ? "b" : "2";
 }
 
 namespace {
@@ -79,6 +59,10 @@ std::string pivot_in_words(const Exercise& exercise) {
                                          : exercise.pivot + " = ";
 }
 
+std::string place_of(const Witness& witness) {
+  return joined(witness.at, ", ", [](const auto& one) { return one.first + " = " + one.second; });
+}
+
 std::string verdict_in_words(const std::string& verdict) {
   if (verdict == "correct") return "Correct.";
   if (verdict == "wrong_form") return "The value is right, the form is not.";
@@ -101,6 +85,11 @@ std::string readable(const std::string& sentence, const std::string& indent) {
   return text;
 }
 
+std::string id_and_seed(const Exercise& exercise) {
+  return exercise.seed.empty() ? exercise.id
+                               : fmt::format("{} --seed \"{}\"", exercise.id, printable_line(exercise.seed));
+}
+
 std::string presentation(const Exercise& exercise) {
   std::string text = fmt::format("{}  (lesson {})\n{}\n\n", exercise.id, exercise.lesson, exercise.title);
   text += readable(exercise.statement) + "\n";
@@ -111,11 +100,8 @@ std::string presentation(const Exercise& exercise) {
   if (!exercise.symbols.empty()) text += "You may use:\n" + symbol_table(exercise) + "\n";
   text += "Form wanted: " + form_in_words(exercise) + "\n";
   text += "An answer looks like this (another thing altogether): " + default_example(exercise) + "\n";
-  const std::string seed =
-      exercise.seed.empty() ? "" : fmt::format(" --seed \"{}\"", printable_line(exercise.seed));
-  return text +
-         fmt::format("\nTo answer: exercises check {0}{1} \"...\"     for help: exercises hint {0}{1}\n",
-                     exercise.id, seed);
+  return text + fmt::format("\nTo answer: exercises check {0} \"...\"     for help: exercises hint {0}\n",
+                            id_and_seed(exercise));
 }
 
 std::string report(const Classroom& room, const Exercise& exercise, const Opinion& opinion) {
@@ -130,17 +116,14 @@ std::string report(const Classroom& room, const Exercise& exercise, const Opinio
     text += several_lines ? opinion.feedback + "\n" : readable(opinion.feedback);
   if (text.ends_with("\n\n")) text.pop_back();
   if (opinion.witness) {
-    std::string at;
-    for (const auto& [name, value] : opinion.witness->at)
-      at += fmt::format("{}{} = {}", at.empty() ? "" : ", ", name, value);
-    text += wrap("at " + at, 80, "  ", "     ");
+    text += wrap("at " + place_of(*opinion.witness), 80, "  ", "     ");
     const std::string what = pivot_in_words(exercise);
     const bool is_step = opinion.line != 0;
     text +=
         fmt::format("  {}{}{}\n  {}{}{}\n", is_step ? "here:   " : "yours: ", what, opinion.witness->printed,
                     is_step ? "before: " : "right: ", what, opinion.witness->derived);
   }
-  if (exit_code(opinion) == 1) text += fmt::format("Stuck? exercises hint {}\n", exercise.id);
+  if (exit_code(opinion) == 1) text += "Stuck? exercises hint " + id_and_seed(exercise) + "\n";
   return text;
 }
 

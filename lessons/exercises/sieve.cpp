@@ -4,7 +4,6 @@
 #include <lessons/exercises/sieve.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <numbers>
-#include <set>
 
 namespace rederive::classroom {
 namespace {
@@ -20,11 +19,9 @@ double called(const std::string& name, double x) {
       {"tanh", std::tanh}, {"asinh", std::asinh}, {"exp", std::exp},     {"log", std::log},
       {"sqrt", std::sqrt}, {"acosh", std::acosh}, {"atanh", std::atanh}, {"fabs", std::fabs},
       {"abs", std::fabs}};
-  static const std::map<std::string, const char*, std::less<>> reciprocals{
-      {"cot", "tan"}, {"sec", "cos"}, {"csc", "sin"}, {"coth", "tanh"}, {"sech", "cosh"}, {"csch", "sinh"}};
   if (const auto found = table.find(name); found != table.end()) return found->second(x);
-  const auto other = reciprocals.find(name);
-  return other == reciprocals.end() ? nowhere : 1 / called(other->second, x);
+  const char* other = reciprocal_of(name);
+  return other == nullptr ? nowhere : 1 / called(other, x);
 }
 
 /// How large the terms are that a value is the sum of: what cancels in them is known to so many digits only.
@@ -57,7 +54,7 @@ bool vanishes(const std::pair<double, double>& residual) {
 
 /// The ends of a range, cut to where values are of moderate size.
 std::pair<double, double> ends(const Symbol& symbol) {
-  const Range range = read_range(symbol.range);
+  const auto range = read_range(symbol.range);
   const auto end = [](const std::string& text, double far) {
     return text == "inf" || text == "-inf" ? far : rough_value(parse(text), {});
   };

@@ -15,12 +15,9 @@ std::string lines_of(const Page& page) {
   std::string text;
   for (const auto& block : page.blocks()) {
     if (const auto* words = std::get_if<Paragraph>(&block)) text += readable(words->text, "  ");
-    if (const auto* formula = std::get_if<Formula>(&block)) {
-      std::string line;
-      for (const auto& piece : pieces(formula->relation, Notation::unicode))
-        line += (line.empty() ? "" : " ") + glued(piece);
-      text += wrap(line + formula->mark, 80, "      ", "        ");
-    }
+    if (const auto* formula = std::get_if<Formula>(&block))
+      text += wrap(joined(pieces(formula->relation, Notation::unicode), " ", glued) + formula->mark, 80,
+                   "      ", "        ");
   }
   return text;
 }
@@ -32,13 +29,15 @@ void argue_by_conditions(const Reference& reference, Page& page) {
     page.say(fmt::format("Derived is ({}):", id));
     page.result(id);
   }
-  std::string with;
-  for (const auto& [name, value] : reference.arguments)
-    with += (with.empty() ? "" : ", ") + (name == "omega" ? "$omega_p/p = " : "$" + name + " = ") +
-            fmt::format("{:.10g}$", value);
+  const std::string with = joined(reference.arguments, ", ", [](const auto& given) {
+    return fmt::format("${} = {:.10g}$", given.first == "omega" ? "omega_p/p" : given.first, given.second);
+  });
+  std::string loss;
+  if (const auto alpha = reference.arguments.find("alpha"); alpha != reference.arguments.end())
+    loss = fmt::format(" and $e = {:.8g}$ from (46)",
+                       number_of(derived("46b").right, {{"alpha", std::to_string(alpha->second)}}));
   page.say(fmt::format(
-      "With {}{}, {} by $psi = {:.8g}${}.", with,
-      found.restitution ? fmt::format(" and $e = {:.8g}$ from (46)", *found.restitution) : "",
+      "With {}{}, {} by $psi = {:.8g}${}.", with, loss,
       found.rows.size() == 1 ? "it is solved" : "they are solved", found.psi,
       found.impact_time ? fmt::format(" and an impact at $p*t = {:.8g}$", *found.impact_time) : ""));
   page.say("The block lifts when $a_p*sin(psi) = alpha*g$. So the amplitude in units of $alpha*g$ is");

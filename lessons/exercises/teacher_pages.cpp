@@ -85,12 +85,6 @@ std::string feedback_page(const Classroom& room, const Student& student, const R
               fmt::format("<p>Marks: {} of {}</p>\n", mark_text(total), mark_text(out_of)) + body);
 }
 
-/// One slip, in one exercise or in all.
-struct Seen {
-  int times = 0;
-  std::map<std::string, int> answers;
-  std::set<std::string> exercises;
-};
 using Slips = std::map<std::string, Seen>;
 
 std::string table_of(const Slips& slips, const std::string& heading,
@@ -125,35 +119,42 @@ std::vector<std::pair<std::string, std::string>> feedback_pages(const Classroom&
   return pages;
 }
 
-std::string report_page(const Classroom& room, const std::vector<Student>& students) {
-  Slips all;
-  std::map<std::string, Slips> slips;
-  std::map<std::string, std::pair<int, int>> counts;  // answers, right ones
+std::map<std::string, Tally> tallies_of(const std::vector<Student>& students) {
+  std::map<std::string, Tally> tallies;
   for (const auto& student : students)
     for (const auto& row : student.rows) {
       if (!row.judged) continue;
-      auto& [answers, right] = counts[row.exercise];
-      ++answers;
-      right += row.verdict == "correct";
+      Tally& tally = tallies[row.exercise];
+      ++tally.answers;
+      tally.correct += row.verdict == "correct";
       if (row.verdict == "correct") continue;
-      for (Seen* seen : {&slips[row.exercise][row.note], &all[row.note]}) {
-        ++seen->times;
-        ++seen->answers[row.read_as.empty() ? row.answer : row.read_as];
-        seen->exercises.insert(row.exercise);
-      }
+      Seen& seen = tally.slips[row.note];
+      ++seen.times;
+      ++seen.answers[row.read_as.empty() ? row.answer : row.read_as];
+    }
+  return tallies;
+}
+
+std::string report_page(const Classroom& room, const std::vector<Student>& students) {
+  const auto tallies = tallies_of(students);
+  Slips all;
+  for (const auto& [exercise, tally] : tallies)
+    for (const auto& [note, seen] : tally.slips) {
+      all[note].times += seen.times;
+      all[note].exercises.insert(exercise);
     }
   std::string body =
-      fmt::format("<p>{} students, {} exercises with answers.</p>\n", students.size(), counts.size());
+      fmt::format("<p>{} students, {} exercises with answers.</p>\n", students.size(), tallies.size());
   body += "<h2>Slips, the most common first</h2>\n" + table_of(all, "in", [](const Seen& seen) {
             return escaped(fmt::format("{}", fmt::join(seen.exercises, ", ")));
           });
   for (const auto& exercise : room.exercises) {
-    const auto count = counts.find(exercise.id);
-    if (count == counts.end()) continue;
+    const auto found = tallies.find(exercise.id);
+    if (found == tallies.end()) continue;
+    const Tally& tally = found->second;
     body += fmt::format("<section>\n<h2>{}</h2>\n<p>{} of {} answers are right.</p>\n",
-                        escaped(exercise.title), count->second.second, count->second.first);
-    if (slips.contains(exercise.id))
-      body += table_of(slips.at(exercise.id), "typical answers", typical_answers);
+                        escaped(exercise.title), tally.correct, tally.answers);
+    if (!tally.slips.empty()) body += table_of(tally.slips, "typical answers", typical_answers);
     body += "</section>\n";
   }
   return page("What the class makes of the exercises", body);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <derivations/rocking_block/paper_symbols.hpp>
-#include <lessons/exercises/edits.hpp>
 #include <lessons/exercises/trees.hpp>
 
 namespace rederive::classroom {
@@ -39,6 +38,38 @@ bool close(double left, double right) {
 }
 
 }  // namespace
+
+Tree number(const std::string& digits) { return make_tree(Node::Kind::number, digits); }
+
+Tree negative(const Tree& tree) { return make_tree(Node::Kind::negative, "", {tree}); }
+
+Tree scaled(const std::string& over, const std::string& under, const Tree& tree) {
+  return make_tree(Node::Kind::product, "", {number(over), number(under), tree}, {false, true, false});
+}
+
+Tree with_child(const Tree& tree, std::size_t index, const Tree& child) {
+  auto copy = std::make_shared<Node>(*tree);
+  copy->children[index] = child;
+  return copy;
+}
+
+Tree without_child(const Tree& tree, std::size_t index) {
+  auto copy = std::make_shared<Node>(*tree);
+  copy->children.erase(copy->children.begin() + static_cast<std::ptrdiff_t>(index));
+  if (index < copy->inverse.size())
+    copy->inverse.erase(copy->inverse.begin() + static_cast<std::ptrdiff_t>(index));
+  if (copy->children.empty()) return number(tree->kind == Node::Kind::sum ? "0" : "1");
+  if (copy->children.size() == 1 && !(copy->inverse.size() == 1 && copy->inverse[0]))
+    return copy->children[0];
+  return copy;
+}
+
+Tree with_flipped(const Tree& tree, std::size_t index) {
+  auto copy = std::make_shared<Node>(*tree);
+  copy->inverse.resize(copy->children.size(), false);
+  copy->inverse[index] = !copy->inverse[index];
+  return copy;
+}
 
 Tree put_in(const Tree& tree, const std::vector<Given>& given) {
   Tree result = tree;

@@ -1,4 +1,4 @@
-// What the classroom asks of a formula: which symbols it uses, what it is worth at a few points.
+// What the classroom does with a formula: changes a part of it, asks what it is worth at a few points.
 #pragma once
 
 #include <derivations/decide/decide.hpp>
@@ -9,6 +9,15 @@
 #include <vector>
 
 namespace rederive::classroom {
+
+Tree number(const std::string& digits);
+Tree negative(const Tree& tree);
+Tree scaled(const std::string& over, const std::string& under, const Tree& tree);
+/// A copy with another child at `index`.
+Tree with_child(const Tree& tree, std::size_t index, const Tree& child);
+/// A copy without the child at `index`, or with it subtracted for added, a divisor for a factor.
+Tree without_child(const Tree& tree, std::size_t index);
+Tree with_flipped(const Tree& tree, std::size_t index);
 
 /// The tree with each named symbol replaced by what it stands for.
 Tree put_in(const Tree& tree, const std::vector<Given>& given);

@@ -9,6 +9,7 @@
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <map>
+#include <regex>
 #include <set>
 
 namespace rederive::classroom {
@@ -40,14 +41,8 @@ class KeyMode {
 
 /// The statement as comments, and an empty place below: what a student finds in a new file.
 std::string stub(const Exercise& exercise) {
-  std::string text, line = "# ";
-  for (char c : presentation(exercise)) {
-    if (c == '\n')
-      text += line + "\n", line = "# ";
-    else
-      line += c;
-  }
-  return text + "# Write your answer below, without a leading #.\n\n";
+  const std::string text = std::regex_replace(presentation(exercise), std::regex("\n"), "\n# ");
+  return "# " + text + "Write your answer below, without a leading #.\n\n";
 }
 
 class Watch {

@@ -14,7 +14,7 @@ void put(const std::string& text) { std::fputs(text.c_str(), stdout); }
 
 std::string next_line(const Classroom& room, const Progress& progress) {
   if (const Exercise* next = next_exercise(room, progress))
-    return fmt::format("Next: exercises show {}\n", next->id);
+    return "Next: exercises show " + id_and_seed(*next) + "\n";
   const auto given_up = count_of(room, progress, "given_up");
   return given_up == 0
              ? "All exercises are solved. Well worked.\n"
@@ -83,6 +83,7 @@ void enter(Progress& progress, const Exercise& exercise, const Opinion& opinion,
   ++record.attempts;
   record.hinted = record.hinted && record.answer == answer;
   record.answer = answer;
+  record.seed = exercise.seed;
   if (opinion.verdict == "correct")
     record.status = "solved";
   else if (record.status == "open")

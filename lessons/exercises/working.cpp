@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <derivations/emit/program.hpp>
 #include <derivations/paper/prove.hpp>
 #include <lessons/exercises/judge.hpp>
+#include <lessons/exercises/units.hpp>
 
 namespace rederive::classroom {
 namespace {
@@ -121,9 +123,70 @@ Opinion judge_step(const Prepared& whole, const Step& before, const Step& after)
   return opinion;
 }
 
+/// What a side of a line is worth in base units: a number with a unit, or a formula of symbols with values.
+double side_value(const std::string& text, std::size_t from, std::size_t end, const RoughPoint& known) {
+  const std::string side = text.substr(from, end - from);
+  try {
+    return parse_quantity(side).value;
+  } catch (const SyntaxError&) {
+    return rough_value(parse(std::string(from, ' ') + side), known);
+  }
+}
+
+/// A line of a working of a number: a chain a = b = c that is true to three digits with the values that are
+/// known. A symbol that has none before gets the value that it is first said to have.
+Opinion judge_chain(const std::string& text, RoughPoint& known) {
+  std::optional<double> before;
+  std::string unknown;
+  for (std::size_t from = 0, end; from <= text.size(); from = end + 1) {
+    end = std::min(text.find('=', from), text.size());
+    const double value = side_value(text, from, end, known);
+    const bool is_new = std::isnan(value) && from == 0 && end < text.size();
+    if (is_new) unknown = print(parse(text.substr(0, end)));
+    if (is_new) continue;
+    if (!std::isfinite(value)) throw SyntaxError("not_real", from, "this has no value, or a symbol without one");
+    if (!unknown.empty()) known[std::exchange(unknown, "")] = value;
+    if (before && !(std::abs(value - *before) <= 0.006 * std::abs(*before)))
+      return found({}, "wrong", "other",
+                   fmt::format("{} comes to {:.4g}, but what stands before it to {:.4g}, with the numbers "
+                               "of the exercise.",
+                               trimmed(text.substr(from, end - from)), value, *before),
+                   0);
+    before = value;
+  }
+  return found({}, "correct", "correct", "Right.", 1);
+}
+
+/// Chains that are all true, and the last side of the last is the answer.
+Opinion judge_chains(const Prepared& whole, const std::vector<std::pair<int, std::string>>& lines,
+                     const std::string& answer) {
+  RoughPoint known;
+  for (const auto& [name, value] : whole.answer.values) known[name] = rough_value(value, {});
+  for (const auto& [number, text] : lines) {
+    Opinion opinion;
+    try {
+      opinion = judge_chain(text, known);
+    } catch (const SyntaxError& error) {
+      opinion = invalid(error, text);
+    }
+    opinion.line = number;
+    if (opinion.verdict != "correct") return opinion;
+  }
+  Opinion opinion = judge_answer(whole, answer);
+  if (exit_code(opinion) == 1 && lines.size() > 1)
+    opinion.feedback = "Each line is true, but the last is not the answer. " + opinion.feedback;
+  return opinion;
+}
+
 }  // namespace
 
 Working judge_working(const Exercise& exercise, const std::vector<std::pair<int, std::string>>& lines) {
+  if (exercise.kind == Kind::number)
+    if (const Prepared whole = prepare(exercise); !whole.answer.relation.sides.empty()) {
+      const std::string& last = lines.back().second;
+      const std::string answer = trimmed(last.substr(last.rfind('=') + 1));
+      return {bounded([&] { return judge_chains(whole, lines, answer); }), answer, exercise};
+    }
   if (exercise.kind != Kind::expression && exercise.kind != Kind::equation)
     throw BadInput(
         fmt::format("'{0}' asks for no formula: a working of it cannot be followed. Its answer alone is "
@@ -139,7 +202,10 @@ Working judge_working(const Exercise& exercise, const std::vector<std::pair<int,
       return result;
     };
     try {
+      const std::size_t before = steps.size();
       read_line(exercise, number, text, steps);
+      for (std::size_t k = before; k < steps.size(); ++k)
+        for (const auto& side : steps[k].says.sides) lower(side);  // refuses what is undefined, such as R/0
     } catch (const SyntaxError& error) {
       return refused(invalid(error, text));
     }

@@ -90,9 +90,7 @@ Finding spread_impact(Bench&, const Claim&) {
 
 Finding restitution_is_geometry(Bench&, const Claim&) {
   const ex e = restitution();
-  std::string names;
-  for (const std::string& name : paper_symbols().names())
-    if (e.has(paper_symbols()[name])) names += (names.empty() ? "" : ", ") + name;
+  const std::string names = fmt::format("{}", fmt::join(names_of(to_tree(e)), ", "));
   return {decided(names == "alpha"), {shown(e), names}};
 }
 
@@ -147,10 +145,6 @@ Finding extends_71(Bench&, const Claim&) {
           {shown((left - without.left + without.right).expand())}};
 }
 
-bool contains(const std::vector<std::string>& ids, const std::string& id) {
-  return std::find(ids.begin(), ids.end(), id) != ids.end();
-}
-
 /// A claim that says what its rows say.
 Finding by_rows(Bench& bench, const Claim& claim) {
   const auto is = [&](const char* verdict) {
@@ -172,14 +166,15 @@ Finding reference_to_42(Bench& bench, const Claim&) {
   const Row &used = bench.row("46a").row, &geometry = bench.row("42a").row, &momentum = bench.row("43b").row;
   return {decided(geometry.printed.find("thetadot") != std::string::npos),
           {geometry.printed, momentum.printed, fmt::format("{}", fmt::join(used.follows_from, ", ")),
-           contains(used.follows_from, "43b") ? " and has no angular velocity in it; the momentum before the "
-                                                "impact is (43). A wrong reference"
-                                              : ""}};
+           std::ranges::count(used.follows_from, "43b") > 0
+               ? " and has no angular velocity in it; the momentum before the "
+                 "impact is (43). A wrong reference"
+               : ""}};
 }
 
 Finding reference_to_65(Bench& bench, const Claim&) {
   const auto& from = bench.row("89a").row.follows_from;
-  return {decided(contains(from, "65a")),
+  return {decided(std::ranges::count(from, "65a") > 0),
           {bench.verdict_of("89a"), fmt::format("{}", fmt::join(from, ", ")), bench.row("65a").row.printed}};
 }
 

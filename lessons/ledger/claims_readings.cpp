@@ -49,7 +49,7 @@ std::vector<Match> compare_with(const std::string& printed, const std::vector<Re
   std::vector<Match> matches;
   for (const Reading& reading : readings) {
     const double off = (reading.value - value) / unit;
-    matches.push_back({reading, off, std::abs(off) <= 0.5, off >= 0 && off < 1});
+    matches.push_back({reading, off, std::abs(off) <= 0.5});
   }
   std::stable_sort(matches.begin(), matches.end(),
                    [](const Match& a, const Match& b) { return std::abs(a.off) < std::abs(b.off); });

@@ -15,8 +15,7 @@ struct Reading {
 struct Match {
   Reading reading;
   double off = 0;
-  bool rounds = false;  ///< gives the printed digits when rounded …
-  bool cuts = false;    ///< … when cut off
+  bool rounds = false;  ///< gives the printed digits when rounded
 };
 
 /// The readings by distance from the printed number ("0.672"; the digits after its point count), nearest

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <derivations/emit/program.hpp>
 #include <lessons/ledger/claims_bench.hpp>
-#include <sstream>
+#include <lessons/prose.hpp>
 
 namespace rederive {
 
@@ -16,27 +16,6 @@ std::string painted(const std::string& text, ClaimVerdict verdict, bool colour) 
   if (!colour) return text;
   const char* code = verdict == refuted ? "31" : verdict == confirmed ? "32" : "33";
   return fmt::format("\033[{}m{}\033[0m", code, text);
-}
-
-std::size_t letters_in(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
-/// Words filled into lines behind a margin; the first line begins with `head`.
-std::string filled(const std::string& head, const std::string& margin, const std::string& text) {
-  std::istringstream words(text);
-  std::string result, line = head;
-  bool fresh = true;
-  for (std::string word; words >> word; fresh = false) {
-    if (!fresh && letters_in(line) + 1 + letters_in(word) > width) {
-      result += line + "\n";
-      line = margin;
-      fresh = true;
-    }
-    line += (fresh ? "" : " ") + word;
-  }
-  return result + line + "\n";
 }
 
 std::string unexpected(const JudgedClaim& judged) {
@@ -85,8 +64,8 @@ std::string claims_table(const std::vector<JudgedClaim>& judged, bool colour) {
     text +=
         fmt::format("{:<6} {}  {}{}\n", claim.id, painted(fmt::format("{:<9}", verdict), one.verdict, colour),
                     claim.where, unexpected(one));
-    text +=
-        filled(margin, margin, claim.statement) + filled(margin + "-> ", margin + "   ", one.found) + "\n";
+    text += wrap(claim.statement, width, margin, margin) +
+            wrap(one.found, width, margin + "-> ", margin + "   ") + "\n";
   }
   text += fmt::format("{} claims:", judged.size());
   for (const auto& [verdict, count] : counts) text += fmt::format(" {} {},", count, verdict);
@@ -98,7 +77,7 @@ std::string claim_page(const JudgedClaim& judged, bool colour) {
   const Claim& claim = judged.claim;
   std::string text = fmt::format("{}  {}\n\n", claim.id, claim.where);
   const auto line = [&](const std::string& name, const std::string& value) {
-    if (!value.empty()) text += filled(fmt::format("  {:<12} ", name), std::string(15, ' '), value);
+    if (!value.empty()) text += wrap(value, width, fmt::format("  {:<12} ", name), std::string(15, ' '));
   };
   line("the paper", claim.statement);
   line("printed", claim.printed);

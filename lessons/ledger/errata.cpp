@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/language/unicode.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/report.hpp>
-#include <sstream>
+#include <lessons/prose.hpp>
+#include <lessons/render.hpp>
 
 namespace rederive {
 
@@ -33,36 +33,6 @@ std::vector<Entry> those_refuted(const std::vector<Entry>& entries) {
   return sorted;
 }
 
-/// A sign, what LaTeX has for it, and a bar.
-constexpr auto latex_signs =
-    R"(% \%|& \&|# \#|_ \_|$ \$|{ \{|} \}|^ \textasciicircum{}|~ \textasciitilde{}|\ \textbackslash{}|
-< \textless{}|> \textgreater{}|θ̈ $\ddot\theta$|θ̇ $\dot\theta$|θ $\theta$|α $\alpha$|ψ $\psi$|
-ω $\omega$|π $\pi$|μ $\mu$|λ $\lambda$|τ $\tau$|² $^2$|³ $^3$|· $\cdot$|− $-$|≥ $\ge$|≤ $\le$|≠ $\ne$|
-′ $'$|ẍ $\ddot x$|ÿ $\ddot y$|ü $\ddot u$|Ω $\Omega$|ρ $\rho$|φ $\varphi$|∂ $\partial$|→ $\to$|
-∞ $\infty$|– --|— ---|’ '|½ $\frac12$|× $\times$|… \dots{}|ẋ $\dot x$|ẏ $\dot y$|u̇ $\dot u$|≈ $\approx$|
-√ $\surd$|ξ $\xi$|η $\eta$|ε $\varepsilon$|∫ $\int$|)";
-
-/// Text for LaTeX. Where one sign of the table begins another, the longer one counts; for any other sign
-/// beyond ASCII, at which pdflatex would stop, stands "?".
-std::string latex_escaped(std::string_view text) {
-  static const auto table = [] {
-    std::map<std::string, std::string, std::greater<>> result;  // the longer one first
-    std::istringstream signs(latex_signs);
-    for (std::string sign, with; signs >> sign >> std::ws && std::getline(signs, with, '|');)
-      result[sign] = with;
-    return result;
-  }();
-  std::string out;
-  while (!text.empty()) {
-    const auto known = std::find_if(table.begin(), table.end(),
-                                    [&](const auto& entry) { return text.starts_with(entry.first); });
-    const std::size_t bytes = std::max<std::size_t>(first_character(text).bytes, 1);
-    out += known != table.end() ? known->second : bytes == 1 ? std::string(text.substr(0, 1)) : "?";
-    text.remove_prefix(known != table.end() ? known->first.size() : bytes);
-  }
-  return out;
-}
-
 std::vector<std::string> last_steps(const Entry& entry, Notation notation, const char* open,
                                     const char* close) {
   std::vector<std::string> lines;
@@ -77,8 +47,6 @@ std::vector<std::string> last_steps(const Entry& entry, Notation notation, const
   return lines;
 }
 
-std::string at(const Witness& witness) { return fmt::format("{}", fmt::join(in_words(witness), ", ")); }
-
 std::string text_sheet(const std::vector<Entry>& wrong) {
   std::string text;
   for (const Entry& entry : wrong) {
@@ -88,9 +56,9 @@ std::string text_sheet(const std::vector<Entry>& wrong) {
     for (const auto& line : last_steps(entry, Notation::unicode, "", ""))
       text += "  why        " + line + "\n";
     if (entry.proof.witness)
-      text +=
-          fmt::format("  witness    {}\n             printed {}\n             derived {}\n",
-                      at(*entry.proof.witness), entry.proof.witness->printed, entry.proof.witness->derived);
+      text += fmt::format("  witness    {}\n             printed {}\n             derived {}\n",
+                          joined(in_words(*entry.proof.witness), ", "), entry.proof.witness->printed,
+                          entry.proof.witness->derived);
     text += fmt::format("  so         {}\n\n", entry.row.consequence);
   }
   return text + fmt::format("{} errors.\n", wrong.size());
@@ -108,9 +76,9 @@ std::string markdown_sheet(const std::vector<Entry>& wrong) {
         print(parse_statement(entry.correction), Notation::latex));
     for (const auto& line : last_steps(entry, Notation::latex, "$", "$")) text += "1. " + line + "\n";
     if (entry.proof.witness)
-      text +=
-          fmt::format("\nWitness: at `{}` the printed side is `{}`, the derived one `{}`.\n",
-                      at(*entry.proof.witness), entry.proof.witness->printed, entry.proof.witness->derived);
+      text += fmt::format("\nWitness: at `{}` the printed side is `{}`, the derived one `{}`.\n",
+                          joined(in_words(*entry.proof.witness), ", "), entry.proof.witness->printed,
+                          entry.proof.witness->derived);
     text += fmt::format("\nConsequence: {}\n\n", entry.row.consequence);
   }
   return text;
@@ -143,8 +111,8 @@ std::string latex_sheet(const std::vector<Entry>& wrong) {
     }
     if (entry.proof.witness)
       text += fmt::format("Witness: at {}\\\\ printed {}\\\\ derived {}.\n\n",
-                          latex_escaped(at(*entry.proof.witness)), entry.proof.witness->printed,
-                          entry.proof.witness->derived);
+                          latex_escaped(joined(in_words(*entry.proof.witness), ", ")),
+                          entry.proof.witness->printed, entry.proof.witness->derived);
     text += "Consequence: " + latex_escaped(entry.row.consequence) + "\n\n";
   }
   text.replace(text.find("\\usepackage{amsmath}"), 20, "\\usepackage{amsmath,graphicx}");

@@ -3,6 +3,7 @@
 #include <derivations/decide/proof.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/report.hpp>
+#include <lessons/prose.hpp>
 
 namespace rederive {
 
@@ -31,10 +32,6 @@ std::string dimension_word(const Entry& entry) {
 std::string unicode_or(const std::string& printed) {
   if (printed.empty()) return "";
   return print(parse_statement(printed), Notation::unicode);
-}
-
-std::string joined(const std::vector<std::string>& words, const char* separator = ", ") {
-  return fmt::format("{}", fmt::join(words, separator));
 }
 
 }  // namespace
@@ -129,7 +126,7 @@ std::string ledger_page(const Entry& entry, bool colour) {
            (to_string(entry.proof.verdict) == row.expected ? "" : "   (expected: " + row.expected + ")"));
   line("because", entry.proof.reason);
   if (entry.proof.factor != "1") line("factor", entry.proof.factor);
-  line("side conditions", joined(entry.proof.side_conditions));
+  line("side conditions", joined(entry.proof.side_conditions, ", "));
   if (entry.derivation) {
     line("assumption", entry.derivation->assumption);
     if (entry.derivation->order > 0)
@@ -140,7 +137,7 @@ std::string ledger_page(const Entry& entry, bool colour) {
     line("correction", unicode_or(entry.correction));
   }
   if (entry.proof.witness) {
-    line("witness at", joined(in_words(*entry.proof.witness)));
+    line("witness at", joined(in_words(*entry.proof.witness), ", "));
     line("  printed", entry.proof.witness->printed);
     line("  derived", entry.proof.witness->derived);
   }
@@ -149,8 +146,8 @@ std::string ledger_page(const Entry& entry, bool colour) {
                                     ? " (" + unit_text(*entry.dimension->dimension) + ")"
                                     : ""));
   if (entry.dimension) line("", entry.dimension->explanation);
-  line("follows from", joined(row.follows_from));
-  line("rests on it", joined(entry.rests_on_it));
+  line("follows from", joined(row.follows_from, ", "));
+  line("rests on it", joined(entry.rests_on_it, ", "));
   line("consequence", row.consequence);
   line("scan", row.scan_repaired);
   line("note", row.note);

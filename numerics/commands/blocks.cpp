@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <numerics/commands/blocks.hpp>
 #include <optional>
 

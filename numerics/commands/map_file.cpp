@@ -1,4 +1,4 @@
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <numerics/commands/map_file.hpp>
 
 #ifdef REDERIVE_HDF5

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
-#include <derivations/emit/command_line.hpp>
+#include <derivations/emit/program.hpp>
 #include <exception>
 #include <memory>
 #include <mutex>
