@@ -10,6 +10,7 @@
 #include <mutex>
 #include <numerics/commands/ranks.hpp>
 #include <thread>
+#include <utility>
 
 namespace rederive::inline numeric {
 namespace {
