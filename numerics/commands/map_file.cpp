@@ -1,11 +1,12 @@
-#include <derivations/emit/program.hpp>
 #include <numerics/commands/map_file.hpp>
+#include <stdexcept>
 
 #ifdef REDERIVE_HDF5
 
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <hdf5_hl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <limits>
@@ -136,8 +137,8 @@ struct MapFile::Open {
   std::size_t columns, rows;
   Handle file, code;
 
-  BadInput refusal(const std::string& why) const {
-    return BadInput(fmt::format("cannot write '{}': {}", target.string(), why));
+  std::invalid_argument refusal(const std::string& why) const {
+    return std::invalid_argument(fmt::format("cannot write '{}': {}", target.string(), why));
   }
 
   /// What is unlike in the file that is there; empty if it can be taken up.
@@ -237,7 +238,7 @@ namespace rederive::inline numeric {
 struct MapFile::Open {};
 MapFile::MapFile(const std::filesystem::path&, const Attributes&, const std::vector<double>&,
                  const std::vector<double>&) {
-  throw BadInput("--hdf5: this program was built where there is no HDF5 (Debian: libhdf5-dev)");
+  throw std::invalid_argument("--hdf5: this program was built where there is no HDF5 (Debian: libhdf5-dev)");
 }
 MapFile::~MapFile() = default;
 std::vector<std::vector<int>> MapFile::known() const { return {}; }

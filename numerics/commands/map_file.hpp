@@ -19,8 +19,8 @@ using Attributes = std::vector<std::pair<std::string, std::variant<std::string, 
 /// All that has no code yet holds the least int: so a run that was killed leaves nothing that misleads.
 class MapFile {
  public:
-  /// Begins FILE.part, or takes up one that holds the same attributes and axes. Throws BadInput if there is
-  /// one with others, if it cannot be written, or if this program was built without HDF5.
+  /// Begins FILE.part, or takes up one that holds the same attributes and axes. Throws std::invalid_argument
+  /// if there is one with others, if it cannot be written, or if this program was built without HDF5.
   MapFile(const std::filesystem::path& file, const Attributes& attributes,
           const std::vector<double>& omega_ratios, const std::vector<double>& amplitudes);
   ~MapFile();
