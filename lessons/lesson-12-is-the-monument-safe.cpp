@@ -29,10 +29,10 @@ void back_to_seconds(Page& page) {
                        2 * radius * number_of(sin(paper::alpha), {{"alpha", "0.25"}})));
   page.say("The length of the pulse in seconds follows from (52), divided by $p$:");
   const double slow = pulse_length(1, 1) / 2.14, fast = pulse_length(4, 2) / 2.14;
-  page.lemma("derivation_u20");
   page.table({"$omega_p/p$", "$a_p/(alpha*g)$", "length of the pulse, computed", "printed"},
              {{"1", "1", fmt::format("{:.4f} s", slow), "2.201 s"},
               {"4", "2", fmt::format("{:.4f} s", fast), "0.672 s"}});
+  page.lemma("derivation_u20");
   page.say(R"(
     The second line was cut off where it should have been rounded; the first is what comes out with 3.14 for
     $pi$, as `ledger claims c71` finds. Small things. But look at what the paper calls this number: *a period*. It is the time from the lifting of the block to

@@ -134,7 +134,10 @@ Relation exchanged(const Relation& relation, const Tree& old, const Tree& fresh)
 /// that does not belong there exchanged for one that is missing.
 std::vector<Tree> repairs(const Tree& term, const std::set<std::string>& strange,
                           const std::set<std::string>& missing) {
-  std::vector<Tree> result{negative(term), scaled("2", "1", term), scaled("1", "2", term)};
+  const auto with_two = [&](bool under) {
+    return make_tree(Node::Kind::product, "", {term, number("2")}, {false, under});
+  };
+  std::vector<Tree> result{negative(term), with_two(false), with_two(true)};
   for (const auto& mutant : mutants({{term}, {}})) result.push_back(mutant.relation.sides[0]);
   for (const auto& old : strange)
     for (const auto& fresh : missing)

@@ -43,10 +43,6 @@ Tree number(const std::string& digits) { return make_tree(Node::Kind::number, di
 
 Tree negative(const Tree& tree) { return make_tree(Node::Kind::negative, "", {tree}); }
 
-Tree scaled(const std::string& over, const std::string& under, const Tree& tree) {
-  return make_tree(Node::Kind::product, "", {number(over), number(under), tree}, {false, true, false});
-}
-
 Tree with_child(const Tree& tree, std::size_t index, const Tree& child) {
   auto copy = std::make_shared<Node>(*tree);
   copy->children[index] = child;

@@ -29,12 +29,6 @@ double distance(const Signature& left, const Signature& right) {
   return error;
 }
 
-Signature minus(const Signature& left, const Signature& right) {
-  Signature result = left;
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] -= right[i];
-  return result;
-}
-
 /// The answer and the right one at points whose angles (or rotations alone) shrink.
 class SmallAngles {
  public:
@@ -56,7 +50,8 @@ class SmallAngles {
       auto a = at(mine_, cln::cl_RA(1) / shrink), b = at(right_, cln::cl_RA(1) / shrink);
       if (!a || !b) return false;
       const bool varies = mine_at_zero && right_at_zero && !alike(*a, *mine_at_zero);
-      if (varies) a = minus(*a, *mine_at_zero), b = minus(*b, *right_at_zero);
+      for (std::size_t i = 0; varies && i < a->size(); ++i)
+        (*a)[i] -= (*mine_at_zero)[i], (*b)[i] -= (*right_at_zero)[i];
       const double error = distance(*a, *b);
       if (error > before / 8 || (shrink == 40 && error > 0.1)) return false;
       before = error;
