@@ -15,6 +15,14 @@ Proof.
     + intros; apply continuity_pt_opp; auto.
     + exists x; split; [ exact P | lra ].
 Qed.
+Lemma root_between f a b :
+  a < b -> (forall x, a <= x <= b -> continuity_pt f x) -> f a < 0 < f b \/ f b < 0 < f a ->
+  exists x, a < x < b /\ f x = 0.
+Proof.
+  intros L C S; destruct (intermediate_value f a b L C S) as [x [[A B] Z]]; exists x; repeat split; try exact Z.
+  - destruct A as [A | ->]; [ exact A | lra ].
+  - destruct B as [B | ->]; [ exact B | lra ].
+Qed.
 Ltac continuous := intros; reg; lra.
 Tactic Notation "zero_between" ident(x) constr(a) constr(b) constr(f) :=
   destruct (intermediate_value f a b) as [x [? ?]];

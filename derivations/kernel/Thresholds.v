@@ -107,17 +107,17 @@ Qed.
 Definition free s :=
   thetadot T_ex / p * ((exp (p * s) - exp (- (p * s))) / 2) +
   (theta T_ex + alpha) * ((exp (p * s) + exp (- (p * s))) / 2) - alpha.
-Theorem free_solves s :
-  exists rate, (forall x, is_derive free x (rate x)) /\ is_derive rate s (p ^ 2 * free s + p ^ 2 * alpha) /\
-               free 0 = theta T_ex /\ rate 0 = thetadot T_ex.
+Definition freedot s :=
+  thetadot T_ex * ((exp (p * s) + exp (- (p * s))) / 2) +
+  p * (theta T_ex + alpha) * ((exp (p * s) - exp (- (p * s))) / 2).
+Theorem free_solves s : is_derive free s (freedot s) /\ is_derive freedot s (p ^ 2 * free s + p ^ 2 * alpha) /\
+  free 0 = theta T_ex /\ freedot 0 = thetadot T_ex.
 Proof.
-  exists (fun s => thetadot T_ex * ((exp (p * s) + exp (- (p * s))) / 2) +
-                   p * (theta T_ex + alpha) * ((exp (p * s) - exp (- (p * s))) / 2)).
-  unfold free; split; [ | split; [ | split ] ].
-  - intro; auto_derive; [ lra | field; lra ].
+  unfold free, freedot; split; [ | split; [ | split ] ].
+  - auto_derive; [ lra | field; lra ].
   - auto_derive; [ lra | field; lra ].
   - rewrite !Rmult_0_r, Ropp_0, !exp_0; field; lra.
-  - cbv beta; rewrite !Rmult_0_r, Ropp_0, !exp_0; lra.
+  - rewrite !Rmult_0_r, Ropp_0, !exp_0; lra.
 Qed.
 
 (* (71) from (68): what decides is theta + alpha + thetadot/p at the end of the pulse. *)
@@ -150,18 +150,18 @@ Proof.
   - rewrite <- (sin_PI_x x); apply sin_increasing_1; lra.
   - assert (N := sin_le_0 x); lra.
 Qed.
-(* Where the block overturns, thetadot + p theta is negative while the pulse lasts: its product with exp (- p t) falls
-   from 0 as long as the pulse exceeds alpha, and then rises to a value that is negative. So theta exp (p t) falls. *)
+(* Where the block does not come back, thetadot + p theta is negative while the pulse lasts: its product with
+   exp (- p t) falls from 0 as long as the pulse exceeds alpha, and then rises to a value that is negative. So
+   theta exp (p t) falls. *)
 Lemma growing_part_negative : 0 < excess (omega_p / p) psi -> theta T_ex + alpha + thetadot T_ex / p < 0.
 Proof.
   intro E; assert (S := sin_psi_pos); assert (Q := squares_pos); rewrite growing_part.
   assert (0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 + p ^ 2))) by pos; nra.
 Qed.
-Lemma no_impact : 0 < excess (omega_p / p) psi -> forall t, 0 < t <= T_ex -> theta t < 0.
+Lemma negative_until_the_end :
+  theta T_ex + alpha + thetadot T_ex / p <= 0 -> psi < PI / 2 -> forall t, 0 < t <= T_ex -> theta t < 0.
 Proof.
-  intros E; assert (S := sin_psi_pos); assert (G := growing_part_negative E); assert (L := PI_RGT_0).
-  assert (W : 0 < omega_p / p) by pos.
-  assert (H : psi < PI / 2) by (apply Rnot_le_lt; intro; assert (N := excess_negative _ psi W); lra).
+  intros G H; assert (S := sin_psi_pos); assert (L := PI_RGT_0).
   destruct response_starts_at_rest as [T0 V0].
   assert (phase : forall a b t, a <= omega_p * t + psi < b <-> (a - psi) / omega_p <= t < (b - psi) / omega_p).
   { intros a b t; assert (A : a <= omega_p * t + psi <-> (a - psi) / omega_p <= t) by (apply (le_by omega_p); [ lra |
@@ -204,6 +204,12 @@ Proof.
     nra.
 Qed.
 
+Lemma no_impact : 0 < excess (omega_p / p) psi -> forall t, 0 < t <= T_ex -> theta t < 0.
+Proof.
+  intro E; apply negative_until_the_end; [ apply Rlt_le, growing_part_negative, E | ].
+  apply Rnot_le_lt; intro; assert (N := excess_negative (omega_p / p) psi ltac:(pos)); lra.
+Qed.
+
 (* Above the threshold, where psi is smaller, the block overturns, and nowhere before does it come back to theta = 0,
    where it would strike the ground; below it, it comes back. *)
 Theorem overturns : 0 < excess (omega_p / p) psi ->
@@ -242,7 +248,8 @@ Definition is_the_motion (x v : R -> R) :=
 Lemma T_ex_pos : 0 < T_ex.
 Proof. assert (L := PI_RGT_0); unfold T_ex; apply Rdiv_lt_0_compat; lra. Qed.
 Lemma the_motion_is x v : is_the_motion x v ->
-  (forall t, 0 <= t <= T_ex -> x t = theta t /\ v t = thetadot t) /\ forall t, T_ex <= t -> x t = free (t - T_ex).
+  (forall t, 0 <= t <= T_ex -> x t = theta t /\ v t = thetadot t) /\
+  forall t, T_ex <= t -> x t = free (t - T_ex) /\ v t = freedot (t - T_ex).
 Proof.
   intros [X [C [X0 [V0 [V W]]]]]; assert (P := T_ex_pos); destruct response_starts_at_rest as [T0 R0].
   assert (A : forall t, 0 <= t <= T_ex -> x t = theta t /\ v t = thetadot t).
@@ -254,35 +261,29 @@ Proof.
     - intro t; assert (S := response_solves t); replace (_ + (_ - _)) with (p ^ 2 * theta t + p ^ 2 * alpha -
         p ^ 2 * (alpha / sin psi) * sin (omega_p * t + psi)) by ring; exact S. }
   split; [ exact A | intros t I ]; destruct (A T_ex) as [E F]; [ lra | ].
-  apply (agrees_until p T_ex p_pos t x v (fun t => free (t - T_ex))
-    (fun s => thetadot T_ex * ((exp (p * (s - T_ex)) + exp (- (p * (s - T_ex)))) / 2) +
-              p * (theta T_ex + alpha) * ((exp (p * (s - T_ex)) - exp (- (p * (s - T_ex)))) / 2))
+  apply (agrees_until p T_ex p_pos t x v (fun t => free (t - T_ex)) (fun t => freedot (t - T_ex))
     (fun _ => p ^ 2 * alpha)); try assumption.
   - intros s J; apply W; lra.
-  - intro s; unfold free; auto_derive; [ trivial | unfold Rminus; field; lra ].
-  - intro s; unfold free; auto_derive; [ trivial | unfold Rminus; field; lra ].
-  - rewrite E; unfold free, Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0, exp_0; field; lra.
-  - rewrite F; unfold Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0, exp_0; field.
+  - intro s; unfold free, freedot; auto_derive; [ trivial | unfold Rminus; field; lra ].
+  - intro s; unfold free, freedot; auto_derive; [ trivial | unfold Rminus; field; lra ].
+  - rewrite E, Rminus_eq_0; symmetry; apply (free_solves 0).
+  - rewrite F, Rminus_eq_0; symmetry; apply (free_solves 0).
   - lra.
 Qed.
 (* There is such a motion. *)
 Theorem threshold_instance : exists x v, is_the_motion x v.
 Proof.
   assert (S := sin_psi_pos); assert (P := T_ex_pos); destruct response_starts_at_rest as [T0 R0].
-  set (w := fun s => thetadot T_ex * ((exp (p * (s - T_ex)) + exp (- (p * (s - T_ex)))) / 2) +
-              p * (theta T_ex + alpha) * ((exp (p * (s - T_ex)) - exp (- (p * (s - T_ex)))) / 2)).
+  set (w := fun t => freedot (t - T_ex)).
   set (pulse := fun t => p ^ 2 * theta t + p ^ 2 * alpha - p ^ 2 * (alpha / sin psi) * sin (omega_p * t + psi)).
-  assert (F0 : theta T_ex = free (T_ex - T_ex)) by (unfold free, Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0,
-    exp_0;
-    field; lra).
-  assert (W0 : thetadot T_ex = w T_ex) by (unfold w, Rminus; rewrite Rplus_opp_r, Rmult_0_r, Ropp_0, exp_0; field).
+  assert (F0 : theta T_ex = free (T_ex - T_ex)) by (rewrite Rminus_eq_0; symmetry; apply (free_solves 0)).
+  assert (W0 : thetadot T_ex = w T_ex) by (unfold w; rewrite Rminus_eq_0; symmetry; apply (free_solves 0)).
   assert (X := glued theta thetadot (fun t => free (t - T_ex)) w T_ex theta_derivative).
   assert (V := glued thetadot pulse w (fun t => p ^ 2 * free (t - T_ex) + p ^ 2 * alpha) T_ex response_solves).
-  assert (Dx : forall t, is_derive (fun t => free (t - T_ex)) t (w t)) by (intro; unfold free, w; auto_derive;
+  assert (Dx : forall t, is_derive (fun t => free (t - T_ex)) t (w t)) by (intro; unfold free, w, freedot; auto_derive;
     [ trivial | unfold Rminus; field; lra ]).
-  assert (Dw : forall t, is_derive w t (p ^ 2 * free (t - T_ex) + p ^ 2 * alpha)) by (intro; unfold free, w;
-    auto_derive;
-    [ trivial | unfold Rminus; field; lra ]).
+  assert (Dw : forall t, is_derive w t (p ^ 2 * free (t - T_ex) + p ^ 2 * alpha)) by (intro; unfold free, w, freedot;
+    auto_derive; [ trivial | unfold Rminus; field; lra ]).
   specialize (X Dx F0 W0); specialize (V Dw W0).
   assert (E : pulse T_ex = p ^ 2 * free (T_ex - T_ex) + p ^ 2 * alpha).
   { rewrite <- F0; unfold pulse; replace (omega_p * T_ex + psi) with (2 * PI) by (unfold T_ex; field; lra).
@@ -303,19 +304,34 @@ Theorem threshold_of_the_motion x v : is_the_motion x v ->
 Proof.
   intro M; destruct (the_motion_is x v M) as [A B]; split; [ | split ].
   - intro E; destruct (overturns E) as [N [F G]]; split.
-    + intros t I; destruct (Rle_dec t T_ex); [ rewrite (proj1 (A t ltac:(lra))); apply N; lra | rewrite B; [ apply F
-      | ];
-        lra ].
+    + intros t I; destruct (Rle_dec t T_ex); [ rewrite (proj1 (A t ltac:(lra))); apply N; lra |
+        rewrite (proj1 (B t ltac:(lra))); apply F; lra ].
     + intro m; destruct (G m) as [T H]; exists (Rmax T_ex (T + T_ex)); intros t I.
-      assert (L := Rmax_l T_ex (T + T_ex)); assert (L' := Rmax_r T_ex (T + T_ex)); rewrite B by lra; apply H; lra.
+      assert (L := Rmax_l T_ex (T + T_ex)); assert (L' := Rmax_r T_ex (T + T_ex)); rewrite (proj1 (B t ltac:(lra)));
+      apply H; lra.
   - intros E m; destruct (comes_back E m) as [T H]; exists (Rmax T_ex (T + T_ex)); intros t I.
-    assert (L := Rmax_l T_ex (T + T_ex)); assert (L' := Rmax_r T_ex (T + T_ex)); rewrite B by lra; apply H; lra.
+    assert (L := Rmax_l T_ex (T + T_ex)); assert (L' := Rmax_r T_ex (T + T_ex)); rewrite (proj1 (B t ltac:(lra)));
+      apply H; lra.
   - rewrite (tends_to_from T_ex x (fun t => thetadot T_ex / p * sinh (p * (t - T_ex)) +
-      (theta T_ex + alpha) * cosh (p * (t - T_ex)) + - alpha)) by (intros t I; rewrite B by lra; reflexivity).
+      (theta T_ex + alpha) * cosh (p * (t - T_ex)) + - alpha)) by (intros t I; apply B; lra).
     rewrite dies_away by exact p_pos; assert (G := growing_part); assert (S := sin_psi_pos); assert (Q :=
       squares_pos).
     assert (K : 0 < alpha * omega_p * p * exp (p * T_ex) / (sin psi * (omega_p ^ 2 + p ^ 2))) by pos.
     split; intro E; [ rewrite E in G; lra | nra ].
+Qed.
+(* At it, it strikes nothing either. *)
+Lemma no_impact_at_the_threshold x v :
+  is_the_motion x v -> excess (omega_p / p) psi = 0 -> forall t, 0 < t -> x t < 0.
+Proof.
+  intros M Z; destruct (the_motion_is x v M) as [A B]; assert (P := T_ex_pos); assert (L := PI_RGT_0).
+  assert (G : theta T_ex + alpha + thetadot T_ex / p = 0) by (rewrite growing_part, Z; ring).
+  assert (N : forall t, 0 < t <= T_ex -> theta t < 0).
+  { apply negative_until_the_end; [ lra | apply Rnot_le_lt; intro ].
+    assert (E := excess_negative (omega_p / p) psi ltac:(pos)); lra. }
+  intros t I; destruct (Rle_dec t T_ex); [ rewrite (proj1 (A t ltac:(lra))); apply N; lra | ].
+  rewrite (proj1 (B t ltac:(lra))), free_by_exponentials, G; specialize (N T_ex ltac:(lra)).
+  assert (U := exp_pos (- (p * (t - T_ex)))); assert (exp (- (p * (t - T_ex))) < exp 0) by (apply exp_increasing; nra).
+  rewrite exp_0 in *; nra.
 Qed.
 End Response.
 

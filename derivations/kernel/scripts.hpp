@@ -21,9 +21,9 @@ std::optional<Lemma> lemma_of(const Entry& entry);
 
 /// The prelude and what theorems need beside it, and their files, in the order in which they compile.
 inline constexpr std::array prelude{"Rederive.v", "Intervals.v", "Bounds.v", "Solutions.v", "Limits.v"};
-inline constexpr std::array theorem_files{"Initiation.v", "Derivations.v", "Impact.v",
-                                          "Responses.v",  "Critical.v",    "Instances.v",
-                                          "Claims.v",     "Thresholds.v",  "OneImpact.v"};
+inline constexpr std::array theorem_files{"Initiation.v",    "Derivations.v", "Impact.v",   "Responses.v",
+                                          "Critical.v",      "Instances.v",   "Claims.v",   "Thresholds.v",
+                                          "ImpactInPulse.v", "AfterImpact.v", "OneImpact.v"};
 /// Whether a lemma is one of theirs.
 inline bool ships(const Lemma& lemma) { return std::ranges::count(theorem_files, lemma.file) > 0; }
 /// Their theorems, read off the files; derivation_8_18 is about the rows 8 and 18.
