@@ -171,7 +171,7 @@ const std::map<std::string, std::map<std::string, std::string>> motions{
 
 /// Motions of two pieces, which no formula gives; threshold_instance says that there are such.
 const std::set<std::string> proved_to_exist{"threshold_of_the_motion", "claim_c54_figure_8_is_not_linear",
-                                            "claim_c55_figure_9_is_not_linear"};
+                                            "claim_c55_figure_9_is_not_linear", "one_impact_motion_exists"};
 
 }  // namespace
 

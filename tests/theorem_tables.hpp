@@ -107,12 +107,10 @@ inline const std::multimap<std::string, About> others{
     {"claim_c61_does_not_lift", {{"56a", "56b"}, {{"a_p", "71157/10^5 * (alpha * g)"}}}},
     {"claim_c51_103_is_78_shifted", {{"103"}, {{"theta_0", "0"}, {"thetadot_0", "0"}, {"alpha", "1"}}}},
     {"claim_c22_away_from_the_corner", {{"46b", "r16"}}},
-    {"one_impact_motion_exists", {{"56a", "u20"}, at_three("x t", "Derive u t")}},
-    {"one_impact_motion_exists", {{"56b"}, at_three("y t", "Derive v t")}},
-    {"one_impact_motion_exists", {{"61b"}, at_three("z t", "Derive w t")}},
+    {"one_impact_motion_exists", {{"56a"}, at_three("x t", "Derive u t")}},
+    {"one_impact_motion_exists", {{"56b", "61b"}, at_three("y t", "Derive v t")}},
     {"one_impact_motion_exists",
      {{"46a"}, {{"alpha", "1/4"}, {"thetadot_minus", "u t_i"}, {"thetadot_plus", "v t_i"}}}},
-    {"first_impact", {{"84"}, {{"omega_p", "3"}, {"p", "1"}, {"t_i", "tau"}, {"alpha", "10 * sin psi"}}}},
 };
 /// What has no row's formula, and why.
 inline const std::map<std::string, std::string> not_comparable{
@@ -120,6 +118,7 @@ inline const std::map<std::string, std::string> not_comparable{
      "the row is cos(pi - psi) = - cos psi; the theorem is what it is for: when the block is pushed"},
     {"response_starts_at_rest", "it says rest, which is no row"},
     {"critical_impact", "it is about the impact time at which `margin` is 0; one_impact_at_3 says what for"},
+    {"critical_impact_behind", "it is about the psi at which `surplus` is 0; one_impact_at_3 says what for"},
     {"one_impact_at_3", "its equations are those of one_impact_motion_exists; the threshold is a number"},
     {"instance_r16", "its equations are what r16 starts from: an impulse, which no row has"},
 };
