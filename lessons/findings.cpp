@@ -22,7 +22,9 @@ std::string shortened(const std::string& digits) {
 
 /// "123…/456…" → six digits.
 std::string approximately(const std::string& fraction) {
-  return fmt::format("{:.6f}", number_of(lower(parse(fraction))));
+  const std::size_t bar = fraction.find('/');
+  const double under = bar == std::string::npos ? 1 : std::stod(fraction.substr(bar + 1));
+  return fmt::format("{:.6f}", std::stod(fraction.substr(0, bar)) / under);
 }
 
 /// What is short enough to work with by hand: "$x = 2/5$", "$x = pi/6$"; else "$x$ ≈ 0.5236". The ledger has
