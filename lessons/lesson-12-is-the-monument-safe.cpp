@@ -19,7 +19,7 @@ namespace {
 void back_to_seconds(Page& page) {
   page.say(R"(
     The last pages of the paper leave the dimensionless world. A block with $p = 2.14$ 1/s and $alpha =
-    0.25$: which size is that? Turn (28) round:)");
+    0.25$: which size is that? Turn (28) round.)");
   const double radius =
       number_of(derived("28b").right * paper::R / pow(paper::p, 2), {{"g", "9.81"}, {"p", "2.14"}});
   page.say(fmt::format(R"(

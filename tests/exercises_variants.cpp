@@ -33,6 +33,13 @@ TEST_CASE("what a seed picks is the same on every machine") {
   CHECK(picked("Zoë", "first-lift/b", 997) == 837);
 }
 
+TEST_CASE("a range beside other names in a table gives all its values") {
+  std::set<std::string> statements;
+  for (int seed = 0; seed < 40; ++seed)
+    statements.insert(exercise("least-amplitude", std::to_string(seed)).statement);
+  CHECK(statements.size() > 5);
+}
+
 TEST_CASE("texts are filled in, and what cannot be is refused") {
   const Choice choice{{"b", "0.35"}, {"what", "a wall"}};
   CHECK(filled("{what}, {200*b} cm: {b}^2", choice) == "a wall, 70 cm: 0.35^2");

@@ -85,15 +85,15 @@ Choice chosen(const toml::table& exercise, const std::string& id, const std::str
       std::vector<Choice> cases;
       for (const auto& item : *list.as_array()) {
         std::vector<Choice> expanded(1);
-        const auto add = [&](std::string_view name, const toml::node& value) {
+        const auto add = [&](const std::string& name, const toml::node& value) {
           const auto values = values_of(value.value_or(std::string()));
-          expanded.resize(values.size(), expanded[0]);  // one range in a table
-          for (std::size_t k = 0; k < expanded.size(); ++k) expanded[k][std::string(name)] = values[k];
+          if (values.size() > 1) expanded.resize(values.size(), expanded[0]);  // one range in a table
+          for (std::size_t k = 0; k < expanded.size(); ++k) expanded[k][name] = values[k % values.size()];
         };
         if (const auto* names = item.as_table())
-          for (const auto& [name, value] : *names) add(name.str(), value);
+          for (const auto& [name, value] : *names) add(std::string(name.str()), value);
         else
-          add(key.str(), item);
+          add(std::string(key.str()), item);
         cases.insert(cases.end(), expanded.begin(), expanded.end());
       }
       choice.merge(cases.at(picked(seed, id + "/" + std::string(key.str()), cases.size())));

@@ -101,7 +101,8 @@ class Search {
     if (found_) return;
     (this->*pass)(node, rebuild, around);
     const Tree& inside = node->kind == NodeKind::call ? node : around;
-    for (std::size_t k = 0; k < node->children.size() && !found_; ++k)
+    const bool is_factor = pass != &Search::sizes || node->kind != NodeKind::power;  // no exponent is one
+    for (std::size_t k = 0; k < (is_factor ? node->children.size() : 1) && !found_; ++k)
       visit(
           node->children[k], [&, k](const Tree& child) { return rebuild(with_child(node, k, child)); },
           inside, pass);

@@ -80,7 +80,7 @@ std::string keep(const Classroom& room, const Exercise& exercise, const Opinion&
 void enter(Progress& progress, const Exercise& exercise, const Opinion& opinion, const std::string& answer) {
   if (opinion.verdict == "invalid" || opinion.verdict == "undecided") return;
   Record& record = progress.records[exercise.id];
-  ++record.attempts;
+  if (record.status != "solved") ++record.attempts;
   record.hinted = record.hinted && record.answer == answer;
   record.answer = answer;
   record.seed = exercise.seed;
