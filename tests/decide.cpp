@@ -104,6 +104,36 @@ TEST_CASE("what follows from signs alone says so, with a certificate") {
   CHECK(decided("x*y > 0", "0 < 1", {"x > 1", "y > 2"}).verdict == Verdict::proved);
 }
 
+TEST_CASE("every certificate of signs is an identity, under the signs of its case") {
+  const std::vector<std::vector<std::string>> statements{{"x > y", "0 < 1", "x > z", "z > y"},
+                                                         {"fabs(x*y) <= (x^2+y^2)/2", "0 < 1"},
+                                                         {"fabs(x+y) <= fabs(x)+fabs(y)", "0 < 1"},
+                                                         {"fabs(x) >= x", "0 < 1"},
+                                                         {"x^2 = y", "x = sqrt(y)", "x >= 0"}};
+  std::size_t cases = 0;
+  for (const auto& statement : statements) {
+    const Proof proof = decided(statement[0], statement[1], {statement.begin() + 2, statement.end()});
+    INFO(statement[0]);
+    CHECK(proof.by == "sign");
+    CHECK_FALSE(proof.certificate.empty());
+    for (const std::string& line : proof.certificate) {
+      const auto equals = line.find(" = 0"), where = line.find(" where ");
+      REQUIRE(equals != std::string::npos);
+      Texts signs;  // "where u >= 0 and v <= 0"
+      for (std::size_t from = where; from != std::string::npos; ++cases) {
+        const auto start = line.find(' ', from + 1) + 1;
+        from = line.find(" and ", start);
+        signs.push_back(line.substr(start, from - start));
+      }
+      const Proof replayed = decided(line.substr(0, equals), "0", signs);
+      CHECK(replayed.verdict == Verdict::proved);
+      CHECK(replayed.by == "identity");
+      CHECK(decided(line.substr(0, equals) + " + 1", "0", signs).verdict == Verdict::refuted);
+    }
+  }
+  CHECK(cases > 3);
+}
+
 TEST_CASE("where one side has no value is a side condition, and nothing said twice") {
   CHECK(decided("x/x", "1").side_conditions == Texts{"x != 0"});
   CHECK(decided("sqrt(x)^2", "x").side_conditions == Texts{"x >= 0"});

@@ -7,18 +7,28 @@ namespace rederive {
 
 namespace {
 
-/// What a part rests on, the whole rests on.
-void rest_on(Sameness& all, const std::string& by, const Certificate& part) {
-  if (by == "sign") all.by = by;
-  all.certificate.parts.insert(all.certificate.parts.end(), part.parts.begin(), part.parts.end());
+/// "2*(x)*(y - 1) + 1*(z) = 0": combinations that contradict the negated claim.
+std::vector<std::string> in_words(const Certificate& found, const Comparison& setting) {
+  std::vector<std::string> lines;
+  for (const auto& sum : found.sums) {
+    std::string& line = lines.emplace_back();
+    for (const auto& [coefficient, factors] : sum) {
+      line += (line.empty() ? "" : " + ") + setting.text_of(Fraction(coefficient));
+      for (const Polynomial& f : factors) line += "*(" + setting.text_of(f) + ")";
+    }
+    line += " = 0";
+  }
+  return lines;
 }
 
 /// left/right, if it has no zero or pole; positive for inequalities, which a negative factor turns round.
-std::optional<Fraction> factor_between(const Ring& ring, const Atom& left, const Atom& right, Sameness& all) {
+std::optional<Fraction> factor_between(const Comparison& setting, const Atom& left, const Atom& right,
+                                       Sameness& all) {
+  const Ring& ring = setting.ring;
   const Signs wanted = left.signs == Signs::zero() ? Signs::nonzero() : Signs::positive();
   const auto is_proved = [&](const Fraction& part) {
     const auto found = prove_signs(ring, part, wanted);
-    if (found) rest_on(all, found->parts.empty() ? "identity" : "sign", *found);
+    if (found) all.rest_on({found->sums.empty() ? "identity" : "sign", {}, in_words(*found, setting)});
     return found.has_value();
   };
   for (const bool is_reciprocal : {false, true}) {
@@ -39,7 +49,7 @@ std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::
   for (std::size_t k = 0; k < left.size(); ++k) {
     const Atom &a = left[k], &b = right[k];
     if (a.signs != b.signs || a.value.is_zero() != b.value.is_zero()) return std::nullopt;
-    const auto factor = a.value.is_zero() ? Fraction(1) : factor_between(setting.ring, a, b, all);
+    const auto factor = a.value.is_zero() ? Fraction(1) : factor_between(setting, a, b, all);
     if (!factor) return std::nullopt;
     if (left.size() == 1) all.factor = factor;
     if (left.size() > 1 && !(*factor == 1)) all.factor.reset();
@@ -75,7 +85,7 @@ std::optional<Sameness> all_follow(const Comparison& setting, const std::vector<
     for (const Atom& atom : case_of) ring.learn(atom.value, atom.signs);
     auto found = prove_signs(ring, claim.value, claim.signs);
     if (!found) found = prove_signs(ring, 0, Signs::zero() & Signs::positive());
-    if (found) rest_on(all, "sign", *found);
+    if (found) all.rest_on({"sign", {}, in_words(*found, setting)});
     return found.has_value();
   };
   const auto in_cases = [&](std::size_t k, const Atom& claim) {
@@ -109,8 +119,8 @@ Polynomial norm(const Ring& ring, const Polynomial& p) {
 }  // namespace
 
 std::optional<Sameness> same(Comparison& setting, const Problem& problem) {
-  const auto left_readings = readings_of(setting, problem.left, setting.left, problem.symbols),
-             right_readings = readings_of(setting, problem.right, setting.right, problem.symbols);
+  const auto left_readings = readings_of(setting, problem.left, setting.left),
+             right_readings = readings_of(setting, problem.right, setting.right);
   for (const auto& of_left : left_readings)
     for (const auto& of_right : right_readings) {
       auto found = same_link_by_link(setting, of_left, of_right);
@@ -123,7 +133,7 @@ std::optional<Sameness> same(Comparison& setting, const Problem& problem) {
       auto forth = all_follow(setting, of_left, of_right);
       const auto back = forth ? all_follow(setting, of_right, of_left) : std::nullopt;
       if (!back) continue;
-      rest_on(*forth, back->by, back->certificate);
+      forth->rest_on(*back);
       return forth;
     }
   return std::nullopt;

@@ -103,12 +103,12 @@ void translate(Comparison& setting, const Problem& problem) {
 }
 
 std::vector<std::vector<Atom>> readings_of(Comparison& setting, const Relation& statement,
-                                           const Translated& translated, const Symbols& symbols) {
+                                           const Translated& translated) {
   std::vector<std::vector<Atom>> result{translated.atoms};
   std::vector<Relation> links = links_of(statement);
   bool is_inverted = false;
   for (Relation& link : links) {
-    const Relation inverse = with_inversions(link, symbols);
+    const Relation inverse = with_inversions(link, setting.symbols);
     is_inverted = is_inverted || inverse.sides != link.sides;
     link = inverse;
   }

@@ -1,8 +1,10 @@
-// A problem in the ring: both statements as fractions, what is known, and where both have values.
+// A problem in the ring: both statements as fractions, what is known, and where both have values. Fractions
+// in lowest terms are a canonical form, and hide where a divisor was 0 (Davenport, Siret, Tournier 1988).
 #pragma once
 
 #include <derivations/decide/problem.hpp>
 #include <derivations/identity/translator.hpp>
+#include <derivations/language/print.hpp>
 #include <derivations/sign/certificate.hpp>
 
 namespace rederive {
@@ -15,9 +17,13 @@ struct Translated {
 };
 
 struct Comparison {
-  explicit Comparison(const Symbols& symbols) : translator(ring, symbols) {}
+  explicit Comparison(const Symbols& names) : symbols(names), translator(ring, names) {}
   Comparison(const Comparison&) = delete;
+  std::string text_of(const Fraction& value) const {  ///< in our syntax
+    return print(ring.meaning_of(value), Notation::plain, symbols);
+  }
 
+  const Symbols& symbols;
   Ring ring;  ///< its facts: assumptions, and what must hold for both statements to have values
   Translator translator;
   Translated left, right;
@@ -35,12 +41,17 @@ void translate(Comparison& setting, const Problem& problem);
 /// Equivalent forms of a translated statement, to be tried in turn: as it stands; with f(u) = v solved for u,
 /// f monotone; of an equation, other values that are 0 at the same points (translator.hpp).
 std::vector<std::vector<Atom>> readings_of(Comparison& setting, const Relation& statement,
-                                           const Translated& translated, const Symbols& symbols);
+                                           const Translated& translated);
 
 struct Sameness {
-  std::string by;                       ///< "identity" or "sign"
-  std::optional<Fraction> factor = {};  ///< of two equations or inequalities: left = factor * right
-  Certificate certificate = {};
+  std::string by;                             ///< "identity" or "sign"
+  std::optional<Fraction> factor = {};        ///< of two relations: left = factor * right
+  std::vector<std::string> certificate = {};  ///< as in proof.hpp
+  /// What a part rests on, the whole rests on.
+  void rest_on(const Sameness& part) {
+    if (part.by == "sign") by = part.by;
+    certificate.insert(certificate.end(), part.certificate.begin(), part.certificate.end());
+  }
 };
 
 /// Two expressions: their difference is 0. Two relations: the ratio of what is 0, or positive, has no zero

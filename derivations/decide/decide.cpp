@@ -4,8 +4,6 @@
 #include <derivations/decide/comparison.hpp>
 #include <derivations/decide/decide.hpp>
 #include <derivations/decide/points.hpp>
-#include <derivations/language/lower.hpp>
-#include <derivations/language/print.hpp>
 
 namespace rederive {
 
@@ -19,33 +17,21 @@ namespace {
 
 constexpr Effort few{6, 1, 200}, many{220, 24, 1800};
 
-Proof undecided(std::string reason) {
-  Proof proof;
-  proof.reason = std::move(reason);
-  return proof;
-}
+Proof undecided(std::string reason) { return {.reason = std::move(reason)}; }
 
 Proof refuted(const Witness& witness) {
-  Proof proof;
-  proof.verdict = Verdict::refuted, proof.witness = witness;
-  proof.reason = "the two sides differ at the witness", proof.by = "points";
-  return proof;
+  return {.verdict = Verdict::refuted,
+          .witness = witness,
+          .reason = "the two sides differ at the witness",
+          .by = "points"};
 }
 
-Proof proved(const Comparison& setting, const Sameness& found, const Symbols& symbols) {
-  Proof proof;
-  proof.verdict = Verdict::proved, proof.by = found.by;
-  const auto text_of = [&](const Fraction& f) {
-    return print(setting.ring.meaning_of(f), Notation::plain, symbols);
-  };
+Proof proved(const Comparison& setting, const Sameness& found) {
   const bool is_expression = setting.left.atoms.empty();
-  if (found.factor) proof.factor = text_of(*found.factor);
+  Proof proof{.verdict = Verdict::proved, .side_conditions = setting.in_words, .by = found.by};
+  proof.certificate = found.certificate;
+  if (found.factor) proof.factor = setting.text_of(*found.factor);
   if (is_expression && found.by == "identity") proof.factor = "1";
-  proof.side_conditions = setting.in_words;
-  for (const auto& [coefficient, parts] : found.certificate.parts) {
-    std::string& text = proof.certificate.emplace_back(text_of(Fraction(coefficient)));
-    for (const Polynomial& f : parts) text += " * (" + text_of(f) + ")";
-  }
   proof.reason = found.by == "sign"    ? "each follows from the other one by the signs of products"
                  : is_expression       ? "the numerator of the difference vanishes identically"
                  : proof.factor == "1" ? "the two are the same, identically"
@@ -68,7 +54,7 @@ std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& settin
     Problem part = problem;
     part.assumptions.push_back({{u, zero()}, {op}});
     Comparison of_part(part.symbols);
-    const auto found = of_part.translator.with_basis([&]() -> std::optional<Sameness> {
+    auto found = of_part.translator.with_basis([&]() -> std::optional<Sameness> {
       try {
         translate(of_part, part);
       } catch (const NoValue&) {  // no point belongs to this part
@@ -77,7 +63,10 @@ std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& settin
       return same_in_cases(part, of_part, depth - 1);
     });
     if (!found) return std::nullopt;
-    if (found->by == "sign") both.by = "sign";
+    for (std::string& line : found->certificate)
+      line += (line.find("where") == line.npos ? " where " : " and ") + setting.text_of(bars->of) + " " + op +
+              " 0";
+    both.rest_on(*found);
   }
   return both;
 }
@@ -98,7 +87,7 @@ Proof decide_problem(const Problem& problem, bool by_points) {
       if (found)
         proof = hides_a_solution(setting)
                     ? undecided("a divisor of one side vanishes where the other side holds")
-                    : proved(setting, *found, problem.symbols);
+                    : proved(setting, *found);
     } catch (const Undecidable& error) {
       missing = error.what();
     }
@@ -145,9 +134,8 @@ std::string in_plain_words(const std::exception& error) {
 }
 
 bool contradict(const std::vector<Relation>& assumptions, const Symbols& symbols) {
-  const Tree one = make_tree(Node::Kind::number, "1");
   try {
-    const Problem problem = with_values({{{one}, {}}, {{one}, {}}, assumptions, symbols}, {});
+    const Problem problem = with_values({{{zero()}, {}}, {{zero()}, {}}, assumptions, symbols}, {});
     Comparison setting(problem.symbols);
     return setting.translator.with_basis([&] {
       translate(setting, problem);

@@ -270,16 +270,14 @@ Proof decide_to_order(const Relation& left, const Relation& right, const std::ve
       for (std::string& condition : in_words(expansion->conditions, known.ring, symbols))
         proof.side_conditions.push_back(std::move(condition));
     } else if (proof.verdict == Verdict::refuted && ties(problem.assumptions, small)) {
-      proof = Proof{};
-      proof.reason =
-          "the series would differ, but an assumption ties what is small to other symbols; say what changes";
+      proof = {.reason =
+                   "the series would differ, but an assumption ties what is small to other symbols; say "
+                   "what changes"};
     } else if (proof.verdict == Verdict::refuted) {
       proof.by = "expansion", proof.reason = "the series differ at the witness, which shows their values";
     }
-  } catch (const SyntaxError& error) {
-    proof.reason = error.what();
-  } catch (const Undecidable& error) {
-    proof.reason = error.what();
+  } catch (const std::exception& error) {
+    proof.reason = in_plain_words(error);
   }
   return proof;
 }

@@ -2,6 +2,7 @@
 #include <derivations/decide/problem.hpp>
 #include <derivations/identity/translator.hpp>
 #include <derivations/language/print.hpp>
+#include <functional>
 
 namespace rederive {
 
@@ -18,10 +19,9 @@ std::vector<Relation> links_of(const Relation& chain) {
   return result;
 }
 
-std::vector<Relation> equations_of(const std::vector<Relation>& relations) {
-  std::vector<Relation> result;
-  std::copy_if(relations.begin(), relations.end(), std::back_inserter(result), is_equation);
-  return result;
+std::vector<Relation> equations_of(std::vector<Relation> relations) {
+  std::erase_if(relations, std::not_fn(is_equation));
+  return relations;
 }
 
 std::vector<Tree> trees_of(const Problem& problem) {
@@ -139,16 +139,14 @@ Problem with_values(Problem problem, const std::vector<Given>& given) {
   problem.assumptions.clear();
   for (const Relation& chain : stated)
     for (Relation& link : links_of(chain)) problem.assumptions.push_back(std::move(link));
-  for (std::size_t k = 0; k < problem.assumptions.size();) {
-    const auto found = definition(problem.assumptions[k], problem.symbols);
-    if (!found) {
+  for (std::size_t k = 0; k < problem.assumptions.size();)
+    if (const auto found = definition(problem.assumptions[k], problem.symbols); !found) {
       ++k;
-      continue;
+    } else {
+      problem.assumptions.erase(problem.assumptions.begin() + static_cast<std::ptrdiff_t>(k));
+      replace(problem, found->first, found->second);
+      k = 0;
     }
-    problem.assumptions.erase(problem.assumptions.begin() + static_cast<std::ptrdiff_t>(k));
-    replace(problem, found->first, found->second);
-    k = 0;
-  }
   return problem;
 }
 

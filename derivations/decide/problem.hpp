@@ -19,7 +19,7 @@ struct Problem {
 bool is_symbol(const Tree& tree);                       ///< pi is none
 bool is_equation(const Relation& r);                    ///< a = b = …
 std::vector<Relation> links_of(const Relation& chain);  ///< a = b < c: a = b and b < c
-std::vector<Relation> equations_of(const std::vector<Relation>& relations);
+std::vector<Relation> equations_of(std::vector<Relation> relations);
 /// All that stands in a problem.
 std::vector<Tree> trees_of(const Problem& problem);
 

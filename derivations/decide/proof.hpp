@@ -21,8 +21,7 @@ struct Witness {
   std::map<std::string, std::string> at;  ///< symbol → rational number as text, or digits of what follows
   std::string printed, derived;           ///< 30 digits
   std::map<std::string, std::string> exactly = {};  ///< symbol → the constant that it is: "pi/6"
-  std::map<std::string, std::pair<std::string, std::string>> between =
-      {};                   ///< symbol → bounds of the zero that it is
+  std::map<std::string, std::pair<std::string, std::string>> between = {};  ///< bounds of a zero
   std::string solves = {};  ///< of this equation: "y - cos(y) = 0"
 };
 
@@ -33,7 +32,8 @@ struct Proof {
   std::optional<Witness> witness = {};            ///< with refuted, and only then
   std::string reason = {};                        ///< one line for a reader; why, where undecided
   std::string by = {};  ///< "identity", "sign", "points", "expansion"; empty if undecided
-  /// With "sign", "2 * (x) * (y - 1)": parts of a sum that is 0, though none is negative.
+  /// With "sign", "2*(x)*(y - 1) + 1*(z) = 0": an identity, though no product is negative and one is positive
+  /// if what is claimed is false. "… where u >= 0" in that case. None for what ranges alone show.
   std::vector<std::string> certificate = {};
 };
 

@@ -183,8 +183,7 @@ bool turn_if_negative(std::vector<Term>& sum) {
   return is_asked;
 }
 
-/// 3*g/(4*R), 1/2*m*R^2, pi/2, y - x. Sums inside are turned where that saves a minus, -x*(y - z) being x*(z
-/// - y).
+/// 3*g/(4*R), 1/2*m*R^2, pi/2, y - x. Sums inside are turned where that saves a minus.
 Tree sum_tree(std::vector<Term> sum) {
   std::ranges::transform(sum, sum.begin(), presented);
   const auto leader = std::ranges::find_if_not(sum, is_negative);

@@ -38,8 +38,6 @@ Is both(const Value& x, const Value& y) {
 
 long fewer_bits(const Value& x, const Value& y) { return std::min(x.ball.bits(), y.ball.bits()); }
 
-bool is_zero(const Value& x) { return x.constant && x.constant->is_zero(); }
-
 long length(const cl_RA& q) {
   return cln::integer_length(cln::numerator(q)) + cln::integer_length(cln::denominator(q));
 }
@@ -92,22 +90,18 @@ Value operator+(const Value& x, const Value& y) {
                                   : known(x.ball + y.ball);
 }
 
-Value operator-(const Value& x, const Value& y) {
-  if (both(x, y) != Is::certain) return {both(x, y)};
-  return x.constant && y.constant ? known(*x.constant - *y.constant, fewer_bits(x, y))
-                                  : known(x.ball - y.ball);
-}
+Value operator-(const Value& x, const Value& y) { return x + known(Ball(-1)) * y; }
 
 Value operator*(const Value& x, const Value& y) {
   if (both(x, y) != Is::certain) return {both(x, y)};
-  if (is_zero(x) || is_zero(y)) return known(Constant{}, fewer_bits(x, y));
+  if (x.sign() == 0 || y.sign() == 0) return known(Constant{}, fewer_bits(x, y));
   if (x.exact && y.constant) return known(*x.exact * *y.constant, fewer_bits(x, y));
   return y.exact && x.constant ? y * x : known(x.ball * y.ball);
 }
 
 Value operator/(const Value& x, const Value& y) {
   if (both(x, y) != Is::certain) return {both(x, y)};
-  if (is_zero(y)) return {Is::nowhere};
+  if (y.sign() == 0) return {Is::nowhere};
   if (y.exact && x.constant) return known(1 / *y.exact * *x.constant, fewer_bits(x, y));
   if (x.constant && y.constant) {
     const Constant exact{x.constant->b / y.constant->b};

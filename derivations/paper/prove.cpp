@@ -140,8 +140,13 @@ std::string in_words(const Relation& link, const Symbols& symbols) {
 std::vector<std::string> conditions_used(Question q, const ProveRequest& request, const Proof& proof) {
   constexpr std::size_t most = 10;
   std::vector<std::string> used;
-  const auto says_it_too = [&](const std::string& condition) {
-    return std::ranges::count(proof.side_conditions, condition) > 0;
+  const auto holds_too = [&](const Question& other, std::size_t& tried) {
+    if (tried++ >= most) return false;
+    const Proof again = decide_once(other, request);
+    return again.verdict == proof.verdict &&
+           std::ranges::all_of(again.side_conditions, [&](const std::string& condition) {
+             return std::ranges::count(proof.side_conditions, condition) > 0;
+           });
   };
   std::vector<Relation> links;
   for (const Relation& a : q.assumptions)
@@ -154,8 +159,7 @@ std::vector<std::string> conditions_used(Question q, const ProveRequest& request
     }
     Question other = q;
     other.assumptions.erase(other.assumptions.begin() + static_cast<std::ptrdiff_t>(k));
-    const Proof again = tried++ < most ? decide_once(other, request) : Proof{};
-    if (again.verdict == proof.verdict && std::ranges::all_of(again.side_conditions, says_it_too)) {
+    if (holds_too(other, tried)) {
       q = std::move(other);
       continue;
     }
@@ -170,7 +174,7 @@ std::vector<std::string> conditions_used(Question q, const ProveRequest& request
     if (range == all_numbers) continue;
     Question other = q;
     other.symbols.narrow(name, all_numbers);
-    if (tried++ < most && decide_once(other, request).verdict == proof.verdict) {
+    if (holds_too(other, tried)) {
       q = std::move(other);
       continue;
     }

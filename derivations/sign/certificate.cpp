@@ -13,8 +13,9 @@ constexpr std::size_t most_columns = 260, most_rows = 240, most_facts = 16;
 /// A product of facts: positive, not negative, or 0, and then with any coefficient.
 struct Column {
   std::vector<Polynomial> factors;
-  Polynomial value;  ///< modulo the relations of the ring
+  Polynomial value;  ///< modulo the relations of the ring, times the multiple
   Signs signs;
+  cl_RA multiple = 1;
 };
 
 /// The number, or one further out (side +1: below it) if it is long: products of bounds must fit into
@@ -85,11 +86,12 @@ std::vector<Column> columns_of(const Ring& ring, const std::vector<Fact>& facts)
   const auto add = [&](std::vector<Polynomial> factors, Signs signs) {
     Polynomial product = 1;
     for (const Polynomial& f : factors) product = product * f;
-    const Fraction value = ring.normal(product);  // the numerator is a positive multiple
+    const Fraction value = ring.normal(product);
     const Polynomial& p = value.numerator;
     if (!value.denominator.is_constant() || p.terms() > 40 || (p.is_zero() && signs != Signs::positive()))
       return;
-    if (columns.size() < most_columns) columns.push_back({std::move(factors), p, signs});
+    if (columns.size() < most_columns)
+      columns.push_back({std::move(factors), p, signs, value.denominator.constant()});
   };
   std::set<int> variables;
   for (const Fact& f : facts) variables.merge(variables_of(f.value));
@@ -135,19 +137,19 @@ std::optional<Certificate> combine(const std::vector<Column>& columns) {
   one.back() = 1;
   const auto solution = nonnegative_solution(all, one);
   if (!solution) return std::nullopt;
-  Certificate result;
+  std::vector<Certificate::Part> parts;
   Fraction sum = 0;
   cl_RA strict = 0;
   for (std::size_t k = 0; k < of.size(); ++k) {
     const cl_RA& x = (*solution)[k];
     if (cln::zerop(x)) continue;
     const Column& c = columns[of[k].first];
-    result.parts.push_back({x * of[k].second, c.factors});
+    parts.push_back({x * of[k].second * c.multiple, c.factors});
     sum = sum + Fraction(x * of[k].second) * Fraction(c.value);
     if (c.signs == Signs::positive()) strict = strict + x;
   }
   const bool holds = sum.is_zero() && cln::plusp(strict);  // multiplied out, not believed
-  return holds ? std::optional(result) : std::nullopt;
+  return holds ? std::optional<Certificate>({{parts}}) : std::nullopt;
 }
 
 std::optional<Certificate> refute_all(const Ring& ring, const Fraction& value, Signs negated) {
@@ -179,7 +181,7 @@ std::optional<Certificate> prove_signs(const Ring& ring, const Fraction& value, 
     auto found = refute_all(ring, p, Signs::positive());
     const auto other = found ? refute_all(ring, p, Signs::negative()) : std::nullopt;
     if (!other) continue;
-    found->parts.insert(found->parts.end(), other->parts.begin(), other->parts.end());
+    found->sums.push_back(other->sums[0]);
     return found;
   }
   return std::nullopt;

@@ -13,13 +13,13 @@
 
 namespace rederive {
 
-/// The sum of coefficient · product is 0, though no product is negative and one is positive: a contradiction.
+/// A sum of coefficient · product is 0, though no product is negative and one is positive: a contradiction.
 struct Certificate {
   struct Part {
     cln::cl_RA coefficient;
     std::vector<Polynomial> factors;  ///< facts, squares or generators, of which the value is the product
   };
-  std::vector<Part> parts;  ///< empty: by intervals and products alone
+  std::vector<std::vector<Part>> sums;  ///< for each sign that is ruled out; none: by intervals and products
 };
 
 /// A sign condition as hypotheses p = 0, p > 0 or p >= 0; none where it is known, or is p != 0.

@@ -141,6 +141,8 @@ int show_proof(const Options& options) {
     put(verdict + "\n");
     for (const char* key : {"factor", "reason", "by"})
       if (json[key].is_string()) put(fmt::format("  {:<16} {}\n", key, json[key].get<std::string>()));
+    for (const auto& identity : json["certificate"])
+      put(fmt::format("  {:<16} {}\n", "certificate", identity.get<std::string>()));
     for (const auto& condition : json["side_conditions"])
       put(fmt::format("  {:<16} {}\n", "if", condition.get<std::string>()));
     if (!json["witness"].is_null()) {

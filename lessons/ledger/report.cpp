@@ -55,7 +55,8 @@ Json to_json(const Proof& proof) {
   const Json witness = proof.witness ? to_json(*proof.witness) : Json();
   return {{"verdict", to_string(proof.verdict)},      {"factor", or_null(proof.factor)},
           {"side_conditions", proof.side_conditions}, {"witness", witness},
-          {"reason", or_null(proof.reason)},          {"by", or_null(proof.by)}};
+          {"reason", or_null(proof.reason)},          {"by", or_null(proof.by)},
+          {"certificate", proof.certificate}};
 }
 
 Json to_json(const Entry& entry) {
