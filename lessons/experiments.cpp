@@ -47,10 +47,9 @@ Motion motion_of(const Experiment& experiment, int points) {
 std::string in_words(int code) {
   if (code == 0) return "safe";
   const int impacts = std::abs(code) - 1;
-  const std::string times = impacts == 0   ? "without impact"
-                            : impacts == 1 ? "after one impact"
-                                           : "after " + std::to_string(impacts) + " impacts";
-  return std::string("overturns to ") + (code < 0 ? "θ < 0 " : "θ > 0 ") + times;
+  const std::string side = code < 0 ? "overturns to the left " : "overturns to the right ";
+  if (impacts < 2) return side + (impacts == 0 ? "without impact" : "after one impact");
+  return side + "after " + std::to_string(impacts) + " impacts";
 }
 
 std::vector<Window> overturning_amplitudes(const Experiment& experiment, double largest) {

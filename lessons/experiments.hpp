@@ -26,7 +26,7 @@ struct Motion {
   double needed_friction = 0;  ///< the largest |H|/V while it rocks
 };
 Motion motion_of(const Experiment& experiment, int points = 400);
-/// "safe", "overturns to θ < 0 without impact" …
+/// "safe", "overturns to the left without impact" …
 std::string in_words(int code);
 
 /// The intervals of amplitudes that overturn, each in one way, and the one that begins first.

@@ -36,7 +36,7 @@ void the_first_instant(Page& page) {
                                 {-1e-9}));
   page.result("25a");
   page.result("26a");
-  page.say("and the balance of moments about C, with the inertia about C, ties them together:");
+  page.say("The balance of moments about C, with the inertia about C, ties the two together:");
   page.result("27");
   page.say("Three equations, three unknowns. The angular acceleration is");
   page.argue("28a");

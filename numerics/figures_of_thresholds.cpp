@@ -92,7 +92,7 @@ Chosen upper_edge(Form form) {
 
 Chosen impact_too_late() {
   return [](const ClosedForm& root) {
-    return root.form == Form::eq86_88 && root.why_not.starts_with("t_i > T_ex");
+    return root.form == Form::eq86_88 && root.why_not.starts_with("the impact comes too late");
   };
 }
 

@@ -14,18 +14,17 @@ namespace {
 /// What the phase alone forbids.
 std::string wrong_start(Form form, Pulse pulse, Real psi) {
   if (pulse == Pulse::cosine)
-    return psi >= 0 ? "" : "psi < 0: the ground acceleration has its crest after the start, not before";
+    return psi >= 0 ? "" : "the crest comes after the start: this phase asks for a pulse that has passed it";
   if (psi <= std::numbers::pi / 2) return "";
-  return std::string(
-             "psi > pi/2: the ground acceleration falls from the start, a block at rest does not move then") +
-         (form == Form::eq78 ? ", and under a rising one it turns to theta < 0, not to theta > 0" : "");
+  return std::string("the pulse falls from the start: a block at rest does not move then") +
+         (form == Form::eq78 ? ", and under one that rises it turns to the left, not to the right" : "");
 }
 
 std::string wrong_side_of_pulse_end(Form form, Real impact, Real end) {
   if (form == Form::eq86_88 && impact >= end)
-    return fmt::format("t_i > T_ex: impact at {:.6g}, after the pulse ends at {:.6g}", impact, end);
+    return fmt::format("the impact comes too late: at {:.6g}, after the pulse ends at {:.6g}", impact, end);
   if (form == Form::eq92a_96 && impact <= end)
-    return fmt::format("t_i < T_ex: impact at {:.6g}, before the pulse ends at {:.6g}", impact, end);
+    return fmt::format("the impact comes too early: at {:.6g}, before the pulse ends at {:.6g}", impact, end);
   return "";
 }
 

@@ -117,6 +117,7 @@ TEST_CASE("help is for the variant that was tried last") {
         0);  // without one: as it stands
   CHECK(read_file(file).find("\tseed") == std::string::npos);
   CHECK(run({"solution", id}).out.ends_with("y_c = R*cos(alpha - theta) - R*cos(alpha)\n"));
+  CHECK(read_file(file).find("given_up") != std::string::npos);  // what was shown is not solved
 }
 
 TEST_CASE("on the command line, and in a class where each has the own variant") {

@@ -177,8 +177,8 @@ Derivation equation_42b() {
 Derivation equation_43b() {
   return derived(
       HO_minus, momentum_before_impact(),
-      {from(Cited{"41", equation_41}, "The integral"), from(mass_of_the_block(), "times the density"),
-       from(Cited{"42b", equation_42b}, "in R and α #")});
+      {from(Cited{"41", equation_41}, "Multiply the integral"), from(mass_of_the_block(), "by the density"),
+       from(Cited{"42b", equation_42b}, "and write it in R and α, as in")});
 }
 
 Derivation equation_45a() {

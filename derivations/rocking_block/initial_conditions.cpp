@@ -118,8 +118,8 @@ Derivation equation_100b() {
 
 Derivation end_of_cosine_pulse() {
   return derived(T_ex, end_of_pulse(Pulse::cosine),
-                 {from(cosine_is_shifted_sine(), "The pulse is"),
-                  in_words("and ends with the sine, where its phase is 2π")});
+                 {from(cosine_is_shifted_sine(), "Write the cosine as a shifted sine,"),
+                  in_words("and let the pulse end with it, where the phase is 2π")});
 }
 
 Derivation equation_101a() {

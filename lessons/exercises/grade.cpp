@@ -87,10 +87,10 @@ void add_student(const fs::path& folder, const std::map<std::string, Prepared>& 
   const std::string student = as_text(folder.filename().string());
   std::error_code error;
   const auto status = fs::symlink_status(folder, error);
+  if (fs::is_symlink(status) || fs::is_directory(status)) whole.students.push_back({student});
   if (fs::is_symlink(status)) return tasks.push_back(finished(student, "", "symlink"));
   if (!fs::is_directory(status)) return tasks.push_back(finished(student, "", "not_a_folder"));
   if (student[0] == '.') return tasks.push_back(finished(student, "", "hidden_folder"));
-  whole.students.push_back({student});
   const auto names = names_in(folder);
   if (!names) return tasks.push_back(finished(student, "", "unreadable"));
   std::map<std::string, Exercise> own;

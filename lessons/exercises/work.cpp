@@ -84,7 +84,7 @@ void enter(Progress& progress, const Exercise& exercise, const Opinion& opinion,
   record.hinted = record.hinted && record.answer == answer;
   record.answer = answer;
   record.seed = exercise.seed;
-  if (opinion.verdict == "correct")
+  if (opinion.verdict == "correct" && record.status != "given_up")
     record.status = "solved";
   else if (record.status == "open")
     record.status = "tried";
@@ -146,11 +146,10 @@ bool solution_is_due(const Classroom& room, const Exercise& exercise, bool give_
   const ProgressLock lock(room.progress);
   progress = load_progress(room.progress);
   Record& record = progress.records[exercise.id];
-  if (record.status != "solved" && !give_up) return false;
-  if (record.status != "solved" && record.status != "given_up") {
-    record.status = "given_up";
-    save_progress(room.progress, progress);
-  }
+  if (record.status == "solved" || record.status == "given_up") return true;
+  if (!give_up) return false;
+  record.status = "given_up";
+  save_progress(room.progress, progress);
   return true;
 }
 

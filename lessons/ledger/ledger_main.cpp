@@ -141,10 +141,8 @@ int show_proof(const Options& options) {
     put(verdict + "\n");
     for (const char* key : {"factor", "reason", "by"})
       if (json[key].is_string()) put(fmt::format("  {:<16} {}\n", key, json[key].get<std::string>()));
-    for (const auto& identity : json["certificate"])
-      put(fmt::format("  {:<16} {}\n", "certificate", identity.get<std::string>()));
-    for (const auto& condition : json["side_conditions"])
-      put(fmt::format("  {:<16} {}\n", "if", condition.get<std::string>()));
+    for (const auto& [key, word] : {std::pair("certificate", "certificate"), {"side_conditions", "if"}})
+      for (const auto& text : json[key]) put(fmt::format("  {:<16} {}\n", word, text.get<std::string>()));
     if (!json["witness"].is_null()) {
       for (const auto& words : json["witness"]["in_words"])
         put(fmt::format("  {:<16} {}\n", "witness", words.get<std::string>()));
