@@ -151,3 +151,25 @@ TEST_CASE("a component that is not there is refused by its name") {
   CHECK(run.exit_code == 1);
   CHECK(contains(run.err, "there is no component 'numbres'"));
 }
+
+TEST_CASE("the Debian package runs where it is unpacked, and depends on what its programs load") {
+  if (!has_tool("dpkg-shlibdeps") || !has_tool("file")) return;
+  const TemporaryFolder folder;
+  said(folder.path, "cpack --config " + quoted(build + "/CPackConfig.cmake") +
+                        " -D CPACK_COMPONENTS_ALL=programs -D CPACK_DEBIAN_COMPRESSION_TYPE=none -B . &&"
+                        " dpkg-deb -x rederive_1.0.0_*.deb root");
+  CHECK(said(folder.path, "root/usr/bin/ledger show 17b") == said(build + "/bin", "./ledger show 17b"));
+  const std::string depends = said(folder.path, "dpkg-deb -f rederive_1.0.0_*.deb Depends") + ",";
+  std::istringstream owners(
+      said(folder.path,
+           "objdump -p root/usr/bin/* | awk -v folder=/lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)/ "
+           "'/NEEDED/ {print folder $2; print \"/usr\" folder $2}' | sort -u >loaded;"
+           " grep -lxF -f loaded /var/lib/dpkg/info/*.list | sed -E 's|.*/||; s/(:.*)?[.]list$//'"));
+  int count = 0;
+  for (std::string owner; std::getline(owners, owner); ++count)
+    CHECK_MESSAGE(
+        (contains(", " + depends, ", " + owner + " (") || contains(", " + depends, ", " + owner + ",")),
+        owner, " is not among ", depends);
+  CHECK(count > 10);
+  CHECK(contains(said(folder.path, "dpkg-deb -f rederive_1.0.0_*.deb Recommends"), "gnuplot-nox"));
+}
