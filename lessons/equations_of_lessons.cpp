@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/emit/data_folder.hpp>
 #include <derivations/paper/toml_rows.hpp>
 #include <lessons/lesson.hpp>
 
@@ -8,7 +9,7 @@ namespace {
 const std::map<int, std::vector<std::string>>& covered() {
   static const auto all = [] {
     std::map<int, std::vector<std::string>> lessons;
-    for (TomlRow row : toml_rows(REDERIVE_EQUATIONS_OF_LESSONS, "lesson"))
+    for (TomlRow row : toml_rows(data_folder() / "equations_of_lessons.toml", "lesson"))
       lessons[static_cast<int>(row.number("number"))] = row.texts("equations");
     return lessons;
   }();

@@ -1,6 +1,7 @@
 // A lesson as one self-contained HTML page: MathML, pictures and the workbench inside, nothing fetched.
 #include <fmt/format.h>
 
+#include <derivations/emit/data_folder.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <fstream>
 #include <iterator>
@@ -184,7 +185,7 @@ class HtmlRenderer : public Renderer {
 
   /// The element and its scripts, opened at a case.
   static std::string workbench(const std::string& options) {
-    std::string text = whole_file(REDERIVE_WORKBENCH_ELEMENT);
+    std::string text = whole_file(data_folder() / "workbench_element.html");
     const std::string place = "data-case=\"";
     const std::size_t at = text.find(place);
     if (at == std::string::npos)
@@ -228,7 +229,7 @@ std::string page_head(const std::string& title) {
   return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
          "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
          "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-         title + "</title>\n<style>\n" + whole_file(REDERIVE_PAGE_STYLE) + "</style>\n" + math_font_style() +
+         title + "</title>\n<style>\n" + whole_file(data_folder() / "page.css") + "</style>\n" + math_font_style() +
          "</head>\n<body>\n";
 }
 
@@ -264,7 +265,7 @@ std::string formula_html(const Relation& relation) {
 std::string page_html(const Page& page) { return HtmlRenderer({}).blocks(page); }
 
 std::string math_font_style() {
-  const std::string font = whole_file(REDERIVE_MATH_FONT);
+  const std::string font = whole_file(data_folder() / "math.woff2");
   return font.empty() ? ""
                       : "<style>@font-face{font-family:\"Rederive Math\";src:url(data:font/woff2;base64," +
                             base64(font) + ")}</style>\n";

@@ -42,14 +42,9 @@ std::size_t terminal_width() {
   return std::clamp<std::size_t>(size.ws_col, 40, 100);
 }
 
-/// Beside --out, where the text refers to them; a web page has them inside. Else build/figures, and the
-/// system's folder for temporary files where that cannot be written.
+/// Beside --out, where the text refers to them; a web page has them inside. Else where temporary files are.
 fs::path figures_folder(const Flags& flags) {
   if (!flags.out.empty() && flags.format != "html") return fs::absolute(flags.out).parent_path();
-  const fs::path beside = own_program().parent_path().parent_path() / "figures";
-  std::error_code error;
-  fs::create_directories(beside, error);
-  if (!error && ::access(beside.c_str(), W_OK) == 0) return beside;
   return fs::temp_directory_path() / fmt::format("rederive-figures-{}", ::getuid());
 }
 

@@ -1,3 +1,4 @@
+#include <derivations/emit/data_folder.hpp>
 #include <derivations/emit/program.hpp>
 #include <derivations/kernel/lemma.hpp>
 #include <derivations/kernel/scripts.hpp>
@@ -49,7 +50,7 @@ std::optional<Lemma> lemma_of(const Entry& entry) {
 }
 
 std::string shipped(const std::string& name) {
-  std::ifstream file(std::filesystem::path(REDERIVE_KERNEL_FOLDER) / name);
+  std::ifstream file(data_folder() / "kernel" / name);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file) throw std::runtime_error("a file that ships with the project cannot be read: " + name);
   return text;

@@ -1,4 +1,5 @@
 // equations.toml → rows. Every complaint names the file, the row and what would be right.
+#include <derivations/emit/data_folder.hpp>
 #include <derivations/paper/ledger.hpp>
 #include <derivations/paper/toml_rows.hpp>
 
@@ -47,7 +48,7 @@ Row read_row(TomlRow table) {
 
 }  // namespace
 
-std::filesystem::path equations_file() { return std::filesystem::path(REDERIVE_PAPER_FOLDER) / "equations.toml"; }
+std::filesystem::path equations_file() { return data_folder() / "equations.toml"; }
 
 std::vector<Row> read_rows(const std::filesystem::path& file) {
   std::vector<Row> rows;

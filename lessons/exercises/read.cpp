@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <derivations/emit/data_folder.hpp>
 #include <derivations/paper/toml_rows.hpp>
 #include <lessons/exercises/exercise.hpp>
 #include <set>
@@ -184,6 +185,6 @@ std::vector<Exercise> read_exercises(const std::filesystem::path& folder, const 
   return exercises;
 }
 
-std::filesystem::path exercises_folder() { return REDERIVE_EXERCISES_FOLDER; }
+std::filesystem::path exercises_folder() { return data_folder() / "exercises"; }
 
 }  // namespace rederive::classroom

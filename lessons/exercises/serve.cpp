@@ -5,6 +5,7 @@
 #include <httplib.h>
 #include <signal.h>
 
+#include <derivations/emit/data_folder.hpp>
 #include <derivations/emit/program.hpp>
 #include <lessons/exercises/in_page.hpp>
 #include <lessons/render.hpp>
@@ -38,7 +39,7 @@ std::string page(const Classroom& room, const std::string& name) {
     if (pages[lesson].empty()) pages[lesson] = written_by(lesson, " --format html");
     return with_exercises(room, pages[lesson]);
   }
-  if (name == "workbench.html") return whole_file(REDERIVE_WORKBENCH_PAGE);
+  if (name == "workbench.html") return whole_file(data_folder() / "workbench.html");
   if (name.empty() || name == "index.html" || name == "exercises.html")
     return page_of_exercises(room, contents);
   throw BadInput("there is no such page");

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <derivations/emit/data_folder.hpp>
 #include <derivations/emit/program.hpp>
 #include <exception>
 #include <memory>
@@ -152,9 +153,10 @@ const char* launcher_rank() {
 }
 
 std::unique_ptr<Ranks> loaded_ranks() {
-#ifdef REDERIVE_RANKS_LIBRARY
+#ifdef REDERIVE_MPI
   // Open MPI looks for its own parts among what is global.
-  void* library = ::dlopen(REDERIVE_RANKS_LIBRARY, RTLD_NOW | RTLD_GLOBAL);
+  const auto module = data_folder() / "../../lib/rederive/librocking_ranks.so";
+  void* library = ::dlopen(module.c_str(), RTLD_NOW | RTLD_GLOBAL);
   if (void* join = library == nullptr ? nullptr : ::dlsym(library, "rederive_join_ranks"))
     return std::unique_ptr<Ranks>(reinterpret_cast<Ranks* (*)()>(join)());
   throw std::runtime_error(std::string("MPI cannot be loaded: ") + ::dlerror());

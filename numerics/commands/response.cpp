@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <derivations/emit/data_folder.hpp>
 #include <fstream>
 #include <iterator>
 #include <numerics/commands/options.hpp>
@@ -133,7 +134,7 @@ Figure history_plot(const Told& told, const std::string& caption) {
 
 /// The workbench, opened at this case: its scripts read it as options of this command.
 std::string page_of(const ResponseCommand& options, const Block& block) {
-  std::ifstream file(REDERIVE_WORKBENCH, std::ios::binary);
+  std::ifstream file(data_folder() / "workbench.html", std::ios::binary);
   std::string page{std::istreambuf_iterator<char>(file), {}};
   const std::string place = "data-case=\"";
   const std::size_t at = page.find(place);

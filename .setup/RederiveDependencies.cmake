@@ -1,0 +1,66 @@
+# The libraries of others that the rooms in `rederive_rooms` stand on. Read by the build, and where Rederive is
+# installed by find_package(Rederive): there for the rooms asked for, so that who takes the numerics alone needs
+# neither GiNaC nor CLN. Sets Rederive_FOUND to FALSE, and says why, if one is missing.
+include(CMakeFindDependencyMacro)
+
+macro(rederive_missing what)
+  set(Rederive_FOUND FALSE)
+  set(Rederive_NOT_FOUND_MESSAGE "${what} is missing")
+  return()
+endmacro()
+
+macro(rederive_module name)
+  pkg_check_modules(${name} QUIET IMPORTED_TARGET ${ARGN})
+  if(NOT ${name}_FOUND)
+    rederive_missing("the pkg-config module ${ARGN}")
+  endif()
+endmacro()
+
+find_dependency(PkgConfig)
+find_dependency(Threads)
+find_dependency(fmt)
+
+# Balls. Arb has no pkg-config file; Debian calls it flint-arb.
+rederive_module(MPFR mpfr)
+find_library(ARB_LIBRARY NAMES flint-arb arb)
+find_library(FLINT_LIBRARY flint)
+if(NOT ARB_LIBRARY OR NOT FLINT_LIBRARY)
+  rederive_missing("Arb or FLINT (Debian: libflint-arb-dev, libflint-dev)")
+endif()
+if(NOT TARGET rederive::arb)
+  add_library(rederive::arb INTERFACE IMPORTED)
+  target_link_libraries(rederive::arb INTERFACE ${ARB_LIBRARY} ${FLINT_LIBRARY} PkgConfig::MPFR)
+endif()
+
+if(rederive_rooms MATCHES "numerics|lessons|certify|ledger|classroom")
+  rederive_module(GSL gsl)
+endif()
+if(rederive_rooms STREQUAL numerics)
+  return()
+endif()
+
+# GiNaC orders terms by where the names of its types lie in memory: linked in whole, at a fixed address, that is
+# the same on every run, and so is every byte that we print.
+rederive_module(CLN cln)
+pkg_check_modules(GINAC QUIET ginac)
+find_library(GINAC_LIBRARY NAMES libginac.a ginac HINTS ${GINAC_LIBRARY_DIRS})
+if(NOT GINAC_LIBRARY)
+  rederive_missing("GiNaC (Debian: libginac-dev)")
+endif()
+if(NOT TARGET rederive::ginac)
+  add_library(rederive::ginac INTERFACE IMPORTED)
+  target_include_directories(rederive::ginac SYSTEM INTERFACE ${GINAC_INCLUDE_DIRS})
+  target_link_libraries(rederive::ginac INTERFACE ${GINAC_LIBRARY} PkgConfig::CLN)
+  target_link_options(rederive::ginac INTERFACE
+    $<$<AND:$<PLATFORM_ID:Linux>,$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>>:-no-pie>)
+endif()
+
+if(rederive_rooms MATCHES "paper|kernel|lessons|certify|ledger|classroom")
+  find_dependency(tomlplusplus)
+endif()
+if(rederive_rooms MATCHES "lessons|certify|ledger|classroom")
+  find_dependency(nlohmann_json)
+endif()
+if(rederive_rooms MATCHES classroom)
+  rederive_module(HTTPLIB cpp-httplib)
+endif()

@@ -1,0 +1,85 @@
+# What `cmake --install` puts where, and what `cpack` makes of it. Programs read what stands in PREFIX/share/rederive
+# beside them, so that PREFIX can be moved; rederive_data() installs that.
+include(CMakePackageConfigHelpers)
+
+file(GLOB lesson_files RELATIVE ${PROJECT_SOURCE_DIR}/lessons CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lessons/lesson-*.cpp)
+string(REPLACE .cpp "" lesson_programs "${lesson_files}")
+install(TARGETS ledger rocking emit exercises ${lesson_programs} RUNTIME DESTINATION bin)
+
+# To build on: the rooms as libraries, found by CMake and, two of them, by pkg-config.
+list(TRANSFORM rooms PREPEND rederive_ OUTPUT_VARIABLE libraries)
+foreach(room options emitted ${rooms})
+  set_target_properties(rederive_${room} PROPERTIES EXPORT_NAME ${room})
+endforeach()
+install(TARGETS rederive_options rederive_emitted ${libraries} EXPORT RederiveTargets
+        ARCHIVE DESTINATION lib COMPONENT development)
+install(EXPORT RederiveTargets NAMESPACE rederive:: DESTINATION lib/cmake/Rederive COMPONENT development)
+install(DIRECTORY derivations numerics lessons DESTINATION include/rederive COMPONENT development
+        FILES_MATCHING PATTERN *.hpp PATTERN workbench EXCLUDE PATTERN commands EXCLUDE)
+install(FILES ${PROJECT_BINARY_DIR}/emitted/rocking_block.hpp DESTINATION include/rederive/emitted COMPONENT development)
+
+configure_file(.setup/RederiveConfig.cmake.in RederiveConfig.cmake @ONLY)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/RederiveConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+install(FILES .setup/RederiveDependencies.cmake ${PROJECT_BINARY_DIR}/RederiveConfig.cmake
+              ${PROJECT_BINARY_DIR}/RederiveConfigVersion.cmake DESTINATION lib/cmake/Rederive COMPONENT development)
+
+get_filename_component(arb ${ARB_LIBRARY} NAME_WE)
+string(REGEX REPLACE "^lib" "" arb ${arb})
+get_filename_component(ginac ${GINAC_LIBRARY} NAME)
+set(ginac ":${ginac}")  # the static one, where it was found
+foreach(module rederive-numerics rederive-decide)
+  configure_file(.setup/${module}.pc.in ${module}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${module}.pc DESTINATION lib/pkgconfig COMPONENT development)
+endforeach()
+
+# Debian packages: what a reader runs; what needs Open MPI; and what one builds on, of which the numerics want less
+# than the proofs.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME rederive)
+set(CPACK_PACKAGE_CONTACT "Rederive maintainers <rederive@example.org>")
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+    WORLD_READ WORLD_EXECUTE)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME rederive)
+set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "paper on rocking blocks that you can run
+ Every equation of a paper on the overturning of rigid blocks under ground
+ excitation is derived again by computer algebra, and proved or refuted. With
+ thresholds, histories, spectra and maps of the block's motion, lessons and
+ exercises.")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS gnuplot-nox)
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "rederive-mpi, coq, libcoq-coquelicot, libcoq-interval")
+
+set(CPACK_DEBIAN_MPI_PACKAGE_NAME rederive-mpi)
+set(CPACK_DEBIAN_MPI_DESCRIPTION "rocking maps, spectra and fragility under mpirun
+ What the program rocking of the package rederive loads under mpirun.")
+set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "rederive (= ${PROJECT_VERSION})")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME librederive-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "motion of rocking blocks, and proofs of identities
+ Static libraries, headers, and files for CMake and pkg-config: the response of
+ a rigid block to ground motion, and a prover for identities, equations and
+ inequalities. The recommended packages are for the proofs alone.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+    "rederive (= ${PROJECT_VERSION}), libgsl-dev, libmpfr-dev, libflint-arb-dev, libflint-dev, libfmt-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libginac-dev, libcln-dev, libglpk-dev, libgmp-dev, \
+libtomlplusplus-dev, nlohmann-json3-dev, libcpp-httplib-dev, pkgconf")
+
+execute_process(COMMAND gzip -9n INPUT_FILE ${PROJECT_SOURCE_DIR}/.setup/changelog
+                OUTPUT_FILE ${PROJECT_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
+set(components programs development)
+if(TARGET rocking_ranks)
+  list(APPEND components mpi)
+endif()
+foreach(component ${components})
+  string(TOUPPER ${component} upper)
+  set(documents share/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
+  install(FILES .setup/copyright ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${documents} COMPONENT ${component})
+endforeach()
+include(CPack)

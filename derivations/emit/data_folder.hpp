@@ -1,0 +1,41 @@
+// Where the files stand that programs read as they run: equations, exercises, pages.
+#pragma once
+
+#include <dlfcn.h>
+#include <link.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+namespace rederive {
+
+/// The file that this code was loaded from: a program, or a module that a program has loaded.
+inline std::filesystem::path loaded_from() {
+  Dl_info ignored;
+  link_map* loaded = nullptr;
+  ::dladdr1(reinterpret_cast<const void*>(&loaded_from), &ignored, reinterpret_cast<void**>(&loaded),
+            RTLD_DL_LINKMAP);
+  const bool is_program = loaded == nullptr || *loaded->l_name == '\0';
+  return std::filesystem::canonical(is_program ? "/proc/self/exe" : loaded->l_name);
+}
+
+/// PREFIX/share/rederive. PREFIX is the nearest folder above loaded_from() that has it, so that an installed
+/// tree can be moved, and so can the build's folder. Programs that stand elsewhere find it as the XDG base
+/// directory specification says, by XDG_DATA_DIRS. It is there already, or nothing of it is.
+inline std::filesystem::path data_folder() {
+  namespace fs = std::filesystem;
+  const fs::path place = fs::path("share") / "rederive";
+  for (fs::path prefix = loaded_from().parent_path();; prefix = prefix.parent_path()) {
+    if (fs::is_directory(prefix / place)) return prefix / place;
+    if (prefix == prefix.root_path()) break;
+  }
+  const char* given = std::getenv("XDG_DATA_DIRS");
+  std::istringstream folders(given != nullptr && *given != '\0' ? given : "/usr/local/share:/usr/share");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (fs::is_directory(fs::path(folder) / "rederive")) return fs::path(folder) / "rederive";
+  return fs::path("/usr") / place;  // for whoever reads it to say that it is not there
+}
+
+}  // namespace rederive
