@@ -1,7 +1,7 @@
 // Work in a child process: what counts against its limit, and what it may not take with it.
 #include <doctest/doctest.h>
 
-#include <lessons/bounded.hpp>
+#include <derivations/paper/bounded.hpp>
 #include <vector>
 
 using namespace rederive;
