@@ -12,13 +12,13 @@ from pathlib import Path
 
 
 def _folder(python):
-    """build/, if it was configured for this Python; else a folder of its own in it, configured."""
+    """build/, if that is for this Python; else a folder in it. Configured, so that what was installed since is found."""
     cache = Path("build/CMakeCache.txt")
     built_for = re.search("REDERIVE_PYTHON:FILEPATH=(.*)", cache.read_text()) if cache.exists() else None
-    if built_for and os.path.realpath(built_for[1]) == python:
-        return "build"
-    folder = f"build/{sys.implementation.cache_tag}"
-    subprocess.run(["cmake", "--preset", "default", "-B", folder, f"-DREDERIVE_PYTHON:FILEPATH={python}"], check=True)
+    here = os.path.realpath(built_for[1] if built_for else "/usr/bin/python3") == python
+    folder = Path("build" if here else f"build/{sys.implementation.cache_tag}")
+    how = [folder] if (folder / "CMakeCache.txt").exists() else ["--preset", "default", "-B", folder]
+    subprocess.run(["cmake", *how, f"-DREDERIVE_PYTHON:FILEPATH={python}"], check=True)
     return folder
 
 

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+import rederive
+
 PROGRAMS = Path(os.environ["REDERIVE_PROGRAMS"])
 
 
@@ -40,3 +42,9 @@ def script():
                                 **options)
 
     return start
+
+
+@pytest.fixture(scope="session")
+def rows():
+    """The ledger, judged once for all tests."""
+    return rederive.ledger()

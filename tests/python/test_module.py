@@ -129,15 +129,15 @@ def test_a_witness_is_exact():
     assert proof.witness.printed.startswith("0.9092974268256816953960198659")
 
 
-def test_the_ledger_becomes_a_table_in_one_line():
-    table = pandas.DataFrame(rederive.ledger())
+def test_the_ledger_becomes_a_table_in_one_line(rows):
+    table = pandas.DataFrame(rows)
     assert {"id", "section", "printed", "derived", "verdict", "witness"} <= set(table.columns)
     assert table.verdict.value_counts()["refuted"] > 5
     assert pandas.DataFrame(rederive.windows(Pulse(3))).columns.tolist() == ["from", "to", "code"]
 
 
-def test_a_row_shows_its_formulas_in_a_notebook():
-    row = next(row for row in rederive.ledger() if row.id == "71")
+def test_a_row_shows_its_formulas_in_a_notebook(rows):
+    row = next(row for row in rows if row.id == "71")
     text = row._repr_latex_()
     assert text.startswith("$$") and text.endswith("$$") and text.count("{") == text.count("}")
     assert row.printed_latex in text and row.derived_latex in text and r"\cosh" not in row.id
