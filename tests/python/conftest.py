@@ -35,13 +35,18 @@ def answer(command):
 
 @pytest.fixture
 def script():
-    """Starts another Python with this text."""
+    """Starts another Python with this text; none outlives its test."""
+    started = []
 
     def start(text, **options):
-        return subprocess.Popen([sys.executable, "-c", text], text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                **options)
+        started.append(subprocess.Popen([sys.executable, "-c", text], text=True, stdout=subprocess.PIPE,
+                                        stderr=subprocess.PIPE, **options))
+        return started[-1]
 
-    return start
+    yield start
+    for process in started:
+        process.kill()
+        process.communicate()
 
 
 @pytest.fixture(scope="session")
