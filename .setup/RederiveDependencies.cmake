@@ -50,15 +50,16 @@ endif()
 if(NOT TARGET rederive::ginac)
   add_library(rederive::ginac INTERFACE IMPORTED)
   target_include_directories(rederive::ginac SYSTEM INTERFACE ${GINAC_INCLUDE_DIRS})
-  target_link_libraries(rederive::ginac INTERFACE ${GINAC_LIBRARY} PkgConfig::CLN)
+  # The Python module is loaded at another address each time, with the shared library; a test holds it to the same
+  # bytes.
+  set(is_module $<STREQUAL:$<TARGET_PROPERTY:TYPE>,MODULE_LIBRARY>)
+  target_link_libraries(rederive::ginac INTERFACE $<IF:${is_module},ginac,${GINAC_LIBRARY}> PkgConfig::CLN)
   target_link_options(rederive::ginac INTERFACE
     $<$<AND:$<PLATFORM_ID:Linux>,$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>>:-no-pie>)
 endif()
 
 if(rederive_rooms MATCHES "paper|kernel|lessons|certify|ledger|classroom")
   find_dependency(tomlplusplus)
-endif()
-if(rederive_rooms MATCHES "lessons|certify|ledger|classroom")
   find_dependency(nlohmann_json)
 endif()
 if(rederive_rooms MATCHES classroom)

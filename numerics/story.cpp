@@ -75,6 +75,13 @@ void friction_on(const Block& block, Mover& mover, const Arc& arc, Real until, F
 
 }  // namespace
 
+GroundMotion pulse_or_none(const PulseCase& asked, double amplitude) {
+  const Real level = start_level(asked.block, asked.model);
+  const bool rests = asked.initial.angle == 0 && asked.initial.velocity == 0;
+  if ((amplitude < level && rests) || amplitude == 0) return {};
+  return pulse_motion(asked.pulse, asked.omega_ratio, amplitude, level);
+}
+
 Story tell(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
            Real until, double tolerance) {
   Story story;
@@ -96,6 +103,12 @@ Story tell(const Block& block, Model model, const GroundMotion& motion, const In
   story.until = until < 0 ? default_end(story, motion) : until;
   std::erase_if(events, [&](const Event& event) { return event.time > story.until; });
   return story;
+}
+
+int impacts_of(const Story& story) {
+  if (story.outcome.code != 0) return story.outcome.impacts;
+  const auto is_impact = [](const Event& event) { return event.kind == EventKind::impact; };
+  return static_cast<int>(std::ranges::count_if(story.response.events, is_impact));
 }
 
 Friction required_friction(const Block& block, Model model, const Story& story) {

@@ -8,7 +8,7 @@
 #include <derivations/language/syntax.hpp>
 #include <derivations/numbers/evaluate.hpp>
 #include <iostream>
-#include <lessons/ledger/prove_command.hpp>
+#include <derivations/paper/prove_bounded.hpp>
 #include <derivations/emit/program.hpp>
 #include <random>
 

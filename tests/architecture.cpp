@@ -29,6 +29,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"paper", {"language", "numbers", "identity", "sign", "decide", "mechanics", "rocking_block", "emit"}},
     {"kernel",
      {"language", "numbers", "identity", "sign", "decide", "mechanics", "rocking_block", "emit", "paper"}},
+    {"python", {"language", "numbers", "identity", "sign", "decide", "mechanics", "rocking_block", "emit", "paper"}},
     {"numerics", {"numbers", "emit"}}};  // balls, and how a program reads its command line
 
 using Graph = std::map<std::string, std::set<std::string>>;
@@ -160,6 +161,20 @@ TEST_CASE("the rooms of the engine have at most 6,000 lines together") {
   const int lines = lines_in([](const std::string& file) { return engine.contains(room_of(file)); });
   MESSAGE("the engine has ", lines, " lines");
   CHECK(lines <= 6000);
+}
+
+TEST_CASE("the Python module has at most 600 lines of C++ and 300 of Python") {
+  const int lines =
+      lines_in([](const std::string& file) { return file.find("/python/") != std::string::npos; });
+  int python = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(REDERIVE_SOURCE) / "lessons/python"))
+    if (const auto name = entry.path().extension(); name == ".py" || name == ".pyi")
+      python += lines_of(fs::relative(entry.path(), REDERIVE_SOURCE));
+  MESSAGE("the Python module has ", lines, " lines of C++ and ", python, " of Python");
+  CHECK(lines > 300);
+  CHECK(lines <= 600);
+  CHECK(python > 200);
+  CHECK(python <= 300);
 }
 
 TEST_CASE("the programs of the ledger have at most 3,000 lines") {

@@ -1,7 +1,7 @@
 // Work in a child process: what counts against its limit, and what it may not take with it.
 #include <doctest/doctest.h>
 
-#include <lessons/bounded.hpp>
+#include <derivations/paper/bounded.hpp>
 #include <vector>
 
 using namespace rederive;
@@ -44,4 +44,14 @@ TEST_CASE("what work took is said, and what it threw") {
   CHECK(short_one.seconds >= 0.1);
   CHECK(short_one.seconds < 5);
   CHECK(run_bounded([]() -> std::string { throw std::runtime_error("no"); }, 5, megabytes).why == "no");
+}
+
+TEST_CASE("what this process has already does not count against the memory of the work") {
+  std::vector<char> here;
+  here.reserve(std::size_t{2 * megabytes} << 20);
+  const auto takes = [](long space) {
+    return [=] { return std::to_string(std::vector<char>(static_cast<std::size_t>(space) << 20).capacity()); };
+  };
+  CHECK(run_bounded(takes(megabytes / 4), 4, megabytes).result);
+  CHECK(run_bounded(takes(megabytes + 1), 4, megabytes).note == "memory");
 }

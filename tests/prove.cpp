@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <lessons/ledger/prove_command.hpp>
+#include <derivations/paper/prove_bounded.hpp>
 #include <nlohmann/json.hpp>
 #include <tests/run_program.hpp>
 

@@ -9,7 +9,7 @@
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/numbers/interval.hpp>
 #include <iostream>
-#include <lessons/ledger/prove_command.hpp>
+#include <derivations/paper/prove_bounded.hpp>
 #include <random>
 
 using namespace rederive;

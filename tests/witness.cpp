@@ -5,7 +5,7 @@
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/numbers/interval.hpp>
 #include <derivations/paper/ledger.hpp>
-#include <lessons/ledger/prove_command.hpp>
+#include <derivations/paper/prove_bounded.hpp>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <tests/run_program.hpp>

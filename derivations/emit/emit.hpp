@@ -4,6 +4,7 @@
 #include <derivations/emit/dialect.hpp>
 #include <derivations/emit/taylor.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,18 @@ std::vector<EmittedFunction> emitted_functions();
 /// if there are steppers and the target is neither C++ nor JavaScript.
 std::string emit(const std::vector<EmittedFunction>& functions, Target target, bool sharing = true,
                  const std::vector<TaylorStepper>& steppers = {});
+
+/// "cpp", "c", "python", "javascript", "latex".
+const std::map<std::string, Target>& targets();
+
+/// Functions and, where the target has them, steppers.
+struct Emission {
+  std::vector<EmittedFunction> functions;
+  std::vector<TaylorStepper> steppers;
+};
+/// Those with these names, in the order in which they are listed; all that the target has if nothing is named.
+/// Throws BadInput for a name that there is not, or not in this target.
+Emission emission_of(const std::vector<std::string>& names, Target target);
 
 /// What is known about a function beside its text.
 struct Provenance {

@@ -3,9 +3,7 @@
 
 #include <derivations/emit/command_line.hpp>
 #include <derivations/emit/emit.hpp>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 using namespace rederive;
 
@@ -18,29 +16,6 @@ struct Options {
 };
 
 std::string name_of(const SymbolExpression& symbol) { return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name(); }
-
-/// What was asked for, in the order of the lists; all that the target has if nothing is named.
-struct Chosen {
-  std::vector<EmittedFunction> functions = emitted_functions();
-  std::vector<TaylorStepper> steppers = taylor_steppers();
-};
-
-Chosen chosen(const Options& options) {
-  Chosen all;
-  const std::set<std::string> named(options.functions.begin(), options.functions.end());
-  const bool has_steppers = options.list || options.target == "cpp" || options.target == "javascript";
-  std::set<std::string> unknown = named;
-  for (const EmittedFunction& function : all.functions) unknown.erase(function.name);
-  for (const TaylorStepper& stepper : all.steppers)
-    if (unknown.erase(stepper.name) != 0 && !has_steppers)
-      throw BadInput("'" + stepper.name + "' is a Taylor stepper: it is written in cpp and in javascript");
-  if (!unknown.empty())
-    throw BadInput("there is no function '" + *unknown.begin() + "'; 'emit --list' shows all of them");
-  const auto is_left_out = [&](const auto& f) { return !named.empty() && !named.contains(f.name); };
-  std::erase_if(all.functions, is_left_out);
-  std::erase_if(all.steppers, [&](const auto& f) { return !has_steppers || is_left_out(f); });
-  return all;
-}
 
 nlohmann::ordered_json described(const SymbolExpression& symbol) {
   const Symbol& known = *emission_symbols().find(name_of(symbol));
@@ -82,7 +57,7 @@ std::string names_of(const std::vector<SymbolExpression>& symbols) {
   return text;
 }
 
-std::string listed(const Chosen& all, bool json) {
+std::string listed(const Emission& all, bool json) {
   nlohmann::ordered_json functions = nlohmann::ordered_json::array(),
                          steppers = nlohmann::ordered_json::array();
   std::string text;
@@ -101,17 +76,12 @@ std::string listed(const Chosen& all, bool json) {
 }
 
 int run(const Options& options) {
-  static const std::map<std::string, Target> targets = {{"cpp", Target::cpp},
-                                                        {"c", Target::c},
-                                                        {"python", Target::python},
-                                                        {"javascript", Target::javascript},
-                                                        {"latex", Target::latex}};
   if (!options.list && options.target.empty()) throw BadInput("say what to write: --target cpp, or --list");
   if (options.json && !options.list) throw BadInput("--json goes with --list");
-  const Chosen all = chosen(options);
-  const std::string text =
-      options.list ? listed(all, options.json)
-                   : emit(all.functions, targets.at(options.target), !options.no_sharing, all.steppers);
+  const Target target = options.list ? Target::cpp : targets().at(options.target);  // cpp has all there is
+  const Emission all = emission_of(options.functions, target);
+  const std::string text = options.list ? listed(all, options.json)
+                                        : emit(all.functions, target, !options.no_sharing, all.steppers);
   if (options.out.empty()) {
     std::fputs(text.c_str(), stdout);
   } else {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <derivations/kernel/lemma.hpp>
-#include <lessons/bounded.hpp>
+#include <derivations/paper/bounded.hpp>
 #include <lessons/certify/certify_command.hpp>
 #include <lessons/certify/check.hpp>
 #include <lessons/certify/rests.hpp>

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <derivations/emit/program.hpp>
 #include <future>
-#include <lessons/bounded.hpp>
+#include <derivations/paper/bounded.hpp>
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/grading.hpp>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 
 #include <derivations/emit/program.hpp>
 #include <derivations/paper/prove.hpp>
-#include <lessons/bounded.hpp>
+#include <derivations/paper/bounded.hpp>
 #include <lessons/exercises/in_page.hpp>
 #include <lessons/exercises/units.hpp>
 #include <lessons/prose.hpp>

@@ -11,7 +11,7 @@
 #include <derivations/language/lexer.hpp>
 #include <derivations/paper/mutate.hpp>
 #include <derivations/paper/prove.hpp>
-#include <lessons/bounded.hpp>
+#include <derivations/paper/bounded.hpp>
 #include <lessons/certify/certify_command.hpp>
 #include <lessons/ledger/claims.hpp>
 #include <lessons/ledger/prove_table.hpp>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <filesystem>
-#include <lessons/ledger/prove_command.hpp>
+#include <derivations/paper/prove_bounded.hpp>
 
 namespace rederive {
 

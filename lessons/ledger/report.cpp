@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <derivations/decide/proof.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/report.hpp>
 #include <lessons/prose.hpp>
@@ -11,8 +10,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
-
 std::string painted(const std::string& text, Verdict verdict, bool colour) {
   if (!colour) return text;
   const bool good =
@@ -22,11 +19,6 @@ std::string painted(const std::string& text, Verdict verdict, bool colour) {
                      : good                          ? "32"
                                                      : "2";
   return fmt::format("\033[{}m{}\033[0m", code, text);
-}
-
-std::string dimension_word(const Entry& entry) {
-  if (!entry.dimension) return "not_applicable";
-  return entry.dimension->consistent ? "consistent" : "inconsistent";
 }
 
 std::string unicode_or(const std::string& printed) {
@@ -40,52 +32,6 @@ std::map<std::string, int> counts(const std::vector<Entry>& entries) {
   std::map<std::string, int> result;
   for (const Entry& entry : entries) ++result[to_string(entry.proof.verdict)];
   return result;
-}
-
-Json to_json(const Witness& witness) {
-  Json json{{"at", witness.at}, {"printed", witness.printed}, {"derived", witness.derived}};
-  if (!witness.exactly.empty()) json["exactly"] = witness.exactly;
-  for (const auto& [name, bounds] : witness.between) json["between"][name] = {bounds.first, bounds.second};
-  if (!witness.between.empty()) json["solves"] = witness.solves;
-  json["in_words"] = in_words(witness);
-  return json;
-}
-
-Json to_json(const Proof& proof) {
-  const Json witness = proof.witness ? to_json(*proof.witness) : Json();
-  return {{"verdict", to_string(proof.verdict)},      {"factor", or_null(proof.factor)},
-          {"side_conditions", proof.side_conditions}, {"witness", witness},
-          {"reason", or_null(proof.reason)},          {"by", or_null(proof.by)},
-          {"certificate", proof.certificate}};
-}
-
-Json to_json(const Entry& entry) {
-  const Row& row = entry.row;
-  const Json proof = to_json(entry.proof);
-  const bool approximate = entry.derivation && entry.derivation->order > 0;
-  const bool refuted = entry.proof.verdict == Verdict::refuted;
-  return {{"id", row.id},
-          {"section", row.section},
-          {"kind", row.kind},
-          {"domain", or_null(row.domain)},
-          {"printed", or_null(row.printed)},
-          {"derived", or_null(entry.derived)},
-          {"verdict", proof["verdict"]},
-          {"expected", row.expected},
-          {"factor", proof["factor"]},
-          {"side_conditions", proof["side_conditions"]},
-          {"assumption", entry.derivation ? or_null(entry.derivation->assumption) : Json()},
-          {"order", approximate ? Json(entry.derivation->order) : Json()},
-          {"error", refuted ? or_null(row.error) : Json()},
-          {"correction", or_null(entry.correction)},
-          {"witness", proof["witness"]},
-          {"dimension", dimension_word(entry)},
-          {"follows_from", row.follows_from},
-          {"scan_repaired", !row.scan_repaired.empty()},
-          {"scan", or_null(row.scan_repaired)},
-          {"reason", proof["reason"]},
-          {"rests_on_it", entry.rests_on_it},
-          {"consequence", or_null(row.consequence)}};
 }
 
 Json to_json(const std::vector<Entry>& entries) {

@@ -1,6 +1,7 @@
 // The ledger as tables, JSON, an errata sheet and a graph.
 #pragma once
 
+#include <derivations/paper/json.hpp>
 #include <derivations/paper/ledger.hpp>
 #include <derivations/paper/prove.hpp>
 #include <nlohmann/json.hpp>
@@ -9,8 +10,6 @@ namespace rederive {
 
 /// The whole ledger in one JSON document, as COMMANDS fixes it: paper, equations, counts.
 nlohmann::ordered_json to_json(const std::vector<Entry>& entries);
-nlohmann::ordered_json to_json(const Entry& entry);
-nlohmann::ordered_json to_json(const Proof& proof);
 
 /// A row an equation, counts by verdict at the end. `colour` for terminals.
 std::string ledger_table(const std::vector<Entry>& entries, bool colour);

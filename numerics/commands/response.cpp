@@ -29,7 +29,7 @@ struct Told {
   std::optional<double> limit;  ///< --friction
 };
 
-GroundMotion motion_of(const ResponseCommand& options, const Block& block, InitialState initial) {
+GroundMotion motion_of(const ResponseCommand& options, const Block& block) {
   if (!options.record.empty()) {
     const auto unit = options.unit == "g" ? RecordUnit::g : RecordUnit::metres_per_second_squared;
     const double step = options.step.empty() ? 0 : number_between("--step", options.step, 1e-9, 1e6);
@@ -37,12 +37,7 @@ GroundMotion motion_of(const ResponseCommand& options, const Block& block, Initi
   }
   if (options.amplitude.empty()) throw BadInput("--amplitude is required: a_p/(alpha g) of the pulse");
   const PulseCase asked = case_of(options.common);
-  const Real level = start_level(block, options.common.model);
-  const double amplitude = number_between("--amplitude", options.amplitude, 0, 1e6);
-  const bool rests = initial.angle == 0 && initial.velocity == 0;
-  if (amplitude < level && rests) return {};  // nothing moves
-  if (amplitude == 0) return {};              // free motion
-  return pulse_motion(asked.pulse, asked.omega_ratio, amplitude, level);
+  return pulse_or_none(asked, number_between("--amplitude", options.amplitude, 0, 1e6));
 }
 
 Json event_json(const Event& event) {
@@ -51,13 +46,6 @@ Json event_json(const Event& event) {
           {"theta_over_alpha", static_cast<double>(event.angle)},
           {"velocity_before", static_cast<double>(event.velocity_before)},
           {"velocity_after", static_cast<double>(event.velocity_after)}};
-}
-
-int impacts_of(const Story& story) {
-  if (story.outcome.code != 0) return story.outcome.impacts;
-  int count = 0;
-  for (const Event& event : story.response.events) count += event.kind == EventKind::impact;
-  return count;
 }
 
 std::optional<double> time_of(const Story& story) {
@@ -160,7 +148,7 @@ int response(const ResponseCommand& options) {
   const InitialState initial =
       initial_state(told.block, told.model, number("--theta0", options.common.theta0),
                     number("--thetadot0", options.common.thetadot0));
-  told.motion = motion_of(options, told.block, initial);
+  told.motion = motion_of(options, told.block);
   const double until = options.until.empty() ? -1 : number_between("--until", options.until, 0, 1e5);
   if (!options.friction.empty()) told.limit = number_between("--friction", options.friction, 0, 1e9);
   told.story = tell(told.block, told.model, told.motion, initial, until);

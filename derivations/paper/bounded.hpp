@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -39,6 +40,13 @@ inline double processor_seconds(pid_t process) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+/// The address space of this process; 0 where it cannot be told.
+inline rlim_t mapped_bytes() {
+  rlim_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
+}
+
 /// Of a child that said nothing.
 inline Bounded why_it_ended(int status, double taken) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
@@ -47,14 +55,15 @@ inline Bounded why_it_ended(int status, double taken) {
   return {std::nullopt, "it ran out of memory or stack", taken, "crash"};
 }
 
-/// Runs `work` in a child process and brings its text back. At most `seconds` and `megabytes` of address
-/// space. The seconds are processor time: what is decided does not depend on how busy the machine is. After
+/// Runs `work` in a child process and brings its text back. At most `seconds`, and `megabytes` of address
+/// space beyond what this process has. The seconds are processor time: what is decided does not depend on how busy the machine is. After
 /// `patience` seconds of wall-clock time it is given up, whatever it waits for. Several threads may call it.
 /// Throws std::runtime_error if no child can be made.
 inline Bounded run_bounded(const std::function<std::string()>& work, double seconds, long megabytes,
                            double patience = 60) {
   static std::mutex forking;  // or the child of another thread would keep the end that we wait for
   std::unique_lock lock(forking);
+  const rlim_t space = mapped_bytes() + (static_cast<rlim_t>(megabytes) << 20);
   int ends[2];
   if (::pipe(ends) != 0) throw std::runtime_error("no pipe to be had");
   const pid_t child = ::fork();
@@ -62,7 +71,7 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
   if (child == 0) {
     lock.unlock();
     ::close(ends[0]);
-    const rlimit memory{static_cast<rlim_t>(megabytes) << 20, static_cast<rlim_t>(megabytes) << 20};
+    const rlimit memory{space, space};
     const rlimit time{static_cast<rlim_t>(seconds) + 1, static_cast<rlim_t>(seconds) + 1}, none{0, 0};
 #if !defined(__SANITIZE_ADDRESS__)
     ::setrlimit(RLIMIT_AS, &memory);

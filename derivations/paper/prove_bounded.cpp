@@ -1,6 +1,6 @@
-#include <lessons/bounded.hpp>
-#include <lessons/ledger/prove_command.hpp>
-#include <lessons/ledger/report.hpp>
+#include <derivations/paper/bounded.hpp>
+#include <derivations/paper/json.hpp>
+#include <derivations/paper/prove_bounded.hpp>
 
 namespace rederive {
 

@@ -1,0 +1,65 @@
+#include <derivations/paper/json.hpp>
+#include <derivations/paper/prove.hpp>
+
+namespace rederive {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+Json to_json(const Witness& witness) {
+  Json json{{"at", witness.at}, {"printed", witness.printed}, {"derived", witness.derived}};
+  if (!witness.exactly.empty()) json["exactly"] = witness.exactly;
+  for (const auto& [name, bounds] : witness.between) json["between"][name] = {bounds.first, bounds.second};
+  if (!witness.between.empty()) json["solves"] = witness.solves;
+  json["in_words"] = in_words(witness);
+  return json;
+}
+
+}  // namespace
+
+std::string dimension_word(const Entry& entry) {
+  if (!entry.dimension) return "not_applicable";
+  return entry.dimension->consistent ? "consistent" : "inconsistent";
+}
+
+Json to_json(const Proof& proof) {
+  const Json witness = proof.witness ? to_json(*proof.witness) : Json();
+  return {{"verdict", to_string(proof.verdict)},      {"factor", or_null(proof.factor)},
+          {"side_conditions", proof.side_conditions}, {"witness", witness},
+          {"reason", or_null(proof.reason)},          {"by", or_null(proof.by)},
+          {"certificate", proof.certificate}};
+}
+
+Json to_json(const Entry& entry) {
+  const Row& row = entry.row;
+  const Json proof = to_json(entry.proof);
+  const bool approximate = entry.derivation && entry.derivation->order > 0;
+  const bool refuted = entry.proof.verdict == Verdict::refuted;
+  return {{"id", row.id},
+          {"section", row.section},
+          {"kind", row.kind},
+          {"domain", or_null(row.domain)},
+          {"printed", or_null(row.printed)},
+          {"derived", or_null(entry.derived)},
+          {"verdict", proof["verdict"]},
+          {"expected", row.expected},
+          {"factor", proof["factor"]},
+          {"side_conditions", proof["side_conditions"]},
+          {"assumption", entry.derivation ? or_null(entry.derivation->assumption) : Json()},
+          {"order", approximate ? Json(entry.derivation->order) : Json()},
+          {"error", refuted ? or_null(row.error) : Json()},
+          {"correction", or_null(entry.correction)},
+          {"witness", proof["witness"]},
+          {"dimension", dimension_word(entry)},
+          {"follows_from", row.follows_from},
+          {"scan_repaired", !row.scan_repaired.empty()},
+          {"scan", or_null(row.scan_repaired)},
+          {"reason", proof["reason"]},
+          {"rests_on_it", entry.rests_on_it},
+          {"consequence", or_null(row.consequence)}};
+}
+
+}  // namespace rederive

@@ -1,0 +1,79 @@
+// The ledger, the prover and the emission for Python: text in, text out. What is said to a user of Python
+// stands in lessons/python/rederive.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <derivations/emit/emit.hpp>
+#include <derivations/paper/json.hpp>
+#include <derivations/paper/prove_bounded.hpp>
+#include <mutex>
+
+namespace py = pybind11;
+
+namespace rederive {
+namespace {
+
+/// Without Python's lock, but one at a time: GiNaC counts references, and remembers, without locks.
+template <class Work>
+auto alone(std::mutex& mutex, Work work) {
+  const py::gil_scoped_release release;
+  const std::lock_guard lock(mutex);
+  return work();
+}
+
+std::mutex& algebra() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+std::string latex(const std::string& statement) {
+  return statement.empty() ? "" : print(parse_statement(statement), Notation::latex);
+}
+
+/// What Python is told of a row: its JSON, what is printed (or stated) and what is derived as LaTeX.
+using Told = std::tuple<std::string, std::string, std::string>;
+
+std::vector<Told> ledger(const std::string& equations) {
+  const std::vector<Row> rows = read_rows(equations);
+  std::vector<Told> told;
+  for (const Row& row : rows) {
+    told.push_back(alone(algebra(), [&] {
+      const Entry entry = judge(row, rows);
+      return Told{to_json(entry).dump(), latex(row.claim()), latex(entry.derived)};
+    }));
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+  return told;
+}
+
+std::string prove(const std::string& left, const std::string& right, const std::vector<std::string>& assume) {
+  return alone(algebra(), [&] {
+    return decide_bounded({trimmed(left), trimmed(right), assume, {}, {}}).dump();
+  });
+}
+
+std::string emit_text(const std::string& target, const std::vector<std::string>& names) {
+  const auto found = targets().find(target);
+  if (found == targets().end())
+    throw BadInput("there is no target '" + target + "'; right is one of c, cpp, javascript, latex, python");
+  return alone(algebra(), [&] {
+    const Emission all = emission_of(names, found->second);
+    return emit(all.functions, found->second, true, all.steppers);
+  });
+}
+
+}  // namespace
+}  // namespace rederive
+
+PYBIND11_MODULE(_proofs, module) {
+  py::register_local_exception_translator([](std::exception_ptr thrown) {
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const rederive::BadInput& error) {
+      PyErr_SetString(PyExc_ValueError, rederive::printable(error.what()).c_str());
+    }
+  });
+  module.def("ledger", rederive::ledger, py::arg("equations"));
+  module.def("prove", rederive::prove, py::arg("left"), py::arg("right"), py::arg("assume"));
+  module.def("emit", rederive::emit_text, py::arg("target"), py::arg("names"));
+}
