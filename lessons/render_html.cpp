@@ -50,7 +50,7 @@ class HtmlRenderer : public Renderer {
   std::string blocks(const Page& page) {
     std::string text;
     for (const auto& block : page.blocks())
-      text += std::visit([this](const auto& part) { return render(part); }, block);
+      text += std::visit([this](const auto& part) { return this->render(part); }, block);
     return text;
   }
 
@@ -229,8 +229,8 @@ std::string page_head(const std::string& title) {
   return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
          "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
          "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-         title + "</title>\n<style>\n" + whole_file(data_folder() / "page.css") + "</style>\n" + math_font_style() +
-         "</head>\n<body>\n";
+         title + "</title>\n<style>\n" + whole_file(data_folder() / "page.css") + "</style>\n" +
+         math_font_style() + "</head>\n<body>\n";
 }
 
 std::string sentence_html(const std::string& sentence,

@@ -52,7 +52,7 @@ class LatexRenderer : public Renderer {
   std::string step(std::size_t, const std::string& heading, const Page& page) override {
     std::string text = "\n\\section{" + latex_escaped(heading) + "}\n";
     for (const auto& block : page.blocks())
-      text += "\n" + std::visit([this](const auto& part) { return render(part); }, block);
+      text += "\n" + std::visit([this](const auto& part) { return this->render(part); }, block);
     return text;
   }
 

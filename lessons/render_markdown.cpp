@@ -31,7 +31,7 @@ class MarkdownRenderer : public Renderer {
 
  protected:
   std::string render_passage(const Passage& passage) const {
-    return "\n" + std::visit([this](const auto& part) { return render(part); }, passage);
+    return "\n" + std::visit([this](const auto& part) { return this->render(part); }, passage);
   }
 
  private:

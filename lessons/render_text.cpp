@@ -29,7 +29,7 @@ class TextRenderer : public Renderer {
     const std::string title = fmt::format("{}. {}", number, heading);
     std::string text = "\n" + strong(title) + "\n" + rule(title, plain_ ? "-" : "─") + "\n";
     for (const auto& block : page.blocks())
-      text += "\n" + std::visit([this](const auto& part) { return render(part); }, block);
+      text += "\n" + std::visit([this](const auto& part) { return this->render(part); }, block);
     return ascii(text);
   }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <derivations/emit/command_line.hpp>
+#include <derivations/emit/data_folder.hpp>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 #include <lessons/run_lesson.hpp>
@@ -25,12 +26,10 @@ const std::map<std::string, Format> formats{{"unicode", Format::unicode},   {"pl
                                             {"latex", Format::latex},       {"markdown", Format::markdown},
                                             {"notebook", Format::notebook}, {"html", Format::html}};
 
-fs::path own_program() { return fs::read_symlink("/proc/self/exe"); }
-
 /// The lesson before (-1) or after (+1) this one.
 std::string neighbour(const std::vector<std::string>& names, int distance) {
   const auto here =
-      std::find(names.begin(), names.end(), own_program().filename().string()) - names.begin() + distance;
+      std::find(names.begin(), names.end(), loaded_from().filename().string()) - names.begin() + distance;
   return here < 0 || here >= static_cast<std::ptrdiff_t>(names.size())
              ? ""
              : names[static_cast<std::size_t>(here)];
@@ -125,7 +124,7 @@ int run(const Lesson& lesson, const Flags& flags) {
 
 std::vector<std::string> all_lessons() {
   std::vector<std::string> names;
-  for (const auto& file : fs::directory_iterator(own_program().parent_path()))
+  for (const auto& file : fs::directory_iterator(loaded_from().parent_path()))
     if (file.path().filename().string().starts_with("lesson-") && !file.path().has_extension())
       names.push_back(file.path().filename());
   std::sort(names.begin(), names.end());

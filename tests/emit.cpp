@@ -57,7 +57,8 @@ TEST_CASE("bad usage is named, with exit code 2") {
       {{"--json", "--target", "c"}, "--list"},
       {{"--target", "c", "--out", "/proc/nothing/here"}, "/proc/nothing/here"},
       {{"--nonsense"}, "--nonsense"}};
-  for (const auto& [arguments, named] : bad) {
+  for (const auto& [arguments, its_named] : bad) {
+    const auto& named = its_named;
     CAPTURE(named);
     const Result result = run_program("emit", arguments);
     CHECK(result.exit_code == 2);

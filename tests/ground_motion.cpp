@@ -14,8 +14,6 @@ using namespace rederive;
 
 namespace {
 
-constexpr Real pi = std::numbers::pi_v<Real>;
-
 std::string written(const TemporaryFolder& folder, const std::string& text) {
   const auto path = folder.path / "record.txt";
   std::ofstream(path) << text;

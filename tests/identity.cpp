@@ -59,7 +59,8 @@ TEST_CASE("what is identically the same has a difference of 0") {
       {"atan(p)+atan(1/p)", "pi/2"},
       {"log(p*q)", "log(p)+log(q)"},
       {"cos(pi/5)", "(1+sqrt(5))/4"}};
-  for (const auto& [left, right] : identities) {
+  for (const auto& [its_left, its_right] : identities) {
+    const auto &left = its_left, &right = its_right;
     INFO(left << "  |  " << right);
     CHECK(are_same(left, right));
     CHECK_FALSE(are_same(left, right + "+1/1000"));

@@ -35,8 +35,14 @@ TEST_CASE("a theorem written by hand says what its rows say") {
 TEST_CASE("what is said of theorems is said of some that there are") {
   std::set<std::string> names;
   for (const Theorem& theorem : coq::theorems()) names.insert(theorem.name);
-  for (const auto& [name, about] : coq::others) CHECK_MESSAGE(names.contains(name), name);
-  for (const auto& [name, why] : not_comparable) CHECK_MESSAGE(names.contains(name), name);
+  for (const auto& [its_name, about] : coq::others) {
+    const auto& name = its_name;
+    CHECK_MESSAGE(names.contains(name), name);
+  }
+  for (const auto& [its_name, why] : not_comparable) {
+    const auto& name = its_name;
+    CHECK_MESSAGE(names.contains(name), name);
+  }
 }
 
 TEST_CASE("a slip in what a theorem says is seen") {

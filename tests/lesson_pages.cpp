@@ -83,7 +83,8 @@ TEST_CASE("lessons/run --html writes all pages, every link leads somewhere, and 
   const std::regex link("href=\"([^\"#]*)(?:#([^\"]*))?\""),
       fetched(R"((src="(?!data:)|url\((?!data:)|@import|srcset=|\bfetch\(|XMLHttpRequest|WebSocket).{0,40})");
   int equations = 0, to_exercises = 0;
-  for (const auto& [name, text] : pages) {
+  for (const auto& [its_name, text] : pages) {
+    const auto& name = its_name;
     CAPTURE(name);
     for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
       const std::string page = (*match)[1], place = (*match)[2];

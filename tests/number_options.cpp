@@ -55,8 +55,10 @@ TEST_CASE("every number option refuses what is no finite number, by its name") {
   const std::string record = folder.path / "record.txt";
   std::ofstream(record) << "0 0\n1 0.1\n2 0\n";
   int options = 0;
-  for (const auto& [subcommand, good] : calls)
-    for (const auto& [option, type] : number_options(subcommand)) {
+  for (const auto& [its_subcommand, good] : calls)
+    for (const auto& [its_option, type] : number_options(its_subcommand)) {
+      const auto& subcommand = its_subcommand;
+      const auto& option = its_option;
       ++options;
       for (std::string value : {"nan", "inf", "-inf", "1e400", "", "1x", "0,5", "0x10", " ", "--"}) {
         if (type.find(':') != std::string::npos) value = "1:" + value + ":2";

@@ -257,7 +257,8 @@ TEST_CASE("every printed row of the ledger reads back as it is printed, and so d
       CHECK(print(lower(tree)) == print(tree));
     }
   }
-  for (const auto& [id, derive] : derivation_table()) {
+  for (const auto& [its_id, derive] : derivation_table()) {
+    const auto& id = its_id;
     CAPTURE(id);
     const Derivation derivation = derive();
     for (const ex& side : {derivation.left, derivation.right}) {

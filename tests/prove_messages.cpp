@@ -102,7 +102,8 @@ TEST_CASE("bounds of more digits than a double has are kept to") {
       {"100000000000000000006 < x < 100000000000000000008", "cos(x) < 0.9", "0 < 1", "refuted"},
       {"100000000000000000273 < x < 100000000000000000275", "cos(x) > -0.9", "0 < 1", "refuted"},
       {"10^20 < x < 10^20+1", "fabs(2-fabs(x-10^20-1/2))", "2-fabs(x-10^20-1/2)", "proved"}};
-  for (const auto& [assumption, left, right, verdict] : cases) {
+  for (const auto& [its_assumption, its_left, its_right, verdict] : cases) {
+    const auto &assumption = its_assumption, &left = its_left, &right = its_right;
     const Result r = run_program("ledger", {"prove", "--json", "--assume", assumption, "--", left, right});
     INFO(assumption << ": " << left << " | " << right << "\n" << r.out << r.err);
     CHECK(r.out.find("\"verdict\": \"" + verdict + "\"") != std::string::npos);

@@ -19,7 +19,9 @@ std::vector<TableRow> rows_of_the_table() {
 TEST_CASE("every row of the table has the verdict that it should have") {
   const auto decided = decide_table(rows_of_the_table());
   CHECK(decided.size() >= 800);
-  for (const auto& [row, verdict, reason] : decided) {
+  for (const auto& [its_row, verdict, its_reason] : decided) {
+    const auto& row = its_row;
+    const auto& reason = its_reason;
     INFO(row.group << ": " << row.request.left << "  |  " << row.request.right << "  (" << row.why
                    << "): " << reason);
     CHECK_FALSE(row.why.empty());

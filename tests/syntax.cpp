@@ -88,7 +88,8 @@ TEST_CASE("Unicode reads as ASCII does") {
       {"t*x + t*(1+x) + t* (2)", "t*x + t*(1+x) + t*(2)"},  // the star is a product's
       {"t*-x", "t*(-x)"},
   };
-  for (const auto& [unicode, ascii] : same) {
+  for (const auto& [its_unicode, ascii] : same) {
+    const auto& unicode = its_unicode;
     CAPTURE(unicode);
     if (*ascii == '\0') {
       CHECK(error_of(unicode) != "");

@@ -82,7 +82,8 @@ bool is_shown(const std::string& shown, const Point& at, const Relation& left, c
 }
 
 void check_ranges(const Witness& witness, const Point& at, const Symbols& symbols) {
-  for (const auto& [name, number] : at) {
+  for (const auto& [its_name, number] : at) {
+    const auto& name = its_name;
     const Range range = read_range(symbols.find(name)->range);
     const Tree symbol = parse(name, symbols);
     const auto in = [&](const std::string& end, int side, bool closed) {

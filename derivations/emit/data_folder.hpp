@@ -3,22 +3,30 @@
 
 #include <dlfcn.h>
 #include <link.h>
+#include <sys/auxv.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <system_error>
 
 namespace rederive {
 
-/// The file that this code was loaded from: a program, or a module that a program has loaded.
+/// The file that this code was loaded from: a program, or a module that a program has loaded. Where no /proc
+/// is mounted, a program is the one that was called, as seen from the folder in which it runs; "/" if it is
+/// gone.
 inline std::filesystem::path loaded_from() {
   Dl_info ignored;
   link_map* loaded = nullptr;
   ::dladdr1(reinterpret_cast<const void*>(&loaded_from), &ignored, reinterpret_cast<void**>(&loaded),
             RTLD_DL_LINKMAP);
   const bool is_program = loaded == nullptr || *loaded->l_name == '\0';
-  return std::filesystem::canonical(is_program ? "/proc/self/exe" : loaded->l_name);
+  std::error_code error;
+  std::filesystem::path file =
+      std::filesystem::canonical(is_program ? "/proc/self/exe" : loaded->l_name, error);
+  if (error) file = std::filesystem::canonical(reinterpret_cast<const char*>(::getauxval(AT_EXECFN)), error);
+  return error ? "/" : file;
 }
 
 /// PREFIX/share/rederive. PREFIX is the nearest folder above loaded_from() that has it, so that an installed

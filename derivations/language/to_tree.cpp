@@ -20,19 +20,19 @@ using GiNaC::is_a;
 using GiNaC::numeric;
 using Kind = Node::Kind;
 
-struct Term;
+struct Factor;
+
+/// coefficient * factors[0] * factors[1] …, the factors in order.
+struct Term {
+  numeric coefficient = 1;
+  std::vector<Factor> factors;
+};
 
 /// base^exponent in a product. A power with another exponent than a number is a base.
 struct Factor {
   Tree base;
   numeric exponent = 1;
   std::vector<Term> parts = {};  ///< the terms of a sum
-};
-
-/// coefficient * factors[0] * factors[1] …, the factors in order.
-struct Term {
-  numeric coefficient = 1;
-  std::vector<Factor> factors;
 };
 
 /// Numbers, symbols, roots and powers, functions, sums: the simple before the complicated.

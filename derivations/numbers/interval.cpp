@@ -168,7 +168,7 @@ Interval power(const Interval& x, const cl_RA& exponent) {
 Interval call(const std::string& name, const Interval& x) {
   if (const char* other = reciprocal_of(name)) return reciprocal(call(other, x));
   const auto& [domain, values, inverse, half_turn, range] = monotone_piece(name);
-  const auto on_piece = [&](const Interval& y) {
+  const auto on_piece = [&, &domain = domain, &values = values, &range = range](const Interval& y) {
     const Interval given = overlap(y, domain);
     const auto value = [&](const Value& v) { return call(name, v); };
     return given.is_empty() ? given : overlap(range, image(given, values.low, values.high, value));

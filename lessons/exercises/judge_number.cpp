@@ -111,7 +111,7 @@ void add_roads_of_number(Prepared& prepared) {
       other[name] *= factor;
       add(formula, other, factor == 2 || factor == 0.5 ? "factor" : "degrees");
     }
-    each_slip(value, [&](const Tree& wrong, const std::string& note) {
+    each_slip(value, [&, &name = name](const Tree& wrong, const std::string& note) {
       RoughPoint other = at;
       other[name] = rough_value(wrong, {});
       add(formula, other, note);

@@ -24,8 +24,7 @@ constexpr int most_waiting = 8;  // that want something of the judge; more are t
 
 /// What a lesson's program writes.
 std::string written_by(const std::string& lesson, const std::string& options) {
-  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / lesson;
-  const Said said = said_by(in_quotes(program) + options);
+  const Said said = said_by(in_quotes(loaded_from().parent_path() / lesson) + options);
   if (said.status != 0) throw std::runtime_error(lesson + " failed");
   return said.text;
 }

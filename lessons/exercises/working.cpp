@@ -196,7 +196,7 @@ Working judge_working(const Exercise& exercise, const std::vector<std::pair<int,
   Working result{{}, lines.back().second, exercise};
   std::vector<Step> steps;
   for (const auto& [number, text] : lines) {
-    const auto refused = [&](const Opinion& opinion) {
+    const auto refused = [&, number = number](const Opinion& opinion) {
       result.opinion = opinion;
       result.opinion.line = number;
       return result;

@@ -114,8 +114,8 @@ std::string table_page(const std::vector<DecidedRow>& rows) {
   std::map<std::string, int> counts;
   std::vector<std::pair<std::string, std::string>> groups;  // in the order of their first rows
   for (const auto& [row, verdict, reason] : rows) {
-    auto group =
-        std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == row.group; });
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&row = row](const auto& g) { return g.first == row.group; });
     if (group == groups.end())
       group = groups.insert(
           group,
