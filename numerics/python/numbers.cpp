@@ -1,43 +1,16 @@
 // The numbers for Python: arrays in, arrays out. What is said to a user of Python stands in
 // lessons/python/rederive.
 #include <fmt/format.h>
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <cmath>
-#include <future>
 #include <limits>
 #include <numerics/map.hpp>
+#include <numerics/python/calls.hpp>
 #include <numerics/spectrum.hpp>
 #include <numerics/story.hpp>
-#include <stdexcept>
-#include <thread>
-
-namespace py = pybind11;
 
 namespace rederive::inline numeric {
 namespace {
-
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
-double between(const char* name, double value, double low, double high) {
-  if (!std::isfinite(value))
-    throw std::invalid_argument(fmt::format("{} {} is not a finite number", name, value));
-  if (!(value >= low && value <= high))
-    throw std::invalid_argument(fmt::format("{} {} must lie between {} and {}", name, value, low, high));
-  return value;
-}
-
-/// The values of an array of one dimension, all of them between two bounds.
-std::vector<double> values_of(const char* name, const Numbers& array, double low, double high) {
-  if (array.ndim() != 1)
-    throw std::invalid_argument(
-        fmt::format("{} must be a list or an array of one dimension; this one has {}", name, array.ndim()));
-  std::vector<double> values(array.data(), array.data() + array.size());
-  for (const double value : values) between(name, value, low, high);
-  return values;
-}
 
 Model model_of(const std::string& name) {
   if (name == "linear") return Model::linear;
@@ -76,47 +49,6 @@ PulseCase case_of(const Block& block, const Shape& shape, const std::string& mod
   return asked;
 }
 
-/// Computes on other threads without Python's lock; this one looks after Ctrl-C, after which nothing further
-/// is begun, and tells `progress` how many of `count` are done.
-template <class Compute>
-auto attended(int count, std::optional<int> threads, const py::object& progress, Compute compute) {
-  std::atomic<bool> stop{false};
-  std::atomic<int> done{0};
-  Work work;
-  work.count = count, work.stop = &stop, work.progress = [&](int n) { done = n; };
-  const int machine = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  work.threads = static_cast<int>(between("threads", threads.value_or(machine), 1, 1024));
-  auto result = std::async(std::launch::async, [&] { return compute(work); });
-  std::exception_ptr raised;
-  for (bool over = false; !over;) {
-    {
-      const py::gil_scoped_release release;
-      over = result.wait_for(std::chrono::milliseconds(50)) == std::future_status::ready;
-    }
-    if (raised) continue;
-    try {
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (const int now = done.exchange(0); now > 0 && !progress.is_none()) progress(now, count);
-    } catch (...) {
-      raised = std::current_exception(), stop = true;
-    }
-  }
-  if (raised) std::rethrow_exception(raised);
-  return result.get();
-}
-
-/// NumPy's way to say that there is none.
-double or_nan(const std::optional<double>& value) {
-  return value.value_or(std::numeric_limits<double>::quiet_NaN());
-}
-
-/// A structured array with named columns.
-template <class Row>
-py::object table(const std::vector<Row>& rows,
-                 const std::vector<std::pair<std::string, std::string>>& columns) {
-  return py::module_::import("numpy").attr("array")(rows, columns);
-}
-
 std::vector<Window> found_windows(const PulseCase& asked, double largest, bool least) {
   WindowSearch search;
   search.largest = between("largest", largest, 1e-9, 1e6), search.least = least;
@@ -145,7 +77,7 @@ py::object spectrum_table(const Numbers& omegas, const Block& block, const std::
                           const std::string& model, double theta0, double thetadot0, double largest,
                           std::optional<int> threads, const py::object& progress) {
   const PulseCase asked = case_of(block, make_shape(1, kind), model, theta0, thetadot0);
-  const std::vector<double> ratios = values_of("omegas", omegas, 0.01, 1000);
+  const std::vector<double> ratios = numbers_of("omegas", omegas, 0.01, 1000);
   WindowSearch search;
   search.largest = between("largest", largest, 1e-9, 1e6);
   const auto points = attended(static_cast<int>(ratios.size()), threads, progress,
@@ -166,8 +98,8 @@ py::array_t<int> map_codes(const Numbers& omegas, const Numbers& amplitudes, con
                            const std::string& kind, const std::string& model, double theta0, double thetadot0,
                            std::optional<int> threads, const py::object& progress) {
   const PulseCase asked = case_of(block, make_shape(1, kind), model, theta0, thetadot0);
-  const std::vector<double> ratios = values_of("omegas", omegas, 0.01, 1000),
-                            levels = values_of("amplitudes", amplitudes, 0, 1e6);
+  const std::vector<double> ratios = numbers_of("omegas", omegas, 0.01, 1000),
+                            levels = numbers_of("amplitudes", amplitudes, 0, 1e6);
   if (ratios.size() * levels.size() > 50'000'000)
     throw std::invalid_argument("omegas and amplitudes: more than 50 million points");
   py::array_t<int> codes({ratios.size(), levels.size()});

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from fractions import Fraction
 from pathlib import Path
@@ -16,7 +16,7 @@ def _made(cls: Any, values: dict[str, Any]) -> Any:
 
 
 @dataclass(frozen=True)
-class Witness(Mapping):
+class Witness(Mapping[str, Fraction]):
     """A point at which two sides differ, to check by hand: a mapping of symbols to numbers.
 
     at: the numbers; of the constants in `exactly`, and of zeros of the equation `solves`, which lie in `between`, the
@@ -118,7 +118,7 @@ def ledger() -> list[Row]:
     return rows
 
 
-def prove(left: str, right: str, assume: list[str] | tuple[str, ...] = ()) -> Proof:
+def prove(left: str, right: str, assume: str | Sequence[str] = ()) -> Proof:
     """Decides whether two expressions, equations or inequalities say the same; `ledger prove --help` says what it reads.
 
     Some two seconds and 480 MB at most, in a process of its own; what takes more is undecided. Raises ValueError, with a
