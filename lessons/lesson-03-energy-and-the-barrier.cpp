@@ -107,9 +107,10 @@ void the_sign(Page& page) {
     somebody writes *clearly*, put in numbers.
 
     And one more thing to notice about (22): this energy is measured by somebody at rest outside. While the
-    ground moves it is not conserved, for the ground does work. Only when the ground has come to rest does
-    it become a law, and then it decides everything: inside the barrier the block is safe, beyond it falls.
-    That is how the programs of this project decide, and why they need not run *long enough*.)");
+    ground moves it is not conserved, for the ground does work. When the ground has come to rest it is
+    constant between impacts, and each impact takes some of it. Then it decides everything: inside the
+    barrier the block is safe, beyond it the block falls. That is how the programs of this project decide,
+    and why they need not follow a motion for long.)");
 }
 
 void try_it(Page& page) {
@@ -122,8 +123,8 @@ void try_it(Page& page) {
        "Two blocks have the same mass and the same $alpha$; one is twice as large. Whose barrier is higher, "
        "and by "
        "what factor? (Exercise barrier-and-size.)",
-       "At which angle is the restoring moment half of its greatest value? Is it half of $alpha$? (Exercise "
-       "stiffness.)"});
+       "At which angle is the restoring moment half of its greatest value? Is it half of $alpha$? (The "
+       "moment is that of exercise moment-of-weight.)"});
 }
 
 }  // namespace

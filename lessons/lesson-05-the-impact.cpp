@@ -105,7 +105,7 @@ void numbers(Page& page) {
     if the force acts a little inside the corner, the lever arms change. The program has that case as a
     result of our own, with $d$ the distance from the edge:)");
   page.result("r16");
-  page.say("and it contains the old one:");
+  page.say("It contains the old one: with $d = 0$ it is (46b).");
   page.compare(derived_with("r16", {{"d", "0"}}), relation_of(derived("46b")));
   page.say(fmt::format(
       R"(

@@ -117,7 +117,7 @@ void a_false_root(Page& page) {
       if (root.form == Form::eq71 || root.form == Form::eq78)
         rows.push_back({fmt::format("{:.0f}", omega), conditions_of(root),
                         fmt::format("{:.5f}", root.amplitude), is_real(root)});
-  page.table({"$omega_p/p$", "condition", "$a_p/(alpha*g)$", "does the block move so?"}, rows);
+  page.table({"$omega_p/p$", "condition", "$a_p/(alpha*g)$", "does the block move so? If not, why"}, rows);
   page.say(R"(
     This is a lesson about conditions in general. A root of a condition is a *candidate*. It was derived
     under assumptions, that the block is on this side, that it has not struck yet, that the pulse still

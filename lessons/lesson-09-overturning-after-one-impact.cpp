@@ -85,7 +85,7 @@ void solved(Page& page) {
                         fmt::format("{:.3f}", root.pulse_end), is_real(root)});
   page.say("All roots of both pairs, each followed in the linear model:");
   page.table(
-      {"$omega_p/p$", "conditions", "$a_p/(alpha*g)$", "$p*t_i$", "$p*T_ex$", "does the block move so?"},
+      {"$omega_p/p$", "conditions", "$a_p/(alpha*g)$", "$p*t_i$", "$p*T_ex$", "does the block move so? If not, why"},
       rows);
   page.say(
       "Again a root is a candidate: the impact of the first pair must come before the end of the pulse, that "

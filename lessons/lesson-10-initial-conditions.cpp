@@ -105,7 +105,7 @@ void in_numbers(Page& page) {
                           fmt::format("{:+.1f}", experiment.thetadot_0),
                           fmt::format("{:.4f}", root.amplitude), is_real(root)});
   page.table(
-      {"$omega_p/p$", "condition", "$theta_0$", "$thetadot_0$", "$a_p/(alpha*g)$", "does the block move so?"},
+      {"$omega_p/p$", "condition", "$theta_0$", "$thetadot_0$", "$a_p/(alpha*g)$", "does the block move so? If not, why"},
       rows);
   page.say(R"(
     One hundredth of a radian is a sheet of cardboard under one corner, and it changes the result visibly.

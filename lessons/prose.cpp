@@ -226,7 +226,14 @@ std::string to_ascii(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
     const std::string_view rest = text.substr(i);
-    if (const auto* symbol = spelling_in(typed_symbols(), rest)) {
+    const auto* symbol = spelling_in(typed_symbols(), rest);
+    if (symbol != nullptr && symbol->first.back() == '*') {  // t*, not the end of thetadot*cos(alpha)
+      const std::size_t end = i + symbol->first.size();
+      const bool is_within =
+          (i > 0 && ends_operand(text[i - 1])) || (end < text.size() && begins_operand(text[end]));
+      if (is_within) symbol = nullptr;
+    }
+    if (symbol != nullptr) {
       result += symbol->second;
       i += symbol->first.size();
     } else if (static_cast<unsigned char>(text[i]) < 0x80) {

@@ -45,12 +45,13 @@ Derivation vertical_velocity(Side side) {
 namespace {
 
 const char* place_of_centre(Side side) {
-  return side == Side::negative ? "Turning clockwise by θ < 0 about O, C stays at the distance R from O, "
-                                  "inclined by α + θ to the "
-                                  "vertical, to the right of O"
-                                : "Turning clockwise by θ > 0 about O', C stays at the distance R from O', "
-                                  "inclined by α − θ to the "
-                                  "vertical, to the left of O'";
+  return side == Side::negative
+             ? "Turning counterclockwise, by θ < 0, about O, C stays at the distance R from O, "
+               "inclined by α + θ to the "
+               "vertical, to the right of O"
+             : "Turning clockwise, by θ > 0, about O', C stays at the distance R from O', "
+               "inclined by α − θ to the "
+               "vertical, to the left of O'";
 }
 
 // x_c counts the way from rest to the left about O and to the right about O': positive in both cases.

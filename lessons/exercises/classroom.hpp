@@ -85,7 +85,8 @@ struct GradeFlags {
   std::string weights, deadline, handed_in;  ///< deadline: a time, or a file
   unsigned workers = 0;                      ///< 0: as many as there are processors
   bool missing = false;                      ///< a row also for what was not handed in
-  bool variants = false;                     ///< each student had the variants of the own name
+  bool variants = false;                     ///< each student had the variants of the own name,
+  std::string seed;                          ///< with this before it
 };
 int grade(const Classroom& room, const GradeFlags& flags);
 

@@ -98,7 +98,7 @@ void declare(CLI::App& app, Arguments& given) {
       "behind; a day alone ends at midnight; no exercise in --handed-in means all of that student.");
   grade->add_option("--workers", given.grade.workers, "answers judged at a time")->check(CLI::Range(1, 64));
   grade->add_flag("--variants", given.grade.variants,
-                  "to each student the variants of --seed and the folder's name");
+                  "to each student the variants of the folder's name; with --seed S, of S and the name: 'Sname'");
   grade->add_flag("--missing", given.grade.missing, "a row also for each answer that was not handed in");
   with_json(app.add_subcommand("selftest", "is the exercise set sound?"), given);
 }
@@ -116,7 +116,11 @@ int run(const CLI::App& app, const Arguments& given) {
   if (app.got_subcommand("reset")) return reset(room, given.id);
   if (app.got_subcommand("serve")) return serve(room, given.port);
   if (app.got_subcommand("watch")) return watch(room, given.folder, given.once);
-  if (app.got_subcommand("grade")) return grade(room, given.grade);
+  if (app.got_subcommand("grade")) {
+    GradeFlags flags = given.grade;
+    flags.seed = given.seed;
+    return grade(room, flags);
+  }
   if (app.got_subcommand("selftest")) return selftest(room);
   if (app.get_subcommands().empty()) return what_is_next(room);
   const auto* check_command = app.get_subcommand("check");

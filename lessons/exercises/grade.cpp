@@ -95,7 +95,7 @@ void add_student(const fs::path& folder, const std::map<std::string, Prepared>& 
   if (!names) return tasks.push_back(finished(student, "", "unreadable"));
   std::map<std::string, Exercise> own;
   if (flags.variants)
-    for (auto& exercise : read_exercises(exercises_folder(), student))
+    for (auto& exercise : read_exercises(exercises_folder(), flags.seed + student))
       if (!exercise.choice.empty()) own.emplace(exercise.id, std::move(exercise));
   std::set<std::string> handed_in;
   std::vector<std::string> strange;
@@ -107,6 +107,7 @@ void add_student(const fs::path& folder, const std::map<std::string, Prepared>& 
         whole.students.back().attempts = *attempts;
         continue;
       }
+    if (name == "exercises.txt.lock") continue;  // beside the progress file
     if (known == answers.end()) {
       strange.push_back(name);
       continue;

@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void check_file(const fs::path& file, std::set<fs::path>& others) {
+void check_file(const fs::path& file, const std::string& students, std::set<fs::path>& others) {
   std::error_code error;
   if (file.empty()) return;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
@@ -22,6 +22,10 @@ void check_file(const fs::path& file, std::set<fs::path>& others) {
                    "' to write into");
   if (!others.insert(fs::weakly_canonical(fs::absolute(file), error)).second)
     throw BadInput("'" + file.string() + "' cannot be two of the files that are written");
+  const auto inside =
+      fs::weakly_canonical(fs::absolute(folder), error).lexically_relative(fs::canonical(students, error));
+  if (!inside.empty() && *inside.begin() != ".." && inside != ".")
+    throw BadInput("cannot write '" + file.string() + "': it lies in the folder of a student");
 }
 
 void check_feedback(const GradeFlags& flags, const std::set<fs::path>& files) {
@@ -47,7 +51,7 @@ void check_feedback(const GradeFlags& flags, const std::set<fs::path>& files) {
 
 void check_outputs(const GradeFlags& flags) {
   std::set<fs::path> files;
-  for (const auto& file : {flags.csv, flags.gradebook, flags.report}) check_file(file, files);
+  for (const auto& file : {flags.csv, flags.gradebook, flags.report}) check_file(file, flags.folder, files);
   check_feedback(flags, files);
 }
 

@@ -42,14 +42,15 @@ class SmallAngles {
   }
 
   /// Does the answer approach the right one? Compared is what the angles change, so that 1 + wrong*alpha^2 is
-  /// not taken for 1 + right*alpha^2; an answer without any angle is compared whole.
+  /// not taken for 1 + right*alpha^2, nor 1 for it; without a value at 0 the answer is compared whole.
   bool agree() const {
     const auto mine_at_zero = at(mine_, 0), right_at_zero = at(right_, 0);
     double before = 1;
     for (const int shrink : {40, 400}) {
       auto a = at(mine_, cln::cl_RA(1) / shrink), b = at(right_, cln::cl_RA(1) / shrink);
       if (!a || !b) return false;
-      const bool varies = mine_at_zero && right_at_zero && !alike(*a, *mine_at_zero);
+      const bool varies = mine_at_zero && right_at_zero;
+      if (varies && alike(*a, *mine_at_zero)) return false;
       for (std::size_t i = 0; varies && i < a->size(); ++i)
         (*a)[i] -= (*mine_at_zero)[i], (*b)[i] -= (*right_at_zero)[i];
       const double error = distance(*a, *b);
