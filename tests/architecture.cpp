@@ -141,6 +141,20 @@ TEST_CASE("arrows go one way: language <- numbers <- identity <- sign <- decide 
   }
 }
 
+TEST_CASE("the README of each room says what it includes") {
+  Graph rooms = arrows(room_of);
+  rooms["language"];  // which includes none
+  for (const auto& [room, others] : rooms) {
+    const fs::path folder = fs::path(REDERIVE_SOURCE) / (room == "numerics" || room.starts_with("lessons") ? "" : "derivations") / room;
+    if (room.starts_with("lessons/") && room != "lessons/exercises") continue;  // programs, which the lessons' README names
+    std::ifstream file(folder / "README.md");
+    std::string line, expected;
+    for (const std::string& other : others) expected += (expected.empty() ? "" : ", ") + other;
+    while (std::getline(file, line) && !line.starts_with("Includes: ")) continue;
+    CHECK_MESSAGE(line.starts_with("Includes: " + (others.empty() ? "nothing" : expected)), room, ": ", line);
+  }
+}
+
 TEST_CASE("the product includes no tests, numerics no GiNaC, derivations no GSL") {
   for (const auto& [its_file, included] : includes()) {
     const auto& file = its_file;

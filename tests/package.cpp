@@ -12,9 +12,9 @@ namespace fs = std::filesystem;
 
 const std::string source = REDERIVE_SOURCE, build = REDERIVE_BINARY;
 
-/// The n-th block fenced as ```language after `heading` of the README.
+/// The n-th block fenced as ```language after `heading` of the README, or of that of the paper's room.
 std::string block(const std::string& heading, const std::string& language, int n) {
-  const std::string readme = read_file(source + "/README.md");
+  const std::string readme = read_file(source + "/README.md") + read_file(source + "/derivations/paper/README.md");
   std::size_t place = readme.find(heading);
   REQUIRE(place != std::string::npos);
   const std::string fence = "```" + language + "\n";
