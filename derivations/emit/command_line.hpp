@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cctype>
+#include <csignal>
 #include <cstdio>
 #include <derivations/emit/program.hpp>
 #include <functional>
@@ -29,6 +30,7 @@ inline std::vector<std::string> arguments_of(int argc, char** argv) {
 /// Parses the arguments and runs `body`. Usage errors and BadInput end with 2 and a message on standard
 /// error, anything else that is thrown with 3.
 inline int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error that is told, not the end
   app.set_version_flag("--version", "Rederive " REDERIVE_VERSION);
   app.get_formatter()->column_width(34);
   const std::string name = std::filesystem::path(argv[0]).filename().string();
