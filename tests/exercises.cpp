@@ -79,6 +79,9 @@ TEST_CASE("a slip is named by a stable word") {
   CHECK(note("frequency-of-a-bookcase", "2.69 s") == "unit");
   CHECK(note("barrier-and-size", "29.9 m") == "power_of_ten");
   CHECK(note("equation-of-motion", "thetaddot = -p^2*(u_gddot/g + alpha - theta)") == "small_angle");
+  CHECK(note("restitution", "1-3/2*alpha^2") == "small_angle");
+  CHECK(note("restitution", "1") != "small_angle");  // what the angle does is left out
+  CHECK(note("equation-of-motion", "thetaddot + p^2*u_gddot/g = 0") != "small_angle");
   CHECK(note("equation-of-motion", "thetaddot = -p^2*sin(alpha-theta)") == "assumption");
 }
 

@@ -148,6 +148,12 @@ TEST_CASE("on the command line, and in a class where each has the own variant") 
     CHECK(graded.out.find(name + ",restitution,correct,correct,1\n") != std::string::npos);
   }
   CHECK(graded.out.find("carl," + id + ",wrong") != std::string::npos);
+  std::string seed = "1";  // with which another variant comes to carl
+  while (exercise(id, seed + "carl").statement == exercise(id, "carl").statement) seed += "1";
+  const fs::path others = folder.path / "others";
+  run({"--seed", seed, "grade", (folder.path / "class").string(), "--variants", "--feedback", others.string()});
+  const std::string theirs = exercise(id, seed + "carl").statement;
+  CHECK(read_file(others / "carl.html").find(theirs.substr(1, theirs.find(" wide") - 1)) != std::string::npos);
   const std::string statement = exercise(id, "carl").statement;
   CHECK(read_file(pages / "carl.html").find(statement.substr(1, statement.find(" wide") - 1)) !=
         std::string::npos);
