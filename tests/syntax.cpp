@@ -91,11 +91,8 @@ TEST_CASE("Unicode reads as ASCII does") {
   for (const auto& [its_unicode, ascii] : same) {
     const auto& unicode = its_unicode;
     CAPTURE(unicode);
-    if (*ascii == '\0') {
-      CHECK(error_of(unicode) != "");
-    } else {
-      CHECK(print(parse(unicode)) == print(parse(ascii)));
-    }
+    const bool is_refused = *ascii == '\0';
+    CHECK((is_refused ? error_of(unicode) != "" : print(parse(unicode)) == print(parse(ascii))));
   }
   CHECK(print(parse_relation("α_p ≥ g·tan(α)")) == "a_p >= g*tan(alpha)");
 }
