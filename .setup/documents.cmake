@@ -13,8 +13,8 @@ if(HELP2MAN)
     endif()
     set(page ${PROJECT_BINARY_DIR}/man/${program}.1)
     add_custom_command(OUTPUT ${page} DEPENDS ${program} VERBATIM COMMENT "Manual page of ${program}"
-      COMMAND ${CMAKE_COMMAND} -E env SOURCE_DATE_EPOCH=1767225600 LC_ALL=C.UTF-8 ${HELP2MAN} --no-info --version-string=${PROJECT_VERSION}
-              --name=${about_${program}} --output=${page} $<TARGET_FILE:${program}>)
+      COMMAND ${CMAKE_COMMAND} -E env SOURCE_DATE_EPOCH=1767225600 LC_ALL=C.UTF-8 ${HELP2MAN} --no-info
+              --version-string=${PROJECT_VERSION} --name=${about_${program}} --output=${page} $<TARGET_FILE:${program}>)
     list(APPEND pages ${page})
   endforeach()
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/man)

@@ -56,9 +56,9 @@ inline Bounded why_it_ended(int status, double taken) {
 }
 
 /// Runs `work` in a child process and brings its text back. At most `seconds`, and `megabytes` of address
-/// space beyond what this process has. The seconds are processor time: what is decided does not depend on how busy the machine is. After
-/// `patience` seconds of wall-clock time it is given up, whatever it waits for. Several threads may call it.
-/// Throws std::runtime_error if no child can be made.
+/// space beyond what this process has. The seconds are processor time: what is decided does not depend on how
+/// busy the machine is. After `patience` seconds of wall-clock time it is given up, whatever it waits for.
+/// Several threads may call it. Throws std::runtime_error if no child can be made.
 inline Bounded run_bounded(const std::function<std::string()>& work, double seconds, long megabytes,
                            double patience = 60) {
   static std::mutex forking;  // or the child of another thread would keep the end that we wait for

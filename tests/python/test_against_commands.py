@@ -46,6 +46,7 @@ STATEMENTS = [("sin(2*x)", "2*sin(x)*cos(x)", []),
               ("log(x*y)", "log(x)+log(y)", ["0 < x < y"]),
               ("tan(x+y)", "(tan(x)+tan(y))/(1-tan(x)*tan(y))", []),
               ("x + exp(x) = y + exp(y)", "x = y", []),
+              ("abs(x+y) <= abs(x)+abs(y)", "0 < 1", []),
               ("cos(y) - y", "(cos(y) - y)^2", ["cos(y) = 3/5"])]
 
 

@@ -52,7 +52,8 @@ def _witness(found: dict[str, Any] | None) -> Witness | None:
 
 @dataclass(frozen=True)
 class Proof:
-    """What `prove` found. verdict: proved, proved_under, refuted or undecided; by: identity, sign or points."""
+    """What `prove` found. verdict: proved, proved_under, refuted or undecided; by: identity, sign or points. certificate:
+    of a proof by sign, sums that are 0 identically, "2*(x)*(y - 1) + 1*(z) = 0 where u >= 0"."""
 
     verdict: str
     factor: str | None
@@ -60,6 +61,7 @@ class Proof:
     witness: Witness | None
     reason: str | None
     by: str | None
+    certificate: list[str]
 
 
 @dataclass(frozen=True)
