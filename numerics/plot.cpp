@@ -1,11 +1,10 @@
-#include <numerics/plot.hpp>
-
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numerics/plot.hpp>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -20,7 +19,7 @@ std::string quoted(const std::string& text) {
   for (char c : text) {
     if (c == '"' || c == '\\') result += '\\';
     if (c == '&') result += "\\\\";  // alone, it would be a phantom box in enhanced text
-    if (c == '`') c = '\'';         // between two of them gnuplot would run a command
+    if (c == '`') c = '\'';          // between two of them gnuplot would run a command
     result += c == '\n' ? std::string("\\n") : std::string(1, c);
   }
   return result + "\"";
@@ -143,7 +142,8 @@ void draw(const Shades& shades, const fs::path& file) {
       "-0.4 "
       "'#ffffff', 0.4 '#ffffff', 0.4 '#585858', 1 '#585858', 2 '#8c8c8c', 4 '#bcbcbc', 9 '#e4e4e4')\n";
   script +=
-      "set cbrange [-9:9]\nset cblabel 'code = side (impacts + 1), 0 = safe'\nset border 3\nset tics "
+      "set cbrange [-9:9]\nset cblabel 'code = side (impacts + 1), 0 = safe' offset 1.5\nset border 3\nset "
+      "tics "
       "nomirror out\n";
   script +=
       "set xlabel " + quoted(shades.x_label) + "\nset ylabel " + quoted(shades.y_label) + "\nunset key\n";
@@ -161,4 +161,4 @@ std::string figure_data(const Figure& figure) {
   return text;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric
