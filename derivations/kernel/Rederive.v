@@ -6,12 +6,9 @@ Open Scope R_scope.
 (* The paper calls a length R: it is R' here. *)
 Notation real := R.
 
-Definition cot x := cos x / sin x.
-Definition sec x := 1 / cos x.
-Definition csc x := 1 / sin x.
-Definition coth x := cosh x / sinh x.
-Definition sech x := 1 / cosh x.
-Definition csch x := 1 / sinh x.
+Definition cot x := cos x / sin x. Definition coth x := cosh x / sinh x.
+Definition sec x := 1 / cos x. Definition sech x := 1 / cosh x.
+Definition csc x := 1 / sin x. Definition csch x := 1 / sinh x.
 
 (* Two relations whose differences are the same but for a factor. *)
 Lemma product_zero k x : k <> 0 -> (k * x = 0 <-> x = 0).
@@ -29,14 +26,10 @@ Proof. intros K E; split; intro H; nra. Qed.
 Lemma nonzero_by k a b : a <> 0 -> a = k * b -> b <> 0.
 Proof. intros A E B; apply A; rewrite E, B; ring. Qed.
 
-Lemma pyth x : cos x ^ 2 = 1 - sin x ^ 2.
-Proof. generalize (sin2_cos2 x); unfold Rsqr; intro; lra. Qed.
-Lemma exp_nonzero x : exp x <> 0.
-Proof. generalize (exp_pos x); lra. Qed.
-Lemma cosh_by_exp x : cosh x = (exp x + / exp x) / 2.
-Proof. unfold cosh; now rewrite exp_Ropp. Qed.
-Lemma sinh_by_exp x : sinh x = (exp x - / exp x) / 2.
-Proof. unfold sinh; now rewrite exp_Ropp. Qed.
+Lemma pyth x : cos x ^ 2 = 1 - sin x ^ 2. Proof. generalize (sin2_cos2 x); unfold Rsqr; intro; lra. Qed.
+Lemma exp_nonzero x : exp x <> 0. Proof. generalize (exp_pos x); lra. Qed.
+Lemma cosh_by_exp x : cosh x = (exp x + / exp x) / 2. Proof. unfold cosh; now rewrite exp_Ropp. Qed.
+Lemma sinh_by_exp x : sinh x = (exp x - / exp x) / 2. Proof. unfold sinh; now rewrite exp_Ropp. Qed.
 Lemma square_of_root x : 0 <= x -> sqrt x ^ 2 = x.
 Proof. intro; rewrite <- Rsqr_pow2; now apply Rsqr_sqrt. Qed.
 Lemma root_is x y : 0 <= y -> y ^ 2 = x -> sqrt x = y.
@@ -123,12 +116,19 @@ Tactic Notation "square_root" ident(y) ident(square) constr(u) :=
 Tactic Notation "root" constr(u) constr(v) "by" tactic3(squares) :=
   let E := fresh in
   assert (E : sqrt u = v) by (apply root_is; [ nonneg | squares ]); rewrite ?E in *; clear E.
+Ltac by_theorem u rewriting :=
+  lazymatch u with
+  | sin (_ + _) => rewriting sin_plus | cos (_ + _) => rewriting cos_plus | exp (_ + _) => rewriting exp_plus
+  | sin (- _) => rewriting sin_neg | cos (- _) => rewriting cos_neg | exp (- _) => rewriting exp_Ropp
+  | sin (PI / 2) => rewriting sin_PI2 | sin PI => rewriting sin_PI | sin 0 => rewriting sin_0
+  | cos (PI / 2) => rewriting cos_PI2 | cos PI => rewriting cos_PI | cos 0 => rewriting cos_0
+  | exp 0 => rewriting exp_0
+  end.
 Ltac addition_theorems :=
-  repeat first
-    [ rewrite sin_plus in * | rewrite cos_plus in * | rewrite sin_neg in * | rewrite cos_neg in *
-    | rewrite sin_PI2 in * | rewrite cos_PI2 in * | rewrite sin_PI in * | rewrite cos_PI in *
-    | rewrite sin_0 in * | rewrite cos_0 in * | rewrite exp_plus in * | rewrite exp_Ropp in *
-    | rewrite exp_0 in * ].
+  repeat match goal with
+         | H : context [ ?f ?x ] |- _ => by_theorem (f x) ltac:(fun E => rewrite E in H)
+         | |- context [ ?f ?x ] => by_theorem (f x) ltac:(fun E => rewrite E)
+         end.
 
 (* The first conjunct, kept for the others. *)
 Tactic Notation "first_of" tactic3(t) :=
