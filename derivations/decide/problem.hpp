@@ -1,4 +1,4 @@
-// A question: two statements, under assumptions, about symbols in their ranges.
+// Two statements under assumptions, about symbols in ranges. With sines none decides all (Richardson 1968).
 #pragma once
 
 #include <derivations/language/symbols.hpp>

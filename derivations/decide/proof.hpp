@@ -1,4 +1,4 @@
-// What is found of a statement, and the data from which a proof can be written out.
+// A verdict, with the data that a proof is written from: factors, divisors, a certificate (Stengle 1974).
 #pragma once
 
 #include <map>
