@@ -134,7 +134,8 @@ class BatchPack {
     const V velocity = motion_.thetadot[0], bend = motion_.theta[2];
     const Mask upright = motion_.theta[0] == 0;
     launched_ = upright && velocity == 0;
-    h_ = min(motion_.step_size(V(block_.tolerance)), left_);
+    const V size = is_nonlinear ? V(1) : max(V(1), motion_.theta[0]);  // linear motion grows without end
+    h_ = min(motion_.step_size(V(block_.tolerance) * size), left_);
     where(launched_, h_) = min(h_, push_);
     where(upright && velocity > 0 && bend < 0, h_) = min(h_, -1.25 * velocity / bend);
   }
