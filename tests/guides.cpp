@@ -176,6 +176,7 @@ TEST_CASE("a paper of one's own is judged as the README of the paper says") {
   CHECK(contains(found, "omega_0"));
   CHECK(contains(found, "   0 survived"));
   const auto rows = nlohmann::json::parse(said(folder.path, "build/rod --json"));
+  CHECK(rows["paper"] == "On Rods");
   CHECK(rows["counts"]["proved"] == 2);
   CHECK(rows["counts"]["refuted"] == 1);
 

@@ -18,6 +18,7 @@ namespace {
 
 struct Options {
   bool json = false;
+  std::string paper = this_paper;
   std::string equations = equations_file();
   std::string claims = claims_file();
   std::string id, format = "text", table, certificate;
@@ -74,7 +75,7 @@ void put(const nlohmann::ordered_json& json) { put(json.dump(2) + "\n"); }
 int show_all(const Options& options) {
   const auto entries = all(options);
   if (options.json)
-    put(to_json(entries));
+    put(to_json(entries, options.paper));
   else
     put(ledger_table(entries, is_lively(1)));
   return exit_code(entries);
@@ -186,7 +187,7 @@ int run_ledger(int argc, char** argv, const std::optional<OwnPaper>& own) {
   CLI::App app{
       "What the paper says, and what is true. Without a subcommand: every equation with its verdict."};
   Options options;
-  if (own) options.equations = own->equations, derive_instead(own->derivations);
+  if (own) options.paper = own->title, options.equations = own->equations, derive_instead(own->derivations);
   app.add_flag("--json", options.json, "One JSON document on standard output");
   app.add_option("--equations", options.equations, "Another equations.toml than the one that ships")
       ->check(CLI::ExistingFile);
@@ -279,7 +280,8 @@ int run_ledger(int argc, char** argv, const std::optional<OwnPaper>& own) {
     options.scripts.json = options.json;
     if (*certifying) return certify(all(options), options.scripts);
     if (*dot) return put(graph(all(options))), as_expected;
-    if (*sheet) return put(errata(all(options), options.json ? "json" : options.format)), as_expected;
+    if (*sheet)
+      return put(errata(all(options), options.json ? "json" : options.format, options.paper)), as_expected;
     return show_all(options);
   });
 }

@@ -4,11 +4,13 @@
 #include <derivations/rocking_block/steps.hpp>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace rederive {
 
 /// What another paper prints, and what derives it: each id of a row with its derivation.
 struct OwnPaper {
+  std::string title;
   std::filesystem::path equations;  ///< as equations.toml; --equations still takes another file
   Derivations derivations;
 };
