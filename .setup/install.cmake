@@ -36,7 +36,8 @@ endforeach()
 # than the proofs.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rederive)
-set(CPACK_PACKAGE_CONTACT "Rederive maintainers <rederive@example.org>")
+# Debian wants an address; the project has none, and .invalid says so (RFC 2606).
+set(CPACK_PACKAGE_CONTACT "Rederive maintainers <maintainers@rederive.invalid>")
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
     WORLD_READ WORLD_EXECUTE)
 set(CPACK_STRIP_FILES ON)
@@ -71,11 +72,21 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libginac-dev, libcln-dev, libglpk-dev, libgmp-dev, \
 libtomlplusplus-dev, nlohmann-json3-dev, libcpp-httplib-dev, pkgconf")
 
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-rederive)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "paper on rocking blocks that you can run, as a Python module
+ The ledger of a paper on the overturning of rigid blocks, a prover, the
+ derived functions as code, and thresholds, histories, spectra and maps as
+ NumPy arrays.")  # PACKAGE_DEPENDS: lessons/python
+
 execute_process(COMMAND gzip -9n INPUT_FILE ${PROJECT_SOURCE_DIR}/.setup/changelog
                 OUTPUT_FILE ${PROJECT_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
 set(components programs development)
 if(TARGET rocking_ranks)
   list(APPEND components mpi)
+endif()
+if(TARGET python_module)
+  list(APPEND components python)
 endif()
 foreach(component ${components})
   string(TOUPPER ${component} upper)

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <lessons/render.hpp>
+#include <numerics/undated.hpp>
 
 namespace rederive {
 namespace {
@@ -54,12 +55,13 @@ std::optional<std::filesystem::path> draw(const Figure& figure, const std::strin
   std::ofstream(script) << terminals << terminal(kind) << "set output '" << partial.filename().string()
                         << "'\n"
                         << figure.script << "\n";
-  const Said said =
-      said_by(fmt::format("cd {} && gnuplot {} 2>&1", in_quotes(folder), in_quotes(script.filename())));
+  const Said said = said_by(
+      fmt::format("cd {} && TZ=UTC0 gnuplot {} 2>&1", in_quotes(folder), in_quotes(script.filename())));
   std::filesystem::remove(script);
   std::error_code none;
   if (said.status != 0 || std::filesystem::file_size(partial, none) == 0)
     throw std::runtime_error("gnuplot could not draw " + figure.name + ": " + said.text);
+  take_date_out(partial);
   std::filesystem::rename(partial, picture);
   return picture;
 }

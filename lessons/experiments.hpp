@@ -2,6 +2,7 @@
 // amplitudes a_p/(αg), as in DESIGN; the block has p = 2.14 1/s and the restitution of (46).
 #pragma once
 
+#include <lessons/lesson.hpp>  // before the numerics, some of whose names are the same
 #include <numerics/closed_form.hpp>
 #include <numerics/windows.hpp>
 #include <optional>

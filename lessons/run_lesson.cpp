@@ -94,6 +94,8 @@ void write_lesson(const Lesson& lesson, const Flags& flags,
 }
 
 int run(const Lesson& lesson, const Flags& flags) {
+  if (flags.step && (flags.list || flags.quiet))
+    throw BadInput("--step shows a step; --list and --quiet are about the whole lesson");
   if (flags.step && (*flags.step < 1 || *flags.step > static_cast<int>(lesson.steps.size())))
     throw BadInput(
         fmt::format("--step {}: this lesson has the steps 1 to {}", *flags.step, lesson.steps.size()));
@@ -149,7 +151,7 @@ int run_lesson(const Lesson& lesson, int argc, char** argv) {
   CLI::App app{fmt::format("Lesson {}. {}\n{}", lesson.number, lesson.title, lesson.teaches)};
   Flags flags;
   app.add_flag("--list", flags.list, "the steps of this lesson");
-  app.add_option("--step", flags.step, "one step alone, to go slowly")->type_name("N");
+  app.add_option("--step", flags.step, "one step alone, to go slowly")->check(whole_number)->type_name("N");
   app.add_option("--format", flags.format, "unicode, plain, latex, markdown, notebook or html")
       ->check(CLI::IsMember({"unicode", "plain", "latex", "markdown", "notebook", "html"}))
       ->type_name("FORMAT");

@@ -50,6 +50,7 @@ std::vector<Push> pushes(const Piece& piece, Real level);
 /// A recorded acceleration: (seconds, value in g).
 struct Record {
   std::vector<double> time, acceleration;
+  bool is_headed = false;  ///< step and unit stood in the file's header
 };
 
 enum class RecordUnit { g, metres_per_second_squared };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numerics/plot.hpp>
+#include <numerics/undated.hpp>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -53,7 +54,7 @@ void run_gnuplot(const std::string& script, const fs::path& file, double width, 
     fs::remove(part, ignored);
     throw std::invalid_argument("cannot write '" + file.string() + "': " + why);
   };
-  std::FILE* pipe = ::popen("gnuplot - >/dev/null 2>&1", "w");
+  std::FILE* pipe = ::popen("TZ=UTC0 gnuplot - >/dev/null 2>&1", "w");
   if (pipe == nullptr) refuse("gnuplot cannot be run");
   const std::string whole = "set encoding utf8\n" + begin + "set output " + single_quoted(part.string()) +
                             "\n" + script + "\nunset output\n";
@@ -62,6 +63,7 @@ void run_gnuplot(const std::string& script, const fs::path& file, double width, 
   if (status == 127 * 256) refuse("gnuplot is not installed (package gnuplot-nox)");
   std::error_code error;
   if (status != 0 || !fs::exists(part, error) || fs::file_size(part, error) == 0) refuse("gnuplot failed");
+  take_date_out(part);
   fs::rename(part, file, error);
   if (error) refuse(error.message());
 }

@@ -99,6 +99,7 @@ std::string parted(std::string line, std::size_t width) {
 Record headed_record(const RecordHeader& header, const std::vector<std::string>& lines,
                      const std::string& file) {
   Record record;
+  record.is_headed = true;
   auto& values = record.acceleration;
   for (std::size_t i = header.first; i < lines.size(); ++i)
     for (double value : numbers_in(header.width > 0 ? parted(lines[i], header.width) : lines[i], file, i + 1))

@@ -25,12 +25,22 @@ auto itinerary(const Station& s) {
   return std::tuple(s.outcome.code, s.outcome.side, s.outcome.impacts, s.outcome.lies, s.outcome.rests > 0);
 }
 
+using Stop = const std::atomic<bool>*;
+
+/// All at once; where they might be stopped, some at a time.
 std::vector<Station> stations_at(const PulseCase& asked, const std::vector<double>& amplitudes,
-                                 int threads = 1) {
+                                 Stop stop = nullptr, int threads = 1) {
+  const auto end = amplitudes.end();
+  const std::ptrdiff_t some = stop == nullptr ? end - amplitudes.begin() : 64 * threads;
   std::vector<Station> stations;
-  for (const Outcome& outcome : outcomes_at(asked, amplitudes, threads))
-    stations.push_back({amplitudes[stations.size()], outcome, squeezed(outcome.margins.outward),
-                        squeezed(outcome.margins.returning)});
+  for (auto from = amplitudes.begin(); from != end;) {
+    if (stop != nullptr && *stop) throw Stopped();
+    const auto to = from + std::min(some, end - from);
+    for (const Outcome& outcome : outcomes_at(asked, {from, to}, threads))
+      stations.push_back({amplitudes[stations.size()], outcome, squeezed(outcome.margins.outward),
+                          squeezed(outcome.margins.returning)});
+    from = to;
+  }
   return stations;
 }
 
@@ -42,12 +52,12 @@ struct Gap {
 
 /// Parts all gaps together, each into `parts`: the stations of each, its ends among them.
 std::vector<std::vector<Station>> parted(const PulseCase& asked, const std::vector<Gap>& gaps, int parts,
-                                         int threads = 1) {
+                                         Stop stop = nullptr, int threads = 1) {
   std::vector<double> amplitudes;
   for (const auto& [low, high] : gaps)
     for (int i = 1; i < parts; ++i)
       amplitudes.push_back(std::lerp(low.amplitude, high.amplitude, static_cast<double>(i) / parts));
-  const std::vector<Station> found = stations_at(asked, amplitudes, threads);
+  const std::vector<Station> found = stations_at(asked, amplitudes, stop, threads);
   std::vector<std::vector<Station>> rows;
   auto next = found.begin();
   for (const auto& [low, high] : gaps) {
@@ -81,13 +91,13 @@ bool may_hide_a_window(const Station& low, const Station& between, const Station
 std::vector<Station> scan(PulseCase asked, const WindowSearch& search,
                           const std::vector<double>& amplitudes) {
   if (asked.engine == Engine::taylor) asked.tolerance = std::max(asked.tolerance, search.glance);
-  std::vector<Station> stations = stations_at(asked, amplitudes, search.threads);
+  std::vector<Station> stations = stations_at(asked, amplitudes, search.stop, search.threads);
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) gaps.push_back({stations[i], stations[i + 1]});
   while (!gaps.empty()) {
     std::erase_if(gaps, [&](const Gap& gap) { return !(gap.width() > search.narrowest); });
     std::vector<Gap> next;
-    for (const auto& row : parted(asked, gaps, 2, search.threads)) {
+    for (const auto& row : parted(asked, gaps, 2, search.stop, search.threads)) {
       if (row.size() < 3 || !may_hide_a_window(row[0], row[1], row[2], search)) continue;
       stations.push_back(row[1]);
       next.push_back({row[0], row[1]}), next.push_back({row[1], row[2]});
@@ -99,7 +109,7 @@ std::vector<Station> scan(PulseCase asked, const WindowSearch& search,
 }
 
 /// The stations beside a change of code once more, exactly: one next to an edge may change sides.
-void settle(const PulseCase& asked, std::vector<Station>& stations) {
+void settle(const PulseCase& asked, std::vector<Station>& stations, Stop stop) {
   std::vector<bool> settled(stations.size(), asked.engine == Engine::gsl);
   for (bool changed = true; changed;) {
     std::vector<std::size_t> which;
@@ -110,7 +120,7 @@ void settle(const PulseCase& asked, std::vector<Station>& stations) {
     }
     std::vector<double> amplitudes;
     for (const std::size_t i : which) amplitudes.push_back(stations[i].amplitude), settled[i] = true;
-    const auto again = stations_at(exactly(asked), amplitudes);
+    const auto again = stations_at(exactly(asked), amplitudes, stop);
     for (std::size_t k = 0; k < which.size(); ++k) stations[which[k]] = again[k];
     changed = !which.empty();
   }
@@ -126,8 +136,8 @@ int parts_of(const std::vector<Gap>& gaps) {
 bool are_neighbours(double low, double high) { return !(std::nextafter(low, high) < high); }
 
 /// The changes of code, in order, each between neighbouring numbers.
-std::vector<Gap> changes_between(const PulseCase& asked, std::vector<Station> stations) {
-  settle(asked, stations);
+std::vector<Gap> changes_between(const PulseCase& asked, std::vector<Station> stations, Stop stop) {
+  settle(asked, stations, stop);
   std::vector<Gap> gaps, changes;
   const auto add_changes = [&](const std::vector<Station>& row, std::vector<Gap>& open) {
     for (std::size_t i = 0; i + 1 < row.size(); ++i)
@@ -138,7 +148,7 @@ std::vector<Gap> changes_between(const PulseCase& asked, std::vector<Station> st
   add_changes(stations, gaps);
   while (!gaps.empty()) {
     std::vector<Gap> next;
-    for (const auto& row : parted(exactly(asked), gaps, parts_of(gaps))) add_changes(row, next);
+    for (const auto& row : parted(exactly(asked), gaps, parts_of(gaps), stop)) add_changes(row, next);
     gaps = std::move(next);
   }
   std::ranges::sort(changes, {}, [](const Gap& change) { return change.low.amplitude; });
@@ -192,7 +202,7 @@ std::vector<Window> windows_among(const PulseCase& asked, const WindowSearch& se
   const std::vector<Station> stations = scan(asked, search, amplitudes);
   double from = stations.front().amplitude;
   int code = stations.front().code();
-  for (const auto& [before, after] : changes_between(asked, stations)) {
+  for (const auto& [before, after] : changes_between(asked, stations, search.stop)) {
     if (code != 0) windows.push_back({from, before.amplitude, code});
     from = after.amplitude, code = after.code();
   }

@@ -1,9 +1,11 @@
 // Every amplitude window in which a pulse overturns the block.
 #pragma once
 
+#include <atomic>
 #include <numerics/overturning.hpp>
 #include <numerics/roots.hpp>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 namespace rederive::inline numeric {
@@ -25,6 +27,12 @@ struct WindowSearch {
   double glance = 1e-9;  ///< tolerance of a kernel that looks for them: an edge is found exactly afterwards
   int threads = 1;
   bool least = false;  ///< the window of the smallest amplitude alone, found from below; its `to` stays empty
+  const std::atomic<bool>* stop = nullptr;  ///< when it turns true, Stopped is thrown soon
+};
+
+/// A search was ended before it was through.
+struct Stopped : std::runtime_error {
+  Stopped() : std::runtime_error("the search was stopped") {}
 };
 
 /// Relative: linear edges come from closed forms in 64 binary digits, nonlinear ones from an integration.

@@ -38,6 +38,15 @@ TEST_CASE("work that takes the processor for longer than it may is given up") {
   CHECK(spun.seconds >= 0.2);
 }
 
+TEST_CASE("work is given up as soon as that is asked") {
+  int asked = 0;
+  const Bounded stopped = run_bounded([] { return spin(100), std::string("done"); }, 100, megabytes, 100,
+                                      [&] { return ++asked == 3; });
+  CHECK_FALSE(stopped.result);
+  CHECK(stopped.why == "it was stopped");
+  CHECK(asked == 3);
+}
+
 TEST_CASE("what work took is said, and what it threw") {
   const Bounded short_one = run_bounded([] { return spin(0.1), std::string("done"); }, 5, megabytes);
   CHECK(short_one.result == "done");

@@ -165,3 +165,16 @@ TEST_CASE("bad blocks are refused with file and line, bad options by name") {
         "--amplitudes");
   check_refused(run_program("rocking", {"fragility", "--amplitudes", "1:2:3"}), "--records");
 }
+
+TEST_CASE("the step and the unit of columns are refused where every record has a header") {
+  const TemporaryFolder folder;
+  const auto with_unit = [&] {
+    return run_program("rocking",
+                       {"fragility", "--records", folder.path, "--amplitudes", "1:2:2", "--unit", "g"});
+  };
+  std::ofstream(folder.path / "a.at2") << "PEER\nA station\nACCELERATION TIME HISTORY IN UNITS OF G\n"
+                                          " 3  0.5  NPTS, DT\n0.0 0.6 -0.6\n";
+  check_refused(with_unit(), "--unit: the headers of all records");
+  std::ofstream(folder.path / "b.txt") << "0 0\n0.5 0.6\n1 0\n";
+  CHECK(with_unit().exit_code == 0);
+}

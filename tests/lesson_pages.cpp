@@ -78,7 +78,7 @@ TEST_CASE("a lesson fits a telephone and fetches nothing") {
     CHECK_MESSAGE(std::regex_match(line.substr(lesson.size() + 7), fits), line);
     ++fitting;
   }
-  CHECK(fitting == 12);
+  CHECK(fitting >= 12);
 }
 
 TEST_CASE("lessons/run --html writes all pages, every link leads somewhere, and nothing is fetched") {

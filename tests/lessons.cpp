@@ -1,4 +1,4 @@
-// The twelve lessons as a reader meets them. Their texts, numbers rounded, are kept in tests/golden; after a
+// The lessons as a reader meets them. Their texts, numbers rounded, are kept in tests/golden; after a
 // change that is meant, write them anew with  REDERIVE_UPDATE_GOLDEN=1 build/tests/test_lessons  and look at
 // the difference.
 #include <doctest/doctest.h>
@@ -32,8 +32,8 @@ std::string rounded(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("there are twelve, and each is as it was when it was last looked at") {
-  REQUIRE(lesson_programs().size() == 12);
+TEST_CASE("each is as it was when it was last looked at") {
+  REQUIRE(lesson_programs().size() >= 12);
   const bool update = std::getenv("REDERIVE_UPDATE_GOLDEN") != nullptr;
   for (const auto& lesson : lesson_programs()) {
     CAPTURE(lesson);
@@ -70,7 +70,7 @@ TEST_CASE("each has a contents, steps, and a last step that leads to the exercis
     const std::string contents = run_program(lesson, {"--list"}).out;
     CHECK(contents.find("Lesson ") == 0);
     const auto steps = std::count(contents.begin(), contents.end(), '\n') - 1;
-    CHECK(steps >= 5);
+    CHECK(steps >= 3);
     const Result last = run_program(lesson, {"--step", std::to_string(steps)});
     CHECK(last.out.find("Try it") != std::string::npos);
     static const std::regex shown("exercises show ([a-z0-9-]+)");
@@ -117,6 +117,8 @@ TEST_CASE("a web page holds all that it shows") {
 TEST_CASE("bad usage is told") {
   const std::string lesson = lesson_programs().at(0);
   CHECK(run_program(lesson, {"--step", "0"}).exit_code == 2);
+  for (const char* whole : {"--list", "--quiet"})
+    CHECK(run_program(lesson, {"--step", "1", whole}).err.find("--step") != std::string::npos);
   CHECK(run_program(lesson, {"--step", "99"}).err.find("99") != std::string::npos);
   CHECK(run_program(lesson, {"--format", "papyrus"}).exit_code == 2);
   CHECK(run_program(lesson, {"--out", "/nowhere/at/all.md"}).exit_code == 2);

@@ -32,7 +32,7 @@ std::string complaints(const std::string& lesson) {
 
 TEST_CASE("every lesson ends well in every format, and every step of it alone") {
   std::vector<std::string> lessons = lesson_programs();
-  REQUIRE(lessons.size() == 12);
+  REQUIRE(lessons.size() >= 12);
   std::vector<std::future<std::string>> half(2);
   for (std::size_t i = 0; i < half.size(); ++i)
     half[i] = std::async(std::launch::async, [&lessons, i] {

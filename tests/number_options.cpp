@@ -76,10 +76,12 @@ TEST_CASE("every number option refuses what is no finite number, by its name") {
 
 TEST_CASE("the other programs refuse what is no number, too") {
   const TemporaryFolder folder;
-  for (const std::string value : {"nan", "inf", "1e400", "", "1x", "0,5", "-1"})
+  for (const std::string value :
+       {"nan", "inf", "1e400", "", "1x", "0,5", "-1", "0x10", "010", " 5", "5 ", "+5"})
     for (Arguments call :
          {Arguments{"exercises", "grade", folder.path, "--workers"},
-          Arguments{"exercises", "serve", "--port"}, Arguments{"ledger", "mutate", "71", "--seed"},
+          Arguments{"exercises", "serve", "--port"}, Arguments{lesson_programs().at(0), "--step"},
+          Arguments{"ledger", "mutate", "71", "--seed"},
           Arguments{"ledger", "prove", "sin(x)", "x", "--small", "x", "--order"}}) {
       const std::string program = call.front(), option = call.back();
       call.erase(call.begin());

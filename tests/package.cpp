@@ -1,62 +1,15 @@
 // What is built is installed, moved and packed, and built upon there as the README says.
 #include <doctest/doctest.h>
 
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
-#include <tests/run_program.hpp>
+#include <tests/installed.hpp>
 
 namespace {
 
-namespace fs = std::filesystem;
-
-const std::string source = REDERIVE_SOURCE, build = REDERIVE_BINARY;
-
-/// The n-th block fenced as ```language after `heading` of the README, or of that of the paper's room.
-std::string block(const std::string& heading, const std::string& language, int n) {
-  const std::string readme = read_file(source + "/README.md") + read_file(source + "/derivations/paper/README.md");
-  std::size_t place = readme.find(heading);
-  REQUIRE(place != std::string::npos);
-  const std::string fence = "```" + language + "\n";
-  for (int k = 0; k <= n; ++k) {
-    place = readme.find(fence, place);
-    REQUIRE(place != std::string::npos);
-    place += fence.size();
-  }
-  return readme.substr(place, readme.find("```", place) - place);
+/// The n-th block of the README's section for those who build on it.
+std::string own_project(const std::string& language, int n) {
+  return block("README.md", "## In your own project", language, n);
 }
-
-void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
-
-/// What a script of bash prints. It must succeed.
-std::string said(const fs::path& folder, const std::string& script) {
-  const Result run = run_program("/bin/bash", {"-c", "cd " + quoted(folder) + " && " + script});
-  REQUIRE_MESSAGE(run.exit_code == 0, script, "\n", run.out, run.err);
-  return run.out;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-/// The installed tree, which has been moved since.
-const fs::path& prefix() {
-  static const TemporaryFolder folder;
-  static const fs::path moved = [] {
-    said(folder.path, "cmake --install " + quoted(build) + " --prefix here --strip && mv here there");
-    return folder.path / "there";
-  }();
-  return moved;
-}
-
-/// A project of one's own, made in `folder`, with what `lists` says after find_package.
-void make_project(const fs::path& folder, const std::string& lists) {
-  write(folder / "CMakeLists.txt", "cmake_minimum_required(VERSION 3.22)\nproject(mine CXX)\n" + lists);
-  said(folder, "cmake -G Ninja -DCMAKE_PREFIX_PATH=" + quoted(prefix()) +
-                   " -DCMAKE_CXX_FLAGS='-Wall -Wextra -Werror' -B b . && cmake --build b -j1");
-}
-
-const std::string own_project = "## In your own project", add_equation = "## Add an equation";
 
 }  // namespace
 
@@ -82,10 +35,10 @@ TEST_CASE("what is installed names no folder of the machine on which it was buil
 
 TEST_CASE("a project finds the numerics, without GiNaC, CLN or Z3") {
   const TemporaryFolder folder;
-  write(folder.path / "my_program.cpp", block(own_project, "cpp", 0));
+  write(folder.path / "my_program.cpp", own_project("cpp", 0));
   make_project(
       folder.path,
-      "add_executable(my_program my_program.cpp)\n" + block(own_project, "cmake", 0) +
+      "add_executable(my_program my_program.cpp)\n" + own_project("cmake", 0) +
           "if(GINAC_LIBRARY OR CLN_FOUND)\n  message(FATAL_ERROR \"GiNaC was looked for\")\nendif()\n");
   CHECK(said(folder.path, "b/my_program").starts_with("from 1.4000998181532"));
   const std::string linked = said(folder.path, "ldd b/my_program && cat b/build.ninja");
@@ -101,44 +54,17 @@ TEST_CASE("a project finds the numerics, without GiNaC, CLN or Z3") {
   CHECK(said(folder.path, "./a.out") == said(folder.path, "b/my_program"));
 }
 
-TEST_CASE("a project proves an identity, and adds an equation to the ledger") {
+TEST_CASE("a project proves an identity") {
   const TemporaryFolder folder;
-  write(folder.path / "proves.cpp", block(own_project, "cpp", 1));
-  std::string section = read_file(source + "/derivations/rocking_block/kinematics.cpp");
-  const auto list = section.find("Derivations derivations_of_kinematics() {");
-  REQUIRE(list != std::string::npos);
-  const auto end = section.find("  };\n", list);
-  REQUIRE(end != std::string::npos);
-  section.insert(end, block(add_equation, "cpp", 1));
-  section.insert(list, block(add_equation, "cpp", 0) + "\n");
-  write(folder.path / "kinematics.cpp", section);
+  write(folder.path / "proves.cpp", own_project("cpp", 1));
   make_project(folder.path,
-               "find_package(Rederive 1.0 REQUIRED COMPONENTS decide ledger)\n"
-               "add_executable(proves proves.cpp)\ntarget_link_libraries(proves PRIVATE rederive::decide)\n"
-               "add_executable(ledger kinematics.cpp " REDERIVE_LEDGER_MAIN
-               ")\n"
-               "target_link_libraries(ledger PRIVATE rederive::ledger)\n");
+               "find_package(Rederive 1.0 REQUIRED COMPONENTS decide)\n"
+               "add_executable(proves proves.cpp)\ntarget_link_libraries(proves PRIVATE rederive::decide)\n");
   said(folder.path, "b/proves");
   // without CMake
   said(folder.path,
        "export PKG_CONFIG_PATH=" + quoted(prefix() / "lib/pkgconfig") +
            "; c++ b/CMakeFiles/proves.dir/proves.cpp.o $(pkg-config --libs rederive-decide) && ./a.out");
-
-  const fs::path equations = folder.path / "equations.toml";
-  write(equations,
-        read_file(prefix() / "share/rederive/equations.toml") + "\n" + block(add_equation, "toml", 0));
-  const std::vector<std::string> show{"--equations", equations, "show", "w1", "--json"};
-  const Result shown = run_program(folder.path / "b/ledger", show);
-  CHECK(shown.exit_code == 0);
-  CHECK(nlohmann::json::parse(shown.out)["verdict"] == "proved");
-
-  // and the new row can turn red like any other
-  std::string wrong = read_file(equations);
-  wrong.replace(wrong.find("R*(1 - cos(alpha))"), 18, "R*(1 - sin(alpha))");
-  write(equations, wrong);
-  const Result spoiled = run_program(folder.path / "b/ledger", show);
-  CHECK(spoiled.exit_code == 1);
-  CHECK(nlohmann::json::parse(spoiled.out)["verdict"] == "refuted");
 }
 
 TEST_CASE("a component that is not there is refused by its name") {
@@ -150,6 +76,27 @@ TEST_CASE("a component that is not there is refused by its name") {
       "/usr/bin/cmake", {"-DCMAKE_PREFIX_PATH=" + prefix().string(), "-B", folder.path / "b", folder.path});
   CHECK(run.exit_code == 1);
   CHECK(contains(run.err, "there is no component 'numbres'"));
+}
+
+TEST_CASE(
+    "the Debian package of the Python module runs where it is unpacked, and names the Python that it is "
+    "for") {
+  if (!fs::exists(build + "/python/rederive") || !has_tool("dpkg-shlibdeps") || !has_tool("file")) return;
+  const TemporaryFolder folder;
+  said(folder.path, "cpack --config " + quoted(build + "/CPackConfig.cmake") +
+                        " -D CPACK_COMPONENTS_ALL=python -D CPACK_DEBIAN_COMPRESSION_TYPE=none -B . &&"
+                        " dpkg-deb -x python3-rederive_1.0.0_*.deb root");
+  CHECK(said(folder.path,
+             "PYTHONPATH=root/usr/lib/python3/dist-packages /usr/bin/python3 -c 'import rederive as r; "
+             "print(r.prove(\"x\", \"x\").verdict, r.threshold(r.Pulse(3)).code)'") == "proved 2\n");
+  const std::string depends = said(folder.path, "dpkg-deb -f python3-rederive_1.0.0_*.deb Depends"),
+                    version = said(folder.path,
+                                   "/usr/bin/python3 -c 'import sys; print(sys.version_info[1], end=\"\")'");
+  for (const std::string& wanted :
+       {"python3 (>= 3." + version + "~)", std::string("python3-numpy"), std::string("libmpfr6")})
+    CHECK_MESSAGE(contains(depends, wanted), depends);
+  CHECK(contains(said(folder.path, "dpkg-deb -f python3-rederive_1.0.0_*.deb Maintainer"),
+                 "Rederive maintainers <"));
 }
 
 TEST_CASE("the Debian package runs where it is unpacked, and depends on what its programs load") {

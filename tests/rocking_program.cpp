@@ -140,6 +140,12 @@ TEST_CASE("a record is followed from its file") {
   CHECK(document["events"][0]["kind"] == "start");
   CHECK(document["required_friction"].get<double>() > std::tan(0.25));
   check_refused({"response", "--record", "/no/such/file"}, "/no/such/file");
+  std::ofstream(file)
+      << "PEER\nA station\nACCELERATION TIME HISTORY IN UNITS OF G\n 3  0.5  NPTS, DT\n0.0 0.6 -0.6\n";
+  CHECK(json_of({"response", "--record", file, "--json"})["events"][0]["kind"] == "start");
+  for (const auto& [option, value] : {std::pair("--step", "0.5"), {"--unit", "g"}})
+    check_refused({"response", "--record", file, option, value}, std::string(option) + ": the header of");
+  check_refused({"response", "--omega", "2", "--amplitude", "2", "--unit", "m/s2"}, "--unit");
 }
 
 TEST_CASE("bad input ends with exit code 2 and names what was wrong") {
@@ -152,6 +158,7 @@ TEST_CASE("bad input ends with exit code 2 and names what was wrong") {
   check_refused({"threshold", "--omega", "2", "--restitution", "1.1"}, "restitution");
   check_refused({"threshold", "--omega", "2", "--model", "cubic"}, "--model");
   check_refused({"threshold", "--omega", "2", "--digits", "61"}, "--digits");
+  check_refused({"threshold", "--omega", "2", "--digits", "2.5"}, "--digits");
   check_refused({"threshold", "--omega", "2", "--max-amplitude", "inf"}, "--max-amplitude");
   check_refused({"threshold", "--omega", "2", "--theta0", "x"}, "--theta0");
   check_refused({"threshold", "--omega", "2", "--model", "nonlinear", "--theta0", "1.6"}, "theta0");

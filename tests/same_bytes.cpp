@@ -1,6 +1,7 @@
 // The same input gives the same bytes on every run, wherever the system puts the program in memory.
 #include <doctest/doctest.h>
 
+#include <map>
 #include <tests/run_program.hpp>
 
 namespace {
@@ -16,6 +17,29 @@ std::string answer(const Statement& s) {
   return run_program("ledger", arguments).out;
 }
 
+namespace fs = std::filesystem;
+
+/// All that is written for others to read or to build, by the programs in `bin`, each text by its name.
+std::map<std::string, std::string> written_by(const fs::path& bin, const fs::path& folder) {
+  std::string script =
+      "cd " + quoted(folder) + " && export PATH=" + quoted(bin) + ":$PATH && ledger certify coq >said";
+  for (const char* target : {"cpp", "c", "python", "javascript", "latex"})
+    script += std::string(" && emit --target ") + target + " --out emitted." + target;
+  for (const char* format : {"text", "markdown", "latex", "json"})
+    script += std::string(" && ledger errata --format ") + format + " >errata." + format;
+  for (const char* format : {"unicode", "latex", "markdown", "notebook", "html"})
+    script += std::string(" && lesson-05-the-impact --format ") + format + " --out lesson." + format;
+  script +=
+      " && exercises --progress progress list >exercises && TZ=Asia/Tokyo rocking response --omega 3 "
+      "--amplitude 1.41 --plot figure.pdf";
+  const Result run = run_program("/bin/bash", {"-c", script});
+  REQUIRE_MESSAGE(run.exit_code == 0, run.err);
+  std::map<std::string, std::string> texts;
+  for (const auto& file : fs::recursive_directory_iterator(folder))
+    if (file.is_regular_file()) texts[fs::relative(file.path(), folder)] = read_file(file.path());
+  return texts;
+}
+
 }  // namespace
 
 TEST_CASE("answers are the same on every run") {
@@ -29,4 +53,29 @@ TEST_CASE("answers are the same on every run") {
     REQUIRE(first.find("verdict") != std::string::npos);
     for (int run = 0; run < 7; ++run) CHECK(answer(s) == first);
   }
+}
+
+TEST_CASE(
+    "programs in another folder, under another environment, write the same bytes, and no path of ours") {
+  const TemporaryFolder here, there, moved;
+  const fs::path build = fs::path(REDERIVE_PROGRAMS).parent_path(),
+                 other = moved.path / "a folder/of another/length";
+  fs::create_directories(other / "bin");
+  for (const char* program : {"emit", "ledger", "exercises", "rocking"})
+    fs::copy(build / "bin" / program, other / "bin");
+  for (const std::string& lesson : lesson_programs()) fs::copy(build / "bin" / lesson, other / "bin");
+  fs::copy(build / "share", other / "share", fs::copy_options::recursive);
+  const auto first = written_by(build / "bin", here.path);
+  ::setenv("ANOTHER_ENVIRONMENT", std::string(100'000, 'x').c_str(), 1);  // moves the stack
+  const auto second = written_by(other / "bin", there.path);
+  ::unsetenv("ANOTHER_ENVIRONMENT");
+  CHECK(first.size() == second.size());
+  CHECK(first.size() > 30);
+  for (const auto& [its_name, text] : first) {
+    const auto& name = its_name;
+    CHECK_MESSAGE(second.at(name) == text, name);
+    for (const auto& path : {build.string(), std::string(REDERIVE_SOURCE), here.path.string()})
+      CHECK_MESSAGE(text.find(path) == std::string::npos, name, " names ", path);
+  }
+  CHECK(first.at("emitted.cpp") == read_file(build / "emitted/rocking_block.hpp"));
 }

@@ -66,6 +66,17 @@ inline int run_command(CLI::App& app, int argc, char** argv, const std::function
   }
 }
 
+/// For options that take a whole number: digits, and a minus before them. What C reads beside that (0x10, 010
+/// as eight, blanks) is refused.
+inline const CLI::Validator whole_number(
+    [](std::string& text) {
+      const std::size_t first = text.starts_with('-') ? 1 : 0;
+      const bool is_whole = text.size() > first && text.find_first_not_of("0123456789", first) == text.npos &&
+                            (text[first] != '0' || text.size() == first + 1);
+      return is_whole ? "" : "'" + text + "' is no whole number, such as 12";
+    },
+    "");
+
 /// For options that take the name of a file to be written.
 inline const CLI::Validator file_name(
     [](std::string& name) {

@@ -182,25 +182,29 @@ class JavaScript : public Dialect {
   }
 };
 
+/// The one of its kind.
+template <class Language>
+const Dialect* the() {
+  static const Language language;
+  return &language;
+}
+
 }  // namespace
 
+const std::vector<TargetLanguage>& target_languages() {
+  static const std::vector<TargetLanguage> all{
+      {Target::c, "c", the<C>()},
+      {Target::cpp, "cpp", the<Cpp>()},
+      {Target::javascript, "javascript", the<JavaScript>()},
+      {Target::latex, "latex", nullptr},
+      {Target::python, "python", the<Python>()},
+  };
+  return all;
+}
+
 const Dialect& dialect(Target target) {
-  static const Cpp cpp;
-  static const C c;
-  static const Python python;
-  static const JavaScript javascript;
-  switch (target) {
-    case Target::cpp:
-      return cpp;
-    case Target::c:
-      return c;
-    case Target::python:
-      return python;
-    case Target::javascript:
-      return javascript;
-    case Target::latex:
-      break;
-  }
+  for (const TargetLanguage& language : target_languages())
+    if (language.target == target && language.dialect != nullptr) return *language.dialect;
   throw std::invalid_argument("LaTeX is no programming language");
 }
 

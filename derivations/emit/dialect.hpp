@@ -7,7 +7,7 @@
 
 namespace rederive {
 
-enum class Target { cpp, c, python, javascript, latex };
+enum class Target { c, cpp, javascript, latex, python };
 
 /// The pieces of one function, ready to be framed.
 struct Body {
@@ -32,6 +32,15 @@ class Dialect {
   virtual std::string function(const std::string& name, const std::vector<std::string>& arguments,
                                const std::vector<std::string>& documentation, const Body& body) const = 0;
 };
+
+/// A language by the name that `emit --target` knows. LaTeX has no dialect.
+struct TargetLanguage {
+  Target target;
+  std::string name;
+  const Dialect* dialect;
+};
+/// All that there are.
+const std::vector<TargetLanguage>& target_languages();
 
 /// The one of a target. Throws std::invalid_argument for LaTeX.
 const Dialect& dialect(Target target);

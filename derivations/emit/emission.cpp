@@ -6,11 +6,11 @@
 namespace rederive {
 
 const std::map<std::string, Target>& targets() {
-  static const std::map<std::string, Target> all = {{"cpp", Target::cpp},
-                                                    {"c", Target::c},
-                                                    {"python", Target::python},
-                                                    {"javascript", Target::javascript},
-                                                    {"latex", Target::latex}};
+  static const std::map<std::string, Target> all = [] {
+    std::map<std::string, Target> found;
+    for (const TargetLanguage& language : target_languages()) found[language.name] = language.target;
+    return found;
+  }();
   return all;
 }
 

@@ -32,7 +32,7 @@ std::vector<EmittedFunction> emitted_functions();
 std::string emit(const std::vector<EmittedFunction>& functions, Target target, bool sharing = true,
                  const std::vector<TaylorStepper>& steppers = {});
 
-/// "cpp", "c", "python", "javascript", "latex".
+/// By the name of the language: "cpp", "c" …
 const std::map<std::string, Target>& targets();
 
 /// Functions and, where the target has them, steppers.

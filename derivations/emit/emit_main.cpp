@@ -75,6 +75,12 @@ std::string listed(const Emission& all, bool json) {
               : text;
 }
 
+std::vector<std::string> names_of_targets() {
+  std::vector<std::string> names;
+  for (const auto& [name, target] : targets()) names.push_back(name);
+  return names;
+}
+
 int run(const Options& options) {
   if (!options.list && options.target.empty()) throw BadInput("say what to write: --target cpp, or --list");
   if (options.json && !options.list) throw BadInput("--json goes with --list");
@@ -101,7 +107,7 @@ int main(int argc, char** argv) {
   app.add_flag("--list", options.list, "show the functions with their arguments and equations");
   app.add_flag("--json", options.json, "with --list: one JSON document");
   app.add_option("--target", options.target, "the language to write")
-      ->check(CLI::IsMember({"cpp", "c", "python", "javascript", "latex"}));
+      ->check(CLI::IsMember(names_of_targets()));
   app.add_option("--function", options.functions, "only this function; may be given several times")
       ->allow_extra_args(false)
       ->option_text("NAME");

@@ -57,10 +57,11 @@ inline Bounded why_it_ended(int status, double taken) {
 
 /// Runs `work` in a child process and brings its text back. At most `seconds`, and `megabytes` of address
 /// space beyond what this process has. The seconds are processor time: what is decided does not depend on how
-/// busy the machine is. After `patience` seconds of wall-clock time it is given up, whatever it waits for.
-/// Several threads may call it. Throws std::runtime_error if no child can be made.
+/// busy the machine is. After `patience` seconds of wall-clock time it is given up, whatever it waits for, and
+/// as soon as `stop`, which is asked now and then, says so. Several threads may call it. Throws
+/// std::runtime_error if no child can be made.
 inline Bounded run_bounded(const std::function<std::string()>& work, double seconds, long megabytes,
-                           double patience = 60) {
+                           double patience = 60, const std::function<bool()>& stop = {}) {
   static std::mutex forking;  // or the child of another thread would keep the end that we wait for
   std::unique_lock lock(forking);
   const rlim_t space = mapped_bytes() + (static_cast<rlim_t>(megabytes) << 20);
@@ -99,25 +100,26 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
   const auto start = Clock::now();
   const auto clock = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   std::string text;
-  bool is_late = false;
+  bool is_late = false, is_stopped = false;
   for (char buffer[4096];;) {
     const double left = std::min(seconds - processor_seconds(child), patience - clock());
-    is_late = left <= 0;
-    if (is_late) break;
+    is_late = left <= 0, is_stopped = stop && stop();
+    if (is_late || is_stopped) break;
     pollfd ready{ends[0], POLLIN, 0};
-    const int count = ::poll(&ready, 1, 1 + static_cast<int>(1000 * left));
+    const int count = ::poll(&ready, 1, 1 + static_cast<int>(1000 * (stop ? std::min(left, 0.05) : left)));
     if (count == 0 || (count < 0 && errno == EINTR)) continue;
     const ssize_t n = count > 0 ? ::read(ends[0], buffer, sizeof buffer) : 0;
     if (n <= 0) break;
     text.append(buffer, static_cast<std::size_t>(n));
   }
-  if (is_late) ::kill(child, SIGKILL);
+  if (is_late || is_stopped) ::kill(child, SIGKILL);
   ::close(ends[0]);
   rusage used{};
   int status = 0;
   ::wait4(child, &status, 0, &used);
   const double taken = in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
   if (is_late) return {std::nullopt, "it took longer than it may", taken, "time"};
+  if (is_stopped) return {std::nullopt, "it was stopped", taken, "stopped"};
   if (text.empty()) return why_it_ended(status, taken);
   if (text[0] == '+') return {text.substr(1), "", taken};
   return {std::nullopt, text.substr(1), taken, text[0] == '!' ? "memory" : "crash"};

@@ -46,16 +46,25 @@ std::vector<Told> ledger(const std::string& equations) {
   return told;
 }
 
-std::string prove(const std::string& left, const std::string& right, const std::vector<std::string>& assume) {
-  return alone(algebra(), [&] {
-    return decide_bounded({trimmed(left), trimmed(right), assume, {}, {}}).dump();
+/// Ctrl-C ends it.
+std::string prove(const std::string& left, const std::string& right, const std::vector<std::string>& assume,
+                  const std::vector<std::string>& small, std::optional<int> order) {
+  bool is_interrupted = false;
+  const auto stop = [&] {
+    const py::gil_scoped_acquire locked;
+    return is_interrupted = PyErr_CheckSignals() != 0;
+  };
+  std::string found = alone(algebra(), [&] {
+    return decide_bounded({trimmed(left), trimmed(right), assume, small, order}, 60, stop).dump();
   });
+  if (is_interrupted) throw py::error_already_set();
+  return found;
 }
 
 std::string emit_text(const std::string& target, const std::vector<std::string>& names) {
   const auto found = targets().find(target);
   if (found == targets().end())
-    throw BadInput("there is no target '" + target + "'; right is one of c, cpp, javascript, latex, python");
+    throw BadInput("there is no target '" + target + "'; 'emit --help' names them all");
   return alone(algebra(), [&] {
     const Emission all = emission_of(names, found->second);
     return emit(all.functions, found->second, true, all.steppers);
@@ -74,6 +83,7 @@ PYBIND11_MODULE(_proofs, module) {
     }
   });
   module.def("ledger", rederive::ledger, py::arg("equations"));
-  module.def("prove", rederive::prove, py::arg("left"), py::arg("right"), py::arg("assume"));
+  module.def("prove", rederive::prove, py::arg("left"), py::arg("right"), py::arg("assume"), py::arg("small"),
+             py::arg("order"));
   module.def("emit", rederive::emit_text, py::arg("target"), py::arg("names"));
 }

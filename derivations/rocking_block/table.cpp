@@ -9,20 +9,38 @@
 
 namespace rederive {
 
-const std::map<std::string, Derive>& derivation_table() {
-  static const std::map<std::string, Derive> table = [] {
-    std::map<std::string, Derive> all;
+namespace {
+
+using Table = std::map<std::string, Derive>;
+
+void add(const Derivations& section, Table& all) {
+  for (const auto& [id, derive] : section)
+    if (!all.emplace(id, derive).second) throw std::logic_error("equation (" + id + ") is derived twice");
+}
+
+Table& table() {
+  static Table all = [] {
+    Table sections;
     for (const Derivations& section :
          {derivations_of_kinematics(), derivations_of_equation_of_motion(), derivations_of_energy(),
           derivations_of_initiation(), derivations_of_impact(), derivations_of_sliding(),
           derivations_of_pulse(), derivations_of_linear_response(),
           derivations_of_overturning_without_impact(), derivations_of_overturning_impact_during_pulse(),
           derivations_of_overturning_impact_after_pulse(), derivations_of_initial_conditions()})
-      for (const auto& [id, derive] : section)
-        if (!all.emplace(id, derive).second) throw std::logic_error("equation (" + id + ") is derived twice");
-    return all;
+      add(section, sections);
+    return sections;
   }();
-  return table;
+  return all;
+}
+
+}  // namespace
+
+const Table& derivation_table() { return table(); }
+
+void derive_instead(const Derivations& other) {
+  Table all;
+  add(other, all);
+  table() = std::move(all);
 }
 
 }  // namespace rederive

@@ -1,7 +1,7 @@
 // Which function derives which equation of the paper.
 #pragma once
 
-#include <derivations/mechanics/derivation.hpp>
+#include <derivations/rocking_block/steps.hpp>
 #include <map>
 #include <string>
 
@@ -10,5 +10,9 @@ namespace rederive {
 /// Equation id ("21a", "u3a", "r1") → its derivation: the lists of all sections. Throws std::logic_error if
 /// two derive the same.
 const std::map<std::string, Derive>& derivation_table();
+
+/// Puts the derivations of another paper in the place of these, for the rest of the run. Throws
+/// std::logic_error if two derive the same.
+void derive_instead(const Derivations& other);
 
 }  // namespace rederive

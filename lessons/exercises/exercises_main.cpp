@@ -71,6 +71,7 @@ void declare(CLI::App& app, Arguments& given) {
   command_with_id(app, "reset", "open again; the old answer is kept", given);
   app.add_subcommand("serve", "lessons and exercises in a browser on this machine; prints the address")
       ->add_option("--port", given.port, "listen here; 0, or none: a free port")
+      ->check(whole_number)
       ->check(CLI::Range(0, 65535));
   auto* watch = app.add_subcommand("watch", "judge the files of a folder whenever they change");
   watch->add_option("DIR", given.folder, "where your answers are: DIR/<ID>.txt")->required();
@@ -96,9 +97,12 @@ void declare(CLI::App& app, Arguments& given) {
       "gradebook an empty cell was not handed in; at ? the program could not decide: look yourself.\n"
       "Lists are CSV with the header named above. Times are like 2026-12-01T12:00, in UTC or with +02:00\n"
       "behind; a day alone ends at midnight; no exercise in --handed-in means all of that student.");
-  grade->add_option("--workers", given.grade.workers, "answers judged at a time")->check(CLI::Range(1, 64));
-  grade->add_flag("--variants", given.grade.variants,
-                  "to each student the variants of the folder's name; with --seed S, of S and the name: 'Sname'");
+  grade->add_option("--workers", given.grade.workers, "answers judged at a time")
+      ->check(whole_number)
+      ->check(CLI::Range(1, 64));
+  grade->add_flag(
+      "--variants", given.grade.variants,
+      "to each student the variants of the folder's name; with --seed S, of S and the name: 'Sname'");
   grade->add_flag("--missing", given.grade.missing, "a row also for each answer that was not handed in");
   with_json(app.add_subcommand("selftest", "is the exercise set sound?"), given);
 }

@@ -64,9 +64,8 @@ std::string text_sheet(const std::vector<Entry>& wrong) {
   return text + fmt::format("{} errors.\n", wrong.size());
 }
 
-std::string markdown_sheet(const std::vector<Entry>& wrong) {
-  std::string text =
-      "# Errata: On the Overturning Instability of a Rectangular Rigid Block Under Ground Excitation\n\n";
+std::string markdown_sheet(const std::vector<Entry>& wrong, const std::string& paper) {
+  std::string text = "# Errata: " + paper + "\n\n";
   for (const Entry& entry : wrong) {
     text += fmt::format(
         "## Equation ({})\n\n{}. Kind of error: "
@@ -84,12 +83,13 @@ std::string markdown_sheet(const std::vector<Entry>& wrong) {
   return text;
 }
 
-std::string latex_sheet(const std::vector<Entry>& wrong) {
+std::string latex_sheet(const std::vector<Entry>& wrong, const std::string& paper) {
   std::string text =
       "\\documentclass[a4paper]{article}\n\\usepackage[T1]{fontenc}\n\\usepackage{amsmath}\n\\usepackage["
       "margin=22mm]{geometry}\n"
-      "\\setlength{\\parindent}{0pt}\\sloppy\n\\title{Errata: On the Overturning Instability of a "
-      "Rectangular Rigid Block Under Ground Excitation}\n"
+      "\\setlength{\\parindent}{0pt}\\sloppy\n\\title{Errata: " +
+      latex_escaped(paper) +
+      "}\n"
       "\\author{}\\date{}\n\\begin{document}\n\\maketitle\n";
   const auto display = [](const std::string& formula) {
     return fmt::format(
@@ -121,10 +121,10 @@ std::string latex_sheet(const std::vector<Entry>& wrong) {
 
 }  // namespace
 
-std::string errata(const std::vector<Entry>& entries, const std::string& format) {
+std::string errata(const std::vector<Entry>& entries, const std::string& format, const std::string& paper) {
   const std::vector<Entry> wrong = those_refuted(entries);
-  if (format == "markdown") return markdown_sheet(wrong);
-  if (format == "latex") return latex_sheet(wrong);
+  if (format == "markdown") return markdown_sheet(wrong, paper);
+  if (format == "latex") return latex_sheet(wrong, paper);
   if (format == "text") return text_sheet(wrong);
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Entry& entry : wrong) {

@@ -34,12 +34,10 @@ std::map<std::string, int> counts(const std::vector<Entry>& entries) {
   return result;
 }
 
-Json to_json(const std::vector<Entry>& entries) {
+Json to_json(const std::vector<Entry>& entries, const std::string& paper) {
   Json equations = Json::array();
   for (const Entry& entry : entries) equations.push_back(to_json(entry));
-  return {{"paper", "On the Overturning Instability of a Rectangular Rigid Block Under Ground Excitation"},
-          {"equations", equations},
-          {"counts", counts(entries)}};
+  return {{"paper", paper}, {"equations", equations}, {"counts", counts(entries)}};
 }
 
 std::string ledger_table(const std::vector<Entry>& entries, bool colour) {

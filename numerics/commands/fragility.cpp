@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 struct FragilityCommand {
   CommonOptions common;
-  std::string records, amplitudes, blocks, peak = "acceleration", unit = "g", step, csv, plot, threads;
+  std::string records, amplitudes, blocks, peak = "acceleration", unit, step, csv, plot, threads;
 };
 
 struct BlockFragility {
@@ -62,7 +62,7 @@ std::vector<std::string> files_in(const std::string& folder) {
 }
 
 Record record_of(const FragilityCommand& options, const std::string& file) {
-  const auto unit = options.unit == "g" ? RecordUnit::g : RecordUnit::metres_per_second_squared;
+  const auto unit = options.unit == "m/s2" ? RecordUnit::metres_per_second_squared : RecordUnit::g;
   const double step = options.step.empty() ? 0 : number_between("--step", options.step, 1e-9, 1e6);
   return read_record(file, unit, step);
 }
@@ -208,9 +208,16 @@ Figure figure_of(const Fragility& all) {
 
 int run_fragility(const FragilityCommand& options) {
   Fragility all = asked_of(options);
-  for (const auto& file : is_first_rank() ? all.records : std::vector<std::string>())
-    if (!(peak_of(record_of(options, file), all.peak) > 0))
+  bool is_of_use = (options.step + options.unit).empty() || !is_first_rank();  // of one record at least
+  for (const auto& file : is_first_rank() ? all.records : std::vector<std::string>()) {
+    const Record record = record_of(options, file);
+    is_of_use = is_of_use || !record.is_headed;
+    if (!(peak_of(record, all.peak) > 0))
       throw BadInput(fmt::format("'{}' is still ground and cannot be scaled", file));
+  }
+  if (!is_of_use)
+    throw BadInput(
+        fmt::format("{}: the headers of all records say it", options.step.empty() ? "--unit" : "--step"));
   const int records = static_cast<int>(all.records.size());
   for (BlockFragility& block : all.blocks) block.outcomes.resize(all.records.size());
   Work work = sweep_work(options.threads, records * static_cast<int>(all.blocks.size()), "motions");

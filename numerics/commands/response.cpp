@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 struct ResponseCommand {
   CommonOptions common;
-  std::string amplitude, until, csv, plot, page, friction, record, step, unit = "g", scale = "1";
+  std::string amplitude, until, csv, plot, page, friction, record, step, unit, scale = "1";
 };
 
 struct Told {
@@ -31,9 +31,13 @@ struct Told {
 
 GroundMotion motion_of(const ResponseCommand& options, const Block& block) {
   if (!options.record.empty()) {
-    const auto unit = options.unit == "g" ? RecordUnit::g : RecordUnit::metres_per_second_squared;
+    const auto unit = options.unit == "m/s2" ? RecordUnit::metres_per_second_squared : RecordUnit::g;
     const double step = options.step.empty() ? 0 : number_between("--step", options.step, 1e-9, 1e6);
-    return record_motion(read_record(options.record, unit, step), block, number("--scale", options.scale));
+    const Record record = read_record(options.record, unit, step);
+    if (record.is_headed && !(options.step + options.unit).empty())
+      throw BadInput(fmt::format("{}: the header of '{}' says it", options.step.empty() ? "--unit" : "--step",
+                                 options.record));
+    return record_motion(record, block, number("--scale", options.scale));
   }
   if (options.amplitude.empty()) throw BadInput("--amplitude is required: a_p/(alpha g) of the pulse");
   const PulseCase asked = case_of(options.common);
@@ -183,7 +187,9 @@ void add_response(CLI::App& app, Run& run) {
   auto* record = add("--record", options->record, "FILE",
                      "a recorded acceleration: columns, PEER AT2, K-NET (about its mean), ESM");
   add("--step", options->step, "SECONDS", "time step of a record of one column")->needs(record);
-  add("--unit", options->unit, "NAME", "unit of columns: g or m/s2 [g]")->check(CLI::IsMember({"g", "m/s2"}));
+  add("--unit", options->unit, "NAME", "unit of columns: g or m/s2 [g]")
+      ->check(CLI::IsMember({"g", "m/s2"}))
+      ->needs(record);
   add("--scale", options->scale, "NUMBER", "multiplies the record [1]")->needs(record);
   command->callback([options, &run] { run = [options] { return response(*options); }; });
 }

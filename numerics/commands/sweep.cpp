@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <thread>
 
@@ -23,7 +24,9 @@ Work sweep_work(const std::string& threads, int count, const char* unit) {
   Work work;
   share_among_ranks(work);
   const double machine = work.processes > 1 ? 1 : std::max(1U, std::thread::hardware_concurrency());
-  work.threads = static_cast<int>(threads.empty() ? machine : number_between("--threads", threads, 1, 1024));
+  const double asked = threads.empty() ? machine : number_between("--threads", threads, 1, 1024);
+  if (asked != std::floor(asked)) throw BadInput(fmt::format("--threads {} must be whole", threads));
+  work.threads = static_cast<int>(asked);
   work.count = count;
   work.stop = &interruption();
   std::signal(SIGINT, [](int) { interruption() = true; });

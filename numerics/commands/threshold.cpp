@@ -165,6 +165,7 @@ void add_threshold(CLI::App& app, Run& run) {
       ->add_option("--digits", options->digits,
                    "amplitudes and psi as text of N right digits, at most 60; edges that no "
                    "closed form gives as many as are right")
+      ->check(whole_number)
       ->type_name("N");
   command->callback([options, &run] { run = [options] { return threshold(*options); }; });
 }

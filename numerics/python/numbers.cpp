@@ -53,7 +53,7 @@ std::vector<Window> found_windows(const PulseCase& asked, double largest, bool l
   WindowSearch search;
   search.largest = between("largest", largest, 1e-9, 1e6), search.least = least;
   return attended(1, {}, py::none(), [&](const Work& work) {
-    search.threads = work.threads;
+    search.threads = work.threads, search.stop = work.stop;
     return overturning_windows(asked, search);
   });
 }
@@ -80,8 +80,10 @@ py::object spectrum_table(const Numbers& omegas, const Block& block, const std::
   const std::vector<double> ratios = numbers_of("omegas", omegas, 0.01, 1000);
   WindowSearch search;
   search.largest = between("largest", largest, 1e-9, 1e6);
-  const auto points = attended(static_cast<int>(ratios.size()), threads, progress,
-                               [&](const Work& work) { return spectrum(asked, ratios, search, work); });
+  const auto points = attended(static_cast<int>(ratios.size()), threads, progress, [&](const Work& work) {
+    search.stop = work.stop;
+    return spectrum(asked, ratios, search, work);
+  });
   std::vector<std::tuple<double, double, int, double, double, double>> rows;
   for (const SpectrumPoint& at : points)
     rows.emplace_back(at.omega_ratio, or_nan(at.minimum), at.code, or_nan(at.mode1), or_nan(at.mode2_lower),

@@ -247,6 +247,27 @@ def test_ctrl_c_ends_a_long_computation(script, function):
     assert (running.returncode, out.splitlines()[-1], err) == (0, "interrupted", "")
 
 
+@pytest.mark.parametrize("function", [
+    "windows(rederive.Pulse(0.01), rederive.Block(restitution=1), largest=1e6)",
+    "threshold(rederive.Pulse(0.01), rederive.Block(restitution=1), model='nonlinear', largest=1e6)"])
+def test_ctrl_c_ends_a_search_that_tells_no_progress(script, function):
+    """Alone either takes many minutes."""
+    running = script(LONG.replace("try:", "tell(1, 1)\ntry:").format(function=function))
+    assert running.stdout.readline() == "1\n"
+    time.sleep(0.5)  # in all likelihood it is at work
+    running.send_signal(signal.SIGINT)
+    out, err = running.communicate(timeout=120)
+    assert (running.returncode, out, err) == (0, "interrupted\n", "")
+
+
+def test_small_symbols_are_those_of_the_command(answer):
+    found = rederive.prove("sin(x)", "x", small="x", order=3)
+    assert found.verdict == answer("ledger", "prove", "sin(x)", "x", "--small", "x", "--order", "3", "--json")["verdict"]
+    assert found.verdict == "refuted"
+    with pytest.raises(ValueError, match="order"):
+        rederive.prove("sin(x)", "x", small="x", order=-1)
+
+
 def test_the_module_needs_no_locale_and_no_home(script):
     running = script("import rederive; print(rederive.prove('α', 'alpha').verdict)",
                      env={"PYTHONPATH": os.environ["PYTHONPATH"], "LC_ALL": "C"})

@@ -52,8 +52,8 @@ def _witness(found: dict[str, Any] | None) -> Witness | None:
 
 @dataclass(frozen=True)
 class Proof:
-    """What `prove` found. verdict: proved, proved_under, refuted or undecided; by: identity, sign or points. certificate:
-    of a proof by sign, sums that are 0 identically, "2*(x)*(y - 1) + 1*(z) = 0 where u >= 0"."""
+    """What `prove` found. verdict: proved, proved_under, approximation, refuted or undecided; by: identity, sign, points or
+    expansion. certificate: of a proof by sign, sums that are 0 identically, "2*(x)*(y - 1) + 1*(z) = 0 where u >= 0"."""
 
     verdict: str
     factor: str | None
@@ -114,27 +114,31 @@ def ledger() -> list[Row]:
     """
     rows = []
     for row, printed, derived in _proofs.ledger(str(Path(__file__).with_name("equations.toml"))):
-        values = json.loads(row)
-        values.update(witness=_witness(values["witness"]), printed_latex=printed, derived_latex=derived)
-        rows.append(_made(Row, values))
+        values = json.loads(row) | {"printed_latex": printed, "derived_latex": derived}
+        rows.append(_made(Row, values | {"witness": _witness(values["witness"])}))
     return rows
 
 
-def prove(left: str, right: str, assume: str | Sequence[str] = ()) -> Proof:
+def prove(left: str, right: str, assume: str | Sequence[str] = (), *, small: str | Sequence[str] = (),
+          order: int | None = None) -> Proof:
     """Decides whether two expressions, equations or inequalities say the same; `ledger prove --help` says what it reads.
 
-    Some two seconds and 480 MB at most, in a process of its own; what takes more is undecided. Raises ValueError, with a
-    caret under the character, for text that cannot be read, and for assumptions that contradict each other.
+    With `small`, symbols, and `order` the series are compared: sin(x) is x to order 2 in x. Some two seconds and 480 MB at
+    most, in a process of its own; what takes more is undecided; Ctrl-C ends it. Raises ValueError, with a caret under the
+    character, for text that cannot be read, and for assumptions that contradict each other.
 
     >>> prove("b < h", "alpha < pi/4", assume=["tan(alpha) = b/h"]).verdict
     'proved_under'
+    >>> prove("sin(x)", "x", small="x", order=2).verdict
+    'approximation'
     >>> prove("sin(x", "x")
     Traceback (most recent call last):
     ValueError: this parenthesis is never closed
       sin(x
          ^
     """
-    values = json.loads(_proofs.prove(left, right, [assume] if isinstance(assume, str) else list(assume)))
+    lists = ([given] if isinstance(given, str) else list(given) for given in (assume, small))
+    values = json.loads(_proofs.prove(left, right, *lists, order))
     return _made(Proof, values | {"witness": _witness(values["witness"])})
 
 

@@ -1,17 +1,14 @@
 from typing import Callable
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import Threshold
 
 version: str
-
 class Block:
     def __init__(self, alpha: float = 0.25, p: float = 2.14, restitution: float | None = None) -> None: ...
     @staticmethod
-    def from_size(half_width: float, half_height: float, restitution: float | None = None,
-                  gravity: float = 9.81) -> Block: ...
+    def from_size(half_width: float, half_height: float, restitution: float | None = None, gravity: float = 9.81) -> Block: ...
     @property
     def alpha(self) -> float: ...
     @property

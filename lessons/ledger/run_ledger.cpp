@@ -1,0 +1,289 @@
+#include <fmt/format.h>
+
+#include <derivations/emit/command_line.hpp>
+#include <derivations/language/lexer.hpp>
+#include <derivations/paper/bounded.hpp>
+#include <derivations/paper/mutate.hpp>
+#include <derivations/paper/prove.hpp>
+#include <derivations/rocking_block/table.hpp>
+#include <lessons/certify/certify_command.hpp>
+#include <lessons/ledger/claims.hpp>
+#include <lessons/ledger/prove_table.hpp>
+#include <lessons/ledger/report.hpp>
+#include <lessons/ledger/run_ledger.hpp>
+
+namespace rederive {
+
+namespace {
+
+struct Options {
+  bool json = false;
+  std::string paper = this_paper;
+  std::string equations = equations_file();
+  std::string claims = claims_file();
+  std::string id, format = "text", table, certificate;
+  bool coq = false;
+  CertifyOptions scripts;
+  unsigned seed = 1;
+  ProveRequest request;
+};
+
+std::vector<Row> rows_of(const Options& options) {
+  try {
+    return read_rows(options.equations);
+  } catch (const std::runtime_error& error) {
+    throw BadInput(error.what());
+  }
+}
+
+Entry judged(const Row& row, const std::vector<Row>& rows) {
+  try {
+    return judge(row, rows);
+  } catch (const SyntaxError& error) {
+    throw BadInput("row " + row.id + ": " + explain(error, row.printed));
+  } catch (const std::invalid_argument& error) {
+    throw BadInput("row " + row.id + ": " + error.what());
+  }
+}
+
+std::vector<Entry> all(const Options& options) {
+  const auto rows = rows_of(options);
+  std::vector<Entry> entries;
+  for (const Row& row : rows) entries.push_back(judged(row, rows));
+  return entries;
+}
+
+const Row& row_of(const std::string& id, const std::vector<Row>& rows) {
+  std::string known;
+  for (const Row& row : rows) {
+    if (row.id == id) return row;
+    if (!id.empty() && row.id.starts_with(id)) known += " " + row.id;
+  }
+  throw BadInput("there is no equation '" + printable_line(id) + "'" +
+                 (known.empty() ? "; 'ledger' lists them all" : "; there is" + known));
+}
+
+int exit_code(const std::vector<Entry>& entries) {
+  for (const Entry& entry : entries)
+    if (to_string(entry.proof.verdict) != entry.row.expected) return not_as_expected;
+  return as_expected;
+}
+
+void put(const std::string& text) { std::fputs(text.c_str(), stdout); }
+void put(const nlohmann::ordered_json& json) { put(json.dump(2) + "\n"); }
+
+int show_all(const Options& options) {
+  const auto entries = all(options);
+  if (options.json)
+    put(to_json(entries, options.paper));
+  else
+    put(ledger_table(entries, is_lively(1)));
+  return exit_code(entries);
+}
+
+int show_one(const Options& options) {
+  const auto rows = rows_of(options);
+  const Entry entry = judged(row_of(options.id, rows), rows);
+  if (options.coq)
+    options.json ? put({{"id", entry.row.id}, {"coq", lemma_page(entry)}}) : put(lemma_page(entry));
+  else if (options.json)
+    put(to_json(entry));
+  else
+    put(ledger_page(entry, is_lively(1)));
+  return exit_code({entry});
+}
+
+nlohmann::ordered_json counts_of(const Mutation& m) {
+  return {{"mutants", m.mutants}, {"refuted", m.refuted}, {"equal", m.equal}, {"survived", m.survived}};
+}
+
+std::string line_of(const Mutation& m) {
+  return fmt::format("{:<6} {:>4} mutants {:>4} refuted {:>4} equal {:>4} survived\n", m.id, m.mutants,
+                     m.refuted, m.equal, m.survived);
+}
+
+int show_mutation(const Options& options) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  Mutation total;
+  total.id = "all";
+  const auto rows = rows_of(options);
+  if (!options.id.empty()) (void)row_of(options.id, rows);
+  for (const Row& row : rows) {
+    if (!options.id.empty() && row.id != options.id) continue;
+    if (is_lively(2)) fmt::print(stderr, "\r{:<8}", row.id);
+    const Mutation m = mutate(row, options.seed);
+    list.push_back({{"id", m.id}});
+    list.back().update(counts_of(m));
+    total.mutants += m.mutants, total.refuted += m.refuted, total.equal += m.equal,
+        total.survived += m.survived;
+    if (options.json) continue;
+    if (m.mutants > 0) put(line_of(m));
+    for (const std::string& text : m.survivors) put("         survived: " + text + "\n");
+  }
+  if (is_lively(2)) fmt::print(stderr, "\r{:<8}\r", "");
+  if (options.json)
+    put(nlohmann::ordered_json{{"rows", list}, {"totals", counts_of(total)}});
+  else
+    put(line_of(total));
+  return total.survived == 0 ? as_expected : not_as_expected;
+}
+
+int show_proof(const Options& options) {
+  const auto json = decide_bounded(options.request, 1.85);
+  const std::string verdict = json["verdict"];
+  if (options.json) {
+    put(json);
+  } else {
+    put(verdict + "\n");
+    for (const char* key : {"factor", "reason", "by"})
+      if (json[key].is_string()) put(fmt::format("  {:<16} {}\n", key, json[key].get<std::string>()));
+    for (const auto& [key, word] : {std::pair("certificate", "certificate"), {"side_conditions", "if"}})
+      for (const auto& text : json[key]) put(fmt::format("  {:<16} {}\n", word, text.get<std::string>()));
+    if (!json["witness"].is_null()) {
+      for (const auto& words : json["witness"]["in_words"])
+        put(fmt::format("  {:<16} {}\n", "witness", words.get<std::string>()));
+      put(fmt::format("  {:<16} {}\n  {:<16} {}\n", "left", json["witness"]["printed"].get<std::string>(),
+                      "right", json["witness"]["derived"].get<std::string>()));
+    }
+  }
+  return verdict == "refuted" ? not_as_expected : verdict == "undecided" ? undecided_or_failed : as_expected;
+}
+
+/// A table that takes more than there is to read it ends a child process, and not this one.
+std::vector<TableRow> rows_of_table(const std::string& file) {
+  const auto try_it = [&]() -> std::string {
+    try {
+      (void)read_table(file);
+    } catch (const BadInput&) {
+    }
+    return "read";
+  };
+  const Bounded outcome = run_bounded(try_it, 10, 480);
+  if (!outcome.result) throw BadInput("'" + file + "' cannot be read: " + outcome.why);
+  return read_table(file);
+}
+
+int show_table(const Options& options) {
+  const auto rows = decide_table(rows_of_table(options.table));
+  if (options.json)
+    put(to_json(rows));
+  else
+    put(table_page(rows));
+  const bool is_expected = std::all_of(rows.begin(), rows.end(), [](const DecidedRow& decided) {
+    return decided.verdict == decided.row.expected;
+  });
+  return is_expected ? as_expected : not_as_expected;
+}
+
+/// θ as theta, and without blanks around it.
+std::string symbol_name(const std::string& text) {
+  const auto tokens = reading(text, [&] { return tokenize(text, paper_symbols(), {}); });
+  return tokens.size() == 2 && tokens[0].kind == Token::Kind::name ? tokens[0].text : text;
+}
+
+}  // namespace
+
+int run_ledger(int argc, char** argv, const std::optional<OwnPaper>& own) {
+  CLI::App app{
+      "What the paper says, and what is true. Without a subcommand: every equation with its verdict."};
+  Options options;
+  if (own) options.paper = own->title, options.equations = own->equations, derive_instead(own->derivations);
+  app.add_flag("--json", options.json, "One JSON document on standard output");
+  app.add_option("--equations", options.equations, "Another equations.toml than the one that ships")
+      ->check(CLI::ExistingFile);
+  app.fallthrough();
+  app.require_subcommand(0, 1);
+
+  auto* show = app.add_subcommand("show", "All about one equation");
+  show->add_option("id", options.id, "Its number, such as 17b")->required();
+  show->add_flag("--coq", options.coq, "Its lemma for Coq");
+  auto* certifying = app.add_subcommand("certify", "The rows as lemmas of Coq");
+  certifying->add_option("dir", options.scripts.folder, "The folder for the scripts");
+  certifying->add_option("id", options.scripts.ids, "Rows alone, such as 71 17b");
+  certifying->add_flag("--check", options.scripts.checks, "Lets coqc say, row by row, what passes");
+  auto* sheet = app.add_subcommand("errata", "The errors alone, the most consequential first");
+  sheet->add_option("--format", options.format, "text, markdown, latex or json")
+      ->check(CLI::IsMember({"text", "markdown", "latex", "json"}));
+  auto* text =
+      app.add_subcommand("claims", "The numbers and statements of the text, each with what was found");
+  text->add_option("id", options.id, "One claim alone");
+  text->add_option("--claims", options.claims, "Another claims.toml than the one that ships")
+      ->check(CLI::ExistingFile);
+  auto* mutation = app.add_subcommand("mutate", "Spoils every row on purpose; nothing may pass");
+  mutation->add_option("id", options.id, "One row alone");
+  mutation->add_option("--seed", options.seed, "Which slips are tried")->check(whole_number);
+  auto* dot = app.add_subcommand("graph", "What follows from what, in DOT");
+  auto* proving = app.add_subcommand(
+      "prove", "Decides any statement: LHS and RHS are expressions, equations or inequalities");
+  auto* lhs = proving->add_option("lhs", options.request.left, "\"sin(2*x)\"");
+  auto* rhs = proving->add_option("rhs", options.request.right, "\"2*sin(x)*cos(x)\"");
+  auto* assume =
+      proving
+          ->add_option(
+              "--assume", options.request.assumptions,
+              "\"x > 0\", \"0 < x < 1\", \"b < h\", \"mu > tan(alpha)\", \"x != y\", "
+              "\"h = R*cos(alpha)\", \"p^2 = 3*g/(4*R)\", \"x^2+y^2 = 1\"; more of them by more options")
+          ->take_all()
+          ->allow_extra_args(false)
+          ->option_text("TEXT");
+  auto* small = proving->add_option("--small", options.request.small, "Compare the series in these symbols")
+                    ->delimiter(',')
+                    ->allow_extra_args(false)
+                    ->option_text("NAME[,NAME]");
+  auto* order =
+      proving->add_option("--order", options.request.order, "With --small: to which order, such as 2")
+          ->check(whole_number)
+          ->needs(small);
+
+  proving->footer(
+      "To ask whether an inequality holds wherever it has a value, compare it with 0 < 1.\n\n"
+      "proved holds without the equations that are assumed, proved_under needs them; approximation: with\n"
+      "--small, where the two themselves are not the same, but their series are. An identity is proved "
+      "where\n"
+      "both sides are defined; if one side is defined where the other is not, that is a side condition, and "
+      "it\n"
+      "is listed. The line by says what a verdict rests on: identity, sign, points or expansion.\n\n"
+      "A witness shows the values of two expressions, or of A and B for y = A and y = B; for other "
+      "equations\n"
+      "and inequalities the differences of their sides. In JSON, at gives every symbol: as the rational "
+      "number\n"
+      "that it is, or its digits; then exactly says what it is, or between has rational bounds of a root of "
+      "the\n"
+      "equation solves. in_words says the same to a reader.\n"
+      "Exit code: 0 proved, 1 refuted, 3 undecided, 2 for input that cannot be read.\n");
+  auto* table = proving
+                    ->add_option("--table", options.table,
+                                 "Decides every row of a table and writes a page in Markdown, or JSON")
+                    ->check(CLI::ExistingFile);
+  for (auto* other : {lhs, rhs, assume, small, order}) table->excludes(other);
+  auto* certificate =
+      proving->add_option("--certificate", options.certificate, "Writes the proof as a Coq script")
+          ->check(file_name)
+          ->excludes(table)
+          ->excludes(small)
+          ->option_text("FILE.v");
+
+  return run_command(app, argc, argv, [&]() -> int {
+    if (*show) return show_one(options);
+    if (*text && own) throw BadInput("claims: of this paper the equations alone are judged");
+    if (*text) return show_claims(options.claims, options.id, options.json);
+    if (*mutation) return show_mutation(options);
+    if (*proving && *table) return show_table(options);
+    if (*proving && (!*lhs || !*rhs))
+      throw BadInput(
+          "prove wants two statements; right is, for example, ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
+    for (std::string* text : {&options.request.left, &options.request.right}) *text = trimmed(*text);
+    for (std::string& name : options.request.small) name = symbol_name(name);
+    if (*certificate)
+      return (void)show_proof(options), write_certificate(options.request, options.certificate);
+    if (*proving) return show_proof(options);
+    options.scripts.json = options.json;
+    if (*certifying) return certify(all(options), options.scripts);
+    if (*dot) return put(graph(all(options))), as_expected;
+    if (*sheet)
+      return put(errata(all(options), options.json ? "json" : options.format, options.paper)), as_expected;
+    return show_all(options);
+  });
+}
+
+}  // namespace rederive

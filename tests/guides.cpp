@@ -1,0 +1,190 @@
+// How to add an equation, a target of emission, a lesson, an exercise, and a paper of one's own: the READMEs'
+// examples, followed to the letter.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <tests/installed.hpp>
+
+namespace {
+
+/// The source of a room with `text` put before the first `place` after `mark`.
+std::string with(const std::string& file, const std::string& mark, const std::string& place,
+                 const std::string& text) {
+  std::string all = read_file(source + "/" + file);
+  const auto from = all.find(mark);
+  REQUIRE(from != std::string::npos);
+  const auto at = all.find(place, from);
+  REQUIRE(at != std::string::npos);
+  return all.insert(at, text);
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  REQUIRE(contains(text, from));
+  return text.replace(text.find(from), from.size(), to);
+}
+
+/// What three guides change in the rooms, built on the installed tree: as `ledger`, `emit` and a lesson in
+/// its bin.
+const fs::path& changed_programs() {
+  static const fs::path programs = [] {
+    const std::string kinematics = "derivations/rocking_block/kinematics.cpp",
+                      dialect = "derivations/emit/dialect";
+    const auto equation = [](const char* language, int n) {
+      return block("derivations/paper/README.md", "## Add an equation", language, n);
+    };
+    const auto target = [](int n) {
+      return block("derivations/emit/README.md", "## Add a target of emission", "cpp", n);
+    };
+    const TemporaryFolder folder;
+    const std::string listed =
+        with(kinematics, "Derivations derivations_of_kinematics() {", "  };\n", equation("cpp", 1));
+    write(folder.path / "kinematics.cpp",
+          replaced(listed, "Derivations derivations_of_kinematics() {",
+                   equation("cpp", 0) + "\nDerivations derivations_of_kinematics() {"));
+    fs::create_directories(folder.path / "derivations/emit");
+    const std::string header = read_file(source + "/" + dialect + ".hpp");
+    const auto names = header.find("enum class Target {");
+    REQUIRE(names != std::string::npos);
+    write(folder.path / "derivations/emit/dialect.hpp",
+          replaced(header, header.substr(names, header.find('\n', names) + 1 - names), target(0)));
+    const std::string class_of = "/// The one of its kind.";
+    write(folder.path / "dialect.cpp",
+          replaced(with(dialect + ".cpp", "target_languages() {", "  };\n", target(2)), class_of,
+                   target(1) + "\n" + class_of));
+    write(folder.path / "lesson-13-the-size-of-the-block.cpp",
+          block("lessons/README.md", "## Add a lesson", "cpp", 0));
+    make_project(folder.path,
+                 "find_package(Rederive 1.0 REQUIRED COMPONENTS ledger)\n"
+                 "add_executable(ledger kinematics.cpp " REDERIVE_LEDGER_MAIN
+                 ")\n"
+                 "target_link_libraries(ledger PRIVATE rederive::ledger)\n"
+                 "add_executable(emit dialect.cpp " REDERIVE_EMIT_MAIN
+                 ")\n"
+                 "target_include_directories(emit BEFORE PRIVATE .)\n"
+                 "target_link_libraries(emit PRIVATE rederive::emit)\n"
+                 "add_executable(lesson-13-the-size-of-the-block lesson-13-the-size-of-the-block.cpp)\n"
+                 "target_link_libraries(lesson-13-the-size-of-the-block PRIVATE rederive::lessons)\n");
+    said(folder.path, "cp b/ledger b/emit b/lesson-13* " + quoted(prefix() / "bin"));
+    return prefix() / "bin";
+  }();
+  return programs;
+}
+
+void append(const fs::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::app) << "\n" << text;
+}
+
+}  // namespace
+
+TEST_CASE("an equation is added to the ledger as the README of the paper says") {
+  const TemporaryFolder folder;
+  const fs::path equations = folder.path / "equations.toml";
+  write(equations, read_file(prefix() / "share/rederive/equations.toml"));
+  append(equations, block("derivations/paper/README.md", "## Add an equation", "toml", 0));
+  const std::vector<std::string> show{"--equations", equations, "show", "w1", "--json"};
+  const Result shown = run_program(changed_programs() / "ledger", show);
+  CHECK(shown.exit_code == 0);
+  CHECK(nlohmann::json::parse(shown.out)["verdict"] == "proved");
+
+  // and the new row can turn red like any other
+  write(equations, replaced(read_file(equations), "R*(1 - cos(alpha))", "R*(1 - sin(alpha))"));
+  const Result spoiled = run_program(changed_programs() / "ledger", show);
+  CHECK(spoiled.exit_code == 1);
+  CHECK(nlohmann::json::parse(spoiled.out)["verdict"] == "refuted");
+}
+
+TEST_CASE("a target of emission is added as the README of emit says, and computes what the others do") {
+  const TemporaryFolder folder;
+  const std::string path = "export PATH=" + quoted(changed_programs()) + ":$PATH; ";
+  const std::string value =
+      said(folder.path, path + replaced(block("derivations/emit/README.md", "## Add a target", "sh", 0),
+                                        "gnuplot -e", "gnuplot 2>&1 -e"));
+  CHECK(contains(read_file(source + "/derivations/emit/README.md"), value.substr(0, value.find('\n'))));
+  CHECK(contains(said(folder.path, path + "emit --help"), "gnuplot"));
+
+  said(
+      folder.path,
+      path + "emit --list --json >list && emit --target python >emitted.py && emit --target gnuplot >all.gp");
+  write(folder.path / "driver.py", R"py(
+import emitted, json
+def both(text, value):
+    print(f'print sprintf("%.17g {value!r}", {text})')
+print('set print "-"; load "all.gp"')
+for function in json.load(open("list"))["functions"]:
+    name, at = function["name"], [0.3 + 0.1 * k for k in range(len(function["arguments"]))]
+    given = "(" + ", ".join(map(repr, at)) + ")"
+    try:
+        both(name + given, getattr(emitted, name)(*at))
+        for part in function["derivatives"]:
+            every = getattr(emitted, name + "_with_derivatives")(*at)
+            both(f"{name}_with_derivatives_d_{part}{given}", getattr(every, "d_" + part))
+    except ValueError:  # has no value there
+        pass
+)py");
+  std::istringstream pairs(said(folder.path, "/usr/bin/python3 driver.py >all && gnuplot all"));
+  int count = 0;
+  for (double plotted = 0, expected = 0; pairs >> plotted >> expected; ++count)
+    CHECK(std::fabs(plotted - expected) <= 1e-12 * std::fabs(expected));
+  CHECK(count > 40);
+  // linked anew, in another folder, it still writes the header of the build to the byte
+  CHECK(said(folder.path, path + "emit --target cpp") == read_file(build + "/emitted/rocking_block.hpp"));
+}
+
+TEST_CASE("a lesson is added as the README of the lessons says, and is there in every format") {
+  append(prefix() / "share/rederive/equations_of_lessons.toml",
+         block("lessons/README.md", "## Add a lesson", "toml", 0));
+  const std::string lesson = changed_programs() / "lesson-13-the-size-of-the-block";
+  CHECK(run_program(lesson, {"--quiet"}).out == "(13): proved\n");
+  for (const char* format : {"unicode", "plain", "latex", "markdown", "notebook", "html"}) {
+    CAPTURE(format);
+    const Result whole = run_program(lesson, {"--format", format});
+    CHECK(whole.exit_code == 0);
+    CHECK(whole.err == "");
+    CHECK(contains(whole.out, "twice as high"));
+  }
+  CHECK(contains(run_program(lesson, {"--step", "2", "--format", "plain"}).out, "y_c = R - R*cos(alpha)"));
+  const std::string before = prefix() / "bin/lesson-12-is-the-monument-safe";
+  CHECK(contains(run_program(before, {"--format", "html"}).out, "lesson-13-the-size-of-the-block.html"));
+}
+
+TEST_CASE("an exercise is added as the README of the classroom says") {
+  const fs::path exercises = prefix() / "share/rederive/exercises/lesson-03.toml";
+  const auto run = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"--progress", prefix() / "progress"});
+    return run_program(prefix() / "bin/exercises", arguments);
+  };
+  CHECK(run({"show", "worked-example"}).exit_code == 2);
+  append(exercises, block("lessons/exercises/README.md", "## Add an exercise", "toml", 0));
+  CHECK(run({"check", "worked-example", "y_c = R*(1 - cos(alpha))"}).exit_code == 0);
+  const Result slip = run({"check", "worked-example", "R*(1 - sin(alpha))"});
+  CHECK(slip.exit_code == 1);
+  CHECK(contains(slip.out, "Which side of the triangle"));
+}
+
+TEST_CASE("a paper of one's own is judged as the README of the paper says") {
+  const TemporaryFolder folder;
+  const auto part = [](const char* language) {
+    return block("derivations/paper/README.md", "## A paper of your own", language, 0);
+  };
+  write(folder.path / "rod.toml", part("toml"));
+  write(folder.path / "rod.cpp", part("cpp"));
+  write(folder.path / "CMakeLists.txt", part("cmake"));
+  const std::string found =
+      said(folder.path, "P=" + quoted(prefix()) + "; " + part("sh") + "build/rod mutate");
+  CHECK(contains(found, "refuted"));
+  CHECK(contains(found, "omega_0"));
+  CHECK(contains(found, "   0 survived"));
+  const auto rows = nlohmann::json::parse(said(folder.path, "build/rod --json"));
+  CHECK(rows["paper"] == "On Rods");
+  CHECK(rows["counts"]["proved"] == 2);
+  CHECK(rows["counts"]["refuted"] == 1);
+
+  // the slip mended is a verdict that was not expected
+  write(folder.path / "rod.toml", replaced(part("toml"), "sqrt(2*g/(3*L))", "sqrt(3*g/(2*L))"));
+  const Result mended =
+      run_program("/bin/bash", {"-c", "cd " + quoted(folder.path) + " && build/rod show 3"});
+  CHECK(mended.exit_code == 1);
+  CHECK(run_program("/bin/bash", {"-c", "cd " + quoted(folder.path) + " && build/rod claims"}).exit_code ==
+        2);
+}
