@@ -43,25 +43,52 @@ struct Motions {
   std::vector<BatchStart> starts;
 };
 
-/// (22), (34): what becomes of a motion that the pulse leaves on the side theta > 0 of its last impact, as
-/// outcome_at_end tells it; `launch` just lifts the block over the barrier from upright.
-Outcome outcome_of(const PulseCase& asked, double scale, const BatchEnd& end, const Motions::Owner& owner,
-                   double launch) {
-  const double alpha = asked.block.alpha, angle = end.theta / scale, velocity = end.thetadot / scale;
-  const bool linear = asked.model == Model::linear;
-  const double critical = linear ? emitted::linear_critical_velocity_positive(angle)
-                                 : emitted::critical_velocity_positive(alpha, angle),
-               impact = linear ? emitted::linear_impact_velocity_squared_positive(angle, velocity)
-                               : emitted::impact_velocity_squared_positive(alpha, angle, velocity);
-  const Margins at_end{velocity - critical,
-                       asked.block.restitution * std::sqrt(std::max(0.0, impact)) - launch};
-  Outcome outcome{0, end.impacts, owner.rests, owner.side, end.how == BatchEnd::How::lies, at_end};
-  if (outcome.lies || at_end.outward > 0)
-    outcome.code = owner.side * (end.impacts + 1);
-  else if (at_end.returning > 0)
-    outcome.code = -owner.side * (++outcome.impacts + 1);
-  outcome.margins.outward *= std::exp(end.left - end.launched);
-  return outcome;
+/// A motion that the pulse leaves, on the side theta > 0 of its last impact; `launch` just lifts the block
+/// over the barrier from upright.
+struct Left {
+  Left(const PulseCase& what, double scale, const BatchEnd& where, const Motions::Owner& whose,
+       double to_launch)
+      : asked(what),
+        end(where),
+        owner(whose),
+        launch(to_launch),
+        angle(end.theta / scale),
+        velocity(end.thetadot / scale) {}
+
+  double outward() const {
+    return velocity - (asked.model == Model::linear
+                           ? emitted::linear_critical_velocity_positive(angle)
+                           : emitted::critical_velocity_positive(asked.block.alpha, angle));
+  }
+  double returning() const {
+    const double impact = asked.model == Model::linear
+                              ? emitted::linear_impact_velocity_squared_positive(angle, velocity)
+                              : emitted::impact_velocity_squared_positive(asked.block.alpha, angle, velocity);
+    return asked.block.restitution * std::sqrt(std::max(0.0, impact)) - launch;
+  }
+
+  const PulseCase& asked;
+  const BatchEnd& end;
+  const Motions::Owner& owner;
+  double launch, angle, velocity;
+};
+
+/// (22), (34): what becomes of it, as outcome_at_end tells it.
+int code_after(const Left& left) {
+  const int side = left.owner.side, impacts = left.end.impacts;
+  if (left.end.how == BatchEnd::How::lies || left.outward() > 0) return side * (impacts + 1);
+  return left.returning() > 0 ? -side * (impacts + 2) : 0;
+}
+
+Outcome outcome_after(const Left& left) {
+  const BatchEnd& end = left.end;
+  const int code = code_after(left);
+  return {code,
+          std::max(end.impacts, std::abs(code) - 1),
+          left.owner.rests,
+          left.owner.side,
+          end.how == BatchEnd::How::lies,
+          {left.outward() * std::exp(end.left - end.launched), left.returning()}};
 }
 
 /// Goes on after an impact that left the block slow: from the push that starts it again, if it comes to rest;
@@ -142,11 +169,13 @@ PulseBatch::PulseBatch(const PulseCase& asked, const std::vector<double>& amplit
   for (const double amplitude : amplitudes) launches_.push_back(launch_at(amplitude));
 }
 
-std::vector<std::vector<Outcome>> PulseBatch::outcomes(const std::vector<double>& omega_ratios) const {
+template <class Result, class OfLeft>
+std::vector<std::vector<Result>> PulseBatch::followed(const std::vector<double>& omega_ratios, OfLeft of_left,
+                                                      Result (*of_outcome)(const Outcome&)) const {
   const double launch = asked_.model == Model::linear
                             ? emitted::linear_critical_velocity_positive(0.0)
                             : emitted::critical_velocity_positive(asked_.block.alpha, 0.0);
-  std::vector<std::vector<Outcome>> all(omega_ratios.size(), std::vector<Outcome>(amplitudes_.size()));
+  std::vector<std::vector<Result>> all(omega_ratios.size(), std::vector<Result>(amplitudes_.size()));
   Motions motions;
   motions.owners.reserve(omega_ratios.size() * amplitudes_.size());
   motions.starts.reserve(omega_ratios.size() * amplitudes_.size());
@@ -169,19 +198,20 @@ std::vector<std::vector<Outcome>> PulseBatch::outcomes(const std::vector<double>
       const BatchStart& start = motions.starts[k];
       Motions::Owner owner = motions.owners[k];
       const auto row = static_cast<std::size_t>(owner.row);
-      Outcome& outcome = all[static_cast<std::size_t>(owner.column)][row];
+      Result& result = all[static_cast<std::size_t>(owner.column)][row];
       if ((end.impacts - start.impacts) % 2 != 0) owner.side = -owner.side;
       const bool weak = round == 0 && start.push > 0 && launches_[row].gain < weak_push * start.omega;
       if (weak || end.how == BatchEnd::How::unclear || round == most_rounds) {
         PulseCase here = asked_;
         here.omega_ratio = start.omega;
-        outcome = outcome_at(here, amplitudes_[row]);
+        result = of_outcome(outcome_at(here, amplitudes_[row]));
       } else if (end.how == BatchEnd::How::slow) {
         Piece piece = launches_[row].piece;
         piece.omega = start.omega, piece.to /= start.omega;
-        if (!resume(asked_, scale_, piece, end, owner, next)) outcome = {0, end.impacts, owner.rests + 1};
+        if (!resume(asked_, scale_, piece, end, owner, next))
+          result = of_outcome({0, end.impacts, owner.rests + 1});
       } else {
-        outcome = outcome_of(asked_, scale_, end, owner, launch);
+        result = of_left(Left(asked_, scale_, end, owner, launch));
       }
     }
     motions = std::move(next);
@@ -189,12 +219,14 @@ std::vector<std::vector<Outcome>> PulseBatch::outcomes(const std::vector<double>
   return all;
 }
 
+std::vector<std::vector<Outcome>> PulseBatch::outcomes(const std::vector<double>& omega_ratios) const {
+  return followed<Outcome>(
+      omega_ratios, outcome_after, +[](const Outcome& outcome) { return outcome; });
+}
+
 std::vector<std::vector<int>> PulseBatch::codes(const std::vector<double>& omega_ratios) const {
-  std::vector<std::vector<int>> all(omega_ratios.size());
-  const auto every = outcomes(omega_ratios);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (const Outcome& outcome : every[i]) all[i].push_back(outcome.code);
-  return all;
+  return followed<int>(
+      omega_ratios, code_after, +[](const Outcome& outcome) { return outcome.code; });
 }
 
 std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<double>& amplitudes, int threads) {

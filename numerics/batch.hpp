@@ -1,6 +1,6 @@
 // Many simulations at once, in the lanes of a vector: A. Jorba and M. Zou,
 // Experimental Mathematics 14 (2005) 99-117, for the steps; each instruction set has a kernel of its own,
-// chosen at run time, and all give the same bits.
+// chosen at run time, and all give the same motions to rounding.
 #pragma once
 
 #include <numerics/overturning.hpp>
@@ -69,6 +69,10 @@ class PulseBatch {
 
  private:
   Launch launch_at(double amplitude) const;
+  /// What is asked of each motion: of one that the pulse leaves, or of one whose outcome is known already.
+  template <class Result, class OfLeft>
+  std::vector<std::vector<Result>> followed(const std::vector<double>& omega_ratios, OfLeft of_left,
+                                            Result (*of_outcome)(const Outcome&)) const;
 
   PulseCase asked_;
   double scale_;  ///< of angles and accelerations: alpha, or 1 in the linear model

@@ -19,7 +19,7 @@ V rough_root(V x, int n) {
   constexpr double counting = 0x1p52;  // whose last bits count in ones
   constexpr double one = __builtin_bit_cast(std::uint64_t, 1.0) >> 20;
   const Bits power = (__builtin_bit_cast(Bits, x) >> 20) | Bits(__builtin_bit_cast(std::uint64_t, counting));
-  const V of_root = (__builtin_bit_cast(V, power) - V(counting + one)) / V(n) + V(counting + one);
+  const V of_root = (__builtin_bit_cast(V, power) - V(counting + one)) * V(1.0 / n) + V(counting + one);
   return __builtin_bit_cast(V, __builtin_bit_cast(Bits, of_root) << 20);
 }
 
@@ -27,6 +27,7 @@ V rough_root(V x, int n) {
 template <class V, std::size_t size>
 void sample(const V (&series)[size], V time, V& y, V& v) {
   y = series[size - 1], v = V(0);
+#pragma GCC unroll 32
   for (std::size_t k = size - 1; k > 0; --k) v = v * time + y, y = y * time + series[k - 1];
 }
 
@@ -115,6 +116,8 @@ struct BatchQueue {
 /// Motion is an emitted stepper, of (21b) or (56b).
 template <class V, class Motion>
 class BatchPack {
+  using Mask = typename V::mask_type;
+
  public:
   BatchPack(const BatchBlock& block, BatchQueue& queue)
       : block_(block),
@@ -126,7 +129,23 @@ class BatchPack {
     for (int lane = 0; lane < lanes; ++lane) fill(lane);
   }
 
-  void expand() { motion_.expand(); }
+  /// What is rare stands in functions of its own, without vectors as arguments: such would leave the upper
+  /// halves of registers in use, and slow down all that is no vector.
+  [[gnu::flatten]] void step() {
+    motion_.expand();
+    choose_step();
+    look_ahead();
+    advance();
+    const Mask late = left_ <= 0;
+    over_ = late || lies_ || slow_hit_ || unclear_ || steps_ > 10'000;
+    if (any_of(over_)) retire();
+  }
+
+ private:
+  static constexpr int lanes = static_cast<int>(V::size());
+  static constexpr int order = static_cast<int>(std::extent_v<decltype(Motion::theta)>) - 1;
+  static constexpr bool is_nonlinear = requires(Motion motion) { motion.sin_1; };
+  static constexpr double lying = is_nonlinear ? std::numbers::pi / 2 : 1e300;
 
   /// The step of each lane: by the last terms; no longer than the pulse; from rest, than the first push; and
   /// after an impact, by little, than the hop that is to be expected.
@@ -136,6 +155,7 @@ class BatchPack {
     launched_ = upright && velocity == 0;
     const V size = is_nonlinear ? V(1) : max(V(1), motion_.theta[0]);  // linear motion grows without end
     h_ = min(motion_.step_size(V(block_.tolerance) * size), left_);
+    if (none_of(upright)) return;
     where(launched_, h_) = min(h_, push_);
     where(upright && velocity > 0 && bend < 0, h_) = min(h_, -1.25 * velocity / bend);
   }
@@ -144,24 +164,27 @@ class BatchPack {
   /// what cannot be told so soon, makes the step shorter.
   void look_ahead() {
     const V after = emitted::value_at(motion_.theta, h_);
-    const Mask stands = launched_ || stays_above(after);
-    lies_ = stands && after >= lying;
-    const Mask leans = !lies_ && !stays_low(after);
-    hits_ = unclear_ = Mask(false);
-    if (all_of(stands) && none_of(leans)) return;
+    stands_ = launched_ || stays_above(after);
+    lies_ = stands_ && after >= lying;
+    leans_ = !lies_ && !stays_low(after);
+    hits_ = unclear_ = slow_hit_ = Mask(false);
+    if (!all_of(stands_) || any_of(leans_)) find_events();
+  }
+
+  [[gnu::noinline]] void find_events() {
     V change = V(0), power = V(1);  // of theta'' on the step, by its series
     for (int k = 3; k <= order; ++k) power *= h_, change += k * (k - 1) * fabs(motion_.theta[k]) * power;
     const V bend = 2 * motion_.theta[2], tiny = V(1e-30), most = amplitude_ + V(is_nonlinear ? 1 : 1e300),
             above = min(most, max(change + bend, tiny)),
             below = min(amplitude_ + weight_, max(change - bend, tiny));
-    const FirstZero<V> impact = first_zero(motion_.theta, h_, above, below, !stands);
+    const FirstZero<V> impact = first_zero(motion_.theta, h_, above, below, !stands_);
     hits_ = impact.found, unclear_ = impact.unclear;
     h_ = impact.time;
-    if (none_of(leans)) return;
+    if (none_of(leans_)) return;
     V room[order + 1];  // to where it lies
     for (int k = 0; k <= order; ++k) room[k] = -motion_.theta[k];
     room[0] += lying;
-    const FirstZero<V> fall = first_zero(room, h_, below, above, leans);
+    const FirstZero<V> fall = first_zero(room, h_, below, above, leans_);
     hits_ = hits_ && fall.time >= h_;
     lies_ = lies_ || fall.found, unclear_ = unclear_ || fall.unclear;
     h_ = fall.time;
@@ -172,6 +195,7 @@ class BatchPack {
     motion_.advance(h_);
     left_ -= h_;
     steps_ += 1;
+    if (none_of(hits_)) return;
     const V rebound = -block_.restitution * motion_.thetadot[0];
     where(hits_, motion_.theta[0]) = 0;
     where(hits_, motion_.thetadot[0]) = rebound;
@@ -183,38 +207,41 @@ class BatchPack {
     }
     where(hits_, impacts_) += 1;
     where(hits_, launched_left_) = left_;
-    const Mask slow = hits_ && !(rebound > slow_), late = left_ <= 0,
-               over = late || lies_ || slow || unclear_ || steps_ > 10'000;
-    if (any_of(over))
-      for (int lane = 0; lane < lanes; ++lane)
-        if (over[at(lane)])
-          finish(lane, lies_[at(lane)]  ? BatchEnd::How::lies
-                       : slow[at(lane)] ? BatchEnd::How::slow
-                       : late[at(lane)] ? BatchEnd::How::pulse_over
-                                        : BatchEnd::How::unclear);
+    slow_hit_ = hits_ && !(rebound > slow_);
   }
 
- private:
-  static constexpr int lanes = static_cast<int>(V::size());
-  static constexpr int order = static_cast<int>(std::extent_v<decltype(Motion::theta)>) - 1;
-  static constexpr bool is_nonlinear = requires(Motion motion) { motion.sin_1; };
-  static constexpr double lying = is_nonlinear ? std::numbers::pi / 2 : 1e300;
-  using Mask = typename V::mask_type;
+  /// Hands back the motions that are over.
+  [[gnu::noinline]] void retire() {
+    for (int lane = 0; lane < lanes; ++lane)
+      if (over_[at(lane)])
+        finish(lane, lies_[at(lane)]        ? BatchEnd::How::lies
+                     : slow_hit_[at(lane)]  ? BatchEnd::How::slow
+                     : left_[at(lane)] <= 0 ? BatchEnd::How::pulse_over
+                                            : BatchEnd::How::unclear);
+  }
 
   /// No acceleration outwards exceeds this, as far as theta.
   V outward(V theta) const { return amplitude_ + max(V(0), theta - block_.alpha); }
 
+  /// Whether y with y'' <= 2 fall over a time of 1 certainly stays above 0 between these values: if not,
+  /// y1^(1/2) + y2^(1/2) < fall^(1/2).
+  static Mask stays_positive(V y1, V y2, V fall) {
+    const V least = min(y1, y2);
+    return y1 + y2 + 2 * least >= fall && least >= 0;
+  }
+
   /// Whether the block certainly does not come to upright: see first_zero, on either half of the step.
   Mask stays_above(V after) const {
     const V before = motion_.theta[0], middle = emitted::value_at(motion_.theta, V(0.5) * h_);
-    const V dip = V(0.5) * h_ * sqrt(V(0.5) * outward(max(before, after)));
-    return sqrt(before) + sqrt(middle) >= dip && sqrt(middle) + sqrt(after) >= dip;
+    const V fall = V(0.125) * h_ * h_ * outward(max(before, after));
+    return stays_positive(before, middle, fall) && stays_positive(middle, after, fall);
   }
 
   /// Whether it certainly does not come to lie: no acceleration inwards exceeds that of ground and weight.
   Mask stays_low(V after) const {
     if (!is_nonlinear) return Mask(true);
-    return sqrt(lying - motion_.theta[0]) + sqrt(lying - after) >= h_ * sqrt(V(0.5) * (amplitude_ + weight_));
+    const V fall = V(0.5) * h_ * h_ * (amplitude_ + weight_);
+    return stays_positive(lying - motion_.theta[0], lying - after, fall);
   }
 
   /// The next motion, or, for want of one, a block at rest on its corner.
@@ -256,7 +283,7 @@ class BatchPack {
   double sin_, cos_, weight_;
   Motion motion_;
   V left_, launched_left_, push_, amplitude_, steps_, impacts_, slow_, h_;
-  Mask launched_, hits_, lies_, unclear_;
+  Mask launched_, stands_, leans_, hits_, lies_, unclear_, slow_hit_, over_;
   int index_[lanes];
 };
 
@@ -266,10 +293,8 @@ void run_packs(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends
   BatchQueue queue{starts, ends, count, 0, 0};
   BatchPack<V, Motion> one(block, queue), other(block, queue);
   while (queue.running > 0) {
-    one.expand(), other.expand();
-    one.choose_step(), other.choose_step();
-    one.look_ahead(), other.look_ahead();
-    one.advance(), other.advance();
+    one.step();
+    other.step();
   }
 }
 
@@ -278,7 +303,7 @@ template <class V>
 void run_batch(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends, int count) {
   const auto run = block.is_linear ? run_packs<V, emitted::linear_motion_in_pulse_positive<V, 24>>
                    : block.tolerance >= 1e-10 * block.alpha
-                       ? run_packs<V, emitted::motion_in_pulse_positive<V, 13>>
+                       ? run_packs<V, emitted::motion_in_pulse_positive<V, 15>>
                        : run_packs<V, emitted::motion_in_pulse_positive<V, 18>>;
   run(block, starts, ends, count);
 }

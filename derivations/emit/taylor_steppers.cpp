@@ -36,7 +36,7 @@ TaylorStepper free_motion(Side side) {
 /// The acceleration under a ground acceleration that is part of the state, over g.
 TaylorStepper in_pulse(TaylorStepper stepper, ex acceleration, const ex& ground_acceleration) {
   const SymbolExpression ground = emission_symbols()["ground"];
-  acceleration = acceleration.subs(ground_acceleration == ground * g).expand();
+  acceleration = GiNaC::collect_common_factors(acceleration.subs(ground_acceleration == ground * g).expand());
   stepper.parameters = {alpha, p, omega_p};
   stepper.rates = {{theta, thetadot}, {thetadot, acceleration}};
   for (const auto& rate : pulse_rates(ground, emission_symbols()["quadrature"]))

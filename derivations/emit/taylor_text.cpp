@@ -1,6 +1,7 @@
 // Recurrences as a class of C++ or JavaScript.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <derivations/emit/emit.hpp>
 #include <derivations/emit/infix.hpp>
 #include <set>
@@ -11,12 +12,16 @@ namespace rederive {
 namespace {
 
 constexpr const char* cpp_prologue = R"(
-/// Coefficient k of the product of two series, by Cauchy's formula.
+/// Coefficient k of the product of two series, by Cauchy's formula; the newest terms last, so that the others
+/// need not wait for them.
 template <class T>
-T product(const T* a, const T* b, int k) {
-  T sum = a[0] * b[k];
-  for (int j = 1; j <= k; ++j) sum = sum + a[j] * b[k - j];
-  return sum;
+[[gnu::always_inline]] inline T product(const T* a, const T* b, int k) {
+  if (k == 0) return a[0] * b[0];
+  if (k == 1) return a[1] * b[0] + a[0] * b[1];
+  T sum = a[1] * b[k - 1];
+#pragma GCC unroll 32
+  for (int j = 2; j < k; ++j) sum = sum + a[j] * b[k - j];
+  return sum + a[k] * b[0] + a[0] * b[k];
 }
 
 /// Coefficient k of the series c = a/b, so that c b = a, from those before it.
@@ -35,8 +40,9 @@ T root(T x, int n) {
 
 /// The value of a series a time h after its start, by Horner's rule.
 template <class T, std::size_t size>
-T value_at(const T (&series)[size], T h) {
+[[gnu::always_inline]] inline T value_at(const T (&series)[size], T h) {
   T value = series[size - 1];
+#pragma GCC unroll 32
   for (std::size_t k = size - 1; k > 0; --k) value = value * h + series[k - 1];
   return value;
 }
@@ -147,6 +153,22 @@ std::string each(const Names& names, const std::string& line) {
 
 std::string name_of(const SymbolExpression& symbol) { return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name(); }
 
+/// Coefficient k + 1 from that of the rate: first all that can be told before the rate is known.
+Tree integrated(const Tree& rate) {
+  Tree share = leaf("share"), rest = rate;
+  if (rate->kind == Node::Kind::negative)
+    share = make_tree(Node::Kind::negative, "", {share}), rest = rate->children[0];
+  std::vector<Tree> factors = {share};
+  if (rest->kind == Node::Kind::product)
+    factors.insert(factors.end(), rest->children.begin(), rest->children.end());
+  else
+    factors.push_back(rest);
+  std::vector<bool> divides(factors.size(), false);
+  if (rest->kind == Node::Kind::product)
+    std::copy(rest->inverse.begin(), rest->inverse.end(), divides.begin() + 1);
+  return make_tree(Node::Kind::product, "", factors, divides);
+}
+
 std::vector<std::string> documentation(const TaylorStepper& stepper, const RationalSystem& system,
                                        const Names& arguments) {
   const auto plain = [&](const auto& what) { return print(what, Notation::plain, system.symbols); };
@@ -210,8 +232,7 @@ std::string text_of(const TaylorStepper& stepper, Target target) {
   }
   lines.push_back(constant("share", cpp ? "T(1) / T(k + 1)" : "1 / (k + 1)"));
   for (const auto& [name, rate] : derived.rates)
-    lines.push_back(name + "[k + 1] = " +
-                    infix(make_tree(Node::Kind::product, "", {leaf("share"), rate}, {false, false})) + ";");
+    lines.push_back(name + "[k + 1] = " + infix(integrated(rate)) + ";");
   before = declared_functions() + before +
            each(kept, cpp ? "    T {0}[order];\n" : "    const {0} = new Float64Array(order);\n");
   std::string body;
