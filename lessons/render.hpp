@@ -20,6 +20,7 @@ struct Setting {
   bool beside = false;               ///< the text stands in that folder, too, and names them without it
   std::string previous, next;        ///< programs of the neighbouring lessons; empty if there is none
   std::vector<std::string> lessons;  ///< all programs, in order
+  bool module = false;               ///< a notebook may call the Python module
 };
 
 /// One format. Steps are rendered one by one, so that a class sees each as it is computed.
@@ -36,6 +37,12 @@ std::unique_ptr<Renderer> latex_renderer(const Setting& setting);
 std::unique_ptr<Renderer> markdown_renderer(const Setting& setting);  ///< and notebook
 std::unique_ptr<Renderer> html_renderer(const Setting& setting);
 std::unique_ptr<Renderer> make_renderer(const Setting& setting);
+
+/// What a command ("rocking threshold --omega 2") is in Python, with the module `rederive`; of "import" what
+/// finds the module; nothing where the module has no counterpart.
+std::optional<std::string> in_python(const std::string& command);
+/// Whether the module was built, or installed, beside the program that runs.
+bool is_module_there();
 
 /// One line of a judgement: a label, and a formula or words (with marks as in a Paragraph).
 struct Remark {

@@ -1,6 +1,7 @@
 // Lessons as Markdown with GitHub's mathematics: $`...`$ in a sentence, a math fence for what is displayed.
 // These two forms are the ones whose contents Markdown does not touch. Jupyter wants $...$ and $$...$$; a
-// notebook is the same text in cells, with a cell of code for each list of commands.
+// notebook is the same text in cells, with cells of code for the commands: Python, where the module is there
+// and has a counterpart, else the shell.
 #include <fmt/format.h>
 
 #include <lessons/prose.hpp>
@@ -30,6 +31,7 @@ class MarkdownRenderer : public Renderer {
   std::string end(const Lesson&) override { return ""; }
 
  protected:
+  const Setting& setting() const { return setting_; }
   std::string render_passage(const Passage& passage) const {
     return "\n" + std::visit([this](const auto& part) { return this->render(part); }, passage);
   }
@@ -119,8 +121,13 @@ class NotebookRenderer : public MarkdownRenderer {
   using MarkdownRenderer::MarkdownRenderer;
 
   std::string begin(const Lesson& lesson) override {
-    add("markdown", MarkdownRenderer::begin(lesson) +
-                        "\nThe programs that the cells run stand in `build/bin`: have it on the `PATH`.\n");
+    const char* how =
+        setting().module
+            ? "The code calls the Python module `rederive`: installed, on the `PYTHONPATH` "
+              "(`build/python`), or beside the programs. Have those of `build/bin` on the `PATH`."
+            : "The code runs the programs of `build/bin`: have it on the `PATH`. The Python "
+              "module `rederive` was not built; see the README.";
+    add("markdown", MarkdownRenderer::begin(lesson) + "\n" + how + "\n");
     return "";
   }
 
@@ -134,10 +141,7 @@ class NotebookRenderer : public MarkdownRenderer {
       }
       if (!text.empty()) add("markdown", text);
       text.clear();
-      std::string code = "%%sh --no-raise-error\n";  // a verdict that is not as expected is no failure
-      for (const auto& line : commands->lines)
-        code += line.substr(line.starts_with(folder) ? folder.size() : 0) + "\n";
-      add("code", code);
+      add(*commands);
     }
     if (!text.empty()) add("markdown", text);
     return "";
@@ -155,7 +159,17 @@ class NotebookRenderer : public MarkdownRenderer {
 
  private:
   using Json = nlohmann::ordered_json;
-  static constexpr std::string_view folder = "build/bin/";
+
+  /// A cell for each command.
+  void add(const Commands& commands) {
+    static constexpr std::string_view folder = "build/bin/";
+    for (const auto& line : commands.lines) {
+      const std::string command = line.substr(line.starts_with(folder) ? folder.size() : 0);
+      const auto python = setting().module ? in_python(command) : std::nullopt;
+      if (python && !std::exchange(has_import_, true)) add("code", *in_python("import"));
+      add("code", python.value_or("%%sh --no-raise-error\n" + command));  // no failure: an unexpected verdict
+    }
+  }
 
   void add(const std::string& type, const std::string& text) {
     const std::size_t first = text.find_first_not_of('\n'), last = text.find_last_not_of('\n');
@@ -167,6 +181,7 @@ class NotebookRenderer : public MarkdownRenderer {
   }
 
   Json cells_ = Json::array();
+  bool has_import_ = false;
 };
 
 }  // namespace

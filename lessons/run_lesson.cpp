@@ -57,6 +57,7 @@ Setting setting_from(const Flags& flags) {
   setting.lessons = all_lessons();
   setting.previous = neighbour(setting.lessons, -1);
   setting.next = neighbour(setting.lessons, +1);
+  setting.module = is_module_there();
   return setting;
 }
 

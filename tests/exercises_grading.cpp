@@ -73,11 +73,13 @@ TEST_CASE("the gradebook: score, attempts, weights and the deadline") {
   };
   const std::string head = "student,height-of-centre,frequency-of-a-bookcase,restitution,total,out_of\n";
   const std::string in_time = head + "anna,0.5,,1.6,2.1,3.5\nbert,,0.25,0,0.25,3.5\ncarl,,,,0,3.5\n";
-  const std::string late = head + "anna,0,,1.6,1.6,3.5\nbert,,0.25,0,0.25,3.5\ncarl,,,,0,3.5\n";
+  const std::string dated = head.substr(0, head.size() - 1) + ",late\n", others = "bert,,0.25,0,0.25,3.5,\ncarl,,,,0,3.5,\n";
+  const std::string punctual = dated + "anna,0.5,,1.6,2.1,3.5,\n" + others;
+  const std::string late = dated + "anna,0,,1.6,1.6,3.5,height-of-centre\n" + others;
   CHECK(book({}) == in_time);
   CHECK(book({"--workers", "3"}) == in_time);
-  CHECK(book({"--deadline", "2026-04-10"}) == in_time);  // that day's end
-  CHECK(book({"--deadline", "2026-04-10T12:00"}) == in_time);
+  CHECK(book({"--deadline", "2026-04-10"}) == punctual);  // that day's end
+  CHECK(book({"--deadline", "2026-04-10T12:00"}) == punctual);
   CHECK(book({"--deadline", "2026-04-10T13:59:59+02:00"}) == late);
   CHECK(book({"--deadline", "2026-04-09"}) == late);
   const std::string by_exercise =
@@ -86,7 +88,7 @@ TEST_CASE("the gradebook: score, attempts, weights and the deadline") {
   const std::string times = room.file(
       "times.csv", "student,exercise,time\nanna,,2026-03-09\nanna,restitution,2026-03-12\nzoe,,2026-01-01\n");
   CHECK(book({"--deadline", "2026-03-11", "--handed-in", times}) ==
-        head + "anna,0.5,,0,0.5,3.5\nbert,,0.25,0,0.25,3.5\ncarl,,,,0,3.5\n");
+        dated + "anna,0.5,,0,0.5,3.5,restitution\n" + others);
   room.grade({"--gradebook", room.book.string()});
   CHECK(has(read_file(room.book), "\nanna,0.5,"));
   CHECK(has(read_file(room.book), ",total,out_of\n"));

@@ -130,6 +130,56 @@ TEST_CASE("slips are named with the digits that were asked for, and term by term
   CHECK(note("height-of-centre", "R*(cos(pi/180*(alpha - theta)) - cos(pi/180*alpha))") == "degrees");
 }
 
+TEST_CASE("what is dropped, upside down or exchanged is called so") {
+  CHECK(note("first-acceleration", "p^2*sin(alpha)") == "missing_term");
+  CHECK(note("constant-of-the-cosine", "theta_0 - alpha/(1 + omega_p^2/p^2)") == "missing_term");
+  CHECK(note("mass-at-the-top", "4*h^2/(4*h^2 + b^2)") == "missing_term");
+  CHECK(note("restitution", "3/4*cos(2*alpha)") == "missing_term");
+  CHECK(note("sudden-start", "(1 + 3*sin(alpha)^2)/(3*sin(alpha))") == "missing_factor");
+  CHECK(note("half-sine", "cos(psi) - sin(psi) = -exp(-(pi - psi)*p/omega_p)") == "missing_factor");
+  const std::map<std::string, std::string> without_one_minus{{"restitution", "3/2*sin(alpha)^2"},
+                                                             {"energy-lost", "2/3*m*R^2*thetadot_minus^2*e^2"},
+                                                             {"barrier", "m*g*R*cos(alpha)"},
+                                                             {"restitution-of-a-statue", "0.0179"},
+                                                             {"barrier-and-size", "1.47 m"}};
+  for (const auto& [id, answer] : without_one_minus) CHECK_MESSAGE(note(id, answer) == "taken_away", id);
+  CHECK(note("strike-velocity", "p*alpha/(1 - e)") == "left_over");
+  CHECK(note("inertia-about-corner", "3/4*m*R^2") == "reciprocal");
+  CHECK(note("half-sine", "cos(psi) - p/omega_p*sin(psi) = -exp(-(pi - psi)*p/omega_p)") == "reciprocal");
+  CHECK(note("certainly-safe", "88.8 m/s^2") == "reciprocal");
+  CHECK(note("half-sine", "cos(psi) - p/omega_p*sin(psi) = -exp(-(pi - psi)*omega_p/p)") == "exchanged");
+  CHECK(note("half-sine", "cos(psi) - omega_p/p*sin(psi) = -exp(-(180 - psi)*p/omega_p)") == "degrees");
+}
+
+TEST_CASE("no part is pointed at that is right") {
+  const auto said = [](const std::string& id, const std::string& answer) {
+    return judge_answer(prepared(id), answer).feedback;
+  };
+  CHECK(said("linear-equation", "thetaddot - p*theta = -p*alpha - p*a_p/g*sin(omega_p*t + psi)").ends_with("Look at $p$."));
+  CHECK(said("linear-equation", "thetaddot - theta = -alpha - a_p/g*sin(omega_p*t + psi)").find("Look") ==
+        std::string::npos);
+  CHECK(said("motion-by-moments", "J_o*thetaddot = -m*u_gddot*cos(alpha - theta) - m*g*sin(alpha - theta)")
+            .ends_with("Look at $-m*u_gddot*cos(alpha - theta) - m*g*sin(alpha - theta)$."));
+  CHECK(said("motion-by-moments", "J_o*thetaddot + m*u_gddot*cos(alpha - theta) + m*g*sin(alpha - theta) = 0").find("Look") ==
+        std::string::npos);
+  CHECK(judge_answer(prepared("linear-equation"), "thetaddot - p^2*theta = -p^2*alpha - p^2*a_p/g*(omega_p*t + psi)").witness);
+  CHECK(said("critical-condition", "thetadot_ex = -p*(theta_ex + alpha)/2").find("$thetadot_ex$") == std::string::npos);
+  CHECK(!judge_answer(prepared("critical-condition"), "thetadot_ex^2 = p^2*(theta_ex + alpha)^2").witness);
+}
+
+TEST_CASE("an answer may stand behind the name of what is asked for, and behind the sign of a bound") {
+  CHECK(note("reaction-at-start", "V/m = g") == "correct");
+  CHECK(note("reaction-at-start", "V = g") == "expression_wanted");
+  CHECK(note("sudden-start", "mu >= tan(alpha) + 1/(3*sin(alpha)*cos(alpha))") == "correct");
+  CHECK(note("first-lift", "a_p ≥ 2.94 m/s^2") == "correct");
+  CHECK(note("first-lift", "a_p = 0.3*g") == "correct");
+  CHECK(note("first-lift", "a_p < 2.94 m/s^2") == "value_wanted");
+  CHECK(note("certainly-safe", "a_p < 1.08 m/s^2") == "correct");
+  CHECK(note("friction-at-start", "μ > 0.255") == "static");
+  CHECK(note("least-amplitude", "a_p/(g*alpha) = 1.400") == "correct");
+  CHECK(note("least-amplitude", "a_p = 1.400") == "unknown_symbol");
+}
+
 TEST_CASE("the last line of every solution is judged right, and numbers are put in") {
   for (const auto& exercise : read_exercises(exercises_folder())) {
     CAPTURE(exercise.id);

@@ -18,13 +18,17 @@ Tree small_number(const Symbol& symbol, int k) {
   return number(std::to_string(tenths / 10) + "." + std::to_string(tenths % 10));
 }
 
-/// The value that a statement has, or that it gives to the pivot, in which it is linear.
-Tree value_of(const Relation& statement, const std::string& pivot) {
+/// The value that a statement has, or that it gives to the pivot; 1/0 where it is not linear in that.
+Tree value_of(const Relation& statement, const std::string& pivot, const Point& point) {
   if (statement.operators.empty()) return statement.sides[0];
   const Tree residual = difference(statement.sides[0], statement.sides[1]);
   const Tree at_0 = rederive::put_in(residual, pivot, number("0")),
-             at_1 = rederive::put_in(residual, pivot, number("1"));
-  return make_tree(Node::Kind::product, "", {at_0, difference(at_0, at_1)}, {false, true});
+             at_1 = rederive::put_in(residual, pivot, number("1")),
+             at_2 = rederive::put_in(residual, pivot, number("2"));
+  const Tree bend = sum(at_0, sum(at_2, product(number("2"), at_1), true));
+  const Sign bent = sign_at(bend, number("0"), point);
+  const bool is_linear = bent == Sign::zero || bent == Sign::unknown;
+  return product(at_0, is_linear ? difference(at_0, at_1) : number("0"), true);
 }
 
 /// Gives a symbol a value for which the equation holds: in tenths, then between two of them.
@@ -69,7 +73,7 @@ std::optional<Witness> by_hand(const Prepared& prepared, const Relation& read) {
     if (solves && !solve_on_the_way(right, *prepared.symbols.find(unknown), point)) continue;
     const auto value = [&](const Relation& statement) {
       return solves ? digits_at(difference(statement.sides[0], statement.sides[1]), point, 6)
-                    : digits_at(value_of(statement, pivot), point, 6);
+                    : digits_at(value_of(statement, pivot, point), point, 6);
     };
     const auto a = value(mine), b = solves ? std::optional<std::string>("0") : value(right);
     if (!a || !b || *a == *b) continue;

@@ -175,21 +175,24 @@ std::string gradebook(const Classroom& room, const std::vector<Student>& student
       text += "," + csv_cell(exercise.id);
       out_of += weight->second;
     }
-  text += ",total,out_of\n";
+  text += rules.deadlines.empty() ? ",total,out_of\n" : ",total,out_of,late\n";
   for (const auto& student : students) {
     text += csv_cell(student.name);
     double total = 0;
+    std::string late;
     for (const auto& exercise : room.exercises) {
       if (!rules.weights.contains(exercise.id)) continue;
       text += ",";
       for (const auto& row : student.rows) {
         if (!row.judged || row.exercise != exercise.id) continue;
-        const double marks = mark_of(rules, student, row).marks;
-        total += marks;
-        text += row.verdict == "undecided" ? "?" : mark_text(marks);
+        const Mark mark = mark_of(rules, student, row);
+        total += mark.marks;
+        text += row.verdict == "undecided" ? "?" : mark_text(mark.marks);
+        if (mark.late) late += (late.empty() ? "" : " ") + exercise.id;
       }
     }
-    text += fmt::format(",{},{}\n", mark_text(total), mark_text(out_of));
+    text += fmt::format(",{},{}{}\n", mark_text(total), mark_text(out_of),
+                        rules.deadlines.empty() ? "" : "," + csv_cell(late));
   }
   return text;
 }

@@ -71,7 +71,11 @@ int exit_code(const Opinion& opinion);
 /// Text → the statement to judge: of "y_c = ..." the right side where an expression is asked for and y_c is
 /// its name. Throws SyntaxError.
 Relation read_answer(const Exercise& exercise, const std::string& text);
-/// "p = 2.69 1/s" without what stands before the value.
+/// Whether this is the name of what the exercise asks for, in any order of its factors.
+bool is_asked_for(const Exercise& exercise, const Tree& left);
+/// Throws SyntaxError unless the relation may stand behind the name: =, and the bound's, strict or not.
+void check_relation(const Exercise& exercise, const std::string& relation);
+/// "p = 2.69 1/s" without what stands before the value. Throws SyntaxError for "p < 2.69 1/s".
 std::string without_name(const Exercise& exercise, const std::string& text);
 Opinion judge_formula(const Prepared& prepared, const std::string& text);
 Opinion judge_formula(const Prepared& prepared, const Relation& read);

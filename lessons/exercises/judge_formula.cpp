@@ -51,15 +51,28 @@ void refuse_unit(const Exercise& exercise, const std::string& text) {
 
 }  // namespace
 
+bool is_asked_for(const Exercise& exercise, const Tree& left) {
+  return !exercise.name.empty() && lower(left).is_equal(lower(parse(exercise.name)));
+}
+
+void check_relation(const Exercise& exercise, const std::string& relation) {
+  if (relation != "=" && (exercise.bound.empty() || !exercise.bound.starts_with(relation)))
+    throw SyntaxError(
+        "value_wanted", 0,
+        fmt::format("'{}' is not what is asked for: write {} = and a value", relation, exercise.name));
+}
+
 Relation read_answer(const Exercise& exercise, const std::string& text) {
   refuse_unit(exercise, text);
   Relation read = parse_statement(text);
-  const bool named = !exercise.name.empty() && read.sides.size() == 2 && read.operators[0] == "=" &&
-                     read.sides[0]->kind == Node::Kind::symbol && read.sides[0]->text == exercise.name;
+  const bool named = read.sides.size() == 2 && is_asked_for(exercise, read.sides[0]);
   if (exercise.kind == Kind::expression) {
-    if (named) read = {{read.sides[1]}, {}};
+    if (named) check_relation(exercise, read.operators[0]), read = {{read.sides[1]}, {}};
     if (!read.operators.empty())
-      throw SyntaxError("expression_wanted", 0, "an expression is wanted here, without a relation sign");
+      throw SyntaxError("expression_wanted", 0,
+                        "an expression is wanted here, " + (exercise.name.empty()
+                                                                ? "without a relation sign"
+                                                                : "alone or behind " + exercise.name + " ="));
   } else {
     if (read.operators.empty() && !exercise.name.empty())
       read = {{parse(exercise.name), read.sides[0]}, {"="}};

@@ -53,14 +53,19 @@ std::string number_words(const std::string& note) {
 
 }  // namespace
 
-std::string without_name(const Exercise& exercise, const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || exercise.name.empty()) return text;
+std::string without_name(const Exercise& exercise, const std::string& typed) {
+  const std::string text =
+      std::regex_replace(std::regex_replace(typed, std::regex("≤"), "<="), std::regex("≥"), ">=");
+  const std::size_t at = text.find_first_of("=<>");
+  if (at == std::string::npos) return text;
+  const std::size_t size = text.compare(at + 1, 1, "=") == 0 ? 2 : 1;
   try {
-    return print(parse(text.substr(0, equals))) == exercise.name ? text.substr(equals + 1) : text;
-  } catch (const SyntaxError&) {
-    return text;
+    if (is_asked_for(exercise, parse(text.substr(0, at))))
+      return check_relation(exercise, text.substr(at, size)), text.substr(at + size);
+  } catch (const SyntaxError& error) {
+    if (error.note == "value_wanted") throw;
   }
+  return text;
 }
 
 namespace {
@@ -101,7 +106,12 @@ void add_roads_of_number(Prepared& prepared) {
         {"sign", "sign"},           {"coefficient", "factor"}, {"function", "sin_cos"},
         {"symbol", "wrong_symbol"}, {"square", "power"},       {"factor", "missing_factor"},
         {"term", "missing_term"},   {"dot", "missing_dot"}};
-    for (const auto& mutant : mutants({{tree}, {}})) take(mutant.relation.sides[0], notes.at(mutant.slip));
+    for (const auto& mutant : mutants({{tree}, {}})) {
+      take(mutant.relation.sides[0], notes.at(mutant.slip));
+      if (mutant.slip == "term") take(negative(mutant.relation.sides[0]), "taken_away");  // x for 1 - x
+    }
+    for (const auto& [first, last] : runs_of(tree)) take(with_flipped(tree, first, last), "reciprocal");
+    take(rederive::put_in(tree, "pi", number("180")), "degrees");
   };
   each_slip(formula, [&](const Tree& wrong, const std::string& note) { add(wrong, at, note); });
   for (const auto& [name, value] : prepared.answer.values) {
@@ -122,8 +132,9 @@ void add_roads_of_number(Prepared& prepared) {
 Opinion judge_number(const Prepared& prepared, const std::string& typed) {
   const Exercise& exercise = prepared.exercise;
   Quantity read;
-  const std::string text = without_name(exercise, typed);
+  std::string text = typed;
   try {
+    text = without_name(exercise, typed);
     read = parse_quantity(text);
   } catch (const SyntaxError& error) {
     return invalid(error, text);

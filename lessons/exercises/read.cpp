@@ -140,6 +140,7 @@ Exercise read_exercise(toml::table table, const std::string& file, const std::st
   std::erase(exercise.symbols, "");
   exercise.example = row.text("example");
   exercise.name = row.text("name");
+  exercise.bound = row.text("bound");
   exercise.pivot = row.text("pivot");
   exercise.unit = row.text("unit");
   if (const double digits = row.number("digits"); digits > 0) exercise.digits = static_cast<int>(digits);

@@ -18,9 +18,9 @@ std::optional<Tree> plain_number(double value) {
   const std::pair<double, const char*> bases[] = {
       {1, "1"}, {pi, "pi"}, {pi / 180, "pi/180"}, {180 / pi, "180/pi"}};
   for (const auto& [base, text] : bases)
-    for (int under = 1; under <= 12; ++under) {
+    for (int under = 1; under <= 24; ++under) {
       const double parts = std::abs(value) / base * under, over = std::round(parts);
-      if (over < 1 || over > 24 || std::abs(parts - over) > 1e-8 * over) continue;
+      if (over < 1 || over > 24 || (over > 1 && under > 12) || std::abs(parts - over) > 1e-8 * over) continue;
       std::string digits = fmt::format("{:.0f}", over);
       if (base != 1) digits = over == 1 ? text : digits + "*" + text;
       if (under != 1) digits += "/" + std::to_string(under);
@@ -31,7 +31,8 @@ std::optional<Tree> plain_number(double value) {
 }
 
 std::string in_words(const Repair& repair) {
-  const std::string part = repair.part == nullptr ? "the whole" : "$" + print(repair.part) + "$";
+  const std::string part = (repair.part == nullptr ? "the whole" : "$" + print(repair.part) + "$") +
+                           (repair.other == nullptr ? "" : " and $" + print(repair.other) + "$");
   std::string text = repair.note == "factor"
                          ? fmt::format("A numerical factor is wrong: {} is ${}$ times what it should be.",
                                        part, print(*plain_number(*repair.too_large)))

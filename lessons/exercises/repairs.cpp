@@ -21,24 +21,11 @@ bool are_exchanged(const std::string& one, const std::string& other) {
   return pairs.contains({one, other});
 }
 
+bool is_symbol(const Tree& part) { return part->kind == NodeKind::symbol; }
+bool is_number(const Tree& part) { return part->kind == NodeKind::number; }
+
 bool takes_angles(const Tree& call) {
   return call->text != "exp" && call->text != "sqrt" && call->text != "log" && call->text != "fabs";
-}
-
-Tree symbol(const std::string& name) { return make_tree(NodeKind::symbol, name); }
-Tree product(const Tree& a, const Tree& b, bool divide = false) {
-  return make_tree(NodeKind::product, "", {a, b}, {false, divide});
-}
-Tree call(const std::string& name, const Tree& argument) {
-  return make_tree(NodeKind::call, name, {argument});
-}
-
-/// The tree with another function in the place of each.
-Tree with_functions(const Tree& tree, const std::function<Tree(const Tree&)>& change) {
-  std::vector<Tree> children;
-  for (const auto& child : tree->children) children.push_back(with_functions(child, change));
-  const Tree copy = make_tree(tree->kind, tree->text, std::move(children), tree->inverse);
-  return tree->kind == NodeKind::call ? change(copy) : copy;
 }
 
 /// What one answer is made of: its terms and its factors, at every depth, each once.
@@ -48,7 +35,7 @@ struct Parts {
   void add(std::vector<Tree>& list, const Tree& part) {
     const bool is_known =
         std::any_of(list.begin(), list.end(), [&](const Tree& other) { return is_same(part, other); });
-    if (!is_known && list.size() < 40) list.push_back(part);
+    if (!is_known && list.size() < 60) list.push_back(part);
   }
   void collect(const Tree& tree) {
     for (const auto& child : tree->children) {
@@ -58,20 +45,21 @@ struct Parts {
     if (tree->kind == NodeKind::symbol || tree->kind == NodeKind::call || tree->kind == NodeKind::power ||
         tree->kind == NodeKind::sum)
       add(factors, tree);
+    for (const auto& [first, last] : runs_of(tree))  // such as omega_p/p
+      if (std::all_of(&tree->children[first], &tree->children[last] + 1, is_symbol))
+        add(factors, part_of(tree, first, last));
   }
 };
-
-std::size_t size_of(const Tree& tree) {
-  std::size_t size = 1;
-  for (const auto& child : tree->children) size += size_of(child);
-  return size;
-}
 
 class Search {
  public:
   Search(const Relation& answer, const std::vector<Relation>& forms, const Sieve& sieve,
-         const std::vector<std::string>& symbols, const std::function<bool(const Repair&)>& accept)
-      : answer_(answer), sieve_(sieve), symbols_(symbols), accept_(accept) {
+         const Exercise& exercise, const std::function<bool(const Repair&)>& accept)
+      : answer_(answer),
+        sieve_(sieve),
+        symbols_(exercise.symbols),
+        pivot_(answer.operators.empty() ? "" : exercise.pivot),
+        accept_(accept) {
     for (const auto& form : forms)
       for (const auto& side : form.sides) {
         parts_.collect(side);
@@ -81,13 +69,16 @@ class Search {
       }
   }
 
+  /// A term is looked for before a factor: what an answer lacks of a sum is seldom meant as a factor of it.
+  /// The pivot's own terms come last: what is wrong beside them is put down to what stands there.
   std::optional<Repair> run() {
-    for (const auto pass :
-         {&Search::sizes, &Search::functions, &Search::powers, &Search::factors, &Search::terms}) {
-      for (side_ = 0; side_ < answer_.sides.size() && !found_; ++side_)
-        visit(
-            answer_.sides[side_], [](const Tree& tree) { return tree; }, nullptr, pass);
-      if (pass == &Search::functions && !found_) everywhere();
+    for (const auto pass : {&Search::sizes, &Search::functions, &Search::powers, &Search::terms,
+                            &Search::factors<false>, &Search::factors<true>}) {
+      for (const bool of_pivot : {false, true})
+        for (of_pivot_ = of_pivot, side_ = 0; side_ < answer_.sides.size() && !found_; ++side_)
+          visit(
+              answer_.sides[side_], [](const Tree& tree) { return tree; }, nullptr, pass, false);
+      if (pass == &Search::powers && !found_) everywhere();
       if (found_) break;
     }
     return found_;
@@ -96,44 +87,56 @@ class Search {
  private:
   using Pass = void (Search::*)(const Tree&, const Rebuild&, const Tree&);
 
-  /// `around` is the innermost function that this is an argument of, or nullptr.
-  void visit(const Tree& node, const Rebuild& rebuild, const Tree& around, Pass pass) {
-    if (found_) return;
-    (this->*pass)(node, rebuild, around);
-    const Tree& inside = node->kind == NodeKind::call ? node : around;
-    const bool is_factor = pass != &Search::sizes || node->kind != NodeKind::power;  // no exponent is one
-    for (std::size_t k = 0; k < (is_factor ? node->children.size() : 1) && !found_; ++k)
-      visit(
-          node->children[k], [&, k](const Tree& child) { return rebuild(with_child(node, k, child)); },
-          inside, pass);
+  /// Whether a part is the pivot with what belongs to it: no number of the student's own.
+  bool is_of_pivot(const Tree& node) const {
+    const bool numbered = node->kind == NodeKind::product && std::ranges::any_of(node->children, is_number);
+    return !pivot_.empty() && !numbered && names_of(node).contains(pivot_);
   }
 
-  void offer(const Tree& side, std::string note, const Tree& part, const Tree& around,
+  /// `around` is the innermost function that this is an argument of, or nullptr; `beside_pivot`: in a term
+  /// with it.
+  void visit(const Tree& node, const Rebuild& rebuild, const Tree& around, Pass pass, bool beside_pivot) {
+    if (found_) return;
+    const bool of_pivot = beside_pivot || is_of_pivot(node);
+    if (of_pivot == of_pivot_) (this->*pass)(node, rebuild, around);
+    const Tree& inside = node->kind == NodeKind::call ? node : around;
+    const bool is_exponent_next =
+        node->kind == NodeKind::power && (pass == &Search::sizes || pass == &Search::terms);
+    for (std::size_t k = 0; k < (is_exponent_next ? 1 : node->children.size()) && !found_; ++k)
+      visit(
+          node->children[k], [&, k](const Tree& child) { return rebuild(with_child(node, k, child)); },
+          inside, pass, of_pivot && node->kind != NodeKind::sum);
+  }
+
+  void offer(const Tree& side, const std::string& note, const Tree& part, const Tree& around,
              std::optional<double> too_large = {}) {
     if (found_) return;
     Relation relation = answer_;
     relation.sides[side_] = side;
-    offer(relation, std::move(note), part, around, too_large);
+    offer({relation, note, part, too_large}, around);
   }
-  void offer(const Relation& relation, std::string note, Tree part, const Tree& around,
-             std::optional<double> too_large) {
-    if (proofs_ >= most_proofs || !sieve_.passes(relation)) return;
-    if (around != nullptr && note != "degrees" && note != "rounding")
-      note = takes_angles(around) ? "wrong_angle" : "wrong_argument", part = around;
-    if (answer_.operators.empty() && part == answer_.sides[0]) part = nullptr;
-    const Repair repair{relation, note, part, too_large};
+  void offer(Repair repair, const Tree& around) {
+    if (found_ || proofs_ >= most_proofs || !sieve_.passes(repair.relation)) return;
+    if (around != nullptr && repair.note != "degrees" && repair.note != "rounding")
+      repair.note = takes_angles(around) ? "wrong_angle" : "wrong_argument", repair.part = around;
+    if (answer_.operators.empty() && repair.part == answer_.sides[0]) repair.part = nullptr;
     ++proofs_;
     if (accept_(repair)) found_ = repair;
   }
 
   /// Each part times a number: the one that makes the whole right, where the whole is linear in the part.
   void sizes(const Tree& node, const Rebuild& rebuild, const Tree& around) {
-    if (node->kind == NodeKind::number && node->text.find('.') != std::string::npos)
-      rounded(node, rebuild, around);
+    if (node->kind == NodeKind::number) {
+      if (node->text.find('.') != std::string::npos) rounded(node, rebuild, around);
+      offer(rebuild(product(node, parse("pi/180"))), "degrees", node, around);
+    }
     Relation relation = answer_;
     relation.sides[side_] = rebuild(product(symbol(Sieve::unknown), node));
     const auto factor = around == nullptr ? sieve_.solved(relation) : std::nullopt;
-    for (const double k : {factor.value_or(-1), -1.0, 2.0, 0.5}) {
+    std::vector<double> sizes{factor.value_or(-1), -1, 2, 0.5};
+    for (int digit = 1; node->kind == NodeKind::number && digit < 10; ++digit)
+      sizes.push_back(digit / rough_value(node, {}));
+    for (const double k : sizes) {
       const auto plain = plain_number(k);
       if (std::abs(k) < 1e-9)
         offer(rebuild(number("0")), "extra_term", node, around);
@@ -173,8 +176,9 @@ class Search {
           if (other != node->text)
             offer(rebuild(call(other, node->children[0])),
                   are_exchanged(node->text, other) ? "sin_cos" : "wrong_function", node, around);
-    offer(rebuild(node->children[0]), node->text == "fabs" ? "absolute_value" : "extra_function", node,
-          around);
+    if (node->text != "sqrt")
+      offer(rebuild(node->children[0]), node->text == "fabs" ? "absolute_value" : "extra_function", node,
+            around);
   }
 
   void powers(const Tree& node, const Rebuild& rebuild, const Tree& around) {
@@ -185,37 +189,53 @@ class Search {
     if (node->kind == NodeKind::call && node->text == "sqrt")
       offer(rebuild(node->children[0]), "power", node, around);
     offer(rebuild(product(number("1"), node, true)), "reciprocal", node, around);
-    if (node->kind != NodeKind::product) return;
-    for (std::size_t k = 0; k < node->children.size(); ++k)
-      offer(rebuild(with_flipped(node, k)), "reciprocal", node->children[k], around);
+    for (const auto& [first, last] : runs_of(node))
+      offer(rebuild(with_flipped(node, first, last)), "reciprocal", part_of(node, first, last), around);
   }
 
+  template <bool divide>
   void factors(const Tree& node, const Rebuild& rebuild, const Tree& around) {
-    if (node->kind == NodeKind::product)
-      for (std::size_t k = 0; k < node->children.size(); ++k)
-        offer(rebuild(without_child(node, k)), "extra_factor", node->children[k], around);
+    if (divide && of_pivot_) return;  // it is the other terms that lack a factor
+    for (std::size_t k = 0; node->kind == NodeKind::product && k < node->children.size(); ++k)
+      offer(rebuild(without_child(node, k)), "extra_factor", part_of(node, k, k), around);
     for (const auto& factor : parts_.factors)
-      for (const bool divide : {false, true})
-        offer(rebuild(product(node, factor, divide)), "missing_factor", node, around);
+      offer(rebuild(product(node, factor, divide)), "missing_factor", node, around);
   }
 
+  /// A term that is missing or too much; a number that is missing; what is to be taken away, for what is left
+  /// then, and the other way round.
   void terms(const Tree& node, const Rebuild& rebuild, const Tree& around) {
+    if (node->kind == NodeKind::number) return;
+    const std::size_t largest = node->kind == NodeKind::symbol ? 6 : 150;  // a factor lacks no long term
     for (const auto& term : parts_.terms)
       for (const bool minus : {false, true})
-        offer(rebuild(make_tree(NodeKind::sum, "", {node, term}, {false, minus})), "missing_term", node,
-              around);
+        if (size_of(term) <= largest) offer(rebuild(sum(node, term, minus)), "missing_term", node, around);
+    for (const auto& term : parts_.terms) offer(rebuild(sum(term, node, true)), "taken_away", node, around);
+    if (around == nullptr) {
+      Relation relation = answer_;
+      relation.sides[side_] = rebuild(sum(node, symbol(Sieve::unknown)));
+      if (const auto number = plain_number(sieve_.solved(relation).value_or(0)))
+        offer(rebuild(sum(node, *number)), "missing_term", node, around);
+    }
     if (node->kind != NodeKind::sum) return;
-    for (std::size_t k = 0; k < node->children.size(); ++k)
-      offer(rebuild(without_child(node, k)), "extra_term", node->children[k], around);
+    for (std::size_t k = 0; k < node->children.size(); ++k) {
+      const Tree rest = without_child(node, k);
+      offer(rebuild(rest), "extra_term", node->children[k], around);
+      offer(rebuild(negative(rest)), "left_over", node, around);
+    }
   }
 
   /// The same change wherever a part stands.
   void everywhere() {
     side_ = answer_.sides.size();
-    const auto all = [&](const std::function<Tree(const Tree&)>& change, const char* note, const Tree& part) {
+    const auto all = [&](const std::function<Tree(const Tree&)>& change, const char* note, const Tree& part,
+                         const Tree& other = nullptr) {
       Relation relation = answer_;
       for (auto& side : relation.sides) side = change(side);
-      if (!found_) offer(relation, note, part, nullptr, {});
+      offer({relation, note, part, {}, other}, nullptr);
+    };
+    const auto put = [&](const Tree& part, const Tree& value, const char* note) {
+      all([&](const Tree& side) { return rederive::put_in(side, part, value); }, note, part);
     };
     const auto functions = [](const std::function<Tree(const Tree&)>& change) {
       return [change](const Tree& side) { return with_functions(side, change); };
@@ -233,12 +253,23 @@ class Search {
             return takes_angles(node) ? call(node->text, product(node->children[0], degree, divide)) : node;
           }),
           "degrees", nullptr);
-    for (const auto& name : names_of(answer_)) {
-      all([&](const Tree& side) { return put_in(side, name, negative(symbol(name))); }, "sign", symbol(name));
-      for (const auto& other : symbols_)
-        if (other != name)
-          all([&](const Tree& side) { return put_in(side, name, symbol(other)); }, "wrong_symbol",
-              symbol(name));
+    const auto names = names_of(answer_);
+    for (const auto& name : names) {
+      const Tree part = symbol(name);
+      put(part, negative(part), "sign");
+      for (const auto& other : symbols_) {
+        if (other == name) continue;
+        put(part, symbol(other), "wrong_symbol");
+        if (other > name && names.contains(other))
+          all(
+              [&](const Tree& side) {
+                const Tree apart = rederive::put_in(side, part, symbol(Sieve::unknown));
+                return put_in(put_in(apart, other, part), Sieve::unknown, symbol(other));
+              },
+              "exchanged", part, symbol(other));
+      }
+      put(part, parse(name + "^2"), "power");
+      put(part, parse("1/" + name), "reciprocal");
     }
   }
 
@@ -247,6 +278,8 @@ class Search {
   Relation answer_;
   const Sieve& sieve_;
   const std::vector<std::string>& symbols_;
+  const std::string pivot_;  ///< of an equation
+  bool of_pivot_ = false;    ///< whether its terms are looked at, or the others
   const std::function<bool(const Repair&)>& accept_;
   Parts parts_;
   std::size_t side_ = 0;
@@ -257,12 +290,11 @@ class Search {
 }  // namespace
 
 std::optional<Repair> repaired(const Relation& answer, const std::vector<Relation>& forms, const Sieve& sieve,
-                               const std::vector<std::string>& symbols,
-                               const std::function<bool(const Repair&)>& accept) {
+                               const Exercise& exercise, const std::function<bool(const Repair&)>& accept) {
   std::size_t size = 0;
   for (const auto& side : answer.sides) size += size_of(side);
   if (size > 150 || sieve.is_empty() || names_of(answer).empty()) return {};
-  return Search(answer, forms, sieve, symbols, accept).run();
+  return Search(answer, forms, sieve, exercise, accept).run();
 }
 
 }  // namespace rederive::classroom

@@ -13,14 +13,14 @@ struct Repair {
   std::string note;                      ///< the slip that it undoes
   Tree part;                             ///< what was changed, as typed; nullptr where it is all of it
   std::optional<double> too_large = {};  ///< the part was so many times what it should be
+  Tree other = nullptr;                  ///< exchanged with the part
 };
 
 /// Tries every single change, the plainest first, and hands those to `accept` that pass the sieve, until it
-/// takes one. `forms` of the right answer lend their terms and factors for what is missing; `symbols` are
-/// those that may be used. Gives up on an answer of more than 150 parts.
+/// takes one. `forms` of the right answer lend their terms and factors for what is missing. Gives up on an
+/// answer of more than 150 parts.
 std::optional<Repair> repaired(const Relation& answer, const std::vector<Relation>& forms, const Sieve& sieve,
-                               const std::vector<std::string>& symbols,
-                               const std::function<bool(const Repair&)>& accept);
+                               const Exercise& exercise, const std::function<bool(const Repair&)>& accept);
 
 /// What to say to the student: the part, and what is wrong with it.
 std::string in_words(const Repair& repair);

@@ -107,7 +107,8 @@ bool may_split(const std::string& text, std::size_t at) {
 
 std::optional<Quantity> split_at(const std::string& text, std::size_t at) {
   try {
-    const std::string left = text.substr(0, at);
+    std::string left = text.substr(0, at);
+    if (left.ends_with('*')) left.pop_back();  // "0.3*g"
     std::string right = text.substr(at);
     if (right[0] == '/') right = "1" + right;
     right = with_stars(right);

@@ -126,7 +126,7 @@ Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::opt
   std::vector<Relation> forms{prepared.answer.relation};
   for (const auto& text : prepared.exercise.equivalents) forms.push_back(parse_statement(text));
   const auto repair = prepared.sieve && !agrees
-                          ? repaired(read, forms, *prepared.sieve, prepared.exercise.symbols, is_mended)
+                          ? repaired(read, forms, *prepared.sieve, prepared.exercise, is_mended)
                           : std::nullopt;
   if (const auto why = wrong_dimension(prepared, read))
     return found(start, "wrong", "dimension",
@@ -143,6 +143,7 @@ Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::opt
   const std::string note = agrees ? "not_everywhere" : "other";
   Opinion opinion = found(start, "wrong", note, slip_words("answer", note), 0);
   opinion.witness = by_hand(prepared, read);
+  if (opinion.witness) opinion.feedback += " Try it at one point, by hand:";
   return opinion;
 }
 

@@ -59,7 +59,8 @@ void read_line(const Exercise& exercise, int number, const std::string& typed, s
   Relation read = parse_statement(text);
   for (const auto& op : read.operators)
     if (op != "=") throw SyntaxError("equation_wanted", 0, "a working goes by =, not by inequalities");
-  const bool is_equation = exercise.kind == Kind::equation || names_of(read).contains(exercise.name);
+  const bool is_equation = exercise.kind == Kind::equation || names_of(read).contains(exercise.name) ||
+                           (read.sides.size() > 1 && is_asked_for(exercise, read.sides[0]));
   Tree left;
   if (goes_on && !steps.back().says.operators.empty()) left = steps.back().says.sides[0];
   if (!goes_on && is_equation) {
@@ -78,8 +79,8 @@ void read_line(const Exercise& exercise, int number, const std::string& typed, s
 
 /// "y_c = a" as a, where y_c is what is asked for.
 Relation as_value(const Exercise& exercise, const Relation& says) {
-  const bool is_named = exercise.kind == Kind::expression && !says.operators.empty() &&
-                        says.sides[0]->kind == Node::Kind::symbol && says.sides[0]->text == exercise.name;
+  const bool is_named =
+      exercise.kind == Kind::expression && !says.operators.empty() && is_asked_for(exercise, says.sides[0]);
   return is_named ? Relation{{says.sides[1]}, {}} : says;
 }
 
@@ -115,11 +116,12 @@ Opinion judge_step(const Prepared& whole, const Step& before, const Step& after)
   }
   if (opinion.note == "small_angle" || opinion.note == "not_linear")
     opinion.feedback = "It does for small angles only: say so behind the line, as in [small alpha, theta].";
-  if (opinion.note == "other")
-    opinion.feedback = "It is none of the usual slips. Try both at one point, by hand:";
   if (exit_code(opinion) == 1 && !opinion.witness) opinion.witness = by_hand(step, second);
   if (exit_code(opinion) == 1 && !opinion.witness && first.operators.empty())
     opinion.witness = proof_of(step, second, first).witness;
+  if (opinion.note == "other")
+    opinion.feedback = std::string("It is none of the usual slips.") +
+                       (opinion.witness ? " Try both at one point, by hand:" : "");
   return opinion;
 }
 
@@ -144,7 +146,8 @@ Opinion judge_chain(const std::string& text, RoughPoint& known) {
     const bool is_new = std::isnan(value) && from == 0 && end < text.size();
     if (is_new) unknown = print(parse(text.substr(0, end)));
     if (is_new) continue;
-    if (!std::isfinite(value)) throw SyntaxError("not_real", from, "this has no value, or a symbol without one");
+    if (!std::isfinite(value))
+      throw SyntaxError("not_real", from, "this has no value, or a symbol without one");
     if (!unknown.empty()) known[std::exchange(unknown, "")] = value;
     if (before && !(std::abs(value - *before) <= 0.006 * std::abs(*before)))
       return found({}, "wrong", "other",
