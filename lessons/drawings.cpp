@@ -99,10 +99,9 @@ Figure block_at_impact(const std::string& name) {
   script += label("O", {left.x - 0.15, -0.25}) + label("O′", {right.x + 0.2, 0.2});
   script += label("R", {-0.36, 0.7}) + label("R", {0.36, 0.7});
   return {name,
-          "The block at the impact on O'. Until then it turned about O, and C moves across the radius from O "
-          "(blue); "
-          "the other radius (red) stands to it at twice the angle $alpha$. The blow acts at O' and has no "
-          "moment about it.",
+          "The block at the impact on O'. Until then it turned about O, and C moves across the radius from "
+          "O (blue); the other radius (red) stands to it at twice the angle $alpha$. The blow acts at O' "
+          "and has no moment about it.",
           script + "plot $block with lines lw 2 lc rgb 'black'\n"};
 }
 

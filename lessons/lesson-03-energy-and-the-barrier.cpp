@@ -118,11 +118,9 @@ void try_it(Page& page) {
                  "build/bin/exercises show stiffness"});
   page.points(
       {"How fast must the ground stop so that a block which moved with it just overturns? Write down the "
-       "energy "
-       "balance. (Exercise barrier is the first half.)",
-       "Two blocks have the same mass and the same $alpha$; one is twice as large. Whose barrier is higher, "
-       "and by "
-       "what factor? (Exercise barrier-and-size.)",
+       "energy balance. (Exercise barrier is the first half.)",
+       "Two blocks have the same mass and the same $alpha$; one is twice as large. Whose barrier is "
+       "higher, and by what factor? (Exercise barrier-and-size.)",
        "At which angle is the restoring moment half of its greatest value? Is it half of $alpha$? (The "
        "moment is that of exercise moment-of-weight.)"});
 }

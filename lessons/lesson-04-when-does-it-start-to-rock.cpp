@@ -108,8 +108,7 @@ void try_it(Page& page) {
   page.points(
       {"A cupboard is 60 cm deep and 2 m high. At what acceleration does it lift? (Exercise first-lift.)",
        "What does (31) become when the initial acceleration is enormous? Take the limit, and explain the "
-       "result "
-       "by a drawing of a falling stick. (Exercise sudden-start.)",
+       "result by a drawing of a falling stick. (Exercise sudden-start.)",
        "Why does the mass not appear in (24)? Name two other results of mechanics where it drops out for the "
        "same reason."});
 }

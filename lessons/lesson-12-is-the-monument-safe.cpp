@@ -69,10 +69,9 @@ void not_the_same_thing(Page& page) {
   page.points(
       {"*The block's curve*: the peak acceleration of the *ground*, of a pulse with one sine, that just "
        "overturns it.",
-       "*The code's curve*: the peak acceleration of the *mass* of a damped oscillator of a given period, on "
-       "a ground "
-       "that shakes with the design acceleration. It is two and a half times the ground's, or more, near its "
-       "plateau."});
+       "*The code's curve*: the peak acceleration of the *mass* of a damped oscillator of a given period, "
+       "on a ground that shakes with the design acceleration. It is two and a half times the ground's, or "
+       "more, near its plateau."});
   page.say(R"(
     These are different quantities. What corresponds to the block's curve is the peak of the *ground*
     acceleration, a single number in the code: the design acceleration times the soil factor. One may not
@@ -147,9 +146,8 @@ void a_checklist(Page& page) {
     they are by far the most, are right. It is a good paper; we could not have learned so much from a bad
     one.)");
   page.say(
-      "And the last word belongs to the list of all that is wrong. The ledger keeps it and computes it anew "
-      "each "
-      "time; `ledger errata` prints it.");
+      "And the last word belongs to the list of all that is wrong. The ledger keeps it and computes it "
+      "anew each time; `ledger errata` prints it.");
 }
 
 void try_it(Page& page) {
@@ -159,8 +157,7 @@ void try_it(Page& page) {
   page.points({"How long is the pulse for $omega_p/p = 4$ in seconds? (Exercise length-of-a-pulse.)",
                "How wide is a column with $alpha = 0.11$ and $p = 1.2$ 1/s? (Exercise size-from-p.)",
                "Choose a monument near you. Measure its height and width from a photograph, and write ten "
-               "lines: what would have to "
-               "happen so that it falls?"});
+               "lines: what would have to happen so that it falls?"});
 }
 
 }  // namespace

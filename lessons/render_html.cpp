@@ -130,8 +130,7 @@ class HtmlRenderer : public Renderer {
   static std::string place_for_exercises(const std::string& which, bool says) {
     return "<aside class=\"exercise\" " + which + ">" +
            (says ? "<p>To answer in this page, type <code>build/bin/exercises serve</code> and open the "
-                   "address "
-                   "that it prints.</p>"
+                   "address that it prints.</p>"
                  : "") +
            "</aside>\n";
   }

@@ -114,12 +114,11 @@ std::string rests_page(const std::vector<Entry>& entries, const std::vector<Supp
   std::string page = "# What rests on what\n\n" + summary(supports) +
                      ".\n\n![Each row, to the right of the rows that it follows from](rests.svg)\n\n"
                      "Squares are assumed; those with words are no rows of the paper. Filled rows are "
-                     "theorems or steps of algebra all the way down; "
-                     "framed ones follow by a theorem from a row that does not; "
-                     "dashed ones are derived by computer algebra, and compared with what is printed in "
-                     "`Ledger.v`, but no lemma here derives them from the rows before. A red frame: refuted "
-                     "as it is printed; "
-                     "what is derived, and what others rest on, is the corrected row.\n\n## Assumed\n\n";
+                     "theorems or steps of algebra all the way down; framed ones follow by a theorem from "
+                     "a row that does not; dashed ones are derived by computer algebra, and compared with "
+                     "what is printed in `Ledger.v`, but no lemma here derives them from the rows before. "
+                     "A red frame: refuted as it is printed; what is derived, and what others rest on, is "
+                     "the corrected row.\n\n## Assumed\n\n";
   for (const Support& s : supports)
     if (s.by == By::name) page += "- " + s.id + ": " + s.lemmas[0] + "\n";
   for (std::size_t k = 0; k < entries.size(); ++k)
