@@ -19,6 +19,9 @@ install(DIRECTORY derivations numerics lessons DESTINATION include/rederive COMP
 install(FILES ${PROJECT_BINARY_DIR}/emitted/rocking_block.hpp DESTINATION include/rederive/emitted COMPONENT development)
 
 configure_file(.setup/RederiveConfig.cmake.in RederiveConfig.cmake @ONLY)
+# The same from the build folder, for tests/fuzz.
+export(EXPORT RederiveTargets NAMESPACE rederive:: FILE RederiveTargets.cmake)
+configure_file(.setup/RederiveDependencies.cmake RederiveDependencies.cmake COPYONLY)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/RederiveConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES .setup/RederiveDependencies.cmake ${PROJECT_BINARY_DIR}/RederiveConfig.cmake
               ${PROJECT_BINARY_DIR}/RederiveConfigVersion.cmake DESTINATION lib/cmake/Rederive COMPONENT development)

@@ -47,9 +47,37 @@ TEST_CASE("texts are filled in, and what cannot be is refused") {
   CHECK(values_of("0.6:0.9:0.1") == std::vector<std::string>{"0.6", "0.7", "0.8", "0.9"});
   CHECK(values_of("1:3:1") == std::vector<std::string>{"1", "2", "3"});
   CHECK(values_of("a ratio of 1:2") == std::vector<std::string>{"a ratio of 1:2"});
+  CHECK(values_of(".:.:.") == std::vector<std::string>{".:.:."});
+  for (const char* range : {"1.08:0.2:0.01", "1:2:0", "0:1000000:0.001"})
+    CHECK_THROWS_WITH_AS(values_of(range), doctest::Contains("must be FROM:TO:STEP"), std::runtime_error);
   CHECK_THROWS(filled("{b", choice));
   CHECK_THROWS(filled("{h}", choice));
   CHECK_THROWS(filled("{b +}", choice));
+}
+
+TEST_CASE(
+    "a file of exercises that cannot be used is refused with its name, the exercise, and what would be "
+    "right") {
+  const TemporaryFolder folder;
+  const std::string start = "[[exercise]]\nid = \"mine\"\nlesson = 1\ntitle = \"T\"\nstatement = \"{h} m\"\n",
+                    end = "kind = \"number\"\nanswer = { function = \"f\", arguments = { x = \"1\" } }\n";
+  write(folder.path / "mine.toml", start + end);
+  CHECK(read_exercises(folder.path, "7").size() == 1);
+  const auto refused = [&](const std::string& text, const std::string& says) {
+    write(folder.path / "mine.toml", text);
+    CHECK_THROWS_WITH_AS(read_exercises(folder.path, "7"), doctest::Contains(says.c_str()),
+                         std::runtime_error);
+  };
+  refused("exercise = [1]", "mine.toml: [[exercise]] must be a table");
+  refused(start + "vary = { h = [] }\n" + end, "exercise mine: vary.h must be a list with something in it");
+  refused(start + "vary = { h = 3 }\n" + end, "exercise mine: vary.h must be a list");
+  refused(start + "vary = { b = [\"1\"] }\n" + end, "{h}: 'h' does not vary");
+  refused(start + "vary = { h = [\"2:1:0.1\"] }\n" + end, "'2:1:0.1' must be FROM:TO:STEP");
+  refused(start + "digits = 100\n" + end, "mine.toml, exercise mine: 'digits' must be from 1 to 17");
+  for (const std::string number : {"", "x", "1x", "1e400"})
+    refused(
+        start + "kind = \"number\"\nanswer = { function = \"f\", arguments = { x = \"" + number + "\" } }\n",
+        "exercise mine: x = \"" + number + "\" is no number");
 }
 
 TEST_CASE(
@@ -151,9 +179,11 @@ TEST_CASE("on the command line, and in a class where each has the own variant") 
   std::string seed = "1";  // with which another variant comes to carl
   while (exercise(id, seed + "carl").statement == exercise(id, "carl").statement) seed += "1";
   const fs::path others = folder.path / "others";
-  run({"--seed", seed, "grade", (folder.path / "class").string(), "--variants", "--feedback", others.string()});
+  run({"--seed", seed, "grade", (folder.path / "class").string(), "--variants", "--feedback",
+       others.string()});
   const std::string theirs = exercise(id, seed + "carl").statement;
-  CHECK(read_file(others / "carl.html").find(theirs.substr(1, theirs.find(" wide") - 1)) != std::string::npos);
+  CHECK(read_file(others / "carl.html").find(theirs.substr(1, theirs.find(" wide") - 1)) !=
+        std::string::npos);
   const std::string statement = exercise(id, "carl").statement;
   CHECK(read_file(pages / "carl.html").find(statement.substr(1, statement.find(" wide") - 1)) !=
         std::string::npos);

@@ -191,12 +191,3 @@ TEST_CASE("one row, the graph, and unknown ids") {
   CHECK(run_program("ledger", {"show"}).exit_code == 2);
   CHECK(run_program("ledger", {"shwo"}).exit_code == 2);
 }
-
-TEST_CASE("the same call gives the same bytes") {
-  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--json"},
-                                                    {"show", "88"},
-                                                    {"errata", "--format", "latex"},
-                                                    {"mutate", "21a", "--json"},
-                                                    {"graph"}})
-    CHECK(run_program("ledger", arguments).out == run_program("ledger", arguments).out);
-}

@@ -22,7 +22,9 @@ namespace fs = std::filesystem;
 /// All that is written for others to read or to build, by the programs in `bin`, each text by its name.
 std::map<std::string, std::string> written_by(const fs::path& bin, const fs::path& folder) {
   std::string script =
-      "cd " + quoted(folder) + " && export PATH=" + quoted(bin) + ":$PATH && ledger certify coq >said";
+      "cd " + quoted(folder) + " && export PATH=" + quoted(bin) +
+      ":$PATH && ledger certify coq >said && ledger --json >ledger.json && ledger graph >graph"
+      " && ledger mutate 21a --json >mutants.json";
   for (const char* target : {"cpp", "c", "python", "javascript", "latex"})
     script += std::string(" && emit --target ") + target + " --out emitted." + target;
   for (const char* format : {"text", "markdown", "latex", "json"})

@@ -2,9 +2,11 @@
 // this machine and nobody else.
 #include <doctest/doctest.h>
 #include <httplib.h>
+#include <ifaddrs.h>
 
 #include <future>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "server.hpp"
 
@@ -141,6 +143,29 @@ TEST_CASE("the judge and the progress file are those of the terminal") {
   CHECK(has(says(server, "restitution", "give_up"), "<math"));
   run_program("exercises", {"--progress", terminal, "solution", "--give-up", "restitution"});
   CHECK(read_file(server.progress) == read_file(terminal));
+}
+
+TEST_CASE("it listens where other machines cannot reach it") {
+  const Server server;
+  const auto answers_at = [&](const std::string& address) {
+    httplib::Client client(address, server.port);
+    return static_cast<bool>(client.Get("/"));
+  };
+  CHECK(answers_at("127.0.0.1"));
+  std::set<std::string> others{"127.0.0.2", "::1"};
+  ifaddrs* interfaces = nullptr;
+  REQUIRE(::getifaddrs(&interfaces) == 0);
+  for (const ifaddrs* at = interfaces; at != nullptr; at = at->ifa_next) {
+    char name[NI_MAXHOST];
+    const int family = at->ifa_addr == nullptr ? AF_UNSPEC : at->ifa_addr->sa_family;
+    const socklen_t size = family == AF_INET ? sizeof(sockaddr_in) : sizeof(sockaddr_in6);
+    if ((family == AF_INET || family == AF_INET6) &&
+        ::getnameinfo(at->ifa_addr, size, name, sizeof name, nullptr, 0, NI_NUMERICHOST) == 0)
+      others.insert(name);
+  }
+  ::freeifaddrs(interfaces);
+  others.erase("127.0.0.1");
+  for (const std::string& address : others) CHECK_MESSAGE(!answers_at(address), address);
 }
 
 TEST_CASE("nobody else is served: no other host, no other page, no token, no form") {

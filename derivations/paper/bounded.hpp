@@ -1,4 +1,5 @@
-// Work that may not hang, crash or starve us: done in a child process with limits on time and memory.
+// Work that may not hang, crash or starve us, and do nothing but compute: done in a child process with limits
+// on time and memory, that can open no file, start no program and talk to nobody.
 #pragma once
 
 #include <poll.h>
@@ -11,6 +12,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <derivations/paper/seal.hpp>
 #include <fstream>
 #include <functional>
 #include <mutex>
@@ -58,10 +60,12 @@ inline Bounded why_it_ended(int status, double taken) {
 /// Runs `work` in a child process and brings its text back. At most `seconds`, and `megabytes` of address
 /// space beyond what this process has. The seconds are processor time: what is decided does not depend on how
 /// busy the machine is. After `patience` seconds of wall-clock time it is given up, whatever it waits for, and
-/// as soon as `stop`, which is asked now and then, says so. Several threads may call it. Throws
-/// std::runtime_error if no child can be made.
+/// as soon as `stop`, which is asked now and then, says so. `first` is done before it, in the child and within
+/// the same limits, and may read files: `work` cannot. Several threads may call it. Throws std::runtime_error
+/// if no child can be made.
 inline Bounded run_bounded(const std::function<std::string()>& work, double seconds, long megabytes,
-                           double patience = 60, const std::function<bool()>& stop = {}) {
+                           double patience = 60, const std::function<void()>& first = {},
+                           const std::function<bool()>& stop = {}) {
   static std::mutex forking;  // or the child of another thread would keep the end that we wait for
   std::unique_lock lock(forking);
   const rlim_t space = mapped_bytes() + (static_cast<rlim_t>(megabytes) << 20);
@@ -73,14 +77,15 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
     lock.unlock();
     ::close(ends[0]);
     const rlimit memory{space, space};
-    const rlimit time{static_cast<rlim_t>(seconds) + 1, static_cast<rlim_t>(seconds) + 1}, none{0, 0};
+    const rlimit time{static_cast<rlim_t>(seconds) + 1, static_cast<rlim_t>(seconds) + 1};
 #if !defined(__SANITIZE_ADDRESS__)
     ::setrlimit(RLIMIT_AS, &memory);
 #endif
     ::setrlimit(RLIMIT_CPU, &time);
-    ::setrlimit(RLIMIT_CORE, &none);
     std::string text;
     try {
+      if (first) first();
+      seal(ends[1]);
       text = "+" + work();
     } catch (const std::bad_alloc&) {
       text = "!more memory than it may have";

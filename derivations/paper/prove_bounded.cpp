@@ -14,7 +14,7 @@ nlohmann::ordered_json decide_bounded(const ProveRequest& request, double patien
       return std::string("B") + error.what();
     }
   };
-  const Bounded outcome = run_bounded(work, 1.75, 480, patience, stop);
+  const Bounded outcome = run_bounded(work, 1.75, 480, patience, {}, stop);
   if (outcome.result && outcome.result->front() == 'B') throw BadInput(outcome.result->substr(1));
   if (outcome.result) return nlohmann::ordered_json::parse(outcome.result->substr(1));
   Proof proof;

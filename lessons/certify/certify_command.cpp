@@ -136,6 +136,7 @@ std::string lemma_page(const Entry& entry) {
 }
 
 int write_certificate(const ProveRequest& request, const std::string& file) {
+  const std::string library = shipped("Rederive.v");
   const auto work = [&]() -> std::string {
     try {
       const Proof proof = decide(request);
@@ -144,7 +145,7 @@ int write_certificate(const ProveRequest& request, const std::string& file) {
       if (!is_proved) return "N" + to_string(proof.verdict) + ": there is no certificate";
       if (proof.by != "identity") return "Nthis proof is by " + proof.by + ", for which there is no script";
       const Question question{problem.left, problem.right, problem.symbols, {}, problem.assumptions};
-      return "J" + shipped("Rederive.v") + "\n" + lemma("proved", question, proof);
+      return "J" + library + "\n" + lemma("proved", question, proof);
     } catch (const BadInput& error) {
       return std::string("B") + error.what();
     } catch (const Undecidable& error) {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <atomic>
 #include <derivations/emit/program.hpp>
-#include <future>
 #include <derivations/paper/bounded.hpp>
+#include <future>
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/grading.hpp>
 #include <nlohmann/json.hpp>
@@ -128,16 +128,27 @@ void add_student(const fs::path& folder, const std::map<std::string, Prepared>& 
       if (!handed_in.contains(id)) tasks.push_back(finished(student, id, "not_handed_in"));
 }
 
-/// In the child, which has 2 s of processor time, and no terminal: the row's verdict and words.
-std::string judged_in_child(const Task& task) {
-  const rlimit time{2, 3};
-  ::setrlimit(RLIMIT_CPU, &time);
-  const int nowhere = ::open("/dev/null", O_RDWR);
-  for (int standard = 0; standard < 3; ++standard) ::dup2(nowhere, standard);
+/// In the child, before it is sealed: what was handed in, and what it is judged by.
+struct Desk {
+  AnswerFile file = {};
+  std::optional<Prepared> own = {};
+
+  void make_ready(const Task& task) {
+    const rlimit time{2, 3};  // of processor time
+    ::setrlimit(RLIMIT_CPU, &time);
+    const int nowhere = ::open("/dev/null", O_RDWR);
+    for (int standard = 0; standard < 3; ++standard) ::dup2(nowhere, standard);
+    file = read_answer_file(task.path);
+    if (task.variant) own = prepare(*task.variant);
+    (void)slip_words("answer", "");
+  }
+};
+
+/// In the child, then: the row's verdict and words.
+std::string judged_in_child(const Desk& desk, const Task& task) {
   constexpr std::size_t most = 4000;  // bytes of a text that pages show the beginning of
-  const AnswerFile file = read_answer_file(task.path);
-  const std::optional<Prepared> own = task.variant ? std::optional(prepare(*task.variant)) : std::nullopt;
-  const Prepared& prepared = own ? *own : *task.prepared;
+  const AnswerFile& file = desk.file;
+  const Prepared& prepared = desk.own ? *desk.own : *task.prepared;
   const Opinion opinion =
       file.trouble.empty() ? judge_answer(prepared, file.text) : invalid(file.trouble, file.says);
   return nlohmann::json{opinion.verdict,
@@ -169,7 +180,10 @@ void judge_all(std::vector<Task>& tasks, unsigned workers) {
   std::atomic<std::size_t> next = 0, done = 0;
   const auto work = [&] {
     for (std::size_t i; (i = next++) < jobs.size();) {
-      fill_in(jobs[i]->row, run_bounded([&] { return judged_in_child(*jobs[i]); }, 10, 1024, 10));
+      const Task& task = *jobs[i];
+      Desk desk;
+      fill_in(jobs[i]->row, run_bounded([&] { return judged_in_child(desk, task); }, 10, 1024, 10,
+                                        [&] { desk.make_ready(task); }));
       if (const std::size_t count = ++done; lively && (count % 20 == 0 || count == jobs.size()))
         std::fprintf(stderr, "\rJudged %zu of %zu", count, jobs.size());
     }

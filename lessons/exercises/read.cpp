@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <derivations/emit/data_folder.hpp>
 #include <derivations/paper/toml_rows.hpp>
 #include <lessons/exercises/exercise.hpp>
@@ -50,14 +51,26 @@ Texts texts_taken(toml::table& from, std::string_view key) {
   return texts;
 }
 
+/// What is written as a text, and must be a number.
+template <class Number>
+Number number_in(const std::string& text, const std::string& name, const std::string& where) {
+  Number value{};
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || rest != text.data() + text.size())
+    throw std::runtime_error(fmt::format("{}: {} = \"{}\" is no number", where, name, text));
+  return value;
+}
+
 Reference read_reference(toml::table table, const std::string& where) {
   Reference result;
   result.put = texts_taken(table, "put");
-  for (const auto& [name, text] : texts_taken(table, "arguments")) result.arguments[name] = std::stod(text);
+  for (const auto& [name, text] : texts_taken(table, "arguments"))
+    result.arguments[name] = number_in<double>(text, name, where);
   TomlRow row(table, where + ", answer");
   result.derivation = row.text("derivation");
   result.row = row.text("row");
-  if (const auto slip = row.text("slip"); !slip.empty()) result.slip = std::stoul(slip);
+  if (const auto slip = row.text("slip"); !slip.empty())
+    result.slip = number_in<std::size_t>(slip, "slip", where);
   result.function = row.text("function");
   if (const auto side = row.text("side"); !side.empty()) result.side = side;
   result.solve_for = row.text("solve_for");
@@ -84,7 +97,11 @@ Choice chosen(const toml::table& exercise, const std::string& id, const std::str
   if (const auto* lists = exercise["vary"].as_table())
     for (const auto& [key, list] : *lists) {
       std::vector<Choice> cases;
-      for (const auto& item : *list.as_array()) {
+      const auto* items = list.as_array();
+      if (items == nullptr || items->empty())
+        throw std::runtime_error(
+            fmt::format("exercise {}: vary.{} must be a list with something in it", id, key.str()));
+      for (const auto& item : *items) {
         std::vector<Choice> expanded(1);
         const auto add = [&](const std::string& name, const toml::node& value) {
           const auto values = values_of(value.value_or(std::string()));
@@ -133,7 +150,7 @@ Exercise read_exercise(toml::table table, const std::string& file, const std::st
   exercise.range = texts_taken(table, "range");
   TomlRow row(table, where);
   (void)row.text("id", true);
-  exercise.lesson = static_cast<int>(row.number("lesson"));
+  exercise.lesson = static_cast<int>(row.whole("lesson").value_or(0));
   exercise.title = row.text("title", true);
   exercise.statement = row.text("statement", true);
   exercise.symbols = row.texts("symbols");
@@ -143,7 +160,8 @@ Exercise read_exercise(toml::table table, const std::string& file, const std::st
   exercise.bound = row.text("bound");
   exercise.pivot = row.text("pivot");
   exercise.unit = row.text("unit");
-  if (const double digits = row.number("digits"); digits > 0) exercise.digits = static_cast<int>(digits);
+  exercise.digits = static_cast<int>(row.whole("digits").value_or(exercise.digits));
+  if (exercise.digits < 1 || exercise.digits > 17) row.fail("'digits' must be from 1 to 17");
   exercise.hints = row.texts("hints");
   exercise.equivalents = row.texts("equivalents");
   constexpr std::array kinds{"expression", "equation", "number", "choice", "wrong_term"};
@@ -178,6 +196,7 @@ std::vector<Exercise> read_exercises(const std::filesystem::path& folder, const 
     const auto* list = table["exercise"].as_array();
     if (list == nullptr) throw std::runtime_error(name + ": no [[exercise]]");
     for (const auto& item : *list) {
+      if (!item.is_table()) throw std::runtime_error(name + ": [[exercise]] must be a table");
       exercises.push_back(read_exercise(*item.as_table(), name, seed));
       if (!ids.insert(exercises.back().id).second)
         throw std::runtime_error(name + ": a second exercise " + exercises.back().id);

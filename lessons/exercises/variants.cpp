@@ -16,10 +16,12 @@ std::size_t picked(const std::string& seed, const std::string& list, std::size_t
 }
 
 std::vector<std::string> values_of(const std::string& text) {
-  static const std::regex range(R"(([0-9.]+):([0-9.]+):([0-9]*\.?([0-9]*)))");
+  static const std::regex range(R"((\d{1,9}\.?\d{0,9}):(\d{1,9}\.?\d{0,9}):(\d{1,9}\.?(\d{0,9})))");
   std::smatch found;
   if (!std::regex_match(text, found, range)) return {text};
   const double from = std::stod(found[1]), to = std::stod(found[2]), step = std::stod(found[3]);
+  if (!(step > 0 && from <= to && (to - from) / step < 1000))
+    throw std::runtime_error("'" + text + "' must be FROM:TO:STEP, with at most 1000 values");
   std::vector<std::string> values;
   for (int k = 0; from + k * step < to + step / 2; ++k)
     values.push_back(fmt::format("{:.{}f}", from + k * step, found[4].length()));
@@ -40,7 +42,11 @@ std::string filled(const std::string& text, const Choice& choice) {
       continue;
     }
     Tree tree = parse(inside);
-    for (const auto& name : names_of(tree)) tree = rederive::put_in(tree, name, parse(choice.at(name)));
+    for (const auto& name : names_of(tree)) {
+      const auto found = choice.find(name);
+      if (found == choice.end()) throw std::runtime_error("{" + inside + "}: '" + name + "' does not vary");
+      tree = rederive::put_in(tree, name, parse(found->second));
+    }
     result += fmt::format("{:.10g}", value_at(tree, {}, 90).ball.to_double());
   }
   return result + text.substr(at);

@@ -151,14 +151,13 @@ int show_proof(const Options& options) {
 
 /// A table that takes more than there is to read it ends a child process, and not this one.
 std::vector<TableRow> rows_of_table(const std::string& file) {
-  const auto try_it = [&]() -> std::string {
+  const auto try_it = [&] {
     try {
       (void)read_table(file);
     } catch (const BadInput&) {
     }
-    return "read";
   };
-  const Bounded outcome = run_bounded(try_it, 10, 480);
+  const Bounded outcome = run_bounded([] { return std::string("read"); }, 10, 480, 60, try_it);
   if (!outcome.result) throw BadInput("'" + file + "' cannot be read: " + outcome.why);
   return read_table(file);
 }

@@ -1,0 +1,18 @@
+// equations.toml: rows are read or refused, and so are their domains and what they print.
+#include <derivations/language/syntax.hpp>
+#include <derivations/paper/ledger.hpp>
+#include <tests/fuzz/fuzz.hpp>
+
+using namespace rederive;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const fuzz::File file(fuzz::text_of(data, size));
+  try {
+    for (const Row& row : read_rows(file.name())) try {
+        (void)parse_statement(row.claim(), symbols_in(row.domain));
+      } catch (const std::invalid_argument&) {
+      }
+  } catch (const std::runtime_error&) {
+  }
+  return 0;
+}
