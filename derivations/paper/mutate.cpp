@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <derivations/paper/edits.hpp>
 #include <derivations/paper/mutate.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <derivations/rocking_block/table.hpp>
@@ -15,30 +16,21 @@ namespace {
 using Kind = Node::Kind;
 using Rebuild = std::function<Tree(const Tree&)>;  ///< the whole side with this node in place of the old one
 
-Tree make(Kind kind, std::string text, std::vector<Tree> children = {}, std::vector<bool> inverse = {}) {
-  return std::make_shared<const Node>(
-      Node{kind, std::move(text), std::move(children), std::move(inverse), 0});
-}
-Tree with(const Tree& node, std::size_t k, const Tree& child) {
-  Node copy = *node;
-  copy.children[k] = child;
-  return std::make_shared<const Node>(std::move(copy));
-}
 Tree without(const Tree& node, std::size_t k) {
   Node copy = *node;
   copy.children.erase(copy.children.begin() + static_cast<long>(k));
   copy.inverse.erase(copy.inverse.begin() + static_cast<long>(k));
   if (copy.children.size() == 1) {
     if (!copy.inverse[0]) return copy.children[0];
-    if (copy.kind == Kind::sum) return make(Kind::negative, "", {copy.children[0]});
-    return make(Kind::product, "", {make(Kind::number, "1"), copy.children[0]}, {false, true});
+    if (copy.kind == Kind::sum) return make_tree(Kind::negative, "", {copy.children[0]});
+    return make_tree(Kind::product, "", {make_tree(Kind::number, "1"), copy.children[0]}, {false, true});
   }
   if (copy.kind == Kind::product && copy.inverse[0]) {  // a quotient keeps something to divide
-    copy.children.insert(copy.children.begin(), make(Kind::number, "1"));
+    copy.children.insert(copy.children.begin(), make_tree(Kind::number, "1"));
     copy.inverse.insert(copy.inverse.begin(), false);
   }
   if (copy.kind == Kind::sum && copy.inverse[0]) {
-    copy.children[0] = make(Kind::negative, "", {copy.children[0]});
+    copy.children[0] = make_tree(Kind::negative, "", {copy.children[0]});
     copy.inverse[0] = false;
   }
   return std::make_shared<const Node>(std::move(copy));
@@ -83,12 +75,12 @@ struct Walk {
         break;
       case Kind::call:
         if (const auto other = other_function.find(node->text); other != other_function.end())
-          put(make(Kind::call, other->second, node->children), "function",
+          put(make_tree(Kind::call, other->second, node->children), "function",
               other->second + " for " + node->text);
         break;
     }
     for (std::size_t k = 0; k < node->children.size(); ++k)
-      visit(node->children[k], [&](const Tree& child) { return rebuild(with(node, k, child)); });
+      visit(node->children[k], [&](const Tree& child) { return rebuild(edits::with_child(node, k, child)); });
   }
 
   template <class Put>
@@ -98,7 +90,7 @@ struct Walk {
     if (value == 0) return;
     for (const long other : {value + 1, 2 * value})
       if (other != value)
-        put(make(Kind::number, std::to_string(other)), "coefficient",
+        put(make_tree(Kind::number, std::to_string(other)), "coefficient",
             node.text + " read as " + std::to_string(other));
   }
   template <class Put>
@@ -108,18 +100,18 @@ struct Walk {
       if (name.size() > std::string(dots).size() && name.ends_with(dots)) {
         const std::string less =
             name.substr(0, name.size() - std::string(dots).size()) + (dots[1] == 'd' ? "dot" : "");
-        if (symbols.find(less) != nullptr) put(make(Kind::symbol, less), "dot", "a lost dot of " + name);
+        if (symbols.find(less) != nullptr) put(make_tree(Kind::symbol, less), "dot", "a lost dot of " + name);
         break;
       }
     if (const auto other = other_symbol.find(name); other != other_symbol.end())
-      put(make(Kind::symbol, other->second), "symbol", other->second + " for " + name);
+      put(make_tree(Kind::symbol, other->second), "symbol", other->second + " for " + name);
   }
   template <class Put>
   void sum(const Tree& node, const Put& put) {
     for (std::size_t k = 0; k < node->children.size(); ++k) {
       Node flipped = *node;
       if (k == 0)
-        flipped.children[0] = make(Kind::negative, "", {node->children[0]});
+        flipped.children[0] = make_tree(Kind::negative, "", {node->children[0]});
       else
         flipped.inverse[k] = !flipped.inverse[k];
       put(std::make_shared<const Node>(std::move(flipped)), "sign",
@@ -156,7 +148,7 @@ std::vector<Mutant> mutants(const Relation& printed, const Symbols& symbols) {
     walk.visit(printed.sides[side], [](const Tree& tree) { return tree; });
     const Kind kind = printed.sides[side]->kind;
     if (side > 0 && kind != Kind::sum && kind != Kind::negative)
-      walk.emit(make(Kind::negative, "", {printed.sides[side]}), "sign", "the sign of the whole");
+      walk.emit(make_tree(Kind::negative, "", {printed.sides[side]}), "sign", "the sign of the whole");
   }
   for (std::size_t k = 0; k < printed.operators.size(); ++k)
     if (turned(printed.operators[k]) != printed.operators[k]) {

@@ -1,5 +1,4 @@
-// The numbers for Python: arrays in, arrays out. What is said to a user of Python stands in
-// lessons/python/rederive.
+// The numbers for Python: arrays in, arrays out. What a user of Python is told: lessons/python/rederive.
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
