@@ -66,7 +66,8 @@ TEST_CASE(
   for (const char* program : {"emit", "ledger", "exercises", "rocking"})
     fs::copy(build / "bin" / program, other / "bin");
   for (const std::string& lesson : lesson_programs()) fs::copy(build / "bin" / lesson, other / "bin");
-  fs::copy(build / "share", other / "share", fs::copy_options::recursive);
+  for (const char* more : {"share", "python"})  // notebooks call the module where it is beside the programs
+    if (fs::exists(build / more)) fs::copy(build / more, other / more, fs::copy_options::recursive);
   const auto first = written_by(build / "bin", here.path);
   ::setenv("ANOTHER_ENVIRONMENT", std::string(100'000, 'x').c_str(), 1);  // moves the stack
   const auto second = written_by(other / "bin", there.path);

@@ -63,8 +63,11 @@ std::string prove(const std::string& left, const std::string& right, const std::
 
 std::string emit_text(const std::string& target, const std::vector<std::string>& names) {
   const auto found = targets().find(target);
-  if (found == targets().end())
-    throw BadInput("there is no target '" + target + "'; 'emit --help' names them all");
+  if (found == targets().end()) {
+    std::string known;
+    for (const auto& [name, its] : targets()) known += (known.empty() ? "" : ", ") + name;
+    throw BadInput("there is no target '" + target + "'; right is one of " + known);
+  }
   return alone(algebra(), [&] {
     const Emission all = emission_of(names, found->second);
     return emit(all.functions, found->second, true, all.steppers);
