@@ -180,6 +180,10 @@ TEST_CASE("a paper of one's own is judged as the README of the paper says") {
   CHECK(rows["counts"]["proved"] == 2);
   CHECK(rows["counts"]["refuted"] == 1);
 
+  said(folder.path, "XDG_DATA_DIRS=" + quoted(prefix() / "share") + " build/rod certify proofs");
+  CHECK(read_file(folder.path / "proofs/Ledger.v").find("Lemma equation_3_refuted") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(folder.path / "proofs/Critical.v"));  // of the rocking block
+
   // the slip mended is a verdict that was not expected
   write(folder.path / "rod.toml", replaced(part("toml"), "sqrt(2*g/(3*L))", "sqrt(3*g/(2*L))"));
   const Result mended =

@@ -277,6 +277,8 @@ int run_ledger(int argc, char** argv, const std::optional<OwnPaper>& own) {
       return (void)show_proof(options), write_certificate(options.request, options.certificate);
     if (*proving) return show_proof(options);
     options.scripts.json = options.json;
+    if (*certifying && own && options.scripts.ids.empty())  // theorems that ship are about the rocking block
+      for (const Row& row : rows_of(options)) options.scripts.ids.push_back(row.id);
     if (*certifying) return certify(all(options), options.scripts);
     if (*dot) return put(graph(all(options))), as_expected;
     if (*sheet)
