@@ -143,7 +143,8 @@ void try_it(Page& page) {
        "What does $e$ become for a block with all its mass at the top? Do it by the second road. (Exercise "
        "mass-at-the-top.)",
        "The paper says in one sentence that the angular momentum is conserved, and in another that it is "
-       "*not actually conserved*. Which angular momentum, and about which point? (Exercise which-momentum.)"});
+       "*not actually conserved*. Which angular momentum, and about which point? (Exercise "
+       "which-momentum.)"});
 }
 
 }  // namespace

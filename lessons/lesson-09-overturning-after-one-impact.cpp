@@ -84,9 +84,9 @@ void solved(Page& page) {
                         fmt::format("{:.5f}", root.amplitude), fmt::format("{:.3f}", *root.impact_time),
                         fmt::format("{:.3f}", root.pulse_end), is_real(root)});
   page.say("All roots of both pairs, each followed in the linear model:");
-  page.table(
-      {"$omega_p/p$", "conditions", "$a_p/(alpha*g)$", "$p*t_i$", "$p*T_ex$", "does the block move so? If not, why"},
-      rows);
+  page.table({"$omega_p/p$", "conditions", "$a_p/(alpha*g)$", "$p*t_i$", "$p*T_ex$",
+              "does the block move so? If not, why"},
+             rows);
   page.say(
       "Again a root is a candidate: the impact of the first pair must come before the end of the pulse, that "
       "of the second after it.");

@@ -104,9 +104,9 @@ void in_numbers(Page& page) {
                           fmt::format("{:+.2f}", experiment.theta_0),
                           fmt::format("{:+.1f}", experiment.thetadot_0),
                           fmt::format("{:.4f}", root.amplitude), is_real(root)});
-  page.table(
-      {"$omega_p/p$", "condition", "$theta_0$", "$thetadot_0$", "$a_p/(alpha*g)$", "does the block move so? If not, why"},
-      rows);
+  page.table({"$omega_p/p$", "condition", "$theta_0$", "$thetadot_0$", "$a_p/(alpha*g)$",
+              "does the block move so? If not, why"},
+             rows);
   page.say(R"(
     One hundredth of a radian is a sheet of cardboard under one corner, and it changes the result visibly.
     So a number such as 2.3577 with five digits describes a perfect block on a perfect floor. For a real one

@@ -1,14 +1,12 @@
-#include <numerics/arc.hpp>
-
-#include <emitted/rocking_block.hpp>
-#include <numerics/integrator.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <emitted/rocking_block.hpp>
 #include <limits>
 #include <memory>
 #include <numbers>
 #include <numeric>
+#include <numerics/arc.hpp>
+#include <numerics/integrator.hpp>
 #include <utility>
 
 namespace rederive::inline numeric {
@@ -48,9 +46,13 @@ Real earliest_return(Real y, Real u, Real m) {
 }  // namespace
 
 Mover::Mover(const Block& block, Model model, double tolerance)
-    : block_(block), model_(model), level_(start_level(block, model)),
-      resolution_(std::numeric_limits<Real>::epsilon()), still_(acceleration(block, model, -1, 0, 0)),
-      per_ground_(1), per_push_(1),
+    : block_(block),
+      model_(model),
+      level_(start_level(block, model)),
+      resolution_(std::numeric_limits<Real>::epsilon()),
+      still_(acceleration(block, model, -1, 0, 0)),
+      per_ground_(1),
+      per_push_(1),
       advance_([](const Arc& arc, const Point&, Real time) { return linear_point(arc, time); }) {
   if (model == Model::linear) return;
   // Nothing turns the block faster than a ground acceleration at the height above the pivot, theta = -alpha;
@@ -83,8 +85,8 @@ Real Mover::bound(const Arc& arc, Real from, Real to) const {
 ///
 /// Let y = |theta|/alpha, and y'' >= -m with m >= 0 from now until `to`. Integrated twice,
 /// y(t + h) >= y + y' h - m h^2/2: up to the first zero of that parabola, or `to`, y > 0 (earliest_return).
-/// Such an m is bound(). By (21) with p = 1, y'' = -sin(alpha (1 - y))/alpha + q cos(alpha (1 - y)), where q is
-/// the ground acceleration over alpha g away from upright.
+/// Such an m is bound(). By (21) with p = 1, y'' = -sin(alpha (1 - y))/alpha + q cos(alpha (1 - y)), where q
+/// is the ground acceleration over alpha g away from upright.
 /// - q >= 0, y <= 1: both terms are least at y = 0: y'' >= -still_ + per_push_ q, per_push_ = cos(alpha).
 /// - q < 0, y <= 1: the first is least at y = 0, the cosine is at most 1: y'' >= -still_ + per_ground_ q.
 /// - y > 1, |theta| <= pi/2: the weight pushes outwards, and y'' >= q if q < 0, else y'' >= 0.
@@ -170,4 +172,4 @@ Arc Mover::move(const Piece& piece, int side, const Point& start, Real until) {
   return arc;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,9 +1,8 @@
 // The motion between two events: one side, one smooth stretch of ground acceleration.
 #pragma once
 
-#include <numerics/ground_motion.hpp>
-
 #include <functional>
+#include <numerics/ground_motion.hpp>
 #include <vector>
 
 namespace rederive::inline numeric {
@@ -63,4 +62,4 @@ class Mover {
   Advance advance_;
 };
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

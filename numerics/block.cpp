@@ -1,10 +1,9 @@
-#include <numerics/block.hpp>
-
-#include <emitted/rocking_block.hpp>
 #include <fmt/format.h>
 
 #include <cmath>
+#include <emitted/rocking_block.hpp>
 #include <numbers>
+#include <numerics/block.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -56,4 +55,4 @@ Real acceleration(const Block& block, Model model, int side, Real angle, Real gr
          alpha;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

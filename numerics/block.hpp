@@ -45,4 +45,4 @@ struct Point {
 /// (21a,b) or, for the linear model, of (56a,b).
 Real acceleration(const Block& block, Model model, int side, Real angle, Real ground);
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -71,8 +71,8 @@ T residual(Form form, const Inputs<T>& in, const T& x) {
   return T(0);
 }
 
-/// Where the unknown may lie, and at how many points the residual is looked at first: eight times as many (four
-/// times without impact) found no other root in 3,000 cases at random.
+/// Where the unknown may lie, and at how many points the residual is looked at first: eight times as many
+/// (four times without impact) found no other root in 3,000 cases at random.
 struct Range {
   double low, high;
   int count;

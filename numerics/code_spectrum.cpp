@@ -1,9 +1,8 @@
-#include <numerics/code_spectrum.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numerics/code_spectrum.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -45,4 +44,4 @@ double elastic_response(const GroundType& ground, double ground_acceleration, do
   return scale * plateau * ground.period_c * ground.period_d / (period * period);
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

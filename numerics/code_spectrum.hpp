@@ -26,4 +26,4 @@ double damping_correction(double damping_percent);
 double elastic_response(const GroundType& ground, double ground_acceleration, double damping_percent,
                         double period);
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,11 +1,10 @@
 // The paper's figures 8 to 16, computed.
 #pragma once
 
+#include <array>
 #include <numerics/overturning.hpp>
 #include <numerics/parallel.hpp>
 #include <numerics/plot.hpp>
-
-#include <array>
 
 namespace rederive::inline numeric {
 
@@ -20,11 +19,11 @@ struct FigureOptions {
 Figure paper_figure(int number, const FigureOptions& options);
 
 Figure history_figure(int number, const FigureOptions& options);  ///< 8, 9, 12, 13
-Figure threshold_figure(const FigureOptions& options);          ///< 10
-Figure model_comparison_figure(const FigureOptions& options);   ///< 11
-Figure initial_condition_figure(const FigureOptions& options);  ///< 14
-Figure period_figure(const FigureOptions& options);             ///< 15
-Figure code_comparison_figure(const FigureOptions& options);    ///< 16
+Figure threshold_figure(const FigureOptions& options);            ///< 10
+Figure model_comparison_figure(const FigureOptions& options);     ///< 11
+Figure initial_condition_figure(const FigureOptions& options);    ///< 14
+Figure period_figure(const FigureOptions& options);               ///< 15
+Figure code_comparison_figure(const FigureOptions& options);      ///< 16
 
 /// The three panels of figures 8, 9, 12 and 13 for one motion more; dash and grey tell the curves apart.
 struct HistoryCurve {
@@ -35,4 +34,4 @@ struct HistoryCurve {
 };
 std::vector<Panel> history_panels(const std::vector<HistoryCurve>& curves);
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

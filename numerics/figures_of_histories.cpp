@@ -1,11 +1,10 @@
 // Figures 8, 9, 12 and 13: motions just below and just above a threshold.
-#include <numerics/figures.hpp>
-#include <numerics/story.hpp>
-#include <numerics/windows.hpp>
-
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numerics/figures.hpp>
+#include <numerics/story.hpp>
+#include <numerics/windows.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -168,4 +167,4 @@ Figure history_figure(int number, const FigureOptions& options) {
   }
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

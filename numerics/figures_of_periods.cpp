@@ -135,4 +135,4 @@ Figure code_comparison_figure(const FigureOptions& options) {
   return figure;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

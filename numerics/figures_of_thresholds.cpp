@@ -1,22 +1,21 @@
 // Figures 10, 11 and 14: least amplitudes against omega_p/p.
-#include <numerics/closed_form.hpp>
-#include <numerics/figures.hpp>
-#include <numerics/spectrum.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numerics/closed_form.hpp>
+#include <numerics/figures.hpp>
+#include <numerics/spectrum.hpp>
 #include <stdexcept>
 #include <tuple>
 
 namespace rederive::inline numeric {
 namespace {
 
-constexpr double highest = 12;         // of the axis
-constexpr int enough_stations = 192;   // of a search whose windows narrower than a line need not be found
+constexpr double highest = 12;        // of the axis
+constexpr int enough_stations = 192;  // of a search whose windows narrower than a line need not be found
 const char* const ratio_label = "ω_p/p (dimensionless)";
 const char* const amplitude_label = "amplitude a_p/(α g) (dimensionless)";
 
@@ -226,15 +225,21 @@ Figure paper_figure(int number, const FigureOptions& options) {
     case 8:
     case 9:
     case 12:
-    case 13: return history_figure(number, options);
-    case 10: return threshold_figure(options);
-    case 11: return model_comparison_figure(options);
-    case 14: return initial_condition_figure(options);
-    case 15: return period_figure(options);
-    case 16: return code_comparison_figure(options);
+    case 13:
+      return history_figure(number, options);
+    case 10:
+      return threshold_figure(options);
+    case 11:
+      return model_comparison_figure(options);
+    case 14:
+      return initial_condition_figure(options);
+    case 15:
+      return period_figure(options);
+    case 16:
+      return code_comparison_figure(options);
     default:
       throw std::invalid_argument(fmt::format("figure {}: the paper's figures 8 to 16 can be drawn", number));
   }
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,11 +1,10 @@
-#include <numerics/ground_motion.hpp>
-
-#include <emitted/rocking_block.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <emitted/rocking_block.hpp>
 #include <numbers>
+#include <numerics/ground_motion.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -114,4 +113,4 @@ GroundMotion record_motion(const Record& record, const Block& block, double scal
   return motion;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <numerics/block.hpp>
-
 #include <string>
 #include <vector>
 
@@ -55,15 +54,15 @@ struct Record {
 
 enum class RecordUnit { g, metres_per_second_squared };
 
-/// Reads two columns "time value", one column with `step` in seconds, or a file whose header gives step, count
-/// and unit (`unit` and `step` then do not matter): PEER AT2 (five columns of 15 characters, which may run
-/// together), K-NET and KiK-net ASCII (the mean is taken off, for their counts stand about an unknown level) or ESM
-/// ASCII. Lines of columns that begin with # or % are comments. Throws std::invalid_argument with file and line
-/// for what cannot be read, among it a header in other units than of acceleration, or with another count than the
-/// file has values.
+/// Reads two columns "time value", one column with `step` in seconds, or a file whose header gives step,
+/// count and unit (`unit` and `step` then do not matter): PEER AT2 (five columns of 15 characters, which may
+/// run together), K-NET and KiK-net ASCII (the mean is taken off, for their counts stand about an unknown
+/// level) or ESM ASCII. Lines of columns that begin with # or % are comments. Throws std::invalid_argument
+/// with file and line for what cannot be read, among it a header in other units than of acceleration, or with
+/// another count than the file has values.
 Record read_record(const std::string& file, RecordUnit unit, double step = 0);
 
 /// The record interpolated linearly, for a block with this alpha and p.
 GroundMotion record_motion(const Record& record, const Block& block, double scale = 1);
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,12 +1,11 @@
-#include <numerics/integrator.hpp>
-
-#include <emitted/rocking_block.hpp>
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 
 #include <algorithm>
 #include <cmath>
+#include <emitted/rocking_block.hpp>
 #include <numbers>
+#include <numerics/integrator.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -107,4 +106,4 @@ Point RockingIntegrator::integrate(const Piece& piece, int side, const Point& fr
   return {time, state[0], state[1]};
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,9 +1,7 @@
-#include <numerics/overturning.hpp>
-
-#include <emitted/rocking_block.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <emitted/rocking_block.hpp>
+#include <numerics/overturning.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {
@@ -72,4 +70,4 @@ Outcome outcome_at(const PulseCase& asked, Real amplitude) {
   return outcome_of(asked.block, asked.model, motion, asked.initial, asked.tolerance);
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,8 +1,7 @@
-#include <numerics/parallel.hpp>
-
 #include <algorithm>
 #include <exception>
 #include <mutex>
+#include <numerics/parallel.hpp>
 #include <thread>
 #include <vector>
 
@@ -37,4 +36,4 @@ int for_each_index(const Work& work, const std::function<void(int)>& body) {
   return done;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

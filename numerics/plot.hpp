@@ -47,4 +47,4 @@ void draw(const Shades& shades, const std::filesystem::path& file);
 /// All curves as text: "panel,curve,x,y" lines under a header.
 std::string figure_data(const Figure& figure);
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,7 +1,6 @@
 // rocking: thresholds, histories, spectra and figures of the rocking block, in numbers.
 #include <numerics/commands/options.hpp>
 #include <numerics/commands/ranks.hpp>
-
 #include <stdexcept>
 
 namespace {
@@ -34,7 +33,8 @@ int main(int argc, char** argv) {
   return run_command(app, argc, argv, [&] {
     try {
       refuse_empty_values(app);
-      if (!run) throw BadInput("one of threshold, response, spectrum, map, fragility, figure is wanted; see --help");
+      if (!run)
+        throw BadInput("one of threshold, response, spectrum, map, fragility, figure is wanted; see --help");
       const std::string command = app.get_subcommands().front()->get_name();
       return run_in_ranks(run, command == "map" || command == "spectrum" || command == "fragility");
     } catch (const std::invalid_argument& error) {

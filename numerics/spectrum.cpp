@@ -1,6 +1,5 @@
-#include <numerics/spectrum.hpp>
-
 #include <cstdlib>
+#include <numerics/spectrum.hpp>
 
 namespace rederive::inline numeric {
 
@@ -36,4 +35,4 @@ std::vector<SpectrumPoint> spectrum(const PulseCase& asked, const std::vector<do
   return points;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -21,4 +21,4 @@ SpectrumPoint spectrum_point(const PulseCase& asked, const WindowSearch& search 
 std::vector<SpectrumPoint> spectrum(const PulseCase& asked, const std::vector<double>& omega_ratios,
                                     const WindowSearch& search, Work work);
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -11,8 +11,8 @@ namespace {
 constexpr Real long_enough = 60;  ///< e^60 times any margin above zero has left |theta| = alpha behind
 constexpr Real a_while = 10;
 
-/// The last passage of |theta| = alpha outward on the side to which the block overturns; the start, if it began
-/// beyond and stayed there.
+/// The last passage of |theta| = alpha outward on the side to which the block overturns; the start, if it
+/// began beyond and stayed there.
 Event overturn_event(Mover& mover, const Response& response, int side) {
   const Arc* last = &response.arcs.front();
   for (const Arc& arc : response.arcs)

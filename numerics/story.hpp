@@ -2,7 +2,6 @@
 #pragma once
 
 #include <numerics/overturning.hpp>
-
 #include <optional>
 
 namespace rederive::inline numeric {
@@ -36,4 +35,4 @@ struct Friction {
 };
 Friction required_friction(const Block& block, Model model, const Story& story);
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -5,11 +5,11 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
+#include <derivations/emit/program.hpp>
 #include <derivations/language/syntax.hpp>
 #include <derivations/numbers/evaluate.hpp>
-#include <iostream>
 #include <derivations/paper/prove_bounded.hpp>
-#include <derivations/emit/program.hpp>
+#include <iostream>
 #include <random>
 
 using namespace rederive;
@@ -91,13 +91,17 @@ bool hold(const nlohmann::ordered_json& conditions, const Point& point, const Sy
   return std::all_of(conditions.begin(), conditions.end(), [&](const std::string& text) {
     const auto unequal = text.find("!=");
     Relation relation;
-    if (unequal == std::string::npos) relation = parse_relation(text, symbols);
-    else relation = {{parse(text.substr(0, unequal), symbols), parse(text.substr(unequal + 2), symbols)}, {"!="}};
+    if (unequal == std::string::npos)
+      relation = parse_relation(text, symbols);
+    else
+      relation = {{parse(text.substr(0, unequal), symbols), parse(text.substr(unequal + 2), symbols)},
+                  {"!="}};
     for (std::size_t k = 0; k < relation.operators.size(); ++k) {
       const auto size = distance(relation.sides[k], relation.sides[k + 1], point);
       if (!size || *size < clear) return false;
       const Sign sign = sign_at(relation.sides[k], relation.sides[k + 1], point);
-      if (relation.operators[k] != "!=" && sign != (relation.operators[k][0] == '<' ? Sign::negative : Sign::positive))
+      if (relation.operators[k] != "!=" &&
+          sign != (relation.operators[k][0] == '<' ? Sign::negative : Sign::positive))
         return false;
     }
     return true;
@@ -105,7 +109,8 @@ bool hold(const nlohmann::ordered_json& conditions, const Point& point, const Sy
 }
 
 /// Whether the difference is of a higher order, at ±10^-12, 10^-18, 10^-24; nothing where it cannot be seen.
-std::optional<bool> is_of_higher_order(const Tree& left, const Tree& right, int order, int sign, Point point) {
+std::optional<bool> is_of_higher_order(const Tree& left, const Tree& right, int order, int sign,
+                                       Point point) {
   std::vector<cln::cl_RA> ratios;
   for (const int power : {12, 18, 24}) {
     const cln::cl_RA size = 1 / cln::cl_RA(cln::expt_pos(cln::cl_I(10), power));

@@ -29,7 +29,8 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"paper", {"language", "numbers", "identity", "sign", "decide", "mechanics", "rocking_block", "emit"}},
     {"kernel",
      {"language", "numbers", "identity", "sign", "decide", "mechanics", "rocking_block", "emit", "paper"}},
-    {"python", {"language", "numbers", "identity", "sign", "decide", "mechanics", "rocking_block", "emit", "paper"}},
+    {"python",
+     {"language", "numbers", "identity", "sign", "decide", "mechanics", "rocking_block", "emit", "paper"}},
     {"numerics", {"numbers", "emit"}}};  // balls, and how a program reads its command line
 
 using Graph = std::map<std::string, std::set<std::string>>;
@@ -145,8 +146,10 @@ TEST_CASE("the README of each room says what it includes") {
   Graph rooms = arrows(room_of);
   rooms["language"];  // which includes none
   for (const auto& [room, others] : rooms) {
-    const fs::path folder = fs::path(REDERIVE_SOURCE) / (room == "numerics" || room.starts_with("lessons") ? "" : "derivations") / room;
-    if (room.starts_with("lessons/") && room != "lessons/exercises") continue;  // programs, which the lessons' README names
+    const fs::path folder = fs::path(REDERIVE_SOURCE) /
+                            (room == "numerics" || room.starts_with("lessons") ? "" : "derivations") / room;
+    if (room.starts_with("lessons/") && room != "lessons/exercises")
+      continue;  // programs, which the lessons' README names
     std::ifstream file(folder / "README.md");
     std::string line, expected;
     for (const std::string& other : others) expected += (expected.empty() ? "" : ", ") + other;

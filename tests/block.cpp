@@ -1,10 +1,9 @@
-#include <numerics/block.hpp>
-
 #include <doctest/doctest.h>
-#include <emitted/rocking_block.hpp>
 
 #include <cmath>
+#include <emitted/rocking_block.hpp>
 #include <limits>
+#include <numerics/block.hpp>
 #include <stdexcept>
 
 using namespace rederive;

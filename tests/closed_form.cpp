@@ -116,9 +116,8 @@ TEST_CASE("slow pulses, whose motion no floating-point number follows, are judge
     const auto roots = closed_forms(asked(ratio));
     std::vector<std::string> told;
     for (const ClosedForm& root : roots) told.push_back(root.why_not.substr(0, root.why_not.find(':')));
-    CHECK(told ==
-          std::vector<std::string>{"", "the pulse falls from the start", "", "not a minimum",
-                                   "the impact comes too late", "the impact comes too early"});
+    CHECK(told == std::vector<std::string>{"", "the pulse falls from the start", "", "not a minimum",
+                                           "the impact comes too late", "the impact comes too early"});
     const ClosedForm *without = root_of(roots, Form::eq71), *with = root_of(roots, Form::eq86_88);
     REQUIRE(without != nullptr);
     REQUIRE(with != nullptr);

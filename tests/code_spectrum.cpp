@@ -1,8 +1,7 @@
-#include <numerics/code_spectrum.hpp>
-
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numerics/code_spectrum.hpp>
 #include <stdexcept>
 
 using namespace rederive;

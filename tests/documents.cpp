@@ -11,8 +11,10 @@ Result bash(const std::string& script) { return run_program("/bin/bash", {"-c", 
 
 /// What the shell offers for the last word of a line.
 std::string completed(const std::string& program, const std::string& words) {
-  const Result r = bash("PATH='" REDERIVE_PROGRAMS "':$PATH; . '" + build + "/completion.bash'; COMP_WORDS=(" + program + " " + words +
-                        "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _rederive " + program + "; echo \"${COMPREPLY[@]}\"");
+  const Result r =
+      bash("PATH='" REDERIVE_PROGRAMS "':$PATH; . '" + build + "/completion.bash'; COMP_WORDS=(" + program +
+           " " + words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _rederive " + program +
+           "; echo \"${COMPREPLY[@]}\"");
   REQUIRE(r.exit_code == 0);
   return r.out.substr(0, r.out.size() - 1);
 }

@@ -1,7 +1,7 @@
-#include <doctest/doctest.h>
-
 #include <cln/float.h>
 #include <cln/real.h>
+#include <doctest/doctest.h>
+
 #include <cmath>
 #include <derivations/emit/emit.hpp>
 #include <derivations/numbers/evaluate.hpp>
@@ -274,4 +274,3 @@ TEST_CASE("derivatives pass the Taylor test: the remainder is of second order") 
               x) == doctest::Approx(2).epsilon(0.1));
   }
 }
-

@@ -73,7 +73,8 @@ TEST_CASE("the gradebook: score, attempts, weights and the deadline") {
   };
   const std::string head = "student,height-of-centre,frequency-of-a-bookcase,restitution,total,out_of\n";
   const std::string in_time = head + "anna,0.5,,1.6,2.1,3.5\nbert,,0.25,0,0.25,3.5\ncarl,,,,0,3.5\n";
-  const std::string dated = head.substr(0, head.size() - 1) + ",late\n", others = "bert,,0.25,0,0.25,3.5,\ncarl,,,,0,3.5,\n";
+  const std::string dated = head.substr(0, head.size() - 1) + ",late\n",
+                    others = "bert,,0.25,0,0.25,3.5,\ncarl,,,,0,3.5,\n";
   const std::string punctual = dated + "anna,0.5,,1.6,2.1,3.5,\n" + others;
   const std::string late = dated + "anna,0,,1.6,1.6,3.5,height-of-centre\n" + others;
   CHECK(book({}) == in_time);
@@ -100,8 +101,8 @@ TEST_CASE("a page a student says what was answered, what is wrong with it, a hin
   REQUIRE(room.grade({"--feedback", room.pages.string(), "--deadline", "2026-04-01"}).exit_code == 0);
   CHECK(room.page_names() == std::vector<std::string>{"anna.html", "bert.html", "carl.html"});
   const std::string anna = read_file(room.pages / "anna.html"), bert = read_file(room.pages / "bert.html");
-  for (const auto* part : {"<h1>anna</h1>", "Marks: 0.8 of 42", "Marks: 0.8 of 1, after 3 attempts", "Correct.",
-                           "Marks: 0 of 1, after 20 attempts; handed in after the deadline"})
+  for (const auto* part : {"<h1>anna</h1>", "Marks: 0.8 of 42", "Marks: 0.8 of 1, after 3 attempts",
+                           "Correct.", "Marks: 0 of 1, after 20 attempts; handed in after the deadline"})
     CHECK_MESSAGE(has(anna, part), part);
   for (const auto* part : {"<pre>cos(2*alpha)</pre>", "You have left out the rotation about C",
                            "A hint: Write the", "Not right yet.", "The value is right, the form is not."})

@@ -1,8 +1,8 @@
 // Working, line by line: what follows is accepted, the first step that does not is pointed at.
 #include <doctest/doctest.h>
 
-#include <lessons/exercises/classroom.hpp>
 #include <derivations/paper/mutate.hpp>
+#include <lessons/exercises/classroom.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 

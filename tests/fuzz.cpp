@@ -54,10 +54,11 @@ Result run_fuzzer(const std::string& name, const std::string& options, int times
   const fs::path failed = build / "failed" / name, corpus = build / "corpus" / name;
   fs::create_directories(failed), fs::create_directories(corpus);
   return run_program(
-      "/bin/bash",
-      {"-c", "cd " + quoted(corpus) + " && export ASAN_OPTIONS=detect_leaks=0 TMPDIR=.. && for ((seed = 1; seed <= " +
-                 std::to_string(times) + "; ++seed)); do " + quoted(build / name) + " -artifact_prefix=" +
-                 quoted(failed.string() + "/") + " -seed=$seed " + options + " || exit; done"});
+      "/bin/bash", {"-c", "cd " + quoted(corpus) +
+                              " && export ASAN_OPTIONS=detect_leaks=0 TMPDIR=.. && for ((seed = 1; seed <= " +
+                              std::to_string(times) + "; ++seed)); do " + quoted(build / name) +
+                              " -artifact_prefix=" + quoted(failed.string() + "/") + " -seed=$seed " +
+                              options + " || exit; done"});
 }
 
 }  // namespace

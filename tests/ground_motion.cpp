@@ -1,14 +1,13 @@
-#include <numerics/ground_motion.hpp>
-#include <numerics/response.hpp>
-
-#include "run_program.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numerics/ground_motion.hpp>
+#include <numerics/response.hpp>
 #include <stdexcept>
+
+#include "run_program.hpp"
 
 using namespace rederive;
 

@@ -42,5 +42,6 @@ TEST_CASE("every lesson ends well in every format, and every step of it alone") 
     });
   for (auto& one : half) CHECK(one.get() == "");
   const std::string energy = run_program("lesson-03-energy-and-the-barrier", {"--format", "plain"}).out;
-  CHECK(energy.find("m*R*u_gdot*thetadot*cos(alpha + theta)") != std::string::npos);  // t* is a symbol, thetadot* is none
+  CHECK(energy.find("m*R*u_gdot*thetadot*cos(alpha + theta)") !=
+        std::string::npos);  // t* is a symbol, thetadot* is none
 }

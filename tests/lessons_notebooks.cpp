@@ -1,5 +1,5 @@
-// Lessons as Jupyter notebooks: valid, the same bytes each time, and Jupyter runs them; what their cells get from the
-// Python module is what the commands say.
+// Lessons as Jupyter notebooks: valid, the same bytes each time, and Jupyter runs them; what their cells get
+// from the Python module is what the commands say.
 #include <doctest/doctest.h>
 
 #include <lessons/render.hpp>
@@ -16,7 +16,8 @@ namespace {
 
 const std::string python = "/usr/bin/python3";  // Debian's, whose packages the modules are
 
-/// Reads each file that argv[2:] names, which must be valid, runs it in argv[1] by one kernel and writes it back.
+/// Reads each file that argv[2:] names, which must be valid, runs it in argv[1] by one kernel and writes it
+/// back.
 const std::string script = R"(
 import json, sys, nbformat
 from jupyter_client.manager import KernelManager
@@ -39,7 +40,8 @@ std::string output_of(const json& cell) {
   for (const auto& output : cell["outputs"]) {
     if (output.contains("text")) text += output["text"].get<std::string>();
     for (const auto* kind : {"text/plain", "text/latex"})
-      if (output.contains("data") && output["data"].contains(kind)) text += output["data"][kind].get<std::string>();
+      if (output.contains("data") && output["data"].contains(kind))
+        text += output["data"][kind].get<std::string>();
   }
   return text;
 }
@@ -72,7 +74,8 @@ bool is_module_built() {
   const auto folder = std::filesystem::path(REDERIVE_PROGRAMS).parent_path() / "python/rederive";
   for (std::filesystem::directory_iterator entry(folder), end; entry != end; ++entry)
     if (entry->path().extension() == ".so") return true;
-  if (std::getenv("REDERIVE_REQUIRE_ALL_TESTS") != nullptr) throw std::runtime_error("the Python module is missing");
+  if (std::getenv("REDERIVE_REQUIRE_ALL_TESTS") != nullptr)
+    throw std::runtime_error("the Python module is missing");
   std::printf("SKIPPED TEST: the Python module was not built\n");
   return false;
 }
@@ -108,18 +111,24 @@ TEST_CASE("a notebook has text and commands in cells, with the mathematics that 
   CHECK(step["cells"][0]["source"].get<std::string>().starts_with("## 1. "));
 }
 
-TEST_CASE("a command with a counterpart in the module is a call of it, with all its options, and any other is itself") {
+TEST_CASE(
+    "a command with a counterpart in the module is a call of it, with all its options, and any other is "
+    "itself") {
   CHECK(in_python("rocking response --omega 2 --amplitude 2.2 --until 8 --model nonlinear") ==
         "response = rederive.response(rederive.Pulse(2), 2.2, until=8, model=\"nonlinear\")\n"
         "print(response.outcome)\nresponse.events");
-  CHECK(in_python("rocking threshold --omega 2 --pulse cosine --theta0 -0.01").value_or("").starts_with(
-      "print(rederive.threshold(rederive.Pulse(2, \"cosine\"), theta0=-0.01))\n"));
-  CHECK(in_python("rocking map --omega 1:8:200 --amplitude 1:10:100 --plot map.png").value_or("").find(
-            "np.linspace(1, 8, 200), np.linspace(1, 10, 100)") != std::string::npos);
-  CHECK(in_python("ledger prove \"sin(a)^2\" \"1 - cos(a)^2\"") == "rederive.prove(\"sin(a)^2\", \"1 - cos(a)^2\")");
+  CHECK(in_python("rocking threshold --omega 2 --pulse cosine --theta0 -0.01")
+            .value_or("")
+            .starts_with("print(rederive.threshold(rederive.Pulse(2, \"cosine\"), theta0=-0.01))\n"));
+  CHECK(in_python("rocking map --omega 1:8:200 --amplitude 1:10:100 --plot map.png")
+            .value_or("")
+            .find("np.linspace(1, 8, 200), np.linspace(1, 10, 100)") != std::string::npos);
+  CHECK(in_python("ledger prove \"sin(a)^2\" \"1 - cos(a)^2\"") ==
+        "rederive.prove(\"sin(a)^2\", \"1 - cos(a)^2\")");
   CHECK(in_python("ledger show 11") == "next(row for row in rederive.ledger() if row.id == \"11\")");
-  for (const auto* command : {"rocking threshold --omega 2 --digits 30", "ledger claims c02", "ledger graph | head",
-                              "exercises show barrier", "rocking figure 8", "rocking response --omega 2 --amplitude 1 x"})
+  for (const auto* command :
+       {"rocking threshold --omega 2 --digits 30", "ledger claims c02", "ledger graph | head",
+        "exercises show barrier", "rocking figure 8", "rocking response --omega 2 --amplitude 1 x"})
     CHECK_MESSAGE(!in_python(command), command);
 }
 
@@ -175,8 +184,10 @@ TEST_CASE("Jupyter runs every lesson, and the module says there what the command
       if (!std::regex_match(source, asked, plain)) continue;
       const std::string out = output_of(cell);
       REQUIRE(std::regex_match(out, said, threshold));
-      const json command = json::parse(run_program("rocking", {"threshold", "--omega", asked[1], "--json"}).out);
-      CHECK(std::stod(said[1]) == doctest::Approx(command["minimum"]["amplitude"].get<double>()).epsilon(1e-11));
+      const json command =
+          json::parse(run_program("rocking", {"threshold", "--omega", asked[1], "--json"}).out);
+      CHECK(std::stod(said[1]) ==
+            doctest::Approx(command["minimum"]["amplitude"].get<double>()).epsilon(1e-11));
       CHECK(std::stoi(said[2]) == command["minimum"]["code"]);
       ++thresholds;
     }
@@ -184,7 +195,8 @@ TEST_CASE("Jupyter runs every lesson, and the module says there what the command
       std::string id = cell["source"].get<std::string>();
       id = id.substr(id.find('"') + 1, id.rfind('"') - id.find('"') - 1);
       const json command = json::parse(run_program("ledger", {"show", id, "--json"}).out);
-      const std::string verdict = std::regex_replace(command["verdict"].get<std::string>(), std::regex("_"), " ");
+      const std::string verdict =
+          std::regex_replace(command["verdict"].get<std::string>(), std::regex("_"), " ");
       CHECK_MESSAGE(output_of(cell).find("\\text{" + verdict + "}") != std::string::npos, id);
       ++rows;
     }

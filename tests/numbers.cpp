@@ -143,7 +143,8 @@ TEST_CASE("identities hold to all digits that are given, and more digits only co
   const char* rows =
       "sin(2*x) = 2*sin(x)*cos(x); cosh(g)^2-1 = sinh(g)^2; tan(asin(x)) = x/sqrt(1-x^2); "
       "acos(x)+asin(x) = pi/2+0*exp(x); acosh(g) = log(g+sqrt(3)); coth(x)*tanh(x)*sqrt(3) = sqrt(3); "
-      "sech(x)^2+tanh(x)^2+pi = 1+pi; csc(g)*sec(g) = 2/sin(2*g); g^x = exp(x*log(g)); exp(500) = exp(250)^2; "
+      "sech(x)^2+tanh(x)^2+pi = 1+pi; csc(g)*sec(g) = 2/sin(2*g); g^x = exp(x*log(g)); exp(500) = "
+      "exp(250)^2; "
       "abs(y)^(1/2) = sqrt(2); csch(x) = 1/sinh(x); atan(g) = pi/2-atan(1/g); 4*atan(1/5)-atan(1/239) = pi/4";
   for (const auto& [its_left, right] : table(rows)) {
     const auto& left = its_left;
@@ -152,7 +153,8 @@ TEST_CASE("identities hold to all digits that are given, and more digits only co
       REQUIRE(digits_at(tree(left), point, count));
       CHECK(digits_at(tree(left), point, count) == digits_at(tree(right), point, count));
     }
-    CHECK(digits_at(tree(left), point, 100)->substr(0, 20) == digits_at(tree(left), point, 30)->substr(0, 20));
+    CHECK(digits_at(tree(left), point, 100)->substr(0, 20) ==
+          digits_at(tree(left), point, 30)->substr(0, 20));
   }
 }
 

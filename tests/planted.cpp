@@ -1,8 +1,7 @@
-// Random systems of equations and inequalities with a solution that is known, against 1 = 2: what holds somewhere is never
-// proved to be the same as what holds nowhere.
-#include <doctest/doctest.h>
-
+// Random systems of equations and inequalities with a solution that is known, against 1 = 2: what holds
+// somewhere is never proved to be the same as what holds nowhere.
 #include <cln/rational_io.h>
+#include <doctest/doctest.h>
 
 #include <derivations/decide/comparison.hpp>
 #include <derivations/decide/decide.hpp>
@@ -32,7 +31,8 @@ struct Planted {
 class Planter {
  public:
   explicit Planter(unsigned seed) : random_(seed) {
-    for (const char* name : {"x", "y", "z", "v", "w"}) symbols.declare(name, name, name, "1", all_numbers, "", "");
+    for (const char* name : {"x", "y", "z", "v", "w"})
+      symbols.declare(name, name, name, "1", all_numbers, "", "");
   }
 
   Planted next() {
@@ -56,10 +56,26 @@ class Planter {
 
   /// $a, $b, $c are symbols.
   std::string expression() {
-    std::string text = pick({"$a*($b-$c)", "$a^2-$b^2", "$a*$b", "$a+$b", "$a^2+$b^2", "$a^2*$b", "$a*$b*$c", "$a^3-$b",
-                             "($a-$b)^2+$c", "$a/($b^2+1)", "fabs($a)-$b", "sqrt($a^2+1)*$b^2-sqrt($a^2+1)*$b^2+$c",
-                             "$a*$b-$b*$c", "2*$a-3*$b+$c", "sqrt($a^2)-$b", "sqrt(($a-$b)^2)+$c", "fabs($a-$b)+$a*$c",
-                             "sqrt($a)", "sqrt(fabs($a)+$a)*$b", "$b-fabs($a)-$a"});
+    std::string text = pick({"$a*($b-$c)",
+                             "$a^2-$b^2",
+                             "$a*$b",
+                             "$a+$b",
+                             "$a^2+$b^2",
+                             "$a^2*$b",
+                             "$a*$b*$c",
+                             "$a^3-$b",
+                             "($a-$b)^2+$c",
+                             "$a/($b^2+1)",
+                             "fabs($a)-$b",
+                             "sqrt($a^2+1)*$b^2-sqrt($a^2+1)*$b^2+$c",
+                             "$a*$b-$b*$c",
+                             "2*$a-3*$b+$c",
+                             "sqrt($a^2)-$b",
+                             "sqrt(($a-$b)^2)+$c",
+                             "fabs($a-$b)+$a*$c",
+                             "sqrt($a)",
+                             "sqrt(fabs($a)+$a)*$b",
+                             "$b-fabs($a)-$a"});
     for (const char* place : {"$a", "$b", "$c"}) {
       const std::string name = pick({"x", "y", "z", "v", "w"});
       for (std::size_t k; (k = text.find(place)) != std::string::npos;) text.replace(k, 2, name);
@@ -74,7 +90,8 @@ class Planter {
     if (!value.exact) return relation(is_equation);  // roots that cancel
     if (is_equation) return left + " = " + text_of(*value.exact);
     const cl_RA slack = cl_RA(static_cast<long>(below(5))) / 2;
-    return below(2) == 0 ? left + " <= " + text_of(*value.exact + slack) : left + " > " + text_of(*value.exact - slack - 1);
+    return below(2) == 0 ? left + " <= " + text_of(*value.exact + slack)
+                         : left + " > " + text_of(*value.exact - slack - 1);
   }
 
   std::string sign_of(const std::string& name) {
@@ -86,10 +103,10 @@ class Planter {
   std::mt19937 random_;
 };
 
-/// Whether the statement is found to be the same as another one by identities and signs alone. No point is tried, which might
-/// tell better.
-bool are_found_the_same(const Relation& statement, const Relation& other, const std::vector<Relation>& assumptions,
-                        const Symbols& symbols) {
+/// Whether the statement is found to be the same as another one by identities and signs alone. No point is
+/// tried, which might tell better.
+bool are_found_the_same(const Relation& statement, const Relation& other,
+                        const std::vector<Relation>& assumptions, const Symbols& symbols) {
   try {
     const Problem problem = with_values({statement, other, assumptions, symbols}, {});
     Comparison setting(problem.symbols);
@@ -146,7 +163,8 @@ TEST_CASE("what has no solution is a contradiction: the systems are not too weak
 TEST_CASE("y^2 = 1 + v^2 = z^2 says not that y = z") {
   const Planter planter(30);
   std::vector<Relation> assumptions;
-  for (const char* text : {"y^2 = 1+v^2", "z^2 = 1+v^2", "x > 0"}) assumptions.push_back(parse_relation(text, planter.symbols));
+  for (const char* text : {"y^2 = 1+v^2", "z^2 = 1+v^2", "x > 0"})
+    assumptions.push_back(parse_relation(text, planter.symbols));
   const Relation statement = parse_relation("x*(y-z) = 1", planter.symbols);
   const Relation impossible = parse_relation("1 = 2", planter.symbols);
   CHECK_FALSE(contradict(assumptions, planter.symbols));

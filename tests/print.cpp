@@ -123,14 +123,10 @@ class RandomExpressions {
 
 /// Structures that GiNaC keeps apart may be one value: sqrt(1/x) and 1/sqrt(x).
 bool same_value(const ex& a, const ex& b) {
-  const Point point = {{"m", cln::cl_RA(2)},
-                       {"R", cln::cl_RA(7) / 3},
-                       {"alpha", cln::cl_RA(1) / 5},
-                       {"theta", cln::cl_RA(-1) / 7},
-                       {"thetadot", cln::cl_RA(3) / 4},
-                       {"x", cln::cl_RA(11) / 9},
-                       {"y", cln::cl_RA(-13) / 8},
-                       {"psi", cln::cl_RA(1) / 2}};
+  const Point point = {
+      {"m", cln::cl_RA(2)},          {"R", cln::cl_RA(7) / 3},        {"alpha", cln::cl_RA(1) / 5},
+      {"theta", cln::cl_RA(-1) / 7}, {"thetadot", cln::cl_RA(3) / 4}, {"x", cln::cl_RA(11) / 9},
+      {"y", cln::cl_RA(-13) / 8},    {"psi", cln::cl_RA(1) / 2}};
   return digits_at(to_tree(a), point, 18) == digits_at(to_tree(b), point, 18);
 }
 

@@ -123,14 +123,15 @@ TEST_CASE("a link stays a link, a pipe stays a pipe, and what is behind them is 
   std::ofstream(file) << "old";
   fs::create_symlink("file", link);
   const auto write_to = [](const fs::path& path) {
-    return run_program("emit", {"--target", "cpp", "--function", "restitution", "--out", path.string()}).exit_code;
+    return run_program("emit", {"--target", "cpp", "--function", "restitution", "--out", path.string()})
+        .exit_code;
   };
   REQUIRE(write_to(link) == 0);
   CHECK(fs::is_symlink(link));
   CHECK(read_file(file) == run_program("emit", {"--target", "cpp", "--function", "restitution"}).out);
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   const int reader = ::open(pipe.c_str(), O_RDWR | O_NONBLOCK);  // so that the writer need not wait
-  REQUIRE(write_to(pipe) == 0);  // no more than the pipe holds
+  REQUIRE(write_to(pipe) == 0);                                  // no more than the pipe holds
   CHECK(fs::is_fifo(pipe));
   std::string text(100, ' ');
   CHECK(::read(reader, text.data(), text.size()) > 0);

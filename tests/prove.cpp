@@ -111,7 +111,8 @@ TEST_CASE("a series asks that the lowest terms below a bar, in a root or a logar
 
 // Open: a divisor whose lowest term is a difference of two small symbols has no series here.
 TEST_CASE("a difference of two small symbols may be a divisor" * doctest::should_fail()) {
-  CHECK(prove_json({"(x-y)/sin(x-y)", "1", "--small", "x,y", "--order", "0"}, 3)["verdict"] == "approximation");
+  CHECK(prove_json({"(x-y)/sin(x-y)", "1", "--small", "x,y", "--order", "0"}, 3)["verdict"] ==
+        "approximation");
 }
 
 TEST_CASE("a text that cannot be read ends with 2 and a caret under the character") {
@@ -135,11 +136,13 @@ TEST_CASE("a comparison of symbols that a proof rests on is among its side condi
   CHECK(conditions("a_p > alpha*g", "fabs(a_p-alpha*g)", "a_p-alpha*g") == nlohmann::json{"a_p > g*alpha"});
   CHECK(conditions("a_p > alpha*g", "a_p+a_p", "2*a_p").empty());
   CHECK(conditions("b/h < 1", "sqrt((h-b)^2)", "h-b") == nlohmann::json{"b/h < 1", "h > 0"});
-  CHECK(conditions("x > 0", "(x^3)^(1/3)", "x") == nlohmann::json{"x > 0"});  // not x^3 >= 0 in its place, unsaid
+  CHECK(conditions("x > 0", "(x^3)^(1/3)", "x") ==
+        nlohmann::json{"x > 0"});  // not x^3 >= 0 in its place, unsaid
 }
 
 // Open: assumptions with several solutions are undecided.
-TEST_CASE("what picks one of several solutions is a condition, and so is what leaves out a piece" * doctest::should_fail()) {
+TEST_CASE("what picks one of several solutions is a condition, and so is what leaves out a piece" *
+          doctest::should_fail()) {
   using Texts = std::vector<std::string>;
   const auto conditions = [](const Texts& assumptions, const std::string& left, const std::string& right) {
     Texts arguments{left, right};
@@ -162,7 +165,8 @@ TEST_CASE("a witness has every symbol that the assumptions name") {
 TEST_CASE("assumptions that contradict each other, or a range, are refused") {
   const auto is_refused = [](const std::vector<std::string>& assumptions) {
     std::vector<std::string> arguments{"prove", "1", "1"};
-    for (const std::string& assumption : assumptions) arguments.push_back("--assume"), arguments.push_back(assumption);
+    for (const std::string& assumption : assumptions)
+      arguments.push_back("--assume"), arguments.push_back(assumption);
     const Result r = run_program("ledger", arguments);
     return r.exit_code == 2 && r.err.find("contradict") != std::string::npos;
   };
@@ -175,9 +179,12 @@ TEST_CASE("assumptions that contradict each other, or a range, are refused") {
 }
 
 TEST_CASE("the domain of both sides is among the conditions, once") {
-  const auto conditions = [](std::vector<std::string> arguments) { return prove_json(std::move(arguments), 0)["side_conditions"]; };
+  const auto conditions = [](std::vector<std::string> arguments) {
+    return prove_json(std::move(arguments), 0)["side_conditions"];
+  };
   using Texts = std::vector<std::string>;
-  const auto of_series = [&](const char* order, const char* left, const char* right, const char* assumption = "z > 2") {
+  const auto of_series = [&](const char* order, const char* left, const char* right,
+                             const char* assumption = "z > 2") {
     return conditions({left, right, "--small", "x", "--order", order, "--assume", assumption});
   };
   CHECK(of_series("0", "a^x", "1") == Texts{"a > 0"});

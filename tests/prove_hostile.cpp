@@ -1,4 +1,5 @@
-// Texts that nobody should type: no crash, an answer within bounds of processor time and memory, and a message.
+// Texts that nobody should type: no crash, an answer within bounds of processor time and memory, and a
+// message.
 #include <doctest/doctest.h>
 
 #include <random>
@@ -18,6 +19,7 @@ std::string nested(const std::string& function, int depth, const std::string& in
 }
 
 std::vector<std::string> hostile_texts() {
+  // clang-format off
   std::vector<std::string> texts{
       "", " ", "(", ")", "()", "+", "-", "*", "/", "^", "=", "<", "<=", "==", "=x", "x=", "x==y", "x<>y",
       "x=y=", "+-*/^", "x+", "*x", "x**2", "x//y", "x^^2", "1/0", "0/0", "x/0", "0^0", "0^-1", "x/(x-x)",
@@ -44,6 +46,7 @@ std::vector<std::string> hostile_texts() {
       times("1/(1+", 60) + "x" + times(")", 60), nested("sin", 50, "x"), nested("exp", 50, "x"),
       nested("sqrt", 50, "x"), nested("asin", 50, "x"), nested("log", 50, "x"), nested("tan", 30, "x"),
       nested("fabs", 100, "x"), nested("atan", 60, "x"), nested("sin", 190, "1"), nested("exp", 190, "1")};
+  // clang-format on
   std::string many = "0", product = "1", sines = "0";
   for (char a = 'a'; a <= 'z'; ++a) {
     many += std::string("+") + a, product += std::string("*(1+") + a + ")",
@@ -62,9 +65,11 @@ std::vector<std::string> hostile_texts() {
   return texts;
 }
 
-/// One of our programs with no more than so much processor time and memory for each process; whoever takes more is ended.
+/// One of our programs with no more than so much processor time and memory for each process; whoever takes
+/// more is ended.
 Result run_bounded(const std::string& program, std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {"-c", "ulimit -t 4 -v 560000; exec '" REDERIVE_PROGRAMS "'/\"$0\" \"$@\"", program});
+  arguments.insert(arguments.begin(),
+                   {"-c", "ulimit -t 4 -v 560000; exec '" REDERIVE_PROGRAMS "'/\"$0\" \"$@\"", program});
   return run_program("/bin/bash", arguments);
 }
 
@@ -104,8 +109,8 @@ TEST_CASE("an answer to an exercise is judged within bounds, too") {
     const std::string answer = "(sin(2*theta)" + sum + power + "-(2*sin(theta)*cos(theta)" + sum + power +
                                "+R*(cos(alpha-theta)-cos(alpha))";
     INFO(answer);
-    const Result r = run_bounded("exercises", {"--progress", (desk.path / "progress.txt").string(), "check", "--json",
-                                               "height-of-centre", "--", answer});
+    const Result r = run_bounded("exercises", {"--progress", (desk.path / "progress.txt").string(), "check",
+                                               "--json", "height-of-centre", "--", answer});
     CHECK((r.exit_code == 0 || r.exit_code == 3));
     CHECK(r.out.find("\"verdict\": \"") != std::string::npos);
   }
@@ -121,7 +126,8 @@ TEST_CASE("a table of statements that is none is refused") {
   }
 }
 
-TEST_CASE("a row of a table whose assumption says nothing of a symbol is refused, and the others are decided") {
+TEST_CASE(
+    "a row of a table whose assumption says nothing of a symbol is refused, and the others are decided") {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "table.toml")
       << "[[row]]\ngroup = \"g\"\nleft = \"x\"\nright = \"x\"\nexpected = \"refused\"\n"

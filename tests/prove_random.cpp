@@ -8,8 +8,8 @@
 #include <derivations/language/syntax.hpp>
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/numbers/interval.hpp>
-#include <iostream>
 #include <derivations/paper/prove_bounded.hpp>
+#include <iostream>
 #include <random>
 
 using namespace rederive;
@@ -183,8 +183,10 @@ std::optional<bool> are_different(const Tree& a, const Tree& b, const Symbols& s
 /// The witness, recomputed: the two sides have values there, and they differ.
 bool differ_at(const Witness& witness, const Tree& a, const Tree& b, const Symbols& symbols) {
   Point point;
-  for (const auto& [name, value] : witness.at) point.emplace(name, Number(parse(value, symbols, {.digits = 2000})));
-  for (const auto& [name, value] : witness.exactly) point.insert_or_assign(name, Number(parse(value, symbols)));
+  for (const auto& [name, value] : witness.at)
+    point.emplace(name, Number(parse(value, symbols, {.digits = 2000})));
+  for (const auto& [name, value] : witness.exactly)
+    point.insert_or_assign(name, Number(parse(value, symbols)));
   const Sign sign = sign_at(a, b, point);
   return sign == Sign::negative || sign == Sign::positive;
 }

@@ -31,7 +31,7 @@ TEST_CASE("every row of the table has the verdict that it should have") {
 
 TEST_CASE("a verdict does not depend on the order that the computer algebra gives the symbols") {
   std::vector<GiNaC::realsymbol> others;  // each of them moves the order of those that come after it
-  std::map<std::size_t, Verdict> first;  // of the rows, by their place
+  std::map<std::size_t, Verdict> first;   // of the rows, by their place
   for (int k = 0; k < 4; ++k) {
     const auto rows = rows_of_the_table();
     for (std::size_t place = 0; place < rows.size(); ++place) {

@@ -17,17 +17,20 @@ std::vector<Shown> console_blocks(const std::string& readme) {
   std::istringstream lines(readme);
   bool inside = false;
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("```")) inside = line == "```console";
-    else if (inside && line.starts_with("$ ")) shown.push_back({line.substr(2), {}});
-    else if (inside && !shown.empty() && !line.empty() && line != "…") shown.back().output.push_back(line);
+    if (line.starts_with("```"))
+      inside = line == "```console";
+    else if (inside && line.starts_with("$ "))
+      shown.push_back({line.substr(2), {}});
+    else if (inside && !shown.empty() && !line.empty() && line != "…")
+      shown.back().output.push_back(line);
   }
   return shown;
 }
 
 /// What a test of the test run may not do again.
 bool is_the_test_run(const std::string& command) {
-  return command.starts_with("tests/run") || command.starts_with("ctest") || command.starts_with("git clone") ||
-         command.starts_with("cmake");
+  return command.starts_with("tests/run") || command.starts_with("ctest") ||
+         command.starts_with("git clone") || command.starts_with("cmake");
 }
 
 }  // namespace
@@ -35,19 +38,24 @@ bool is_the_test_run(const std::string& command) {
 TEST_CASE("every command in the READMEs works and prints what they show") {
   const std::string root = REDERIVE_SOURCE;
   std::vector<Shown> shown;
-  for (const char* room : {"", "/derivations/paper", "/derivations/decide", "/numerics", "/lessons/exercises"})
-    for (Shown& block : console_blocks(read_file(root + room + "/README.md"))) shown.push_back(std::move(block));
+  for (const char* room :
+       {"", "/derivations/paper", "/derivations/decide", "/numerics", "/lessons/exercises"})
+    for (Shown& block : console_blocks(read_file(root + room + "/README.md")))
+      shown.push_back(std::move(block));
   REQUIRE(shown.size() >= 8);
   TemporaryFolder folder;
   int run = 0;
   for (const Shown& block : shown) {
     if (is_the_test_run(block.command)) continue;
     INFO(block.command);
-    const std::string script = "cd '" + folder.path.string() + "' && ln -sfn '" + root + "'/* . && PATH='" REDERIVE_PROGRAMS "':\"$PATH\" && export PATH && " +
-                               (block.command.starts_with("lessons/run") ? "cd '" + root + "' && " : "") + block.command;
+    const std::string script = "cd '" + folder.path.string() + "' && ln -sfn '" + root +
+                               "'/* . && PATH='" REDERIVE_PROGRAMS "':\"$PATH\" && export PATH && " +
+                               (block.command.starts_with("lessons/run") ? "cd '" + root + "' && " : "") +
+                               block.command;
     const Result r = run_program("/bin/bash", {"-c", script});
     CHECK_MESSAGE(r.exit_code == 0, r.err);
-    for (const std::string& line : block.output) CHECK_MESSAGE(r.out.find(line) != std::string::npos, "not printed: ", line);
+    for (const std::string& line : block.output)
+      CHECK_MESSAGE(r.out.find(line) != std::string::npos, "not printed: ", line);
     ++run;
   }
   CHECK(run >= 6);

@@ -1,12 +1,11 @@
-#include <numerics/response.hpp>
-
 #include <doctest/doctest.h>
-#include <emitted/rocking_block.hpp>
-#include <numerics/story.hpp>
 
 #include <array>
 #include <cmath>
+#include <emitted/rocking_block.hpp>
 #include <numbers>
+#include <numerics/response.hpp>
+#include <numerics/story.hpp>
 #include <stdexcept>
 
 using namespace rederive;

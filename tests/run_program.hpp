@@ -50,7 +50,8 @@ inline Result run_program(const std::string& program, const std::vector<std::str
   TemporaryFolder folder;
   std::ofstream(folder.path / "in", std::ios::binary) << input;
   std::string command = program.find('/') == std::string::npos
-                            ? quoted(std::string(REDERIVE_PROGRAMS) + "/" + program) : quoted(program);
+                            ? quoted(std::string(REDERIVE_PROGRAMS) + "/" + program)
+                            : quoted(program);
   for (const auto& argument : arguments) command += " " + quoted(argument);
   command += " <" + quoted(folder.path / "in") + " >" + quoted(folder.path / "out") + " 2>" +
              quoted(folder.path / "err");
@@ -59,11 +60,12 @@ inline Result run_program(const std::string& program, const std::vector<std::str
           read_file(folder.path / "err")};
 }
 
-/// Whether a tool that only some tests want is there. If not, CTest is told that the test is skipped; where every test is
-/// required (REDERIVE_REQUIRE_ALL_TESTS, as in .ci/run) that is a failure instead.
+/// Whether a tool that only some tests want is there. If not, CTest is told that the test is skipped; where
+/// every test is required (REDERIVE_REQUIRE_ALL_TESTS, as in .ci/run) that is a failure instead.
 inline bool has_tool(const std::string& name) {
   if (std::system(("command -v " + quoted(name) + " >/dev/null 2>&1").c_str()) == 0) return true;
-  if (std::getenv("REDERIVE_REQUIRE_ALL_TESTS") != nullptr) throw std::runtime_error("the tool is missing: " + name);
+  if (std::getenv("REDERIVE_REQUIRE_ALL_TESTS") != nullptr)
+    throw std::runtime_error("the tool is missing: " + name);
   std::printf("SKIPPED TEST: %s is not installed\n", name.c_str());
   return false;
 }

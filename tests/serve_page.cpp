@@ -109,7 +109,8 @@ TEST_CASE("an answer is typed beside the lesson: the echo, the verdict, a hint, 
   browser.wait_for("(" + within + "('button[value=solution]').click(), true)");
   browser.wait_for("(" + within + "('button[value=give_up]')?.click(), " + within +
                    "('.standing').textContent === '(given up, 1 attempt)')");
-  CHECK(browser.wait_for("String(document.documentElement.scrollWidth <= document.documentElement.clientWidth)") ==
+  CHECK(browser.wait_for(
+            "String(document.documentElement.scrollWidth <= document.documentElement.clientWidth)") ==
         "true");
   CHECK(browser.wait_for("JSON.stringify(performance.getEntriesByType('resource').map((one) => one.name)"
                          ".filter((name) => !/^(data|blob):/.test(name) && !name.startsWith('" +

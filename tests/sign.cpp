@@ -1,8 +1,8 @@
 // Signs with a certificate: what is found multiplies out to 0, and of what has a solution nothing is found.
 #include <doctest/doctest.h>
 
-#include <derivations/language/syntax.hpp>
 #include <derivations/identity/translator.hpp>
+#include <derivations/language/syntax.hpp>
 #include <derivations/sign/certificate.hpp>
 #include <random>
 
@@ -27,10 +27,15 @@ struct System {
     std::vector<Atom> conditions;
     const Fraction value = translator(relation.sides[0], conditions);
     const std::string& op = relation.operators[0];
-    for (const Fact& fact : facts_of(ring, value, op == "=" ? Signs::zero() : op == ">" ? Signs::positive() : Signs::nonnegative()))
+    for (const Fact& fact : facts_of(ring, value,
+                                     op == "="   ? Signs::zero()
+                                     : op == ">" ? Signs::positive()
+                                                 : Signs::nonnegative()))
       ring.facts.push_back(fact);
   }
-  std::optional<Certificate> prove(const std::string& text, Signs claim) { return prove_signs(ring, (*this)(text), claim); }
+  std::optional<Certificate> prove(const std::string& text, Signs claim) {
+    return prove_signs(ring, (*this)(text), claim);
+  }
 
   Symbols symbols;
   Ring ring;
@@ -82,12 +87,10 @@ TEST_CASE("signs that follow are proved, and every certificate multiplies out to
 }
 
 TEST_CASE("nothing is proved of what does not follow") {
-  const std::vector<Row> rows{{{}, "x^2+y^2-2*x*y", Signs::positive()},
-                              {{}, "x", Signs::nonnegative()},
-                              {{"x > 0"}, "x-1", Signs::positive()},
-                              {{"x - y > 0"}, "x^2-y^2", Signs::positive()},
-                              {{"x*y > 0"}, "x+y", Signs::positive()},
-                              {{"x^2 + y^2 - 1 = 0"}, "x+y-1", Signs::nonnegative()}};
+  const std::vector<Row> rows{
+      {{}, "x^2+y^2-2*x*y", Signs::positive()}, {{}, "x", Signs::nonnegative()},
+      {{"x > 0"}, "x-1", Signs::positive()},    {{"x - y > 0"}, "x^2-y^2", Signs::positive()},
+      {{"x*y > 0"}, "x+y", Signs::positive()},  {{"x^2 + y^2 - 1 = 0"}, "x+y-1", Signs::nonnegative()}};
   for (const Row& row : rows) {
     System system;
     for (const std::string& fact : row.facts) system.know(fact);

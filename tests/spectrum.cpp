@@ -1,7 +1,6 @@
-#include <numerics/spectrum.hpp>
-
 #include <doctest/doctest.h>
 
+#include <numerics/spectrum.hpp>
 #include <stdexcept>
 
 using namespace rederive;

@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <derivations/numbers/interval.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <set>
 
 using namespace rederive;

@@ -1,4 +1,5 @@
-// Every witness is put to the test by the evaluator alone: it is complete, keeps to what is assumed, and tells the two apart.
+// Every witness is put to the test by the evaluator alone: it is complete, keeps to what is assumed, and
+// tells the two apart.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -25,15 +26,17 @@ Point point_of(const Witness& witness, const Symbols& symbols) {
   for (const auto& [name, bounds] : witness.between) {
     Tree zero = parse_relation(witness.solves, symbols).sides[0];
     for (const auto& [other, tree] : known) zero = put_in(zero, other, tree);
-    const auto end = [&](const std::string& text) { return value_at(parse(text, symbols), {}, 64).exact.value(); };
+    const auto end = [&](const std::string& text) {
+      return value_at(parse(text, symbols), {}, 64).exact.value();
+    };
     CHECK(names_of(zero) == std::set<std::string>{name});
     point.emplace(name, Number(zero, name, end(bounds.first), end(bounds.second)));
   }
   return point;
 }
 
-/// -1, 0, +1: the order of two values; they are equal to 30 places, for what follows from equations is said in 40 digits.
-/// Nothing where one has no value.
+/// -1, 0, +1: the order of two values; they are equal to 30 places, for what follows from equations is said
+/// in 40 digits. Nothing where one has no value.
 std::optional<int> compare(const Tree& a, const Tree& b, const Point& at) {
   const Value left = value_at(a, at, 600), right = value_at(b, at, 600);
   if (left.is != Value::Is::certain || right.is != Value::Is::certain) return std::nullopt;
@@ -136,11 +139,11 @@ nlohmann::json witness_of(std::vector<std::string> arguments) {
 // Open: of a zero that is only enclosed the other statement cannot always be told.
 TEST_CASE("at a witness one of two statements holds and the other does not, and what is assumed holds") {
   const std::vector<std::string> statements{
-      "x*exp(x) = y",    "cos(x) = x",      "x^5-x-1 = 0",      "y*exp(y)+x = 0",    "tan(x) = 2*x",
-      "b*exp(h) = 2",    "h^3 = b+1",       "sin(alpha) = p/3", "x = y = exp(-z)",   "x < exp(-x)",
-      "x^3 >= 3",        "b < cos(b*h)",    "p^2 = 5",          "x = 1/3",           "R = exp(-R*alpha)",
-      "alpha = cos(p)",  "sqrt(x) = 1/2-x", "log(x)+x = 0",     "(x-exp(-x))^2 = 0", "(x^3-2)^2 <= 0",
-      "0 < x*exp(x) <= 1", "b+h = 3",       "R*p^2 = g*alpha",  "x*y = 1",           "atan(x) = y*x-1/2",
+      "x*exp(x) = y",      "cos(x) = x",      "x^5-x-1 = 0",      "y*exp(y)+x = 0",    "tan(x) = 2*x",
+      "b*exp(h) = 2",      "h^3 = b+1",       "sin(alpha) = p/3", "x = y = exp(-z)",   "x < exp(-x)",
+      "x^3 >= 3",          "b < cos(b*h)",    "p^2 = 5",          "x = 1/3",           "R = exp(-R*alpha)",
+      "alpha = cos(p)",    "sqrt(x) = 1/2-x", "log(x)+x = 0",     "(x-exp(-x))^2 = 0", "(x^3-2)^2 <= 0",
+      "0 < x*exp(x) <= 1", "b+h = 3",         "R*p^2 = g*alpha",  "x*y = 1",           "atan(x) = y*x-1/2",
       "0 < x < -1/10^50"};
   const std::vector<std::vector<std::string>> assumptions{{},
                                                           {"b < h"},
@@ -161,7 +164,8 @@ TEST_CASE("at a witness one of two statements holds and the other does not, and 
     if (proof.verdict != Verdict::refuted) continue;
     REQUIRE(proof.witness);
     const Symbols symbols = declared_symbols(request);
-    check(*proof.witness, parse_statement(request.left, symbols), parse_statement(request.right, symbols), symbols);
+    check(*proof.witness, parse_statement(request.left, symbols), parse_statement(request.right, symbols),
+          symbols);
     for (const std::string& text : request.assumptions) check_assumption(text, *proof.witness, symbols);
     ++refuted, between += proof.witness->between.empty() ? 0 : 1;
   }
@@ -182,7 +186,8 @@ TEST_CASE("so it is at the witness of every row of the paper that is refuted") {
     const Point at = point_of(*entry.proof.witness, symbols);
     for (const Given& given : entry.derivation->given)
       CHECK(compare(to_tree(given.name, symbols), to_tree(given.value, symbols), at) == 0);
-    check(*entry.proof.witness, parse_statement(row.claim(), symbols), derived_relation(*entry.derivation), symbols);
+    check(*entry.proof.witness, parse_statement(row.claim(), symbols), derived_relation(*entry.derivation),
+          symbols);
     ++looked_at;
   }
   CHECK(looked_at > 7);

@@ -40,8 +40,8 @@ struct Emission {
   std::vector<EmittedFunction> functions;
   std::vector<TaylorStepper> steppers;
 };
-/// Those with these names, in the order in which they are listed; all that the target has if nothing is named.
-/// Throws BadInput for a name that there is not, or not in this target.
+/// Those with these names, in the order in which they are listed; all that the target has if nothing is
+/// named. Throws BadInput for a name that there is not, or not in this target.
 Emission emission_of(const std::vector<std::string>& names, Target target);
 
 /// What is known about a function beside its text.

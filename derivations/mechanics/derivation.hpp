@@ -2,7 +2,6 @@
 #pragma once
 
 #include <derivations/language/symbols.hpp>
-
 #include <string>
 #include <vector>
 
@@ -11,21 +10,23 @@ namespace rederive {
 /// One line of an argument: a sentence, and (where it has one) the formula it arrives at, left = right.
 struct Step {
   std::string says;
-  GiNaC::ex left, right;      ///< both 0 where the step is words only
+  GiNaC::ex left, right;  ///< both 0 where the step is words only
   std::string relation = "=";
 };
 
-/// A result with its argument. `left relation right` is what was derived, in the symbols of the paper; it never
-/// comes from the printed page.
+/// A result with its argument. `left relation right` is what was derived, in the symbols of the paper; it
+/// never comes from the printed page.
 struct Derivation {
   GiNaC::ex left, right;
-  std::string relation = "=";    ///< "=", "<", "<=", ">", ">="
+  std::string relation = "=";  ///< "=", "<", "<=", ">", ">="
   std::vector<Step> steps;
-  std::vector<Given> given;      ///< what the names stand for: J_o = 4/3 m R², h = R cos α … (put in before comparing)
-  /// Holds only under this, which the paper leaves unsaid: a relation, and words behind : or ;. Empty if always.
+  std::vector<Given>
+      given;  ///< what the names stand for: J_o = 4/3 m R², h = R cos α … (put in before comparing)
+  /// Holds only under this, which the paper leaves unsaid: a relation, and words behind : or ;. Empty if
+  /// always.
   std::string assumption;
-  int order = 0;                 ///< > 0: a Taylor approximation to this order …
-  std::string small;             ///< … in these symbols ("alpha, theta")
+  int order = 0;      ///< > 0: a Taylor approximation to this order …
+  std::string small;  ///< … in these symbols ("alpha, theta")
 };
 
 /// A derivation is a pure function.

@@ -59,10 +59,10 @@ inline Bounded why_it_ended(int status, double taken) {
 
 /// Runs `work` in a child process and brings its text back. At most `seconds`, and `megabytes` of address
 /// space beyond what this process has. The seconds are processor time: what is decided does not depend on how
-/// busy the machine is. After `patience` seconds of wall-clock time it is given up, whatever it waits for, and
-/// as soon as `stop`, which is asked now and then, says so. `first` is done before it, in the child and within
-/// the same limits, and may read files: `work` cannot. Several threads may call it. Throws std::runtime_error
-/// if no child can be made.
+/// busy the machine is. After `patience` seconds of wall-clock time it is given up, whatever it waits for,
+/// and as soon as `stop`, which is asked now and then, says so. `first` is done before it, in the child and
+/// within the same limits, and may read files: `work` cannot. Several threads may call it. Throws
+/// std::runtime_error if no child can be made.
 inline Bounded run_bounded(const std::function<std::string()>& work, double seconds, long megabytes,
                            double patience = 60, const std::function<void()>& first = {},
                            const std::function<bool()>& stop = {}) {

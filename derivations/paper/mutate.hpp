@@ -8,12 +8,13 @@ namespace rederive {
 /// A relation with one slip in it.
 struct Mutant {
   Relation relation;
-  std::string slip;  ///< stable word: sign, coefficient, function, square, factor, term, symbol, dot, operator
+  std::string
+      slip;  ///< stable word: sign, coefficient, function, square, factor, term, symbol, dot, operator
   std::string what;  ///< "the sign of term 2"
 };
 
-/// Every single slip in `printed`, in a fixed order: a sign, a coefficient, sin for cos, sinh for cosh, a lost
-/// square, factor, term or dot, a swapped symbol, a turned inequality.
+/// Every single slip in `printed`, in a fixed order: a sign, a coefficient, sin for cos, sinh for cosh, a
+/// lost square, factor, term or dot, a swapped symbol, a turned inequality.
 std::vector<Mutant> mutants(const Relation& printed, const Symbols& symbols = paper_symbols());
 
 /// What became of the mutants of one row.

@@ -1,9 +1,8 @@
 // equations.toml → rows. Every complaint names the file, the row and what would be right.
+#include <algorithm>
 #include <derivations/emit/data_folder.hpp>
 #include <derivations/paper/ledger.hpp>
 #include <derivations/paper/toml_rows.hpp>
-
-#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -12,7 +11,8 @@ namespace rederive {
 namespace {
 
 const std::set<std::string> kinds{"equation", "inequality", "definition", "result"};
-const std::set<std::string> verdicts{"proved", "proved_under", "approximation", "refuted", "definition", "undecided"};
+const std::set<std::string> verdicts{"proved",  "proved_under", "approximation",
+                                     "refuted", "definition",   "undecided"};
 
 std::string joined(const std::set<std::string>& words) {
   std::string text;
@@ -60,7 +60,8 @@ std::vector<Row> read_rows(const std::filesystem::path& file) {
   for (const Row& row : rows)
     for (const std::string& source : row.follows_from)
       if (!ids.contains(source))
-        throw std::runtime_error(file.string() + ": row " + row.id + " follows from " + source + ", which is no row");
+        throw std::runtime_error(file.string() + ": row " + row.id + " follows from " + source +
+                                 ", which is no row");
   return rows;
 }
 

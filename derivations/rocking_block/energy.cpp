@@ -27,7 +27,8 @@ Derivation total_energy() {
 }
 
 Derivation energy_of(Side side, const Cited& kinetic, const Cited& potential) {
-  return derived(E, energy(side), {from(kinetic, "Add the kinetic energy"), from(potential, "and the potential")});
+  return derived(E, energy(side),
+                 {from(kinetic, "Add the kinetic energy"), from(potential, "and the potential")});
 }
 
 Derivation equation_22a() {

@@ -110,12 +110,12 @@ Derivation equation_5() {
 }
 
 Derivation kinetic_energy_in_J_o(Side side) {
-  return derived(
-      K, kinetic_energy(side),
-      {from(Cited{"5", equation_5}, "By König's theorem, #, add the energies of the rotation about C and of C itself"),
-       from(horizontal_velocity(side), "with the velocity of C"),
-       from(vertical_velocity(side), "and"),
-       {"and what J_o is", J_o, J_c + m * pow(R, 2)}});
+  return derived(K, kinetic_energy(side),
+                 {from(Cited{"5", equation_5},
+                       "By König's theorem, #, add the energies of the rotation about C and of C itself"),
+                  from(horizontal_velocity(side), "with the velocity of C"),
+                  from(vertical_velocity(side), "and"),
+                  {"and what J_o is", J_o, J_c + m * pow(R, 2)}});
 }
 
 Derivation weight(Side side) {

@@ -48,7 +48,7 @@ struct Assumption {
 
 struct Exercise {
   std::string id, title, statement, example, pivot, unit;
-  std::string name;   ///< of what is asked for, a symbol or such as "V/m"; an answer may stand behind it and =
+  std::string name;  ///< of what is asked for, a symbol or such as "V/m"; an answer may stand behind it and =
   std::string bound;  ///< or behind it and this relation: ">=" where the least value is asked for
   int lesson = 0;
   Kind kind = Kind::expression;

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <derivations/emit/program.hpp>
-#include <derivations/paper/prove.hpp>
 #include <derivations/paper/bounded.hpp>
+#include <derivations/paper/prove.hpp>
 #include <lessons/exercises/in_page.hpp>
 #include <lessons/exercises/units.hpp>
 #include <lessons/prose.hpp>

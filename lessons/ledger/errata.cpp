@@ -85,7 +85,8 @@ std::string markdown_sheet(const std::vector<Entry>& wrong, const std::string& p
 
 std::string latex_sheet(const std::vector<Entry>& wrong, const std::string& paper) {
   std::string text =
-      "\\documentclass[a4paper]{article}\n\\usepackage[T1]{fontenc}\n\\usepackage{amsmath}\n\\usepackage[margin=22mm]{geometry}\n"
+      "\\documentclass[a4paper]{article}\n\\usepackage[T1]{fontenc}\n\\usepackage{amsmath}\n\\usepackage["
+      "margin=22mm]{geometry}\n"
       "\\setlength{\\parindent}{0pt}\\sloppy\n\\title{Errata: " +
       latex_escaped(paper) +
       "}\n"

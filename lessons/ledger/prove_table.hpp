@@ -2,8 +2,8 @@
 // cannot.
 #pragma once
 
-#include <filesystem>
 #include <derivations/paper/prove_bounded.hpp>
+#include <filesystem>
 
 namespace rederive {
 

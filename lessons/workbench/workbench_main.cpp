@@ -1,7 +1,7 @@
 // Writes the workbench at build time: the element that lessons hold, and the page of its own.
 // Usage: workbench_page FOLDER SOURCES
-#include <derivations/emit/program.hpp>
 #include <derivations/emit/emit.hpp>
+#include <derivations/emit/program.hpp>
 #include <derivations/rocking_block/pulse.hpp>
 #include <iostream>
 #include <lessons/prose.hpp>
@@ -98,8 +98,8 @@ void write_all(const std::filesystem::path& folder, const std::filesystem::path&
   const std::string emitted = physics(motion);
   write_whole(folder / "workbench_element.html", element(without_documentation(emitted)));
   write_whole(folder / "workbench.html", whole_file(sources / "head.html") + math_font_style() +
-                                       "</head>\n<body class=\"own\">\n<h1>The rocking block</h1>\n" +
-                                       element(emitted) + "</body>\n</html>\n");
+                                             "</head>\n<body class=\"own\">\n<h1>The rocking block</h1>\n" +
+                                             element(emitted) + "</body>\n</html>\n");
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // rocking figure N: the paper's figures, computed.
+#include <fmt/format.h>
+
 #include <numerics/commands/options.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/figures.hpp>
-
-#include <fmt/format.h>
 
 namespace rederive::inline numeric {
 namespace {
@@ -37,8 +37,12 @@ void add_figure(CLI::App& app, Run& run) {
   auto* command = app.add_subcommand("figure", "the paper's figures 8 to 16, computed");
   auto options = std::make_shared<FigureCommand>();
   command->add_option("number", options->number, "8 to 16")->required()->type_name("NUMBER");
-  command->add_option("--out", options->out, "draw to .svg, .png or .pdf")->check(file_name)->type_name("FILE");
-  command->add_option("--data", options->data, "write the curves as CSV")->check(file_name)->type_name("FILE");
+  command->add_option("--out", options->out, "draw to .svg, .png or .pdf")
+      ->check(file_name)
+      ->type_name("FILE");
+  command->add_option("--data", options->data, "write the curves as CSV")
+      ->check(file_name)
+      ->type_name("FILE");
   command->add_option("--ground-acceleration", options->ground_acceleration, "a_g/g of figure 16 [0.24]")
       ->type_name("NUMBER");
   add_engine(*command, options->engine);
@@ -46,4 +50,4 @@ void add_figure(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return run_figure(*options); }; });
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

@@ -1,13 +1,12 @@
 // rocking spectrum: thresholds against omega_p/p.
-#include <numerics/commands/options.hpp>
-#include <numerics/commands/sweep.hpp>
-#include <numerics/plot.hpp>
-#include <numerics/spectrum.hpp>
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
+#include <numerics/commands/options.hpp>
+#include <numerics/commands/sweep.hpp>
+#include <numerics/plot.hpp>
+#include <numerics/spectrum.hpp>
 
 namespace rederive::inline numeric {
 namespace {
@@ -60,8 +59,7 @@ Figure figure_of(const std::vector<SpectrumPoint>& points, const PulseCase& aske
           {panel}};
 }
 
-nlohmann::ordered_json json_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked,
-                               bool least) {
+nlohmann::ordered_json json_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked, bool least) {
   nlohmann::ordered_json document{{"alpha", asked.block.alpha},
                                   {"restitution", asked.block.restitution},
                                   {"model", name_of(asked.model)},
@@ -124,4 +122,4 @@ void add_spectrum(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return run_spectrum(*options); }; });
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

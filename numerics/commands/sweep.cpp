@@ -1,13 +1,11 @@
-#include <numerics/commands/sweep.hpp>
-
-#include <numerics/commands/options.hpp>
-#include <numerics/commands/ranks.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <numerics/commands/options.hpp>
+#include <numerics/commands/ranks.hpp>
+#include <numerics/commands/sweep.hpp>
 #include <thread>
 
 namespace rederive::inline numeric {
@@ -44,4 +42,4 @@ bool was_interrupted(const Work& work, const char* consequence) {
   return stopped;
 }
 
-}  // namespace rederive::numeric
+}  // namespace rederive::inline numeric

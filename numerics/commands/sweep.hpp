@@ -6,8 +6,8 @@
 
 namespace rederive::inline numeric {
 
-/// From --threads ("" = as many as the machine has, one a rank under mpirun), shared among ranks, with progress
-/// on a terminal and stopping at Ctrl-C.
+/// From --threads ("" = as many as the machine has, one a rank under mpirun), shared among ranks, with
+/// progress on a terminal and stopping at Ctrl-C.
 Work sweep_work(const std::string& threads, int count, const char* unit);
 
 /// Whether Ctrl-C was pressed; ends the progress line and says what comes of it.

@@ -1,12 +1,11 @@
 // How long one motion takes, as a ratio to a named peer: GSL's own eighth-order integration of (21a) over the
 // same pulse without events, at the same tolerance.
-#include <numerics/windows.hpp>
-
 #include <benchmark/benchmark.h>
-#include <emitted/rocking_block.hpp>
 #include <gsl/gsl_odeiv2.h>
 
 #include <cmath>
+#include <emitted/rocking_block.hpp>
+#include <numerics/windows.hpp>
 
 using namespace rederive;
 
