@@ -161,7 +161,7 @@ std::optional<std::string> point_of(const std::vector<Relation>& hypotheses) {
 }  // namespace
 
 TEST_CASE("the hypotheses of each lemma hold at some point") {
-  std::vector<Lemma> lemmas = steps_of(entries());
+  std::vector<Lemma> lemmas = steps_of(entries(), [](const std::string&) { return true; });
   for (const Entry& entry : entries())
     if (const auto lemma = lemma_of(entry)) lemmas.push_back(*lemma);
   int named = 0;

@@ -21,14 +21,11 @@ std::vector<Lemma> lemmas_of(const std::vector<Entry>& entries, const std::vecto
   for (const std::string& id : ids)
     if (std::none_of(entries.begin(), entries.end(), [&](auto& e) { return e.row.id == id; }))
       throw BadInput("there is no equation '" + printable_line(id) + "'; 'ledger' lists them all");
-  for (const Entry& entry : entries) {
-    const bool is_wanted = ids.empty() || std::find(ids.begin(), ids.end(), entry.row.id) != ids.end();
-    if (const auto lemma = is_wanted ? lemma_of(entry) : std::nullopt) lemmas.push_back(*lemma);
-  }
+  const auto is_wanted = [&](const std::string& id) { return ids.empty() || std::ranges::count(ids, id) > 0; };
+  for (const Entry& entry : entries)
+    if (const auto lemma = is_wanted(entry.row.id) ? lemma_of(entry) : std::nullopt) lemmas.push_back(*lemma);
   for (auto* more : {&corrections_of, &steps_of})
-    for (Lemma& lemma : more(entries))
-      if (ids.empty() || std::find(ids.begin(), ids.end(), lemma.id) != ids.end())
-        lemmas.push_back(std::move(lemma));
+    for (Lemma& lemma : more(entries, is_wanted)) lemmas.push_back(std::move(lemma));
   if (ids.empty())
     for (Lemma& theorem : shipped_theorems()) lemmas.push_back(std::move(theorem));
   return lemmas;

@@ -83,12 +83,12 @@ std::optional<Question> question_for(const Entry& entry, const Before& before, c
 
 }  // namespace
 
-std::vector<Lemma> steps_of(const std::vector<Entry>& entries) {
+std::vector<Lemma> steps_of(const std::vector<Entry>& entries, const Wanted& wanted) {
   std::map<std::string, const Entry*> by_id;
   for (const Entry& entry : entries) by_id[entry.row.id] = &entry;
   std::vector<Lemma> result;
   for (const Entry& entry : entries) {
-    if (!entry.derivation || entry.derivation->order > 0) continue;
+    if (!wanted(entry.row.id) || !entry.derivation || entry.derivation->order > 0) continue;
     const Symbols symbols = symbols_in(entry.row.domain);
     Before before;
     std::string numbers;
@@ -110,10 +110,10 @@ std::vector<Lemma> steps_of(const std::vector<Entry>& entries) {
   return result;
 }
 
-std::vector<Lemma> corrections_of(const std::vector<Entry>& entries) {
+std::vector<Lemma> corrections_of(const std::vector<Entry>& entries, const Wanted& wanted) {
   std::vector<Lemma> result;
   for (const Entry& entry : entries) {
-    if (entry.correction.empty()) continue;
+    if (!wanted(entry.row.id) || entry.correction.empty()) continue;
     const Symbols symbols = symbols_in(entry.row.domain);
     const Question question =
         with_domain({parse_statement(entry.correction, symbols), derived_relation(*entry.derivation), symbols,

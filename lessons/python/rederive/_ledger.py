@@ -5,13 +5,17 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 from typing import Any, Callable, Iterator
 
 from . import _proofs
 
+_judged = cache(_proofs.ledger)  # its rows do not change while Python runs
+
 
 def _made(cls: Any, values: dict[str, Any]) -> Any:
+    values = values | {"witness": _witness(values["witness"])}
     return cls(**{field.name: values[field.name] for field in fields(cls) if field.name in values})
 
 
@@ -105,18 +109,15 @@ class Row:
 
 
 def ledger() -> list[Row]:
-    """Every numbered equation of the paper and the relations between them, derived and judged anew: a second or two.
+    """Every numbered equation of the paper and the relations between them, derived and judged: the first time a second or two.
 
     >>> import pandas
     >>> table = pandas.DataFrame(ledger())
     >>> int((table.verdict == "undecided").sum())
     0
     """
-    rows = []
-    for row, printed, derived in _proofs.ledger(str(Path(__file__).with_name("equations.toml"))):
-        values = json.loads(row) | {"printed_latex": printed, "derived_latex": derived}
-        rows.append(_made(Row, values | {"witness": _witness(values["witness"])}))
-    return rows
+    return [_made(Row, json.loads(row) | {"printed_latex": printed, "derived_latex": derived})
+            for row, printed, derived in _judged(str(Path(__file__).with_name("equations.toml")))]
 
 
 def prove(left: str, right: str, assume: str | Sequence[str] = (), *, small: str | Sequence[str] = (),
@@ -138,8 +139,7 @@ def prove(left: str, right: str, assume: str | Sequence[str] = (), *, small: str
          ^
     """
     lists = ([given] if isinstance(given, str) else list(given) for given in (assume, small))
-    values = json.loads(_proofs.prove(left, right, *lists, order))
-    return _made(Proof, values | {"witness": _witness(values["witness"])})
+    return _made(Proof, json.loads(_proofs.prove(left, right, *lists, order)))
 
 
 class Emitted:
