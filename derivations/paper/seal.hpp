@@ -61,8 +61,8 @@ inline bool allow_computing_only(int) { return false; }
 /// Nothing more to open, no file to grow, no further process; and nothing but to compute, where the system
 /// can see to it.
 inline void seal(int report) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // which open files, and write what they find
-  (void)report;
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  (void)report;  // it opens files, and writes what it finds
 #else
   constexpr rlimit none{0, 0};
   for (const auto what : {RLIMIT_NOFILE, RLIMIT_FSIZE, RLIMIT_NPROC, RLIMIT_CORE}) ::setrlimit(what, &none);
