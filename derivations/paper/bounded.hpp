@@ -78,9 +78,7 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
     ::close(ends[0]);
     const rlimit memory{space, space};
     const rlimit time{static_cast<rlim_t>(seconds) + 1, static_cast<rlim_t>(seconds) + 1};
-#if !defined(__SANITIZE_ADDRESS__)
-    ::setrlimit(RLIMIT_AS, &memory);
-#endif
+    if (!is_watched()) ::setrlimit(RLIMIT_AS, &memory);
     ::setrlimit(RLIMIT_CPU, &time);
     std::string text;
     try {

@@ -14,11 +14,24 @@
 #include <cstddef>
 #include <vector>
 #endif
+#if __has_include(<valgrind/valgrind.h>)
+#include <valgrind/valgrind.h>
+#else
+#define RUNNING_ON_VALGRIND 0
+#endif
 
 namespace rederive {
 
-#if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__)) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
+/// Whether a sanitizer or valgrind runs this process: they open files, take memory, and write what they find.
+inline bool is_watched() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return true;
+#else
+  return RUNNING_ON_VALGRIND;
+#endif
+}
+
+#if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
 /// From here on this thread can take and give back memory, tell the time, wait, write to `report`, and end;
 /// every other system call fails with EPERM, for good. False where the system has no such filter (seccomp).
 inline bool allow_computing_only(int report) {
@@ -61,13 +74,10 @@ inline bool allow_computing_only(int) { return false; }
 /// Nothing more to open, no file to grow, no further process; and nothing but to compute, where the system
 /// can see to it.
 inline void seal(int report) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  (void)report;  // it opens files, and writes what it finds
-#else
+  if (is_watched()) return;
   constexpr rlimit none{0, 0};
   for (const auto what : {RLIMIT_NOFILE, RLIMIT_FSIZE, RLIMIT_NPROC, RLIMIT_CORE}) ::setrlimit(what, &none);
   (void)allow_computing_only(report);
-#endif
 }
 
 }  // namespace rederive

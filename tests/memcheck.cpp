@@ -1,0 +1,73 @@
+// valgrind's memcheck on the numerics and on the grading of a class.
+#include <doctest/doctest.h>
+
+#include "run_program.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What memcheck says of a command and of all processes that it starts; empty if nothing.
+std::string faults(const std::string& command) {
+  const TemporaryFolder folder;
+  const Result run =
+      run_program("/bin/bash",
+                  {"-c", "export PATH=" + quoted(REDERIVE_PROGRAMS) +
+                             ":$PATH; valgrind --quiet --error-exitcode=99 --trace-children=yes --log-file=" +
+                             quoted(folder.path / "%p") + " " + command});
+  std::string said = run.exit_code == 0 ? "" : "ended with " + std::to_string(run.exit_code) + ": " + run.err;
+  for (const auto& file : fs::directory_iterator(folder.path)) said += read_file(file.path());
+  return said;
+}
+
+}  // namespace
+
+TEST_CASE("memcheck finds nothing in thresholds, maps and histories") {
+  if (!has_tool("valgrind")) return;
+  for (const char* command :
+       {"rocking threshold --omega 3",
+        "rocking spectrum --from 2 --to 3 --points 2 --least --model nonlinear",
+        "rocking map --omega 1:8:6 --amplitude 1:10:6 --model nonlinear",
+        "rocking map --omega 1:8:6 --amplitude 1:10:6 --model linear",
+        "rocking response --model nonlinear --record " REDERIVE_SOURCE "/tests/fuzz/seeds/records/peer"}) {
+    CAPTURE(command);
+    CHECK(faults(command) == "");
+  }
+}
+
+TEST_CASE("memcheck finds nothing in the grading of a class") {
+  if (!has_tool("valgrind")) return;
+  const TemporaryFolder folder;
+  const auto write = [&](const fs::path& name, const std::string& text) {
+    fs::create_directories((folder.path / name).parent_path());
+    std::ofstream(folder.path / name) << text;
+  };
+  // Two lessons' exercises alone: others want numbers of long double, and valgrind computes those as double.
+  fs::create_directories(folder.path / "bin");
+  fs::copy(REDERIVE_PROGRAMS "/exercises", folder.path / "bin");
+  fs::copy(REDERIVE_PROGRAMS "/../share", folder.path / "share", fs::copy_options::recursive);
+  const fs::path exercises = folder.path / "share/rederive/exercises";
+  for (const auto& file : fs::directory_iterator(exercises))
+    if (const std::string name = file.path().filename();
+        name.starts_with("lesson-") && name != "lesson-02.toml" && name != "lesson-05.toml")
+      fs::remove(file.path());
+  write("class/anna/restitution.txt", "1 - 3/2*sin(alpha)^2\n");
+  write("class/bert/restitution.txt", "cos(2*alpha)\n");
+  write("class/bert/momentum.txt", "sin(((\n");
+  const std::string room = quoted(folder.path);
+  CHECK(faults(quoted(folder.path / "bin/exercises") + " grade " + room + "/class --gradebook " + room +
+               "/book.csv --feedback " + room + "/pages --report " + room + "/report.html") == "");
+  const std::string book = read_file(folder.path / "book.csv");
+  CAPTURE(book);
+  CHECK(book.find("\nanna,,,,,1,") != std::string::npos);
+  CHECK(book.find("?") == std::string::npos);  // each was judged
+}
+
+TEST_CASE("memcheck sees a fault where there is one") {
+  if (!has_tool("valgrind")) return;
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "slip.cpp") << "int main() { int* p = new int(1); delete p; return *p; }\n";
+  const std::string program = folder.path / "slip";
+  REQUIRE(run_program("/usr/bin/c++", {"-O0", folder.path / "slip.cpp", "-o", program}).exit_code == 0);
+  CHECK(faults(program).find("Invalid read") != std::string::npos);
+}
