@@ -21,7 +21,9 @@ std::vector<Lemma> lemmas_of(const std::vector<Entry>& entries, const std::vecto
   for (const std::string& id : ids)
     if (std::none_of(entries.begin(), entries.end(), [&](auto& e) { return e.row.id == id; }))
       throw BadInput("there is no equation '" + printable_line(id) + "'; 'ledger' lists them all");
-  const auto is_wanted = [&](const std::string& id) { return ids.empty() || std::ranges::count(ids, id) > 0; };
+  const auto is_wanted = [&](const std::string& id) {
+    return ids.empty() || std::ranges::count(ids, id) > 0;
+  };
   for (const Entry& entry : entries)
     if (const auto lemma = is_wanted(entry.row.id) ? lemma_of(entry) : std::nullopt) lemmas.push_back(*lemma);
   for (auto* more : {&corrections_of, &steps_of})
