@@ -1,0 +1,70 @@
+// tests/remember: a test runs again after what it reads has changed, and only then.
+#include <doctest/doctest.h>
+
+#include "run_program.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A project of its own, with a script in the place of a test: it lists a folder, and reads a file of it by
+/// another program.
+struct Project {
+  Project() {
+    fs::create_directories(folder.path / "tests");
+    fs::create_directories(folder.path / "data");
+    fs::copy(REDERIVE_SOURCE "/tests/remember", folder.path / "tests");
+    write("data/one", "good");
+    write("test", "#!/bin/bash\ncd \"${0%/*}\" && ls data >/dev/null && echo ran && grep -q good data/one\n");
+    fs::permissions(folder.path / "test", fs::perms::owner_all);
+  }
+  void write(const fs::path& name, const std::string& text) const {
+    std::ofstream(folder.path / name) << text;
+  }
+  /// "ran", "failed", or "remembered".
+  std::string run(const std::string& environment = "-u REDERIVE_REQUIRE_ALL_TESTS") const {
+    const Result r =
+        run_program("/bin/bash", {"-c", "env " + environment + " " + quoted(folder.path / "tests/remember") +
+                                            " " + quoted(folder.path / "test")});
+    if (r.exit_code != 0) return "failed";
+    return r.out == "ran\n" ? "ran" : r.out.starts_with("passed before") ? "remembered" : r.out + r.err;
+  }
+  TemporaryFolder folder;
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a test that passed runs again where a file, a folder or the test itself has changed, and else not") {
+  if (!has_tool("strace")) return;
+  const Project project;
+  CHECK(project.run() == "ran");
+  CHECK(project.run() == "remembered");
+  project.write("data/one", "as good");
+  CHECK(project.run() == "ran");
+  project.write("data/one", "as good");  // later, and the same
+  CHECK(project.run() == "remembered");
+  project.write("data/two", "");
+  CHECK(project.run() == "ran");
+  project.write("not-read", "");
+  CHECK(project.run() == "remembered");
+  std::ofstream(project.folder.path / "test", std::ios::app) << "# more\n";
+  CHECK(project.run() == "ran");
+  CHECK(project.run() == "remembered");
+  CHECK(project.run("PATH=/usr/bin:/bin:/no/such/folder") == "ran");
+  CHECK(project.run("REDERIVE_REQUIRE_ALL_TESTS=1") == "ran");
+}
+
+TEST_CASE("a test that fails or is skipped is not remembered") {
+  if (!has_tool("strace")) return;
+  const Project project;
+  CHECK(project.run() == "ran");
+  project.write("data/one", "bad");
+  CHECK(project.run() == "failed");
+  CHECK(project.run() == "failed");
+  project.write("data/one", "good");
+  CHECK(project.run() == "ran");
+  project.write("test", "#!/bin/bash\necho SKIPPED TEST: no such tool\n");
+  CHECK(project.run().starts_with("SKIPPED"));
+  CHECK(project.run().starts_with("SKIPPED"));
+}
