@@ -111,7 +111,8 @@ TEST_CASE("a spoiled row turns the ledger red") {
                            "cos(alpha + theta) + m*g*R*sin(alpha + theta) = 0");
   const Result r = run_program("ledger", {"--equations", file.string(), "--json"});
   CHECK(r.exit_code == 1);
-  for (const Json& entry : Json::parse(r.out)["equations"])
+  const Json judged = Json::parse(r.out);
+  for (const Json& entry : judged["equations"])
     if (entry["id"] == "11") CHECK(entry["verdict"] == "refuted");
 }
 

@@ -56,7 +56,8 @@ TEST_CASE("rocking threshold --digits gives that many figures, and no more than 
   CHECK(windows.back()["to"].is_null());
   auto nonlinear = common;
   nonlinear.insert(nonlinear.end(), {"--model", "nonlinear"});
-  for (const auto& window : json_of(nonlinear)["windows"]) CHECK(figures(window["from"]) == 10);
+  const auto found = json_of(nonlinear);  // which the loop would outlive
+  for (const auto& window : found["windows"]) CHECK(figures(window["from"]) == 10);
 }
 
 TEST_CASE("rocking response --json keeps its contract") {
