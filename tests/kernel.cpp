@@ -231,6 +231,7 @@ TEST_CASE("ledger prove writes a certificate where it has a script, and says so 
   for (const auto& [its_left, right] : {std::pair{"sin(2*x)", "2*sin(x)*cos(x)"},
                                         {"1/(x-1) - 1/(x+1)", "2/(x^2-1)"},
                                         {"x/(x^2+1)", "1/(x+1/x)"},
+                                        {"1/(x^2-y^2)", "1/((x-y)*(x+y))"},
                                         {"x/(x+y) - y/(x-y)", "(x^2-2*x*y-y^2)/(x^2-y^2)"},
                                         {"1/(1-tan(x)^2)", "cos(x)^2/cos(2*x)"}}) {
     const auto& left = its_left;

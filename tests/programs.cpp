@@ -92,6 +92,10 @@ TEST_CASE("two runs give the same bytes") {
     CHECK(first.out == second.out);
     CHECK(first.err == second.err);
   }
+  for (const std::string& name : lesson_programs()) {
+    INFO(name);
+    CHECK(run_program(name, {}).out == run_program(name, {}).out);
+  }
 }
 
 TEST_CASE("what asks for JSON gets one JSON document and nothing else") {

@@ -8,8 +8,8 @@ namespace rederive {
 /// A relation with one slip in it.
 struct Mutant {
   Relation relation;
-  std::string
-      slip;  ///< stable word: sign, coefficient, function, square, factor, term, symbol, dot, operator
+  /// A stable word: sign, coefficient, function, square, factor, term, symbol, dot, operator.
+  std::string slip;
   std::string what;  ///< "the sign of term 2"
 };
 
