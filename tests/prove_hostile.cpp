@@ -2,6 +2,7 @@
 // message.
 #include <doctest/doctest.h>
 
+#include <derivations/paper/seal.hpp>
 #include <random>
 #include <tests/run_program.hpp>
 
@@ -68,8 +69,9 @@ std::vector<std::string> hostile_texts() {
 /// One of our programs with no more than so much processor time and memory for each process; whoever takes
 /// more is ended.
 Result run_bounded(const std::string& program, std::vector<std::string> arguments) {
+  const std::string limits = rederive::is_watched() ? "ulimit -t 120" : "ulimit -t 4 -v 560000";
   arguments.insert(arguments.begin(),
-                   {"-c", "ulimit -t 4 -v 560000; exec '" REDERIVE_PROGRAMS "'/\"$0\" \"$@\"", program});
+                   {"-c", limits + "; exec '" REDERIVE_PROGRAMS "'/\"$0\" \"$@\"", program});
   return run_program("/bin/bash", arguments);
 }
 

@@ -61,13 +61,15 @@ inline Bounded why_it_ended(int status, double taken) {
 /// space beyond what this process has. The seconds are processor time: what is decided does not depend on how
 /// busy the machine is. After `patience` seconds of wall-clock time it is given up, whatever it waits for,
 /// and as soon as `stop`, which is asked now and then, says so. `first` is done before it, in the child and
-/// within the same limits, and may read files: `work` cannot. Several threads may call it. Throws
-/// std::runtime_error if no child can be made.
+/// within the same limits, and may read files: `work` cannot. Where a sanitizer or valgrind watches, time is
+/// thirty times as long and memory is not limited. Several threads may call it. Throws std::runtime_error if
+/// no child can be made.
 inline Bounded run_bounded(const std::function<std::string()>& work, double seconds, long megabytes,
                            double patience = 60, const std::function<void()>& first = {},
                            const std::function<bool()>& stop = {}) {
   static std::mutex forking;  // or the child of another thread would keep the end that we wait for
   std::unique_lock lock(forking);
+  if (is_watched()) seconds *= 30, patience *= 30;
   const rlim_t space = mapped_bytes() + (static_cast<rlim_t>(megabytes) << 20);
   int ends[2];
   if (::pipe(ends) != 0) throw std::runtime_error("no pipe to be had");
