@@ -72,12 +72,6 @@ std::optional<Question> question_for(const Entry& entry, const Before& before, c
     const Question question = with_domain({other, row, symbols, given, before.definitions});
     if (has_script(question)) return question;
   }
-  for (std::size_t k = 0; k < before.definitions.size(); ++k) {
-    std::vector<Relation> others = before.definitions;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-    const Question question = with_domain({before.definitions[k], row, symbols, given, others});
-    if (has_script(question)) return question;
-  }
   return std::nullopt;
 }
 
