@@ -1,109 +1,18 @@
-// The list of what is emitted. Every value comes from a derivation; here it only gets its name, its arguments
-// and the scales that make it dimensionless.
-#include <derivations/emit/emit.hpp>
+// The list of what is emitted. Every value comes from a derivation; here it only gets its name and its
+// arguments (arguments.hpp).
+#include <derivations/emit/arguments.hpp>
 #include <derivations/rocking_block/energy.hpp>
 #include <derivations/rocking_block/impact.hpp>
 #include <derivations/rocking_block/initial_conditions.hpp>
 #include <derivations/rocking_block/initiation.hpp>
 #include <derivations/rocking_block/overturning_after_one_impact.hpp>
 #include <derivations/rocking_block/sliding.hpp>
-#include <stdexcept>
 
 namespace rederive {
 
 namespace {
 
-using GiNaC::ex;
-using GiNaC::lst;
-using namespace paper;
-
-/// The symbols of the paper, and those that only numeric functions have.
-struct Numbers {
-  Symbols symbols = paper_symbols();
-  const SymbolExpression ground = declared("ground", "\\gamma", "γ", "1", all_numbers,
-                                           "acceleration of the ground over g"),
-                         amplitude = declared("amplitude", "a", "a", "1", "[0, inf)",
-                                              "amplitude of the ground acceleration over g"),
-                         omega_ratio = declared("omega_ratio", "w", "w", "1", "(0, inf)", "omega_p/p"),
-                         tau_i = declared("tau_i", "\\tau_i", "τ_i", "1", "(0, inf)",
-                                          "time of the impact, p*t_i"),
-                         share = declared("share", "\\lambda", "λ", "1", "(0, 1]",
-                                          "acceleration of the ground at t = 0 over its amplitude"),
-                         angle = declared("angle", "\\theta/\\alpha", "θ/α", "1", all_numbers, "theta/alpha"),
-                         velocity = declared("velocity", "\\dot\\theta/(\\alpha p)", "θ̇/(αp)", "1",
-                                             all_numbers, "thetadot/(alpha*p)"),
-                         slope = declared("slope", "\\dot\\gamma", "γ̇", "1/s", all_numbers,
-                                          "rate of the ground acceleration over g"),
-                         quadrature = declared("quadrature", "\\gamma_\\perp", "γ⊥", "1", all_numbers,
-                                               "rate of the ground acceleration over omega_p*g"),
-                         push = declared("push", "\\kappa", "κ", "1", all_numbers,
-                                         "(theta_0 + thetadot_0/p)/alpha");
-
- private:
-  SymbolExpression declared(const char* name, const char* latex, const char* unicode, const char* unit,
-                            const char* range, const char* meaning) {
-    return symbols.declare(name, latex, unicode, unit, range, meaning, "emit").ginac;
-  }
-};
-
-const Numbers& numbers() {
-  static const Numbers all;
-  return all;
-}
-
-/// "…_negative", "…_positive"
-std::string on(Side side, const std::string& name) {
-  return name + (side == Side::negative ? "_negative" : "_positive");
-}
-std::string sign(Side side) { return side == Side::negative ? "theta < 0" : "theta > 0"; }
-std::string row(Side side, const std::string& negative, const std::string& positive) {
-  return side == Side::negative ? negative : positive;
-}
-
-/// The same without a symbol that it does not depend on, though it is written in it.
-ex without(const SymbolExpression& symbol, const ex& e) {
-  if (!e.has(symbol)) return e;
-  const bool independent = e.diff(symbol).normal().is_zero();
-  if (!independent)
-    throw std::logic_error("what should not depend on " + GiNaC::ex_to<GiNaC::symbol>(symbol).get_name() +
-                           " does");
-  return e.subs(symbol == 1);
-}
-ex with_ground(const ex& e) { return e.subs(u_gddot == numbers().ground * g); }
-ex without_R(const ex& e) { return e.subs(R == 3 * g / (4 * pow(p, 2))); }
-/// ω_p = w p, t_i = τ_i/p, T_ex where the sine ends: then neither p nor α is left.
-ex in_ratios(const ex& e) {
-  const ex at_end = e.subs(T_ex == end_of_pulse(Pulse::sine));
-  return without(
-      alpha, without(p, at_end.subs(lst{omega_p == numbers().omega_ratio * p, t_i == numbers().tau_i / p})));
-}
-ex from_rest(const ex& e) { return in_ratios(e.subs(lst{theta_0 == 0, thetadot_0 == 0})); }
-/// θ₀ and θ̇₀ enter by their push alone.
-ex with_push(const ex& e) {
-  return in_ratios(without(thetadot_0, e.subs(theta_0 == alpha * numbers().push - thetadot_0 / p).expand()));
-}
-
-/// The arguments of sines as products, where they have common factors: near 0 these keep their digits.
-struct FactoredSines : GiNaC::map_function {
-  ex operator()(const ex& e) override {
-    if (!GiNaC::is_the_function<GiNaC::sin_SERIAL>(e)) return e.map(*this);
-    return sin(factor(e.op(0)));
-  }
-};
-/// θ = α angle, θ̇ = α p velocity: then p is not left.
-ex in_angle_and_velocity(const ex& e) {
-  return without(p,
-                 e.subs(lst{theta == alpha * numbers().angle, thetadot == alpha * p * numbers().velocity}));
-}
-/// Rates and their squares by α p.
-ex scaled_rate(const ex& rate, int power) {
-  FactoredSines factored;
-  return factored(in_angle_and_velocity((rate / pow(alpha * p, power)).expand()));
-}
-/// The same of the linear model, which has no α then, either.
-ex scaled_linear_rate(const ex& rate, int power) {
-  return without(alpha, in_angle_and_velocity(rate / pow(alpha * p, power)));
-}
+using namespace arguments;
 
 void add_motion(std::vector<EmittedFunction>& list, Side side) {
   const ex inertia = moment_of_inertia_about_pivot().right;
