@@ -34,9 +34,14 @@ ex weight_potential(Side side) { return m * g * R * (centre_displacement(side).u
 
 namespace {
 
-LagrangeTerms block_lagrange_terms(Side side) {
-  return lagrange_terms(kinetic_energy(side), weight_potential(side), {theta, thetadot, thetaddot},
-                        block_rates());
+// Derived once: half of the paper's equations rest on them.
+const LagrangeTerms& block_lagrange_terms(Side side) {
+  const auto terms = [](Side on) {
+    return lagrange_terms(kinetic_energy(on), weight_potential(on), {theta, thetadot, thetaddot},
+                          block_rates());
+  };
+  static const LagrangeTerms negative = terms(Side::negative), positive = terms(Side::positive);
+  return side == Side::negative ? negative : positive;
 }
 
 }  // namespace

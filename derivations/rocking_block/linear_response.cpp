@@ -1,4 +1,5 @@
 #include <derivations/rocking_block/linear_response.hpp>
+#include <map>
 
 namespace rederive {
 
@@ -13,7 +14,10 @@ LinearEquation linear_equation_under(Side side, const ex& ground) {
 }
 
 LinearEquation linear_equation(Side side, Pulse pulse) {
-  return linear_equation_under(side, ground_acceleration(pulse));
+  static std::map<std::pair<Side, Pulse>, LinearEquation> derived;  // each once
+  const auto found = derived.find({side, pulse});
+  if (found != derived.end()) return found->second;
+  return derived[{side, pulse}] = linear_equation_under(side, ground_acceleration(pulse));
 }
 
 Given amplitude(Pulse pulse) {
