@@ -7,12 +7,20 @@
 
 namespace rederive {
 
-/// A polynomial y of the time and its rate v, by Horner's rule.
+/// A polynomial y of the time and its rate v, by Horner's rule: even and odd powers apart, which is half as
+/// long to wait for.
 template <class V, std::size_t size>
 void sample(const V (&series)[size], V time, V& y, V& v) {
-  y = series[size - 1], v = V(0);
+  constexpr std::size_t last = size - 1, last_even = last - last % 2, last_odd = last - (last + 1) % 2;
+  const V square = time * time;
+  V even = series[last_even], odd = series[last_odd], even_rate = V(0), odd_rate = V(0);
 #pragma GCC unroll 32
-  for (std::size_t k = size - 1; k > 0; --k) v = v * time + y, y = y * time + series[k - 1];
+  for (std::size_t k = last_even; k > 0; k -= 2)
+    even_rate = even_rate * square + even, even = even * square + series[k - 2];
+#pragma GCC unroll 32
+  for (std::size_t k = last_odd; k > 1; k -= 2)
+    odd_rate = odd_rate * square + odd, odd = odd * square + series[k - 2];
+  y = even + time * odd, v = odd + 2 * time * (even_rate + time * odd_rate);
 }
 
 /// The zero of y in each of the lanes `open`, between `low` and `high`, where y falls all along: Newton's

@@ -48,27 +48,14 @@ class BatchPack {
     for (int lane = 0; lane < lanes; ++lane) fill(lane);
   }
 
-  /// What is rare stands in functions of its own, without vectors as arguments: such would leave the upper
-  /// halves of registers in use, and slow down all that is no vector.
-  [[gnu::flatten]] void step() {
-    motion_.expand();
-    choose_step();
-    look_ahead();
-    advance();
-    const Mask late = left_ <= 0;
-    over_ = late || lies_ || slow_hit_ || unclear_ || steps_ > 10'000;
-    if (any_of(over_)) retire();
-  }
+  // The parts of a step. What is rare stands in functions of its own, without vectors as arguments: such
+  // would leave the upper halves of registers in use, and slow down all that is no vector.
 
- private:
-  static constexpr int lanes = static_cast<int>(V::size());
-  static constexpr int order = static_cast<int>(std::extent_v<decltype(Motion::theta)>) - 1;
-  static constexpr bool is_nonlinear = requires(Motion motion) { motion.sin_1; };
-  static constexpr double lying = is_nonlinear ? std::numbers::pi / 2 : 1e300;
+  [[gnu::flatten]] void expand() { motion_.expand(); }
 
   /// The step of each lane: by the last terms; no longer than the pulse; from rest, than the first push; and
   /// after an impact, by little, than the hop that is to be expected.
-  void choose_step() {
+  [[gnu::flatten]] void choose_step() {
     const V velocity = motion_.thetadot[0], bend = motion_.theta[2];
     const Mask upright = motion_.theta[0] == 0;
     launched_ = upright && velocity == 0;
@@ -81,7 +68,7 @@ class BatchPack {
 
   /// What happens on it: most lanes certainly neither come to upright nor lie, and some lie. An event, and
   /// what cannot be told so soon, makes the step shorter.
-  void look_ahead() {
+  [[gnu::flatten]] void look_ahead() {
     const V after = emitted::value_at(motion_.theta, h_);
     stands_ = launched_ || stays_above(after);
     lies_ = stands_ && after >= lying;
@@ -89,6 +76,19 @@ class BatchPack {
     hits_ = unclear_ = slow_hit_ = Mask(false);
     if (!all_of(stands_) || any_of(leans_)) find_events();
   }
+
+  /// To the end of the step, and in a lane whose motion is over to the next one.
+  [[gnu::flatten]] void advance() {
+    move();
+    over_ = left_ <= 0 || lies_ || slow_hit_ || unclear_ || steps_ > 10'000;
+    if (any_of(over_)) retire();
+  }
+
+ private:
+  static constexpr int lanes = static_cast<int>(V::size());
+  static constexpr int order = static_cast<int>(std::extent_v<decltype(Motion::theta)>) - 1;
+  static constexpr bool is_nonlinear = requires(Motion motion) { motion.sin_1; };
+  static constexpr double lying = is_nonlinear ? std::numbers::pi / 2 : 1e300;
 
   [[gnu::noinline]] void find_events() {
     V change = V(0), power = V(1);  // of theta'' on the step, by its series
@@ -110,7 +110,7 @@ class BatchPack {
   }
 
   /// To the end of the step; at an impact (34), seen from the other side.
-  void advance() {
+  void move() {
     motion_.advance(h_);
     left_ -= h_;
     steps_ += 1;
@@ -206,15 +206,16 @@ class BatchPack {
   int index_[lanes];
 };
 
-/// Two packs in flight: while one waits for its last operation, the other goes on.
+/// Three packs in flight, each a part of a step after the other: while one waits for its last operation, the
+/// others go on.
 template <class V, class Motion>
 void run_packs(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends, int count) {
+  using Pack = BatchPack<V, Motion>;
   BatchQueue queue{starts, ends, count, 0, 0};
-  BatchPack<V, Motion> one(block, queue), other(block, queue);
-  while (queue.running > 0) {
-    one.step();
-    other.step();
-  }
+  Pack packs[] = {{block, queue}, {block, queue}, {block, queue}};
+  while (queue.running > 0)
+    for (const auto part : {&Pack::expand, &Pack::choose_step, &Pack::look_ahead, &Pack::advance})
+      for (Pack& pack : packs) (pack.*part)();
 }
 
 /// The orders that cost least: a step takes operations as the square of the order, a linear one as the order.

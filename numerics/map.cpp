@@ -15,7 +15,7 @@ OutcomeMap outcome_map(const PulseCase& asked, std::vector<double> omega_ratios,
   // Lanes stay full while there are enough motions to fill them with; few enough stay in the cache.
   const std::size_t workers = static_cast<std::size_t>(work.threads * work.processes),
                     together = batch ? std::clamp(columns / (8 * workers), std::size_t{1},
-                                                  1 + 800 / std::max(std::size_t{1}, rows))
+                                                  1 + 400 / std::max(std::size_t{1}, rows))
                                      : 1;
   const auto first_of = [&](int i) { return static_cast<std::size_t>(i) * together; };
   const auto last_of = [&](int i) { return std::min(first_of(i + 1), columns); };

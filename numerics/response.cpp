@@ -174,12 +174,12 @@ std::optional<Real> time_of_rest(const Block& block, Model model, const Piece& p
                                  const Point& after_impact) {
   const Real level = start_level(block, model), speed = std::abs(after_impact.velocity),
              begin = after_impact.time;
-  const auto chain_until = [&](Real time) {
-    const Range range = ground_range(piece, begin, time);
-    return chain_duration(block, model, speed, level - std::max(range.high, -range.low));
-  };
-  const Real first = chain_until(begin), over = std::min(piece.to, begin + 2 * first);
-  if (!(begin + chain_until(over) <= over)) return std::nullopt;
+  const auto chain_under = [&](Real ground) { return chain_duration(block, model, speed, level - ground); };
+  const Real first = chain_under(std::abs(ground_at(piece, begin)));
+  if (!(begin + first <= piece.to)) return std::nullopt;  // and longer under a stronger ground
+  const Real over = std::min(piece.to, begin + 2 * first);
+  const Range range = ground_range(piece, begin, over);
+  if (!(begin + chain_under(std::max(range.high, -range.low)) <= over)) return std::nullopt;
   return std::min(over, begin + first / 2);
 }
 
