@@ -28,7 +28,7 @@ void spin(double seconds) {
 /// Not under a sanitizer, and not where the system has no filter of system calls.
 bool can_seal() {
   if (!is_watched() && ::prctl(PR_GET_SECCOMP, 0, 0, 0, 0) >= 0) return true;
-  std::puts("SKIPPED TEST: no filter of system calls here");
+  skip("no filter of system calls here");
   return false;
 }
 
@@ -42,16 +42,16 @@ TEST_CASE("work that only waits for its turn is not given up") {
 
 TEST_CASE("work that waits for longer than one has patience is given up") {
   const Bounded waited =
-      run_bounded([] { return ::usleep(5'000'000), std::string("done"); }, 4, megabytes, 0.3);
+      run_bounded([] { return ::usleep(5'000'000), std::string("done"); }, 4, megabytes, 0.1);
   CHECK_FALSE(waited.result);
   CHECK(waited.why == "it took longer than it may");
 }
 
 TEST_CASE("work that takes the processor for longer than it may is given up") {
-  const Bounded spun = run_bounded([] { return spin(5), std::string("done"); }, 0.2, megabytes);
+  const Bounded spun = run_bounded([] { return spin(5), std::string("done"); }, 0.1, megabytes);
   CHECK_FALSE(spun.result);
   CHECK(spun.why == "it took longer than it may");
-  CHECK(spun.seconds >= 0.2);
+  CHECK(spun.seconds >= 0.1);
 }
 
 TEST_CASE("work is given up as soon as that is asked") {
@@ -79,7 +79,7 @@ TEST_CASE("what this process has already does not count against the memory of th
         [=] { return std::to_string(std::vector<char>(static_cast<std::size_t>(space) << 20).capacity()); };
   };
   CHECK(run_bounded(takes(megabytes / 4), 4, megabytes).result);
-  CHECK(run_bounded(takes(megabytes + 1), 4, megabytes).note == "memory");
+  if (!is_watched()) CHECK(run_bounded(takes(megabytes + 1), 4, megabytes).note == "memory");
 }
 
 // Each is tried before the child is sealed, too: what fails then says nothing.

@@ -213,7 +213,7 @@ TEST_CASE("every language computes what was derived, to the digits that its roun
   for (const Language& language : languages()) {
     CAPTURE(language.program);
     if (!there_is(language.program)) {
-      std::printf("SKIPPED TEST: there is no %s\n", language.program.c_str());
+      skip("there is no " + language.program);
       continue;
     }
     for (const bool sharing : {true, false}) {

@@ -13,7 +13,7 @@ namespace {
 bool are_written(std::filesystem::path& folder) {
   const std::filesystem::path source = REDERIVE_SOURCE;
   if (!std::filesystem::equivalent(REDERIVE_PROGRAMS, source / "build" / "bin")) {
-    std::printf("SKIPPED TEST: lessons/run writes what stands in build/bin\n");
+    skip("lessons/run writes what stands in build/bin");
     return false;
   }
   static const TemporaryFolder temporary;

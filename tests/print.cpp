@@ -236,7 +236,7 @@ TEST_CASE("the same bytes wherever the program is loaded") {
   for (int i = 0; i < 3; ++i) CHECK(run_program(self, samples).out == once);
   const Result fixed = run_program("/usr/bin/setarch", {"-R", self, samples[0], samples[1]});
   if (fixed.exit_code != 0) {
-    std::puts("SKIPPED TEST: this system does not let a program switch off address-space randomisation");
+    skip("this system does not let a program switch off address-space randomisation");
     return;
   }
   CHECK(fixed.out == once);

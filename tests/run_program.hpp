@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <tests/skip.hpp>
 #include <vector>
 
 struct Result {
@@ -60,13 +61,10 @@ inline Result run_program(const std::string& program, const std::vector<std::str
           read_file(folder.path / "err")};
 }
 
-/// Whether a tool that only some tests want is there. If not, CTest is told that the test is skipped; where
-/// every test is required (REDERIVE_REQUIRE_ALL_TESTS, as in .ci/run) that is a failure instead.
+/// Whether a tool that only some tests want is there; if not, the test is skipped.
 inline bool has_tool(const std::string& name) {
   if (std::system(("command -v " + quoted(name) + " >/dev/null 2>&1").c_str()) == 0) return true;
-  if (std::getenv("REDERIVE_REQUIRE_ALL_TESTS") != nullptr)
-    throw std::runtime_error("the tool is missing: " + name);
-  std::printf("SKIPPED TEST: %s is not installed\n", name.c_str());
+  skip(name + " is not installed");
   return false;
 }
 
