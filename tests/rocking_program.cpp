@@ -122,14 +122,20 @@ TEST_CASE("two runs give the same bytes") {
 
 TEST_CASE("plots are drawn by extension") {
   const TemporaryFolder folder;
-  for (const auto& [name, begin] :
-       {std::pair("p.svg", "<?xml"), std::pair("p.png", "\x89PNG"), std::pair("p.pdf", "%PDF")}) {
-    const std::string file = folder.path / name;
-    const Result result =
-        run_program("rocking", {"response", "--omega", "2", "--amplitude", "1.6", "--plot", file});
-    REQUIRE_MESSAGE(result.exit_code == 0, result.err);
-    CHECK(read_file(file).starts_with(begin));
-  }
+  const std::vector<std::vector<std::string>> commands{
+      {"response", "--omega", "2", "--amplitude", "1.6"},
+      {"spectrum", "--from", "1", "--to", "3", "--points", "5"},
+      {"map", "--omega", "1:3:4", "--amplitude", "1:5:4"}};
+  for (const auto& command : commands)
+    for (const auto& [name, begin] :
+         {std::pair("p.svg", "<?xml"), std::pair("p.png", "\x89PNG"), std::pair("p.pdf", "%PDF")}) {
+      const std::string file = folder.path / (command[0] + name);
+      std::vector<std::string> arguments = command;
+      arguments.insert(arguments.end(), {"--plot", file});
+      const Result result = run_program("rocking", arguments);
+      REQUIRE_MESSAGE(result.exit_code == 0, result.err);
+      CHECK(read_file(file).starts_with(begin));
+    }
   check_refused({"response", "--omega", "2", "--amplitude", "1.6", "--plot", folder.path / "p.gif"}, "p.gif");
 }
 
