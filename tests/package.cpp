@@ -72,8 +72,8 @@ TEST_CASE("a component that is not there is refused by its name") {
   write(folder.path / "CMakeLists.txt",
         "cmake_minimum_required(VERSION 3.22)\nproject(mine NONE)\n"
         "find_package(Rederive REQUIRED COMPONENTS numbres)\n");
-  const Result run = run_program(
-      "/usr/bin/cmake", {"-DCMAKE_PREFIX_PATH=" + prefix().string(), "-B", folder.path / "b", folder.path});
+  const Result run = run_program("/usr/bin/cmake", {"-G", "Ninja", "-DCMAKE_PREFIX_PATH=" + prefix().string(),
+                                                    "-B", folder.path / "b", folder.path});
   CHECK(run.exit_code == 1);
   CHECK(contains(run.err, "there is no component 'numbres'"));
 }
