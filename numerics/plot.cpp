@@ -54,7 +54,9 @@ void run_gnuplot(const std::string& script, const fs::path& file, double width, 
     fs::remove(part, ignored);
     throw std::invalid_argument("cannot write '" + file.string() + "': " + why);
   };
-  std::FILE* pipe = ::popen("TZ=UTC0 gnuplot - >/dev/null 2>&1", "w");
+  // Where gnuplot is missing or fails, the shell reads the rest: else to write it would end this program.
+  std::FILE* pipe = ::popen(
+      "TZ=UTC0 gnuplot - >/dev/null 2>&1 || { code=$?; while read -r rest; do :; done; exit $code; }", "w");
   if (pipe == nullptr) refuse("gnuplot cannot be run");
   const std::string whole = "set encoding utf8\n" + begin + "set output " + single_quoted(part.string()) +
                             "\n" + script + "\nunset output\n";

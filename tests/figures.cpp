@@ -62,6 +62,15 @@ TEST_CASE("every figure draws, and block after block is safe or overturns as its
   CHECK(overturning == 7);
 }
 
+TEST_CASE("without gnuplot a figure is refused, and says what to install") {
+  const TemporaryFolder folder;
+  const std::string rocking = REDERIVE_PROGRAMS "/rocking", file = folder.path / "drawing.svg";
+  const Result r = run_program("/usr/bin/env", {"PATH=/nowhere", rocking, "figure", "8", "--out", file});
+  CHECK(r.exit_code == 2);
+  CHECK(r.err.find("gnuplot-nox") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(file));
+}
+
 TEST_CASE("the least amplitude of figure 10 is that of the first condition, or of one for more impacts") {
   const Drawn drawn = figure(10);
   int equal = 0;
