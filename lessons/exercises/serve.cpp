@@ -16,7 +16,6 @@
 namespace rederive::classroom {
 namespace {
 
-namespace fs = std::filesystem;
 using httplib::Request, httplib::Response;
 
 constexpr std::size_t most_bytes = 64 * 1024;  // of a request, as of an answer's file
