@@ -13,7 +13,8 @@ OutcomeMap outcome_map(const PulseCase& asked, std::vector<double> omega_ratios,
   std::optional<PulseBatch> batch;
   if (asked.engine == Engine::taylor) batch.emplace(asked, map.amplitudes);
   // Lanes stay full while there are enough motions to fill them with; few enough stay in the cache.
-  const std::size_t workers = static_cast<std::size_t>(work.threads * work.processes),
+  const std::size_t workers =
+                        static_cast<std::size_t>(work.threads) * static_cast<std::size_t>(work.processes),
                     together = batch ? std::clamp(columns / (8 * workers), std::size_t{1},
                                                   1 + 400 / std::max(std::size_t{1}, rows))
                                      : 1;
