@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 #include <tests/run_program.hpp>
 
 namespace {
@@ -12,6 +13,7 @@ using Curve = std::map<double, double>;
 
 struct Drawn {
   std::map<std::string, Curve> curves;  ///< of the first panel, those over time by their time
+  std::set<std::string> titles;         ///< of the curves of all panels, after the panel's
   std::string drawing;
 };
 
@@ -22,7 +24,7 @@ Drawn figure(int number) {
   const Result r =
       run_program("rocking", {"figure", std::to_string(number), "--data", data, "--out", drawing});
   REQUIRE_MESSAGE(r.exit_code == 0, r.err);
-  Drawn drawn{{}, read_file(drawing)};
+  Drawn drawn{{}, {}, read_file(drawing)};
   std::istringstream lines(read_file(data));
   std::string line, first_panel;
   std::getline(lines, line);
@@ -34,6 +36,7 @@ Drawn figure(int number) {
     CHECK((std::isfinite(at) && std::isfinite(value)));
     const std::string panel = line.substr(0, curve);
     if (drawn.curves.empty()) first_panel = panel;
+    drawn.titles.insert(line.substr(0, x));
     if (panel == first_panel) drawn.curves[line.substr(curve + 3, x - curve - 4)][at] = value;
   }
   return drawn;
@@ -49,7 +52,11 @@ TEST_CASE("every figure draws, and block after block is safe or overturns as its
     CHECK(drawn.drawing.find("<svg") != std::string::npos);
     CHECK(drawn.drawing.find("</svg>") != std::string::npos);
     CHECK(drawn.curves.size() >= 2);
-    CHECK(drawn.drawing.size() > 200 * drawn.curves.size());
+    const std::string plot = "id=\"gnuplot_plot_";  // so gnuplot begins each curve
+    std::size_t plots = 0;
+    for (auto at = drawn.drawing.find(plot); at != std::string::npos; at = drawn.drawing.find(plot, at + 1))
+      ++plots;
+    CHECK(plots == drawn.titles.size());
     for (const auto& [its_name, curve] : drawn.curves) {
       const auto& name = its_name;
       CAPTURE(name);
