@@ -19,8 +19,6 @@ namespace {
 constexpr unsigned seed = 4'711;
 constexpr int points_each = 20;
 
-std::string name_of(const SymbolExpression& symbol) { return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name(); }
-
 // ---- points: rational numbers with few binary digits, exact as double, inside the declared ranges
 
 double end_of(const std::string& end, double instead) {

@@ -35,8 +35,6 @@ std::vector<Trial> trials() {
   return all;
 }
 
-std::string name_of(const SymbolExpression& symbol) { return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name(); }
-
 /// A rational number for everything: parameters, state, and functions of what moves, which have values of
 /// their own.
 GiNaC::numeric value_of(const RationalSystem& system, const std::string& name) {

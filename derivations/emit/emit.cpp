@@ -23,7 +23,7 @@ std::vector<Tree> trees_of(const EmittedFunction& function, bool with_derivative
 std::vector<std::string> argument_names(const EmittedFunction& function) {
   std::vector<std::string> names;
   for (const SymbolExpression& argument : function.arguments) {
-    names.push_back(GiNaC::ex_to<GiNaC::symbol>(argument).get_name());
+    names.push_back(name_of(argument));
   }
   return names;
 }
@@ -45,8 +45,7 @@ Body body_of(const EmittedFunction& function, bool with_derivatives, const Diale
   const auto& results = operations.results();
   body.results.emplace_back("value", infix.text(results[0]));
   for (std::size_t i = 1; i < results.size(); ++i) {
-    const auto& symbol = GiNaC::ex_to<GiNaC::symbol>(function.derivatives[i - 1]);
-    body.results.emplace_back("d_" + symbol.get_name(), infix.text(results[i]));
+    body.results.emplace_back("d_" + name_of(function.derivatives[i - 1]), infix.text(results[i]));
   }
   return body;
 }

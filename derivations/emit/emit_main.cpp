@@ -15,8 +15,6 @@ struct Options {
   std::vector<std::string> functions;
 };
 
-std::string name_of(const SymbolExpression& symbol) { return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name(); }
-
 nlohmann::ordered_json described(const SymbolExpression& symbol) {
   const Symbol& known = *emission_symbols().find(name_of(symbol));
   return {{"name", known.name}, {"unit", known.unit}, {"range", known.range}, {"meaning", known.meaning}};

@@ -21,8 +21,6 @@ const std::vector<Family>& families() {
   return all;
 }
 
-std::string name_of(const SymbolExpression& symbol) { return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name(); }
-
 class Extension {
  public:
   explicit Extension(const TaylorStepper& stepper) : stepper_(stepper) {

@@ -122,12 +122,11 @@ class Writer {
 
 Recurrences recurrences(const RationalSystem& system) {
   std::set<std::string> series;
-  const auto name = [](const SymbolExpression& s) { return GiNaC::ex_to<GiNaC::symbol>(s).get_name(); };
-  for (const auto& [state, rate] : system.rates) series.insert(name(state));
+  for (const auto& [state, rate] : system.rates) series.insert(name_of(state));
   Writer writer(series);
   std::vector<std::pair<std::string, Tree>> rates;
   for (const auto& [state, rate] : system.rates)
-    rates.emplace_back(name(state), writer.coefficient(to_tree(rate, system.symbols)));
+    rates.emplace_back(name_of(state), writer.coefficient(to_tree(rate, system.symbols)));
   writer.result.rates = std::move(rates);
   return std::move(writer.result);
 }

@@ -19,6 +19,11 @@ struct TaylorStepper {
   std::string brief;                         ///< one line of documentation
 };
 
+/// "psi"
+inline std::string name_of(const SymbolExpression& symbol) {
+  return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name();
+}
+
 /// Every stepper that is emitted, built from the derivations.
 std::vector<TaylorStepper> taylor_steppers();
 

@@ -151,8 +151,6 @@ std::string each(const Names& names, const std::string& line) {
   return text;
 }
 
-std::string name_of(const SymbolExpression& symbol) { return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name(); }
-
 /// Coefficient k + 1 from that of the rate: first all that can be told before the rate is known.
 Tree integrated(const Tree& rate) {
   Tree share = leaf("share"), rest = rate;

@@ -11,13 +11,13 @@ namespace rederive {
 
 namespace {
 
-constexpr double alpha = Block{}.alpha;
+constexpr Block block;
 
 /// θ̈/p² just above rest on either side under a constant ground acceleration in units of g·tan α.
 double first_acceleration(int side, double ground) {
-  const double level = ground * std::tan(alpha);
-  return side < 0 ? emitted::angular_acceleration_negative(alpha, 1.0, 0.0, level)
-                  : emitted::angular_acceleration_positive(alpha, 1.0, 0.0, level);
+  const double level = ground * std::tan(block.alpha);
+  return side < 0 ? emitted::angular_acceleration_negative(block.alpha, 1.0, 0.0, level)
+                  : emitted::angular_acceleration_positive(block.alpha, 1.0, 0.0, level);
 }
 
 Finding first_turn_large(Bench&, const Claim&) {
@@ -97,7 +97,7 @@ Finding smaller_under_2b(Bench& bench, const Claim&) {
 
 Finding energy_under_ground_motion(Bench& bench, const Claim&) {
   const auto energy = [](double angle, double velocity) {
-    return emitted::rocking_energy_negative(alpha, alpha * angle, alpha * velocity, 1.0);
+    return emitted::rocking_energy_negative(block.alpha, block.alpha * angle, block.alpha * velocity, 1.0);
   };
   const double amplitude = bench.mode_1(pulse_case(2)), corner = energy(-1, 0);
   double largest = -1e9, last = 0;
@@ -126,10 +126,10 @@ Finding least_start(Bench& bench, const Claim&) {
 /// H and V from the corrected (47), for m = g = 1, on the side of the angle.
 double friction(double theta, double thetadot, double ground) {
   const bool left = theta <= 0;
-  const double h = left ? emitted::horizontal_reaction_negative(alpha, theta, thetadot, ground, 1.0)
-                        : emitted::horizontal_reaction_positive(alpha, theta, thetadot, ground, 1.0);
-  const double v = left ? emitted::vertical_reaction_negative(alpha, theta, thetadot, ground, 1.0)
-                        : emitted::vertical_reaction_positive(alpha, theta, thetadot, ground, 1.0);
+  const double h = left ? emitted::horizontal_reaction_negative(block.alpha, theta, thetadot, ground, 1.0)
+                        : emitted::horizontal_reaction_positive(block.alpha, theta, thetadot, ground, 1.0);
+  const double v = left ? emitted::vertical_reaction_negative(block.alpha, theta, thetadot, ground, 1.0)
+                        : emitted::vertical_reaction_positive(block.alpha, theta, thetadot, ground, 1.0);
   return v > 0 ? h / v : std::numeric_limits<double>::infinity();
 }
 
@@ -138,18 +138,18 @@ std::pair<double, double> friction_range(const PulseCase& asked, double amplitud
   double least = std::numeric_limits<double>::infinity(), most = -least;
   for (const Sample& sample : samples_at(asked, amplitude)) {
     if (sample.angle == 0) continue;
-    const double ratio =
-        friction(alpha * static_cast<double>(sample.angle), alpha * static_cast<double>(sample.velocity),
-                 alpha * static_cast<double>(sample.ground));
+    const double ratio = friction(block.alpha * static_cast<double>(sample.angle),
+                                  block.alpha * static_cast<double>(sample.velocity),
+                                  block.alpha * static_cast<double>(sample.ground));
     least = std::min(least, ratio), most = std::max(most, ratio);
   }
   return {least, most};
 }
 
 Finding initiation_friction(Bench&, const Claim&) {
-  const auto at_start = [](double ground) { return friction(0, 0, ground * std::tan(alpha)); };
+  const auto at_start = [](double ground) { return friction(0, 0, ground * std::tan(block.alpha)); };
   return {decided(std::abs(at_start(4) - at_start(1)) > 1e-6),
-          {each({1, 1.5, 2, 4}, at_start), std::tan(alpha)}};
+          {each({1, 1.5, 2, 4}, at_start), std::tan(block.alpha)}};
 }
 
 Finding sign_of_h(Bench& bench, const Claim&) {
@@ -160,7 +160,7 @@ Finding sign_of_h(Bench& bench, const Claim&) {
 Finding tangent_is_enough(Bench&, const Claim&) {
   const auto [least, most] = friction_range(pulse_case(3, Model::nonlinear), 3);
   const double needed = std::max(-least, most);
-  return {decided(needed <= std::tan(alpha)), {needed, std::tan(alpha)}};
+  return {decided(needed <= std::tan(block.alpha)), {needed, std::tan(block.alpha)}};
 }
 
 }  // namespace
