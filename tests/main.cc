@@ -2,7 +2,7 @@
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
-#include <tests/precompiled.hpp>
+#include <tests/precompiled_json.hpp>
 #include <tests/skip.hpp>
 
 int main(int argc, char** argv) {

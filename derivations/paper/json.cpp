@@ -1,5 +1,6 @@
 #include <derivations/paper/json.hpp>
 #include <derivations/paper/prove.hpp>
+#include <nlohmann/json.hpp>
 
 namespace rederive {
 

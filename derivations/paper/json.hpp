@@ -2,7 +2,7 @@
 #pragma once
 
 #include <derivations/paper/ledger.hpp>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace rederive {
 

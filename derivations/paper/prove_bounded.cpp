@@ -1,6 +1,7 @@
 #include <derivations/paper/bounded.hpp>
 #include <derivations/paper/json.hpp>
 #include <derivations/paper/prove_bounded.hpp>
+#include <nlohmann/json.hpp>
 
 namespace rederive {
 

@@ -3,7 +3,7 @@
 
 #include <derivations/paper/prove.hpp>
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace rederive {
 

@@ -7,6 +7,7 @@
 #include <derivations/paper/json.hpp>
 #include <derivations/paper/prove_bounded.hpp>
 #include <mutex>
+#include <nlohmann/json.hpp>
 
 namespace py = pybind11;
 

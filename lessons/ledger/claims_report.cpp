@@ -5,6 +5,7 @@
 #include <derivations/emit/program.hpp>
 #include <lessons/ledger/claims_bench.hpp>
 #include <lessons/prose.hpp>
+#include <nlohmann/json.hpp>
 
 namespace rederive {
 

@@ -6,6 +6,7 @@
 #include <lessons/ledger/report.hpp>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
+#include <nlohmann/json.hpp>
 
 namespace rederive {
 

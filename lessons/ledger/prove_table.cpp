@@ -5,6 +5,7 @@
 #include <derivations/paper/toml_rows.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 namespace rederive {

@@ -4,7 +4,7 @@
 #include <derivations/paper/json.hpp>
 #include <derivations/paper/ledger.hpp>
 #include <derivations/paper/prove.hpp>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace rederive {
 

@@ -11,6 +11,7 @@
 #include <lessons/ledger/prove_table.hpp>
 #include <lessons/ledger/report.hpp>
 #include <lessons/ledger/run_ledger.hpp>
+#include <nlohmann/json.hpp>
 
 namespace rederive {
 
