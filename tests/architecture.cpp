@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <derivations/rocking_block/paper_symbols.hpp>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -169,6 +170,25 @@ TEST_CASE("the product includes no tests, numerics no GiNaC, derivations no GSL"
       if (file.starts_with("derivations/")) CHECK_MESSAGE(!other.starts_with("gsl/"), file, " -> ", other);
     }
   }
+}
+
+// Files are compiled together: a constant of one file would silently take the symbol's place in the next one.
+TEST_CASE("no constant of a file has the name of a symbol of the paper") {
+  static const std::regex constant("(\\w+) = ");
+  int seen = 0;
+  for (const auto& [its_file, included] : includes()) {
+    const auto& file = its_file;
+    const bool alone = file.find("/lesson-") != std::string::npos || file.ends_with("_main.cpp");
+    if (!file.ends_with(".cpp") || file.starts_with("numerics") || alone) continue;
+    std::ifstream text(fs::path(REDERIVE_SOURCE) / file);
+    for (std::string line; std::getline(text, line);) {
+      if (!line.starts_with("const")) continue;
+      line = line.substr(0, line.find('"'));
+      for (std::sregex_iterator at(line.begin(), line.end(), constant), end; at != end; ++at, ++seen)
+        CHECK_MESSAGE(rederive::paper_symbols().find((*at)[1].str()) == nullptr, file, ": ", line);
+    }
+  }
+  CHECK(seen > 20);
 }
 
 TEST_CASE("no file of the engine has more than 300 lines") {

@@ -9,7 +9,7 @@ namespace rederive {
 
 namespace {
 
-constexpr double theta_0 = 0.01;
+constexpr double angle_at_start = 0.01;
 
 ClosedForm eq103(double ratio, double angle, double rate) {
   return root_of(Form::eq103, with_initial(cosine_case(ratio), angle, rate));
@@ -18,19 +18,19 @@ ClosedForm eq103(double ratio, double angle, double rate) {
 /// (71) from rest, and (104) with initial conditions of the unfavourable sign.
 double eq71(double ratio) { return root_of(Form::eq71, pulse_case(ratio)).amplitude; }
 double eq104(double ratio) {
-  return root_of(Form::eq104, with_initial(pulse_case(ratio), -theta_0, -0.1)).amplitude;
+  return root_of(Form::eq104, with_initial(pulse_case(ratio), -angle_at_start, -0.1)).amplitude;
 }
 
 /// From which omega_p/p on (103) is the threshold of a motion that occurs, on a grid of 0.05; 0 if nowhere.
 double first_admissible(double thetadot_0) {
   for (int i = 10; i <= 200; ++i)
-    if (eq103(i / 20.0, theta_0, thetadot_0).admissible) return i / 20.0;
+    if (eq103(i / 20.0, angle_at_start, thetadot_0).admissible) return i / 20.0;
   return 0;
 }
 
 Finding admissible_103(Bench&, const Claim&) {
   const double slow = first_admissible(0.1), fast = first_admissible(0.2);
-  const ClosedForm at_1 = eq103(1, theta_0, 0.2), at_4 = eq103(4, theta_0, 0.1);
+  const ClosedForm at_1 = eq103(1, angle_at_start, 0.2), at_4 = eq103(4, angle_at_start, 0.1);
   return {slow == 0 && fast == 0       ? refuted
           : slow <= 0.5 && fast <= 0.5 ? confirmed
                                        : qualified,
@@ -71,11 +71,11 @@ Finding push_and_minimum(Bench& bench, const Claim&) {
   for (const double sign : {-1.0, 1.0})
     for (const double ratio : {2.0, 4.0}) {
       const double rest = bench.least(pulse_case(ratio)).from;
-      const Window pushed = bench.least(with_initial(pulse_case(ratio), sign * theta_0, sign * 0.1));
+      const Window pushed = bench.least(with_initial(pulse_case(ratio), sign * angle_at_start, sign * 0.1));
       ++tried, lower += pushed.from < rest;
       add(found,
-          fmt::format("{:+g} at {:g}: {:.4f} (code {:+d}) against {:.4f}", sign * theta_0, ratio, pushed.from,
-                      pushed.code, rest),
+          fmt::format("{:+g} at {:g}: {:.4f} (code {:+d}) against {:.4f}", sign * angle_at_start, ratio,
+                      pushed.from, pushed.code, rest),
           "; ");
     }
   return {of_all(lower, tried), {found}};
@@ -86,10 +86,10 @@ Finding caption_of_figure_14(Bench&, const Claim&) {
   int fine = 0, tried = 0;
   for (const double ratio : {1.0, 2.0, 4.0})
     for (const double sign : {0.0, 1.0, -1.0}) {
-      const ClosedForm root = eq103(ratio, sign * theta_0, sign * 0.1);
+      const ClosedForm root = eq103(ratio, sign * angle_at_start, sign * 0.1);
       ++tried, fine += root.admissible;
       if (!root.admissible && ratio == 4)
-        found += fmt::format("; with {:+g} at 4: {}", sign * theta_0, root.why_not);
+        found += fmt::format("; with {:+g} at 4: {}", sign * angle_at_start, root.why_not);
     }
   return {of_all(fine, tried), {fine, tried, found}};
 }
@@ -98,7 +98,7 @@ Finding more_unfavourable_103(Bench&, const Claim&) {
   const std::vector<double> ratios{1.0, 2.0, 3.0, 4.0, 6.0};
   int real = 0;
   const auto say = [&](double ratio) {
-    const ClosedForm cosine = eq103(ratio, theta_0, 0.1);
+    const ClosedForm cosine = eq103(ratio, angle_at_start, 0.1);
     const double sine = eq71(ratio), pushed = eq104(ratio);
     real += cosine.amplitude < std::min(sine, pushed) && cosine.admissible;
     return fmt::format("{:.4f}, {:.4f}, {:.4f}", cosine.amplitude, sine, pushed);
