@@ -3,4 +3,4 @@
 
 #include <doctest/doctest.h>
 
-#include <derivations/precompiled.hpp>
+#include <.setup/precompiled.hpp>

@@ -1,5 +1,5 @@
 // What precompiled.hpp says is compiled once.
-#include <derivations/precompiled.hpp>
+#include <.setup/precompiled.hpp>
 
 #if defined(__GLIBCXX__) && _GLIBCXX_RELEASE == 12
 namespace std::__detail {
