@@ -1,12 +1,11 @@
 // Figures: gnuplot does the drawing, for lines, curves and lettering alike.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
+#include <derivations/emit/program.hpp>
 #include <lessons/render.hpp>
-#include <numerics/undated.hpp>
+#include <numerics/gnuplot.hpp>
 
 namespace rederive {
 namespace {
@@ -50,19 +49,7 @@ std::optional<std::filesystem::path> draw(const Figure& figure, const std::strin
   if (!has_gnuplot()) return {};
   std::filesystem::create_directories(folder);
   const auto picture = folder / (figure.name + "." + kind);
-  const auto partial = folder / fmt::format(".{}.{}.{}", figure.name, ::getpid(), kind);
-  const auto script = folder / fmt::format(".{}.{}.gnuplot", figure.name, ::getpid());
-  std::ofstream(script) << terminals << terminal(kind) << "set output '" << partial.filename().string()
-                        << "'\n"
-                        << figure.script << "\n";
-  const Said said = said_by(
-      fmt::format("cd {} && TZ=UTC0 gnuplot {} 2>&1", in_quotes(folder), in_quotes(script.filename())));
-  std::filesystem::remove(script);
-  std::error_code none;
-  if (said.status != 0 || std::filesystem::file_size(partial, none) == 0)
-    throw std::runtime_error("gnuplot could not draw " + figure.name + ": " + said.text);
-  take_date_out(partial);
-  std::filesystem::rename(partial, picture);
+  write_whole(picture, drawn_by_gnuplot(terminals + terminal(kind) + figure.script + "\n"));
   return picture;
 }
 

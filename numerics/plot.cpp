@@ -1,11 +1,10 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <derivations/emit/program.hpp>
+#include <numerics/gnuplot.hpp>
 #include <numerics/plot.hpp>
-#include <numerics/undated.hpp>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -26,12 +25,6 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-std::string single_quoted(const std::string& text) {
-  std::string result = "'";
-  for (char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
-  return result + "'";
-}
-
 std::string terminal(const fs::path& file, double width, double height) {
   const std::string kind = file.extension().string();
   if (kind == ".svg")
@@ -45,29 +38,15 @@ std::string terminal(const fs::path& file, double width, double height) {
   throw std::invalid_argument("'" + file.string() + "': a plot is written to .svg, .png or .pdf");
 }
 
-/// Runs gnuplot on the script with its output going to a neighbour of `file`, then renames.
-void run_gnuplot(const std::string& script, const fs::path& file, double width, double height) {
-  const std::string begin = terminal(file, width, height);
-  const fs::path part = file.string() + ".part" + std::to_string(::getpid());
-  const auto refuse = [&](const std::string& why) {
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    throw std::invalid_argument("cannot write '" + file.string() + "': " + why);
-  };
-  // Where gnuplot is missing or fails, the shell reads the rest: else to write it would end this program.
-  std::FILE* pipe = ::popen(
-      "TZ=UTC0 gnuplot - >/dev/null 2>&1 || { code=$?; while read -r rest; do :; done; exit $code; }", "w");
-  if (pipe == nullptr) refuse("gnuplot cannot be run");
-  const std::string whole = "set encoding utf8\n" + begin + "set output " + single_quoted(part.string()) +
-                            "\n" + script + "\nunset output\n";
-  std::fwrite(whole.data(), 1, whole.size(), pipe);
-  const int status = ::pclose(pipe);
-  if (status == 127 * 256) refuse("gnuplot is not installed (package gnuplot-nox)");
-  std::error_code error;
-  if (status != 0 || !fs::exists(part, error) || fs::file_size(part, error) == 0) refuse("gnuplot failed");
-  take_date_out(part);
-  fs::rename(part, file, error);
-  if (error) refuse(error.message());
+void write_plot(const std::string& script, const fs::path& file, double width, double height) {
+  const std::string begin = "set encoding utf8\n" + terminal(file, width, height);
+  std::string picture;
+  try {
+    picture = drawn_by_gnuplot(begin + script + "\n");
+  } catch (const std::runtime_error& error) {
+    throw BadInput("cannot write '" + file.string() + "': " + error.what());
+  }
+  write_whole(file, picture);
 }
 
 std::string data_block(const std::string& name, const Curve& curve) {
@@ -127,7 +106,7 @@ void draw(const Figure& figure, const fs::path& file) {
     script += panel_script(figure.panels[i], i);
     if (i == 0) script += "unset label 1\n";
   }
-  run_gnuplot(script + "unset multiplot\n", file, width, height);
+  write_plot(script + "unset multiplot\n", file, width, height);
 }
 
 void draw(const Shades& shades, const fs::path& file) {
@@ -152,7 +131,7 @@ void draw(const Shades& shades, const fs::path& file) {
   script +=
       "set xlabel " + quoted(shades.x_label) + "\nset ylabel " + quoted(shades.y_label) + "\nunset key\n";
   script += "plot $map using 1:2:3 with image pixels\n";
-  run_gnuplot(script, file, 960, 640);
+  write_plot(script, file, 960, 640);
 }
 
 std::string figure_data(const Figure& figure) {

@@ -40,7 +40,8 @@ struct Figure {
 };
 
 /// Draws to SVG, PNG or PDF by the extension, whole or not at all.
-/// Throws std::invalid_argument for another extension, an unwritable file, or if gnuplot is missing.
+/// Throws std::invalid_argument for another extension, BadInput for an unwritable file, or if gnuplot is
+/// missing.
 void draw(const Figure& figure, const std::filesystem::path& file);
 void draw(const Shades& shades, const std::filesystem::path& file);
 

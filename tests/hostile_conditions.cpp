@@ -1,16 +1,42 @@
 // Programs where something around them is missing, full, closed or odd: no crash, no half-written file, an
 // exit code that says what came of it.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <derivations/paper/seal.hpp>
 #include <set>
 #include <tests/run_program.hpp>
 
 namespace {
 
-const std::vector<std::string> commands{
-    "ledger show 17b", "rocking threshold --omega 3", "emit --target c --function restitution",
-    "exercises --progress progress list", "lesson-03-energy-and-the-barrier --quiet"};
+/// One of every program.
+const std::vector<std::string>& commands() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> result{"ledger show 17b", "rocking threshold --omega 3",
+                                    "emit --target c --function restitution",
+                                    "exercises --progress progress list"};
+    for (const std::string& lesson : lesson_programs()) result.push_back(lesson + " --step 2");
+    return result;
+  }();
+  return all;
+}
+
+/// What writes a file "file"; a class of one student stands beside it.
+const std::vector<std::string> writers{"rocking response --omega 3 --amplitude 1.5 --csv file",
+                                       "rocking map --omega 1:5:40 --amplitude 1:5:40 --csv file",
+                                       "rocking map --omega 1:5:40 --amplitude 1:5:40 --hdf5 file",
+                                       "emit --target cpp --out file",
+                                       "ledger prove 'sin(3*x)' '3*sin(x)-4*sin(x)^3' --certificate file",
+                                       "exercises grade class --csv file",
+                                       "lesson-03-energy-and-the-barrier --out file",
+                                       "lesson-03-energy-and-the-barrier --format html --out file"};
+
+void make_class(const TemporaryFolder& folder) {
+  std::filesystem::create_directories(folder.path / "class/ann");
+  std::ofstream(folder.path / "class/ann/height-of-centre.txt") << "R\n";
+}
 
 /// A script of bash in a folder of its own, our programs on its path.
 Result run(const TemporaryFolder& folder, const std::string& script) {
@@ -28,7 +54,7 @@ std::set<std::string> files_in(const std::filesystem::path& folder) {
 
 TEST_CASE("output that cannot be written is an error, whoever closed or filled it") {
   const TemporaryFolder folder;
-  for (const std::string& command : commands)
+  for (const std::string& command : commands())
     for (const char* where : {">/dev/full", ">&-"}) {
       INFO(command << " " << where);
       const Result r = run(folder, command + " " + where);
@@ -51,7 +77,7 @@ TEST_CASE("a reader that goes away early is no error of ours to complain about")
 
 TEST_CASE("no input, no home folder, an odd locale, time zone or terminal change nothing of what is said") {
   const TemporaryFolder folder;
-  for (const std::string& command : commands) {
+  for (const std::string& command : commands()) {
     const Result usual = run(folder, command);
     CHECK(usual.exit_code == 0);
     for (const char* odd : {"<&-", "2>&-"}) CHECK(run(folder, command + " " + odd).out == usual.out);
@@ -67,25 +93,49 @@ TEST_CASE("no input, no home folder, an odd locale, time zone or terminal change
 }
 
 TEST_CASE("a file that may not grow is not written, and what was there stays") {
-  const std::vector<std::string> writers{"rocking response --omega 3 --amplitude 1.5 --csv file",
-                                         "emit --target cpp --out file",
-                                         "rocking map --omega 1:5:40 --amplitude 1:5:40 --csv file",
-                                         "ledger prove 'sin(3*x)' '3*sin(x)-4*sin(x)^3' --certificate file"};
   for (const std::string& writer : writers) {
     const TemporaryFolder folder;
+    make_class(folder);
     std::ofstream(folder.path / "file") << "what was there\n";
-    const Result r = run(folder, "ulimit -f 1 && " + writer + " >/dev/null");
+    const Result r =
+        run(folder, "(ulimit -f 0 && " + writer + " >/dev/null) 2>&1 | cat; exit ${PIPESTATUS[0]}");
+    INFO(writer << ": " << r.out);
+    CHECK(r.exit_code == 2);
+    CHECK(r.out.find("cannot write ") != std::string::npos);
+    CHECK(read_file(folder.path / "file") == "what was there\n");
+    CHECK(files_in(folder.path) == std::set<std::string>{"class", "file"});
+  }
+}
+
+TEST_CASE("in a folder that may not be written to, what writes says so, and all else is as ever") {
+  const TemporaryFolder folder;
+  make_class(folder);
+  std::vector<std::string> usual;
+  for (const std::string& command : commands()) usual.push_back(run(folder, command).out);
+  std::filesystem::remove(folder.path / "progress");
+  std::filesystem::remove(folder.path / "progress.lock");
+  std::filesystem::permissions(folder.path, std::filesystem::perms{0555});
+  // Root may write everywhere, unless it lays that right down.
+  const std::string mortal = ::getuid() == 0 ? "setpriv --bounding-set -dac_override " : "";
+  if (run(folder, mortal + "touch file").exit_code == 0) return skip("all folders may be written to");
+  for (std::size_t k = 0; k < usual.size(); ++k) {
+    const Result r = run(folder, mortal + commands()[k]);
+    INFO(commands()[k] << ": " << r.err);
+    CHECK(r.exit_code == 0);
+    CHECK(r.out == usual[k]);
+  }
+  for (const std::string& writer : writers) {
+    const Result r = run(folder, mortal + writer + " >/dev/null");
     INFO(writer << ": " << r.err);
     CHECK(r.exit_code == 2);
-    CHECK(r.err.find("cannot write 'file'") != std::string::npos);
-    CHECK(read_file(folder.path / "file") == "what was there\n");
-    CHECK(files_in(folder.path) == std::set<std::string>{"file"});
+    CHECK(r.err.find("cannot write '") != std::string::npos);
+    CHECK(files_in(folder.path) == std::set<std::string>{"class"});
   }
 }
 
 TEST_CASE("few files and little memory are enough, or are an error that is told") {
   const TemporaryFolder folder;
-  for (const std::string& command : commands)
+  for (const std::string& command : commands())
     for (const char* limit : {"ulimit -n 10", "ulimit -v 90000", "ulimit -u 60", "ulimit -t 20"}) {
       if (rederive::is_watched() && limit[8] == 'v') continue;
       const Result r = run(folder, std::string(limit) + " && " + command);
@@ -115,4 +165,30 @@ TEST_CASE("an interrupted map leaves no half-written file") {
       CHECK((r.exit_code == 0 || r.exit_code == 128 + 2 || r.exit_code == 128 + 15 ||
              (is_told && r.exit_code == 1)));
     }
+}
+
+TEST_CASE("of what is interrupted while it is written there is all or nothing") {
+  for (const std::string& writer : writers) {
+    const TemporaryFolder folder;
+    make_class(folder);
+    const auto started = std::chrono::steady_clock::now();
+    REQUIRE(run(folder, writer + " >/dev/null").exit_code <= 1);
+    const std::chrono::duration<double> takes = std::chrono::steady_clock::now() - started;
+    const std::string whole = read_file(folder.path / "file");
+    for (int moment = 1; moment <= 10; ++moment) {
+      std::filesystem::remove(folder.path / "file");
+      const Result r =
+          run(folder, fmt::format("timeout --preserve-status -s {} {:.3f} {} >/dev/null",
+                                  moment % 2 == 0 ? "INT" : "TERM", moment * takes.count() / 10, writer));
+      INFO(writer << ", moment " << moment << ", exit code " << r.exit_code << ": " << r.err);
+      const std::string text = read_file(folder.path / "file");
+      const bool is_told = r.err.find("what was done is kept") != std::string::npos;
+      CHECK((text.empty() || text == whole || (is_told && whole.starts_with(text))));
+      for (const std::string& name : files_in(folder.path)) {
+        INFO(name);
+        CHECK(!name.starts_with("."));
+        CHECK((name == "file.part" || name.find(".part") == std::string::npos));
+      }
+    }
+  }
 }

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <derivations/language/unicode.hpp>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -51,8 +53,26 @@ inline std::string trimmed(std::string_view text) {
   return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
 }
 
-/// Writes a file whole or not at all: a temporary neighbour, then a rename. A link stays, and what it leads
-/// to is written; into a device or a pipe the text goes as it is. Throws BadInput if it cannot.
+/// As long as it lives, signals that would end the program wait (in this thread).
+class Uninterrupted {
+ public:
+  Uninterrupted() {
+    sigset_t ending;
+    ::sigemptyset(&ending);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&ending, signal);
+    ::pthread_sigmask(SIG_BLOCK, &ending, &before_);
+  }
+  ~Uninterrupted() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+/// Writes a file whole or not at all: a temporary neighbour, then a rename, whatever signal comes between. A
+/// link stays, and what it leads to is written; into a device or a pipe the text goes as it is. Throws
+/// BadInput if it cannot.
 inline void write_whole(const std::filesystem::path& path, std::string_view text) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -64,6 +84,8 @@ inline void write_whole(const std::filesystem::path& path, std::string_view text
   const fs::path target = is_link ? fs::weakly_canonical(path, error) : path,
                  written = in_place ? path : fs::path(target.string() + ".part" + std::to_string(::getpid()));
   if (target.empty()) throw BadInput("cannot write '" + path.string() + "': " + error.message());
+  std::optional<Uninterrupted> uninterrupted;
+  if (!in_place) uninterrupted.emplace();
   errno = 0;
   std::ofstream file(written, std::ios::binary);
   file.write(text.data(), static_cast<std::streamsize>(text.size()));
