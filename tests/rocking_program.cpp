@@ -139,6 +139,43 @@ TEST_CASE("plots are drawn by extension") {
   check_refused({"response", "--omega", "2", "--amplitude", "1.6", "--plot", folder.path / "p.gif"}, "p.gif");
 }
 
+// gnuplot names each curve in its SVG and draws a cell as a polygon.
+TEST_CASE("a plot has the curves of a response and of a spectrum, and the cells of a map in their greys") {
+  const TemporaryFolder folder;
+  const std::string file = folder.path / "p.svg";
+  const auto drawing = [&](const std::string& command) {
+    const Result result = run_program(
+        "/bin/sh", {"-c", "'" REDERIVE_PROGRAMS "/rocking' " + command + " --plot " + quoted(file)});
+    REQUIRE_MESSAGE(result.exit_code == 0, result.err);
+    return read_file(file);
+  };
+  const auto times = [](const std::string& text, const std::string& piece) {
+    int found = 0;
+    for (auto at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) ++found;
+    return found;
+  };
+  const std::string response = drawing("response --omega 2 --amplitude 1.6");
+  CHECK(times(response, "id=\"gnuplot_plot_1") == 3);  // theta, its rate, and one over the other
+  CHECK(times(response, " L") > 1000);
+  const std::string spectrum = drawing("spectrum --from 1 --to 3 --points 5");
+  CHECK(times(spectrum, "id=\"gnuplot_plot_") == 4);
+  // Of each curve five points, and a line in the key.
+  for (const char* curve : {"_1a\"", "_2a\"", "_3a\"", "_4a\""}) {
+    const auto at = spectrum.find("id=\"gnuplot_plot" + std::string(curve));
+    const auto path = spectrum.find(" d='", at);
+    CHECK(times(spectrum.substr(path, spectrum.find("'/>", path) - path), " L") == 5);
+  }
+  const std::string map = drawing("map --omega 1:3:4 --amplitude 1:5:4");
+  std::string cells = map.substr(map.find("crispEdges"));
+  cells = cells.substr(0, cells.find("</g>"));
+  CHECK(times(cells, "<polygon fill = 'rgb( 48,  48,  48)'") == 10);  // -1
+  CHECK(times(cells, "<polygon fill = 'rgb(140, 140, 140)'") == 2);   // +2
+  CHECK(times(cells, "<polygon fill = 'rgb(255, 255, 255)'") == 4);   // safe
+  CHECK(run_program("rocking", {"map", "--omega", "1:3:4", "--amplitude", "1:5:4"}).out ==
+        " -1         10 points  overturns to theta < 0 without impact\n +0          4 points  safe\n"
+        " +2          2 points  overturns to theta > 0 after 1 impact\n");
+}
+
 TEST_CASE("a record is followed from its file") {
   const TemporaryFolder folder;
   const std::string file = folder.path / "record.txt";
