@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <derivations/emit/program.hpp>
 #include <lessons/render.hpp>
 #include <numerics/gnuplot.hpp>
@@ -19,11 +18,6 @@ std::string terminal(const std::string& kind) {
   return kind == "pdf" ? "set terminal pdfcairo size 12cm,8.4cm font 'DejaVu Sans,10'\n"
                        : "set terminal svg size 480,336 font 'DejaVu Sans,Helvetica,sans-serif,14' "
                          "background 'white' name 'figure'\n";
-}
-
-bool has_gnuplot() {
-  static const bool found = std::system("command -v gnuplot >/dev/null 2>&1") == 0;
-  return found;
 }
 
 }  // namespace
@@ -46,10 +40,11 @@ std::string in_quotes(const std::filesystem::path& path) {
 
 std::optional<std::filesystem::path> draw(const Figure& figure, const std::string& kind,
                                           const std::filesystem::path& folder) {
-  if (!has_gnuplot()) return {};
+  const auto drawn = drawn_by_gnuplot(terminals + terminal(kind) + figure.script + "\n");
+  if (!drawn) return {};
   std::filesystem::create_directories(folder);
   const auto picture = folder / (figure.name + "." + kind);
-  write_whole(picture, drawn_by_gnuplot(terminals + terminal(kind) + figure.script + "\n"));
+  write_whole(picture, *drawn);
   return picture;
 }
 

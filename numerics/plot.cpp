@@ -40,13 +40,17 @@ std::string terminal(const fs::path& file, double width, double height) {
 
 void write_plot(const std::string& script, const fs::path& file, double width, double height) {
   const std::string begin = "set encoding utf8\n" + terminal(file, width, height);
-  std::string picture;
+  const auto refuse = [&](const std::string& why) {
+    throw BadInput("cannot write '" + file.string() + "': " + why);
+  };
+  std::optional<std::string> picture;
   try {
     picture = drawn_by_gnuplot(begin + script + "\n");
   } catch (const std::runtime_error& error) {
-    throw BadInput("cannot write '" + file.string() + "': " + error.what());
+    refuse(error.what());
   }
-  write_whole(file, picture);
+  if (!picture) refuse("gnuplot is not installed (package gnuplot-nox)");
+  write_whole(file, *picture);
 }
 
 std::string data_block(const std::string& name, const Curve& curve) {

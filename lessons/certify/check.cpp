@@ -91,7 +91,7 @@ std::vector<const Lemma*> passing(const Folder& folder, const std::string& file,
 
 }  // namespace
 
-bool has_coq() { return std::system("command -v coqc >/dev/null 2>&1") == 0; }
+bool has_coq() { return said_by("command -v coqc 2>&1").status == 0; }
 
 std::vector<Checked> check(const std::vector<Lemma>& lemmas,
                            const std::function<void(const std::string&)>& progress) {

@@ -59,6 +59,7 @@ void write_pages(fs::path folder, const std::vector<std::pair<std::string, std::
   if (!folder.has_filename()) folder = folder.parent_path();
   const fs::path draft = folder.string() + ".part" + std::to_string(::getpid());
   std::error_code error;
+  const Uninterrupted all;
   try {
     for (const auto& [name, text] : pages)
       if (fs::is_directory(folder / name, error))

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <derivations/emit/program.hpp>
 #include <limits>
 
 namespace rederive::inline numeric {
@@ -166,6 +167,7 @@ MapFile::MapFile(const fs::path& file, const Attributes& attributes, const std::
     throw open_->refusal("it is no regular file");
   if (!fs::exists(open_->part, error)) {
     const fs::path begun = open_->part.string() + std::to_string(::getpid());
+    const Uninterrupted whole;
     try {
       create(begun, attributes, omega_ratios, amplitudes);
       fs::rename(begun, open_->part);
