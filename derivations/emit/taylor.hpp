@@ -19,7 +19,7 @@ struct TaylorStepper {
   std::string brief;                         ///< one line of documentation
 };
 
-/// "psi"
+/// The name that a symbol is written with: "psi".
 inline std::string name_of(const SymbolExpression& symbol) {
   return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name();
 }
