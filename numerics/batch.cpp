@@ -2,8 +2,10 @@
 #include <cmath>
 #include <emitted/rocking_block.hpp>
 #include <iterator>
+#include <numbers>
 #include <numerics/batch.hpp>
 #include <numerics/parallel.hpp>
+#include <type_traits>
 
 namespace rederive {
 
@@ -76,7 +78,18 @@ struct Left {
 /// (22), (34): what becomes of it, as outcome_at_end tells it.
 int code_after(const Left& left) {
   const int side = left.owner.side, impacts = left.end.impacts;
-  if (left.end.how == BatchEnd::How::lies || left.outward() > 0) return side * (impacts + 1);
+  switch (left.end.how) {
+    case BatchEnd::How::safe:
+      return 0;
+    case BatchEnd::How::returns:
+      return -side * (impacts + 2);
+    case BatchEnd::How::lies:
+    case BatchEnd::How::overturns:
+      return side * (impacts + 1);
+    default:
+      break;
+  }
+  if (left.outward() > 0) return side * (impacts + 1);
   return left.returning() > 0 ? -side * (impacts + 2) : 0;
 }
 
@@ -93,7 +106,7 @@ Outcome outcome_after(const Left& left) {
 
 /// Goes on after an impact that left the block slow: from the push that starts it again, if it comes to rest;
 /// false if it rests for good.
-bool resume(const PulseCase& asked, double scale, const Piece& piece, const BatchEnd& end,
+bool resume(const PulseCase& asked, double scale, const Piece& piece, const BatchEnd& end, double fading,
             Motions::Owner owner, Motions& next) {
   const Real time = piece.to - end.left, velocity = owner.side * end.thetadot / scale;
   const auto omega = static_cast<double>(piece.omega);
@@ -104,11 +117,11 @@ bool resume(const PulseCase& asked, double scale, const Piece& piece, const Batc
     const Mirrored pulse = mirrored(scale, piece, owner.side, push->from);
     next.starts.push_back({omega, 0, 0, pulse.ground, pulse.quadrature,
                            static_cast<double>(push->to - push->from),
-                           static_cast<double>(piece.to - push->from), slow * scale});
+                           static_cast<double>(piece.to - push->from), fading, slow * scale});
   } else {
     const Mirrored pulse = mirrored(scale, piece, owner.side, time);
-    next.starts.push_back(
-        {omega, 0, end.thetadot, pulse.ground, pulse.quadrature, 0, end.left, end.thetadot / 4, end.impacts});
+    next.starts.push_back({omega, 0, end.thetadot, pulse.ground, pulse.quadrature, 0, end.left, fading,
+                           end.thetadot / 4, end.impacts});
   }
   next.owners.push_back(owner);
   return true;
@@ -157,6 +170,7 @@ PulseBatch::Launch PulseBatch::launch_at(double amplitude) const {
   launch.thetadot = static_cast<double>(launch.side * asked_.initial.velocity * scale_);
   const Mirrored pulse = mirrored(scale_, launch.piece, launch.side, start);
   launch.ground = pulse.ground, launch.quadrature = pulse.quadrature;
+  launch.fading = asked_.pulse == Pulse::sine ? std::numbers::pi : 0;
   return launch;
 }
 
@@ -186,11 +200,12 @@ std::vector<std::vector<Result>> PulseBatch::followed(const std::vector<double>&
       if (from.side == 0) continue;
       motions.owners.push_back({column, row, from.side});
       motions.starts.push_back({omega, from.theta, from.thetadot, from.ground, from.quadrature,
-                                from.push / omega, from.left / omega, slow * scale_});
+                                from.push / omega, from.left / omega, from.fading / omega, slow * scale_});
     }
   for (int round = 0; !motions.starts.empty(); ++round) {
     std::vector<BatchEnd> ends(motions.starts.size());
-    kernel_.run({asked_.model == Model::linear, scale_, asked_.block.restitution, scale_ * asked_.tolerance},
+    kernel_.run({asked_.model == Model::linear, scale_, asked_.block.restitution, scale_ * asked_.tolerance,
+                 std::is_same_v<Result, int>},
                 motions.starts.data(), ends.data(), static_cast<int>(ends.size()));
     Motions next;
     for (std::size_t k = 0; k < ends.size(); ++k) {
@@ -208,7 +223,7 @@ std::vector<std::vector<Result>> PulseBatch::followed(const std::vector<double>&
       } else if (end.how == BatchEnd::How::slow) {
         Piece piece = launches_[row].piece;
         piece.omega = start.omega, piece.to /= start.omega;
-        if (!resume(asked_, scale_, piece, end, owner, next))
+        if (!resume(asked_, scale_, piece, end, start.fading, owner, next))
           result = of_outcome({0, end.impacts, owner.rests + 1});
       } else {
         result = of_left(Left(asked_, scale_, end, owner, launch));

@@ -14,6 +14,7 @@ struct BatchBlock {
   bool is_linear;
   double alpha, restitution;  ///< linear: alpha = 1
   double tolerance;           ///< of the last two terms of each series
+  bool codes_only = false;    ///< a motion may end as soon as its code is certain
 };
 
 /// Where a motion starts under the pulse, on the side theta > 0: one on the other side is mirrored with its
@@ -24,14 +25,16 @@ struct BatchStart {
   double ground, quadrature;  ///< of the pulse, the latter over omega_p
   double push;                ///< from rest: how long the ground pushes at least as hard as at the start
   double left;                ///< until the pulse ends
+  double fading;              ///< so long before it ends the ground keeps its sign, to come to 0 at last
   double slow;                ///< an impact that leaves less than this velocity ends the motion
   int impacts = 0;            ///< before the start
 };
 
-/// Where it ends: with the pulse, on the side theta > 0 of the last impact; lying; after an impact that
-/// leaves it slow; or in a graze that the kernel cannot tell from an impact.
+/// Where it ends: with the pulse, on the side theta > 0 of the last impact; lying; certain to overturn to
+/// that side, to come back and overturn to the other, or never to overturn; after an impact that leaves it
+/// slow; or in a graze that the kernel cannot tell from an impact.
 struct BatchEnd {
-  enum class How { pulse_over, lies, slow, unclear } how;
+  enum class How { pulse_over, lies, overturns, returns, safe, slow, unclear } how;
   double theta, thetadot, left;
   double launched;  ///< what was left when the block last started or came to upright
   int impacts;
@@ -64,6 +67,7 @@ class PulseBatch {
     int side = 0;               ///< 0: it does not start
     double push = 0, gain = 0;  ///< from rest: how long and, above start_level, how much the ground pushes
     double left = 0;            ///< until the pulse ends
+    double fading = 0;          ///< as in BatchStart
     double theta = 0, thetadot = 0, ground = 0, quadrature = 0;  ///< mirrored to theta > 0
   };
 

@@ -7,8 +7,7 @@
 
 namespace rederive {
 
-/// A polynomial y of the time and its rate v, by Horner's rule: even and odd powers apart, which is half as
-/// long to wait for.
+/// A polynomial y of the time and its rate v, as emitted::value_at has the value.
 template <class V, std::size_t size>
 void sample(const V (&series)[size], V time, V& y, V& v) {
   constexpr std::size_t last = size - 1, last_even = last - last % 2, last_odd = last - (last + 1) % 2;

@@ -13,7 +13,8 @@
 
 namespace rederive {
 
-/// x^(1/n) to half a percent, by a logarithm that is linear between powers of two: the same on any machine.
+/// x^(1/n) or up to 7 percent more, by a logarithm that is linear between powers of two: the same on any
+/// machine.
 template <class V>
 V rough_root(V x, int n) {
   using Bits = std::experimental::rebind_simd_t<std::uint64_t, V>;
@@ -43,7 +44,8 @@ class BatchPack {
         queue_(queue),
         sin_(std::sin(block.alpha)),
         cos_(std::cos(block.alpha)),
-        weight_(is_nonlinear ? sin_ : block.alpha) {
+        weight_(is_nonlinear ? sin_ : block.alpha),
+        barrier_(2 * (is_nonlinear ? std::sin(block.alpha / 2) : block.alpha / 2)) {
     motion_.alpha = block.alpha, motion_.p = 1;
     for (int lane = 0; lane < lanes; ++lane) fill(lane);
   }
@@ -80,7 +82,9 @@ class BatchPack {
   /// To the end of the step, and in a lane whose motion is over to the next one.
   [[gnu::flatten]] void advance() {
     move();
-    over_ = left_ <= 0 || lies_ || slow_hit_ || unclear_ || steps_ > 10'000;
+    if (block_.codes_only) foresee();
+    over_ =
+        left_ <= 0 || lies_ || overturns_ || returns_ || safe_ || slow_hit_ || unclear_ || steps_ > 10'000;
     if (any_of(over_)) retire();
   }
 
@@ -129,11 +133,55 @@ class BatchPack {
     slow_hit_ = hits_ && !(rebound > slow_);
   }
 
+  /// What is certain of the code before the pulse is over, by energy (22); psi = alpha - theta. Let G be the
+  /// most that the ground may still push inwards, and J the integral of its size.
+  /// Overturns: while theta' > 0, theta'^2/2 + cos(psi) - G sin(psi) does not fall, and at rest it is
+  /// (1 + G^2)^(1/2) at most; nor is there a way back from where the weight outdoes G. Linear: the rate of
+  /// theta' + theta - alpha is itself less the ground, so from above G it does not fall. When the pulse is
+  /// over, too, beyond alpha with less energy than there. Safe: the velocity u at upright, u^2 = theta'^2 + 2
+  /// cos(psi) - 2 cos(alpha), changes no faster than by the size of the ground while 0 < theta < alpha, and
+  /// falls at impacts: from below the barrier less J it never passes the barrier. Returns: a block that moves
+  /// inwards gains energy from ground that only pushes inwards, and after the impact outwards, so it
+  /// overturns to the other side if e u passes the barrier.
+  void foresee() {
+    constexpr double rounding = 1e-13;
+    const V velocity = motion_.thetadot[0], lean = motion_.theta[0] - block_.alpha,
+            ground = motion_.ground[0], quadrature = motion_.quadrature[0];
+    const Mask over = left_ <= 0, fades = left_ <= fading_, inwards = ground >= -1e-6 * amplitude_;
+    V most = amplitude_, integral = amplitude_ * left_;
+    where(fades && !(inwards && quadrature >= 0), most) = max(V(0), ground);
+    where(fades, integral) = (amplitude_ - quadrature) / motion_.omega_p;
+    where(fades && inwards, integral) = (amplitude_ + quadrature) / motion_.omega_p;
+    V upright;
+    Mask beyond;  // alpha, from where free motion does not come back
+    const V square = velocity * velocity;
+    if constexpr (is_nonlinear) {
+      const V sine = motion_.sin_1[0], cosine = motion_.cos_1[0], energy = V(0.5) * square + cosine,
+              height = energy - most * sine;
+      overturns_ = velocity > 0 &&
+                   (sine + most * cosine < 0 || (height > 0 && height * height > 1 + rounding + most * most));
+      beyond = lean > 0 && energy < 1 - rounding;
+      upright = square + 2 * (cosine - cos_);
+    } else {
+      overturns_ = velocity + lean > most;
+      beyond = lean > 0 && square < lean * lean;
+      upright = square + (block_.alpha * block_.alpha - lean * lean);
+    }
+    overturns_ = overturns_ || (over && beyond);
+    const V room = barrier_ - integral;
+    safe_ = lean < 0 && room > 0 && upright + rounding < room * room;
+    returns_ = velocity < 0 && (over || (fades && inwards && lean < 0)) &&
+               block_.restitution * block_.restitution * upright > barrier_ * barrier_ + rounding;
+  }
+
   /// Hands back the motions that are over.
   [[gnu::noinline]] void retire() {
     for (int lane = 0; lane < lanes; ++lane)
       if (over_[at(lane)])
         finish(lane, lies_[at(lane)]        ? BatchEnd::How::lies
+                     : overturns_[at(lane)] ? BatchEnd::How::overturns
+                     : returns_[at(lane)]   ? BatchEnd::How::returns
+                     : safe_[at(lane)]      ? BatchEnd::How::safe
                      : slow_hit_[at(lane)]  ? BatchEnd::How::slow
                      : left_[at(lane)] <= 0 ? BatchEnd::How::pulse_over
                                             : BatchEnd::How::unclear);
@@ -167,7 +215,7 @@ class BatchPack {
   void fill(int lane) {
     const bool waits = queue_.next < queue_.count;
     const BatchStart start =
-        waits ? queue_.starts[queue_.next] : BatchStart{1, block_.alpha, 0, 0, 0, 1, 1, 0};
+        waits ? queue_.starts[queue_.next] : BatchStart{1, block_.alpha, 0, 0, 0, 1, 1, 0, 0};
     index_[lane] = waits ? queue_.next++ : -1;
     queue_.running += waits ? 1 : 0;
     const auto set = [&](V& of, double value) { of[at(lane)] = value; };
@@ -180,7 +228,7 @@ class BatchPack {
     }
     set(amplitude_, std::sqrt(start.ground * start.ground + start.quadrature * start.quadrature));
     set(left_, start.left), set(launched_left_, start.left), set(push_, start.push), set(steps_, 0);
-    set(impacts_, start.impacts), set(slow_, start.slow);
+    set(impacts_, start.impacts), set(fading_, start.fading), set(slow_, start.slow);
   }
 
   void finish(int lane, BatchEnd::How how) {
@@ -199,10 +247,11 @@ class BatchPack {
 
   BatchBlock block_;
   BatchQueue& queue_;
-  double sin_, cos_, weight_;
+  double sin_, cos_, weight_, barrier_;
   Motion motion_;
-  V left_, launched_left_, push_, amplitude_, steps_, impacts_, slow_, h_;
-  Mask launched_, stands_, leans_, hits_, lies_, unclear_, slow_hit_, over_;
+  V left_, fading_, launched_left_, push_, amplitude_, steps_, impacts_, slow_, h_;
+  Mask launched_, stands_, leans_, hits_, lies_, unclear_, slow_hit_, over_, overturns_{false},
+      returns_{false}, safe_{false};
   int index_[lanes];
 };
 

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numerics/batch.hpp>
 #include <random>
@@ -95,6 +96,31 @@ TEST_CASE("every kernel gives the same cells, one frequency at a time or all tog
   }
 }
 
+TEST_CASE("a code that is certain before the pulse is over is that of the whole motion") {
+  std::mt19937 random(4714);
+  std::uniform_real_distribution<double> share(0, 1);
+  int wrong = 0;
+  for (int i = 0; i < 2000; ++i) {
+    PulseCase asked = nonlinear(0.02 + 1.5 * share(random), i % 7 == 0 ? 1 : 0.3 + 0.7 * share(random));
+    if (i % 3 == 0) asked.model = Model::linear;
+    if (i % 2 == 0) asked.pulse = Pulse::cosine;
+    if (i % 5 > 1) asked.initial = {1.6L * share(random) - 0.8L, 2 * share(random) - 1.0L};
+    std::vector<double> ratios;
+    for (int k = 0; k < 10; ++k) ratios.push_back(10 * std::pow(10, -2.5 * share(random)));
+    const std::vector<double> amplitudes = amplitudes_above(asked, random, 50);
+    const PulseBatch batch(asked, amplitudes);
+    const auto codes = batch.codes(ratios);
+    const auto outcomes = batch.outcomes(ratios);
+    for (std::size_t column = 0; column < ratios.size(); ++column)
+      for (std::size_t row = 0; row < amplitudes.size(); ++row) {
+        if (codes[column][row] == outcomes[column][row].code) continue;
+        asked.omega_ratio = ratios[column];
+        wrong += is_certain(asked, amplitudes[row]) ? 1 : 0;
+      }
+  }
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("every kernel gives the same motions, and the same bits in whatever lane") {
   for (const bool is_linear : {false, true}) {
     const double alpha = 0.25, ground = -std::tan(alpha);
@@ -104,7 +130,7 @@ TEST_CASE("every kernel gives the same motions, and the same bits in whatever la
       const double quadrature = -std::sqrt(amplitude * amplitude - ground * ground),
                    psi = std::asin(-ground / amplitude);
       starts.push_back({omega, 0, 0, ground, quadrature, (std::numbers::pi - 2 * psi) / omega,
-                        (2 * std::numbers::pi - psi) / omega, 1e-4});
+                        (2 * std::numbers::pi - psi) / omega, std::numbers::pi / omega, 1e-4});
     }
     std::vector<BatchEnd> first;
     int with_impacts = 0;
@@ -126,6 +152,13 @@ TEST_CASE("every kernel gives the same motions, and the same bits in whatever la
       }
     }
     CHECK(with_impacts >= 20);  // and went on after them
+    std::map<BatchEnd::How, int> early;
+    std::vector<BatchEnd> ends(starts.size());
+    batch_kernels().back().run({is_linear, alpha, 0.9, 1e-12, true}, starts.data(), ends.data(),
+                               static_cast<int>(starts.size()));
+    for (const BatchEnd& end : ends) early[end.how] += end.left > 0 ? 1 : 0;
+    for (const auto how : {BatchEnd::How::overturns, BatchEnd::How::returns, BatchEnd::How::safe})
+      CHECK(early[how] > 0);
   }
 }
 
