@@ -48,31 +48,26 @@ struct Motions {
 /// A motion that the pulse leaves, on the side theta > 0 of its last impact; `launch` just lifts the block
 /// over the barrier from upright.
 struct Left {
-  Left(const PulseCase& what, double scale, const BatchEnd& where, const Motions::Owner& whose,
-       double to_launch)
-      : asked(what),
-        end(where),
-        owner(whose),
-        launch(to_launch),
-        angle(end.theta / scale),
-        velocity(end.thetadot / scale) {}
-
-  double outward() const {
-    return velocity - (asked.model == Model::linear
-                           ? emitted::linear_critical_velocity_positive(angle)
-                           : emitted::critical_velocity_positive(asked.block.alpha, angle));
-  }
-  double returning() const {
-    const double impact = asked.model == Model::linear
-                              ? emitted::linear_impact_velocity_squared_positive(angle, velocity)
-                              : emitted::impact_velocity_squared_positive(asked.block.alpha, angle, velocity);
-    return asked.block.restitution * std::sqrt(std::max(0.0, impact)) - launch;
-  }
-
   const PulseCase& asked;
+  double scale;
   const BatchEnd& end;
   const Motions::Owner& owner;
-  double launch, angle, velocity;
+  double launch;
+
+  double angle() const { return end.theta / scale; }
+  double velocity() const { return end.thetadot / scale; }
+  double outward() const {
+    return velocity() - (asked.model == Model::linear
+                             ? emitted::linear_critical_velocity_positive(angle())
+                             : emitted::critical_velocity_positive(asked.block.alpha, angle()));
+  }
+  double returning() const {
+    const double impact =
+        asked.model == Model::linear
+            ? emitted::linear_impact_velocity_squared_positive(angle(), velocity())
+            : emitted::impact_velocity_squared_positive(asked.block.alpha, angle(), velocity());
+    return asked.block.restitution * std::sqrt(std::max(0.0, impact)) - launch;
+  }
 };
 
 /// (22), (34): what becomes of it, as outcome_at_end tells it.
@@ -148,9 +143,8 @@ const std::vector<BatchKernel>& batch_kernels() {
   return all;
 }
 
-PulseBatch::Launch PulseBatch::launch_at(double amplitude) const {
+PulseBatch::Launch PulseBatch::launch_at(double amplitude, Real level) const {
   Launch launch;
-  const Real level = start_level(asked_.block, asked_.model);
   const Real leads = asked_.initial.angle != 0 ? asked_.initial.angle : asked_.initial.velocity;
   if (leads == 0 && amplitude >= 0 && amplitude < level) return launch;
   launch.piece = pulse_motion(asked_.pulse, 1, amplitude, level).front();
@@ -180,7 +174,9 @@ PulseBatch::PulseBatch(const PulseCase& asked, const std::vector<double>& amplit
       scale_(asked.model == Model::linear ? 1 : asked.block.alpha),
       amplitudes_(amplitudes),
       kernel_(kernel) {
-  for (const double amplitude : amplitudes) launches_.push_back(launch_at(amplitude));
+  const Real level = start_level(asked.block, asked.model);
+  launches_.reserve(amplitudes.size());
+  for (const double amplitude : amplitudes) launches_.push_back(launch_at(amplitude, level));
 }
 
 template <class Result, class OfLeft>
@@ -226,7 +222,7 @@ std::vector<std::vector<Result>> PulseBatch::followed(const std::vector<double>&
         if (!resume(asked_, scale_, piece, end, start.fading, owner, next))
           result = of_outcome({0, end.impacts, owner.rests + 1});
       } else {
-        result = of_left(Left(asked_, scale_, end, owner, launch));
+        result = of_left(Left{asked_, scale_, end, owner, launch});
       }
     }
     motions = std::move(next);

@@ -72,7 +72,7 @@ class PulseBatch {
   };
 
  private:
-  Launch launch_at(double amplitude) const;
+  Launch launch_at(double amplitude, Real level) const;
   /// What is asked of each motion: of one that the pulse leaves, or of one whose outcome is known already.
   template <class Result, class OfLeft>
   std::vector<std::vector<Result>> followed(const std::vector<double>& omega_ratios, OfLeft of_left,

@@ -70,9 +70,10 @@ GroundMotion pulse_motion(Pulse pulse, Real omega_ratio, Real amplitude, Real le
   Piece piece;
   piece.amplitude = amplitude;
   piece.omega = omega_ratio;
-  const Real rising = pulse_phase(Pulse::sine, amplitude, level);
-  piece.phase = pulse == Pulse::sine ? rising : pi - rising;  // a cos(x + psi) = a sin(x + psi + pi/2)
-  piece.to = pulse_end(pulse, omega_ratio, pulse_phase(pulse, amplitude, level));
+  const Real psi = pulse_phase(pulse, amplitude, level);
+  // a cos(x + psi) = a sin(x + psi + pi/2), and psi + pi/2 to the last digit as pushes has it.
+  piece.phase = pulse == Pulse::sine ? psi : pi - pulse_phase(Pulse::sine, amplitude, level);
+  piece.to = pulse_end(pulse, omega_ratio, psi);
   return {piece};
 }
 

@@ -77,7 +77,12 @@ std::vector<Peer> peers_of(const PulseCase& asked) {
   peers.push_back(peer_of(fmt::format("SUNDIALS ARKODE, {:g}", tolerance),
                           std::make_shared<Sundials>(arkode, alpha, tolerance), asked, 61));
 #endif
-  if (asked.model == Model::nonlinear) return peers;
+  if (asked.model == Model::nonlinear) {
+    const auto gsl = std::make_shared<Gsl>(alpha, tolerance);
+    gsl->decides_early = true;
+    peers.push_back(peer_of(fmt::format("GSL rk8pd, {:g}, deciding as early", tolerance), gsl, asked, 11));
+    return peers;
+  }
   peers.push_back(peer_of("Runge-Kutta 4, 0.01", std::make_shared<LinearRungeKutta>(0.01), asked, 3));
   peers.push_back({"closed forms, long double",
                    [=](double omega, double amplitude) {

@@ -9,8 +9,10 @@
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <emitted/rocking_block.hpp>
+#include <functional>
 #include <numbers>
 #include <numerics/overturning.hpp>
+#include <optional>
 
 #ifdef REDERIVE_SUNDIALS
 #include <arkode/arkode_erkstep.h>
@@ -39,11 +41,37 @@ struct Motion {
   }
 };
 
-/// What a peer does on its own: follow the motion to `end`, or to where theta comes to 0 or the block lies.
+/// The code, where it is certain before the pulse is over, by what stands at BatchPack::foresee; nonlinear.
+inline std::optional<int> early_code(const Motion& motion, double restitution, double t, const State& y,
+                                     double end, int impacts) {
+  const double x = motion.side * y[0] - motion.alpha, v = motion.side * y[1], left = end - t,
+               g = motion.side * emitted::ground_of_sine_pulse(motion.amplitude, motion.omega, motion.psi, t),
+               q = motion.side *
+                   emitted::quadrature_of_sine_pulse(motion.amplitude, motion.omega, motion.psi, t),
+               energy = v * v / 2 + std::cos(x), upright = 2 * (energy - std::cos(motion.alpha)),
+               barrier = 2 * std::sin(motion.alpha / 2);
+  const bool fades = motion.omega * left <= std::numbers::pi;
+  const double most = !fades  ? motion.amplitude
+                      : g < 0 ? 0
+                      : q < 0 ? g
+                              : motion.amplitude,
+               sum = !fades ? motion.amplitude * left : (motion.amplitude + (g < 0 ? -q : q)) / motion.omega;
+  if (v > 0 && (std::sin(x) > most * std::cos(x) || energy + most * std::sin(x) > std::sqrt(1 + most * most)))
+    return motion.side * (impacts + 1);
+  if (x < 0 && sum < barrier && upright < (barrier - sum) * (barrier - sum)) return 0;
+  if (x < 0 && v < 0 && fades && g >= 0 && restitution * restitution * upright > barrier * barrier)
+    return -motion.side * (impacts + 2);
+  return std::nullopt;
+}
+
+/// What a peer does on its own: follow the motion to `end`, or to where theta comes to 0 or the block lies;
+/// or, if asked after each step, to where `done` says so.
 class Integrator {
  public:
   virtual ~Integrator() = default;
   virtual void follow(const Motion& motion, double& t, State& y, double end) = 0;
+  std::function<bool(double t, const State& y)> done;
+  bool decides_early = false;
 };
 
 /// The code of a one-sine pulse from rest.
@@ -59,8 +87,15 @@ inline int code_by(Integrator& integrator, const PulseCase& asked, double omega,
   double t = 0;
   State y{0, 0};
   int impacts = 0;
+  std::optional<int> code;
+  if (integrator.decides_early)
+    integrator.done = [&](double now, const State& there) {
+      code = early_code(motion, restitution, now, there, end, impacts);
+      return code.has_value();
+    };
   while (true) {
     integrator.follow(motion, t, y, end);
+    if (code) return *code;
     if (!linear && motion.side * y[0] >= std::numbers::pi / 2) return motion.side * (impacts + 1);
     if (t >= end) break;
     if (std::fabs(y[1]) < 1e-3 * alpha) return 0;
@@ -102,7 +137,10 @@ class Gsl : public Integrator {
       const State start = y;
       gsl_odeiv2_evolve_apply(evolve_, control_, step_, &system, &t, end, &h, y.data());
       if (motion.model == Model::nonlinear && motion.side * y[0] >= std::numbers::pi / 2) return;
-      if (motion.side * y[0] > 0) continue;
+      if (motion.side * y[0] > 0) {
+        if (decides_early && done(t, y)) return;
+        continue;
+      }
       double length = t - before, moved = 1, error[2];
       for (int i = 0; i < 20 && std::fabs(moved) > 1e-9 * length; ++i) {
         moved = -y[0] / y[1];
