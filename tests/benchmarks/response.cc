@@ -1,8 +1,10 @@
-// How long one motion takes, as a ratio to a named peer: GSL's own eighth-order integration of (21a) over the
-// same pulse without events, at the same tolerance.
+// How long one call of the emitted right-hand side takes, beside the same written by hand; and one motion,
+// beside GSL's own eighth-order integration of (21a) over the same pulse without events, at the same
+// tolerance.
 #include <benchmark/benchmark.h>
 #include <gsl/gsl_odeiv2.h>
 
+#include <array>
 #include <cmath>
 #include <emitted/rocking_block.hpp>
 #include <numerics/windows.hpp>
@@ -36,6 +38,23 @@ void peer_gsl_driver(benchmark::State& state) {
   }
 }
 
+/// (21a) with p = 1 as one would write it.
+double by_hand(double alpha, double theta, double ground) {
+  return std::sin(alpha + theta) - ground * std::cos(alpha + theta);
+}
+
+template <class Rate>
+void right_hand_side(benchmark::State& state, Rate rate) {
+  std::array<double, 1024> theta{};
+  for (std::size_t i = 0; i < theta.size(); ++i) theta[i] = -0.001 * static_cast<double>(i);
+  for (auto _ : state) {
+    double sum = 0;
+    for (const double angle : theta) sum += rate(0.25, angle, 0.4);
+    benchmark::DoNotOptimize(sum);
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(theta.size()));
+}
+
 void outcome(benchmark::State& state, Model model) {
   const PulseCase of = asked(model);
   for (auto _ : state) benchmark::DoNotOptimize(outcome_at(of, 3).code);
@@ -46,6 +65,10 @@ void windows(benchmark::State& state, Model model) {
   for (auto _ : state) benchmark::DoNotOptimize(overturning_windows(of).size());
 }
 
+BENCHMARK_CAPTURE(right_hand_side, emitted, [](double alpha, double theta, double ground) {
+  return emitted::angular_acceleration_negative(alpha, 1.0, theta, ground);
+});
+BENCHMARK_CAPTURE(right_hand_side, by_hand, by_hand);
 BENCHMARK(peer_gsl_driver);
 BENCHMARK_CAPTURE(outcome, linear, Model::linear);
 BENCHMARK_CAPTURE(outcome, nonlinear, Model::nonlinear);
