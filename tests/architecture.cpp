@@ -155,7 +155,8 @@ TEST_CASE("the README of each room says what it includes") {
     std::string line, expected;
     for (const std::string& other : others) expected += (expected.empty() ? "" : ", ") + other;
     while (std::getline(file, line) && !line.starts_with("Includes: ")) continue;
-    CHECK_MESSAGE(line.starts_with("Includes: " + (others.empty() ? "nothing" : expected)), room, ": ", line);
+    CHECK_MESSAGE(line.starts_with("Includes: " + (others.empty() ? "nothing" : expected)), folder.string(),
+                  ": ", line);
   }
 }
 

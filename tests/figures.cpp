@@ -81,7 +81,8 @@ TEST_CASE("without gnuplot a figure is refused, and says what to install") {
 TEST_CASE("the least amplitude of figure 10 is that of the first condition, or of one for more impacts") {
   const Drawn drawn = figure(10);
   int equal = 0;
-  for (const auto& [omega, simulated] : drawn.curves.at("simulated least amplitude")) {
+  for (const auto& point : drawn.curves.at("simulated least amplitude")) {
+    const double omega = point.first, simulated = point.second;
     CAPTURE(omega);
     double least = 1e300;
     for (const auto& [name, curve] : drawn.curves)
@@ -101,7 +102,8 @@ TEST_CASE("under the cosine pulse of figure 14 condition (103) is the simulated 
   const Drawn drawn = figure(14);
   const Curve& condition = drawn.curves.at("(103) cosine, 0.01 rad, 0.1 rad/s");
   int equal = 0;
-  for (const auto& [omega, simulated] : drawn.curves.at("simulated, cosine, 0.01 rad, 0.1 rad/s")) {
+  for (const auto& point : drawn.curves.at("simulated, cosine, 0.01 rad, 0.1 rad/s")) {
+    const double omega = point.first, simulated = point.second;
     CAPTURE(omega);
     if (omega < 3) continue;
     const auto near = condition.lower_bound(omega - 1e-9);
