@@ -58,7 +58,7 @@ class PulseBatch {
 
   /// For each omega_p/p outcome_at(asked, amplitude) of each amplitude. A graze is followed by outcome_at.
   std::vector<std::vector<Outcome>> outcomes(const std::vector<double>& omega_ratios) const;
-  /// Their codes.
+  /// Their codes: each motion ends as soon as its code is certain.
   std::vector<std::vector<int>> codes(const std::vector<double>& omega_ratios) const;
 
   /// When and with what the block starts. Times are phases: they do not depend on omega_p.

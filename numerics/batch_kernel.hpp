@@ -135,14 +135,18 @@ class BatchPack {
 
   /// What is certain of the code before the pulse is over, by energy (22); psi = alpha - theta. Let G be the
   /// most that the ground may still push inwards, and J the integral of its size.
+  ///
   /// Overturns: while theta' > 0, theta'^2/2 + cos(psi) - G sin(psi) does not fall, and at rest it is
   /// (1 + G^2)^(1/2) at most; nor is there a way back from where the weight outdoes G. Linear: the rate of
   /// theta' + theta - alpha is itself less the ground, so from above G it does not fall. When the pulse is
-  /// over, too, beyond alpha with less energy than there. Safe: the velocity u at upright, u^2 = theta'^2 + 2
-  /// cos(psi) - 2 cos(alpha), changes no faster than by the size of the ground while 0 < theta < alpha, and
-  /// falls at impacts: from below the barrier less J it never passes the barrier. Returns: a block that moves
-  /// inwards gains energy from ground that only pushes inwards, and after the impact outwards, so it
-  /// overturns to the other side if e u passes the barrier.
+  /// over, too, beyond alpha with less energy than there.
+  ///
+  /// Safe: the velocity u at upright, u^2 = theta'^2 + 2 cos(psi) - 2 cos(alpha), changes no faster than by
+  /// the size of the ground while 0 < theta < alpha, and falls at impacts: from below the barrier less J it
+  /// never passes the barrier.
+  ///
+  /// Returns: a block that moves inwards gains energy from ground that only pushes inwards, and after the
+  /// impact outwards, so it overturns to the other side if e u passes the barrier.
   void foresee() {
     constexpr double rounding = 1e-13;
     const V velocity = motion_.thetadot[0], lean = motion_.theta[0] - block_.alpha,
