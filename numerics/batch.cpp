@@ -101,12 +101,12 @@ Outcome outcome_after(const Left& left) {
 
 /// Goes on after an impact that left the block slow: from the push that starts it again, if it comes to rest;
 /// false if it rests for good.
-bool resume(const PulseCase& asked, double scale, const Piece& piece, const BatchEnd& end, double fading,
-            Motions::Owner owner, Motions& next) {
+bool resume(const PulseCase& asked, double scale, Real level, const Piece& piece, const BatchEnd& end,
+            double fading, Motions::Owner owner, Motions& next) {
   const Real time = piece.to - end.left, velocity = owner.side * end.thetadot / scale;
   const auto omega = static_cast<double>(piece.omega);
   if (const auto rest = time_of_rest(asked.block, asked.model, piece, {time, 0, velocity})) {
-    const auto push = push_that_starts(asked.block, asked.model, piece, *rest);
+    const auto push = push_that_starts(level, piece, *rest);
     if (!push) return false;
     owner.side = push->side, ++owner.rests;
     const Mirrored pulse = mirrored(scale, piece, owner.side, push->from);
@@ -143,21 +143,21 @@ const std::vector<BatchKernel>& batch_kernels() {
   return all;
 }
 
-PulseBatch::Launch PulseBatch::launch_at(double amplitude, Real level) const {
+PulseBatch::Launch PulseBatch::launch_at(double amplitude) const {
   Launch launch;
   const Real leads = asked_.initial.angle != 0 ? asked_.initial.angle : asked_.initial.velocity;
-  if (leads == 0 && amplitude >= 0 && amplitude < level) return launch;
-  launch.piece = pulse_motion(asked_.pulse, 1, amplitude, level).front();
+  if (leads == 0 && amplitude >= 0 && amplitude < level_) return launch;
+  launch.piece = pulse_motion(asked_.pulse, 1, amplitude, level_).front();
   Real start = 0;
   if (leads != 0) {
     launch.side = leads > 0 ? 1 : -1;
   } else {
-    const std::vector<Push> all = pushes(launch.piece, level);
+    const std::vector<Push> all = pushes(launch.piece, level_);
     if (all.empty()) return launch;
     launch.side = all.front().side;
     start = all.front().from;
     launch.push = static_cast<double>(all.front().to - start);
-    launch.gain = static_cast<double>((amplitude - level) * (all.front().to - start));
+    launch.gain = static_cast<double>((amplitude - level_) * (all.front().to - start));
   }
   launch.left = static_cast<double>(launch.piece.to - start);
   launch.theta = static_cast<double>(launch.side * asked_.initial.angle * scale_);
@@ -172,11 +172,11 @@ PulseBatch::PulseBatch(const PulseCase& asked, const std::vector<double>& amplit
                        const BatchKernel& kernel)
     : asked_(asked),
       scale_(asked.model == Model::linear ? 1 : asked.block.alpha),
+      level_(start_level(asked.block, asked.model)),
       amplitudes_(amplitudes),
       kernel_(kernel) {
-  const Real level = start_level(asked.block, asked.model);
   launches_.reserve(amplitudes.size());
-  for (const double amplitude : amplitudes) launches_.push_back(launch_at(amplitude, level));
+  for (const double amplitude : amplitudes) launches_.push_back(launch_at(amplitude));
 }
 
 template <class Result, class OfLeft>
@@ -219,7 +219,7 @@ std::vector<std::vector<Result>> PulseBatch::followed(const std::vector<double>&
       } else if (end.how == BatchEnd::How::slow) {
         Piece piece = launches_[row].piece;
         piece.omega = start.omega, piece.to /= start.omega;
-        if (!resume(asked_, scale_, piece, end, start.fading, owner, next))
+        if (!resume(asked_, scale_, level_, piece, end, start.fading, owner, next))
           result = of_outcome({0, end.impacts, owner.rests + 1});
       } else {
         result = of_left(Left{asked_, scale_, end, owner, launch});

@@ -72,7 +72,7 @@ class PulseBatch {
   };
 
  private:
-  Launch launch_at(double amplitude, Real level) const;
+  Launch launch_at(double amplitude) const;
   /// What is asked of each motion: of one that the pulse leaves, or of one whose outcome is known already.
   template <class Result, class OfLeft>
   std::vector<std::vector<Result>> followed(const std::vector<double>& omega_ratios, OfLeft of_left,
@@ -80,6 +80,7 @@ class PulseBatch {
 
   PulseCase asked_;
   double scale_;  ///< of angles and accelerations: alpha, or 1 in the linear model
+  Real level_;    ///< start_level
   std::vector<double> amplitudes_;
   BatchKernel kernel_;
   std::vector<Launch> launches_;

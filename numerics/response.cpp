@@ -21,15 +21,6 @@ constexpr long most_impacts = 500'000, most_a_piece = 1'000;
 constexpr int many_impacts = 5'000;
 constexpr Real slow = 1e-4L;
 
-/// An upper bound, with a factor of two to spare, of how long a chain lasts after an impact at this speed, if
-/// the ground is slower than start_level by `room` at least: each hop takes 2 v/slowing, each e times the one
-/// before. Infinite if hops are not short beside it.
-Real chain_duration(const Block& block, Model model, Real speed, Real room) {
-  const Real slowing = acceleration(block, model, -1, 0, start_level(block, model) - room);
-  if (!(slowing > 4 * speed)) return std::numeric_limits<Real>::infinity();
-  return 4 * speed / (std::max<Real>(1 - block.restitution, 1e-4L) * slowing);
-}
-
 class Walk {
  public:
   Walk(const Block& block, Model model, const InitialState& initial, const ResponseOptions& options)
@@ -68,7 +59,7 @@ class Walk {
   /// At rest until the ground pushes hard enough.
   void wait(const Piece& piece) {
     Point& at = response_.end;
-    const std::optional<Push> push = push_that_starts(block_, model_, piece, at.time);
+    const std::optional<Push> push = push_that_starts(level_, piece, at.time);
     at = {push ? push->from : piece.to, 0, 0};
     if (!push) return;
     response_.side = push->side;
@@ -174,7 +165,16 @@ std::optional<Real> time_of_rest(const Block& block, Model model, const Piece& p
                                  const Point& after_impact) {
   const Real level = start_level(block, model), speed = std::abs(after_impact.velocity),
              begin = after_impact.time;
-  const auto chain_under = [&](Real ground) { return chain_duration(block, model, speed, level - ground); };
+  // The acceleration at upright is linear in that of the ground, and 0 at start_level.
+  const Real slowing = acceleration(block, model, -1, 0, 0) / level;
+  const Real hops = 4 / std::max<Real>(1 - block.restitution, 1e-4L);
+  // An upper bound, with a factor of two to spare, of how long the chain lasts while the ground is slower
+  // than this: each hop takes 2 v/slowing, each e times the one before. Infinite if hops are not short beside
+  // it.
+  const auto chain_under = [&](Real ground) {
+    const Real slowed = slowing * (level - ground);
+    return slowed > 4 * speed ? hops * speed / slowed : std::numeric_limits<Real>::infinity();
+  };
   const Real first = chain_under(std::abs(ground_at(piece, begin)));
   if (!(begin + first <= piece.to)) return std::nullopt;  // and longer under a stronger ground
   const Real over = std::min(piece.to, begin + 2 * first);
@@ -183,8 +183,7 @@ std::optional<Real> time_of_rest(const Block& block, Model model, const Piece& p
   return std::min(over, begin + first / 2);
 }
 
-std::optional<Push> push_that_starts(const Block& block, Model model, const Piece& piece, Real time) {
-  const Real level = start_level(block, model);
+std::optional<Push> push_that_starts(Real level, const Piece& piece, Real time) {
   for (Push push : pushes(piece, level)) {
     if (!(time < push.to)) continue;
     push.from = std::max(push.from, time);

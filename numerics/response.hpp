@@ -59,9 +59,10 @@ Response respond(const Block& block, Model model, const GroundMotion& motion, co
 std::optional<Real> time_of_rest(const Block& block, Model model, const Piece& piece,
                                  const Point& after_impact);
 
-/// The push in the piece that starts a block at rest at `time`, from when it does; one is too weak that would
-/// give it no more speed than that at which a chain of impacts counts as rest.
-std::optional<Push> push_that_starts(const Block& block, Model model, const Piece& piece, Real time);
+/// The push in the piece, above `level` = start_level, that starts a block at rest at `time`, from when it
+/// does; one is too weak that would give it no more speed than that at which a chain of impacts counts as
+/// rest.
+std::optional<Push> push_that_starts(Real level, const Piece& piece, Real time);
 
 /// The same states at `count` >= 2 times evenly from 0 to `until`, and the ground acceleration in units of
 /// alpha g.
