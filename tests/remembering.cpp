@@ -68,3 +68,14 @@ TEST_CASE("a test that fails or is skipped is not remembered") {
   CHECK(project.run() == "skipped");
   CHECK(project.run() == "skipped");
 }
+
+TEST_CASE("what the build said is nothing that a test depends on") {
+  if (!has_tool("strace")) return;
+  const Project project;
+  fs::create_directories(project.folder.path / "build");
+  project.write("test", "#!/bin/bash\ncd \"${0%/*}\" && cat build/build.log >/dev/null && echo ran\n");
+  project.write("build/build.log", "one");
+  CHECK(project.run() == "ran");
+  project.write("build/build.log", "another");
+  CHECK(project.run() == "remembered");
+}
