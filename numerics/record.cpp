@@ -1,7 +1,9 @@
 // Reading a recorded ground acceleration.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <numeric>
 #include <numerics/ground_motion.hpp>
@@ -21,14 +23,9 @@ std::vector<double> numbers_in(std::string line, const std::string& file, std::s
   std::istringstream words(line);
   std::vector<double> values;
   for (std::string word; words >> word;) {
-    std::size_t used = 0;
-    double value = 0;
-    try {
-      value = std::stod(word, &used);
-    } catch (const std::exception&) {
-      used = 0;
-    }
-    if (used == 0 || used != word.size())
+    char* end = nullptr;
+    const double value = std::strtod(word.c_str(), &end);  // less than any number is 0
+    if (end != word.c_str() + word.size() || word.find_first_of("xX") != word.npos)
       refuse(file, number, "'" + word.substr(0, 40) + "' is not a number");
     if (!std::isfinite(value) || std::abs(value) > 1e9)
       refuse(file, number, "'" + word + "' is out of range");
@@ -58,7 +55,8 @@ std::string text_of(const std::string& file) {
 }
 
 std::vector<std::string> lines_of(const std::string& file) {
-  std::istringstream stream(text_of(file));
+  const std::string text = text_of(file);
+  std::istringstream stream(text.starts_with("\uFEFF") ? text.substr(3) : text);  // a byte order mark
   std::vector<std::string> lines;
   for (std::string line; std::getline(stream, line);) {
     if (lines.size() >= most_samples) refuse(file, lines.size(), "more than a million lines");
@@ -96,10 +94,24 @@ std::string parted(std::string line, std::size_t width) {
   return columns;
 }
 
+/// Where all lines before have whole columns, the last one has: else the file was cut off inside a number.
+void check_last_line(const RecordHeader& header, const std::vector<std::string>& lines,
+                     const std::string& file) {
+  const auto length = [](const std::string& line) { return line.find_last_not_of(" \t\r") + 1; };
+  auto last = lines.end();
+  while (last - lines.begin() > static_cast<std::ptrdiff_t>(header.first) && length(last[-1]) == 0) --last;
+  const auto first = lines.begin() + static_cast<std::ptrdiff_t>(header.first);
+  if (last - first < 2 || length(last[-1]) % header.width == 0) return;
+  if (std::all_of(first, last - 1, [&](auto& line) { return length(line) % header.width == 0; }))
+    refuse(file, static_cast<std::size_t>(last - lines.begin()),
+           fmt::format("the line ends inside a column of {} characters: the file is cut off", header.width));
+}
+
 Record headed_record(const RecordHeader& header, const std::vector<std::string>& lines,
                      const std::string& file) {
   Record record;
   record.is_headed = true;
+  if (header.width > 0) check_last_line(header, lines, file);
   auto& values = record.acceleration;
   for (std::size_t i = header.first; i < lines.size(); ++i)
     for (double value : numbers_in(header.width > 0 ? parted(lines[i], header.width) : lines[i], file, i + 1))

@@ -60,8 +60,10 @@ double unit_in_g(const std::string& unit, const std::string& file, std::size_t l
 
 /// PEER AT2: "… UNITS OF G" on line 3, "NPTS= 4000, DT= .0050 SEC" or "4000 0.0050 NPTS, DT" on line 4.
 RecordHeader peer_header(const Lines& lines, const std::string& file) {
-  static const std::regex points(R"(NPTS\s*=\s*([^\s,]+))"), step(R"(DT\s*=\s*([^\s,]+))");
-  static const std::regex old(R"(^\s*(\S+)\s+(\S+)\s+NPTS)"), unit(R"(UNITS\s+OF\s+([^\s,;]+))");
+  static const std::regex points(R"(NPTS\s*=\s*([^\s,]+(,\d+)*))");
+  static const std::regex step(R"(DT\s*=\s*([^\s,]+)\s*([A-Z]*))");
+  static const std::regex old(R"(^\s*(\S+)\s+(\S+)\s+NPTS)"), unit(R"(UNITS\s+OF\s+([^\s,;]+)([^,;]*))");
+  static const std::regex factor(R"(^\s*([*/]|\(?\s*X?\s*\.?[0-9])|SCALE|FACTOR|TIMES)");
   const std::string what = upper(head_of(lines[2])), numbers = upper(head_of(lines[3]));
   std::smatch found, second;
   RecordHeader header;
@@ -70,7 +72,12 @@ RecordHeader peer_header(const Lines& lines, const std::string& file) {
   header.counted = "NPTS";
   if (std::regex_search(numbers, found, points) && std::regex_search(numbers, second, step)) {
     header.count = whole(found[1], "NPTS", file, 4);
-    header.step = positive(second[1], "DT", file, 4);
+    std::string text = second[1], of = second[2];
+    if (of.empty() && text.ends_with("SEC")) of = "SEC", text.resize(text.size() - of.size());
+    header.step = positive(text, "DT", file, 4);
+    constexpr std::string_view seconds[] = {"", "S", "SEC", "SECS", "SECOND", "SECONDS", "NPTS"};
+    if (std::ranges::find(seconds, of) == std::end(seconds))
+      refuse(file, 4, fmt::format("DT in '{}': seconds are expected", of));
   } else if (std::regex_search(numbers, found, old)) {
     header.count = whole(found[1], "NPTS", file, 4);
     header.step = positive(found[2], "DT", file, 4);
@@ -81,6 +88,9 @@ RecordHeader peer_header(const Lines& lines, const std::string& file) {
   if (!std::regex_search(what, found, unit))
     refuse(file, 3, "no unit is named: 'ACCELERATION TIME SERIES IN UNITS OF G' is expected");
   header.to_g = unit_in_g(found[1], file, 3);
+  const std::string more = found[2];
+  if (std::regex_search(more, factor))
+    refuse(file, 3, fmt::format("behind the unit stands '{}': a factor is not expected", more.substr(0, 40)));
   return header;
 }
 
@@ -130,7 +140,8 @@ RecordHeader esm_header(const Lines& lines, const std::string& file) {
     said[found[1]] = {found[2], header.first + 1};
   }
   for (const char* key : {"SAMPLING_INTERVAL_S", "NDATA", "UNITS"})
-    if (!said.contains(key)) refuse(file, header.first, fmt::format("the header has no line '{}: …'", key));
+    if (!said.contains(key))
+      refuse(file, header.first + 1, fmt::format("the header has no line '{}: …'", key));
   const auto& [step, step_line] = said["SAMPLING_INTERVAL_S"];
   header.step = checked_step(positive(step, "SAMPLING_INTERVAL_S", file, step_line), file, step_line);
   header.count = whole(said["NDATA"].first, "NDATA", file, said["NDATA"].second);
@@ -141,7 +152,8 @@ RecordHeader esm_header(const Lines& lines, const std::string& file) {
 
 }  // namespace
 
-void refuse(const std::string& file, std::size_t line, const std::string& why) {
+void refuse(const std::string& file, std::size_t line, std::string why) {
+  std::ranges::replace(why, '\0', '?');  // or the message would end there
   throw std::invalid_argument(fmt::format("{}:{}: {}", file, line, why));
 }
 

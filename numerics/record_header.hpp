@@ -19,7 +19,7 @@ struct RecordHeader {
 };
 
 /// Throws std::invalid_argument: "file:line: why".
-[[noreturn]] void refuse(const std::string& file, std::size_t line, const std::string& why);
+[[noreturn]] void refuse(const std::string& file, std::size_t line, std::string why);
 
 /// The header of PEER AT2 (four lines), K-NET or KiK-net ASCII ("Origin Time" to "Memo.", NIED) or ESM ASCII
 /// (lines "KEY: value", DYNA 1.2); none for other files. Throws std::invalid_argument with file and line for

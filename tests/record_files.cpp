@@ -37,13 +37,47 @@ TEST_CASE("a PEER file whose numbers run together is read by its columns") {
   CHECK(peer("M/S**2", "8").acceleration[2] == doctest::Approx(1e-3 / 9.81));
   for (const char* unit : {"CM/S", "M", "CM", "FURLONGS", "M/S"})
     CHECK_THROWS_WITH_AS(peer(unit, "8"), doctest::Contains("record.txt:3: the unit"), std::invalid_argument);
+  for (const char* unit : {"G * 0.001", "G X 10**-3", "G (0.001)", "G SCALE FACTOR 0.001"})
+    CHECK_THROWS_WITH_AS(peer(unit, "8"), doctest::Contains("record.txt:3: behind the unit stands"),
+                         std::invalid_argument);
+  CHECK(peer("G. FILTER POINTS: HP=0.1 Hz", "8").acceleration[2] == 1e-3);
   for (const char* count : {"7", "9", "4000"}) {
     CHECK_THROWS_WITH_AS(peer("G", count), doctest::Contains("holds 8 values, but NPTS is"),
                          std::invalid_argument);
     CHECK_THROWS_WITH_AS(peer("G", count), doctest::Contains(count), std::invalid_argument);
   }
-  for (const char* count : {"0", "-8", "8.5", "nan", "x", ""})
+  for (const char* count : {"0", "-8", "8.5", "nan", "x", "", "8,000"})
     CHECK_THROWS_WITH_AS(peer("G", count), doctest::Contains("record.txt:4"), std::invalid_argument);
+}
+
+TEST_CASE("the step of a PEER file is in seconds, and a file that is cut off is refused") {
+  const TemporaryFolder folder;
+  const std::string value = "  1.0000000E-03", two = value + value + "\n";
+  const auto peer = [&](const std::string& step, const std::string& values) {
+    return read_record(
+        written(folder, "PEER\nSomewhere\nIN UNITS OF G\nNPTS=  4, DT= " + step + "\n" + values),
+        RecordUnit::g);
+  };
+  for (const char* step : {".0100 SEC,", "0.01", "0.01 s", ".0100SEC", "1e-2 sec"})
+    CHECK(peer(step, two + two).time[1] == 0.01);
+  for (const char* step : {"10 MSEC", "10 ms", "100 HZ"})
+    CHECK_THROWS_WITH_AS(peer(step, two + two), doctest::Contains("record.txt:4: DT in '"),
+                         std::invalid_argument);
+  CHECK_THROWS_WITH_AS(peer("0.01", two + value + value.substr(0, 9)),
+                       doctest::Contains("record.txt:6: the line ends inside a column"),
+                       std::invalid_argument);
+}
+
+TEST_CASE("a byte order mark, very small numbers and characters that end a text are no obstacle") {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& text) {
+    return read_record(written(folder, text), RecordUnit::g);
+  };
+  CHECK(read("\uFEFF0 0.5\n1 1e-310\n2 1e-400\n").acceleration == std::vector<double>{0.5, 1e-310, 0});
+  using namespace std::string_literals;
+  CHECK_THROWS_WITH_AS(read("0 0\n1 0\0x\n"s), doctest::Contains("record.txt:2: '0?x' is not a number"),
+                       std::invalid_argument);
+  CHECK_THROWS_AS(read("0 0\n1 0x1p-3\n"), std::invalid_argument);
 }
 
 TEST_CASE("a PEER file of the old header may run together anywhere before a sign") {
