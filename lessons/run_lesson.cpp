@@ -44,7 +44,9 @@ std::size_t terminal_width() {
 /// Beside --out, where the text refers to them; a web page has them inside. Else where temporary files are.
 fs::path figures_folder(const Flags& flags) {
   if (!flags.out.empty() && flags.format != "html") return fs::absolute(flags.out).parent_path();
-  return fs::temp_directory_path() / fmt::format("rederive-figures-{}", ::getuid());
+  std::error_code error;
+  const fs::path temporary = fs::temp_directory_path(error);
+  return (error ? fs::path("/tmp") : temporary) / fmt::format("rederive-figures-{}", ::getuid());
 }
 
 Setting setting_from(const Flags& flags) {

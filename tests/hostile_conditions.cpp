@@ -107,6 +107,20 @@ TEST_CASE("a file that may not grow is not written, and what was there stays") {
   }
 }
 
+TEST_CASE("a map that is cut short as it is written is refused, and nothing of it is left") {
+  for (const char* format : {"--csv", "--hdf5"})
+    for (const char* kilobytes : {"1", "4"}) {
+      const TemporaryFolder folder;
+      const Result r =
+          run(folder, std::string("ulimit -f ") + kilobytes +
+                          " && rocking map --omega 1:5:99 --amplitude 1:5:99 " + format + " file");
+      INFO(format << " " << kilobytes << ": " << r.err);
+      CHECK(r.exit_code == 2);
+      CHECK(r.err.find("cannot write 'file': ") != std::string::npos);
+      CHECK(files_in(folder.path).empty());
+    }
+}
+
 TEST_CASE("in a folder that may not be written to, what writes says so, and all else is as ever") {
   const TemporaryFolder folder;
   make_class(folder);

@@ -60,7 +60,7 @@ TEST_CASE("every number option refuses what is no finite number, by its name") {
       const auto& subcommand = its_subcommand;
       const auto& option = its_option;
       ++options;
-      for (std::string value : {"nan", "inf", "-inf", "1e400", "", "1x", "0,5", "0x10", " ", "--"}) {
+      for (std::string value : {"nan", "inf", "-inf", "1e400", "", "1x", "0,5", "0x10", "+-1", " ", "--"}) {
         if (type.find(':') != std::string::npos) value = "1:" + value + ":2";
         const Result result = run_program("rocking", call_with(subcommand, option, value, record));
         CAPTURE(subcommand);
@@ -72,6 +72,23 @@ TEST_CASE("every number option refuses what is no finite number, by its name") {
       }
     }
   CHECK(options > 40);  // seven of the block in four subcommands, and their own
+}
+
+TEST_CASE("what lies outside of its range, and an option without its value, is refused by its name") {
+  const auto refused = [](const std::string& option, const Arguments& beside) {
+    Arguments call{"response", "--omega", "2", "--amplitude", "1.6", option};
+    call.insert(call.end(), beside.begin(), beside.end());
+    const Result result = run_program("rocking", call);
+    const std::string name = option.substr(0, option.find('='));
+    CHECK_MESSAGE(result.exit_code == 2, option);
+    CHECK_MESSAGE(result.err.find(name) != std::string::npos, option, ": ", result.err);
+  };
+  for (const char* option :
+       {"--alpha=-1", "--alpha=2", "--frequency-parameter=0", "--restitution=0", "--restitution=2",
+        "--theta0=1e308", "--thetadot0=1e308", "--until=-1", "--alpha=", "--theta0=", "--csv="})
+    refused(option, {});
+  refused("--half-width=-1", {"--half-height", "1"});
+  refused("--half-height=1e308", {"--half-width", "1e-300"});
 }
 
 TEST_CASE("the other programs refuse what is no number, too") {

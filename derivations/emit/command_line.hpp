@@ -17,11 +17,16 @@ namespace rederive {
 /// option, and gets a space before it, so that it is not taken for one.
 inline std::vector<std::string> arguments_of(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
-  for (std::string& argument : arguments) {
+  for (std::string& argument : arguments) {  // after "--" nothing is an option
     const bool formula = argument.size() > 1 && argument[0] == '-' && argument != "-h" &&
                          argument[1] != '-' && argument[1] != '.' &&
                          std::isdigit(static_cast<unsigned char>(argument[1])) == 0;
     if (formula) argument.insert(0, " ");
+    if (argument == "--") break;
+    // of "--option=" CLI11 would take the next argument
+    const std::size_t end = argument.find_first_not_of("-abcdefghijklmnopqrstuvwxyz0123456789");
+    if (argument.starts_with("--") && argument.ends_with('=') && end == argument.size() - 1)
+      throw BadInput(argument + " is empty: a value is wanted");
   }
   std::reverse(arguments.begin(), arguments.end());
   return arguments;
@@ -44,7 +49,9 @@ inline int run_command(CLI::App& app, int argc, char** argv, const std::function
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {  // --help, --version
       const int code = app.exit(error);
-      return std::cout.flush() ? code : undecided_or_failed;
+      if (std::cout.flush()) return code;
+      std::fprintf(stderr, "%s: standard output could not be written\n", name.c_str());
+      return undecided_or_failed;
     }
     std::string
         unread;  // CLI11 may complain of something missing before it comes to what it did not understand
@@ -60,6 +67,9 @@ inline int run_command(CLI::App& app, int argc, char** argv, const std::function
   } catch (const BadInput& error) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), printable(error.what()).c_str());
     return bad_input;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "%s: the memory that it may use is not enough\n", name.c_str());
+    return undecided_or_failed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: internal failure: %s\n", name.c_str(), printable(error.what()).c_str());
     return undecided_or_failed;

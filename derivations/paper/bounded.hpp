@@ -7,6 +7,9 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 #include <algorithm>
 #include <cerrno>
@@ -78,6 +81,9 @@ inline Bounded run_bounded(const std::function<std::string()>& work, double seco
   if (child == 0) {
     lock.unlock();
     ::close(ends[0]);
+#ifdef __linux__
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // who ends us ends it
+#endif
     const rlimit memory{space, space};
     const rlimit time{static_cast<rlim_t>(seconds) + 1, static_cast<rlim_t>(seconds) + 1};
     if (!is_watched()) ::setrlimit(RLIMIT_AS, &memory);

@@ -8,6 +8,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+void check_folder(const fs::path& folder, const std::string& refused) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    throw BadInput(refused + "there is no folder '" + folder.string() + "' to write into");
+  if (::access(folder.c_str(), W_OK) != 0)
+    throw BadInput(refused + "the folder '" + folder.string() + "' may not be written to");
+}
+
 void check_file(const fs::path& file, const std::string& students, std::set<fs::path>& others) {
   std::error_code error;
   if (file.empty()) return;
@@ -17,9 +25,7 @@ void check_file(const fs::path& file, const std::string& students, std::set<fs::
   const bool in_place = fs::exists(status) && !fs::is_regular_file(status);  // a device, a pipe
   if (error && status.type() != fs::file_type::not_found)
     throw BadInput("cannot write '" + file.string() + "': " + error.message());
-  if (!fs::is_directory(folder, error) || (!in_place && ::access(folder.c_str(), W_OK) != 0))
-    throw BadInput("cannot write '" + file.string() + "': there is no folder '" + folder.string() +
-                   "' to write into");
+  if (!in_place) check_folder(folder, "cannot write '" + file.string() + "': ");
   if (!others.insert(fs::weakly_canonical(fs::absolute(file), error)).second)
     throw BadInput("'" + file.string() + "' cannot be two of the files that are written");
   const auto inside =
@@ -37,8 +43,7 @@ void check_feedback(const GradeFlags& flags, const std::set<fs::path>& files) {
   const bool is_there = fs::exists(folder, error);
   if (is_there && !fs::is_directory(folder, error)) throw BadInput(refused + "it is no folder");
   const fs::path place = is_there ? folder : folder.parent_path();
-  if (!fs::is_directory(place, error) || ::access(place.c_str(), W_OK) != 0)
-    throw BadInput(refused + "there is no folder '" + place.string() + "' to write into");
+  check_folder(place, refused);
   const auto inside = folder.lexically_relative(fs::canonical(flags.folder, error));
   if (!inside.empty() && *inside.begin() != "..")
     throw BadInput(refused + "it lies in the class's folder, and would be taken for a student");

@@ -1,6 +1,8 @@
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <pwd.h>
 #include <sys/file.h>
+#include <unistd.h>
 
 #include <charconv>
 #include <derivations/emit/program.hpp>
@@ -91,6 +93,7 @@ std::filesystem::path progress_file(const std::string& given) {
   if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0')
     return std::filesystem::path(state) / "rederive" / "exercises.txt";
   const char* home = std::getenv("HOME");
+  if (const passwd* user = ::getpwuid(::getuid()); home == nullptr && user != nullptr) home = user->pw_dir;
   return std::filesystem::path(home == nullptr ? "." : home) / ".local" / "state" / "rederive" /
          "exercises.txt";
 }

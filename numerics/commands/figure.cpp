@@ -23,7 +23,7 @@ int run_figure(const FigureCommand& options) {
   wanted.work = sweep_work(options.threads, 1, "");
   wanted.work.progress = {};
   const Figure figure = paper_figure(static_cast<int>(number), wanted);
-  if (was_interrupted(wanted.work)) return not_as_expected;
+  if (was_interrupted(wanted.work, "nothing is written")) return not_as_expected;
   if (!options.out.empty()) draw(figure, options.out);
   if (!options.data.empty()) write_whole(options.data, figure_data(figure));
   fmt::print("Figure {}. {}\n", static_cast<int>(number), figure.caption);

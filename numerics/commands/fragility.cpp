@@ -57,6 +57,8 @@ std::vector<std::string> files_in(const std::string& folder) {
       files.push_back(entry->path());
   if (error) throw BadInput("cannot read the folder '" + folder + "': " + error.message());
   if (files.empty()) throw BadInput("the folder '" + folder + "' of records is empty");
+  for (const std::string& file : files)
+    if (!fs::is_regular_file(file, error)) throw BadInput("'" + file + "' is no ordinary file");
   std::ranges::sort(files);
   return files;
 }

@@ -121,7 +121,7 @@ void add_map(CLI::App& app, Run& run) {
   add("--threads", options->threads, "T", "threads [all; of each rank under mpirun: 1]");
   add("--tolerance", options->tolerance, "NUMBER", "of the motions, relative to alpha [1e-12]");
   add_engine(*command, options->common.engine);
-  add("--csv", options->csv, "FILE", "write the grid")->check(file_name);
+  add("--csv", options->csv, "FILE", "write the grid; interrupted, the rows that are done")->check(file_name);
   add("--hdf5", options->hdf5, "FILE",
       "write the grid as HDF5; interrupted, the same command goes on from FILE.part")
       ->check(file_name);

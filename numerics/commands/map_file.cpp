@@ -157,6 +157,7 @@ struct MapFile::Open {
 MapFile::MapFile(const fs::path& file, const Attributes& attributes, const std::vector<double>& omega_ratios,
                  const std::vector<double>& amplitudes)
     : open_(std::make_unique<Open>()) {
+  H5dont_atexit();  // what could not be written would be tried once more there, and crash
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // its failures come out as ours
   std::error_code error;
   open_->target = fs::is_symlink(fs::symlink_status(file, error)) ? fs::weakly_canonical(file, error) : file;

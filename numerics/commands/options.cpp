@@ -20,6 +20,16 @@ void add_choice(CLI::App& app, const char* name, Option& option, const std::map<
       ->type_name("NAME");
 }
 
+/// What a function makes of values; if it refuses them, the refusal names the options that they come from.
+template <class Function>
+auto refused_by(const char* options, const Function& make) {
+  try {
+    return make();
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(fmt::format("{}: {}", options, error.what()));
+  }
+}
+
 }  // namespace
 
 void add_engine(CLI::App& app, Engine& engine) {
@@ -64,7 +74,7 @@ void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequen
 
 double number(const std::string& option, const std::string& text) {
   double value = 0;
-  const char* begin = text.c_str() + (text.starts_with('+') ? 1 : 0);
+  const char* begin = text.c_str() + (text.starts_with('+') && !text.starts_with("+-") ? 1 : 0);
   const char* end = text.c_str() + text.size();
   const auto [rest, error] = std::from_chars(begin, end, value);
   if (text.empty() || error != std::errc() || rest != end || !std::isfinite(value))
@@ -82,11 +92,23 @@ double number_between(const std::string& option, const std::string& text, double
 Block block_of(const CommonOptions& options) {
   std::optional<double> restitution;
   if (options.restitution != "auto") restitution = number("--restitution", options.restitution);
-  if (!options.half_width.empty())
-    return block_from_size(number("--half-width", options.half_width),
-                           number("--half-height", options.half_height), restitution);
-  return make_block(number("--alpha", options.alpha),
-                    number("--frequency-parameter", options.frequency_parameter), restitution);
+  if (!options.half_width.empty()) {
+    const double b = number("--half-width", options.half_width),
+                 h = number("--half-height", options.half_height);
+    return refused_by("--half-width, --half-height, --restitution",
+                      [&] { return block_from_size(b, h, restitution); });
+  }
+  const double alpha = number("--alpha", options.alpha),
+               p = number("--frequency-parameter", options.frequency_parameter);
+  return refused_by("--alpha, --frequency-parameter, --restitution",
+                    [&] { return make_block(alpha, p, restitution); });
+}
+
+InitialState initial_of(const CommonOptions& options, const Block& block) {
+  const double theta_0 = number("--theta0", options.theta0),
+               thetadot_0 = number("--thetadot0", options.thetadot0);
+  return refused_by("--theta0, --thetadot0",
+                    [&] { return initial_state(block, options.model, theta_0, thetadot_0); });
 }
 
 PulseCase case_at(const CommonOptions& options, double omega_ratio) {
@@ -96,8 +118,7 @@ PulseCase case_at(const CommonOptions& options, double omega_ratio) {
   asked.pulse = options.pulse;
   asked.omega_ratio = omega_ratio;
   asked.engine = options.engine;
-  asked.initial = initial_state(asked.block, options.model, number("--theta0", options.theta0),
-                                number("--thetadot0", options.thetadot0));
+  asked.initial = initial_of(options, asked.block);
   return asked;
 }
 

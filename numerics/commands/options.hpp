@@ -41,6 +41,7 @@ double number(const std::string& option, const std::string& text);
 double number_between(const std::string& option, const std::string& text, double low, double high);
 
 Block block_of(const CommonOptions& options);
+InitialState initial_of(const CommonOptions& options, const Block& block);
 PulseCase case_of(const CommonOptions& options);
 /// Also with --omega left out, then given here.
 PulseCase case_at(const CommonOptions& options, double omega_ratio);

@@ -149,9 +149,7 @@ int response(const ResponseCommand& options) {
   Told told;
   told.block = block_of(options.common);
   told.model = options.common.model;
-  const InitialState initial =
-      initial_state(told.block, told.model, number("--theta0", options.common.theta0),
-                    number("--thetadot0", options.common.thetadot0));
+  const InitialState initial = initial_of(options.common, told.block);
   told.motion = motion_of(options, told.block);
   const double until = options.until.empty() ? -1 : number_between("--until", options.until, 0, 1e5);
   if (!options.friction.empty()) told.limit = number_between("--friction", options.friction, 0, 1e9);

@@ -117,7 +117,8 @@ void add_spectrum(CLI::App& app, Run& run) {
   add_engine(*command, options->common.engine);
   command->add_flag("--least", options->least, "the least amplitude alone");
   add("--threads", options->threads, "T", "threads [all; of each rank under mpirun: 1]");
-  add("--csv", options->csv, "FILE", "write the table")->check(file_name);
+  add("--csv", options->csv, "FILE", "write the table; interrupted, the rows that are done")
+      ->check(file_name);
   add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);
   command->callback([options, &run] { run = [options] { return run_spectrum(*options); }; });
 }
