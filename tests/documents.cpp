@@ -1,6 +1,7 @@
 // Manual pages, completion for the shell, and the public interface from its comments.
 #include <doctest/doctest.h>
 
+#include <sstream>
 #include <tests/run_program.hpp>
 
 namespace {
@@ -35,7 +36,18 @@ TEST_CASE("every program has a manual page that names its options") {
     CHECK(page.find(".SH NAME\n" + std::string(program) + " ") != std::string::npos);
     CHECK(page.find("\\-\\-help") != std::string::npos);
   }
-  CHECK(read_file(build + "/man/exercises.1").find("grade") != std::string::npos);
+  int subcommands = 0;
+  for (const std::string program : {"ledger", "rocking", "exercises"}) {
+    std::istringstream words(bash(quoted(REDERIVE_PROGRAMS "/" + program) +
+                                  " --help | sed '1,/^Subcommands/d; s/^  \\([a-z]*\\) .*/\\1/'")
+                                 .out);
+    for (std::string subcommand; words >> subcommand; ++subcommands)
+      CHECK_MESSAGE(read_file(build + "/man/" + program + "-" + subcommand + ".1").find("\\-\\-help") !=
+                        std::string::npos,
+                    program, " ", subcommand);
+  }
+  CHECK(subcommands == 23);
+  CHECK(read_file(build + "/man/rocking-threshold.1").find("\\-\\-max\\-amplitude") != std::string::npos);
 }
 
 TEST_CASE("the public interface is documented without a warning") {
