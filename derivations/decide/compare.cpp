@@ -49,10 +49,10 @@ std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::
   for (std::size_t k = 0; k < left.size(); ++k) {
     const Atom &a = left[k], &b = right[k];
     if (a.signs != b.signs || a.value.is_zero() != b.value.is_zero()) return std::nullopt;
-    const auto factor = a.value.is_zero() ? Fraction(1) : factor_between(setting, a, b, all);
+    const bool is_one = a.value.is_zero() || vanishes(a.value - b.value, setting.ring);
+    const auto factor = is_one ? Fraction(1) : factor_between(setting, a, b, all);
     if (!factor) return std::nullopt;
-    if (left.size() == 1) all.factor = factor;
-    if (left.size() > 1 && !(*factor == 1)) all.factor.reset();
+    if (!(*factor == 1)) all.factor = left.size() == 1 ? factor : std::nullopt;
   }
   return all;
 }
