@@ -158,6 +158,10 @@ TEST_CASE("after a slip that was recognised the next hint is the one for it, onc
   CHECK(hint("restitution")["number"] == 3);
   desk.judged("which-momentum", "b");
   CHECK(hint("which-momentum")["slip"] == "wrong_point");
+  desk.judged("restitution", "1 - 3/2*sin(alpha)^2");  // solved; and then another slip, to see what it says
+  CHECK(hint("restitution")["slip"].is_null());
+  desk.judged("restitution", "1 - 3*sin(alpha)^2");
+  CHECK(hint("restitution")["slip"] == "factor");
   desk.judged("momentum", "J_o*thetadot - m*R*u_gdot*cos(alpha-theta)");
   desk.judged("momentum", "J_o*thetadot + m*R*u_gdot*cos(alpha-theta)");
   CHECK(hint("momentum")["number"] == 1);  // solved: no slip is left

@@ -1,6 +1,7 @@
 // Variants: other numbers, the other side, another slip; by a seed, which may be a student's name.
 #include <doctest/doctest.h>
 
+#include <derivations/emit/program.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -65,8 +66,7 @@ TEST_CASE(
   CHECK(read_exercises(folder.path, "7").size() == 1);
   const auto refused = [&](const std::string& text, const std::string& says) {
     write(folder.path / "mine.toml", text);
-    CHECK_THROWS_WITH_AS(read_exercises(folder.path, "7"), doctest::Contains(says.c_str()),
-                         std::runtime_error);
+    CHECK_THROWS_WITH_AS(read_exercises(folder.path, "7"), doctest::Contains(says.c_str()), BadInput);
   };
   refused("exercise = [1]", "mine.toml: [[exercise]] must be a table");
   refused(start + "vary = { h = [] }\n" + end, "exercise mine: vary.h must be a list with something in it");

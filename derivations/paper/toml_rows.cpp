@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include <derivations/emit/program.hpp>
 #include <derivations/paper/toml_rows.hpp>
-#include <stdexcept>
 
 namespace rederive {
 
@@ -30,7 +30,7 @@ void TomlRow::done() const {
   if (!missing_.empty()) fail("a row needs '" + missing_ + "'");
 }
 
-void TomlRow::fail(const std::string& what) const { throw std::runtime_error(where_ + ": " + what); }
+void TomlRow::fail(const std::string& what) const { throw BadInput(where_ + ": " + what); }
 
 std::vector<TomlRow> toml_rows(const std::filesystem::path& file, const std::string& name) {
   const auto at = [&](const toml::source_region& source) {
@@ -40,14 +40,13 @@ std::vector<TomlRow> toml_rows(const std::filesystem::path& file, const std::str
   try {
     const toml::table document = toml::parse_file(file.string());
     const toml::array* list = document[name].as_array();
-    if (list == nullptr) throw std::runtime_error("'" + file.string() + "' has no [[" + name + "]] in it");
+    if (list == nullptr) throw BadInput("'" + file.string() + "' has no [[" + name + "]] in it");
     for (const toml::node& node : *list) {
-      if (!node.is_table())
-        throw std::runtime_error(at(node.source()) + ": [[" + name + "]] must be a table");
+      if (!node.is_table()) throw BadInput(at(node.source()) + ": [[" + name + "]] must be a table");
       rows.emplace_back(*node.as_table(), at(node.source()));
     }
   } catch (const toml::parse_error& error) {
-    throw std::runtime_error(at(error.source()) + ": " + std::string(error.description()));
+    throw BadInput(at(error.source()) + ": " + std::string(error.description()));
   }
   return rows;
 }

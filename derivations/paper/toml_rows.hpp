@@ -13,7 +13,7 @@
 
 namespace rederive {
 
-/// One table of a list. A key counts as known once it was asked for. All throw std::runtime_error.
+/// One table of a list. A key counts as known once it was asked for. All throw BadInput.
 class TomlRow {
  public:
   TomlRow(const toml::table& table, std::string where) : table_(table), where_(std::move(where)) {}
@@ -47,7 +47,7 @@ class TomlRow {
   std::set<std::string> asked_;
 };
 
-/// The tables of the list `name` in a file, in their order. Throws std::runtime_error if the file cannot be
+/// The tables of the list `name` in a file, in their order. Throws BadInput if the file cannot be
 /// read.
 std::vector<TomlRow> toml_rows(const std::filesystem::path& file, const std::string& name);
 

@@ -65,7 +65,7 @@ struct Exercise {
 };
 
 /// All exercises, in the order of lessons; with a seed, those that have variants in the one of that seed.
-/// Throws std::runtime_error naming file, exercise and what is wrong.
+/// Throws BadInput naming file, exercise and what is wrong.
 std::vector<Exercise> read_exercises(const std::filesystem::path& folder, const std::string& seed = "");
 /// The folder that ships with the project.
 std::filesystem::path exercises_folder();

@@ -30,7 +30,7 @@ Hint next_hint(const Classroom& room, const Exercise& exercise) {
   Progress progress = load_progress(room.progress);
   Record& record = progress.records[exercise.id];
   const int all = static_cast<int>(exercise.hints.size());
-  if (record.status == "tried" && !record.hinted && record.seed == exercise.seed) {
+  if (!record.answer.empty() && !record.hinted && record.seed == exercise.seed) {
     const Opinion opinion = judge_bounded(exercise, record.answer);
     if (const std::string text = hint_for(exercise, opinion); !text.empty()) {
       record.hinted = true;

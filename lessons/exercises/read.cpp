@@ -6,10 +6,10 @@
 #include <array>
 #include <charconv>
 #include <derivations/emit/data_folder.hpp>
+#include <derivations/emit/program.hpp>
 #include <derivations/paper/toml_rows.hpp>
 #include <lessons/exercises/exercise.hpp>
 #include <set>
-#include <stdexcept>
 
 namespace rederive::classroom {
 namespace {
@@ -57,7 +57,7 @@ Number number_in(const std::string& text, const std::string& name, const std::st
   Number value{};
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || rest != text.data() + text.size())
-    throw std::runtime_error(fmt::format("{}: {} = \"{}\" is no number", where, name, text));
+    throw BadInput(fmt::format("{}: {} = \"{}\" is no number", where, name, text));
   return value;
 }
 
@@ -99,8 +99,7 @@ Choice chosen(const toml::table& exercise, const std::string& id, const std::str
       std::vector<Choice> cases;
       const auto* items = list.as_array();
       if (items == nullptr || items->empty())
-        throw std::runtime_error(
-            fmt::format("exercise {}: vary.{} must be a list with something in it", id, key.str()));
+        throw BadInput(fmt::format("vary.{} must be a list with something in it", key.str()));
       for (const auto& item : *items) {
         std::vector<Choice> expanded(1);
         const auto add = [&](const std::string& name, const toml::node& value) {
@@ -122,11 +121,15 @@ Choice chosen(const toml::table& exercise, const std::string& id, const std::str
 Exercise read_exercise(toml::table table, const std::string& file, const std::string& seed) {
   Exercise exercise;
   exercise.id = table["id"].value_or(std::string("without id"));
-  exercise.choice = chosen(table, exercise.id, seed);
-  if (!exercise.choice.empty()) exercise.seed = seed;
   const std::string where = file + ", exercise " + exercise.id;
-  table.erase("vary");
-  fill_in(table, exercise.choice);
+  try {
+    exercise.choice = chosen(table, exercise.id, seed);
+    table.erase("vary");
+    fill_in(table, exercise.choice);
+  } catch (const std::runtime_error& error) {
+    throw BadInput(where + ": " + error.what());
+  }
+  if (!exercise.choice.empty()) exercise.seed = seed;
   const auto answers = taken(table, "answer");
   for (const auto& slip : taken(table, "slip")) exercise.slips.push_back(read_slip(slip, where));
   for (const auto& option : taken(table, "option")) {
@@ -149,6 +152,7 @@ Exercise read_exercise(toml::table table, const std::string& file, const std::st
   }
   exercise.range = texts_taken(table, "range");
   TomlRow row(table, where);
+  for (const char* read : {"answer", "slip", "option", "assumption", "range", "vary"}) (void)row.text(read);
   (void)row.text("id", true);
   exercise.lesson = static_cast<int>(row.whole("lesson").value_or(0));
   exercise.title = row.text("title", true);
@@ -190,16 +194,15 @@ std::vector<Exercise> read_exercises(const std::filesystem::path& folder, const 
     try {
       table = toml::parse_file(file.string());
     } catch (const toml::parse_error& error) {
-      throw std::runtime_error(
-          fmt::format("{}, line {}: {}", name, error.source().begin.line, error.description()));
+      throw BadInput(fmt::format("{}, line {}: {}", name, error.source().begin.line, error.description()));
     }
     const auto* list = table["exercise"].as_array();
-    if (list == nullptr) throw std::runtime_error(name + ": no [[exercise]]");
+    if (list == nullptr) throw BadInput(name + ": no [[exercise]]");
     for (const auto& item : *list) {
-      if (!item.is_table()) throw std::runtime_error(name + ": [[exercise]] must be a table");
+      if (!item.is_table()) throw BadInput(name + ": [[exercise]] must be a table");
       exercises.push_back(read_exercise(*item.as_table(), name, seed));
       if (!ids.insert(exercises.back().id).second)
-        throw std::runtime_error(name + ": a second exercise " + exercises.back().id);
+        throw BadInput(name + ": a second exercise " + exercises.back().id);
     }
   }
   return exercises;
