@@ -54,6 +54,7 @@ build() {
   if [ -t 2 ]; then
     cmake --build build --target "$@" >&2 || exit 3
   else
+    [ -f build/build.log ] || echo "Building: the first time takes some minutes; build/build.log says how far it is" >&2
     cmake --build build --target "$@" >build/build.log 2>&1 || { cat build/build.log >&2; exit 3; }
   fi
 }

@@ -1,5 +1,7 @@
 // What the lessons ask of the numerics, in plain numbers. Times are p t, angles θ/α, velocities θ̇/(αp),
-// amplitudes a_p/(αg), as in DESIGN; the block has p = 2.14 1/s and the restitution of (46).
+// amplitudes a_p/(αg), as in DESIGN; the block has p = 2.14 1/s and the restitution of (46). Ranges are those
+// of the numerics (0 < ω_p/p, 0 < α < π/2 rad, amplitudes up to 1e6): what lies outside throws
+// std::invalid_argument.
 #pragma once
 
 #include <lessons/lesson.hpp>  // before the numerics, some of whose names are the same
@@ -30,7 +32,8 @@ Motion motion_of(const Experiment& experiment, int points = 400);
 /// "safe", "overturns to the left without impact" …
 std::string in_words(int code);
 
-/// The intervals of amplitudes that overturn, each in one way, and the one that begins first.
+/// The intervals of amplitudes that overturn, each in one way, and the one that begins first:
+/// std::runtime_error if there is none up to `largest`.
 std::vector<Window> overturning_amplitudes(const Experiment& experiment, double largest = 12);
 Window least_overturning(const Experiment& experiment, double largest = 12);
 /// The smallest amplitude that overturns without impact, by simulation alone: bisected until two neighbouring

@@ -68,7 +68,7 @@ void mirror(Page& page) {
     care, so (21a) must turn into (21b). We put in the changed signs:)");
   const Values mirrored{{"theta", "-theta"}, {"thetaddot", "-thetaddot"}, {"u_gddot", "-u_gddot"}};
   page.show(derived_with("21a", mirrored));
-  page.compare(derived_with("21a", mirrored), relation_of(derived("21b")));
+  page.compare(derived_with("21a", mirrored), derived_relation(derived("21b")));
   page.say(R"(
     The same equation, multiplied by minus one. So there is *no* difference in size. What is needed to turn
     the block to the left by an acceleration to the right is what is needed to turn it to the right by one

@@ -94,13 +94,13 @@ void the_sign(Page& page) {
     If $theta$ changes its sign all along a motion, then so does its rate. We put both in:)");
   const Values turned{{"theta", "-theta"}, {"thetadot", "-thetadot"}};
   page.show(derived_with("22a", turned));
-  page.compare(derived_with("22a", turned), relation_of(derived("22b")));
+  page.compare(derived_with("22a", turned), derived_relation(derived("22b")));
   page.say(R"(
     Not the same: the term that couples block and ground has changed its sign. Lesson 2 tells us what is
     missing. A mirror turns the ground round as well:)");
   const Values mirrored{{"theta", "-theta"}, {"thetadot", "-thetadot"}, {"u_gdot", "-u_gdot"}};
   page.show(derived_with("22a", mirrored));
-  page.compare(derived_with("22a", mirrored), relation_of(derived("22b")));
+  page.compare(derived_with("22a", mirrored), derived_relation(derived("22b")));
   page.say(R"(
     So the sentence is true for the letter $theta$ alone, with its rate left as it is, and true for a
     mirrored motion on mirrored ground; it is not true for a mirrored motion on the same ground. When

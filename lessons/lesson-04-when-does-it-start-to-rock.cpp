@@ -69,7 +69,7 @@ void tangent_only_at_the_start(Page& page) {
     the edge the moment it reaches $g*tan(alpha)$:)");
   page.show(derived_with("31", {{"lambda", "g*tan(alpha)/a_p"}}));
   page.say("and this is the tangent again:");
-  page.compare(derived_with("31", {{"lambda", "g*tan(alpha)/a_p"}}), relation_of(derived("32a")));
+  page.compare(derived_with("31", {{"lambda", "g*tan(alpha)/a_p"}}), derived_relation(derived("32a")));
   page.say(fmt::format(R"(
     So the simple rule holds for gradual pulses. For a sudden one, whose acceleration is already large when
     it begins, more friction is needed. How much more? Here is the right side of (31) for $alpha = 0.25$,

@@ -81,7 +81,7 @@ void second_road(Page& page) {
   Derivation second;
   second.left = paper::e;
   second.right = restitution_by_parallel_axes();
-  page.compare(relation_of(second), relation_of(derived("46b")));
+  page.compare(derived_relation(second), derived_relation(derived("46b")));
 }
 
 void numbers(Page& page) {
@@ -106,7 +106,7 @@ void numbers(Page& page) {
     result of our own, with $d$ the distance from the edge:)");
   page.result("r16");
   page.say("It contains the old one: with $d = 0$ it is (46b).");
-  page.compare(derived_with("r16", {{"d", "0"}}), relation_of(derived("46b")));
+  page.compare(derived_with("r16", {{"d", "0"}}), derived_relation(derived("46b")));
   page.say(fmt::format(
       R"(
     For $alpha = 0.25$ (46) gives {:.3f}; with the force a quarter of the half width inside, $d = b/4$, it

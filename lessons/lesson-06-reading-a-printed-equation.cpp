@@ -70,10 +70,10 @@ void the_special_case(Page& page) {
   page.show(Relation{{printed.sides[1]}, {}});
   page.say("and that should be");
   page.show(derived("51b").right);
-  page.compare(Relation{{printed.sides[1]}, {}}, Relation{{relation_of(derived("51b")).sides[1]}, {}});
+  page.compare(Relation{{printed.sides[1]}, {}}, Relation{{derived_relation(derived("51b")).sides[1]}, {}});
   page.say("The corrected one passes the same test:");
   const Relation right = derived_with("50", start_with_p);
-  page.compare(Relation{{right.sides[1]}, {}}, Relation{{relation_of(derived("51b")).sides[1]}, {}});
+  page.compare(Relation{{right.sides[1]}, {}}, Relation{{derived_relation(derived("51b")).sides[1]}, {}});
   page.say(R"(
     Remember this as a rule. *When an author writes that a formula reduces to a known one, do the
     reduction.* It is the cheapest test there is, and authors who are sure of themselves often have not done

@@ -64,7 +64,7 @@ void sine_again(Page& page) {
   page.verdict("104");
   page.say("With zero initial conditions it must be (71) again. It is:");
   const Relation special = derived_with("104", {{"theta_0", "0"}, {"thetadot_0", "0"}});
-  page.compare(special, relation_of(derived("71")));
+  page.compare(special, derived_relation(derived("71")));
 }
 
 std::vector<std::pair<double, double>> amplitudes(const Experiment& base, Form form) {

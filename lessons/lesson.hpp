@@ -56,7 +56,7 @@ struct CoqLemma {
 
 using Passage = std::variant<Paragraph, Formula, Judgement, Table, Figure, Commands, BulletList, CoqLemma>;
 
-/// What a step writes on.
+/// What a step writes on. An id that the ledger does not have throws std::out_of_range that names it.
 class Page {
  public:
   /// Sentences; a blank line begins a new paragraph.
@@ -86,7 +86,8 @@ class Page {
   }
   void figure(Figure figure) { blocks_.push_back(std::move(figure)); }
   void commands(std::vector<std::string> lines) { blocks_.push_back(Commands{std::move(lines)}); }
-  /// A case to play with, by the options of `rocking response`.
+  /// A case to play with, by the options of `rocking response`, as typed: they are read by the workbench
+  /// alone.
   void workbench(const std::string& options);
   void points(std::vector<std::string> items) { blocks_.push_back(BulletList{std::move(items)}); }
 
@@ -116,10 +117,9 @@ int lesson_with(const std::string& id);
 Derivation derived(const std::string& id);
 /// The ledger's entry of a row, judged now. Throws std::out_of_range naming the id.
 Entry judged(const std::string& id);
-/// left relation right, as a tree to print.
-Relation relation_of(const Derivation& derivation);
 
-/// Values in our syntax to put in for symbols: {{"theta", "0"}, {"u_gddot", "g*tan(alpha)"}}.
+/// Values in our syntax to put in for symbols: {{"theta", "0"}, {"u_gddot", "g*tan(alpha)"}}. A value that
+/// cannot be read throws SyntaxError; a name that is no symbol, or an id without a row, std::out_of_range.
 using Values = std::map<std::string, std::string>;
 GiNaC::ex with(const GiNaC::ex& expression, const Values& values);
 /// A special case of what was derived, or of what is printed (the last two sides of its chain).

@@ -68,10 +68,6 @@ Entry judged(const std::string& id) {
   return judge(*found, rows);
 }
 
-Relation relation_of(const Derivation& derivation) {
-  return {{to_tree(derivation.left), to_tree(derivation.right)}, {derivation.relation}};
-}
-
 GiNaC::ex with(const GiNaC::ex& expression, const Values& values) {
   GiNaC::exmap map;
   for (const auto& [name, value] : values) map[paper_symbols()[name]] = lower(parse(value));
@@ -112,7 +108,7 @@ void Page::show(const GiNaC::ex& left, const std::string& relation, const GiNaC:
   show(Relation{{to_tree(left), to_tree(right)}, {relation}}, number);
 }
 
-void Page::result(const std::string& id) { show(relation_of(derived(id)), id); }
+void Page::result(const std::string& id) { show(derived_relation(derived(id)), id); }
 
 void Page::argue(const std::string& id, const std::string& known) { argue(derived(id), id, known); }
 

@@ -81,8 +81,8 @@ class HtmlRenderer : public Renderer {
     for (const std::string& id : equations_of(lesson.number)) {
       if (lesson_with(id) != number_ || placed_.contains(id)) continue;
       const Entry entry = judged(id);
-      text += render(
-          Formula{entry.derivation ? relation_of(*entry.derivation) : parse_relation(entry.row.claim()), id});
+      text += render(Formula{
+          entry.derivation ? derived_relation(*entry.derivation) : parse_relation(entry.row.claim()), id});
     }
     return text.empty()
                ? text

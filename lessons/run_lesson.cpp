@@ -151,7 +151,9 @@ std::unique_ptr<Renderer> make_renderer(const Setting& setting) {
 }
 
 int run_lesson(const Lesson& lesson, int argc, char** argv) {
-  CLI::App app{fmt::format("Lesson {}. {}\n{}", lesson.number, lesson.title, lesson.teaches)};
+  std::string teaches = lesson.teaches;
+  std::erase(teaches, '*');  // which sets words in italics
+  CLI::App app{fmt::format("Lesson {}. {}\n{}", lesson.number, lesson.title, teaches)};
   Flags flags;
   app.add_flag("--list", flags.list, "the steps of this lesson");
   app.add_option("--step", flags.step, "one step alone, to go slowly")->check(whole_number)->type_name("N");

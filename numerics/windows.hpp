@@ -20,12 +20,12 @@ struct Window {
 
 struct WindowSearch {
   double largest = 12;      ///< the largest amplitude asked
-  int stations = 768;       ///< first amplitudes tried, crowded towards the smallest
+  int stations = 768;       ///< first amplitudes tried, at least 1, crowded towards the smallest
   double narrowest = 2e-6;  ///< below this width nothing more is looked for
   double narrowest_turn =
       1e-5;              ///< to this width a change of the itinerary is followed, whatever the margins
   double glance = 1e-9;  ///< tolerance of a kernel that looks for them: an edge is found exactly afterwards
-  int threads = 1;
+  int threads = 1;       ///< at least 1
   bool least = false;  ///< the window of the smallest amplitude alone, found from below; its `to` stays empty
   const std::atomic<bool>* stop = nullptr;  ///< when it turns true, Stopped is thrown soon
 };
@@ -45,7 +45,7 @@ constexpr double exactness_of_edges(Model model) { return model == Model::linear
 /// difference, might reach zero in between; each edge is then enclosed in neighbouring numbers, by an
 /// integration to the last digits. Windows narrower than exactness_of_edges are left out: near an amplitude
 /// at which a chain of impacts just does not come to rest there are ever more of them, ever narrower. Throws
-/// std::invalid_argument if omega_p/p or the largest amplitude is out of range.
+/// std::invalid_argument unless 0 < omega_p/p and 0 < largest <= 1e6, and Stopped once `stop` is true.
 std::vector<Window> overturning_windows(const PulseCase& asked, const WindowSearch& search = {});
 
 /// The window of the smallest amplitude, if any.

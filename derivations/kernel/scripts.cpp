@@ -52,7 +52,9 @@ std::optional<Lemma> lemma_of(const Entry& entry) {
 std::string shipped(const std::string& name) {
   std::ifstream file(data_folder() / "kernel" / name);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw std::runtime_error("a file that ships with the project cannot be read: " + name);
+  if (!file)
+    throw std::runtime_error("a file that ships with the project cannot be read: " + name +
+                             "; XDG_DATA_DIRS may name the folder share of an installation");
   return text;
 }
 

@@ -6,7 +6,8 @@
 
 namespace rederive {
 
-/// The Taylor polynomial of f in the symbols `small`, all of one order of magnitude, to total degree `order`.
+/// The Taylor polynomial of f in the symbols `small`, all of one order of magnitude, to total degree `order`
+/// >= 0. A pole at 0 throws what GiNaC throws at it.
 GiNaC::ex taylor(const GiNaC::ex& f, const std::vector<SymbolExpression>& small, int order);
 
 /// θ̈ − k²θ = forcing, with a constant k; the forcing is a sum of constants, multiples of the time, and sines
@@ -22,7 +23,7 @@ struct LinearEquation {
 /// close after a few derivatives.
 GiNaC::ex particular_solution(const LinearEquation& equation);
 
-/// C sinh k(t − start) + D cosh k(t − start) + particular_solution.
+/// C sinh k(t − start) + D cosh k(t − start) + particular_solution. This and what follows throw as that does.
 GiNaC::ex general_solution(const LinearEquation& equation, const GiNaC::ex& start, const GiNaC::ex& C,
                            const GiNaC::ex& D);
 

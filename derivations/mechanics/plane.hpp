@@ -17,6 +17,7 @@ GiNaC::ex dot(const Vector& a, const Vector& b);
 GiNaC::ex clockwise_cross(const Vector& a, const Vector& b);
 /// `a` turned clockwise by `angle`.
 Vector turned_clockwise(const Vector& a, const GiNaC::ex& angle);
+/// Of each component (time_derivative.hpp).
 Vector time_derivative(const Vector& a, const Rates& rates);
 
 /// ∫ f dv from `from` to `to`; f must be a polynomial in v. Throws std::invalid_argument where it is not.
@@ -28,7 +29,8 @@ struct Rectangle {
   GiNaC::ex left, right, bottom, top;  ///< x from left to right, y from bottom to top
   GiNaC::ex density;                   ///< mass per area
 };
-/// ∫∫ ρ f dx dy: the mass for f = 1, an inertia for f = x² + y², an energy for f = |v|²/2 …
+/// ∫∫ ρ f dx dy: the mass for f = 1, an inertia for f = x² + y², an energy for f = |v|²/2 … Throws as
+/// integral does.
 GiNaC::ex over_body(const GiNaC::ex& f, const Rectangle& body);
 
 /// sin² → 1 − cos² of every argument, expanded.

@@ -32,7 +32,8 @@ DimensionReport dimension(const Formula& formula) {
 
 namespace paper {
 
-/// A GiNaC symbol, with what paper_symbols() is to say of it.
+/// A GiNaC symbol, with what paper_symbols() is to say of it: a unit such as "kg*m^2" or "1", a range such as
+/// "[0, inf)". What is malformed throws when it is first read.
 SymbolExpression declared(const char* name, const char* latex, const char* unicode, const char* unit,
                           const char* range, const char* meaning, const char* introduced);
 

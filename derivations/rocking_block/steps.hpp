@@ -11,7 +11,8 @@ namespace rederive {
 /// What a section derives: equation id ("21a", "u3a", "r1") → derivation, in the order of the paper.
 using Derivations = std::vector<std::pair<std::string, Derive>>;
 
-/// left = right, by these steps; the conclusion itself is added as the last step.
+/// left = right, by these steps; the conclusion itself is added as the last step. `given` is put into both
+/// sides before a printed row is compared with it; `relation` is "=", "<", "<=", ">" or ">=".
 Derivation derived(const GiNaC::ex& left, const GiNaC::ex& right, std::vector<Step> steps,
                    std::vector<Given> given = {}, const std::string& relation = "=");
 /// A step that is words only.

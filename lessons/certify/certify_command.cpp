@@ -20,7 +20,8 @@ std::vector<Lemma> lemmas_of(const std::vector<Entry>& entries, const std::vecto
   std::vector<Lemma> lemmas;
   for (const std::string& id : ids)
     if (std::none_of(entries.begin(), entries.end(), [&](auto& e) { return e.row.id == id; }))
-      throw BadInput("there is no equation '" + printable_line(id) + "'; 'ledger' lists them all");
+      throw BadInput("there is no equation '" + printable_line(id) +
+                     "'; without a subcommand all are listed");
   const auto is_wanted = [&](const std::string& id) {
     return ids.empty() || std::ranges::count(ids, id) > 0;
   };

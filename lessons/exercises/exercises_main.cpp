@@ -43,7 +43,8 @@ CLI::App* command_with_id(CLI::App& app, const std::string& name, const std::str
 void declare(CLI::App& app, Arguments& given) {
   app.require_subcommand(0, 1);
   app.fallthrough();
-  app.add_option("--progress", given.progress, "your progress file")->type_name("FILE");
+  app.add_option("--progress", given.progress, "your progress file [~/.local/state/rederive/exercises.txt]")
+      ->type_name("FILE");
   app.add_option("--seed", given.seed,
                  "exercises in the variant of this number or name: other numbers, another side");
   with_json(app.add_subcommand("list", "all exercises, and the next one to do"), given);

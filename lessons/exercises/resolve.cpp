@@ -168,7 +168,7 @@ std::vector<Tree> terms_to_point_at(const Relation& relation) {
 
 std::size_t wrong_term(const Relation& printed, const std::string& row) {
   const Derivation derivation = derived(row);
-  const Relation right = relation_of(derivation);
+  const Relation right = derived_relation(derivation);
   const auto terms = terms_to_point_at(printed);
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < terms.size(); ++i)

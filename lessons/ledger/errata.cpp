@@ -51,8 +51,9 @@ std::vector<std::string> last_steps(const Entry& entry, Notation notation, const
 std::string text_sheet(const std::vector<Entry>& wrong) {
   std::string text;
   for (const Entry& entry : wrong) {
-    text += fmt::format("({})  {}: {}\n  printed    {}\n  corrected  {}\n", entry.row.id, entry.row.section,
-                        entry.row.error, print(parse_statement(entry.row.printed), Notation::unicode),
+    text += fmt::format("({})  {}{}{}\n  printed    {}\n  corrected  {}\n", entry.row.id, entry.row.section,
+                        entry.row.error.empty() ? "" : ": ", entry.row.error,
+                        print(parse_statement(entry.row.printed), Notation::unicode),
                         print(parse_statement(entry.correction), Notation::unicode));
     for (const auto& line : last_steps(entry, Notation::unicode, "", ""))
       text += "  why        " + line + "\n";
@@ -60,9 +61,10 @@ std::string text_sheet(const std::vector<Entry>& wrong) {
       text += fmt::format("  witness    {}\n             printed {}\n             derived {}\n",
                           joined(in_words(*entry.proof.witness), ", "), entry.proof.witness->printed,
                           entry.proof.witness->derived);
-    text += fmt::format("  so         {}\n\n", entry.row.consequence);
+    if (!entry.row.consequence.empty()) text += fmt::format("  so         {}\n", entry.row.consequence);
+    text += '\n';
   }
-  return text + fmt::format("{} errors.\n", wrong.size());
+  return text + fmt::format("{} error{}.\n", wrong.size(), wrong.size() == 1 ? "" : "s");
 }
 
 std::string markdown_sheet(const std::vector<Entry>& wrong, const std::string& paper) {

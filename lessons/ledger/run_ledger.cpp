@@ -61,7 +61,7 @@ const Row& row_of(const std::string& id, const std::vector<Row>& rows) {
     if (!id.empty() && row.id.starts_with(id)) known += " " + row.id;
   }
   throw BadInput("there is no equation '" + printable_line(id) + "'" +
-                 (known.empty() ? "; 'ledger' lists them all" : "; there is" + known));
+                 (known.empty() ? "; without a subcommand all are listed" : "; there is" + known));
 }
 
 int exit_code(const std::vector<Entry>& entries) {

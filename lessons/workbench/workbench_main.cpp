@@ -89,7 +89,7 @@ void write_all(const std::filesystem::path& folder, const std::filesystem::path&
   std::string controls = whole_file(sources / "element.html");
   const std::string law = "<!-- (46b) -->";
   controls.replace(controls.find(law), law.size(),
-                   mathml(print_statement(relation_of(derived("46b")), Notation::latex)));
+                   mathml(print_statement(derived_relation(derived("46b")), Notation::latex)));
   const auto element = [&](const std::string& emitted) {
     return "<style>\n" + whole_file(sources / "workbench.css") + "</style>\n" + controls +
            "<script class=\"workbench-physics\">\n" + emitted + motion + "</script>\n<script>\n" + scripts +
