@@ -22,10 +22,11 @@ struct Project {
     std::ofstream(folder.path / name) << text;
   }
   /// "ran", "failed", "skipped" or "remembered".
-  std::string run(const std::string& environment = "-u REDERIVE_REQUIRE_ALL_TESTS") const {
+  std::string run(const std::string& environment = "-u REDERIVE_REQUIRE_ALL_TESTS",
+                  const std::string& option = "") const {
     const Result r =
         run_program("/bin/bash", {"-c", "env " + environment + " " + quoted(folder.path / "tests/remember") +
-                                            " " + quoted(folder.path / "test")});
+                                            option + " " + quoted(folder.path / "test")});
     if (r.exit_code != 0) return r.exit_code == 77 ? "skipped" : "failed";
     return r.out == "ran\n" ? "ran" : r.out.starts_with("passed before") ? "remembered" : r.out + r.err;
   }
@@ -78,4 +79,25 @@ TEST_CASE("what the build said is nothing that a test depends on") {
   CHECK(project.run() == "ran");
   project.write("build/build.log", "another");
   CHECK(project.run() == "remembered");
+}
+
+TEST_CASE("a test without a tracer runs again where a program, its data or the test has changed") {
+  const Project project;
+  for (const char* part : {"bin", "share"}) fs::create_directories(project.folder.path / "build" / part);
+  const auto run = [&] { return project.run("-u REDERIVE_REQUIRE_ALL_TESTS", " --untraced"); };
+  project.write("build/bin/program", "one");
+  CHECK(run() == "ran");
+  CHECK(run() == "remembered");
+  project.write("build/bin/program", "another");
+  CHECK(run() == "ran");
+  project.write("build/share/data", "");
+  CHECK(run() == "ran");
+  project.write("data/two", "");  // no program's
+  CHECK(run() == "remembered");
+  std::ofstream(project.folder.path / "test", std::ios::app) << "# more\n";
+  CHECK(run() == "ran");
+  project.write("data/one", "bad");
+  project.write("build/bin/program", "a third");
+  CHECK(run() == "failed");
+  CHECK(run() == "failed");
 }
