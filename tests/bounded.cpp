@@ -179,6 +179,30 @@ TEST_CASE("where an answer is judged, nothing but computing is allowed") {
   }
 }
 
+#ifdef __linux__
+TEST_CASE("work ends with the program that asked for it, however that ends") {
+  int ends[2];  // the child of the child holds the one to write into for as long as it lives
+  REQUIRE(::pipe(ends) == 0);
+  const pid_t program = ::fork();
+  if (program == 0) {
+    ::close(ends[0]);
+    run_bounded([] { return spin(60), std::string(); }, 60, megabytes, 60,
+                [&] { REQUIRE(::write(ends[1], "!", 1) == 1); });
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  char begun = 0;
+  REQUIRE(::read(ends[0], &begun, 1) == 1);
+  ::kill(program, SIGKILL);
+  ::waitpid(program, nullptr, 0);
+  pollfd end{ends[0], POLLIN, 0};
+  const bool has_ended = ::poll(&end, 1, 20'000) == 1;
+  CHECK(has_ended);
+  if (has_ended) CHECK(::read(ends[0], &begun, 1) == 0);
+  ::close(ends[0]);
+}
+#endif
+
 TEST_CASE("an answer that names files and programs is text like any other") {
   const TemporaryFolder folder;
   int number = 0;

@@ -1,5 +1,6 @@
 // rocking fragility: table, CSV, JSON and plot, and what it refuses.
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -130,6 +131,9 @@ TEST_CASE("a folder with what is no record in it, or nothing, is refused by name
   CHECK(!fs::exists(csv));
   std::ofstream(folder / "note.md") << "0 0\n1 0\n";
   check_refused(records.fragility({}), "note.md");
+  fs::remove(folder / "note.md");
+  REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);  // to be read it would wait for a writer
+  check_refused(records.fragility({}), "pipe' is no ordinary file");
   const Records none(0);
   check_refused(none.fragility({}), "is empty");
   fs::remove(none.path / "records");

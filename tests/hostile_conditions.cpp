@@ -61,6 +61,12 @@ TEST_CASE("output that cannot be written is an error, whoever closed or filled i
       CHECK(r.exit_code == 3);
       CHECK(r.err.find("standard output could not be written") != std::string::npos);
     }
+  for (const char* command : {"rocking --help", "ledger prove --help", "emit --version"}) {
+    INFO(command);
+    const Result r = run(folder, std::string(command) + " >/dev/full");
+    CHECK(r.exit_code == 3);
+    CHECK(r.err.find("standard output could not be written") != std::string::npos);
+  }
 }
 
 TEST_CASE("a reader that goes away early is no error of ours to complain about") {
@@ -81,9 +87,10 @@ TEST_CASE("no input, no home folder, an odd locale, time zone or terminal change
     const Result usual = run(folder, command);
     CHECK(usual.exit_code == 0);
     for (const char* odd : {"<&-", "2>&-"}) CHECK(run(folder, command + " " + odd).out == usual.out);
-    for (const char* odd : {"env -u HOME", "env HOME=/nowhere", "env LC_ALL=C", "env LC_ALL=xx_YY",
-                            "env LC_NUMERIC=de_DE.UTF-8 LANG=de_DE", "env TZ=No/Where", "env COLUMNS=10000",
-                            "env COLUMNS=1 TERM=nonsense"}) {
+    for (const char* odd :
+         {"env -u HOME", "env HOME=/nowhere", "env LC_ALL=C", "env LC_ALL=xx_YY",
+          "env LC_NUMERIC=de_DE.UTF-8 LANG=de_DE", "env TZ=No/Where", "env TMPDIR=/no/such/folder",
+          "env COLUMNS=10000", "env COLUMNS=1 TERM=nonsense"}) {
       INFO(odd << " " << command);
       const Result r = run(folder, std::string(odd) + " " + command);
       CHECK(r.out == usual.out);
