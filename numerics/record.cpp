@@ -8,6 +8,7 @@
 #include <numeric>
 #include <numerics/ground_motion.hpp>
 #include <numerics/record_header.hpp>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -77,34 +78,39 @@ std::string parted_at_signs(const std::string& line) {
   return words;
 }
 
-/// The line with a blank between numbers that run together: after each `width` characters, as Fortran writes
-/// its columns, if each column then holds one word; else at signs.
-std::string parted(std::string line, std::size_t width) {
+/// The line as Fortran writes columns of `width` characters, a blank between them, if each holds one word.
+std::optional<std::string> columns_of(std::string line, std::size_t width) {
   line.erase(line.find_last_not_of(" \t\r") + 1);
-  if (line.size() % width != 0) return parted_at_signs(line);
+  if (line.size() % width != 0) return std::nullopt;
   std::string columns;
   for (std::size_t at = 0; at < line.size(); at += width) {
     const std::string cell = line.substr(at, width);
     const auto first = cell.find_first_not_of(' ');
     if (first == std::string::npos || cell.find_first_of(" ,;\t", first) != std::string::npos ||
         parted_at_signs(cell) != cell)
-      return parted_at_signs(line);
+      return std::nullopt;
     columns += cell + " ";
   }
   return columns;
 }
 
+/// A blank between numbers that run together: by columns, where the line has them, else at signs.
+std::string parted(const std::string& line, std::size_t width) {
+  return columns_of(line, width).value_or(parted_at_signs(line));
+}
+
 /// Where all lines before have whole columns, the last one has: else the file was cut off inside a number.
 void check_last_line(const RecordHeader& header, const std::vector<std::string>& lines,
                      const std::string& file) {
-  const auto length = [](const std::string& line) { return line.find_last_not_of(" \t\r") + 1; };
-  auto last = lines.end();
-  while (last - lines.begin() > static_cast<std::ptrdiff_t>(header.first) && length(last[-1]) == 0) --last;
+  const auto has_columns = [&](const std::string& line) {
+    return columns_of(line, header.width).has_value();
+  };
   const auto first = lines.begin() + static_cast<std::ptrdiff_t>(header.first);
-  if (last - first < 2 || length(last[-1]) % header.width == 0) return;
-  if (std::all_of(first, last - 1, [&](auto& line) { return length(line) % header.width == 0; }))
-    refuse(file, static_cast<std::size_t>(last - lines.begin()),
-           fmt::format("the line ends inside a column of {} characters: the file is cut off", header.width));
+  auto last = lines.end();
+  while (last != first && is_comment(last[-1])) --last;  // blank
+  if (last - first < 2 || has_columns(last[-1]) || !std::all_of(first, last - 1, has_columns)) return;
+  refuse(file, static_cast<std::size_t>(last - lines.begin()),
+         fmt::format("the line ends inside a column of {} characters: the file is cut off", header.width));
 }
 
 Record headed_record(const RecordHeader& header, const std::vector<std::string>& lines,

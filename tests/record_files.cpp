@@ -66,6 +66,11 @@ TEST_CASE("the step of a PEER file is in seconds, and a file that is cut off is 
   CHECK_THROWS_WITH_AS(peer("0.01", two + value + value.substr(0, 9)),
                        doctest::Contains("record.txt:6: the line ends inside a column"),
                        std::invalid_argument);
+  // six columns of 10 are as long as four of 15, and no file is cut off that has two of them in its last
+  // line
+  const std::string ten = "  0.001000", six = ten + ten + ten + ten + ten + ten + "\n";
+  const std::string head = "PEER\nSomewhere\nIN UNITS OF G\nNPTS= 14, DT= 0.01\n";
+  CHECK(read_record(written(folder, head + six + six + ten + ten + "\n"), RecordUnit::g).time.size() == 14);
 }
 
 TEST_CASE("a byte order mark, very small numbers and characters that end a text are no obstacle") {
