@@ -120,3 +120,15 @@ TEST_CASE("the Debian package runs where it is unpacked, and depends on what its
   CHECK(count > 10);
   CHECK(contains(said(folder.path, "dpkg-deb -f rederive_1.0.0_*.deb Recommends"), "gnuplot-nox"));
 }
+
+TEST_CASE(
+    "configuring anew leaves the links to data as they are, for programs that run, and drops stale ones") {
+  const TemporaryFolder folder;
+  const std::string configure = "cmake -G Ninja -S " + quoted(source) + " -B b",
+                    links = "stat -c '%n %i %z' b/share/rederive/*.toml b/share/rederive/*/*";
+  said(folder.path, configure);
+  const std::string before = said(folder.path, links);
+  fs::create_symlink("/nowhere", folder.path / "b/share/rederive/stale.toml");
+  said(folder.path, configure);
+  CHECK(said(folder.path, links) == before);
+}
