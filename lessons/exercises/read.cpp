@@ -152,7 +152,8 @@ Exercise read_exercise(toml::table table, const std::string& file, const std::st
   }
   exercise.range = texts_taken(table, "range");
   TomlRow row(table, where);
-  for (const char* read : {"answer", "slip", "option", "assumption", "range", "vary"}) (void)row.text(read);
+  for (const char* taken_above : {"answer", "slip", "option", "assumption", "range", "vary"})
+    (void)row.text(taken_above);  // named among the keys
   (void)row.text("id", true);
   exercise.lesson = static_cast<int>(row.whole("lesson").value_or(0));
   exercise.title = row.text("title", true);
