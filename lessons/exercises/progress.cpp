@@ -93,7 +93,8 @@ std::filesystem::path progress_file(const std::string& given) {
   if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0')
     return std::filesystem::path(state) / "rederive" / "exercises.txt";
   const char* home = std::getenv("HOME");
-  if (const passwd* user = ::getpwuid(::getuid()); home == nullptr && user != nullptr) home = user->pw_dir;
+  const passwd* user = home == nullptr ? ::getpwuid(::getuid()) : nullptr;
+  if (user != nullptr) home = user->pw_dir;
   return std::filesystem::path(home == nullptr ? "." : home) / ".local" / "state" / "rederive" /
          "exercises.txt";
 }
