@@ -22,13 +22,14 @@ struct Mirrored {
   double ground, quadrature;
 };
 Mirrored mirrored(double scale, const Piece& piece, int side, Real time) {
-  const Real amplitude = side * scale * piece.amplitude;
-  return {static_cast<double>(emitted::ground_of_sine_pulse(amplitude, piece.omega, piece.phase, time)),
-          static_cast<double>(emitted::quadrature_of_sine_pulse(amplitude, piece.omega, piece.phase, time))};
+  const double amplitude = side * scale * static_cast<double>(piece.amplitude),
+               phase = static_cast<double>(piece.omega * time + piece.phase);
+  return {emitted::ground_of_sine_pulse(amplitude, 0.0, phase, 0.0),
+          emitted::quadrature_of_sine_pulse(amplitude, 0.0, phase, 0.0)};
 }
 
 /// After an impact that leaves less than this velocity, over alpha p, a block may be about to rest.
-constexpr double slow = 1e-3;
+constexpr double slow = 1e-2;
 /// A push from rest that gives the block less speed than this may be none at all.
 constexpr double weak_push = 1e-8;
 /// So often a motion may rest or become slow.
@@ -56,21 +57,23 @@ struct Left {
 
   double angle() const { return end.theta / scale; }
   double velocity() const { return end.thetadot / scale; }
-  double outward() const {
-    return velocity() - (asked.model == Model::linear
-                             ? emitted::linear_critical_velocity_positive(angle())
-                             : emitted::critical_velocity_positive(asked.block.alpha, angle()));
-  }
-  double returning() const {
+  Margins margins() const {
+    const bool is_linear = asked.model == Model::linear;
+    const double critical = is_linear ? emitted::linear_critical_velocity_positive(angle())
+                                      : emitted::critical_velocity_positive(asked.block.alpha, angle());
     const double impact =
-        asked.model == Model::linear
-            ? emitted::linear_impact_velocity_squared_positive(angle(), velocity())
-            : emitted::impact_velocity_squared_positive(asked.block.alpha, angle(), velocity());
-    return asked.block.restitution * std::sqrt(std::max(0.0, impact)) - launch;
+        is_linear ? emitted::linear_impact_velocity_squared_positive(angle(), velocity())
+                  : emitted::impact_velocity_squared_positive(asked.block.alpha, angle(), velocity());
+    return {velocity() - critical, asked.block.restitution * std::sqrt(std::max(0.0, impact)) - launch};
   }
 };
 
-/// (22), (34): what becomes of it, as outcome_at_end tells it.
+/// (22), (34): what becomes of it when the pulse is over, as outcome_at_end tells it.
+int code_of(const Margins& margins, int side, int impacts) {
+  if (margins.outward > 0) return side * (impacts + 1);
+  return margins.returning > 0 ? -side * (impacts + 2) : 0;
+}
+
 int code_after(const Left& left) {
   const int side = left.owner.side, impacts = left.end.impacts;
   switch (left.end.how) {
@@ -82,41 +85,45 @@ int code_after(const Left& left) {
     case BatchEnd::How::overturns:
       return side * (impacts + 1);
     default:
-      break;
+      return code_of(left.margins(), side, impacts);
   }
-  if (left.outward() > 0) return side * (impacts + 1);
-  return left.returning() > 0 ? -side * (impacts + 2) : 0;
 }
 
 Outcome outcome_after(const Left& left) {
   const BatchEnd& end = left.end;
-  const int code = code_after(left);
+  const int side = left.owner.side;
+  const bool lies = end.how == BatchEnd::How::lies;
+  const Margins margins = left.margins();
+  const int code = lies ? side * (end.impacts + 1) : code_of(margins, side, end.impacts);
   return {code,
           std::max(end.impacts, std::abs(code) - 1),
           left.owner.rests,
-          left.owner.side,
-          end.how == BatchEnd::How::lies,
-          {left.outward() * std::exp(end.left - end.launched), left.returning()}};
+          side,
+          lies,
+          {margins.outward * std::exp(end.left - end.launched), margins.returning}};
 }
 
 /// Goes on after an impact that left the block slow: from the push that starts it again, if it comes to rest;
 /// false if it rests for good.
-bool resume(const PulseCase& asked, double scale, Real level, const Piece& piece, const BatchEnd& end,
-            double fading, Motions::Owner owner, Motions& next) {
+bool resume(const AtUpright& upright, double scale, const Launch& from, const BatchEnd& end,
+            const BatchStart& start, Motions::Owner owner, Motions& next) {
+  Piece piece = from.piece;
+  piece.omega = start.omega, piece.to /= start.omega;
   const Real time = piece.to - end.left, velocity = owner.side * end.thetadot / scale;
-  const auto omega = static_cast<double>(piece.omega);
-  if (const auto rest = time_of_rest(asked.block, asked.model, piece, {time, 0, velocity})) {
-    const auto push = push_that_starts(level, piece, *rest);
+  if (const auto rest = time_of_rest(upright, piece, {time, 0, velocity})) {
+    std::vector<Push> pushes = from.pushes;
+    for (Push& push : pushes) push.from /= start.omega, push.to /= start.omega;
+    const auto push = push_that_starts(pushes, upright.level, piece, *rest);
     if (!push) return false;
     owner.side = push->side, ++owner.rests;
     const Mirrored pulse = mirrored(scale, piece, owner.side, push->from);
-    next.starts.push_back({omega, 0, 0, pulse.ground, pulse.quadrature,
+    next.starts.push_back({start.omega, 0, 0, pulse.ground, pulse.quadrature,
                            static_cast<double>(push->to - push->from),
-                           static_cast<double>(piece.to - push->from), fading, slow * scale});
+                           static_cast<double>(piece.to - push->from), start.fading, slow * scale});
   } else {
     const Mirrored pulse = mirrored(scale, piece, owner.side, time);
-    next.starts.push_back({omega, 0, end.thetadot, pulse.ground, pulse.quadrature, 0, end.left, fading,
-                           end.thetadot / 4, end.impacts});
+    next.starts.push_back({start.omega, 0, end.thetadot, pulse.ground, pulse.quadrature, 0, end.left,
+                           start.fading, end.thetadot / 4, end.impacts});
   }
   next.owners.push_back(owner);
   return true;
@@ -146,18 +153,19 @@ const std::vector<BatchKernel>& batch_kernels() {
 PulseBatch::Launch PulseBatch::launch_at(double amplitude) const {
   Launch launch;
   const Real leads = asked_.initial.angle != 0 ? asked_.initial.angle : asked_.initial.velocity;
-  if (leads == 0 && amplitude >= 0 && amplitude < level_) return launch;
-  launch.piece = pulse_motion(asked_.pulse, 1, amplitude, level_).front();
+  if (leads == 0 && amplitude >= 0 && amplitude < upright_.level) return launch;
+  launch.piece = pulse_motion(asked_.pulse, 1, amplitude, upright_.level).front();
+  launch.pushes = pushes(launch.piece, upright_.level);
   Real start = 0;
   if (leads != 0) {
     launch.side = leads > 0 ? 1 : -1;
   } else {
-    const std::vector<Push> all = pushes(launch.piece, level_);
-    if (all.empty()) return launch;
-    launch.side = all.front().side;
-    start = all.front().from;
-    launch.push = static_cast<double>(all.front().to - start);
-    launch.gain = static_cast<double>((amplitude - level_) * (all.front().to - start));
+    if (launch.pushes.empty()) return launch;
+    const Push& first = launch.pushes.front();
+    launch.side = first.side;
+    start = first.from;
+    launch.push = static_cast<double>(first.to - start);
+    launch.gain = static_cast<double>((amplitude - upright_.level) * (first.to - start));
   }
   launch.left = static_cast<double>(launch.piece.to - start);
   launch.theta = static_cast<double>(launch.side * asked_.initial.angle * scale_);
@@ -172,7 +180,7 @@ PulseBatch::PulseBatch(const PulseCase& asked, const std::vector<double>& amplit
                        const BatchKernel& kernel)
     : asked_(asked),
       scale_(asked.model == Model::linear ? 1 : asked.block.alpha),
-      level_(start_level(asked.block, asked.model)),
+      upright_(at_upright(asked.block, asked.model)),
       amplitudes_(amplitudes),
       kernel_(kernel) {
   launches_.reserve(amplitudes.size());
@@ -217,10 +225,8 @@ std::vector<std::vector<Result>> PulseBatch::followed(const std::vector<double>&
         here.omega_ratio = start.omega;
         result = of_outcome(outcome_at(here, amplitudes_[row]));
       } else if (end.how == BatchEnd::How::slow) {
-        Piece piece = launches_[row].piece;
-        piece.omega = start.omega, piece.to /= start.omega;
-        if (!resume(asked_, scale_, level_, piece, end, start.fading, owner, next))
-          result = of_outcome({0, end.impacts, owner.rests + 1});
+        if (!resume(upright_, scale_, launches_[row], end, start, owner, next))
+          result = of_outcome({0, 0, owner.rests + 1});
       } else {
         result = of_left(Left{asked_, scale_, end, owner, launch});
       }
@@ -244,7 +250,8 @@ std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<doubl
   constexpr int worth_a_thread = 64;
   const int count = static_cast<int>(amplitudes.size());
   Work work;
-  work.count = work.threads = std::clamp(count / worth_a_thread, 1, threads);
+  work.threads = threads;
+  work.count = threads == 1 ? 1 : std::max(count / worth_a_thread, 1);
   std::vector<Outcome> all(amplitudes.size());
   for_each_index(work, [&](int i) {
     const auto from = amplitudes.begin() + count * i / work.count,

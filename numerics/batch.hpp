@@ -64,6 +64,7 @@ class PulseBatch {
   /// When and with what the block starts. Times are phases: they do not depend on omega_p.
   struct Launch {
     Piece piece;                ///< the pulse
+    std::vector<Push> pushes;   ///< of it
     int side = 0;               ///< 0: it does not start
     double push = 0, gain = 0;  ///< from rest: how long and, above start_level, how much the ground pushes
     double left = 0;            ///< until the pulse ends
@@ -80,7 +81,7 @@ class PulseBatch {
 
   PulseCase asked_;
   double scale_;  ///< of angles and accelerations: alpha, or 1 in the linear model
-  Real level_;    ///< start_level
+  AtUpright upright_;
   std::vector<double> amplitudes_;
   BatchKernel kernel_;
   std::vector<Launch> launches_;

@@ -276,7 +276,7 @@ template <class V>
 void run_batch(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends, int count) {
   const auto run = block.is_linear ? run_packs<V, emitted::linear_motion_in_pulse_positive<V, 24>>
                    : block.tolerance >= 1e-10 * block.alpha
-                       ? run_packs<V, emitted::motion_in_pulse_positive<V, 15>>
+                       ? run_packs<V, emitted::motion_in_pulse_positive<V, 13>>
                        : run_packs<V, emitted::motion_in_pulse_positive<V, 18>>;
   run(block, starts, ends, count);
 }

@@ -96,6 +96,17 @@ numeric::Range ground_range(const Piece& piece, Real from, Real to) {
   return range;
 }
 
+double most_ground(const Piece& piece, Real from, Real to) {
+  const auto since = static_cast<double>(from - piece.from), until = static_cast<double>(to - piece.from);
+  const auto slope = static_cast<double>(piece.slope), value = static_cast<double>(piece.value);
+  if (piece.amplitude == 0) return std::max(std::abs(value + slope * since), std::abs(value + slope * until));
+  const auto amplitude = std::abs(static_cast<double>(piece.amplitude)),
+             omega = static_cast<double>(piece.omega), phase = static_cast<double>(piece.phase);
+  const double low = omega * since + phase, high = omega * until + phase;
+  if (std::floor(low / std::numbers::pi - 0.5) != std::floor(high / std::numbers::pi - 0.5)) return amplitude;
+  return amplitude * std::max(std::abs(std::sin(low)), std::abs(std::sin(high)));
+}
+
 std::vector<Push> pushes(const Piece& piece, Real level) {
   return piece.amplitude != 0 ? pushes_of_sine(piece, level) : pushes_of_line(piece, level);
 }

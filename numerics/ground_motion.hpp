@@ -37,6 +37,8 @@ struct Range {
 };
 /// Bounds of the ground acceleration over [from, to] inside the piece.
 numeric::Range ground_range(const Piece& piece, Real from, Real to);
+/// The greatest size of the ground acceleration over [from, to] inside the piece, in double precision.
+double most_ground(const Piece& piece, Real from, Real to);
 
 /// A stretch of time in which |ground| is above the level, and the side to which it drives the block.
 struct Push {

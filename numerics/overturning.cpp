@@ -38,11 +38,11 @@ Margins free_motion_margins(const Block& block, Model model, int side, const Poi
 
 Outcome outcome_at_end(const Block& block, Model model, const Response& response) {
   Outcome outcome;
-  outcome.impacts = response.impacts;
   outcome.rests = response.rests;
+  if (response.side == 0) return outcome;
+  outcome.impacts = response.impacts;
   outcome.side = response.side;
   outcome.lies = response.lies;
-  if (response.side == 0) return outcome;
   Margins margins = free_motion_margins(block, model, response.side, response.end);
   if (response.lies || margins.outward > 0) {
     outcome.code = response.side * (response.impacts + 1);

@@ -24,7 +24,7 @@ Margins free_motion_margins(const Block& block, Model model, int side, const Poi
 /// side*(impacts+1), or 0 = safe; impacts are counted since the block last left rest.
 struct Outcome {
   int code = 0;
-  int impacts = 0;  ///< until it overturns, or during the ground motion if safe
+  int impacts = 0;  ///< until it overturns, or during the ground motion if safe; 0 if that leaves it at rest
   int rests = 0;
   int side = 0;       ///< on which side the ground motion leaves it
   bool lies = false;  ///< fell flat during the ground motion (nonlinear)

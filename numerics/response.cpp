@@ -26,7 +26,7 @@ class Walk {
   Walk(const Block& block, Model model, const InitialState& initial, const ResponseOptions& options)
       : block_(block),
         model_(model),
-        level_(start_level(block, model)),
+        upright_(at_upright(block, model)),
         keep_(options.history),
         mover_(block, model, options.tolerance) {
     response_.end = {0, initial.angle, initial.velocity};
@@ -59,7 +59,8 @@ class Walk {
   /// At rest until the ground pushes hard enough.
   void wait(const Piece& piece) {
     Point& at = response_.end;
-    const std::optional<Push> push = push_that_starts(level_, piece, at.time);
+    const std::optional<Push> push =
+        push_that_starts(pushes(piece, upright_.level), upright_.level, piece, at.time);
     at = {push ? push->from : piece.to, 0, 0};
     if (!push) return;
     response_.side = push->side;
@@ -99,8 +100,8 @@ class Walk {
   void settle(const Piece& piece) {
     const Point& at = response_.end;
     if (total_ > many_impacts) {
-      if (std::abs(ground_at(piece, at.time)) < level_) rest_at(at.time);
-    } else if (const std::optional<Real> time = time_of_rest(block_, model_, piece, at)) {
+      if (std::abs(ground_at(piece, at.time)) < upright_.level) rest_at(at.time);
+    } else if (const std::optional<Real> time = time_of_rest(upright_, piece, at)) {
       rest_at(*time);
     }
   }
@@ -116,7 +117,7 @@ class Walk {
 
   Block block_;
   Model model_;
-  Real level_;
+  AtUpright upright_;
   bool keep_, moved_ = false;
   long total_ = 0, allowed_ = most_impacts;
   int instants_ = 0;  ///< hops one after the other that took no time at all
@@ -161,34 +162,35 @@ InitialState initial_state(const Block& block, Model model, double theta_0, doub
   return {std::abs(angle) < nothing ? 0 : angle, std::abs(velocity) < nothing ? 0 : velocity};
 }
 
-std::optional<Real> time_of_rest(const Block& block, Model model, const Piece& piece,
-                                 const Point& after_impact) {
-  const Real level = start_level(block, model), speed = std::abs(after_impact.velocity),
-             begin = after_impact.time;
+AtUpright at_upright(const Block& block, Model model) {
+  const Real level = start_level(block, model);
   // The acceleration at upright is linear in that of the ground, and 0 at start_level.
-  const Real slowing = acceleration(block, model, -1, 0, 0) / level;
-  const Real hops = 4 / std::max<Real>(1 - block.restitution, 1e-4L);
+  return {level, acceleration(block, model, -1, 0, 0) / level,
+          4 / std::max<Real>(1 - block.restitution, 1e-4L)};
+}
+
+std::optional<Real> time_of_rest(const AtUpright& upright, const Piece& piece, const Point& after_impact) {
+  const Real speed = std::abs(after_impact.velocity), begin = after_impact.time;
   // An upper bound, with a factor of two to spare, of how long the chain lasts while the ground is slower
   // than this: each hop takes 2 v/slowing, each e times the one before. Infinite if hops are not short beside
   // it.
   const auto chain_under = [&](Real ground) {
-    const Real slowed = slowing * (level - ground);
-    return slowed > 4 * speed ? hops * speed / slowed : std::numeric_limits<Real>::infinity();
+    const Real slowed = upright.slowing * (upright.level - ground);
+    return slowed > 4 * speed ? upright.hops * speed / slowed : std::numeric_limits<Real>::infinity();
   };
-  const Real first = chain_under(std::abs(ground_at(piece, begin)));
+  const Real first = chain_under(most_ground(piece, begin, begin));
   if (!(begin + first <= piece.to)) return std::nullopt;  // and longer under a stronger ground
   const Real over = std::min(piece.to, begin + 2 * first);
-  const Range range = ground_range(piece, begin, over);
-  if (!(begin + chain_under(std::max(range.high, -range.low)) <= over)) return std::nullopt;
+  if (!(begin + chain_under(most_ground(piece, begin, over)) <= over)) return std::nullopt;
   return std::min(over, begin + first / 2);
 }
 
-std::optional<Push> push_that_starts(Real level, const Piece& piece, Real time) {
-  for (Push push : pushes(piece, level)) {
+std::optional<Push> push_that_starts(const std::vector<Push>& all, Real level, const Piece& piece,
+                                     Real time) {
+  for (Push push : all) {
     if (!(time < push.to)) continue;
     push.from = std::max(push.from, time);
-    const Range range = ground_range(piece, push.from, push.to);
-    if ((std::max(range.high, -range.low) - level) * (push.to - push.from) >= rest_speed) return push;
+    if ((most_ground(piece, push.from, push.to) - level) * (push.to - push.from) >= rest_speed) return push;
   }
   return std::nullopt;
 }

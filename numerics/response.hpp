@@ -54,15 +54,22 @@ struct ResponseOptions {
 Response respond(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
                  const ResponseOptions& options = {});
 
+/// What decides whether a chain of impacts ends: times p, over alpha.
+struct AtUpright {
+  Real level;    ///< start_level
+  Real slowing;  ///< a block just off upright is slowed down by so much for each unit that the ground lacks
+  Real hops;     ///< a chain is so many times as long as half its first hop, at most
+};
+AtUpright at_upright(const Block& block, Model model);
+
 /// When the chain of ever smaller impacts after this one is over, if it certainly is before the ground can
 /// start the block again.
-std::optional<Real> time_of_rest(const Block& block, Model model, const Piece& piece,
-                                 const Point& after_impact);
+std::optional<Real> time_of_rest(const AtUpright& upright, const Piece& piece, const Point& after_impact);
 
-/// The push in the piece, above `level` = start_level, that starts a block at rest at `time`, from when it
-/// does; one is too weak that would give it no more speed than that at which a chain of impacts counts as
-/// rest.
-std::optional<Push> push_that_starts(Real level, const Piece& piece, Real time);
+/// Of `all` pushes of the piece, above `level` = start_level, the one that starts a block at rest at `time`,
+/// from when it does; one is too weak that would give it no more speed than that at which a chain of impacts
+/// counts as rest.
+std::optional<Push> push_that_starts(const std::vector<Push>& all, Real level, const Piece& piece, Real time);
 
 /// The same states at `count` >= 2 times evenly from 0 to `until`, and the ground acceleration in units of
 /// alpha g.
