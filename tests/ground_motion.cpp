@@ -61,6 +61,8 @@ TEST_CASE("bounds hold everywhere in between") {
     for (int j = i + 1; j <= 20; ++j) {
       const Real from = piece.to * i / 20, to = piece.to * j / 20;
       const Range range = ground_range(piece, from, to);
+      CHECK(most_ground(piece, from, to) ==
+            doctest::Approx(static_cast<double>(std::max(range.high, -range.low))).epsilon(1e-14));
       for (int k = 0; k <= 30; ++k) {
         const Real value = ground_at(piece, from + (to - from) * k / 30);
         CHECK(value <= range.high + 1e-15L);
@@ -112,6 +114,8 @@ TEST_CASE("a record is interpolated linearly in units of alpha g against p t") {
   CHECK(motion[1].to == 6);
   CHECK(ground_at(motion[0], 1) == doctest::Approx(1).epsilon(1e-15));
   CHECK(std::abs(ground_at(motion[1], 4)) < 1e-15L);
+  CHECK(most_ground(motion[1], 2, 4) ==
+        doctest::Approx(static_cast<double>(std::abs(ground_at(motion[1], 2)))));
   const auto all = pushes(motion[1], 1);
   REQUIRE(all.size() == 2);
   CHECK(all[0].to == doctest::Approx(3));
