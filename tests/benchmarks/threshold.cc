@@ -1,6 +1,7 @@
 // Thresholds and spectra of the nonlinear model beside the second road, GSL: rows of a Markdown table.
 #include <cmath>
 #include <numerics/spectrum.hpp>
+#include <thread>
 
 #include "timing.hpp"
 
@@ -22,8 +23,8 @@ std::vector<double> edges(const std::vector<Window>& windows) {
   return all;
 }
 
-std::vector<double> thresholds(double omega_ratio, Engine engine, bool least) {
-  return edges(overturning_windows(at(omega_ratio, engine), {.least = least}));
+std::vector<double> thresholds(double omega_ratio, Engine engine, bool least, int threads = 1) {
+  return edges(overturning_windows(at(omega_ratio, engine), {.threads = threads, .least = least}));
 }
 
 std::vector<double> least_spectrum(int points, Engine engine) {
@@ -49,10 +50,17 @@ void compare(const std::string& work, const std::function<std::vector<double>(En
 }  // namespace
 
 int main() {
-  for (const double ratio : {1.0, 3.0, 6.0})
+  const int all = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  for (const double ratio : {1.0, 3.0, 6.0}) {
+    const std::string work = fmt::format("all windows, ω_p/p = {:g}", ratio);
     compare(
-        fmt::format("all windows, ω_p/p = {:g}", ratio),
-        [&](Engine engine) { return thresholds(ratio, engine, false); }, 3);
+        work, [&](Engine engine) { return thresholds(ratio, engine, false); }, 3);
+    if (all == 1) continue;
+    const auto on_all = [&](Engine engine) {
+      return thresholds(ratio, engine, false, engine == Engine::taylor ? all : 1);
+    };
+    compare(fmt::format("{}, {} threads to GSL's one", work, all), on_all, 3);
+  }
   compare(
       "least threshold, ω_p/p = 3", [](Engine engine) { return thresholds(3, engine, true); }, 3);
   compare(
