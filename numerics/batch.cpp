@@ -248,10 +248,10 @@ std::vector<std::vector<int>> PulseBatch::codes(const std::vector<double>& omega
 
 std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<double>& amplitudes, int threads) {
   constexpr int worth_a_thread = 64;
-  const int count = static_cast<int>(amplitudes.size());
+  const std::ptrdiff_t count = std::ssize(amplitudes);
   Work work;
   work.threads = threads;
-  work.count = threads == 1 ? 1 : std::max(count / worth_a_thread, 1);
+  work.count = threads == 1 ? 1 : std::max(static_cast<int>(count / worth_a_thread), 1);
   std::vector<Outcome> all(amplitudes.size());
   for_each_index(work, [&](int i) {
     const auto from = amplitudes.begin() + count * i / work.count,

@@ -198,3 +198,12 @@ TEST_CASE("what the kernel leaves unresolved is followed, and what does not move
   asked.initial = {0.1L, 0};
   CHECK_THROWS_AS(PulseBatch(asked, {0.5}), std::invalid_argument);
 }
+
+TEST_CASE("several threads share half a million amplitudes to the last one") {
+  std::vector<double> amplitudes(500'000, 0);
+  amplitudes.back() = 8;
+  const PulseCase asked = nonlinear(0.25, 0.9);
+  const std::vector<Outcome> outcomes = outcomes_at(asked, amplitudes, 2);
+  CHECK(std::ranges::count(outcomes, 0, &Outcome::code) == std::ssize(amplitudes) - 1);
+  CHECK(outcomes.back().code == outcome_at(asked, 8).code);
+}
