@@ -69,11 +69,16 @@ std::vector<Atom> independent(const std::vector<Atom>& conditions, const Ring& r
     else
       same->signs = same->signs & c.signs;
   }
-  std::vector<std::size_t> order(result.size());  // the longest first
+  const auto length = [&](std::size_t k) {  // of terms, powers in them, exponents and a sign in front
+    int sum = result[k].value.numerator.leads_with_minus() ? 1 : 0;
+    for (const Polynomial& p : {result[k].value.numerator, result[k].value.denominator})
+      for (std::size_t term = 0; term < p.terms() && !p.is_one(); ++term, ++sum)
+        for (const auto& [variable, exponent] : p.powers(term)) sum += exponent > 1 ? 2 : 1;
+    return sum;
+  };
+  std::vector<std::size_t> order(result.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-    return result[a].value.key().size() > result[b].value.key().size();
-  });
+  std::ranges::stable_sort(order, std::greater(), length);
   for (const std::size_t k : order) {
     Ring with_others = ring;
     for (std::size_t j = 0; j < result.size(); ++j)

@@ -5,14 +5,14 @@
 namespace rederive {
 
 Fraction Ring::function(const std::string& f, const Fraction& of, int degree, const Fraction& value) {
-  return generator(f + " " + of.key(), [&] {
+  return generator(f, of, [&] {
     const GiNaC::ex meaning = find_function(f)->of(meaning_of(of));
     return Generator{meaning, call(f, range_of(of)), f, of, degree, value};
   });
 }
 
-std::optional<int> Ring::find(const std::string& key) const {
-  const auto found = index_.find(key);
+std::optional<int> Ring::find(const std::string& name, const Fraction& of) const {
+  const auto found = index_.find({name, of});
   return found == index_.end() ? std::nullopt : std::optional(found->second);
 }
 

@@ -48,21 +48,21 @@ struct Fact {
 
 class Ring {
  public:
-  /// The variable of a key, made by `make` when it is new. Throws Undecidable where there are too many.
+  /// The variable of a symbol, or of f(of), made by `make` when it is new. Throws Undecidable if too many.
   template <class Make>
-  Fraction generator(const std::string& key, const Make& make) {
-    if (const auto known = find(key)) return Polynomial::variable(*known);
+  Fraction generator(const std::string& name, const Fraction& of, const Make& make) {
+    if (const auto known = find(name, of)) return Polynomial::variable(*known);
     if (generators_.size() == Polynomial::variables)
       throw Undecidable("too many independent functions in one statement");
     generators_.push_back(make());
-    return Polynomial::variable(index_[key] = static_cast<int>(generators_.size()) - 1);
+    return Polynomial::variable(index_[{name, of}] = static_cast<int>(generators_.size()) - 1);
   }
   /// The variable of f(of).
   Fraction function(const std::string& f, const Fraction& of, int degree = 0, const Fraction& value = 0);
   const std::vector<Generator>& generators() const { return generators_; }
   /// What is assumed: the hypotheses of certificates.
   std::vector<Fact> facts = {};
-  std::optional<int> find(const std::string& key) const;
+  std::optional<int> find(const std::string& name, const Fraction& of = 0) const;
 
   /// generator^degree = value from now on: what an equation that is assumed says of a symbol.
   void relate(int generator, int degree, const Fraction& value);
@@ -105,7 +105,7 @@ class Ring {
   void propagate();
 
   std::vector<Generator> generators_;
-  std::map<std::string, int> index_;
+  std::map<std::pair<std::string, Fraction>, int> index_;
   std::map<Polynomial, Signs> known_signs_;  ///< of polynomials that lead with plus, content 1
   /// A memo table of signs_of, for what is known now.
   mutable std::map<std::pair<Polynomial, int>, Signs> found_;

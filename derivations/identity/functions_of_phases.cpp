@@ -8,9 +8,9 @@ using cln::cl_RA;
 
 using Pair = std::pair<Fraction, Fraction>;
 
-/// The least common multiple of this number and of all that were named before under this key.
-int Translator::common_multiple(const std::string& key, const cln::cl_I& number) {
-  const auto [place, is_new] = denominators_.try_emplace(key, 1);
+/// The least common multiple of this number and of all that were named before, of this function and argument.
+int Translator::common_multiple(const std::string& name, const Fraction& of, const cln::cl_I& number) {
+  const auto [place, is_new] = denominators_.try_emplace({name, of}, 1);
   const cln::cl_I before = std::exchange(place->second, cln::lcm(place->second, number));
   if (place->second > 60) throw Undecidable("a phase or a root of a part above 60");
   if (!is_new && place->second != before) throw OtherBasis();
@@ -21,8 +21,9 @@ int Translator::common_multiple(const std::string& key, const cln::cl_I& number)
 /// all its multiples have. Terms are linearly independent over the rationals, and so are the phases.
 Translator::Multiple Translator::multiple_of_phase(const std::string& function, const cl_RA& number,
                                                    const Fraction& term) {
-  const bool is_turn = function == "cos " && term == pi();
-  const int parts = common_multiple(is_turn ? "turn" : function + term.key(), cln::denominator(number));
+  const bool is_turn = function == "cos" && term == pi();
+  const int parts =
+      common_multiple(is_turn ? "turn" : function, is_turn ? 0 : term, cln::denominator(number));
   const cl_RA times = (is_turn ? number - 2 * cln::round1(number / 2) : number) * parts;
   if (cln::abs(times) > 64) throw Undecidable("a multiple of a phase above 64");
   return {term / parts, cln::cl_I_to_int(cln::numerator(times))};
@@ -30,7 +31,6 @@ Translator::Multiple Translator::multiple_of_phase(const std::string& function, 
 
 /// cos and sin of a phase of the basis, as generators with c² + s² = 1.
 Pair Translator::phase(const Fraction& phase) {
-  const std::string key = phase.key();
   if (const Fraction part = phase / pi(); part.is_constant())
     return part_of_pi(cln::denominator(part.constant()));
   const Fraction c = ring_.function("cos", phase), s = ring_.function("sin", phase, 2, 1 - c * c);
@@ -44,8 +44,8 @@ Pair Translator::phase(const Fraction& phase) {
   const Fraction u = angle.of, rest = root(is_asin ? 1 - u * u : 1 + u * u, 2),
                  cosine = is_asin ? rest : ring_.normal(1 / rest),
                  sine = is_asin ? u : ring_.normal(u / rest);
-  ring_.relate(*ring_.find("cos " + key), is_half ? 2 : 1, is_half ? (1 + cosine) / 2 : cosine);
-  ring_.relate(*ring_.find("sin " + key), 1, is_half ? sine / (2 * c) : sine);
+  ring_.relate(*ring_.find("cos", phase), is_half ? 2 : 1, is_half ? (1 + cosine) / 2 : cosine);
+  ring_.relate(*ring_.find("sin", phase), 1, is_half ? sine / (2 * c) : sine);
   return {ring_.normal(c), ring_.normal(s)};
 }
 
@@ -60,12 +60,11 @@ Pair Translator::part_of_pi(const cln::cl_I& n) {
 }
 
 Pair Translator::circular(const Fraction& argument) {
-  const std::string key = argument.key();
-  if (const auto known = circular_.find(key); known != circular_.end())
+  if (const auto known = circular_.find(argument); known != circular_.end())
     return {ring_.normal(known->second.first), ring_.normal(known->second.second)};
   Pair result{1, 0};
   for (const auto& [number, term] : terms_of(argument)) {
-    const auto [part, times] = multiple_of_phase("cos ", number, term);
+    const auto [part, times] = multiple_of_phase("cos", number, term);
     const auto [c, s] = phase(part);
     for (int k = 0; k < std::abs(times); ++k) {  // cos and sin of a sum
       const auto [cosine, sine] = result;
@@ -78,7 +77,7 @@ Pair Translator::circular(const Fraction& argument) {
     ring_.learn(result.first, signs_of(rederive::call("cos", range)));
     ring_.learn(result.second, signs_of(rederive::call("sin", range)));
   }
-  circular_.try_emplace(key, result);
+  circular_.try_emplace(argument, result);
   return result;
 }
 
@@ -91,7 +90,7 @@ Fraction Translator::exponential(const Fraction& argument) {
         ring_.generators()[used[0]].function == "log") {
       result = result * raised(Fraction(ring_.generators()[used[0]].of), number);
     } else {
-      const auto [phase, times] = multiple_of_phase("exp ", number, term);
+      const auto [phase, times] = multiple_of_phase("exp", number, term);
       result = result * power(ring_.function("exp", phase), times);
     }
     result = ring_.normal(result);

@@ -8,11 +8,10 @@ namespace rederive {
 /// y with y^order = base, y >= 0: a power of the generator whose order all roots of this base share.
 Fraction Translator::root_generator(const Polynomial& base, int order) {
   const int part = base == 2 ? 4 : base == 3 ? 6 : 0;  // √2 = 2 cos π/4, √3 = 2 cos π/6
-  if (order == 2 && part != 0 && cln::zerop(cln::mod(denominators_.at("turn"), part)))
+  if (order == 2 && part != 0 && cln::zerop(cln::mod(denominators_.at({"turn", 0}), part)))
     return 2 * circular(pi() / part).first;
-  const std::string key = base.key();
-  const int common = common_multiple("root " + key, order);
-  const Fraction y = ring_.generator("root " + std::to_string(common) + " " + key, [&] {
+  const int common = common_multiple("root", base, order);
+  const Fraction y = ring_.generator("root " + std::to_string(common), base, [&] {
     const GiNaC::ex meaning = pow(ring_.meaning_of(base), GiNaC::numeric(1, common));
     const Interval range = rederive::power(ring_.range_of(Fraction(base)), cln::cl_RA(1) / common);
     return Generator{meaning, range, "sqrt", base, common, base};
@@ -49,8 +48,7 @@ Fraction Translator::root(const Fraction& value, int order) {
   return ring_.normal(outside * root_generator(inside, order));
 }
 
-/// base^exponent, for an exponent that is no whole number: (t^{2n})^q = |t|^{2nq}, before anything is
-/// multiplied out.
+/// base^exponent, for a fraction: (t^{2n})^q = |t|^{2nq}, before anything is multiplied out.
 Fraction Translator::root_of(const Tree& tree, const Fraction& base, const cln::cl_RA& exponent) {
   const bool is_power = tree->kind == Node::Kind::power && tree->children[1]->kind == Node::Kind::number;
   const cln::cl_RA inner = is_power ? exact(tree->children[1]->text) : cln::cl_RA(1);
@@ -96,8 +94,7 @@ Fraction Translator::logarithm(const Fraction& value) {
   return ring_.normal(sum + logarithm_of(rest));
 }
 
-/// log of a prime, or of a polynomial that is positive: what it is of an exponential or a root, else a
-/// generator.
+/// log of a prime or of a positive polynomial: the one of an exponential or a root is known.
 Fraction Translator::logarithm_of(const Polynomial& p) {
   const auto used = p.used();
   if (used.size() == 1 && p == Polynomial::variable(used[0])) {

@@ -7,6 +7,7 @@
 #include <derivations/identity/polynomial.hpp>
 #include <derivations/numbers/integer.hpp>
 #include <map>
+#include <tuple>
 
 namespace rederive {
 
@@ -70,13 +71,6 @@ Polynomial Polynomial::primitive() const {
   return fmpz_mpoly_scalar_divexact_fmpz(result.p_, p_, content.z, context()), result;
 }
 
-std::string Polynomial::key() const {
-  char* text = fmpz_mpoly_get_str_pretty(p_, nullptr, context());
-  std::string result(text);
-  flint_free(text);
-  return result;
-}
-
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   if (a.terms() > 1 && b.terms() > 1 && a.terms() * b.terms() > 100 * Polynomial::most_terms)
     throw Undecidable("too many terms, once it is multiplied out");
@@ -106,10 +100,20 @@ Polynomial gcd(const Polynomial& a, const Polynomial& b) {
 Factors factors(const Polynomial& p) {
   thread_local std::map<Polynomial, Factors> known;
   if (const auto found = known.find(p); found != known.end()) return found->second;
+  if (known.size() > 4000) known.clear();
   Factors result{p.is_zero() ? 0 : 1, {}};
   if (p.terms() > 400) {  // one piece: its factors would take too long
     result.second.emplace_back(p, 1);
     return result;
+  }
+  for (const int v : p.used()) {
+    if (p.degree(v) != 1) continue;
+    const auto c = p.coefficients(v);  // of c v + d: gcd(c, d), and what is left, irreducible (Gauss)
+    const Polynomial common = gcd(c[0], c[1]), rest = *quotient(p, common);
+    result = factors(common);
+    if (rest.leads_with_minus()) result.first = -result.first;
+    result.second.emplace(result.second.begin(), rest.leads_with_minus() ? -rest : rest, 1);
+    return known[p] = result;
   }
   fmpz_mpoly_factor_t found;
   fmpz_factor_t primes;
@@ -132,7 +136,6 @@ Factors factors(const Polynomial& p) {
   }
   fmpz_mpoly_factor_clear(found, Polynomial::context()), fmpz_factor_clear(primes);
   if (!is_done) throw Undecidable("a polynomial whose factors are not found");
-  if (known.size() > 4000) known.clear();
   return known[p] = std::move(result);
 }
 
@@ -160,9 +163,6 @@ Fraction::Fraction(const Polynomial& n, const Polynomial& d) : numerator(n), den
   if (denominator.leads_with_minus()) numerator = -numerator, denominator = -denominator;
 }
 
-std::string Fraction::key() const {
-  return denominator.is_one() ? numerator.key() : "(" + numerator.key() + ")/(" + denominator.key() + ")";
-}
 Fraction Fraction::operator-() const {
   Fraction result = *this;
   return result.numerator = -numerator, result;
@@ -180,6 +180,9 @@ Fraction operator/(const Fraction& a, const Fraction& b) {
 }
 bool operator==(const Fraction& a, const Fraction& b) {
   return a.numerator == b.numerator && a.denominator == b.denominator;
+}
+bool operator<(const Fraction& a, const Fraction& b) {
+  return std::tie(a.numerator, a.denominator) < std::tie(b.numerator, b.denominator);
 }
 Fraction power(const Fraction& base, int exponent) {
   if (exponent < 0) return power(1 / base, -exponent);

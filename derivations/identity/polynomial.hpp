@@ -11,7 +11,6 @@
 
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -27,8 +26,7 @@ struct NoValue : Undecidable {
 };
 
 class Polynomial;
-/// A sign, and irreducible polynomials with their exponents: of the content its primes below 2000, and what
-/// is left of it.
+/// A sign, the content's primes below 2000 and its rest, and irreducible polynomials, with their exponents.
 using Factors = std::pair<int, std::vector<std::pair<Polynomial, int>>>;
 
 /// A polynomial with whole coefficients. Throws Undecidable where a result would have too many terms.
@@ -64,7 +62,6 @@ class Polynomial {
   /// Divided by what its coefficients have in common; it leads with plus.
   Polynomial primitive() const;
   bool leads_with_minus() const { return !is_zero() && cln::minusp(coefficient(0)); }
-  std::string key() const;  ///< the same text for the same polynomial
 
   Polynomial operator-() const { return of<fmpz_mpoly_neg>(p_); }
   friend Polynomial operator+(const Polynomial& a, const Polynomial& b) {
@@ -118,7 +115,6 @@ struct Fraction {
   bool is_zero() const { return numerator.is_zero(); }
   bool is_constant() const { return numerator.is_constant() && denominator.is_constant(); }
   cln::cl_RA constant() const { return cln::cl_RA(numerator.constant()) / denominator.constant(); }
-  std::string key() const;
   Fraction operator-() const;
 };
 
@@ -128,6 +124,7 @@ Fraction operator*(const Fraction& a, const Fraction& b);
 /// Throws NoValue where b is 0.
 Fraction operator/(const Fraction& a, const Fraction& b);
 bool operator==(const Fraction& a, const Fraction& b);
+bool operator<(const Fraction& a, const Fraction& b);  ///< some order, for tables
 /// A negative exponent turns the fraction over.
 Fraction power(const Fraction& base, int exponent);
 

@@ -98,7 +98,7 @@ Fraction Translator::call(const Node& node) {
 }
 
 Fraction Translator::symbol(const std::string& name) {
-  return ring_.generator(name, [&] {
+  return ring_.generator(name, 0, [&] {
     const Symbol* known = symbols_.find(name);
     if (known == nullptr) throw Undecidable("the symbol " + name + ", which is not declared");
     return Generator{known->ginac, parse_range(known->range)};
@@ -106,7 +106,7 @@ Fraction Translator::symbol(const std::string& name) {
 }
 
 Fraction Translator::pi() {
-  return ring_.generator("pi", [] { return Generator{GiNaC::Pi, point({0, 1})}; });
+  return ring_.generator("pi", 0, [] { return Generator{GiNaC::Pi, point({0, 1})}; });
 }
 
 const RewriteRule* rewrite_rule(const std::string& function) {

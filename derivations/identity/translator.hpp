@@ -15,8 +15,7 @@ struct Atom {
   Tree tree = nullptr;
 };
 
-/// The common denominator of a phase, or the order of a root, has grown: everything must be translated again,
-/// in a new ring.
+/// The common denominator of a phase, or the order of a root, has grown: all is translated in a new ring.
 struct OtherBasis : Undecidable {
   OtherBasis() : Undecidable("functions of functions, too deep") {}
 };
@@ -38,8 +37,7 @@ class Translator {
     return with_basis(work, rounds - 1);
   }
 
-  /// The tree in the ring, and what must hold for it to have a value. Throws NoValue, OtherBasis and
-  /// Undecidable, as do the next ones.
+  /// The tree in the ring, and what must hold for it to have a value. These throw Undecidable.
   Fraction operator()(const Tree& tree, std::vector<Atom>& conditions);
 
   /// cos and sin of an argument in the ring, e^argument, and the logarithm of a positive value.
@@ -48,7 +46,7 @@ class Translator {
   Fraction logarithm(const Fraction& value);
 
   Fraction pi();
-  /// number · term = n · phase, of an argument of "cos " or "exp ": the phase and the whole number n.
+  /// number · term = n · phase, of an argument of "cos" or "exp": the phase and the whole number n.
   using Multiple = std::pair<Fraction, int>;
   Multiple multiple_of_phase(const std::string& function, const cln::cl_RA& number, const Fraction& term);
 
@@ -60,7 +58,7 @@ class Translator {
   void require(const Fraction& value, Signs allowed, const Tree& tree);
 
   Fraction symbol(const std::string& name);
-  int common_multiple(const std::string& key, const cln::cl_I& number);
+  int common_multiple(const std::string& name, const Fraction& of, const cln::cl_I& number);
   std::pair<Fraction, Fraction> phase(const Fraction& phase);
   std::pair<Fraction, Fraction> part_of_pi(const cln::cl_I& n);
 
@@ -76,9 +74,10 @@ class Translator {
   Ring& ring_;
   const Symbols& symbols_;
   std::vector<Atom>* conditions_ = nullptr;
-  std::optional<Fraction> argument_;                               ///< u of the rule that is applied
-  std::map<std::string, cln::cl_I> denominators_{{"turn", 2}};     ///< of phases, and the orders of roots
-  std::map<std::string, std::pair<Fraction, Fraction>> circular_;  ///< a memo table, by arguments
+  std::optional<Fraction> argument_;  ///< u of the rule that is applied
+  /// The common denominators of phases, and the orders of roots; "turn": of multiples of π.
+  std::map<std::pair<std::string, Fraction>, cln::cl_I> denominators_{{{"turn", 0}, 2}};
+  std::map<Fraction, std::pair<Fraction, Fraction>> circular_;  ///< a memo table, by arguments
 };
 
 /// True if it is 0: by the relations of the ring; or as it has a factor d + e·g, with g² in the ring, such
@@ -98,8 +97,7 @@ struct RewriteRule {
   Tree result;                                 ///< in u; null of a function that is not replaced
 };
 
-/// The rule of a function of our syntax, by its name; nullptr where it has a value everywhere and is not
-/// replaced.
+/// The rule of a function; nullptr where it has a value everywhere and is not replaced.
 const RewriteRule* rewrite_rule(const std::string& function);
 
 }  // namespace rederive

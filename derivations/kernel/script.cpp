@@ -105,7 +105,7 @@ void Script::say_argument(const Tree& argument, bool is_circular) {
       continue;
     }
     const auto [phase, times] =
-        known_.translator.multiple_of_phase(is_circular ? "cos " : "exp ", number, term);
+        known_.translator.multiple_of_phase(is_circular ? "cos" : "exp", number, term);
     const std::string name = coq_name(name_of(phase));
     for (int k = 0; k < std::abs(times); ++k) add(times > 0 ? name : "- " + name);
   }
@@ -129,7 +129,7 @@ std::string Script::base_of(const Generator& root, int index) {
 void Script::say_facts() {
   for (const Generator& g : std::vector<Generator>(known_.ring.generators())) {
     GiNaC::ex meaning = g.meaning;
-    const bool is_number = g.function == "cos" && !known_.ring.find("sin " + g.of.key());  // cos(pi/n)
+    const bool is_number = g.function == "cos" && !known_.ring.find("sin", g.of);  // cos(pi/n)
     if (!is_number && (g.function == "cos" || g.function == "sin" || g.function == "exp")) {
       const std::string name = name_of(g.of);
       const GiNaC::ex x = names_[name];
