@@ -80,7 +80,7 @@ constexpr long bits = 1000;
 std::optional<cln::cl_RA> distance(const Tree& a, const Tree& b, const Point& point) {
   const Value left = value_at(a, point, bits), right = value_at(b, point, bits);
   if (left.is != Value::Is::certain || right.is != Value::Is::certain) return std::nullopt;
-  const Ball distance = left.ball - right.ball;
+  const Ball distance = left.ball() - right.ball();
   if (!distance.is_moderate()) return std::nullopt;
   return cln::abs(cln::cl_RA(distance));
 }

@@ -53,7 +53,8 @@ double error_in_units(const EmittedFunction& function, const GiNaC::ex& value,
   for (std::size_t i = 0; i < point.size(); ++i) values[name_of(function.arguments[i])] = point[i];
   const Value exact = value_at(tree, exact_point(function, point), 200);
   REQUIRE_MESSAGE(exact.is == Value::Is::certain, function.name);
-  const double difference = cln::double_approx(cln::rational(cln::cl_DF(computed)) - cln::cl_RA(exact.ball));
+  const double difference =
+      cln::double_approx(cln::rational(cln::cl_DF(computed)) - cln::cl_RA(exact.ball()));
   return std::fabs(difference) / (running_error(*tree, values).error + 0x1p-1060);
 }
 

@@ -25,10 +25,10 @@ Tree tree(const std::string& text, const Limits& limits = {}) {
 std::string at(const std::string& text, const Point& point = {}) {
   const Value value = value_at(tree(text), point, 192);
   if (value.is != Is::certain) return value.is == Is::nowhere ? "nowhere" : "unknown";
-  if (value.exact) CHECK(value.ball.contains(Ball(*value.exact, 300)));
+  if (value.exact) CHECK(value.ball().contains(Ball(*value.exact, 300)));
   std::ostringstream exact;
   if (value.exact) exact << *value.exact;
-  return value.exact ? exact.str() : value.ball.digits(5).value_or("no digits");
+  return value.exact ? exact.str() : value.ball().digits(5).value_or("no digits");
 }
 
 /// The rows of "left = right; left = right".
@@ -225,8 +225,8 @@ TEST_CASE("an interval holds the values at the points of its range") {
       if (value.is != Is::certain) continue;
       const Interval y = call(f, x) * power(x, 3) * power(x, -2);
       INFO(f << shown(x) << " = " << shown(y));
-      CHECK(compare(y.low, End{{value.ball.upper()}}) <= 0);
-      CHECK(compare(y.high, End{{value.ball.lower()}}) >= 0);
+      CHECK(compare(y.low, End{{value.ball().upper()}}) <= 0);
+      CHECK(compare(y.high, End{{value.ball().lower()}}) >= 0);
     }
   }
 }

@@ -61,7 +61,7 @@ struct Dictionary {
     for (const std::string& name : names_of(tree)) point.emplace(name, Number(cln::cl_RA(of(name).middle())));
     const Value value = value_at(tree, point, bits);
     if (value.is != Value::Is::certain) throw NoValue("the row has no value");
-    return value.ball.at(bits);
+    return value.ball().at(bits);
   }
 
  private:

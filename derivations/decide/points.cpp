@@ -35,10 +35,11 @@ Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks
     auto& list = result.plain;
     if (range.contains({value}) && std::ranges::find(list, value) == list.end()) list.push_back(value);
   };
-  for (const char* text : {"1",   "1/2",   "2",     "3/2",  "1/3", "-1",   "3",   "-1/2",   "2/3", "-2",
-                           "1/4", "5/2",   "3/4",   "-1/3", "5",   "-3/2", "4",   "1/10",   "-3",  "-5/2",
-                           "7",   "1/100", "-1/10", "10",   "-7",  "30",   "-10", "1/1000", "200"})
-    add(cl_RA(text));
+  static const std::vector<cl_RA> small = {"1",   "1/2",  "2",   "3/2",    "1/3", "-1",    "3",     "-1/2",
+                                           "2/3", "-2",   "1/4", "5/2",    "3/4", "-1/3",  "5",     "-3/2",
+                                           "4",   "1/10", "-3",  "-5/2",   "7",   "1/100", "-1/10", "10",
+                                           "-7",  "30",   "-10", "1/1000", "200"};
+  for (const cl_RA& value : small) add(value);
   const bool has_low = range.low.infinite == 0, has_high = range.high.infinite == 0;
   for (const int n : {1, 2, 3, 5, 8, 40}) {
     if (has_low && range.low.is_rational()) add(range.low.a + cl_RA(1) / n), add(range.low.a + n);
@@ -68,8 +69,8 @@ void collect_landmarks(const Tree& tree, std::vector<cl_RA>& landmarks) {
   const Value value = value_at(tree, {}, 64);
   if (value.exact && (cln::abs(*value.exact) > 3 || cln::denominator(*value.exact) > 4))
     landmarks.push_back(*value.exact);
-  if (value.is == Value::Is::certain && !value.exact && value.ball.is_moderate())
-    landmarks.push_back(cln::cl_RA(cln::round1(cl_RA(value.ball.lower()) * 100)) / 100);
+  if (value.is == Value::Is::certain && !value.exact && value.ball().is_moderate())
+    landmarks.push_back(cln::cl_RA(cln::round1(cl_RA(value.ball().lower()) * 100)) / 100);
 }
 
 /// The range under x > 2, an assumption with a number beside the symbol.

@@ -47,7 +47,7 @@ std::optional<Witness> make_witness(const Problem& problem, const Point& point, 
       return;
     }
     const cl_RA power = cln::expt_pos(cln::cl_I(10), 40);  // to 40 places
-    witness.at[name] = rational_text(cln::round1(cl_RA(value.ball.lower()) * power) / power);
+    witness.at[name] = rational_text(cln::round1(cl_RA(value.ball().lower()) * power) / power);
     if (value.constant) witness.exactly[name] = text_of(tree_of(*value.constant));
   };
   for (const auto& [name, number] : point) {

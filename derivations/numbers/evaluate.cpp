@@ -20,7 +20,7 @@ Value zero_between(const Tree& tree, const std::string& symbol, cl_RA& low, cl_R
   if (!first || !last || first == last) return {};
   long log_cells = 8;
   while ((high - low) * cln::ash(cln::cl_I(1), bits) > std::max(cln::abs(low), cln::abs(high))) {
-    const Ball share = at_low.ball / (at_low.ball - at_high.ball);
+    const Ball share = at_low.ball() / (at_low.ball() - at_high.ball());
     const cl_RA cells = cln::ash(cln::cl_I(1), log_cells), cell = (high - low) / cells,
                 guess = share.is_moderate() ? low + cln::floor1(cells * cl_RA(share.middle())) * cell : low;
     Value at_guess = at(guess), beyond = at(guess + cell);
@@ -58,7 +58,7 @@ Value value_at(const Tree& tree, const Point& point, long bits) {
   if (node.kind == Kind::number) return known(Constant{exact(node.text)}, bits);
   if (node.kind == Kind::symbol && node.text == "pi") return known(Constant{0, 1}, bits);
   if (node.kind == Kind::symbol) return point.at(node.text).value(bits);
-  if (node.kind == Kind::negative) return known(Constant{-1}, bits) * child(0);
+  if (node.kind == Kind::negative) return known(Constant{}, bits) - child(0);
   if (node.kind == Kind::power) return pow(child(0), child(1));
   if (node.kind == Kind::call) return call(node.text, child(0));
   const bool is_sum = node.kind == Kind::sum;
@@ -76,7 +76,7 @@ Sign sign_at(const Tree& left, const Tree& right, const Point& point, long most)
     const Value value = value_at(left, point, 64);
     return value.is == Is::certain ? Sign::zero : value.is == Is::nowhere ? Sign::undefined : Sign::unknown;
   }
-  for (long bits = 64; bits <= most; bits *= 3) {
+  for (long bits = 192; bits <= most; bits *= 3) {
     const Value rest = value_at(left, point, bits) - value_at(right, point, bits);
     if (rest.is == Is::nowhere) return Sign::undefined;
     if (const auto sign = rest.sign())
@@ -90,7 +90,7 @@ std::optional<std::string> digits_at(const Tree& tree, const Point& point, int d
   for (long bits = least; bits <= 9 * least; bits *= 3) {
     const Value value = value_at(tree, point, bits);
     if (value.is == Is::nowhere) return std::nullopt;
-    const auto text = value.is == Is::certain ? value.ball.digits(digits) : std::nullopt;
+    const auto text = value.is == Is::certain ? value.ball().digits(digits) : std::nullopt;
     if (!text) continue;
     if (!value.exact) return text;
     const std::string shorter =  // "0.25" of "0.25000", if that is the whole number

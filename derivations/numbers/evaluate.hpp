@@ -8,8 +8,7 @@
 
 namespace rederive {
 
-/// A coordinate of a point: a real number, to any precision that is asked. It keeps what it computed last, so
-/// that copies of it belong to one thread.
+/// A coordinate of a point: a real number to any precision. It keeps a value: its copies stay in one thread.
 class Number {
  public:
   Number(const cln::cl_RA& q) : state_(new State{nullptr, {}, q}) {}

@@ -23,7 +23,7 @@ const End& further(int side, const End& x, const End& y, bool closed) {
 /// The value as an interval. The margin makes sure that no end that was rounded is attained.
 Interval enclosing(const Value& value, bool closed) {
   if (value.constant) return {{*value.constant, 0, closed}, {*value.constant, 0, closed}};
-  const cl_RA low = value.ball.lower(), high = value.ball.upper(), margin = high - low;
+  const cl_RA low = value.ball().lower(), high = value.ball().upper(), margin = high - low;
   return {{{low - margin}}, {{high + margin}}};
 }
 
@@ -93,7 +93,8 @@ const MonotonePiece& monotone_piece(const std::string& name) {
 }
 
 int compare(const End& x, const End& y) {
-  return x.infinite || y.infinite ? x.infinite - y.infinite : (x - y).sign();
+  if (x.infinite || y.infinite) return x.infinite - y.infinite;
+  return x.is_rational() && y.is_rational() ? cln::compare(x.a, y.a) : (x - y).sign();
 }
 
 bool Interval::is_empty() const {
@@ -101,13 +102,19 @@ bool Interval::is_empty() const {
   return order > 0 || (order == 0 && !(low.closed && high.closed));
 }
 
-bool Interval::contains(const Constant& x) const { return !overlap(*this, point(x)).is_empty(); }
+bool Interval::contains(const Constant& x) const {
+  return compare({x}, low) + low.closed > 0 && compare(high, {x}) + high.closed > 0;
+}
 
 Interval point(const Constant& x) { return {{x, 0, true}, {x, 0, true}}; }
 
 Interval parse_range(std::string_view range) try {
+  thread_local std::map<std::string, Interval, std::less<>> known;
+  if (const auto found = known.find(range); found != known.end()) return found->second;
   const Range ends = read_range(range);
-  return {read_end(ends.lower, ends.lower_closed).low, read_end(ends.upper, ends.upper_closed).high};
+  if (known.size() > 400) known.clear();
+  return known[std::string(range)] = {read_end(ends.lower, ends.lower_closed).low,
+                                      read_end(ends.upper, ends.upper_closed).high};
 } catch (const SyntaxError& error) {
   throw std::invalid_argument("the range " + std::string(range) + ": " + error.what());
 }

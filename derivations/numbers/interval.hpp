@@ -14,9 +14,8 @@ struct End : Constant {
 /// -1, 0, +1: the order of two ends, whether closed or not.
 int compare(const End& x, const End& y);
 
-/// A connected set of real numbers; empty where the ends are crossed. What the operations below give holds
-/// every value that the operation has on the operands; an end that is not again a + b*pi is a rational number
-/// a little further out, and open.
+/// A connected set of real numbers; empty where the ends are crossed. A result holds every value that the
+/// operation has on the operands; an end that is not again a + b*pi is rational, further out, and open.
 struct Interval {
   End low{{}, -1}, high{{}, +1};
 
@@ -34,8 +33,7 @@ struct Interval {
 
 /// The one number.
 Interval point(const Constant& x);
-/// Reads a declared range: "(0, pi/2]", "(-inf, inf)"; an end is a constant expression of our syntax. Throws
-/// std::invalid_argument.
+/// Reads a declared range: "(0, pi/2]", "(-inf, 2*sqrt(2))". Throws std::invalid_argument.
 Interval parse_range(std::string_view range);
 
 Interval hull(const Interval& x, const Interval& y);     ///< the smallest that holds both
@@ -49,8 +47,7 @@ Interval operator*(const Interval& x, const Interval& y);
 Interval reciprocal(const Interval& x);  ///< of those that are not 0
 Interval power(const Interval& x,
                const cln::cl_RA& exponent);  ///< a fraction: of those that are not negative
-/// The values of a function of our syntax, by its name, where it has values. Throws std::out_of_range for an
-/// unknown one.
+/// The values of a function of our syntax, where it has values. Throws std::out_of_range for another name.
 Interval call(const std::string& function, const Interval& x);
 
 /// A piece of the line on which a function is monotone: its whole domain, but of circular functions and of

@@ -2,6 +2,7 @@
 
 #include <derivations/language/functions.hpp>
 #include <derivations/numbers/value.hpp>
+#include <functional>
 #include <map>
 
 namespace rederive {
@@ -12,9 +13,8 @@ using cln::cl_I;
 using cln::cl_RA;
 using Is = Value::Is;
 
-/// The multiple of 1/2 that a number is, if it is one or irrational: then its ball tells. So are sin, cos,
-/// tan and cot of multiples of pi/12 where they have values, and 6/pi times asin, acos and atan of 0, ±1/2
-/// and ±1 (Niven 1956).
+/// The multiple of 1/2 that a number is, if it is one or irrational: then its ball tells. So are circular
+/// functions of multiples of pi/12, and 6/pi times asin, acos and atan of 0, ±1/2 and ±1 (Niven 1956).
 std::optional<cl_RA> halves(const Ball& y) {
   if (!y.is_finite()) return std::nullopt;
   const Ball twice = Ball(2) * y, whole(std::lround(twice.to_double()));
@@ -24,7 +24,7 @@ std::optional<cl_RA> halves(const Ball& y) {
 /// Whether x is certainly outside the domain.
 bool is_outside(const Function& f, const Value& x) {
   const auto beyond = [&](double end, int side) {
-    const auto sign = (x - known(Ball(end).at(x.ball.bits()))).sign();  // none where the end is infinite
+    const auto sign = (x - known(Ball(end).at(x.enclosure.bits()))).sign();  // none where the end is infinite
     return sign && (*sign == side || (*sign == 0 && f.is_open));
   };
   return beyond(f.least, -1) || beyond(f.most, 1);
@@ -36,10 +36,18 @@ Is both(const Value& x, const Value& y) {
   return x.is == Is::certain ? y.is : x.is;
 }
 
-long fewer_bits(const Value& x, const Value& y) { return std::min(x.ball.bits(), y.ball.bits()); }
+long fewer_bits(const Value& x, const Value& y) { return std::min(x.enclosure.bits(), y.enclosure.bits()); }
 
 long length(const cl_RA& q) {
   return cln::integer_length(cln::numerator(q)) + cln::integer_length(cln::denominator(q));
+}
+
+/// A sum or a difference.
+template <class Operation>
+Value by(const Operation& operation, const Value& x, const Value& y) {
+  if (both(x, y) != Is::certain) return {both(x, y)};
+  return x.constant && y.constant ? known(operation(*x.constant, *y.constant), fewer_bits(x, y))
+                                  : known(operation(x.ball(), y.ball()));
 }
 
 constexpr long most_length = 20'000;  // of an exact number
@@ -64,19 +72,21 @@ Ball Constant::ball(long bits) const {
 }
 
 int Constant::sign() const {
-  if (is_rational()) return cln::zerop(a) ? 0 : cln::minusp(a) ? -1 : 1;
+  const int of_a = cln::compare(a, 0), of_b = cln::compare(b, 0);
+  if (of_a * of_b >= 0) return of_a != 0 ? of_a : of_b;
   for (long bits = 64;; bits *= 2)
     if (const Ball x = ball(bits); x.is_nonzero()) return x.is_positive() ? 1 : -1;
 }
 
 std::optional<int> Value::sign() const {
-  if (is == Is::certain && ball.is_nonzero()) return ball.is_positive() ? 1 : -1;
-  return constant ? std::optional(constant->sign()) : std::nullopt;
+  if (constant) return constant->sign();
+  return is == Is::certain && ball().is_nonzero() ? std::optional(ball().is_positive() ? 1 : -1)
+                                                  : std::nullopt;
 }
 
 Value known(const Constant& c, long bits) {
   if (length(c.a) + length(c.b) > most_length) return known(c.ball(bits));
-  return {Is::certain, c.is_rational() ? std::optional(c.a) : std::nullopt, c, c.ball(bits)};
+  return {Is::certain, c.is_rational() ? std::optional(c.a) : std::nullopt, c, Ball(0, bits), true};
 }
 
 Value known(const Ball& x) {
@@ -84,19 +94,14 @@ Value known(const Ball& x) {
   return x.is_exact() ? Value{Is::certain, x, Constant{x}, x} : Value{Is::certain, {}, {}, x};
 }
 
-Value operator+(const Value& x, const Value& y) {
-  if (both(x, y) != Is::certain) return {both(x, y)};
-  return x.constant && y.constant ? known(*x.constant + *y.constant, fewer_bits(x, y))
-                                  : known(x.ball + y.ball);
-}
-
-Value operator-(const Value& x, const Value& y) { return x + known(Ball(-1)) * y; }
+Value operator+(const Value& x, const Value& y) { return by(std::plus(), x, y); }
+Value operator-(const Value& x, const Value& y) { return by(std::minus(), x, y); }
 
 Value operator*(const Value& x, const Value& y) {
   if (both(x, y) != Is::certain) return {both(x, y)};
   if (x.sign() == 0 || y.sign() == 0) return known(Constant{}, fewer_bits(x, y));
   if (x.exact && y.constant) return known(*x.exact * *y.constant, fewer_bits(x, y));
-  return y.exact && x.constant ? y * x : known(x.ball * y.ball);
+  return y.exact && x.constant ? y * x : known(x.ball() * y.ball());
 }
 
 Value operator/(const Value& x, const Value& y) {
@@ -107,7 +112,7 @@ Value operator/(const Value& x, const Value& y) {
     const Constant exact{x.constant->b / y.constant->b};
     if ((*x.constant - exact.a * *y.constant).is_zero()) return known(exact, fewer_bits(x, y));
   }
-  return known(x.ball / y.ball);
+  return known(x.ball() / y.ball());
 }
 
 Value pow(const Value& x, const Value& y) {
@@ -117,13 +122,13 @@ Value pow(const Value& x, const Value& y) {
   const cl_I numerator = cln::numerator(exponent), denominator = cln::denominator(exponent);
   const bool is_whole = y.exact && denominator == 1;
   if (sign == 0 && y.sign().value_or(0) != 0) return y.sign() > 0 ? x : Value{Is::nowhere};
-  if (!is_whole && !y.constant && y.ball.contains_integer() && sign != 1) return {};
+  if (!is_whole && !y.constant && y.ball().contains_integer() && sign != 1) return {};
   if (!is_whole && sign == -1) return {Is::nowhere};
   if (is_whole && numerator == 1) return x;
-  Ball power = pow(x.ball, y.ball);
+  Ball power = pow(x.ball(), y.ball());
   if (is_whole && !power.is_finite() && cln::plusp(numerator) && numerator <= 64) {
-    power = x.ball;  // where its middle is 0 Arb goes by the logarithm
-    for (int k = 1; k < numerator; ++k) power = power * x.ball;
+    power = x.ball();  // where its middle is 0 Arb goes by the logarithm
+    for (int k = 1; k < numerator; ++k) power = power * x.ball();
   }
   cl_RA root;
   if (x.exact && y.exact && cln::abs(numerator) * length(*x.exact) < most_length && denominator < 64 &&
@@ -135,7 +140,7 @@ Value pow(const Value& x, const Value& y) {
 Value call(const std::string& name, const Value& x) {
   if (const char* other = reciprocal_of(name)) return known(Ball(1)) / call(other, x);
   if (x.is != Is::certain) return x;
-  const long bits = x.ball.bits();
+  const long bits = x.enclosure.bits();
   if (name == "sqrt") return pow(x, known(Ball(1) / Ball(2)));
   if (name == "fabs" && x.constant) return x.constant->sign() < 0 ? known(Ball(-1)) * x : x;
   const bool is_circular = name == "sin" || name == "cos" || name == "tan" || name == "cot",
@@ -146,7 +151,7 @@ Value call(const std::string& name, const Value& x) {
     if (!value.is_finite()) return {Is::nowhere};  // a pole
     if (const auto exact = halves(value)) return known(Constant{*exact}, bits);
   }
-  const Ball result = image(name, x.ball);
+  const Ball result = image(name, x.ball());
   if (is_angle && x.exact && cln::denominator(2 * *x.exact) == 1 && cln::abs(*x.exact) <= 1)
     if (const auto sixths = halves(Ball(6) * result / Ball::pi(bits)))
       return known(Constant{0, *sixths / 6}, bits);

@@ -5,6 +5,7 @@
 
 #include <derivations/language/symbols.hpp>
 #include <derivations/numbers/ball.hpp>
+#include <utility>
 
 namespace rederive {
 
@@ -31,8 +32,14 @@ struct Value {
   Is is = Is::unknown;
   std::optional<cln::cl_RA> exact = {};   ///< where only rational arithmetic led to it
   std::optional<Constant> constant = {};  ///< where it is known to be a + b*pi
-  Ball ball = {};                         ///< where it is certain
+  mutable Ball enclosure = {};
+  mutable bool is_late = false;  ///< the enclosure of a constant: computed when it is first asked for
 
+  /// Where it is certain.
+  const Ball& ball() const {
+    if (std::exchange(is_late, false)) enclosure = constant->ball(enclosure.bits());
+    return enclosure;
+  }
   /// -1, 0 (exactly), +1, where that is certain.
   std::optional<int> sign() const;
 };

@@ -11,10 +11,10 @@ std::optional<double> value(const Tree& tree, const Point& point) {
   for (const long bits : {90, 360, 1440}) {  // as many as leave no doubt about a double
     result = value_at(tree, point, bits);
     if (result.is == Value::Is::nowhere) return {};
-    if (result.is == Value::Is::certain && (result.exact || result.ball.digits(14))) break;
+    if (result.is == Value::Is::certain && (result.exact || result.ball().digits(14))) break;
   }
   if (result.is != Value::Is::certain) return {};
-  const double number = result.ball.to_double();
+  const double number = result.ball().to_double();
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 

@@ -59,7 +59,7 @@ double as_number(const Tree& tree) {
   if (value.is != Value::Is::certain)
     throw SyntaxError("not_real", 0, "no value of this can be found: it has none, or one that is too large");
   const auto largest = cln::rational(cln::cl_DF(std::numeric_limits<double>::max()));
-  const cln::cl_RA number = value.ball.lower();
+  const cln::cl_RA number = value.ball().lower();
   if (cln::abs(number) > largest) throw SyntaxError("not_real", 0, "this number is too large");
   return cln::double_approx(number);
 }

@@ -47,7 +47,7 @@ std::string filled(const std::string& text, const Choice& choice) {
       if (found == choice.end()) throw std::runtime_error("{" + inside + "}: '" + name + "' does not vary");
       tree = rederive::put_in(tree, name, parse(found->second));
     }
-    result += fmt::format("{:.10g}", value_at(tree, {}, 90).ball.to_double());
+    result += fmt::format("{:.10g}", value_at(tree, {}, 90).ball().to_double());
   }
   return result + text.substr(at);
 }
