@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <derivations/decide/points.hpp>
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/numbers/interval.hpp>
 #include <derivations/paper/ledger.hpp>
@@ -40,7 +41,7 @@ Point point_of(const Witness& witness, const Symbols& symbols) {
 std::optional<int> compare(const Tree& a, const Tree& b, const Point& at) {
   const Value left = value_at(a, at, 600), right = value_at(b, at, 600);
   if (left.is != Value::Is::certain || right.is != Value::Is::certain) return std::nullopt;
-  const Ball difference = left.ball - right.ball, little = Ball(0).widened(-100);
+  const Ball difference = left.ball() - right.ball(), little = Ball(0).widened(-100);
   return little.contains(difference) ? 0 : difference.is_negative() ? -1 : 1;
 }
 
@@ -137,6 +138,17 @@ nlohmann::json witness_of(std::vector<std::string> arguments) {
 }  // namespace
 
 // Open: of a zero that is only enclosed the other statement cannot always be told.
+TEST_CASE("a point that solves an equation is a zero of it, and no pole, where signs change as well") {
+  const Symbols symbols = declared_symbols({"x", "0", {}, {}, {}});
+  const auto solution_of = [&](const char* equation) {
+    return solve({parse_relation(equation, symbols)}, {{"x", Number(cln::cl_RA(7))}}, symbols, 0);
+  };
+  CHECK_FALSE(solution_of("1/(3*x - 1) + 1/(3*x - 1)^3 = 0"));
+  const auto beside_a_pole = solution_of("1/(3*x - 1) + 1/(3*x - 1)^3 = 5");
+  REQUIRE(beside_a_pole);
+  CHECK(truth_at(parse_relation("abs(x - 0.5532) < 0.0001", symbols), *beside_a_pole) == Truth::holds);
+}
+
 TEST_CASE("at a witness one of two statements holds and the other does not, and what is assumed holds") {
   const std::vector<std::string> statements{
       "x*exp(x) = y",      "cos(x) = x",      "x^5-x-1 = 0",      "y*exp(y)+x = 0",    "tan(x) = 2*x",

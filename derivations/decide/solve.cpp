@@ -10,8 +10,7 @@ using cln::cl_RA;
 
 namespace {
 
-/// What is 0 where an equation holds: the difference of its sides; of a product or a power beside 0 one
-/// factor, or the base.
+/// What is 0 where an equation holds: the difference of its sides; beside 0 a factor, or a power's base.
 Tree residual_of(const Tree& a, const Tree& b, int attempt) {
   const auto is_zero = [](const Tree& t) {
     return t->kind == Node::Kind::number && cln::zerop(exact(t->text));
@@ -39,14 +38,14 @@ Tree with_coordinates(Tree tree, const Point& point, const std::string& but) {
 bool lies_in(const Number& number, const Interval& range) {
   const Value& value = number.value(64);
   if (value.constant) return range.contains(*value.constant);
-  return value.is == Value::Is::certain && compare(End{{value.ball.lower()}}, range.low) > 0 &&
-         compare(End{{value.ball.upper()}}, range.high) < 0;
+  return value.is == Value::Is::certain && compare(End{{value.ball().lower()}}, range.low) > 0 &&
+         compare(End{{value.ball().upper()}}, range.high) < 0;
 }
 
-/// y of c·y + d = 0 at the point.
-std::optional<Number> solve_linear(const Point& point, const Tree& residual, const std::string& name,
+/// y of e = c·y + d = 0 at the point, e multiplied out.
+std::optional<Number> solve_linear(const Point& point, const GiNaC::ex& e, const std::string& name,
                                    const Symbols& symbols) {
-  const GiNaC::ex e = lower(residual, symbols).expand(), y = symbols[name];
+  const GiNaC::ex y = symbols[name];
   if (!e.is_polynomial(y) || e.degree(y) != 1) return std::nullopt;
   const Tree value = to_tree(-e.coeff(y, 0) / e.coeff(y, 1), symbols);
   const Value found = value_at(value, point, 128);
@@ -56,13 +55,13 @@ std::optional<Number> solve_linear(const Point& point, const Tree& residual, con
   return constant ? std::optional<Number>(constant) : std::nullopt;
 }
 
-/// A zero between two neighbours on a grid over the range, narrowed to a thousandth: the first one from
-/// below, or from above.
-std::optional<Number> enclose(const Point& point, const Tree& residual, const std::string& name,
+/// The first zero between neighbours on a grid over the range, narrowed to a thousandth, from below or above.
+std::optional<Number> enclose(Point point, const Tree& residual, const std::string& name,
                               const Interval& range, bool from_above) {
-  const Tree tree = with_coordinates(residual, point, name);
-  if (!tree) return std::nullopt;
-  const auto sign = [&](const cl_RA& x) { return sign_at(tree, zero(), {{name, Number(x)}}, 400); };
+  const auto sign = [&](const cl_RA& x) {
+    point.insert_or_assign(name, x);
+    return sign_at(residual, zero(), point, 400);
+  };
   cl_RA low = 0, high = 0;
   Sign before = Sign::unknown;
   for (int k = -40; k <= 40; ++k, low = high) {
@@ -81,9 +80,11 @@ std::optional<Number> enclose(const Point& point, const Tree& residual, const st
       (there == last ? a : b) = middle;
     }
     if (from_above) std::swap(a, b);
+    const Tree tree = with_coordinates(residual, point, name);
+    if (!tree) return std::nullopt;
     const Number zero(tree, name, a, b);
     // a finite ball over the whole of it: continuous there, no pole
-    if (value_at(tree, {{name, zero}}, 128).is == Value::Is::certain) return zero;
+    if (value_at(tree, {{name, zero}}, 24).is == Value::Is::certain) return zero;
   }
   return std::nullopt;
 }
@@ -91,18 +92,20 @@ std::optional<Number> enclose(const Point& point, const Tree& residual, const st
 /// Solves one equation for one of the symbols that are not fixed yet.
 bool solve_one(Point& point, const Tree& residual, const std::vector<std::string>& names,
                const Symbols& symbols, const std::set<std::string>& fixed, int attempt) {
+  std::optional<GiNaC::ex> expanded;
+  try {
+    expanded = lower(residual, symbols).expand();
+  } catch (const SyntaxError&) {  // GiNaC meets a pole as it builds
+  }
   for (const bool is_linear : {true, false})
     for (const std::string& name : names) {
-      if (fixed.contains(name)) continue;
+      if (fixed.contains(name) || (is_linear && !expanded)) continue;
       const Interval range = parse_range(symbols.find(name)->range);
-      try {
-        const auto number = is_linear ? solve_linear(point, residual, name, symbols)
-                                      : enclose(point, residual, name, range, attempt % 2 != 0);
-        if (!number || !lies_in(*number, range)) continue;
-        point.insert_or_assign(name, *number);
-        return true;
-      } catch (const SyntaxError&) {  // GiNaC meets a pole as it builds
-      }
+      const auto number = is_linear ? solve_linear(point, *expanded, name, symbols)
+                                    : enclose(point, residual, name, range, attempt % 2 != 0);
+      if (!number || !lies_in(*number, range)) continue;
+      point.insert_or_assign(name, *number);
+      return true;
     }
   return false;
 }
