@@ -96,7 +96,7 @@ Entry judge(const Row& row, const std::vector<Row>& rows) {
                              : "no derivation is listed for this row";
     return entry;
   }
-  entry.derivation = found->second();
+  entry.derivation = Cited{row.id, found->second}.derivation();
   entry.derived = print(derived_relation(*entry.derivation));
   entry.proof = compare(stated, *entry.derivation, symbols);
   if (entry.proof.verdict == Verdict::refuted) entry.correction = entry.derived;

@@ -46,8 +46,11 @@ ex forced_motion(Side side, Pulse pulse) {
 }
 
 Constants forced_constants(Side side, Pulse pulse) {
+  static std::map<std::pair<Side, Pulse>, Constants> derived;  // each once
+  const auto found = derived.find({side, pulse});
+  if (found != derived.end()) return found->second;
   const Constants c = constants_from_start(linear_equation(side, pulse), 0, theta_0, thetadot_0);
-  return {with_amplitude(c.C, pulse), with_amplitude(c.D, pulse)};
+  return derived[{side, pulse}] = {with_amplitude(c.C, pulse), with_amplitude(c.D, pulse)};
 }
 
 ex linear_response(Side side, Pulse pulse) {
