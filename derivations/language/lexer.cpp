@@ -23,8 +23,7 @@ struct Characters {
 
 constexpr char32_t dot_above = 0x307, diaeresis = 0x308, macron = 0x304;
 
-/// The precomposed letters that a keyboard or NFC normalisation makes of a letter and a mark, each before its
-/// letter.
+/// The precomposed letters that a keyboard or NFC makes of a letter and a mark, each before its letter.
 constexpr std::pair<char32_t, std::u32string_view> composed[] = {
     {dot_above, U"ȧaḃbċcḋdėeḟfġgḣhṁmṅnȯoṗpṙrṡsṫtẇwẋxẏyżzĖEḢHṘR"},
     {diaeresis, U"äaëeḧhïiöoẗtüuẅwẍxÿyÄAÖOÜU"},
@@ -101,10 +100,10 @@ class Tokenizer {
     if (text.size() > 4 * limits.characters || characters_.codes.size() > limits.characters + 1)
       throw SyntaxError("too_long", characters_.codes.empty() ? 0 : byte(limits.characters),
                         "this is longer than " + std::to_string(limits.characters) + " characters");
-    for (const std::string& name : symbols.names()) {
-      const std::string& spelling = symbols.find(name)->unicode;
-      if (spelling == name) continue;
-      spellings_.emplace_back(decode(spelling).codes, name);
+    const bool is_ascii = std::ranges::max(characters_.codes) < 0x80;
+    for (const auto& [name, symbol] : symbols.table()) {
+      if (symbol.unicode == name || (is_ascii && (symbol.unicode[0] & 0x80) != 0)) continue;
+      spellings_.emplace_back(decode(symbol.unicode).codes, name);
       spellings_.back().first.pop_back();
     }
   }

@@ -11,8 +11,7 @@
 namespace rederive {
 
 /// A GiNaC symbol that keeps what GiNaC knows about it (real, positive) when it is copied. Copying a
-/// GiNaC::symbol would cut a possymbol down to a nameless complex one that equals nothing; here that does not
-/// compile.
+/// GiNaC::symbol would cut a possymbol down to a nameless complex one; here that does not compile.
 class SymbolExpression : public GiNaC::ex {
  public:
   SymbolExpression() = default;
@@ -70,6 +69,7 @@ class Symbols {
   /// The GiNaC symbol of that name; throws std::out_of_range naming it if there is none.
   const SymbolExpression& operator[](std::string_view name) const;
   const std::vector<std::string>& names() const { return order_; }  ///< in the order of declaration
+  const std::map<std::string, Symbol, std::less<>>& table() const { return table_; }  ///< by name
   std::size_t rank(std::string_view name) const;  ///< place in that order: the printing order
 
  private:

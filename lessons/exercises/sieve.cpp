@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <derivations/numbers/interval.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/sieve.hpp>
 #include <lessons/exercises/trees.hpp>
@@ -54,11 +55,9 @@ bool vanishes(const std::pair<double, double>& residual) {
 
 /// The ends of a range, cut to where values are of moderate size.
 std::pair<double, double> ends(const Symbol& symbol) {
-  const auto range = read_range(symbol.range);
-  const auto end = [](const std::string& text, double far) {
-    return text == "inf" || text == "-inf" ? far : rough_value(parse(text), {});
-  };
-  const double low = end(range.lower, -2.5), high = end(range.upper, std::max(low, 0.0) + 2.5);
+  const Interval range = parse_range(symbol.range);
+  const auto value = [](const End& end, double far) { return end.infinite ? far : end.ball(64).to_double(); };
+  const double low = value(range.low, -2.5), high = value(range.high, std::max(low, 0.0) + 2.5);
   return {low, high};
 }
 
