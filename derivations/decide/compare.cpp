@@ -57,8 +57,7 @@ std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::
   return all;
 }
 
-/// The irreducible factors of an equation that may be 0. A root, |u| or a sine counts by the factors of
-/// its power.
+/// The irreducible factors of an equation that may be 0; of a root, |u| or a sine those of its power.
 std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
   std::set<Polynomial> result;
   for (const auto& [factor, exponent] : factors(value.numerator).second) {

@@ -9,8 +9,7 @@
 
 namespace rederive {
 
-/// A statement in the ring: atoms that hold together. Of two expressions a and b: left none, right
-/// the equation a = b.
+/// A statement in the ring: atoms that hold together. Of two expressions: left none, right their equation.
 struct Translated {
   std::vector<Atom> atoms;
   std::vector<Atom> conditions;  ///< for its sides to have values
@@ -55,8 +54,7 @@ struct Sameness {
 };
 
 /// Two expressions: their difference is 0. Two relations: the ratio of what is 0, or positive, has no zero
-/// and no pole (for inequalities: is positive), or each follows from the other one. A certificate where signs
-/// were needed.
+/// and no pole (for inequalities: is positive), or each follows from the other one, with a certificate.
 std::optional<Sameness> same(Comparison& setting, const Problem& problem);
 
 /// True if one equation divides by something that shares a factor with the other one: where that factor is 0,

@@ -213,8 +213,7 @@ bool ties(const std::vector<Relation>& assumptions, const std::vector<std::strin
   });
 }
 
-/// Both statements to an order: the polynomials of two expressions; of two relations, what they say of one
-/// symbol.
+/// Both statements to an order: the polynomials of expressions; of relations, what they say of one symbol.
 std::pair<Relation, Relation> to_order(const Problem& problem, const std::vector<std::string>& small,
                                        int order, Expansion& expansion) {
   const Relation &left = problem.left, &right = problem.right;

@@ -76,8 +76,7 @@ bool is_within(const Tree& tree, const Interval& bounds, const Symbols& symbols)
   }
 }
 
-/// A side f(u) with u where f is monotone: of a circular function that is to be shown, of others it is their
-/// domain.
+/// A side f(u) with u where f is monotone: in its domain, or, of a circular function, within one piece.
 bool is_monotone(const Tree& side, const Symbols& symbols) {
   if (side->kind != Node::Kind::call || reciprocal_of(side->text) != nullptr) return false;
   const MonotonePiece& f = monotone_piece(side->text);

@@ -8,8 +8,7 @@
 
 namespace rederive {
 
-/// `decide` says proved, proved_under, refuted or undecided, `decide_to_order` also approximation; the ledger
-/// has definitions.
+/// Approximation is what `decide_to_order` says, definition what the ledger says of some rows.
 enum class Verdict { proved, proved_under, approximation, refuted, definition, undecided };
 /// "proved", "proved_under" …
 std::string to_string(Verdict verdict);

@@ -1,6 +1,5 @@
 // Tokens → tree, by recursive descent: a function a level of the grammar.
-// Where a sign or a parenthesis is missing, it reads on as if that stood there, and the end of the product
-// says what it has read.
+// Where a sign or a parenthesis is missing, it reads on as if that stood there; the product's end says so.
 #include <algorithm>
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lexer.hpp>

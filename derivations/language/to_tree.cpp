@@ -1,6 +1,5 @@
 // The order of terms in GiNaC depends on memory addresses, and so do the signs that it factors out of the
-// bases of powers: 1/(x - y) in one run is -1/(y - x) in the next. Here both are decided by the symbol table
-// alone.
+// bases of powers: 1/(x - y) in one run is -1/(y - x) in the next. Here the symbol table decides both.
 #include <algorithm>
 #include <compare>
 #include <derivations/language/functions.hpp>

@@ -1,5 +1,4 @@
-// UTF-8 and the letters and marks that formulas are written with: for the readers of formulas and the writers
-// of messages.
+// UTF-8 and the letters and marks of formulas: for what reads formulas and what writes messages.
 #pragma once
 
 #include <algorithm>

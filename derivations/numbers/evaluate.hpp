@@ -41,7 +41,7 @@ using Point = std::map<std::string, Number>;
 Value value_at(const Tree& tree, const Point& point, long bits);
 
 enum class Sign { negative, zero, positive, undefined, unknown };
-/// The sign of left - right, at 64, 192, 576, … bits up to `most`: zero is exact; `undefined` where one of
+/// The sign of left - right, at 192, 576, … bits up to `most`: zero is exact; `undefined` where one of
 /// the two certainly has no value, `unknown` where no precision told.
 Sign sign_at(const Tree& left, const Tree& right, const Point& point, long most = 2000);
 

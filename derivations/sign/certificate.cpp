@@ -18,8 +18,7 @@ struct Column {
   cl_RA multiple = 1;
 };
 
-/// The number, or one further out (side +1: below it) if it is long: products of bounds must fit into
-/// doubles.
+/// The number, or one further out (side +1: below it) if it is long: products must fit into doubles.
 cl_RA shortened(const cl_RA& end, int side) {
   const cl_RA unit = cl_RA(1) / 4096;
   if (cln::integer_length(cln::denominator(end)) < 24) return end;
@@ -49,8 +48,7 @@ std::set<int> variables_of(const Polynomial& p) {
   return {used.begin(), used.end()};
 }
 
-/// The facts that share a generator with the claim, or with one that does; and the ranges of all generators
-/// in them.
+/// The facts that share a generator with the claim, or with one that does, and the ranges of those.
 std::vector<Fact> relevant(const Ring& ring, const std::vector<Fact>& negated) {
   std::set<int> reached;
   std::vector<Fact> result = negated, others = ring.facts;
@@ -79,8 +77,7 @@ std::vector<Polynomial> roots_of_squares(const std::set<int>& variables) {
   return roots;
 }
 
-/// Products of facts in pairs, squares of generators and of their differences, and equations times
-/// generators.
+/// Products of facts in pairs, squares of generators and of their differences, equations times generators.
 std::vector<Column> columns_of(const Ring& ring, const std::vector<Fact>& facts) {
   std::vector<Column> columns{{{}, 1, Signs::positive()}};
   const auto add = [&](std::vector<Polynomial> factors, Signs signs) {
