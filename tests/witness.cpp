@@ -137,7 +137,6 @@ nlohmann::json witness_of(std::vector<std::string> arguments) {
 
 }  // namespace
 
-// Open: of a zero that is only enclosed the other statement cannot always be told.
 TEST_CASE("a point that solves an equation is a zero of it, and no pole, where signs change as well") {
   const Symbols symbols = declared_symbols({"x", "0", {}, {}, {}});
   const auto solution_of = [&](const char* equation) {
@@ -149,6 +148,7 @@ TEST_CASE("a point that solves an equation is a zero of it, and no pole, where s
   CHECK(truth_at(parse_relation("abs(x - 0.5532) < 0.0001", symbols), *beside_a_pole) == Truth::holds);
 }
 
+// Open: of a zero that is only enclosed the other statement cannot always be told.
 TEST_CASE("at a witness one of two statements holds and the other does not, and what is assumed holds") {
   const std::vector<std::string> statements{
       "x*exp(x) = y",      "cos(x) = x",      "x^5-x-1 = 0",      "y*exp(y)+x = 0",    "tan(x) = 2*x",

@@ -100,7 +100,7 @@ class Tokenizer {
     if (text.size() > 4 * limits.characters || characters_.codes.size() > limits.characters + 1)
       throw SyntaxError("too_long", characters_.codes.empty() ? 0 : byte(limits.characters),
                         "this is longer than " + std::to_string(limits.characters) + " characters");
-    const bool is_ascii = std::ranges::max(characters_.codes) < 0x80;
+    const bool is_ascii = std::ranges::max(characters_.codes) < 0x80;  // then no Greek letter stands in it
     for (const auto& [name, symbol] : symbols.table()) {
       if (symbol.unicode == name || (is_ascii && (symbol.unicode[0] & 0x80) != 0)) continue;
       spellings_.emplace_back(decode(symbol.unicode).codes, name);

@@ -15,7 +15,7 @@ namespace rederive {
 GiNaC::ex lower(const Tree& tree, const Symbols& symbols, const Limits& limits = {});
 
 /// The canonical tree of an expression, as a person would write it: constants, then the symbols in the order
-/// of their table, powers descending, fractions for negative powers. Throws std::invalid_argument for others.
+/// of their table, powers descending, no negative powers. Throws std::invalid_argument where there is none.
 Tree to_tree(const GiNaC::ex& expression, const Symbols& symbols);
 
 }  // namespace rederive

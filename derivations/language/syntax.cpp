@@ -1,5 +1,5 @@
 // Tokens → tree, by recursive descent: a function a level of the grammar.
-// Where a sign or a parenthesis is missing, it reads on as if that stood there; the product's end says so.
+// Where a sign or a parenthesis is missing, it reads on as if that stood there, and then says what it read.
 #include <algorithm>
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lexer.hpp>
