@@ -26,21 +26,31 @@ const std::vector<Entry>& entries() {
   return all;
 }
 
+/// Where the scripts of all rows stay compiled.
+const std::filesystem::path scripts = REDERIVE_PROGRAMS "/../proofs";
+
 Result coq(const std::filesystem::path& folder, const std::string& program, const std::string& arguments) {
-  return run_program("/bin/sh",
-                     {"-c", "cd " + quoted(folder) + " && " + program + " -R . Rederive " + arguments});
+  return run_program("/bin/sh", {"-c", "cd " + quoted(folder) + " && " + program + " -R " + quoted(scripts) +
+                                           " Rederive " + arguments});
 }
 
-/// A folder with the scripts of all rows, compiled once.
-const std::filesystem::path& compiled_scripts() {
-  static const TemporaryFolder folder;
-  static const std::filesystem::path scripts = folder.path / "proofs";
-  static const Result made = run_program("ledger", {"certify", scripts}).exit_code == 0
-                                 ? run_program("/usr/bin/make", {"-j2", "-C", scripts})
-                                 : Result{};
-  REQUIRE_MESSAGE(std::filesystem::exists(scripts / "OneImpact.vo"), made.err);
-  CHECK_MESSAGE(made.exit_code == 0, made.err);
-  return scripts;
+/// Compiles the scripts that say something else than when they were last compiled, and what rests on them.
+void compile_scripts() {
+  static const Result made = [] {
+    const TemporaryFolder folder;
+    REQUIRE(run_program("ledger", {"certify", folder.path}).exit_code == 0);
+    std::filesystem::create_directories(scripts);
+    for (const auto& old : std::filesystem::directory_iterator(scripts))
+      if (old.path().extension() == ".v" && !std::filesystem::exists(folder.path / old.path().filename()))
+        std::filesystem::remove(old);
+    for (const auto& now : std::filesystem::directory_iterator(folder.path)) {
+      const std::filesystem::path kept = scripts / now.path().filename();
+      if (!std::filesystem::exists(kept) || read_file(kept) != read_file(now.path()))
+        std::filesystem::copy_file(now, kept, std::filesystem::copy_options::overwrite_existing);
+    }
+    return run_program("/usr/bin/make", {"-j2", "-C", scripts});
+  }();
+  REQUIRE_MESSAGE(made.exit_code == 0, made.err);
 }
 
 /// A lemma, its script as one tactic that must succeed, or must fail.
@@ -75,7 +85,7 @@ TEST_CASE("ledger certify --check says lemma by lemma what passes, and what is a
 
 TEST_CASE("everything passes Coq's kernel, coqchk takes it, and it assumes the real numbers alone") {
   if (!has_tool("coqc") || !has_tool("coqchk")) return;
-  const std::filesystem::path& scripts = compiled_scripts();
+  compile_scripts();
   static const std::regex lemma("\n(?:Theorem|Lemma (?=equation|step|instance)) ?([a-z]+)(\\w*)");
   std::map<std::string, std::string> names;  // of each file
   std::map<std::string, int> kinds;
@@ -107,12 +117,14 @@ TEST_CASE("everything passes Coq's kernel, coqchk takes it, and it assumes the r
     imported += " " + file;
     all += theirs;
   }
-  std::ofstream(scripts / "Assumed.v") << "From Rederive Require Import" << imported
-                                       << ".\nDefinition all :=" << all << " tt.\nPrint Assumptions all.\n";
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "Assumed.v")
+      << "From Rederive Require Import" << imported << ".\nDefinition all :=" << all
+      << " tt.\nPrint Assumptions all.\n";
   auto checking = std::async(std::launch::async, [&] {  // beside coqc, which takes as long
-    return coq(scripts, "coqchk", "-silent -bytecode-compiler yes" + files);
+    return coq(folder.path, "coqchk", "-silent -bytecode-compiler yes" + files);
   });
-  const Result assumed = coq(scripts, "coqc", "Assumed.v");
+  const Result assumed = coq(folder.path, "coqc", "Assumed.v");
   CHECK_MESSAGE(assumed.exit_code == 0, assumed.err);
   int axioms = 0;
   for (std::sregex_iterator at(assumed.out.begin(), assumed.out.end(), axiom), end; at != end; ++at, ++axioms)
@@ -160,7 +172,8 @@ std::optional<std::string> without_conditions(Entry entry) {
 
 TEST_CASE("nothing that is spoiled passes Coq") {
   if (!has_tool("coqc")) return;
-  const std::filesystem::path& folder = compiled_scripts();
+  compile_scripts();
+  const TemporaryFolder folder;
   std::vector<std::string> halves(2, imports);
   int slips = 0, factors = 0, conditions = 0;
   const auto must_fail = [&](const std::string& lemma) {
@@ -183,8 +196,8 @@ TEST_CASE("nothing that is spoiled passes Coq") {
   CHECK(factors >= 20);
   CHECK(conditions >= 20);
   const auto compiles = [&](const std::string& name, const std::string& text) {
-    std::ofstream(folder / name) << text;
-    return coq(folder, "coqc", name);
+    std::ofstream(folder.path / name) << text;
+    return coq(folder.path, "coqc", name);
   };
   auto other = std::async(std::launch::async, compiles, "Spoiled1.v", halves[1]);
   const Result first = compiles("Spoiled0.v", halves[0]), second = other.get();
@@ -194,7 +207,8 @@ TEST_CASE("nothing that is spoiled passes Coq") {
 
 TEST_CASE("no spoiled enclosure passes Coq") {
   if (!has_tool("coqc")) return;
-  const std::filesystem::path& folder = compiled_scripts();
+  compile_scripts();
+  const TemporaryFolder folder;
   const std::string text = shipped("Thresholds.v");
   const std::size_t start = text.find("Theorem threshold_at_1");
   std::string goals = text.substr(0, start);
@@ -220,8 +234,8 @@ TEST_CASE("no spoiled enclosure passes Coq") {
     goals += moved + whole.substr(done);
   }
   CHECK(spoiled == 4);
-  std::ofstream(folder / "Enclosures.v") << goals;
-  const Result r = coq(folder, "coqc", "Enclosures.v");
+  std::ofstream(folder.path / "Enclosures.v") << goals;
+  const Result r = coq(folder.path, "coqc", "Enclosures.v");
   CHECK_MESSAGE(r.exit_code == 0, r.err);
 }
 
