@@ -14,15 +14,19 @@ constexpr Real a_while = 10;
 /// The last passage of |theta| = alpha outward on the side to which the block overturns; the start, if it
 /// began beyond and stayed there.
 Event overturn_event(Mover& mover, const Response& response, int side) {
-  const Arc* last = &response.arcs.front();
-  for (const Arc& arc : response.arcs)
-    if (arc.side == side && side * arc.start.angle < 1 && side * arc.end.angle >= 1) last = &arc;
-  const auto beyond = [&](double time) {
-    return static_cast<double>(side * mover.along(*last, time).angle - 1);
-  };
-  const double start = static_cast<double>(last->start.time), end = static_cast<double>(last->end.time);
-  const Point at =
-      mover.along(*last, side * last->start.angle < 1 ? root_between(beyond, start, end) : start);
+  Point at = response.arcs.front().start;
+  for (auto arc = response.arcs.rbegin(); arc != response.arcs.rend(); ++arc) {
+    if (arc->side != side || side * arc->end.angle < 1) continue;
+    const auto beyond = [&](double time) {
+      return static_cast<double>(side * mover.along(*arc, time).angle - 1);
+    };
+    const double start = static_cast<double>(arc->start.time), end = static_cast<double>(arc->end.time);
+    const int points = std::clamp(static_cast<int>((end - start) / 0.005), 4, 512);
+    const auto passages = sign_changes(beyond, start, end, points);
+    if (passages.empty()) continue;
+    at = mover.along(*arc, passages.back().outside);
+    break;
+  }
   return {EventKind::overturn, at.time, at.angle, at.velocity, at.velocity};
 }
 

@@ -77,6 +77,29 @@ TEST_CASE("a block that begins beyond the corner, and stays there, overturns at 
                  "--json"})["time"] == 0);
 }
 
+TEST_CASE("a block overturns where it passes the corner outward for the last time") {
+  // Out, in and out again under one push; the times are those of an integration of another hand.
+  struct Case {
+    const char *model, *velocity, *omega, *amplitude;
+    double time;
+  };
+  for (const Case& c : {Case{"linear", "0.5", "10", "5", 0.4392662041},
+                        {"nonlinear", "0.5", "10", "5", 0.4395966180},
+                        {"linear", "0.8", "6", "6", 0.8415892431},
+                        {"nonlinear", "0.8", "6", "6", 0.8406894924}}) {
+    CAPTURE(c.model);
+    const auto document =
+        json_of({"response", "--alpha", "0.3", "--theta0", "0.28", "--thetadot0", c.velocity, "--omega",
+                 c.omega, "--amplitude", c.amplitude, "--model", c.model, "--json"});
+    CHECK(document["time"].get<double>() == doctest::Approx(c.time).epsilon(1e-9));
+  }
+  const auto begun_beyond =
+      json_of({"response", "--alpha", "0.30622113304675425", "--restitution", "0.9285949427828709",
+               "--theta0", "-0.31289088796275305", "--thetadot0", "0.2436717414419347", "--omega",
+               "5.091874141638044", "--amplitude", "10.031531443302486", "--json"});
+  CHECK(begun_beyond["time"].get<double>() == doctest::Approx(0.1307833100).epsilon(1e-9));
+}
+
 TEST_CASE("histories, spectra and maps are written as CSV with their headers") {
   const TemporaryFolder folder;
   const std::string file = folder.path / "out.csv";

@@ -101,8 +101,7 @@ void print_answer(const Answer& answer) {
   for (const Window& window : answer.windows)
     fmt::print("  {} to {} {:+d}  {}\n", padded(from_text(answer, window), width),
                padded(to_text(answer, window), width), window.code, words_for(window.code));
-  fmt::print("  (windows narrower than {} of their amplitude are not listed)\n",
-             exactness_of_edges(asked.model));
+  fmt::print("  (windows narrower than {} may be missing)\n", WindowSearch{}.narrowest_turn);
   fmt::print("\nClosed forms of the linear model:\n");
   for (const ClosedForm& root : answer.roots) {
     const std::string amplitude = answer.digits == 0 ? fmt::format("{:.15g}", root.amplitude)
