@@ -88,9 +88,8 @@ bool may_hide_a_window(const Station& low, const Station& between, const Station
 
 /// The stations at some amplitudes, and between them: gaps are halved, all together, until none may hide a
 /// window.
-std::vector<Station> scan(PulseCase asked, const WindowSearch& search,
+std::vector<Station> scan(const PulseCase& asked, const WindowSearch& search,
                           const std::vector<double>& amplitudes) {
-  if (asked.engine == Engine::taylor) asked.tolerance = std::max(asked.tolerance, search.glance);
   std::vector<Station> stations = stations_at(asked, amplitudes, search.stop, search.threads);
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) gaps.push_back({stations[i], stations[i + 1]});
@@ -106,6 +105,44 @@ std::vector<Station> scan(PulseCase asked, const WindowSearch& search,
   }
   std::ranges::sort(stations, {}, &Station::amplitude);
   return stations;
+}
+
+/// So many amplitudes are asked at once at least, to keep the lanes of the kernel busy.
+constexpr int together = 16;
+
+int parts_of(const std::vector<Gap>& gaps) {
+  return std::max(2, together / std::max(1, static_cast<int>(gaps.size())));
+}
+
+/// Stations beside each amplitude at which a chain of impacts just comes to rest, where some overturn near
+/// it. There windows follow each other in a geometric sequence, ever narrower; so do these stations.
+std::vector<Station> beside_chains(const PulseCase& asked, const WindowSearch& search,
+                                   const std::vector<Station>& stations) {
+  constexpr double nearest = 1e-9, farthest = 1e-4;
+  const auto rests = [](const Station& s) { return s.outcome.rests > 0; };
+  const auto differ = [&](const Station& a, const Station& b) { return rests(a) != rests(b); };
+  std::vector<Gap> gaps;
+  for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+    const auto overturns_near = [&](const Station& s) {
+      return s.code() != 0 && std::abs(s.amplitude / stations[i].amplitude - 1) < farthest;
+    };
+    if (differ(stations[i], stations[i + 1]) && std::ranges::any_of(stations, overturns_near))
+      gaps.push_back({stations[i], stations[i + 1]});
+  }
+  if (gaps.empty()) return {};
+  for (int k = 0; k < 5; ++k)
+    for (std::size_t i = 0; const auto& row : parted(asked, gaps, together, search.stop, search.threads)) {
+      const auto at = std::ranges::adjacent_find(row, differ);
+      gaps[i++] = {at[0], at[1]};
+    }
+  std::vector<double> amplitudes;
+  for (const auto& [low, high] : gaps)
+    for (double distance = nearest; distance < farthest; distance *= 1.09) {
+      const double amplitude = rests(low) ? low.amplitude * (1 + distance) : high.amplitude * (1 - distance);
+      if (stations.front().amplitude < amplitude && amplitude < stations.back().amplitude)
+        amplitudes.push_back(amplitude);
+    }
+  return stations_at(asked, amplitudes, search.stop, search.threads);
 }
 
 /// The stations beside a change of code once more, exactly: one next to an edge may change sides.
@@ -124,13 +161,6 @@ void settle(const PulseCase& asked, std::vector<Station>& stations, Stop stop) {
     for (std::size_t k = 0; k < which.size(); ++k) stations[which[k]] = again[k];
     changed = !which.empty();
   }
-}
-
-/// So many amplitudes are asked at once at least, to keep the lanes of the kernel busy.
-constexpr int together = 16;
-
-int parts_of(const std::vector<Gap>& gaps) {
-  return std::max(2, together / std::max(1, static_cast<int>(gaps.size())));
 }
 
 bool are_neighbours(double low, double high) { return !(std::nextafter(low, high) < high); }
@@ -199,7 +229,12 @@ std::vector<Window> windows_among(const PulseCase& asked, const WindowSearch& se
                                   const std::vector<double>& amplitudes) {
   std::vector<Window> windows;
   if (amplitudes.empty()) return windows;
-  const std::vector<Station> stations = scan(asked, search, amplitudes);
+  PulseCase glancing = asked;
+  if (asked.engine == Engine::taylor) glancing.tolerance = std::max(asked.tolerance, search.glance);
+  std::vector<Station> stations = scan(glancing, search, amplitudes);
+  const std::vector<Station> more = beside_chains(glancing, search, stations);
+  stations.insert(stations.end(), more.begin(), more.end());
+  std::ranges::sort(stations, {}, &Station::amplitude);
   double from = stations.front().amplitude;
   int code = stations.front().code();
   for (const auto& [before, after] : changes_between(asked, stations, search.stop)) {

@@ -68,6 +68,28 @@ TEST_CASE("windows after three, five and seven impacts are found, in both models
   }
 }
 
+TEST_CASE(
+    "windows beside a chain of impacts that just does not come to rest are found, whatever is asked above") {
+  struct Case {
+    Model model;
+    double alpha, ratio, from, to;  // by an integration of another hand
+    int code;
+  };
+  for (const Case& c : {Case{Model::linear, 0.4, 0.2, 1.0193805287869, 1.0193812612202, 22},
+                        {Model::linear, 0.6, 0.2, 1.01969776359790, 1.01969778982988, 12},
+                        {Model::nonlinear, 0.25, 0.15, 1.03224093237608, 1.03224102430607, 58},
+                        {Model::nonlinear, 0.6, 0.2, 1.15954003550649, 1.15954006210186, 12}})
+    for (const double largest : {12.0, 3.0, 1.3}) {
+      const PulseCase of = asked(c.ratio, c.model, c.alpha);
+      const Window first = overturning_windows(of, {.largest = largest}).front(),
+                   least = overturning_windows(of, {.largest = largest, .least = true}).front();
+      CHECK(first.from == doctest::Approx(c.from).epsilon(1e-11));
+      CHECK(first.to.value() == doctest::Approx(c.to).epsilon(1e-11));
+      CHECK(std::pair(first.code, least.code) == std::pair(c.code, c.code));
+      CHECK(least.from == first.from);
+    }
+}
+
 TEST_CASE("either engine finds the same windows, each edge at two neighbouring numbers") {
   std::mt19937 random(77);
   std::uniform_real_distribution<double> share(0, 1);
