@@ -72,7 +72,7 @@ TEST_CASE(
     "windows beside a chain of impacts that just does not come to rest are found, whatever is asked above") {
   struct Case {
     Model model;
-    double alpha, ratio, from, to;  // by an integration of another hand
+    double alpha, ratio, from, to;  // by an independent integration
     int code;
   };
   for (const Case& c : {Case{Model::linear, 0.4, 0.2, 1.0193805287869, 1.0193812612202, 22},

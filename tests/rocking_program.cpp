@@ -78,7 +78,7 @@ TEST_CASE("a block that begins beyond the corner, and stays there, overturns at 
 }
 
 TEST_CASE("a block overturns where it passes the corner outward for the last time") {
-  // Out, in and out again under one push; the times are those of an integration of another hand.
+  // Out, in and out again under one push; the times are those of an independent integration.
   struct Case {
     const char *model, *velocity, *omega, *amplitude;
     double time;
