@@ -44,9 +44,10 @@ constexpr double exactness_of_edges(Model model) { return model == Model::linear
 /// halved, all together, where the itinerary or the code changes and where a margin, seen through its second
 /// difference, might reach zero in between; each edge is then enclosed in neighbouring numbers, by an
 /// integration to the last digits. Near an amplitude at which a chain of impacts just does not come to rest
-/// there are ever more windows, ever narrower: those that are nearer to it than 1e-9 may be missing,
-/// elsewhere those narrower than narrowest_turn, and those narrower than exactness_of_edges are left out.
-/// Throws std::invalid_argument unless 0 < omega_p/p and 0 < largest <= 1e6, and Stopped once `stop` is true.
+/// there are ever more windows, ever narrower: they are looked for down to 1e-9 beside it, and between chains
+/// of hundreds of impacts some may be missing. Elsewhere those narrower than narrowest_turn may be, and those
+/// narrower than exactness_of_edges are left out. Throws std::invalid_argument unless 0 < omega_p/p and
+/// 0 < largest <= 1e6, and Stopped once `stop` is true.
 std::vector<Window> overturning_windows(const PulseCase& asked, const WindowSearch& search = {});
 
 /// The window of the smallest amplitude, if any.
