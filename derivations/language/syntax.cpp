@@ -1,5 +1,6 @@
 // Tokens → tree, by recursive descent: a function a level of the grammar.
-// Where a sign or a parenthesis is missing, it reads on as if that stood there, and then says what it read.
+// Where a sign or a parenthesis is missing, it reads on to the end as if it were there, and then says what it
+// read.
 #include <algorithm>
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lexer.hpp>
@@ -32,6 +33,7 @@ class Parser {
     }
     if (now().is(")")) refuse("syntax", "this parenthesis closes nothing", now());
     if (now().is(",")) refuse_comma();
+    if (slip_) throw SyntaxError(slip_->note, slip_->position, slip_->what() + advice(relation));
     return relation;
   }
 
@@ -50,7 +52,7 @@ class Parser {
   [[noreturn]] static void refuse(const char* note, const std::string& message, const Token& where) {
     throw SyntaxError(note, where.position, message);
   }
-  /// The same at the end of the product, with what was probably meant.
+  /// The same at the end of the text, with the whole of it as it was probably meant.
   void note(const char* note, const std::string& message, const Token& where) {
     if (!slip_) slip_ = SyntaxError(note, where.position, message);
   }
@@ -93,26 +95,42 @@ class Parser {
   }
 
   Tree product() {
-    const bool is_flawless = !slip_;
     const std::size_t position = now().position;
-    Tree result = chain(Kind::product, factor(), "*", "/", &Parser::factor, position);
-    if (!is_flawless || !slip_) return result;
-    const std::string text = meant(result);
-    const std::string advice = text.size() <= 2 * longest_text ? ": write " + text : "";
-    throw SyntaxError(slip_->note, slip_->position, slip_->what() + advice);
+    return chain(Kind::product, factor(), "*", "/", &Parser::factor, position);
   }
 
-  /// Of a/2g, either of a/(2*g) and a/2*g; of 3/2x, 3/2*x.
-  std::string meant(const Tree& product) const {
-    const std::string grouped = plain(product), run = run_ ? plain(run_) : "", divisor = "/(" + run + ")";
-    const std::size_t place = grouped.find(divisor);
-    if (place == grouped.npos) return grouped;
-    const std::string flat = std::string(grouped).replace(place, divisor.size(), "/" + run);
-    const auto is_number = [](const Tree& tree) { return tree->kind == Kind::number; };
-    const bool is_fraction = is_number(product->children[0]) && is_number(run_->children[0]);
-    return is_fraction ? flat : grouped + " or " + flat;
+  /// The whole text as it is to be written; both readings of a/2g, a/(2*g) and a/2*g; nothing where the end
+  /// of a function's argument is open.
+  std::string advice(const Relation& relation) const {
+    if (has_open_argument_) return "; where the argument of a function ends is not plain";
+    const std::string grouped = print(with_runs(relation, true), Notation::plain, symbols_),
+                      flat = print(with_runs(relation, false), Notation::plain, symbols_);
+    if (std::max(grouped.size(), flat.size()) > 4 * longest_text) return "";
+    if (grouped == flat) return ": write " + flat;
+    return ": write " + grouped + " or " + flat;
   }
-  std::string plain(const Tree& tree) const { return print(tree, Notation::plain, symbols_); }
+
+  /// What was typed without signs joins the product that it stands in; `grouped`: below a / all of it.
+  Relation with_runs(Relation relation, bool grouped) const {
+    for (Tree& side : relation.sides) side = with_runs(side, grouped);
+    return relation;
+  }
+  Tree with_runs(const Tree& tree, bool grouped) const {
+    Node result{tree->kind, tree->text, {}, {}, tree->position};
+    for (std::size_t i = 0; i < tree->children.size(); ++i) {
+      const Tree child = with_runs(tree->children[i], grouped);
+      const auto run = std::ranges::find(runs_, tree->children[i], &Run::first);
+      const bool is_divisor = tree->kind == Kind::product && tree->inverse[i];
+      const bool is_apart =
+          tree->kind != Kind::product || run == runs_.end() || (is_divisor && grouped && !run->second);
+      const std::vector<Tree> parts = is_apart ? std::vector{child} : child->children;
+      for (std::size_t k = 0; k < parts.size(); ++k) {
+        result.children.push_back(parts[k]);
+        if (!tree->inverse.empty()) result.inverse.push_back(k == 0 && tree->inverse[i]);
+      }
+    }
+    return std::make_shared<const Node>(std::move(result));
+  }
 
   /// The signs before an operand.
   Tree with_signs(Tree (Parser::*operand)()) {
@@ -130,15 +148,24 @@ class Parser {
 
   /// One operand; or several side by side, without the signs between them.
   Tree operands(bool with_functions) {
+    const std::size_t start = at_;
+    const auto is_number = [this](std::size_t at) { return tokens_[at].kind == Is::number; };
+    const bool is_fraction = start > 1 && is_number(start - 2) && tokens_[start - 1].is("/") &&
+                             is_number(start) && (start == 2 || !tokens_[start - 3].is("^"));
     Node node{Kind::product, "", {power()}, {false}, now().position};
     for (; now().starts_operand() && (with_functions || !is_function(now().text));
          node.inverse.push_back(false)) {
       if (now().text == "and" || now().text == "or")
         refuse("syntax", "one statement at a time: " + quoted(now()) + " is not read here", now());
+      if (is_number(at_ - 1) && is_number(at_))
+        refuse("implicit_multiplication",
+               "two numbers side by side may be a sum, as in 1 1/2, or a product: write its sign", now());
       note("implicit_multiplication", "a product needs its '*'", now());
       node.children.push_back(power());
     }
-    return node.children.size() == 1 ? node.children[0] : run_ = std::make_shared<const Node>(node);
+    if (node.children.size() == 1) return node.children[0];
+    runs_.emplace_back(std::make_shared<const Node>(node), is_fraction);
+    return runs_.back().first;
   }
 
   Tree power() {
@@ -263,7 +290,14 @@ class Parser {
       refuse("syntax", "a function needs its argument: write " + function.text + "(x)", function);
     note(is_raised ? "syntax" : "implicit_multiplication", "a function needs parentheses", function);
     go_down();
-    return {back_up(operands(false))};
+    const Tree argument = back_up(operands(false));
+    const auto is_name_or_number = [](const Tree& part) { return part->children.empty(); };
+    const bool is_plain =
+        is_name_or_number(argument) ||
+        (argument->kind == Kind::product && std::ranges::all_of(argument->children, is_name_or_number));
+    const bool goes_on = is_either("+", "-") || is_either("*", "/");
+    has_open_argument_ = has_open_argument_ || !is_plain || goes_on;
+    return {argument};
   }
 
   std::string_view text_;
@@ -272,7 +306,9 @@ class Parser {
   std::vector<Token> tokens_;
   std::size_t at_ = 0, depth_ = 0;
   std::optional<SyntaxError> slip_;
-  Tree run_;  ///< the last one of several operands
+  using Run = std::pair<Tree, bool>;
+  std::vector<Run> runs_;           ///< the products without signs; whether 3/2x is one, which is (3/2)*x
+  bool has_open_argument_ = false;  ///< as in sin x + y, sin x^2
 };
 
 }  // namespace
