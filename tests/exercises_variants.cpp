@@ -44,7 +44,8 @@ TEST_CASE("a range beside other names in a table gives all its values") {
 TEST_CASE("texts are filled in, and what cannot be is refused") {
   const Choice choice{{"b", "0.35"}, {"what", "a wall"}};
   CHECK(filled("{what}, {200*b} cm: {b}^2", choice) == "a wall, 70 cm: 0.35^2");
-  CHECK(filled("{b}", {}) == "{b}");
+  CHECK_THROWS(filled("{b}", {}));
+  CHECK_THROWS(filled("b}", choice));
   CHECK(values_of("0.6:0.9:0.1") == std::vector<std::string>{"0.6", "0.7", "0.8", "0.9"});
   CHECK(values_of("1:3:1") == std::vector<std::string>{"1", "2", "3"});
   CHECK(values_of("a ratio of 1:2") == std::vector<std::string>{"a ratio of 1:2"});
@@ -61,23 +62,30 @@ TEST_CASE(
     "right") {
   const TemporaryFolder folder;
   const std::string start = "[[exercise]]\nid = \"mine\"\nlesson = 1\ntitle = \"T\"\nstatement = \"{h} m\"\n",
+                    vary = "vary = { h = [\"1\", \"2\"] }\n",
                     end = "kind = \"number\"\nanswer = { function = \"f\", arguments = { x = \"1\" } }\n";
-  write(folder.path / "mine.toml", start + end);
+  write(folder.path / "mine.toml", start + vary + end);
   CHECK(read_exercises(folder.path, "7").size() == 1);
   const auto refused = [&](const std::string& text, const std::string& says) {
     write(folder.path / "mine.toml", text);
     CHECK_THROWS_WITH_AS(read_exercises(folder.path, "7"), doctest::Contains(says.c_str()), BadInput);
   };
   refused("exercise = [1]", "mine.toml: [[exercise]] must be a table");
+  refused(start + end, "exercise mine: {h}: 'h' does not vary");
+  refused(start + "vary = { h = [\"{b}\"], b = [\"1\"] }\n" + end,
+          "vary.h: '{b}' must be a text without braces");
+  refused(start + vary + "name = \"h}\"\n" + end, "a brace is not opened: h}");
+  refused(start + vary + "given = [\"h > \"]\n" + end, "an operand is missing");
+  refused(start + vary + "given = [\"h\"]\n" + end, "a relation is wanted");
   refused(start + "vary = { h = [] }\n" + end, "exercise mine: vary.h must be a list with something in it");
   refused(start + "vary = { h = 3 }\n" + end, "exercise mine: vary.h must be a list");
   refused(start + "vary = { b = [\"1\"] }\n" + end, "{h}: 'h' does not vary");
   refused(start + "vary = { h = [\"2:1:0.1\"] }\n" + end, "'2:1:0.1' must be FROM:TO:STEP");
-  refused(start + "digits = 100\n" + end, "mine.toml, exercise mine: 'digits' must be from 1 to 17");
+  refused(start + vary + "digits = 100\n" + end, "mine.toml, exercise mine: 'digits' must be from 1 to 17");
   for (const std::string number : {"", "x", "1x", "1e400"})
-    refused(
-        start + "kind = \"number\"\nanswer = { function = \"f\", arguments = { x = \"" + number + "\" } }\n",
-        "exercise mine: x = \"" + number + "\" is no number");
+    refused(start + vary + "kind = \"number\"\nanswer = { function = \"f\", arguments = { x = \"" + number +
+                "\" } }\n",
+            "exercise mine: x = \"" + number + "\" is no number");
 }
 
 TEST_CASE(

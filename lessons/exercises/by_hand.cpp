@@ -1,4 +1,6 @@
 // A point at which a student can see that an answer is wrong, with no more than pencil and paper.
+#include <algorithm>
+#include <derivations/numbers/interval.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/trees.hpp>
@@ -6,16 +8,20 @@
 namespace rederive::classroom {
 namespace {
 
-/// The k-th small number for a symbol: one or two digits, inside its range.
-Tree small_number(const Symbol& symbol, int k) {
-  const auto range = read_range(symbol.range);
-  const bool bounded = range.lower != "-inf" && range.upper != "inf";
-  if (!bounded) return number(std::to_string(1 + k % 9));
-  const double low = range.lower.starts_with('-') ? 0 : rough_value(parse(range.lower), {}),
-               high = rough_value(parse(range.upper), {});
+/// The k-th small number for a symbol: one or two digits, inside its range; of angles, tenths.
+cln::cl_RA small_number(const Symbol& symbol, int k) {
+  const Interval range = parse_range(symbol.range);
+  const auto value = [](const End& end) { return end.ball(64).to_double(); };
+  const bool is_negative = range.is_nonpositive(),
+             is_angle = symbol.name.starts_with("theta") && symbol.unit == "1";
+  const End &near = is_negative ? range.high : range.low, &far = is_negative ? range.low : range.high;
+  const double low = near.infinite != 0 ? 0 : std::max(0.0, is_negative ? -value(near) : value(near)),
+               high = far.infinite != 0 ? low + 1 : std::abs(value(far));
   const int first = static_cast<int>(10 * low) + 1, count = static_cast<int>(10 * high - 1e-9) - first + 1;
-  const int tenths = first + k % std::max(count, 1);
-  return number(std::to_string(tenths / 10) + "." + std::to_string(tenths % 10));
+  const bool is_open = far.infinite != 0 && !is_angle;
+  const cln::cl_RA size = is_open ? cln::cl_RA(static_cast<int>(low) + 1 + k % 9)
+                                  : cln::cl_RA(first + k % std::max(count, 1)) / 10;
+  return is_negative ? -size : size;
 }
 
 /// The value that a statement has, or that it gives to the pivot; 1/0 where it is not linear in that.
@@ -60,14 +66,23 @@ std::optional<Witness> by_hand(const Prepared& prepared, const Relation& read) {
   std::set<std::string> names = names_of(mine), typed = names_of(read);
   names.merge(names_of(right));
   typed.merge(names_of(prepared.answer.relation));
+  std::vector<Relation> assumed;  // of all symbols but the pivot, whose value is looked at afterwards
+  for (const auto& relation : prepared.assumed) {
+    std::set<std::string> used = names_of(relation);
+    if (used.contains(pivot)) continue;
+    assumed.push_back(relation);
+    names.merge(used);
+  }
   const bool is_equation = !read.operators.empty();
-  for (int attempt = 0; attempt < 40; ++attempt) {
+  for (int attempt = 0, tried = 0; attempt < 300 && tried < 40; ++attempt) {
     Point point;
     int k = 3 * attempt;
     for (const auto& name : names)
       if (name != pivot)
-        point.insert_or_assign(name,
-                               Number(small_number(*prepared.symbols.find(name), k += 2 + attempt % 3)));
+        point.insert_or_assign(
+            name, Number(tree_of({small_number(*prepared.symbols.find(name), k += 2 + attempt % 3)})));
+    if (!hold_at(assumed, point)) continue;
+    ++tried;
     const bool solves = is_equation && pivot.empty();
     const std::string& unknown = *std::next(names.rbegin(), attempt % static_cast<int>(names.size()));
     if (solves && !solve_on_the_way(right, *prepared.symbols.find(unknown), point)) continue;
@@ -77,8 +92,9 @@ std::optional<Witness> by_hand(const Prepared& prepared, const Relation& read) {
     };
     const auto a = value(mine), b = solves ? std::optional<std::string>("0") : value(right);
     if (!a || !b || *a == *b) continue;
+    if (is_equation && !solves && !lies_in(*prepared.symbols.find(pivot), std::stod(*b))) continue;
     const bool is_plain = a->find('e') == std::string::npos && b->find('e') == std::string::npos;
-    if (!is_plain && attempt < 30) continue;  // cosh(35) tells nobody anything
+    if (!is_plain && tried < 30) continue;  // cosh(35) tells nobody anything
     Witness witness;
     for (const auto& name : typed)
       if (name != pivot) witness.at[name] = digits_at(put_in(parse(name), given), point, 6).value_or("");

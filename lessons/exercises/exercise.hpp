@@ -52,8 +52,8 @@ struct Exercise {
   std::string bound;  ///< or behind it and this relation: ">=" where the least value is asked for
   int lesson = 0;
   Kind kind = Kind::expression;
-  std::vector<std::string> symbols;          ///< that an answer may use
-  std::map<std::string, std::string> range;  ///< of a symbol, where the statement says more than its table
+  std::vector<std::string> symbols;  ///< that an answer may use
+  std::vector<std::string> given;    ///< of symbols, as {given} in the texts says it: "theta_0 > 0"
   Reference answer;
   int digits = 3;  ///< of a number, the significant ones
   std::vector<std::string> hints, equivalents;

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <derivations/decide/problem.hpp>
+#include <derivations/numbers/interval.hpp>
 #include <derivations/paper/prove.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/definitions.hpp>
@@ -41,11 +43,46 @@ std::set<std::string> names_to_sample(const Prepared& prepared) {
   return names;
 }
 
+/// Cuts the range of a symbol to what lies beyond a constant: theta > 0. False where the relation says
+/// something else.
+bool narrow(Symbols& symbols, const Relation& relation) {
+  for (const bool is_first : {true, false}) {
+    const Tree &name = relation.sides[is_first ? 0 : 1], &end = relation.sides[is_first ? 1 : 0];
+    const std::string& sign = relation.operators[0];
+    if (!is_symbol(name) || !names_of(end).empty() || sign == "=") continue;
+    const bool is_lower = is_first == sign.starts_with('>');
+    const std::string text = print(end), bracket = sign.ends_with('=') ? "[]" : "()";
+    const std::string given = is_lower ? bracket[0] + text + ", inf)" : "(-inf, " + text + bracket[1];
+    const std::string before = symbols.find(name->text)->range;
+    const Interval old = parse_range(before), fresh = parse_range(given);
+    const bool is_tighter = is_lower ? compare(fresh.low, old.low) > 0 : compare(fresh.high, old.high) < 0;
+    const std::size_t comma = before.find(','), at = given.find(',');
+    if (is_tighter)
+      symbols.narrow(name->text, is_lower ? given.substr(0, at) + before.substr(comma)
+                                          : before.substr(0, comma) + given.substr(at));
+    return true;
+  }
+  return false;
+}
+
+/// What the exercise gives becomes ranges, or assumptions where they are about symbols of the answer.
+void take_given(Prepared& prepared, const std::set<std::string>& at_hand) {
+  for (const auto& text : prepared.exercise.given)
+    for (const auto& link : links_of(parse_relation(text))) {
+      const auto names = names_of(link);
+      if (narrow(prepared.symbols, link)) continue;
+      if (std::includes(at_hand.begin(), at_hand.end(), names.begin(), names.end()))
+        prepared.assumed.push_back(put_in(link, prepared.answer.given));
+    }
+  if (contradict(prepared.assumed, prepared.symbols))
+    throw std::runtime_error("what it gives contradicts itself");
+}
+
 /// From the answer, what answers are compared with.
 void add_comparisons(Prepared& prepared) {
   const Exercise& exercise = prepared.exercise;
   if (exercise.kind != Kind::number) {
-    prepared.points = sample_points(names_to_sample(prepared), 3);
+    prepared.points = sample_points(names_to_sample(prepared), 3, prepared.symbols, prepared.assumed);
     prepared.signature =
         signature(put_in(prepared.answer.relation, prepared.answer.given), exercise.pivot, prepared.points);
   }
@@ -58,16 +95,17 @@ Prepared prepare(const Exercise& exercise) {
   Prepared prepared;
   prepared.exercise = exercise;
   try {
-    for (const auto& [name, range] : exercise.range) prepared.symbols.narrow(name, range);
     if (exercise.kind == Kind::wrong_term) {
       prepared.answer.relation = printed_with_slip(exercise.answer);
       prepared.choice = wrong_term(prepared.answer.relation, exercise.answer.row);
+      take_given(prepared, {});
       return prepared;
     }
     if (exercise.answer.row.empty()) prepared.answer = resolve(exercise.answer, exercise.kind);
     std::set<std::string> at_hand = names_of(prepared.answer.relation);
     at_hand.insert(exercise.symbols.begin(), exercise.symbols.end());
     add_definitions(prepared.answer.given, at_hand, exercise.name);
+    take_given(prepared, at_hand);
     if (exercise.kind == Kind::choice) {
       prepared.choice = right_option(prepared);
       return prepared;
@@ -96,6 +134,7 @@ Prepared prepare_step(const Prepared& whole, const Relation& before, const Relat
   Prepared step;
   step.exercise = as_exercise(whole.exercise, before, after);
   step.symbols = whole.symbols;
+  step.assumed = whole.assumed;
   step.answer.relation = before;
   step.answer.given = whole.answer.given;
   const auto& names = step.exercise.symbols;

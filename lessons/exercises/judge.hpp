@@ -36,7 +36,8 @@ struct Prepared {
   Answer answer;
   std::vector<Point> points;
   std::optional<Signature> signature;
-  Symbols symbols = paper_symbols();  ///< with the ranges of this exercise
+  Symbols symbols = paper_symbols();  ///< with the ranges that the exercise gives
+  std::vector<Relation> assumed;      ///< what else it gives: relations of several symbols
   std::optional<Sieve> sieve;         ///< of a formula
   std::vector<Road> roads;  ///< the catalogued slips and assumptions; of a number its other slips, too
   std::size_t choice = 0;   ///< the right option or term, from 1

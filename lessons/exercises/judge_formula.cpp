@@ -105,7 +105,7 @@ Road road_to(const Prepared& prepared, const Relation& relation, const std::stri
 bool is_right(Verdict verdict) { return verdict == Verdict::proved || verdict == Verdict::proved_under; }
 
 Proof proof_of(const Prepared& prepared, const Relation& read, const Relation& against) {
-  return decide(read, against, prepared.symbols, prepared.answer.given);
+  return decide(read, against, prepared.symbols, prepared.answer.given, prepared.assumed);
 }
 
 Opinion found(Opinion opinion, const std::string& verdict, const std::string& note, const std::string& says,
@@ -120,7 +120,8 @@ Opinion found(Opinion opinion, const std::string& verdict, const std::string& no
 void add_roads(Prepared& prepared) {
   const Exercise& exercise = prepared.exercise;
   if (exercise.kind != Kind::number)
-    prepared.sieve.emplace(prepared.answer.relation, prepared.answer.given, exercise.pivot, prepared.symbols);
+    prepared.sieve.emplace(prepared.answer.relation, prepared.answer.given, exercise.pivot, prepared.symbols,
+                           prepared.assumed);
   for (const auto& slip : exercise.slips) {
     if (exercise.kind == Kind::number) {
       Road road{slip.note, slip.says, "wrong", {}, {}, 0};

@@ -85,7 +85,7 @@ std::size_t term_like(const Prepared& prepared, const std::string& text) {
   const auto terms = terms_to_point_at(prepared.answer.relation);
   const Relation read{{parse(text)}, {}};
   for (std::size_t i = 0; i < terms.size(); ++i)
-    if (decide(read, Relation{{terms[i]}, {}}, paper_symbols()).verdict == Verdict::proved) return i + 1;
+    if (decide(read, Relation{{terms[i]}, {}}, prepared.symbols).verdict == Verdict::proved) return i + 1;
   return 0;
 }
 

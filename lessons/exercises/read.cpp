@@ -7,6 +7,7 @@
 #include <charconv>
 #include <derivations/emit/data_folder.hpp>
 #include <derivations/emit/program.hpp>
+#include <derivations/paper/prove.hpp>
 #include <derivations/paper/toml_rows.hpp>
 #include <lessons/exercises/exercise.hpp>
 #include <set>
@@ -103,7 +104,10 @@ Choice chosen(const toml::table& exercise, const std::string& id, const std::str
       for (const auto& item : *items) {
         std::vector<Choice> expanded(1);
         const auto add = [&](const std::string& name, const toml::node& value) {
-          const auto values = values_of(value.value_or(std::string()));
+          const auto text = value.value_or(std::string());
+          if (text.find_first_of("{}") != std::string::npos)
+            throw BadInput(fmt::format("vary.{}: '{}' must be a text without braces", key.str(), text));
+          const auto values = values_of(text);
           if (values.size() > 1) expanded.resize(values.size(), expanded[0]);  // one range in a table
           for (std::size_t k = 0; k < expanded.size(); ++k) expanded[k][name] = values[k % values.size()];
         };
@@ -118,6 +122,16 @@ Choice chosen(const toml::table& exercise, const std::string& id, const std::str
   return choice;
 }
 
+/// What an exercise gives, as a statement says it: "$theta_0 > 0$ and $theta_0 < alpha$".
+std::string given_in_words(const toml::node& given) {
+  std::string words;
+  if (const auto* list = given.as_array())
+    for (const auto& item : *list)
+      if (const auto text = item.value_or(std::string()); !text.empty())
+        words += (words.empty() ? "$" : " and $") + text + "$";
+  return words;
+}
+
 Exercise read_exercise(toml::table table, const std::string& file, const std::string& seed) {
   Exercise exercise;
   exercise.id = table["id"].value_or(std::string("without id"));
@@ -125,7 +139,12 @@ Exercise read_exercise(toml::table table, const std::string& file, const std::st
   try {
     exercise.choice = chosen(table, exercise.id, seed);
     table.erase("vary");
-    fill_in(table, exercise.choice);
+    Choice texts = exercise.choice;
+    if (auto* given = table.get("given")) {
+      fill_in(*given, texts);
+      texts["given"] = given_in_words(*given);
+    }
+    fill_in(table, texts);
   } catch (const std::runtime_error& error) {
     throw BadInput(where + ": " + error.what());
   }
@@ -150,9 +169,8 @@ Exercise read_exercise(toml::table table, const std::string& file, const std::st
     exercise.assumptions.push_back({put, row.text("says", true)});
     row.done();
   }
-  exercise.range = texts_taken(table, "range");
   TomlRow row(table, where);
-  for (const char* taken_above : {"answer", "slip", "option", "assumption", "range", "vary"})
+  for (const char* taken_above : {"answer", "slip", "option", "assumption", "vary"})
     (void)row.text(taken_above);  // named among the keys
   (void)row.text("id", true);
   exercise.lesson = static_cast<int>(row.whole("lesson").value_or(0));
@@ -162,6 +180,9 @@ Exercise read_exercise(toml::table table, const std::string& file, const std::st
   std::erase(exercise.symbols, "");
   exercise.example = row.text("example");
   exercise.name = row.text("name");
+  exercise.given = row.texts("given");
+  std::erase(exercise.given, "");
+  for (const auto& text : exercise.given) reading(text, [&] { return parse_relation(text); });
   exercise.bound = row.text("bound");
   exercise.pivot = row.text("pivot");
   exercise.unit = row.text("unit");

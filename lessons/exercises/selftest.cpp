@@ -42,8 +42,27 @@ bool gives_away(const Prepared& prepared, const std::string& sentence) {
   return sentence.find(fmt::format("{:.3g}", prepared.answer.number)) != std::string::npos;
 }
 
+/// The statement says what is given, and neither it nor a hint says more: for each inequality there follows
+/// from it.
+void check_given(const Prepared& prepared, Findings& findings) {
+  const Exercise& exercise = prepared.exercise;
+  for (const auto& text : exercise.given)
+    findings.check(exercise.statement.find("$" + text + "$") != std::string::npos,
+                   "the statement does not say that " + text);
+  std::vector<std::string> texts = exercise.hints;
+  texts.push_back(exercise.statement);
+  for (const auto& text : texts)
+    for (const auto& span : spans(text)) {
+      if (span.kind != Span::Kind::math || span.text.find_first_of("<>") == std::string::npos) continue;
+      const Proof proof = decide(parse_statement(span.text), parse_relation("0 < 1"), prepared.symbols,
+                                 prepared.answer.given, prepared.assumed);
+      findings.check(is_right(proof.verdict), span.text + " is said but not given");
+    }
+}
+
 void check_texts(const Prepared& prepared, Findings& findings) {
   const Exercise& exercise = prepared.exercise;
+  check_given(prepared, findings);
   findings.check(exercise.hints.size() >= 3, "fewer than three hints");
   for (const auto& text : exercise.hints) {
     findings.check(!text.empty(), "an empty hint");

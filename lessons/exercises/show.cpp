@@ -161,6 +161,7 @@ int show(const Classroom& room, const std::string& id) {
                               {"statement", readable(exercise->statement)},
                               {"form", form_in_words(*exercise)},
                               {"example", default_example(*exercise)},
+                              {"given", exercise->given},
                               {"symbols", nlohmann::ordered_json::array()},
                               {"options", nlohmann::ordered_json::array()}};
   for (const auto& name : exercise->symbols) {

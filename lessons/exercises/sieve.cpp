@@ -122,14 +122,30 @@ double rough_value(const Tree& tree, const RoughPoint& at) {
   return nowhere;
 }
 
+bool lies_in(const Symbol& symbol, double value) {
+  const Interval range = parse_range(symbol.range);
+  const bool is_above = range.low.infinite != 0 || value > range.low.ball(64).to_double(),
+             is_below = range.high.infinite != 0 || value < range.high.ball(64).to_double();
+  return is_above && is_below;
+}
+
+bool holds(const std::vector<Relation>& relations, const RoughPoint& at) {
+  return std::ranges::all_of(relations, [&](const Relation& relation) {
+    const double excess = rough_value(relation.sides[0], at) - rough_value(relation.sides[1], at);
+    const std::string& sign = relation.operators[0];
+    if (sign == "=") return std::abs(excess) < 1e-9;
+    return sign.starts_with('<') ? excess < 0 : excess > 0;
+  });
+}
+
 Sieve::Sieve(const Relation& right, const std::vector<Given>& given, const std::string& pivot,
-             const Symbols& symbols) {
+             const Symbols& symbols, const std::vector<Relation>& assumed) {
   const bool equation = !right.operators.empty();
   const Relation plain = put_in(right, given);
   std::string unknown_name = pivot;
   for (const auto& name : symbols.names())
     if (equation && unknown_name.empty() && names_of(plain).contains(name)) unknown_name = name;
-  for (int k = 0; k < 40 && points_.size() < 4; ++k) {
+  for (int k = 0; k < 300 && points_.size() < 4; ++k) {
     Sample sample;
     int j = 0;
     for (const auto& name : symbols.names()) {
@@ -145,7 +161,9 @@ Sieve::Sieve(const Relation& right, const std::vector<Given>& given, const std::
     else if (!(pivot.empty() ? solve_for(right, unknown_name, ends(*symbols.find(unknown_name)), sample.at)
                              : solve_linear(right, pivot, sample.at)))
       continue;
-    if (std::isfinite(sample.right)) points_.push_back(std::move(sample));
+    const bool is_inside = !equation || pivot.empty() || lies_in(*symbols.find(pivot), sample.at[pivot]);
+    if (is_inside && holds(assumed, sample.at) && std::isfinite(sample.right))
+      points_.push_back(std::move(sample));
   }
 }
 

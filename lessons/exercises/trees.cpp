@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <derivations/numbers/interval.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/trees.hpp>
 
@@ -53,24 +54,43 @@ Relation put_in(const Relation& relation, const std::vector<Given>& given) {
   return result;
 }
 
+bool hold_at(const std::vector<Relation>& relations, const Point& point) {
+  return std::ranges::all_of(relations, [&](const Relation& relation) {
+    const Sign sign = sign_at(relation.sides[0], relation.sides[1], point);
+    const std::string& op = relation.operators[0];
+    if (sign == Sign::zero) return op.ends_with('=');
+    return sign == (op.starts_with('<') ? Sign::negative : Sign::positive) && op != "=";
+  });
+}
+
 std::vector<Point> sample_points(const std::set<std::string>& names, std::size_t count,
+                                 const Symbols& symbols, const std::vector<Relation>& assumed,
                                  const cln::cl_RA& angles, bool rotations_only) {
   static const std::set<std::string> rotations{"theta", "theta_0", "theta_i", "theta_ex"};
   std::vector<std::string> order(names.begin(), names.end());  // these first: no two of them alike
-  for (const auto& name : paper_symbols().names())
+  for (const auto& name : symbols.names())
     if (!names.contains(name)) order.push_back(name);
-  std::vector<Point> points(count);
-  for (std::size_t k = 0; k < count; ++k) {
+  std::vector<Point> points;
+  for (int k = 0; k < 300 && points.size() < count; ++k) {
+    std::map<std::string, cln::cl_RA> sizes;
     int j = 0;
     for (const auto& name : order) {
-      const auto* symbol = paper_symbols().find(name);
+      const auto* symbol = symbols.find(name);
       const bool pure = symbol != nullptr && symbol->unit == "1";
-      const int part = (7 * j + 5 * static_cast<int>(k)) % 31 + 2;
-      const bool is_scaled = rotations.contains(name) || (name == "alpha" && !rotations_only);
-      const cln::cl_RA plain = pure ? cln::cl_RA(part) / 37 : cln::cl_RA(part + 9) / 13;
-      points[k].insert_or_assign(name, Number(is_scaled ? plain * angles : plain));
-      ++j;
+      const int part = (7 * j++ + 5 * k) % 31 + 2;
+      const cln::cl_RA size = pure ? cln::cl_RA(part) / 37 : cln::cl_RA(part + 9) / 13;
+      const bool is_negative = symbol != nullptr && parse_range(symbol->range).is_nonpositive();
+      sizes[name] = is_negative ? -size : size;
     }
+    const auto point = [&](const cln::cl_RA& scale) {
+      Point result;
+      for (const auto& [name, size] : sizes) {
+        const bool is_scaled = rotations.contains(name) || (name == "alpha" && !rotations_only);
+        result.insert_or_assign(name, Number(is_scaled ? size * scale : size));
+      }
+      return result;
+    };
+    if (hold_at(assumed, point(1))) points.push_back(point(angles));
   }
   return points;
 }
@@ -78,6 +98,7 @@ std::vector<Point> sample_points(const std::set<std::string>& names, std::size_t
 std::optional<Signature> signature(const Relation& statement, const std::string& pivot,
                                    const std::vector<Point>& points) {
   Signature result;
+  if (points.empty()) return {};
   if (statement.operators.empty()) {
     for (const auto& point : points) {
       const auto number = value(statement.sides[0], point);

@@ -18,10 +18,14 @@ using namespace edits;
 Tree put_in(const Tree& tree, const std::vector<Given>& given);
 Relation put_in(const Relation& relation, const std::vector<Given>& given);
 
-/// `count` points that give every symbol of the paper an exact value, no two of the named ones alike; the
-/// angles (or the rotations θ alone, the shape α staying) are multiplied by `angles`.
+/// `count` points, or fewer where they are hard to find, that give every symbol an exact value in its range,
+/// such that what is assumed holds there, no two of the named symbols alike; then the angles (or the
+/// rotations θ alone, the shape α staying) are multiplied by `angles`.
 std::vector<Point> sample_points(const std::set<std::string>& names, std::size_t count,
+                                 const Symbols& symbols, const std::vector<Relation>& assumed,
                                  const cln::cl_RA& angles = 1, bool rotations_only = false);
+/// Whether all of these, of two sides each, certainly hold at a point.
+bool hold_at(const std::vector<Relation>& relations, const Point& point);
 
 /// What stands for a statement when two are compared by their values: those of an expression, or those of the
 /// symbol `pivot` that solve an equation linear in it; an equation without a pivot gives ratios of its

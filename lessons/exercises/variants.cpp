@@ -28,14 +28,23 @@ std::vector<std::string> values_of(const std::string& text) {
   return values;
 }
 
+namespace {
+
+std::string without_brace(const std::string& text) {
+  if (text.find('}') != std::string::npos) throw std::runtime_error("a brace is not opened: " + text);
+  return text;
+}
+
+}  // namespace
+
 std::string filled(const std::string& text, const Choice& choice) {
   std::string result;
   std::size_t at = 0;
-  for (std::size_t open; !choice.empty() && (open = text.find('{', at)) != std::string::npos;) {
+  for (std::size_t open; (open = text.find('{', at)) != std::string::npos;) {
     const std::size_t close = text.find('}', open);
     if (close == std::string::npos) throw std::runtime_error("a brace is not closed: " + text.substr(open));
     const std::string inside = text.substr(open + 1, close - open - 1);
-    result += text.substr(at, open - at);
+    result += without_brace(text.substr(at, open - at));
     at = close + 1;
     if (const auto found = choice.find(inside); found != choice.end()) {
       result += found->second;
@@ -49,7 +58,7 @@ std::string filled(const std::string& text, const Choice& choice) {
     }
     result += fmt::format("{:.10g}", value_at(tree, {}, 90).ball().to_double());
   }
-  return result + text.substr(at);
+  return result + without_brace(text.substr(at));
 }
 
 }  // namespace rederive::classroom

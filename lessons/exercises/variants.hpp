@@ -15,8 +15,8 @@ using Choice = std::map<std::string, std::string>;
 std::size_t picked(const std::string& seed, const std::string& list, std::size_t count);
 /// "0.6:0.9:0.1" → "0.6", "0.7", "0.8", "0.9"; any other text alone.
 std::vector<std::string> values_of(const std::string& text);
-/// The text with what is chosen for {name}, and with the value, to ten digits, of {2*name}. Throws
-/// std::runtime_error, or SyntaxError, for what cannot be filled in.
+/// The text with what is chosen for {name}, and with the value, to ten digits, of {2*name}. No brace is left:
+/// throws std::runtime_error, or SyntaxError, for what cannot be filled in.
 std::string filled(const std::string& text, const Choice& choice);
 
 }  // namespace rederive::classroom

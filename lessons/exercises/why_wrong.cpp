@@ -35,6 +35,8 @@ class SmallAngles {
   SmallAngles(const Prepared& prepared, const Relation& read, bool rotations_only)
       : mine_(put_in(read, prepared.answer.given)),
         right_(put_in(prepared.answer.relation, prepared.answer.given)),
+        symbols_(prepared.symbols),
+        assumed_(prepared.assumed),
         pivot_(prepared.exercise.pivot),
         rotations_only_(rotations_only) {
     names_ = names_of(mine_);
@@ -71,10 +73,12 @@ class SmallAngles {
 
  private:
   std::optional<Signature> at(const Relation& statement, const cln::cl_RA& scale) const {
-    return signature(statement, pivot_, sample_points(names_, 2, scale, rotations_only_));
+    return signature(statement, pivot_, sample_points(names_, 2, symbols_, assumed_, scale, rotations_only_));
   }
 
   Relation mine_, right_;
+  const Symbols& symbols_;
+  const std::vector<Relation>& assumed_;
   std::string pivot_;
   bool rotations_only_;
   std::set<std::string> names_;

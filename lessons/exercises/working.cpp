@@ -97,12 +97,14 @@ Opinion judge_step(const Prepared& whole, const Step& before, const Step& after)
   const auto [first, second] = of_one_kind(whole.exercise, before, after);
   const Prepared step = prepare_step(whole, first, second);
   if (!after.assumed.empty() || !after.small.empty()) {
-    if (contradict(after.assumed, step.symbols))
+    std::vector<Relation> assumed = step.assumed;
+    assumed.insert(assumed.end(), after.assumed.begin(), after.assumed.end());
+    if (contradict(assumed, step.symbols))
       return invalid("assumption", "No numbers in their ranges meet all that is assumed here.");
     const auto& given = step.answer.given;
-    const Proof proof = after.small.empty() ? decide(second, first, step.symbols, given, after.assumed)
-                                            : decide_to_order(second, first, after.small, 1, step.symbols,
-                                                              given, after.assumed);
+    const Proof proof = after.small.empty()
+                            ? decide(second, first, step.symbols, given, assumed)
+                            : decide_to_order(second, first, after.small, 1, step.symbols, given, assumed);
     if (is_right(proof.verdict) || proof.verdict == Verdict::approximation)
       return found({}, "correct", "correct", "Right.", 1);
     if (proof.verdict == Verdict::undecided)
