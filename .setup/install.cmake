@@ -73,7 +73,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "motion of rocking blocks, and proofs o
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "rederive (= ${PROJECT_VERSION}), libgsl-dev, libmpfr-dev, libflint-arb-dev, libflint-dev, libfmt-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "libginac-dev, libcln-dev, libglpk-dev, libgmp-dev, \
-libtomlplusplus-dev, nlohmann-json3-dev, libcpp-httplib-dev, pkgconf")
+libtomlplusplus-dev, nlohmann-json3-dev, pkgconf")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-rederive)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)

@@ -7,6 +7,7 @@
 #include <future>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <thread>
 
 #include "server.hpp"
 
@@ -60,6 +61,17 @@ Json told(const Server& server, const std::string& exercise, const std::string& 
 std::string says(const Server& server, const std::string& exercise, const std::string& what,
                  const std::string& answer = "") {
   return told(server, exercise, what, answer)["says"];
+}
+
+/// Whether a process has started another that has not ended.
+bool has_child(pid_t process) {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string status = read_file(entry.path() / "stat");
+    const std::size_t behind = status.rfind(')');  // "PID (name) state parent …"
+    if (behind != std::string::npos && status.substr(behind + 4).starts_with(std::to_string(process) + " "))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -244,6 +256,40 @@ TEST_CASE("a hostile answer is given up, and others wait for it or are told to c
   CHECK(sent_away > 0);
   CHECK(judged + sent_away == 20);
   CHECK(has(says(server, "height-of-centre", "check", "R*(cos(alpha-theta)-cos(alpha))"), "Correct."));
+}
+
+TEST_CASE("60 MB of header lines are refused, and are not kept") {
+  const Server server;
+  const auto most_memory = [&] {  // in kB, so far
+    const std::string status = read_file("/proc/" + std::to_string(server.process()) + "/status");
+    const std::size_t at = status.find("VmHWM:");
+    REQUIRE(at != std::string::npos);
+    return std::stol(status.substr(at + 6));
+  };
+  const long before = most_memory();
+  httplib::Client client("127.0.0.1", server.port);
+  httplib::Headers headers;
+  for (int k = 0; k < 600; ++k) headers.emplace("x", std::string(100'000, 'a'));
+  const auto result = client.Get("/", headers);
+  if (result) CHECK(result->status == 431);
+  CHECK(most_memory() - before < 20'000);
+}
+
+TEST_CASE("it ends although an answer is at work") {
+  const std::string hostile = "(cos(theta)+sin(alpha)+cos(3*alpha)+sin(alpha+theta))^40";
+  Server server;
+  auto asked = std::async(std::launch::async, [&] {
+    httplib::Client client("127.0.0.1", server.port);
+    return static_cast<bool>(client.Post(path_to(server, "height-of-centre", "check"),
+                                         Json{{"answer", hostile + "-" + hostile + "+R"}}.dump(),
+                                         "application/json"));
+  });
+  const auto is_answered = [&] {
+    return asked.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  };
+  while (!has_child(server.process()) && !is_answered()) std::this_thread::yield();  // a child judges
+  CHECK(server.end(SIGTERM) == 0);
+  asked.wait();
 }
 
 TEST_CASE("a signal ends it well, a port that is taken is named") {

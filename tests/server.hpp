@@ -48,6 +48,7 @@ class Server {
   ~Server() {
     if (process_ > 0) end(SIGKILL);
   }
+  pid_t process() const { return process_; }
   /// Its exit code; -1 if it ended by the signal.
   int end(int signal) {
     int status = 0;
