@@ -39,23 +39,11 @@ if(rederive_rooms STREQUAL numerics)
   return()
 endif()
 
-# GiNaC orders terms by where the names of its types lie in memory: linked in whole, at a fixed address, that is
-# the same on every run, and so is every byte that we print.
 rederive_module(CLN cln)
-pkg_check_modules(GINAC QUIET ginac)
-find_library(GINAC_LIBRARY NAMES libginac.a ginac HINTS ${GINAC_LIBRARY_DIRS})
-if(NOT GINAC_LIBRARY)
-  rederive_missing("GiNaC (Debian: libginac-dev)")
-endif()
+rederive_module(GINAC ginac)
 if(NOT TARGET rederive::ginac)
   add_library(rederive::ginac INTERFACE IMPORTED)
-  target_include_directories(rederive::ginac SYSTEM INTERFACE ${GINAC_INCLUDE_DIRS})
-  # The Python module is loaded at another address each time, with the shared library; a test holds it to the same
-  # bytes.
-  set(is_module $<STREQUAL:$<TARGET_PROPERTY:TYPE>,MODULE_LIBRARY>)
-  target_link_libraries(rederive::ginac INTERFACE $<IF:${is_module},ginac,${GINAC_LIBRARY}> PkgConfig::CLN)
-  target_link_options(rederive::ginac INTERFACE
-    $<$<AND:$<PLATFORM_ID:Linux>,$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>>:-no-pie>)
+  target_link_libraries(rederive::ginac INTERFACE PkgConfig::GINAC PkgConfig::CLN)
 endif()
 
 if(rederive_rooms MATCHES "paper|kernel|lessons|certify|ledger|classroom")

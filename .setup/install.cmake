@@ -28,8 +28,6 @@ install(FILES .setup/RederiveDependencies.cmake ${PROJECT_BINARY_DIR}/RederiveCo
 
 get_filename_component(arb ${ARB_LIBRARY} NAME_WE)
 string(REGEX REPLACE "^lib" "" arb ${arb})
-get_filename_component(ginac ${GINAC_LIBRARY} NAME)
-set(ginac ":${ginac}")  # the static one, where it was found
 foreach(module rederive-numerics rederive-decide)
   configure_file(.setup/${module}.pc.in ${module}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${module}.pc DESTINATION lib/pkgconfig COMPONENT development)

@@ -67,6 +67,33 @@ TEST_CASE("a project proves an identity") {
            "; c++ b/CMakeFiles/proves.dir/proves.cpp.o $(pkg-config --libs rederive-decide) && ./a.out");
 }
 
+TEST_CASE("a shared library and a plugin prove an identity, by CMake and by pkg-config") {
+  const TemporaryFolder folder;
+  const std::string main = "int main()";
+  std::string code = own_project("cpp", 1);
+  code.replace(code.find(main), main.size(), "extern \"C\" int proves()");
+  write(folder.path / "proves.cpp", code);
+  write(folder.path / "calls.cpp", "extern \"C\" int proves();\nint main() { return proves(); }\n");
+  write(folder.path / "loads.cpp",
+        "#include <dlfcn.h>\nint main(int, char** names) {\n"
+        "  void* plugin = dlopen(names[1], RTLD_NOW);\n"
+        "  return plugin ? reinterpret_cast<int (*)()>(dlsym(plugin, \"proves\"))() : 2;\n}\n");
+  make_project(
+      folder.path,
+      "find_package(Rederive REQUIRED COMPONENTS decide)\n"
+      "add_library(proves SHARED proves.cpp)\ntarget_link_libraries(proves PRIVATE rederive::decide)\n"
+      "add_library(plugin MODULE proves.cpp)\ntarget_link_libraries(plugin PRIVATE rederive::decide)\n"
+      "add_executable(calls calls.cpp)\ntarget_link_libraries(calls PRIVATE proves)\n"
+      "add_executable(loads loads.cpp)\ntarget_link_libraries(loads PRIVATE ${CMAKE_DL_LIBS})\n");
+  said(folder.path, "b/calls && b/loads b/libplugin.so");
+
+  said(folder.path,
+       "export PKG_CONFIG_PATH=" + quoted(prefix() / "lib/pkgconfig") +
+           "; c++ -std=c++20 -shared -fPIC proves.cpp $(pkg-config --cflags --libs rederive-decide)"
+           " -o libproves.so && c++ calls.cpp -L. -lproves -Wl,-rpath,. -o calls && ./calls &&"
+           " b/loads ./libproves.so");
+}
+
 TEST_CASE("a component that is not there is refused by its name") {
   const TemporaryFolder folder;
   write(folder.path / "CMakeLists.txt",

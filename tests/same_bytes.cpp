@@ -82,3 +82,34 @@ TEST_CASE(
   }
   CHECK(first.at("emitted.cpp") == read_file(build / "emitted/rocking_block.hpp"));
 }
+
+TEST_CASE("programs are hardened, and twenty runs at random addresses write the same bytes") {
+  const fs::path bin = REDERIVE_PROGRAMS;
+  for (const std::string program : {"emit", "ledger", "exercises", "rocking"}) {
+    INFO(program);
+    const std::string head = run_program("/usr/bin/readelf", {"-h", "-l", "-d", "-W", bin / program}).out;
+    for (const char* property :
+         {"DYN (Position-Independent Executable file)", "GNU_RELRO", "BIND_NOW", "PIE"})
+      CHECK_MESSAGE(head.find(property) != std::string::npos, property);
+  }
+  std::map<std::string, std::string> first;
+  for (int run = 0; run < 20; ++run) {
+    const TemporaryFolder folder;
+    std::string script =
+        "cd " + quoted(folder.path) + " && export PATH=" + quoted(bin) +
+        ":$PATH && ledger --json >ledger && ledger certify coq >said"
+        " && ledger mutate 13 --json >mutants && rocking threshold --omega 3 --json >threshold"
+        " && (exercises --progress progress check restitution 'sin(alpha)' >answer; [ $? = 1 ])";
+    for (const char* target : {"cpp", "c", "python", "javascript", "latex"})
+      script += std::string(" && emit --target ") + target + " --out emitted." + target;
+    const Result made = run_program("/bin/bash", {"-c", script});
+    REQUIRE_MESSAGE(made.exit_code == 0, made.err);
+    fs::remove(folder.path / "progress");  // it tells the time
+    std::map<std::string, std::string> texts;
+    for (const auto& file : fs::recursive_directory_iterator(folder.path))
+      if (file.is_regular_file()) texts[fs::relative(file.path(), folder.path)] = read_file(file.path());
+    REQUIRE(texts.size() > 9);
+    if (run == 0) first = texts;
+    CHECK(texts == first);
+  }
+}
