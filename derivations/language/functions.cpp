@@ -46,7 +46,7 @@ constexpr Function table[] = {
 std::span<const Function> functions() { return table; }
 
 const Function* find_function(std::string_view name) {
-  if (name == "abs") name = "fabs";
+  if (name == "abs" || name == "Abs") name = "fabs";
   const Function* found = std::ranges::find(table, name, &Function::name);
   return found == std::end(table) ? nullptr : found;
 }

@@ -71,7 +71,7 @@ constexpr auto mark = Token::Kind::mark, relation = Token::Kind::relation, slip 
 // clang-format off
 constexpr Spelling pairs[] = {  // both, one after the other
     {U"<=", relation, "<="}, {U">=", relation, ">="},
-    {U"**", slip, "write '^' for powers instead of '**'"},
+    {U"**", mark, "^"},
     {U"==", slip, "write '=' instead of '=='"},
     {U"=<", slip, "write '<=' instead of '=<'"},
     {U"=>", slip, "write '>=' instead of '=>'"},

@@ -281,3 +281,24 @@ def test_the_module_needs_no_locale_and_no_home(script):
     running = script("import rederive; print(rederive.prove('α', 'alpha').verdict)",
                      env={"PYTHONPATH": os.environ["PYTHONPATH"], "LC_ALL": "C"})
     assert running.communicate() == ("proved\n", "")
+
+
+@pytest.mark.parametrize("left, right", [
+    ("sin(x)**2 + cos(x)**2", "1"), ("-x**2", "-(x^2)"), ("x**-2", "1/x**2"), ("Abs(x)**2", "x**2"),
+    ("2*sqrt(3)*x**(3/2)", "sqrt(12)*x*sqrt(x)"), ("x**2**3", "x**8")])
+def test_text_as_sympy_prints_it_is_read(left, right):
+    assert rederive.prove(left, right).verdict == "proved"
+
+
+@pytest.mark.parametrize("call, argument", [
+    (lambda: rederive.prove(1, "x"), r"prove\(\): left must be text, not int"),
+    (lambda: rederive.prove("x", None), r"prove\(\): right must be text, not NoneType"),
+    (lambda: rederive.prove(b"x", "x"), r"prove\(\): left must be text, not bytes"),
+    (lambda: rederive.prove("x", "x", assume=["x > 0", 1]), r"prove\(\): assume must be text, not int"),
+    (lambda: rederive.prove("x", "x", small=3, order=1), r"prove\(\): small must be text, not int"),
+    (lambda: rederive.prove("x", "x", small="x", order=1.5), r"prove\(\): order must be a whole number, not float"),
+    (lambda: rederive.emit(3), r"emit\(\): target must be text, not int"),
+    (lambda: rederive.emit("python", 3), r"emit\(\): functions must be text, not int")])
+def test_an_argument_of_a_wrong_type_is_named_with_the_function_that_was_called(call, argument):
+    with pytest.raises(TypeError, match=argument):
+        call()
