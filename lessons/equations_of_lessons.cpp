@@ -1,16 +1,35 @@
 #include <algorithm>
 #include <derivations/emit/data_folder.hpp>
-#include <derivations/paper/toml_rows.hpp>
+#include <derivations/emit/toml_table.hpp>
 #include <lessons/lesson.hpp>
 
 namespace rederive {
 namespace {
 
+constexpr int most_lessons = 99;
+
+/// The rows of the ledger.
+const std::vector<std::string>& ids() {
+  static const auto all = [] {
+    std::vector<std::string> found;
+    for (const Row& row : read_rows(equations_file())) found.push_back(row.id);
+    return found;
+  }();
+  return all;
+}
+
 const std::map<int, std::vector<std::string>>& covered() {
   static const auto all = [] {
     std::map<int, std::vector<std::string>> lessons;
-    for (TomlRow row : toml_rows(data_folder() / "equations_of_lessons.toml", "lesson"))
-      lessons[static_cast<int>(row.number("number"))] = row.texts("equations");
+    for (TomlTable& table : tables_of(data_folder() / "equations_of_lessons.toml", "lesson")) {
+      const auto number = table.whole("number", 1, most_lessons);
+      const std::vector<std::string> equations = table.texts("equations");
+      table.done();
+      if (!number) table.fail("'number' is missing");
+      for (const std::string& id : equations) table.check_word("equations", id, ids());
+      if (!lessons.emplace(static_cast<int>(*number), equations).second)
+        table.fail(fmt::format("lesson {} is here twice", *number), "number");
+    }
     return lessons;
   }();
   return all;

@@ -2,16 +2,37 @@
 #include <glob.h>
 
 #include <derivations/emit/data_folder.hpp>
-#include <derivations/paper/toml_rows.hpp>
+#include <derivations/emit/toml_table.hpp>
 #include <lessons/render.hpp>
 #include <regex>
 
 namespace rederive {
 
+namespace {
+
+struct Rule {
+  std::regex from;
+  std::string to;
+};
+
+Rule read_rule(TomlTable& table) {
+  const std::string from = table.needed_text("from"), to = table.text("to");
+  table.done();
+  try {
+    return {std::regex(from), to};
+  } catch (const std::regex_error& error) {
+    table.fail(fmt::format("'from' is no regular expression: {}", error.what()), "from");
+  }
+}
+
+}  // namespace
+
 std::optional<std::string> in_python(const std::string& command) {
   std::string text = command;
-  for (TomlRow rule : toml_rows(data_folder() / "notebook_cells.toml", "rule"))
-    text = std::regex_replace(text, std::regex(rule.text("from", true)), rule.text("to"));
+  for (TomlTable& table : tables_of(data_folder() / "notebook_cells.toml", "rule")) {
+    const Rule rule = read_rule(table);
+    text = std::regex_replace(text, rule.from, rule.to);
+  }
   const bool is_command = text.starts_with(command.substr(0, command.find(' ')));
   return is_command ? std::nullopt : std::optional(text);
 }

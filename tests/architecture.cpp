@@ -199,10 +199,10 @@ TEST_CASE("no file of the engine has more than 300 lines") {
   }
 }
 
-TEST_CASE("the rooms of the engine have at most 6,000 lines together") {
+TEST_CASE("the rooms of the engine have at most 6,300 lines together") {
   const int lines = lines_in([](const std::string& file) { return engine.contains(room_of(file)); });
   MESSAGE("the engine has ", lines, " lines");
-  CHECK(lines <= 6000);
+  CHECK(lines <= 6300);
 }
 
 TEST_CASE("the Python module has at most 600 lines of C++ and 300 of Python") {

@@ -147,17 +147,22 @@ TEST_CASE("bad blocks are refused with file and line, bad options by name") {
     check_refused(records.fragility({"--blocks", records.blocks(text)}), names);
   };
   refused("", "no [[block]]");
-  refused("[[block]]\n", "blocks.toml:1: a block wants a name");
-  refused("[[block]]\nname = \"a\"\n", "blocks.toml:1: a block wants half_width");
-  refused("[[block]]\nname = \"a\"\nhalf_width = 1\nalpha = 1\n", "blocks.toml:1: a block wants half_width");
-  refused("[[block]]\nname = \"a\"\nhalf_width = \"1\"\nhalf_height = 1\n", "'half_width' must be a number");
-  refused("[[block]]\nname = \"a\"\nhalf_width = nan\nhalf_height = 1\n", "'half_width' must be a number");
-  refused("[[block]]\nname = \"a\"\nhalf_width = -1\nhalf_height = 1\n", "must be positive");
-  refused("[[block]]\nname = \"a\"\ncolour = 1\n", "'colour' is no key");
-  refused("[[block]]\nname = \"a\\n\"\nhalf_width = 1\nhalf_height = 4\n", "in one line");
+  refused("[[block]]\n", "blocks.toml:1: 'name' is missing or empty");
+  refused("[[block]]\nname = \"a\"\n", "blocks.toml:1: a block needs half_width");
+  refused("[[block]]\nname = \"a\"\nhalf_width = 1\nalpha = 1\n", "blocks.toml:1: a block needs half_width");
+  refused("[[block]]\nname = \"a\"\nhalf_width = \"1\"\nhalf_height = 1\n",
+          "blocks.toml:3: 'half_width' must be a number");
+  refused("[[block]]\nname = \"a\"\nhalf_width = nan\nhalf_height = 1\n",
+          "blocks.toml:3: 'half_width' must be a finite number");
+  refused("[[block]]\nname = \"a\"\nhalf_width = -1\nhalf_height = 1\n", "blocks.toml:1: a half size of -1");
+  refused("[[block]]\nname = \"a\"\ncolour = 1\n", "blocks.toml:3: there is no key 'colour' here");
+  refused("[[blocks]]\nname = \"a\"\n",
+          "blocks.toml:1: there is no key 'blocks' here: did you mean 'block'?");
+  refused("[[block]]\nname = \"a\\n\"\nhalf_width = 1\nhalf_height = 4\n",
+          "blocks.toml:2: 'name' must be one line");
   refused("\n[[block]\n", "blocks.toml:2");
   refused("block = 3\n", "blocks.toml:1");
-  refused(two_blocks + two_blocks, "blocks.toml:10: a second block of the name");
+  refused(two_blocks + two_blocks, "a second block has the name");
   check_refused(records.fragility({"--blocks", "/no/such/file"}), "/no/such/file");
   check_refused(records.fragility({"--blocks", "/"}), "'/'");
   check_refused(records.fragility({"--blocks", records.blocks(two_blocks), "--alpha", "0.2"}), "--alpha");

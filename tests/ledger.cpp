@@ -135,8 +135,8 @@ TEST_CASE("a damaged equations file is refused with the place and what would be 
     CHECK(r.out.empty());
   };
   refused("kind = \"equation\"", "kind = \"equatoin\"", "equatoin");
-  refused("kind = \"equation\"", "knid = \"equation\"", "unknown key 'knid'");
-  refused("id = \"3\"", "id = \"1\"", "stands twice");
+  refused("kind = \"equation\"", "knid = \"equation\"", "there is no key 'knid' here: did you mean 'kind'?");
+  refused("id = \"3\"", "id = \"1\"", "a second row has this id; the first is at ");
   refused("R*sin(alpha + theta)", "R*sin(alpha + thetta)", "theta");
   refused("printed = ", "printed = = ", "equations.toml:");
 }

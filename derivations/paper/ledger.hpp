@@ -21,7 +21,7 @@ struct Row {
   const std::string& claim() const { return kind == "result" ? statement : printed; }
   std::vector<std::string> follows_from;
   std::string expected;       ///< a verdict
-  std::string error;          ///< with refuted: sign, factor, argument, subscript, limit, missing_term …
+  std::string error;          ///< with refuted: sign, factor, argument …; rows.cpp lists them
   std::string consequence;    ///< with refuted: what rests on it and whether that stands
   std::string note;           ///< anything a reader should know
   std::string scan_repaired;  ///< what scanning damaged and how it was restored; empty if nothing
@@ -37,7 +37,7 @@ struct Entry {
   std::vector<std::string> rests_on_it;      ///< ids of the rows downstream, in the paper's order
 };
 
-/// Reads equations.toml. Throws std::runtime_error naming file, line and what would be right.
+/// Reads equations.toml. Throws BadInput naming file, line, row and what would be right.
 std::vector<Row> read_rows(const std::filesystem::path& file);
 /// The file that ships with the project.
 std::filesystem::path equations_file();

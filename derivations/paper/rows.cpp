@@ -1,50 +1,122 @@
-// equations.toml → rows. Every complaint names the file, the row and what would be right.
-#include <algorithm>
+// equations.toml → rows. Every complaint names the file, the line, the row and what would be right.
 #include <derivations/emit/data_folder.hpp>
+#include <derivations/emit/toml_table.hpp>
 #include <derivations/paper/ledger.hpp>
-#include <derivations/paper/toml_rows.hpp>
-#include <set>
-#include <stdexcept>
 
 namespace rederive {
 
 namespace {
 
-const std::set<std::string> kinds{"equation", "inequality", "definition", "result"};
-const std::set<std::string> verdicts{"proved",  "proved_under", "approximation",
-                                     "refuted", "definition",   "undecided"};
+using Words = std::vector<std::string>;
 
-std::string joined(const std::set<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
+const Words kinds{"equation", "inequality", "definition", "result"};
+const Words verdicts{"proved", "proved_under", "approximation", "refuted", "definition", "undecided"};
+/// Several are joined by "and": "sign and factor".
+const Words error_kinds{"sign",     "factor",       "argument",   "subscript",      "swapped symbols",
+                        "symbol",   "missing_term", "extra_term", "missing_factor", "extra_factor",
+                        "exponent", "reciprocal",   "function",   "relation",       "limit",
+                        "domain",   "dimension",    "constant",   "missing_dot"};
+
+void check_error(const TomlTable& table, const std::string& error) {
+  constexpr std::string_view joint = " and ";
+  for (std::size_t start = 0; start < error.size();) {
+    const std::size_t end = std::min(error.find(joint, start), error.size());
+    table.check_word("error", error.substr(start, end - start), error_kinds);
+    start = end + joint.size();
+  }
 }
 
-Row read_row(TomlRow table) {
+Row read_row(TomlTable& table) {
   Row row;
-  row.id = table.text("id", true);
+  row.id = table.needed_line("id");
+  if (!row.id.empty()) table.call_it("row " + row.id);
   row.section = table.text("section");
-  row.kind = table.text("kind");
+  row.kind = table.needed_word("kind", kinds);
   row.printed = table.text("printed");
   row.statement = table.text("statement");
   row.latex = table.text("latex");
   row.domain = table.text("domain");
-  row.expected = table.text("expected");
+  row.expected = table.needed_word("expected", verdicts);
   row.error = table.text("error");
   row.consequence = table.text("consequence");
   row.note = table.text("note");
   row.scan_repaired = table.text("scan_repaired");
   row.follows_from = table.texts("follows_from");
   table.done();
-  const std::string name = "row " + row.id + ": ";
-  if (!kinds.contains(row.kind))
-    table.fail(name + "the kind '" + row.kind + "' is none; right is one of " + joined(kinds));
-  if (!verdicts.contains(row.expected))
-    table.fail(name + "'" + row.expected + "' is no verdict; right is one of " + joined(verdicts));
+  check_error(table, row.error);
   if ((row.kind == "result") != !row.statement.empty())
-    table.fail(name + "a row of kind 'result', and no other, has a 'statement' of ours");
+    table.fail("a row of kind 'result', and no other, has a 'statement' of ours", "statement");
   return row;
 }
+
+/// Follows, from row to row, where each of them follows from, and refuses a way that comes back to a row on
+/// it.
+class Ancestry {
+ public:
+  Ancestry(const std::vector<Row>& rows, const std::vector<TomlTable>& tables)
+      : rows_(rows), tables_(tables) {
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      if (!numbers_.emplace(rows[k].id, k).second)
+        tables[k].fail(fmt::format("a second row has this id; the first is at {}",
+                                   tables[numbers_.at(rows[k].id)].where()),
+                       "id");
+  }
+
+  void check() {
+    for (std::size_t start = 0; start < rows_.size(); ++start) {
+      enter(start);
+      while (!path_.empty()) go_on();
+    }
+  }
+
+ private:
+  struct Step {
+    std::size_t row, next;  ///< next: the source that is looked at next
+  };
+  enum class State { unseen, on_the_way, done };
+
+  void enter(std::size_t row) {
+    if (states_[row] == State::unseen) path_.push_back({row, 0});
+    if (states_[row] == State::on_the_way) refuse_cycle(row);
+    states_[row] = std::max(states_[row], State::on_the_way);
+  }
+
+  void go_on() {
+    const auto [row, next] = path_.back();
+    const std::vector<std::string>& sources = rows_[row].follows_from;
+    if (next == sources.size()) {
+      states_[row] = State::done;
+      path_.pop_back();
+      return;
+    }
+    ++path_.back().next;
+    const auto source = numbers_.find(sources[next]);
+    if (source == numbers_.end())
+      tables_[row].fail(fmt::format("it follows from '{}', which is no row{}", sources[next],
+                                    did_you_mean(nearest(sources[next], ids()))),
+                        "follows_from");
+    enter(source->second);
+  }
+
+  [[noreturn]] void refuse_cycle(std::size_t row) const {
+    std::string way;
+    for (auto step = std::ranges::find(path_, row, &Step::row); step != path_.end(); ++step)
+      way += rows_[step->row].id + " from ";
+    tables_[row].fail("it follows from itself: " + way + rows_[row].id, "follows_from");
+  }
+
+  std::vector<std::string> ids() const {
+    std::vector<std::string> all;
+    for (const Row& row : rows_) all.push_back(row.id);
+    return all;
+  }
+
+  const std::vector<Row>& rows_;
+  const std::vector<TomlTable>& tables_;
+  std::map<std::string, std::size_t> numbers_;
+  std::vector<State> states_ = std::vector<State>(rows_.size(), State::unseen);
+  std::vector<Step> path_;
+};
 
 }  // namespace
 
@@ -52,16 +124,9 @@ std::filesystem::path equations_file() { return data_folder() / "equations.toml"
 
 std::vector<Row> read_rows(const std::filesystem::path& file) {
   std::vector<Row> rows;
-  std::set<std::string> ids;
-  for (const TomlRow& table : toml_rows(file, "equation")) {
-    rows.push_back(read_row(table));
-    if (!ids.insert(rows.back().id).second) table.fail("the id " + rows.back().id + " stands twice");
-  }
-  for (const Row& row : rows)
-    for (const std::string& source : row.follows_from)
-      if (!ids.contains(source))
-        throw std::runtime_error(file.string() + ": row " + row.id + " follows from " + source +
-                                 ", which is no row");
+  std::vector<TomlTable> tables = tables_of(file, "equation");
+  for (TomlTable& table : tables) rows.push_back(read_row(table));
+  Ancestry(rows, tables).check();
   return rows;
 }
 

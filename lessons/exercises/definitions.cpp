@@ -30,6 +30,12 @@ void add_definitions(std::vector<Given>& given, const std::set<std::string>& at_
   }
 }
 
+const std::map<std::string, Derivation (*)()>& derivations_of_exercises() {
+  static const std::map<std::string, Derivation (*)()> all{{"mass_at_the_top", mass_at_the_top},
+                                                           {"half_sine", half_sine}};
+  return all;
+}
+
 Derivation mass_at_the_top() {
   const GiNaC::ex b = paper::b, h = paper::h, before = paper::thetadot_minus, after = paper::thetadot_plus,
                   top = 2 * h;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <derivations/mechanics/derivation.hpp>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@ namespace rederive::classroom {
 void add_definitions(std::vector<Given>& given, const std::set<std::string>& at_hand,
                      const std::string& asked_for);
 
+/// Derivations that exercises name and that the paper does not have, by name: the two below.
+const std::map<std::string, Derivation (*)()>& derivations_of_exercises();
 /// e of a light block with a point mass in the middle of its top face: the moment of the momentum about the
 /// new corner is kept. In b and h.
 Derivation mass_at_the_top();

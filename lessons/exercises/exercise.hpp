@@ -60,12 +60,13 @@ struct Exercise {
   std::vector<Slip> slips;
   std::vector<Option> options;
   std::vector<Assumption> assumptions;
-  Choice choice;     ///< what was put into the braces of its texts; empty where it has no variants
-  std::string seed;  ///< by which
+  Choice choice;      ///< what was put into the braces of its texts; empty where it has no variants
+  std::string seed;   ///< by which
+  std::string place;  ///< "FILE:LINE" of its table; empty of a step of a working
 };
 
 /// All exercises, in the order of lessons; with a seed, those that have variants in the one of that seed.
-/// Throws BadInput naming file, exercise and what is wrong.
+/// Throws BadInput naming file, line, exercise and what is wrong.
 std::vector<Exercise> read_exercises(const std::filesystem::path& folder, const std::string& seed = "");
 /// The folder that ships with the project.
 std::filesystem::path exercises_folder();

@@ -114,6 +114,7 @@ int run(const CLI::App& app, const Arguments& given) {
   if (app.get_option("--seed")->empty() && (app.got_subcommand("hint") || app.got_subcommand("solution")))
     seed = load_progress(progress).records[given.id].seed;
   const Classroom room{read_exercises(exercises_folder(), seed), progress, given.json, is_lively(1)};
+  (void)slip_words("answer", "");  // what is wrong with their file is said at once
   if (app.got_subcommand("list")) return list(room);
   if (app.got_subcommand("show")) return show(room, given.id);
   if (app.got_subcommand("hint")) return hint(room, given.id);

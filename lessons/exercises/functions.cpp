@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <lessons/exercises/functions.hpp>
 #include <lessons/experiments.hpp>
@@ -21,6 +23,29 @@ Experiment experiment_of(const Arguments& arguments) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& function_names() {
+  static const std::vector<std::string> names{"amplitude_without_impact", "least_amplitude"};
+  return names;
+}
+
+const std::vector<std::string>& arguments_of_functions() {
+  static const std::vector<std::string> names{"omega", "alpha"};
+  return names;
+}
+
+void check_arguments(const std::string& name, const Arguments& arguments) {
+  const auto check = [&](const char* key, double least, double largest) {
+    const auto found = arguments.find(key);
+    if (found != arguments.end() && !(found->second >= least && found->second <= largest))
+      throw std::invalid_argument(fmt::format("the argument {} must be from {} to {}", key, least, largest));
+  };
+  if (!arguments.contains("omega")) throw std::invalid_argument("the argument omega is missing");
+  if (name == "amplitude_without_impact" && arguments.contains("alpha"))
+    throw std::invalid_argument(name + " takes no argument alpha");
+  check("omega", 0.01, 1000);
+  check("alpha", 0.01, 1.5);
+}
 
 double function_value(const std::string& name, const Arguments& arguments) {
   if (name == "amplitude_without_impact") return amplitude_without_impact(argument(arguments, "omega"));

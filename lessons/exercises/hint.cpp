@@ -1,17 +1,38 @@
 // Hints: the one for the slip that was just made, then those of the exercise, one by one.
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
-#include <derivations/emit/program.hpp>
+#include <derivations/emit/toml_table.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/prose.hpp>
 #include <nlohmann/json.hpp>
 
 namespace rederive::classroom {
+namespace {
+
+using SlipTexts = std::map<std::string, std::map<std::string, std::string>>;
+
+/// slips.toml: of each table the text of each note.
+SlipTexts read_words() {
+  TomlTable document(exercises_folder() / "slips.toml");
+  SlipTexts words;
+  for (const char* table : {"answer", "number", "part", "hint"}) words[table] = document.named_texts(table);
+  document.done();
+  for (const auto& [note, text] : words["part"]) try {
+      (void)fmt::format(fmt::runtime(text), "");
+    } catch (const fmt::format_error&) {
+      document.fail("'" + note + "' must have {} where it names the part, and no other braces", "part");
+    }
+  return words;
+}
+
+}  // namespace
+
 std::string slip_words(const std::string& table, const std::string& note) {
-  static const toml::table words = toml::parse_file((exercises_folder() / "slips.toml").string());
-  return words[table][note].value_or(std::string());
+  static const SlipTexts words = read_words();
+  const auto& texts = words.at(table);
+  const auto found = texts.find(note);
+  return found == texts.end() ? "" : found->second;
 }
 
 std::string hint_for(const Exercise& exercise, const Opinion& opinion) {
@@ -30,6 +51,7 @@ Hint next_hint(const Classroom& room, const Exercise& exercise) {
   Progress progress = load_progress(room.progress);
   Record& record = progress.records[exercise.id];
   const int all = static_cast<int>(exercise.hints.size());
+  if (all == 0) throw BadInput("the exercise '" + exercise.id + "' has no hints");
   if (!record.answer.empty() && !record.hinted && record.seed == exercise.seed) {
     const Opinion opinion = judge_bounded(exercise, record.answer);
     if (const std::string text = hint_for(exercise, opinion); !text.empty()) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <derivations/decide/problem.hpp>
+#include <derivations/emit/program.hpp>
 #include <derivations/numbers/interval.hpp>
 #include <derivations/paper/prove.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
@@ -112,7 +113,7 @@ Prepared prepare(const Exercise& exercise) {
     }
     add_comparisons(prepared);
   } catch (const std::exception& error) {
-    throw std::runtime_error("exercise " + exercise.id + ": " + error.what());
+    throw BadInput(fmt::format("{}: exercise {}: {}", exercise.place, exercise.id, error.what()));
   }
   return prepared;
 }

@@ -43,7 +43,7 @@ struct Prepared {
   std::size_t choice = 0;   ///< the right option or term, from 1
 };
 
-/// Computes the answer. Throws std::runtime_error naming the exercise if its data do not hold together.
+/// Computes the answer. Throws BadInput naming file, line and exercise if its data do not hold together.
 Prepared prepare(const Exercise& exercise);
 /// Judges an answer as typed.
 Opinion judge_answer(const Prepared& prepared, const std::string& text);

@@ -125,9 +125,7 @@ void add_roads(Prepared& prepared) {
   for (const auto& slip : exercise.slips) {
     if (exercise.kind == Kind::number) {
       Road road{slip.note, slip.says, "wrong", {}, {}, 0};
-      const auto typed =
-          slip.typed.empty() ? 0 : GiNaC::ex_to<GiNaC::numeric>(lower(parse(slip.typed)).evalf()).to_double();
-      road.number = slip.road ? resolve(*slip.road, exercise.kind).number : typed;
+      road.number = slip.road ? resolve(*slip.road, exercise.kind).number : parse_quantity(slip.typed).value;
       prepared.roads.push_back(road);
       continue;
     }

@@ -1,232 +1,321 @@
-// lessons/exercises/*.toml → exercises; what is missing or misspelt is said with file and exercise.
-#include <fmt/format.h>
-#include <toml++/toml.h>
-
+// lessons/exercises/*.toml → exercises; what is missing, misspelt or of no use is refused with file and line.
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <derivations/emit/data_folder.hpp>
-#include <derivations/emit/program.hpp>
-#include <derivations/paper/prove.hpp>
-#include <derivations/paper/toml_rows.hpp>
+#include <derivations/emit/toml_table.hpp>
+#include <derivations/rocking_block/paper_symbols.hpp>
+#include <derivations/rocking_block/table.hpp>
+#include <lessons/exercises/definitions.hpp>
 #include <lessons/exercises/exercise.hpp>
-#include <set>
+#include <lessons/exercises/functions.hpp>
+#include <lessons/exercises/trees.hpp>
+#include <lessons/exercises/units.hpp>
 
 namespace rederive::classroom {
 namespace {
 
 using Texts = std::map<std::string, std::string>;
+using Words = std::vector<std::string>;
 
-/// Fills in the braces of all texts, and of the names in tables.
-void fill_in(toml::node& node, const Choice& choice) {
-  if (auto* text = node.as_string()) *text = filled(text->get(), choice);
-  if (auto* list = node.as_array())
-    for (auto& item : *list) fill_in(item, choice);
-  if (auto* table = node.as_table()) {
-    toml::table renamed;
-    for (auto&& [name, value] : *table) {
-      fill_in(value, choice);
-      renamed.insert(filled(std::string(name.str()), choice), value);
-    }
-    *table = std::move(renamed);
+const Words kind_names{"expression", "equation", "number", "choice", "wrong_term"};  // in the order of Kind
+
+template <class Table>
+Words names_in(const Table& table) {
+  Words names;
+  for (const auto& [name, value] : table) names.push_back(name);
+  return names;
+}
+
+/// Runs a check of a text; what it throws is a complaint about the key.
+template <class Check>
+void check_text(const TomlTable& table, const std::string& key, const std::string& text, const Check& check) {
+  if (text.empty()) return;
+  try {
+    check(text);
+  } catch (const std::exception& error) {  // of the language, or of GiNaC
+    table.fail(fmt::format("'{}' in '{}': {}", text, key, error.what()), key);
   }
 }
 
-/// Takes out of a table the tables that stand under a key: one, or a list of them.
-std::vector<toml::table> taken(toml::table& from, std::string_view key) {
-  std::vector<toml::table> parts;
-  if (const auto* one = from[key].as_table()) parts.push_back(*one);
-  if (const auto* list = from[key].as_array())
-    for (const auto& item : *list)
-      if (item.is_table()) parts.push_back(*item.as_table());
-  if (!parts.empty()) from.erase(key);
-  return parts;
+void check_expression(const TomlTable& table, const std::string& key, const std::string& text) {
+  check_text(table, key, text, [](const std::string& formula) { (void)lower(parse(formula)); });
 }
 
-/// What is named in such a table, by name; an empty name stands for nothing.
-Texts texts_taken(toml::table& from, std::string_view key) {
-  Texts texts;
-  for (const auto& part : taken(from, key))
-    for (const auto& [name, value] : part)
-      if (!name.str().empty()) texts[std::string(name.str())] = value.value_or(std::string());
-  return texts;
+void check_symbol(const TomlTable& table, const std::string& key, const std::string& name) {
+  if (!name.empty()) table.check_word(key, name, paper_symbols().names());
 }
 
-/// What is written as a text, and must be a number.
+/// Symbols and what is put in their place.
+Texts read_put(TomlTable& table) {
+  Texts put = table.named_texts("put");
+  for (const auto& [name, text] : put) {
+    check_symbol(table, "put", name);
+    check_expression(table, "put", text);
+    if (text.empty()) table.fail("'" + name + "' in 'put' is empty", "put");
+  }
+  return put;
+}
+
+/// A number that is written as a text, since it may vary.
 template <class Number>
-Number number_in(const std::string& text, const std::string& name, const std::string& where) {
+Number number_in(const TomlTable& table, const std::string& key, const std::string& text) {
   Number value{};
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || rest != text.data() + text.size())
-    throw BadInput(fmt::format("{}: {} = \"{}\" is no number", where, name, text));
+  if (error != std::errc() || rest != text.data() + text.size() || !std::isfinite(static_cast<double>(value)))
+    table.fail(fmt::format("'{}' in '{}' must be a number", text, key), key);
   return value;
 }
 
-Reference read_reference(toml::table table, const std::string& where) {
+void read_arguments(TomlTable& table, Reference& reference) {
+  for (const auto& [name, text] : table.named_texts("arguments")) {
+    table.check_word("arguments", name, arguments_of_functions());
+    reference.arguments[name] = number_in<double>(table, "arguments", text);
+  }
+  if (reference.function.empty()) return;
+  try {
+    check_arguments(reference.function, reference.arguments);
+  } catch (const std::invalid_argument& error) {
+    table.fail(error.what(), "function");
+  }
+}
+
+Reference read_reference(TomlTable& table) {
   Reference result;
-  result.put = texts_taken(table, "put");
-  for (const auto& [name, text] : texts_taken(table, "arguments"))
-    result.arguments[name] = number_in<double>(text, name, where);
-  TomlRow row(table, where + ", answer");
-  result.derivation = row.text("derivation");
-  result.row = row.text("row");
-  if (const auto slip = row.text("slip"); !slip.empty())
-    result.slip = number_in<std::size_t>(slip, "slip", where);
-  result.function = row.text("function");
-  if (const auto side = row.text("side"); !side.empty()) result.side = side;
-  result.solve_for = row.text("solve_for");
-  result.differentiate = row.text("differentiate");
-  row.done();
+  result.derivation = table.text("derivation");
+  result.row = table.text("row");
+  const std::string slip = table.text("slip");
+  if (!slip.empty()) result.slip = number_in<std::size_t>(table, "slip", slip);
+  result.function = table.word("function", function_names());
+  if (table.has("side")) result.side = table.word("side", {"left", "right", "whole"});
+  result.solve_for = table.text("solve_for");
+  result.differentiate = table.text("differentiate");
+  result.put = read_put(table);
+  read_arguments(table, result);
+  table.done();
+  for (const char* key : {"derivation", "row"}) {
+    Words ids = names_in(derivation_table());
+    if (*key == 'd') std::ranges::copy(names_in(derivations_of_exercises()), std::back_inserter(ids));
+    const std::string& id = *key == 'd' ? result.derivation : result.row;
+    if (!id.empty()) table.check_word(key, id, ids);
+  }
+  check_symbol(table, "solve_for", result.solve_for);
+  check_symbol(table, "differentiate", result.differentiate);
   const int given = !result.derivation.empty() + !result.row.empty() + !result.function.empty();
-  if (given != 1) row.fail("exactly one of derivation, row and function is wanted");
+  if (given != 1) table.fail("one of 'derivation', 'row' and 'function' is needed, and no other of them");
   return result;
 }
 
-Slip read_slip(toml::table table, const std::string& where) {
-  const auto road = taken(table, "road");
-  TomlRow row(table, where + ", slip");
-  Slip slip{row.text("note", true), row.text("says", true), {}, row.text("typed"), row.text("hint", true)};
-  row.done();
-  if (!road.empty()) slip.road = read_reference(road.front(), where);
-  if (slip.road.has_value() == !slip.typed.empty()) row.fail("either road or typed is wanted");
+Slip read_slip(TomlTable& table) {
+  Slip slip;
+  slip.note = table.needed_line("note");
+  slip.says = table.needed_text("says");
+  slip.typed = table.text("typed");
+  slip.hint = table.needed_text("hint");
+  std::optional<TomlTable> road = table.table("road");
+  table.done();
+  if (road.has_value() != slip.typed.empty()) table.fail("one of 'road' and 'typed' is needed, and not both");
+  if (road) slip.road = read_reference(*road);
   return slip;
 }
 
-/// By the seed, one entry of each list of `vary`: a text, or names that go together.
-Choice chosen(const toml::table& exercise, const std::string& id, const std::string& seed) {
+Option read_option(TomlTable& table, bool is_of_ledger) {
+  Option option;
+  option.text = table.needed_text("text");
+  option.claim = table.needed_text("claim");
+  option.note = table.line("note");
+  option.says = table.text("says");
+  option.hint = table.text("hint");
+  table.done();
+  if (is_of_ledger)
+    table.check_word("claim", option.claim,
+                     {"proved", "proved_under", "approximation", "refuted", "undecided"});
+  else
+    check_text(table, "claim", option.claim, [](const std::string& text) { (void)parse_statement(text); });
+  return option;
+}
+
+Assumption read_assumption(TomlTable& table) {
+  Assumption assumption{read_put(table), table.needed_text("says")};
+  table.done();
+  return assumption;
+}
+
+/// All that can be chosen for one list of `vary`: texts, or names that go together; a range gives its values.
+std::vector<Choice> cases_of(TomlTable& vary, const std::string& key) {
+  std::vector<Choice> cases;
+  for (const Texts& item : vary.alternatives(key)) {
+    std::vector<Choice> expanded(1);
+    for (const auto& [name, text] : item) {
+      if (text.find_first_of("{}") != std::string::npos)
+        throw std::runtime_error("'" + text + "' must be a text without braces");
+      const Words values = values_of(text);
+      if (values.size() > 1 && expanded.size() > 1)
+        throw std::runtime_error("only one name of a table can have a range");
+      if (values.size() > 1) expanded.resize(values.size(), expanded[0]);
+      for (std::size_t k = 0; k < expanded.size(); ++k) expanded[k][name] = values[k % values.size()];
+    }
+    cases.insert(cases.end(), expanded.begin(), expanded.end());
+  }
+  if (cases.empty()) throw std::runtime_error("the list is empty");
+  for (const Choice& one : cases)
+    if (names_in(one) != names_in(cases.front()))
+      throw std::runtime_error(
+          fmt::format("all tables of a list must have the same names; one has {}, one {}",
+                      fmt::join(names_in(cases.front()), ", "), fmt::join(names_in(one), ", ")));
+  return cases;
+}
+
+/// By the seed, one entry of each list of `vary`.
+Choice chosen(TomlTable& exercise, const std::string& id, const std::string& seed) {
   Choice choice;
-  if (const auto* lists = exercise["vary"].as_table())
-    for (const auto& [key, list] : *lists) {
-      std::vector<Choice> cases;
-      const auto* items = list.as_array();
-      if (items == nullptr || items->empty())
-        throw BadInput(fmt::format("vary.{} must be a list with something in it", key.str()));
-      for (const auto& item : *items) {
-        std::vector<Choice> expanded(1);
-        const auto add = [&](const std::string& name, const toml::node& value) {
-          const auto text = value.value_or(std::string());
-          if (text.find_first_of("{}") != std::string::npos)
-            throw BadInput(fmt::format("vary.{}: '{}' must be a text without braces", key.str(), text));
-          const auto values = values_of(text);
-          if (values.size() > 1) expanded.resize(values.size(), expanded[0]);  // one range in a table
-          for (std::size_t k = 0; k < expanded.size(); ++k) expanded[k][name] = values[k % values.size()];
-        };
-        if (const auto* names = item.as_table())
-          for (const auto& [name, value] : *names) add(std::string(name.str()), value);
-        else
-          add(std::string(key.str()), item);
-        cases.insert(cases.end(), expanded.begin(), expanded.end());
-      }
-      choice.merge(cases.at(picked(seed, id + "/" + std::string(key.str()), cases.size())));
+  std::optional<TomlTable> vary = exercise.table("vary");
+  if (!vary) return choice;
+  for (const std::string& key : vary->keys()) try {
+      const std::vector<Choice> cases = cases_of(*vary, key);
+      for (const auto& [name, text] : cases[picked(seed, id + "/" + key, cases.size())])
+        if (!choice.emplace(name, text).second)
+          throw std::runtime_error("another list has the name '" + name + "', too");
+    } catch (const BadInput&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      vary->fail(fmt::format("'{}' in 'vary': {}", key, error.what()), key);
     }
   return choice;
 }
 
-/// What an exercise gives, as a statement says it: "$theta_0 > 0$ and $theta_0 < alpha$".
-std::string given_in_words(const toml::node& given) {
+/// By the seed, which option is the first one.
+void turn_options(Exercise& exercise, const std::string& seed) {
+  auto& options = exercise.options;
+  if (options.empty()) return;
+  const std::size_t first = picked(seed, exercise.id + "/options", options.size());
+  std::rotate(options.begin(), options.begin() + static_cast<std::ptrdiff_t>(first), options.end());
+  exercise.choice["options"] = std::to_string(first);
+  exercise.seed = seed;
+}
+
+/// What the statement gives of symbols.
+std::vector<std::string> read_given(TomlTable& table) {
+  std::vector<std::string> given = table.texts("given");
+  std::erase(given, "");
+  for (const std::string& text : given)
+    check_text(table, "given", text, [](const std::string& relation) { (void)parse_relation(relation); });
+  return given;
+}
+
+/// The same as a statement says it: "$theta_0 > 0$ and $theta_0 < alpha$".
+std::string given_in_words(const std::vector<std::string>& given) {
   std::string words;
-  if (const auto* list = given.as_array())
-    for (const auto& item : *list)
-      if (const auto text = item.value_or(std::string()); !text.empty())
-        words += (words.empty() ? "$" : " and $") + text + "$";
+  for (const std::string& text : given) words += (words.empty() ? "$" : " and $") + text + "$";
   return words;
 }
 
-Exercise read_exercise(toml::table table, const std::string& file, const std::string& seed) {
-  Exercise exercise;
-  exercise.id = table["id"].value_or(std::string("without id"));
-  const std::string where = file + ", exercise " + exercise.id;
-  try {
-    exercise.choice = chosen(table, exercise.id, seed);
-    table.erase("vary");
-    Choice texts = exercise.choice;
-    if (auto* given = table.get("given")) {
-      fill_in(*given, texts);
-      texts["given"] = given_in_words(*given);
-    }
-    fill_in(table, texts);
-  } catch (const std::runtime_error& error) {
-    throw BadInput(where + ": " + error.what());
-  }
-  if (!exercise.choice.empty()) exercise.seed = seed;
-  const auto answers = taken(table, "answer");
-  for (const auto& slip : taken(table, "slip")) exercise.slips.push_back(read_slip(slip, where));
-  for (const auto& option : taken(table, "option")) {
-    TomlRow row(option, where + ", option");
-    exercise.options.push_back({row.text("text", true), row.text("claim", true), row.text("note"),
-                                row.text("says"), row.text("hint")});
-    row.done();
-  }
-  if (auto& options = exercise.options; !options.empty()) {  // their order is what varies
-    const std::size_t first = picked(seed, exercise.id + "/options", options.size());
-    std::rotate(options.begin(), options.begin() + static_cast<std::ptrdiff_t>(first), options.end());
-    exercise.choice["options"] = std::to_string(first);
-    exercise.seed = seed;
-  }
-  for (auto& assumption : taken(table, "assumption")) {
-    const Texts put = texts_taken(assumption, "put");
-    TomlRow row(assumption, where + ", assumption");
-    exercise.assumptions.push_back({put, row.text("says", true)});
-    row.done();
-  }
-  TomlRow row(table, where);
-  for (const char* taken_above : {"answer", "slip", "option", "assumption", "vary"})
-    (void)row.text(taken_above);  // named among the keys
-  (void)row.text("id", true);
-  exercise.lesson = static_cast<int>(row.whole("lesson").value_or(0));
-  exercise.title = row.text("title", true);
-  exercise.statement = row.text("statement", true);
-  exercise.symbols = row.texts("symbols");
+/// What an exercise of this kind must have, and must not.
+void check_kind(const TomlTable& table, const Exercise& exercise) {
+  const Reference& answer = exercise.answer;
+  const Kind kind = exercise.kind;
+  const bool is_row = !answer.row.empty();
+  constexpr std::size_t letters = 26;
+  if ((kind == Kind::wrong_term && !is_row) || (is_row && kind != Kind::wrong_term && kind != Kind::choice))
+    table.fail("'row' belongs to exercises of the kinds 'wrong_term', which need it, and 'choice'", "answer");
+  if (!answer.function.empty() && kind != Kind::number)
+    table.fail("'function' belongs to exercises of the kind 'number'", "answer");
+  if ((kind == Kind::choice) == exercise.options.empty())
+    table.fail("options belong to exercises of the kind 'choice', which need them", "option");
+  if (exercise.options.size() > letters)
+    table.fail(fmt::format("there can be {} options", letters), "option");
+  if (kind == Kind::equation && answer.side != "whole")
+    table.fail("the answer of an equation needs side = \"whole\"", "answer");
+  if ((kind == Kind::expression || kind == Kind::number) && answer.side == "whole")
+    table.fail("side = \"whole\" is an equation, and no expression or number", "answer");
+  if (!exercise.bound.empty() && exercise.name.empty()) table.fail("'bound' needs a 'name'", "bound");
+}
+
+/// What an exercise says by itself: its texts, numbers and symbols.
+void read_texts(TomlTable& table, Exercise& exercise) {
+  exercise.lesson = static_cast<int>(table.whole("lesson", 0, 99).value_or(0));
+  exercise.title = table.needed_text("title");
+  const auto kind = std::ranges::find(kind_names, table.needed_word("kind", kind_names));
+  exercise.kind = static_cast<Kind>(kind - kind_names.begin());
+  exercise.statement = table.needed_text("statement");
+  exercise.symbols = table.texts("symbols");
   std::erase(exercise.symbols, "");
-  exercise.example = row.text("example");
-  exercise.name = row.text("name");
-  exercise.given = row.texts("given");
-  std::erase(exercise.given, "");
-  for (const auto& text : exercise.given) reading(text, [&] { return parse_relation(text); });
-  exercise.bound = row.text("bound");
-  exercise.pivot = row.text("pivot");
-  exercise.unit = row.text("unit");
-  exercise.digits = static_cast<int>(row.whole("digits").value_or(exercise.digits));
-  if (exercise.digits < 1 || exercise.digits > 17) row.fail("'digits' must be from 1 to 17");
-  exercise.hints = row.texts("hints");
-  exercise.equivalents = row.texts("equivalents");
-  constexpr std::array kinds{"expression", "equation", "number", "choice", "wrong_term"};
-  const auto kind = std::find(kinds.begin(), kinds.end(), row.text("kind", true));
-  row.done();
-  if (kind == kinds.end()) row.fail(fmt::format("the kind is none of {}", fmt::join(kinds, ", ")));
-  exercise.kind = static_cast<Kind>(kind - kinds.begin());
-  if (answers.size() != 1) row.fail("one answer is wanted");
-  exercise.answer = read_reference(answers.front(), where);
+  exercise.example = table.text("example");
+  exercise.name = table.text("name");
+  exercise.bound = table.word("bound", {"<", "<=", ">", ">="});
+  exercise.pivot = table.text("pivot");
+  exercise.unit = table.text("unit");
+  exercise.digits = static_cast<int>(table.whole("digits", 1, 17).value_or(exercise.digits));
+  exercise.hints = table.texts("hints");
+  exercise.equivalents = table.texts("equivalents");
+}
+
+void check_texts(const TomlTable& table, const Exercise& exercise) {
+  for (const std::string& name : exercise.symbols) check_symbol(table, "symbols", name);
+  check_symbol(table, "pivot", exercise.pivot);
+  check_expression(table, "name", exercise.name);
+  if (!exercise.unit.empty() && exercise.unit != "1" && !is_unit(exercise.unit))
+    table.fail("'" + exercise.unit + "' is no unit; right is, for example, \"m/s^2\", or \"1\"", "unit");
+}
+
+Exercise read_exercise(TomlTable& table, const std::string& seed) {
+  Exercise exercise;
+  exercise.place = table.where();
+  exercise.id = table.needed_line("id");
+  if (!exercise.id.empty()) table.call_it("exercise " + exercise.id);
+  if (exercise.id.find('/') != std::string::npos) table.fail("an id names a file, and has no '/'", "id");
+  exercise.choice = chosen(table, exercise.id, seed);
+  if (!exercise.choice.empty()) exercise.seed = seed;
+  const auto fill_in = [&](const Choice& texts) {
+    table.fill_in([texts](const std::string& text) { return filled(text, texts); });
+  };
+  fill_in(exercise.choice);
+  exercise.given = read_given(table);
+  Choice texts = exercise.choice;
+  if (table.has("given")) texts["given"] = given_in_words(exercise.given);
+  fill_in(texts);
+  read_texts(table, exercise);
+  std::optional<TomlTable> answer = table.table("answer");
+  std::vector<TomlTable> slips = table.tables("slip"), options = table.tables("option"),
+                         assumptions = table.tables("assumption");
+  table.done();
+  check_texts(table, exercise);
+  if (!answer) table.fail("'answer' is missing");
+  exercise.answer = read_reference(*answer);
+  for (TomlTable& slip : slips) exercise.slips.push_back(read_slip(slip));
+  for (TomlTable& assumption : assumptions) exercise.assumptions.push_back(read_assumption(assumption));
+  for (TomlTable& option : options)
+    exercise.options.push_back(read_option(option, !exercise.answer.row.empty()));
+  check_kind(table, exercise);
+  turn_options(exercise, seed);
   return exercise;
+}
+
+/// The files of exercises, in the order of their names.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end;
+       file.increment(error))
+    if (file->path().extension() == ".toml" && file->path().filename() != "slips.toml")
+      files.push_back(file->path());
+  if (error) throw BadInput("cannot read the folder '" + folder.string() + "': " + error.message());
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 }  // namespace
 
 std::vector<Exercise> read_exercises(const std::filesystem::path& folder, const std::string& seed) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& file : std::filesystem::directory_iterator(folder))
-    if (file.path().extension() == ".toml" && file.path().filename() != "slips.toml")
-      files.push_back(file.path());
-  std::sort(files.begin(), files.end());
   std::vector<Exercise> exercises;
-  std::set<std::string> ids;
-  for (const auto& file : files) {
-    const std::string name = file.filename().string();
-    toml::table table;
-    try {
-      table = toml::parse_file(file.string());
-    } catch (const toml::parse_error& error) {
-      throw BadInput(fmt::format("{}, line {}: {}", name, error.source().begin.line, error.description()));
+  std::map<std::string, std::string> places;
+  for (const auto& file : files_in(folder))
+    for (TomlTable& table : tables_of(file, "exercise")) {
+      exercises.push_back(read_exercise(table, seed));
+      const Exercise& last = exercises.back();
+      if (const auto [place, is_new] = places.emplace(last.id, last.place); !is_new)
+        table.fail("a second exercise has this id; the first is at " + place->second, "id");
     }
-    const auto* list = table["exercise"].as_array();
-    if (list == nullptr) throw BadInput(name + ": no [[exercise]]");
-    for (const auto& item : *list) {
-      if (!item.is_table()) throw BadInput(name + ": [[exercise]] must be a table");
-      exercises.push_back(read_exercise(*item.as_table(), name, seed));
-      if (!ids.insert(exercises.back().id).second)
-        throw BadInput(name + ": a second exercise " + exercises.back().id);
-    }
-  }
   return exercises;
 }
 

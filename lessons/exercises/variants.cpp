@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdint>
 #include <derivations/decide/problem.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
@@ -35,6 +36,25 @@ std::string without_brace(const std::string& text) {
   return text;
 }
 
+/// The value, to ten digits, of a formula in which names stand for what is chosen.
+std::string value_of(const std::string& formula, const Choice& choice) {
+  Tree tree = parse(formula);
+  for (const auto& name : names_of(tree)) {
+    const auto found = choice.find(name);
+    if (found == choice.end()) throw std::runtime_error("{" + formula + "}: '" + name + "' does not vary");
+    const Tree value = parse(found->second);
+    if (!names_of(value).empty())
+      throw std::runtime_error(
+          fmt::format("{{{}}}: '{}' is '{}' here, and no number", formula, name, found->second));
+    tree = rederive::put_in(tree, name, value);
+  }
+  const Value value = value_at(tree, {}, 90);
+  const double number = value.is == Value::Is::certain ? value.ball().to_double() : NAN;
+  if (!std::isfinite(number))
+    throw std::runtime_error("{" + formula + "} has no value here, or one that is too large");
+  return fmt::format("{:.10g}", number);
+}
+
 }  // namespace
 
 std::string filled(const std::string& text, const Choice& choice) {
@@ -46,17 +66,8 @@ std::string filled(const std::string& text, const Choice& choice) {
     const std::string inside = text.substr(open + 1, close - open - 1);
     result += without_brace(text.substr(at, open - at));
     at = close + 1;
-    if (const auto found = choice.find(inside); found != choice.end()) {
-      result += found->second;
-      continue;
-    }
-    Tree tree = parse(inside);
-    for (const auto& name : names_of(tree)) {
-      const auto found = choice.find(name);
-      if (found == choice.end()) throw std::runtime_error("{" + inside + "}: '" + name + "' does not vary");
-      tree = rederive::put_in(tree, name, parse(found->second));
-    }
-    result += fmt::format("{:.10g}", value_at(tree, {}, 90).ball().to_double());
+    const auto found = choice.find(inside);
+    result += found != choice.end() ? found->second : value_of(inside, choice);
   }
   return result + without_brace(text.substr(at));
 }

@@ -19,6 +19,7 @@ std::string to_string(ClaimVerdict verdict);
 /// A row of claims.toml: what the paper says, in our words, and how it is decided. No answer is stored.
 struct Claim {
   std::string id, where, statement, printed, expected, check, method;
+  std::string place;                            ///< "FILE:LINE" of the claim
   std::string found;                            ///< how the numbers of the check are told: {} stands for one
   std::map<ClaimVerdict, std::string> meaning;  ///< what a verdict means for a reader, with {4} for a number
   std::vector<std::string> rows;                ///< the rows of equations.toml that a check looks at
@@ -56,9 +57,10 @@ const Checks& claim_checks();     ///< all of them
 
 /// The file that ships with the project.
 std::filesystem::path claims_file();
-/// Reads claims.toml. Throws std::runtime_error naming file, line and what would be right.
+/// Reads claims.toml. Throws BadInput naming file, line and what would be right.
 std::vector<Claim> read_claims(const std::filesystem::path& file);
-/// Decides one claim. Throws BadInput if it has no words for what its check found, or words that do not fit.
+/// Decides one claim. Throws BadInput, with the place of the claim, if its check cannot be made with what the
+/// claim gives, or if it has no words for what the check found, or words that do not fit.
 JudgedClaim judge(const Claim& claim, Bench& bench);
 
 /// {"claims": [{"id", "where", "statement", "verdict", "printed", "found", "explanation", "expected",

@@ -1,38 +1,56 @@
-// claims.toml → claims, and their words. Every complaint names the file, the row and what would be right.
+// claims.toml → claims, and their words. Every complaint names the file, the line, the claim and what would
+// be right.
 #include <fmt/args.h>
 #include <fmt/format.h>
 
-#include <derivations/emit/program.hpp>
+#include <array>
+#include <derivations/emit/toml_table.hpp>
 #include <derivations/paper/ledger.hpp>
-#include <derivations/paper/toml_rows.hpp>
 #include <lessons/ledger/claims.hpp>
-#include <set>
 #include <stdexcept>
 
 namespace rederive {
 
 namespace {
 
-Claim read_claim(TomlRow table) {
+constexpr std::array claim_verdicts{confirmed, refuted, qualified, undecided};
+
+std::vector<std::string> names_of_checks() {
+  std::vector<std::string> names;
+  for (const auto& [name, check] : claim_checks()) names.push_back(name);
+  return names;
+}
+
+/// A number that a check takes, 0 where it takes none.
+double parameter(TomlTable& table, const std::string& key) {
+  constexpr double largest = 1000;
+  const auto found = table.number(key);
+  if (found && !(*found > 0 && *found <= largest))
+    table.fail(fmt::format("'{}' must be more than 0, and at most {}", key, largest), key);
+  return found.value_or(0);
+}
+
+Claim read_claim(TomlTable& table) {
   Claim claim;
-  claim.id = table.text("id", true);
-  claim.where = table.text("where", true);
-  claim.statement = table.text("statement", true);
+  claim.place = table.where();
+  claim.id = table.needed_line("id");
+  if (!claim.id.empty()) table.call_it("claim " + claim.id);
+  claim.where = table.needed_text("where");
+  claim.statement = table.needed_text("statement");
   claim.printed = table.text("printed");
-  claim.expected = table.text("expected", true);
-  claim.check = table.text("check", true);
-  claim.method = table.text("method", true);
+  std::vector<std::string> words;
+  for (const ClaimVerdict verdict : claim_verdicts) words.push_back(to_string(verdict));
+  claim.expected = table.needed_word("expected", words);
+  claim.check = table.needed_word("check", names_of_checks());
+  claim.method = table.needed_text("method");
   claim.found = table.text("found");
-  for (const ClaimVerdict verdict : {confirmed, refuted, qualified, undecided})
-    claim.meaning[verdict] = table.text(to_string(verdict));
+  for (const ClaimVerdict verdict : claim_verdicts) claim.meaning[verdict] = table.text(to_string(verdict));
   claim.rows = table.texts("rows");
-  claim.omega_ratio = table.number("omega_ratio");
-  claim.amplitude = table.number("amplitude");
-  claim.impacts = static_cast<int>(table.whole("impacts").value_or(0));
+  claim.omega_ratio = parameter(table, "omega_ratio");
+  claim.amplitude = parameter(table, "amplitude");
+  claim.impacts = static_cast<int>(table.whole("impacts", 0, 1).value_or(0));
   table.done();
-  for (const auto& [verdict, words] : claim.meaning)
-    if (to_string(verdict) == claim.expected) return claim;
-  table.fail("claim " + claim.id + ": 'expected' is one of confirmed, refuted, qualified, undecided");
+  return claim;
 }
 
 /// Words that a claim lacks are those of the first claim with the same check.
@@ -61,13 +79,12 @@ std::filesystem::path claims_file() { return equations_file().parent_path() / "c
 
 std::vector<Claim> read_claims(const std::filesystem::path& file) {
   std::vector<Claim> claims;
-  std::set<std::string> ids;
-  std::map<std::string, Claim> first;
-  for (const TomlRow& table : toml_rows(file, "claim")) {
+  std::map<std::string, Claim> first;  // of each check
+  std::map<std::string, std::string> places;
+  for (TomlTable& table : tables_of(file, "claim")) {
     Claim& claim = claims.emplace_back(read_claim(table));
-    if (!ids.insert(claim.id).second) table.fail("the id " + claim.id + " stands twice");
-    if (!claim_checks().contains(claim.check))
-      table.fail("claim " + claim.id + " names the check '" + claim.check + "', which there is not");
+    if (const auto [place, is_new] = places.emplace(claim.id, claim.place); !is_new)
+      table.fail("a second claim has this id; the first is at " + place->second, "id");
     take_words(claim, first.emplace(claim.check, claim).first->second);
   }
   return claims;
@@ -88,14 +105,20 @@ const Checks& claim_checks() {
 }
 
 JudgedClaim judge(const Claim& claim, Bench& bench) {
-  const auto [verdict, values] = claim_checks().at(claim.check)(bench, claim);
-  const std::string& meaning = claim.meaning.at(verdict);
-  if (claim.found.empty() || meaning.empty())
-    throw BadInput("claim " + claim.id + " is " + to_string(verdict) + ", and has no words for that");
+  const std::string name = claim.place + ": claim " + claim.id;
   try {
+    const auto [verdict, values] = claim_checks().at(claim.check)(bench, claim);
+    const std::string& meaning = claim.meaning.at(verdict);
+    if (claim.found.empty() || meaning.empty())
+      throw BadInput(name + " is " + to_string(verdict) + ", and has no words for that");
     return {claim, verdict, told(claim.found, values), told(meaning, values)};
+  } catch (const BadInput&) {
+    throw;
   } catch (const fmt::format_error& error) {
-    throw BadInput("the words of claim " + claim.id + " do not fit its numbers: " + error.what());
+    throw BadInput(name + ": its words do not fit its numbers: " + error.what());
+  } catch (const std::exception& error) {
+    throw BadInput(fmt::format("{}: the check '{}' cannot be made with what the claim gives: {}", name,
+                               claim.check, error.what()));
   }
 }
 

@@ -24,12 +24,7 @@ std::string unexpected(const JudgedClaim& judged) {
 }
 
 std::vector<Claim> asked_for(const std::string& file, const std::string& id) {
-  std::vector<Claim> claims;
-  try {
-    claims = read_claims(file);
-  } catch (const std::runtime_error& error) {
-    throw BadInput(error.what());
-  }
+  std::vector<Claim> claims = read_claims(file);
   if (id.empty()) return claims;
   std::erase_if(claims, [&](const Claim& claim) { return claim.id != id; });
   if (claims.empty())

@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/emit/program.hpp>
-#include <derivations/paper/toml_rows.hpp>
+#include <derivations/emit/toml_table.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 namespace rederive {
 
@@ -14,35 +12,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::set<std::string> verdicts{"proved",  "proved_under", "approximation",
-                                     "refuted", "undecided",    "refused"};
-
-TableRow read_row(TomlRow table) {
-  const auto line = [&](const std::string& text) {
-    if (printable_line(text) != text)
-      table.fail("'" + printable_line(text) + "' must be one line of printable characters");
-    return text;
-  };
-  const auto lines = [&](const std::string& key) {
-    auto texts = table.texts(key);
-    for (const std::string& text : texts) (void)line(text);
-    return texts;
-  };
-  TableRow row{line(table.text("group", true)),
-               line(table.text("why")),
-               line(table.text("expected", true)),
-               table.flag("limit"),
-               {}};
-  row.request = {
-      line(table.text("left", true)), line(table.text("right", true)), lines("assume"), lines("small"), {}};
-  if (const auto order = table.whole("order")) {
-    if (*order < 0 || *order > 12) table.fail("'order' is 0 to 12");
-    row.request.order = static_cast<int>(*order);
-  }
+TableRow read_row(TomlTable& table) {
+  const std::vector<std::string> verdicts{"proved",  "proved_under", "approximation",
+                                          "refuted", "undecided",    "refused"};
+  TableRow row;
+  row.group = table.needed_line("group");
+  row.why = table.line("why");
+  row.expected = table.needed_word("expected", verdicts);
+  row.limit = table.flag("limit");
+  row.request.left = table.needed_line("left");
+  row.request.right = table.needed_line("right");
+  row.request.assumptions = table.lines("assume");
+  row.request.small = table.lines("small");
+  if (const auto order = table.whole("order", 0, 12)) row.request.order = static_cast<int>(*order);
   table.done();
-  if (!verdicts.contains(row.expected))
-    table.fail(fmt::format("'{}' is no verdict; right is one of {}", printable_line(row.expected),
-                           fmt::join(verdicts, ", ")));
   return row;
 }
 
@@ -69,11 +52,7 @@ std::string assumptions(const ProveRequest& request) {
 
 std::vector<TableRow> read_table(const std::filesystem::path& file) {
   std::vector<TableRow> rows;
-  try {
-    for (const TomlRow& table : toml_rows(file, "row")) rows.push_back(read_row(table));
-  } catch (const std::runtime_error& error) {
-    throw BadInput(error.what());
-  }
+  for (TomlTable& table : tables_of(file, "row")) rows.push_back(read_row(table));
   return rows;
 }
 

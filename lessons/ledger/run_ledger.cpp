@@ -2,7 +2,6 @@
 
 #include <derivations/emit/command_line.hpp>
 #include <derivations/language/lexer.hpp>
-#include <derivations/paper/bounded.hpp>
 #include <derivations/paper/mutate.hpp>
 #include <derivations/paper/prove.hpp>
 #include <derivations/rocking_block/table.hpp>
@@ -29,14 +28,6 @@ struct Options {
   ProveRequest request;
 };
 
-std::vector<Row> rows_of(const Options& options) {
-  try {
-    return read_rows(options.equations);
-  } catch (const std::runtime_error& error) {
-    throw BadInput(error.what());
-  }
-}
-
 Entry judged(const Row& row, const std::vector<Row>& rows) {
   try {
     return judge(row, rows);
@@ -48,7 +39,7 @@ Entry judged(const Row& row, const std::vector<Row>& rows) {
 }
 
 std::vector<Entry> all(const Options& options) {
-  const auto rows = rows_of(options);
+  const auto rows = read_rows(options.equations);
   std::vector<Entry> entries;
   for (const Row& row : rows) entries.push_back(judged(row, rows));
   return entries;
@@ -83,7 +74,7 @@ int show_all(const Options& options) {
 }
 
 int show_one(const Options& options) {
-  const auto rows = rows_of(options);
+  const auto rows = read_rows(options.equations);
   const Entry entry = judged(row_of(options.id, rows), rows);
   if (options.coq)
     options.json ? put({{"id", entry.row.id}, {"coq", lemma_page(entry)}}) : put(lemma_page(entry));
@@ -107,7 +98,7 @@ int show_mutation(const Options& options) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   Mutation total;
   total.id = "all";
-  const auto rows = rows_of(options);
+  const auto rows = read_rows(options.equations);
   if (!options.id.empty()) (void)row_of(options.id, rows);
   for (const Row& row : rows) {
     if (!options.id.empty() && row.id != options.id) continue;
@@ -150,21 +141,8 @@ int show_proof(const Options& options) {
   return verdict == "refuted" ? not_as_expected : verdict == "undecided" ? undecided_or_failed : as_expected;
 }
 
-/// A table that takes more than there is to read it ends a child process, and not this one.
-std::vector<TableRow> rows_of_table(const std::string& file) {
-  const auto try_it = [&] {
-    try {
-      (void)read_table(file);
-    } catch (const BadInput&) {
-    }
-  };
-  const Bounded outcome = run_bounded([] { return std::string("read"); }, 10, 480, 60, try_it);
-  if (!outcome.result) throw BadInput("'" + file + "' cannot be read: " + outcome.why);
-  return read_table(file);
-}
-
 int show_table(const Options& options) {
-  const auto rows = decide_table(rows_of_table(options.table));
+  const auto rows = decide_table(read_table(options.table));
   if (options.json)
     put(to_json(rows));
   else
@@ -279,7 +257,7 @@ int run_ledger(int argc, char** argv, const std::optional<OwnPaper>& own) {
     if (*proving) return show_proof(options);
     options.scripts.json = options.json;
     if (*certifying && own && options.scripts.ids.empty())  // theorems that ship are about the rocking block
-      for (const Row& row : rows_of(options)) options.scripts.ids.push_back(row.id);
+      for (const Row& row : read_rows(options.equations)) options.scripts.ids.push_back(row.id);
     if (*certifying) return certify(all(options), options.scripts);
     if (*dot) return put(graph(all(options))), as_expected;
     if (*sheet)

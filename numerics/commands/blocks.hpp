@@ -14,8 +14,7 @@ struct NamedBlock {
 
 /// Reads TOML: tables [[block]] with a name; half_width and half_height in metres, or alpha in rad and
 /// frequency_parameter in 1/s; and, if it is not that of eq (46), restitution.
-/// Throws BadInput with file and line for what cannot be read, and std::invalid_argument for a file that is
-/// none.
+/// Throws BadInput with file and line for what cannot be read or is out of range.
 std::vector<NamedBlock> read_blocks(const std::string& file);
 
 }  // namespace rederive::inline numeric
