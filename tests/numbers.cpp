@@ -71,7 +71,7 @@ TEST_CASE("a ball holds what an operation gives, and its ends are exact") {
 
 TEST_CASE("values: exact ones, certain ones, none, and what 192 bits do not tell") {
   const char* rows =
-      "1/3+0.25-2^-2 = 1/3; 0^0 = 1; 0^(1/2) = 0; 0^sqrt(2) = 0; (-2)^3 = -8; abs(-2/3) = 2/3; "
+      "1/3+0.25-2^-2 = 1/3; 0^(1/2) = 0; 0^sqrt(2) = 0; (-2)^3 = -8; abs(-2/3) = 2/3; "
       "sqrt(9/16) = 3/4; 8^(2/3) = 4; sin(0)+exp(0) = 1; log(1) = 0; cos(0) = 1; sin(pi/6) = 1/2; "
       "cos(2*pi/3) = -1/2; tan(-3*pi/4) = 1; cot(pi/2) = 0; sec(pi/3) = 2; csc(-pi/6) = -2; "
       "sin(1000001*pi) = 0; acosh(1) = 0; asin(1/2)/pi = 1/6; acos(-1)/pi = 1; atan(-1)/pi = -1/4; "
@@ -80,12 +80,13 @@ TEST_CASE("values: exact ones, certain ones, none, and what 192 bits do not tell
       "1/sin(pi) = nowhere; tan(pi/2) = nowhere; cot(pi) = nowhere; sec(-pi/2) = nowhere; "
       "csc(0) = nowhere; coth(0) = nowhere; csch(0) = nowhere; sqrt(-1e-35) = nowhere; "
       "sqrt(-pi) = nowhere; (-8)^(1/3) = nowhere; (-2)^pi = nowhere; (-2)^sqrt(2) = nowhere; "
-      "0^(-1) = nowhere; 0^(-1/2) = nowhere; asin(1+1e-35) = nowhere; acos(-2) = nowhere; "
+      "0^0 = nowhere; pi^0 = 1; 0^(-1) = nowhere; 0^(-1/2) = nowhere; asin(1+1e-35) = nowhere; acos(-2) = "
+      "nowhere; "
       "acosh(1-1e-35) = nowhere; atanh(1) = nowhere; atanh(-2) = nowhere; log(0) = nowhere; "
       "log(-1) = nowhere; log(cos(pi/2)) = nowhere; 0/0 = nowhere; 0*log(0) = nowhere; "
       "sqrt(2)^(1/0) = nowhere; exp(10^9) = unknown; exp(-10^9) = unknown; exp(exp(exp(20))) = unknown; "
       "1/(sqrt(2)*sqrt(3)-sqrt(6)) = unknown; log(sqrt(2)^2-2) = unknown; ((9^64)^64)^64 = unknown; "
-      "sqrt(sqrt(2)*sqrt(2)-2) = unknown";
+      "sqrt(sqrt(2)*sqrt(2)-2) = unknown; (sqrt(2)*sqrt(2)-2)^0 = unknown";
   for (const auto& [its_text, value] : table(rows)) {
     const auto& text = its_text;
     INFO(text);

@@ -105,6 +105,41 @@ Fraction Translator::logarithm_of(const Polynomial& p) {
   return ring_.function("log", p);
 }
 
+/// a - k·π for the whole k with which it is provably between -π/2 and π/2; times (-1)^k for the sine.
+std::optional<Fraction> Translator::moved_by_half_turns(const Fraction& a, bool is_sine) {
+  Interval range = point({});
+  Ball twice(0, 128);  // the middle, of the terms that are bounded
+  for (const auto& [number, term] : terms_of(a)) {
+    const auto [low, high] = ring_.range_of(term) * point({number});
+    range = range + Interval{low, high};
+    if (low.infinite == 0 && high.infinite == 0) twice = twice + low.ball(128) + high.ball(128);
+  }
+  const cln::cl_I nearest = cln::round1((twice / (Ball(2) * Ball::pi(128))).middle());
+  for (const cln::cl_I& k : {nearest, nearest + 1, nearest - 1}) {
+    const Fraction moved = a - Fraction(cln::cl_RA(k)) * pi();
+    const auto is_positive = [&](const Fraction& distance) {
+      return ring_.signs_of(ring_.normal(distance)).within(Signs::nonnegative());
+    };
+    if (is_within(range - point({0, k}), monotone_piece("sin").domain) ||
+        (is_positive(pi() / 2 - moved) && is_positive(pi() / 2 + moved)))
+      return ring_.normal(is_sine && cln::oddp(k) ? -moved : moved);
+  }
+  return std::nullopt;
+}
+
+std::optional<Fraction> Translator::known_angle(bool is_sine, const Fraction& u) {
+  for (const auto& [argument, values] : circular_)
+    for (const bool is_turned : {false, true}) {  // cos a = sin(π/2 - a)
+      const auto& [cosine, sine] = is_turned ? std::pair(values.second, values.first) : values;
+      if (!is_sine && (cosine.is_zero() || sine.numerator.terms() > 100)) continue;
+      const Fraction value = ring_.normal(is_sine ? sine : sine / cosine);
+      if (value != u && value != -u) continue;
+      const auto angle = moved_by_half_turns(is_turned ? pi() / 2 - argument : argument, is_sine);
+      if (angle) return value == u ? *angle : -*angle;
+    }
+  return std::nullopt;
+}
+
 /// asin u, or atan u, as a generator; both are odd.
 Fraction Translator::angle(bool is_sine, const Fraction& value) {
   const Fraction u = ring_.normal(value);

@@ -147,8 +147,9 @@ Signs Ring::signs_anew(const Polynomial& p, int depth) const {
   return result & product;
 }
 
-/// As a polynomial in one generator x after another: by the signs of its terms; and where it is quadratic in
-/// x, or in x², by 4a·(a x² + b x + c) = (2a x + b)² - (b² - 4ac).
+/// As a polynomial in one generator x after another: by the signs of its terms; where x is a square root, d +
+/// e·x has the sign of d or of e·x, as d² is above (e·x)² or below; and where it is quadratic in x, or in x²,
+/// by 4a·(a x² + b x + c) = (2a x + b)² - (b² - 4ac).
 Signs Ring::signs_of_irreducible(const Polynomial& p, int depth) const {
   Signs result = Signs::any();
   for (const int k : p.used()) {
@@ -157,6 +158,15 @@ Signs Ring::signs_of_irreducible(const Polynomial& p, int depth) const {
     for (int n = 1; n < static_cast<int>(c.size()) && sum != Signs::any(); ++n)
       sum = sum_of(sum, power(rederive::signs_of(generators_[k].range), n) * signs_of(c[n], depth));
     result = result & sum;
+    if (generators_[k].function == "sqrt" && generators_[k].degree == 2 && c.size() == 2) {
+      const Fraction n = norm(p, k);
+      const Signs order = signs_of(n.numerator, depth) * signs_of(n.denominator, depth),
+                  edge = order.is_definite() ? Signs::nonzero() : Signs::any();
+      if (order.within(Signs::nonnegative()))
+        result = result & edge & (signs_of(c[0], depth) | Signs::zero());
+      if (order.within(Signs::nonpositive()))
+        result = result & edge & (signs_of(c[1], depth) | Signs::zero());
+    }
     if (c.size() == 5 && c[1].is_zero() && c[3].is_zero()) c = {c[0], c[2], c[4]};
     if (c.size() != 3) continue;
     const Signs leading = signs_of(c[2], depth);

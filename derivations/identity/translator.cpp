@@ -53,9 +53,10 @@ Fraction Translator::power_of(const Node& node) {
     return exponential(ring_.normal(exponent * logarithm(base)));
   }
   const cl_RA number = exponent.constant();
-  const bool is_whole = cln::denominator(number) == 1, is_below = cln::minusp(number);
-  if (!is_whole) require(base, is_below ? Signs::positive() : Signs::nonnegative(), node.children[0]);
-  if (is_whole && is_below) require(base, Signs::nonzero(), node.children[0]);
+  const bool is_whole = cln::denominator(number) == 1,
+             needs_nonzero = !cln::plusp(number);  // 0^0 has no value
+  if (!is_whole) require(base, needs_nonzero ? Signs::positive() : Signs::nonnegative(), node.children[0]);
+  if (is_whole && needs_nonzero) require(base, Signs::nonzero(), node.children[0]);
   return is_whole ? raised(base, number) : root_of(node.children[0], base, number);
 }
 
@@ -74,7 +75,13 @@ Fraction Translator::raised(const Fraction& base, const cl_RA& exponent) {
 Fraction Translator::call(const Node& node) {
   const std::string& name = node.text;
   const Tree& argument = node.children[0];
+  const bool is_of_cosh = argument->kind == Node::Kind::call && argument->text == "cosh";
+  if (name == "acosh" && is_of_cosh) return absolute(translate(argument->children[0]));
   const Fraction x = translate(argument);
+  const auto known = name == "atan"                     ? known_angle(false, x)
+                     : name == "asin" || name == "acos" ? known_angle(true, x)
+                                                        : std::nullopt;
+  if (known) return name == "acos" ? pi() / 2 - *known : *known;
   if (const RewriteRule* rule = rewrite_rule(name)) {
     const auto of_x = [&](const Tree& tree) {  // the conditions of the parts are those of the whole
       const std::size_t known = conditions_->size();

@@ -70,6 +70,9 @@ class Translator {
   Fraction absolute(const Fraction& value);
   Fraction logarithm_of(const Polynomial& factor);
   Fraction angle(bool is_sine, const Fraction& value);
+  /// asin u, or atan u, of what is ± a sine or cosine, or ± a tangent or cotangent, of an argument before.
+  std::optional<Fraction> known_angle(bool is_sine, const Fraction& u);
+  std::optional<Fraction> moved_by_half_turns(const Fraction& a, bool is_sine);
 
   Ring& ring_;
   const Symbols& symbols_;

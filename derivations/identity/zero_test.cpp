@@ -22,7 +22,7 @@ bool vanishes_by_conjugates(const Ring& ring, const Polynomial& p, int depth) {
   return false;
 }
 
-/// A sum of multiples of symbols, angles and π, between -turns·π and turns·π.
+/// A sum of a number and multiples of symbols, angles and π, between -turns·π and turns·π.
 bool is_angle(const Ring& ring, const Fraction& d, int turns) {
   const Interval range = ring.range_of(d);
   if (!d.denominator.is_constant() || compare(range.low, End{{0, -turns}}) <= 0 ||
@@ -30,6 +30,7 @@ bool is_angle(const Ring& ring, const Fraction& d, int turns) {
     return false;
   for (std::size_t t = 0; t < d.numerator.terms(); ++t) {
     const auto powers = d.numerator.powers(t);
+    if (powers.empty()) continue;
     if (powers.size() != 1) return false;
     const Generator& g = ring.generators()[powers[0].first];
     if (!g.function.empty() && !g.is_angle()) return false;

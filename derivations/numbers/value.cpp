@@ -121,7 +121,8 @@ Value pow(const Value& x, const Value& y) {
   const cl_RA exponent = y.exact.value_or(0);
   const cl_I numerator = cln::numerator(exponent), denominator = cln::denominator(exponent);
   const bool is_whole = y.exact && denominator == 1;
-  if (sign == 0 && y.sign().value_or(0) != 0) return y.sign() > 0 ? x : Value{Is::nowhere};
+  if (sign == 0 && y.sign()) return y.sign() > 0 ? x : Value{Is::nowhere};
+  if (!sign && y.sign() == 0) return {};  // perhaps 0^0
   if (!is_whole && !y.constant && y.ball().contains_integer() && sign != 1) return {};
   if (!is_whole && sign == -1) return {Is::nowhere};
   if (is_whole && numerator == 1) return x;
