@@ -40,8 +40,10 @@ std::string witness_sentence(const Witness& witness) {
   const std::string at = joined(witness.at, ", ", [&](const auto& value) {
     return value_sentence(witness, value.first, value.second);
   });
+  const std::string printed = shortened(witness.printed), derived = shortened(witness.derived);
+  const bool differ = printed != derived;  // six digits may not tell the two apart
   return fmt::format("at {} the printed form comes to {}, the derived one to {}", at,
-                     shortened(witness.printed), shortened(witness.derived));
+                     differ ? printed : witness.printed, differ ? derived : witness.derived);
 }
 
 /// "w != 0" → "$w$ ≠ 0"; a condition in another form stays as it is.

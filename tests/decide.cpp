@@ -162,7 +162,51 @@ TEST_CASE("equations that are assumed say what a symbol is; the verdict tells th
 
 TEST_CASE("an expression is not compared with a relation, and what is not known is undecided") {
   CHECK(decided("x", "x = 0").verdict == Verdict::undecided);
-  CHECK(decided("1/(sin(x)^2+cos(x)^2-1)", "x").verdict == Verdict::undecided);
+  CHECK(decided("asin(2+x^2)", "acos(2+x^2)").verdict == Verdict::undecided);  // nowhere has one a value
+}
+
+TEST_CASE("what has no value wherever the other side has some is refuted, and the witness says so") {
+  const auto values = [](const char* left, const char* right, const Texts& assumptions = {}) {
+    CHECK(verdict(left, right, assumptions) == "refuted by sign");
+    const Witness witness = decided(left, right, assumptions).witness.value();
+    return std::pair(witness.printed, witness.derived);
+  };
+  CHECK(values("x = sqrt(-1-y^2)", "x = sqrt(1+y^2)").first == "no value");
+  CHECK(values("x = sqrt(1+y^2)", "x = sqrt(-1-y^2)").second == "no value");
+  CHECK(values("log(x-1)", "log(1-x)").first != values("log(1-x)", "log(x-1)").first);
+  CHECK(values("acosh(p/q)", "acosh(q/p)", {"p > q"}).second == "no value");
+  CHECK(values("1/(sin(x)^2+cos(x)^2-1)", "x").first == "no value");
+  CHECK(values("y < log(-1-x^2)", "y < x").first == "no value");
+  CHECK(decided("sqrt(x-1)", "sqrt(1-x)").verdict == Verdict::proved);  // both have one at x = 1
+  CHECK(decided("acosh(p/q)", "acosh(q/p)").verdict == Verdict::proved);
+}
+
+TEST_CASE("0^0 has no value: at points, as a condition, and for solutions") {
+  CHECK(decided("x^0", "1").side_conditions == Texts{"x != 0"});
+  CHECK(decided("(x-y)^(t-t)", "1").side_conditions == Texts{"x - y != 0"});
+  CHECK(decided("(p+q)^0", "1").side_conditions.empty());
+  CHECK(verdict("x^x = 1", "x = 1") == "undecided");
+  CHECK(verdict("x*x^0 = 0", "x = 0") == "undecided");
+}
+
+TEST_CASE("numbers are compared by their balls, and the arc of a number is a number") {
+  CHECK(verdict("exp(-1000) > 0", "0 < 1") == "proved by sign");
+  CHECK(verdict("tanh(500) >= 1", "0 < 1") == "refuted by points");
+  CHECK(verdict("acos(cos(3))", "3") == "proved by identity");
+  CHECK(verdict("acos(cos(4))", "4") == "refuted by points");
+  CHECK(decided("asin(sin(tanh(x)))", "tanh(x)").side_conditions.empty());
+}
+
+TEST_CASE("a witness has as many digits as tell its two values apart, and 30 otherwise") {
+  const auto digits = [](const char* left, const char* right) {
+    const Witness witness = decided(left, right).witness.value();
+    CHECK(witness.printed != witness.derived);
+    return witness.printed.size();
+  };
+  CHECK(digits("sqrt(2)", "1.41") == 31);
+  CHECK(digits("sqrt(2)+sqrt(3)", "3.14626436994197234232913506571557") == 61);
+  CHECK(digits("y = sqrt(2)+1/10^40", "y = sqrt(2)") == 61);
+  CHECK(digits("sqrt(2)+1/10^60", "sqrt(2)") == 121);
 }
 
 TEST_CASE("assumptions contradict each other, or do not") {

@@ -80,7 +80,8 @@ bool is_shown(const std::string& shown, const Point& at, const Relation& left, c
       }
     }
   return std::any_of(values.begin(), values.end(), [&](const Tree& value) {
-    if (digits_at(value, at, 30) == shown) return true;
+    for (const int digits : {30, 60, 120})
+      if (digits_at(value, at, digits) == shown) return true;
     return shown == "0" && compare(value, tree_of({}), at) == 0;
   });
 }

@@ -15,7 +15,8 @@ std::string to_string(Verdict verdict) {
 
 namespace {
 
-constexpr Effort few{6, 1, 200}, many{220, 24, 1800};
+constexpr Effort few{.points = 6, .solutions = 1, .bits = 200, .beside_ends = 0},
+    many{.points = 220, .solutions = 24, .bits = 1800, .beside_ends = 16};
 
 Proof undecided(std::string reason) { return {.reason = std::move(reason)}; }
 
@@ -71,9 +72,30 @@ std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& settin
   return both;
 }
 
+/// Whether no point in the ranges meets all assumptions and gives both statements a value, by signs.
+bool is_contradictory(const Problem& problem) try {
+  Comparison setting(problem.symbols);
+  return setting.translator.with_basis([&] {
+    translate(setting, problem);
+    for (const Generator& g : setting.ring.generators())
+      if (g.range.is_empty()) return true;
+    for (const Fact& f : setting.ring.facts)
+      if ((setting.ring.signs_of(f.value) & f.signs).is_none()) return true;
+    return prove_signs(setting.ring, 0, Signs::zero() & Signs::positive()).has_value();
+  });
+} catch (const NoValue&) {
+  return true;
+} catch (const Undecidable&) {
+  return false;
+}
+
 /// Points, identity and signs, more points. Without `by_points` nothing is refuted.
 Proof decide_problem(const Problem& problem, bool by_points) {
-  Search tried = search(problem, few);
+  const bool is_of_numbers = !problem.left.operators.empty() && names_of(problem.left).empty() &&
+                             names_of(problem.right).empty();
+  Search tried = search(problem, is_of_numbers ? many : few);
+  if (is_of_numbers && tried.agreed > 0)
+    return {.verdict = Verdict::proved, .reason = "the numbers in both are told apart by balls", .by = "sign"};
   std::optional<Proof> proof;
   std::string missing =
       "the sides agree wherever they were compared, but neither the difference vanishes identically nor a "
@@ -93,6 +115,11 @@ Proof decide_problem(const Problem& problem, bool by_points) {
     }
   if (!tried.witness && (proof ? tried.agreed == 0 : by_points)) tried = search(problem, many);
   if (tried.witness) return by_points ? refuted(*tried.witness) : undecided("it does not hold everywhere");
+  if (tried.agreed == 0 && tried.lacking && by_points && is_contradictory(problem))
+    return {.verdict = Verdict::refuted,
+            .witness = tried.lacking,
+            .reason = "one side has no value wherever the other one has some, as at the witness",
+            .by = "sign"};
   if (tried.agreed == 0) return undecided("no point was found at which both sides have a value");
   return proof.value_or(undecided(missing));
 }
@@ -134,22 +161,7 @@ std::string in_plain_words(const std::exception& error) {
 }
 
 bool contradict(const std::vector<Relation>& assumptions, const Symbols& symbols) {
-  try {
-    const Problem problem = with_values({{{zero()}, {}}, {{zero()}, {}}, assumptions, symbols}, {});
-    Comparison setting(problem.symbols);
-    return setting.translator.with_basis([&] {
-      translate(setting, problem);
-      for (const Generator& g : setting.ring.generators())
-        if (g.range.is_empty()) return true;
-      for (const Fact& f : setting.ring.facts)
-        if ((setting.ring.signs_of(f.value) & f.signs).is_none()) return true;
-      return prove_signs(setting.ring, 0, Signs::zero() & Signs::positive()).has_value();
-    });
-  } catch (const NoValue&) {
-    return true;
-  } catch (const Undecidable&) {
-    return false;
-  }
+  return is_contradictory(with_values({{{zero()}, {}}, {{zero()}, {}}, assumptions, symbols}, {}));
 }
 
 }  // namespace rederive

@@ -1,21 +1,5 @@
-// Decides whether two expressions, equations or inequalities are the same.
-//
-// An identity is proved where both sides are defined; if one side is defined where the other is not, that is
-// a side condition, and it is listed. Relations are the same if, wherever both have values, one holds where
-// and only where the other one does, and where no solution is seen to be hidden. In this order:
-//
-// 1. an equation x = value that is assumed is substituted (problem.hpp);
-// 2. a few points: where the two differ beyond doubt, in ball arithmetic, they are refuted (points.hpp);
-// 3. both become fractions of the ring of exponentials, with what must hold for them to have values
-//    (comparison.hpp);
-// 4. the difference is 0, or the two differ by a factor without zero or pole, positive for inequalities:
-//    proved by identity (compare.cpp);
-// 5. each follows from the other one by a certificate of signs: proved by sign (sign/certificate.hpp);
-// 6. more points;
-// 7. series in small symbols, where an order is asked for (decide_to_order, expansion.cpp).
-//
-// What none of these decides is undecided. Nothing is ever proved by agreement at points; but nothing is
-// called proved either before points were tried and agreed.
+// Decides whether two expressions, equations or inequalities are the same. The order of the
+// decision is in README.md.
 #pragma once
 
 #include <derivations/decide/problem.hpp>

@@ -21,13 +21,35 @@ Truth truth_at(const Relation& relation, const Point& point, long bits) {
   return result;
 }
 
+void collect_landmarks(const Tree& tree, std::vector<cl_RA>& landmarks) {
+  if (!names_of(tree).empty() || landmarks.size() >= 12) {
+    for (const Tree& child : tree->children) collect_landmarks(child, landmarks);
+    return;
+  }
+  const Value value = value_at(tree, {}, 64);
+  if (value.exact && (cln::abs(*value.exact) > 3 || cln::denominator(*value.exact) > 4))
+    landmarks.push_back(*value.exact);
+  if (value.is == Value::Is::certain && !value.exact && value.ball().is_moderate())
+    landmarks.push_back(cln::cl_RA(cln::round1(cl_RA(value.ball().lower()) * 100)) / 100);
+}
+
 namespace {
 
 /// Values of a symbol: small numbers first; and ends and multiples of pi, which are easily overlooked.
 struct Candidates {
   std::vector<cl_RA> plain;
   std::vector<Constant> special;
+  std::vector<cl_RA> beside_ends;
 };
+
+/// Rational numbers on both sides of a number, at distances of 1/10 to 1/10^8.
+std::vector<cl_RA> beside(const Ball& number) {
+  std::vector<cl_RA> result;
+  for (const char* step : {"1/10", "1/100", "1/10000", "1/100000000"})
+    for (const int steps : {-1, 0, 1, 2})
+      result.push_back((cln::floor1(cl_RA(number.middle()) / cl_RA(step)) + steps) * cl_RA(step));
+  return result;
+}
 
 Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks) {
   Candidates result;
@@ -51,26 +73,17 @@ Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks
   if (result.plain.empty() && has_low && has_high)
     add(((range.low.ball(64) + range.high.ball(64)) / Ball(2)).middle());
   std::vector<Constant> special{{}};
-  for (const End* end : {&range.low, &range.high})
-    if (end->infinite == 0) special.push_back(*end);
+  for (const End* end : {&range.low, &range.high}) {
+    if (end->infinite != 0) continue;
+    special.push_back(*end);
+    std::ranges::copy_if(beside(end->ball(128)), std::back_inserter(result.beside_ends),
+                         [&](const cl_RA& x) { return range.contains({x}); });
+  }
   for (const char* q : {"1/2", "1", "1/6", "1/4", "1/3", "-1/2", "2/3", "-1/6", "3/2", "-1/4", "2"})
     special.push_back({0, q});
   std::ranges::copy_if(special, std::back_inserter(result.special),
                        [&](const Constant& c) { return range.contains(c); });
   return result;
-}
-
-/// The constant parts that are rational and neither small nor whole: where something may turn.
-void collect_landmarks(const Tree& tree, std::vector<cl_RA>& landmarks) {
-  if (!names_of(tree).empty() || landmarks.size() >= 12) {
-    for (const Tree& child : tree->children) collect_landmarks(child, landmarks);
-    return;
-  }
-  const Value value = value_at(tree, {}, 64);
-  if (value.exact && (cln::abs(*value.exact) > 3 || cln::denominator(*value.exact) > 4))
-    landmarks.push_back(*value.exact);
-  if (value.is == Value::Is::certain && !value.exact && value.ball().is_moderate())
-    landmarks.push_back(cln::cl_RA(cln::round1(cl_RA(value.ball().lower()) * 100)) / 100);
 }
 
 /// The range under x > 2, an assumption with a number beside the symbol.
@@ -79,9 +92,10 @@ void narrow(Interval& range, const Relation& a, const std::string& name) {
   for (const int side : {0, 1}) {
     const Tree &symbol = a.sides[side], &bound = a.sides[1 - side];
     if (!is_symbol(symbol) || symbol->text != name || !names_of(bound).empty() || op == "!=") continue;
-    const auto value = value_at(bound, {}, 128).constant;
-    if (!value) continue;
-    const End end{*value, 0, op.size() == 2};
+    const Value value = value_at(bound, {}, 128);
+    if (value.is != Value::Is::certain) continue;
+    const cl_RA near = cl_RA(cln::round1(cl_RA(value.ball().middle()) * 1'000'000'000)) / 1'000'000'000;
+    const End end{value.constant.value_or(Constant{near}), 0, op.size() == 2 && value.constant};
     range = overlap(range, (op[0] == '<') == (side == 0) ? Interval{{{}, -1}, end} : Interval{end, {{}, +1}});
   }
 }
@@ -129,6 +143,13 @@ std::optional<Point> point_of(const Table& table, int index) {
   return point;
 }
 
+/// One symbol after the other to each place beside the ends of its range.
+void move_beside_end(Point& point, const Table& table, int index) {
+  const auto& [name, c] = table[index % table.size()];
+  const std::size_t place = index / table.size();
+  if (place < c.beside_ends.size()) point.insert_or_assign(name, c.beside_ends[place]);
+}
+
 bool has_value(const Tree& tree, const Point& point) {
   return value_at(tree, point, 200).is == Value::Is::certain;
 }
@@ -165,6 +186,31 @@ bool differ_at(const Relation& solved, const Relation& other, const Point& point
          std::ranges::all_of(solved.sides, [&](const Tree& side) { return has_value(side, point); });
 }
 
+/// Whether one has values at the point, and the other one certainly has none.
+bool one_lacks_a_value(const Problem& problem, const Point& point) {
+  const auto truth = [&](const Relation& r) {
+    const bool is_relation = !r.operators.empty();
+    return truth_at(is_relation ? r : Relation{{r.sides[0], r.sides[0]}, {"="}}, point, 200);
+  };
+  const Truth left = truth(problem.left), right = truth(problem.right);
+  return left != right && left != Truth::unknown && right != Truth::unknown;
+}
+
+/// Where the two differ beside a solution, for the symbols that were solved for.
+std::optional<Witness> beside_solution(const Problem& problem, const Point& point, const Point& solution) {
+  for (const auto& [name, number] : solution) {
+    const Value& value = number.value(128);
+    if (&*number == &*point.at(name) || value.is != Value::Is::certain) continue;
+    for (const cl_RA& x : beside(value.ball())) {
+      Point moved = solution;
+      moved.insert_or_assign(name, x);
+      if (is_admitted(problem, moved) && compare_at(problem, moved, 200) < 0)
+        return make_witness(problem, moved, std::nullopt);
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Witness> at_solutions(const Problem& problem, const Point& point, int attempt) {
   for (const bool of_left : {false, true}) {
     const Relation& solved = of_left ? problem.left : problem.right;
@@ -172,10 +218,14 @@ std::optional<Witness> at_solutions(const Problem& problem, const Point& point, 
     std::vector<Relation> equations = equations_of(problem.assumptions);
     equations.push_back(solved);
     const auto solution = solve(equations, point, problem.symbols, attempt);
-    if (!solution || !is_admitted(problem, *solution) ||
-        !differ_at(solved, of_left ? problem.right : problem.left, *solution))
-      continue;
-    if (auto witness = make_witness(problem, *solution, of_left)) return witness;
+    if (!solution) continue;
+    std::optional<Witness> witness;
+    if (is_admitted(problem, *solution) &&
+        differ_at(solved, of_left ? problem.right : problem.left, *solution))
+      witness = make_witness(problem, *solution, of_left);
+    else if (!is_equation(solved) && attempt < 8)
+      witness = beside_solution(problem, point, *solution);
+    if (witness) return witness;
   }
   return std::nullopt;
 }
@@ -186,14 +236,18 @@ Search search(const Problem& problem, const Effort& effort) {
   Search result;
   const Table table = table_of(problem);
   const int solutions = problem.left.operators.empty() ? 0 : effort.solutions;
-  for (int k = 0; k < (table.empty() ? 1 : effort.points) && !result.witness; ++k) {
-    const auto point = point_of(table, k);
+  const int points = table.empty() ? 1 : effort.points + effort.beside_ends * std::ssize(table);
+  for (int k = 0; k < points && !result.witness; ++k) {
+    auto point = point_of(table, k);
     if (!point) break;
+    if (k >= effort.points) move_beside_end(*point, table, k - effort.points);
     const auto solution = solve(equations_of(problem.assumptions), *point, problem.symbols, k);
     if (solution && is_admitted(problem, *solution)) {
-      const int said = compare_at(problem, *solution, effort.bits);
+      const int said = compare_at(problem, *solution, table.empty() ? bits_of_numbers : effort.bits);
       if (said < 0) result.witness = make_witness(problem, *solution, std::nullopt);
       if (said > 0) ++result.agreed;
+      if (said == 0 && !result.lacking && one_lacks_a_value(problem, *solution))
+        result.lacking = make_witness(problem, *solution, std::nullopt);
     }
     if (!result.witness && k < solutions) result.witness = at_solutions(problem, *point, k);
   }

@@ -12,14 +12,20 @@ namespace rederive {
 enum class Truth { holds, fails, undefined, unknown };
 Truth truth_at(const Relation& relation, const Point& point, long bits = 1800);
 
+/// The most bits with which numbers are compared.
+constexpr long bits_of_numbers = 16'000;
+
+/// The constant parts that are rational and neither small nor whole, and some more: where something may turn.
+void collect_landmarks(const Tree& tree, std::vector<cln::cl_RA>& landmarks);
+
 /// The point with other values of some symbols, such that all equations hold, each solved for a symbol of its
 /// own: one that occurs linearly, or one with a zero that a change of sign encloses. `attempt` varies
 /// which are tried first. Nothing where none is found in the range of its symbol.
 std::optional<Point> solve(const std::vector<Relation>& equations, Point point, const Symbols& symbols,
                            int attempt);
 
-/// Both values at the point, to 30 digits; nothing where these cannot be had. `of_left`: whether the point
-/// was found as one that solves the left statement, or the right one.
+/// Both values at the point, to 30 digits, or to as many as tell them apart; nothing where these cannot be
+/// had. `of_left`: whether the point was found as one that solves the left statement, or the right one.
 std::optional<Witness> make_witness(const Problem& problem, const Point& point, std::optional<bool> of_left);
 
 /// A point where the two statements differ beyond doubt, all assumptions hold and all values that were put in
@@ -27,11 +33,13 @@ std::optional<Witness> make_witness(const Problem& problem, const Point& point, 
 struct Search {
   std::optional<Witness> witness;
   int agreed = 0;
+  std::optional<Witness> lacking = {};  ///< where one has values, and the other one certainly has none
 };
 struct Effort {
   int points;
-  int solutions;  ///< of relations: at so many points one is also solved for a symbol
-  long bits;      ///< up to so many
+  int solutions;    ///< of relations: at so many points one is also solved for a symbol
+  long bits;        ///< up to so many, of statements with symbols
+  int beside_ends;  ///< so many more points for each symbol, which is beside an end of its range
 };
 Search search(const Problem& problem, const Effort& effort);
 

@@ -18,7 +18,7 @@ std::string to_string(Verdict verdict);
 /// left one; else of left minus right.
 struct Witness {
   std::map<std::string, std::string> at;  ///< symbol → rational number as text, or digits of what follows
-  std::string printed, derived;           ///< 30 digits
+  std::string printed, derived;           ///< 30 digits or more; "no value" where a side has none
   std::map<std::string, std::string> exactly = {};  ///< symbol → the constant that it is: "pi/6"
   std::map<std::string, std::pair<std::string, std::string>> between = {};  ///< bounds of a zero
   std::string solves = {};  ///< of this equation: "y - cos(y) = 0"

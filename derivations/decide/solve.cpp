@@ -3,6 +3,7 @@
 #include <derivations/decide/points.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/numbers/interval.hpp>
+#include <functional>
 
 namespace rederive {
 
@@ -55,36 +56,80 @@ std::optional<Number> solve_linear(const Point& point, const GiNaC::ex& e, const
   return constant ? std::optional<Number>(constant) : std::nullopt;
 }
 
-/// The first zero between neighbours on a grid over the range, narrowed to a thousandth, from below or above.
+/// Where signs are tried at first, in steps of 1/4 near 0; and then by powers of 2 around 0, and nearer
+/// around pi/2, the numbers that occur, and the ends of the range.
+std::vector<cl_RA> grid_of(const Interval& range, const Tree& residual, bool is_wide) {
+  std::set<cl_RA> grid;
+  std::vector<cl_RA> centres{0, cl_RA(Ball::pi(64).middle()) / 2};
+  for (int k = -41; k <= 40 && !is_wide; ++k) grid.insert(cl_RA(2 * k + 1) / 8);
+  if (is_wide) collect_landmarks(residual, centres);
+  for (const End* end : {&range.low, &range.high})
+    if (end->infinite == 0) centres.push_back(end->ball(64).middle());
+  for (const cl_RA& centre : centres)
+    for (int k = cln::zerop(centre) ? -40 : -24; k <= (cln::zerop(centre) ? 60 : 4) && is_wide; ++k)
+      for (const int side : {-1, 0, 1}) grid.insert(centre + side * cln::expt(cl_RA(2), k));
+  std::erase_if(grid, [&](const cl_RA& x) { return !range.contains({x}); });
+  return {grid.begin(), grid.end()};
+}
+
+/// A place on a line, and what a residual is there.
+struct Place {
+  cl_RA x;
+  Value value;
+  std::optional<int> sign = value.sign();
+};
+
+/// Two places of different signs, narrowed to a thousandth, the lower one first; or the zero itself twice.
+std::pair<cl_RA, cl_RA> narrowed(Place a, Place b, const std::function<Place(const cl_RA&)>& at) {
+  cl_RA unit = cl_RA(1) / 1000;
+  while (10'000 * unit < std::max(cln::abs(a.x), cln::abs(b.x))) unit = 10 * unit;
+  while (cln::abs(b.x - a.x) > unit) {
+    const cl_RA half = (a.x + b.x) / 2, rounded = cln::floor1(half / unit) * unit;
+    Place middle = at((rounded - a.x) * (rounded - b.x) < 0 ? rounded : half);
+    if (middle.sign == 0) return {middle.x, middle.x};
+    (middle.sign == a.sign ? a : b) = std::move(middle);
+  }
+  return std::minmax(a.x, b.x);
+}
+
+/// Places in eighths between the neighbours of the one where the value is nearest to 0.
+std::vector<cl_RA> finer(std::vector<Place> places) {
+  std::erase_if(places, [](const Place& p) { return !p.sign; });
+  if (places.size() < 3) return {};
+  const auto size = [](const Place& p) { return p.value.ball() * p.value.ball(); };
+  const auto nearest = std::min_element(places.begin() + 1, places.end() - 1,
+                                        [&](auto& a, auto& b) { return size(a) < size(b); });
+  std::vector<cl_RA> grid;
+  for (int k = 0; k <= 8; ++k) grid.push_back((k * nearest[1].x + (8 - k) * nearest[-1].x) / 8);
+  return grid;
+}
+
+/// The first zero between neighbours on a grid, from below or above. Of a few attempts, where there is none,
+/// also on a wider one, and where the value is nearest to 0.
 std::optional<Number> enclose(Point point, const Tree& residual, const std::string& name,
-                              const Interval& range, bool from_above) {
-  const auto sign = [&](const cl_RA& x) {
+                              const Interval& range, int attempt) {
+  const auto at = [&](const cl_RA& x) {
     point.insert_or_assign(name, x);
-    return sign_at(residual, zero(), point, 400);
+    return Place{x, value_at(residual, point, 192)};
   };
-  cl_RA low = 0, high = 0;
-  Sign before = Sign::unknown;
-  for (int k = -40; k <= 40; ++k, low = high) {
-    high = cl_RA(from_above ? -2 * k - 1 : 2 * k + 1) / 8;
-    if (!range.contains({high})) continue;
-    const Sign here = sign(high), last = std::exchange(before, here);
-    if (here == Sign::zero) return high;
-    if (!(last == Sign::negative && here == Sign::positive) &&
-        !(last == Sign::positive && here == Sign::negative))
-      continue;
-    cl_RA a = low, b = high;
-    while (cln::abs(b - a) > cl_RA(1) / 1000) {
-      const cl_RA middle = cl_RA(cln::floor1(500 * (a + b))) / 1000;
-      const Sign there = sign(middle);
-      if (there == Sign::zero) return middle;
-      (there == last ? a : b) = middle;
+  const int rounds = attempt == 1 || attempt == 2 ? 30 : 1;
+  const Tree tree = with_coordinates(residual, point, name);
+  std::vector<Place> places;
+  for (int round = 0; round < rounds; ++round) {
+    auto grid = round < 2 ? grid_of(range, residual, round == 1) : finer(std::move(places));
+    if (attempt % 2 != 0) std::ranges::reverse(grid);
+    places.clear();
+    for (const cl_RA& x : grid) {
+      places.push_back(at(x));
+      if (places.back().sign == 0) return x;
+      const Place *last = &places.back(), *before = places.size() > 1 ? last - 1 : last;
+      if (last->sign.value_or(0) * before->sign.value_or(0) >= 0) continue;
+      const auto [low, high] = narrowed(*before, *last, at);
+      if (low == high) return low;
+      const Number zero(tree, name, low, high);
+      // a finite ball over the whole of it: continuous there, no pole
+      if (tree && value_at(tree, {{name, zero}}, 24).is == Value::Is::certain) return zero;
     }
-    if (from_above) std::swap(a, b);
-    const Tree tree = with_coordinates(residual, point, name);
-    if (!tree) return std::nullopt;
-    const Number zero(tree, name, a, b);
-    // a finite ball over the whole of it: continuous there, no pole
-    if (value_at(tree, {{name, zero}}, 24).is == Value::Is::certain) return zero;
   }
   return std::nullopt;
 }
@@ -102,7 +147,7 @@ bool solve_one(Point& point, const Tree& residual, const std::vector<std::string
       if (fixed.contains(name) || (is_linear && !expanded)) continue;
       const Interval range = parse_range(symbols.find(name)->range);
       const auto number = is_linear ? solve_linear(point, *expanded, name, symbols)
-                                    : enclose(point, residual, name, range, attempt % 2 != 0);
+                                    : enclose(point, residual, name, range, attempt);
       if (!number || !lies_in(*number, range)) continue;
       point.insert_or_assign(name, *number);
       return true;

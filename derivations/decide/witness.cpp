@@ -15,23 +15,35 @@ namespace {
 
 std::string rational_text(const cl_RA& value) { return fmt::to_string(fmt::streamed(value)); }
 
+/// So many digits of a value; "no value" where there certainly is none, empty where that cannot be told.
+std::string text_at(const Tree& tree, const Point& point, int digits = 30) {
+  if (const auto text = digits_at(tree, point, digits)) return *text;
+  return value_at(tree, point, 200).is == Value::Is::nowhere ? "no value" : "";
+}
+
 /// The first difference between the sides of a link that is not 0; "0" if there is none.
 std::string residual_at(const Relation& relation, const Point& point) {
   for (const Relation& link : links_of(relation)) {
-    const auto digits = digits_at(difference(link.sides[0], link.sides[1]), point, 30);
-    if (digits && *digits != "0") return *digits;
+    const std::string text = text_at(difference(link.sides[0], link.sides[1]), point);
+    if (!text.empty() && text != "0") return text;
   }
   return "0";
 }
 
-/// Both values: of expressions, of right-hand sides, or of residuals, one of which a solution makes 0.
+/// Both values: of expressions, of right-hand sides, with as many digits as tell them apart; or of residuals,
+/// one of which a solution makes 0.
 std::pair<std::string, std::string> values_at(const Problem& problem, const Point& point,
                                               std::optional<bool> of_left) {
   const auto& [left, right] = std::tie(problem.left, problem.right);
-  const auto text = [&](const Relation& r) { return digits_at(r.sides.back(), point, 30).value_or(""); };
   const auto name = [&](const Relation& r) { return print(r.sides[0], Notation::plain, problem.symbols); };
   const bool is_simple = left.operators.size() == 1 && right.operators.size() == 1;
-  if (left.operators.empty() || (is_simple && name(left) == name(right))) return {text(left), text(right)};
+  const Tree &a = left.sides.back(), &b = right.sides.back();
+  if (left.operators.empty() || (is_simple && name(left) == name(right))) {
+    std::pair shown(text_at(a, point), text_at(b, point));
+    for (int digits = 60; shown.first == shown.second && !is_same(a, b) && digits < 16'000; digits *= 2)
+      shown = {text_at(a, point, digits), text_at(b, point, digits)};
+    return shown;
+  }
   return {of_left == true ? "0" : residual_at(left, point),
           of_left == false ? "0" : residual_at(right, point)};
 }

@@ -150,6 +150,7 @@ bool has_script(const Question& q) try {
 }
 
 std::string refutation(const std::string& name, const Question& question, const Proof& proof) {
+  if (proof.by == "sign") throw Undecidable("one side has no value, for which there is no script");
   const Statement s(question, proof);
   const Question& q = s.q;
   const std::map<std::string, Tree> at = values_at(*proof.witness, s);
