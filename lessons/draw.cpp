@@ -28,7 +28,9 @@ Said said_by(const std::string& command) {
   Said said;
   char buffer[65536];
   for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) said.text.append(buffer, n);
+  const bool is_whole = std::ferror(pipe) == 0;
   said.status = ::pclose(pipe);
+  if (!is_whole) throw BadInput("what a program writes cannot be read");
   return said;
 }
 
@@ -38,14 +40,18 @@ std::string in_quotes(const std::filesystem::path& path) {
   return text + "'";
 }
 
+std::optional<std::string> drawn(const Figure& figure, const std::string& kind) {
+  return drawn_by_gnuplot(terminals + terminal(kind) + figure.script + "\n");
+}
+
 std::optional<std::filesystem::path> draw(const Figure& figure, const std::string& kind,
-                                          const std::filesystem::path& folder) {
-  const auto drawn = drawn_by_gnuplot(terminals + terminal(kind) + figure.script + "\n");
-  if (!drawn) return {};
-  std::filesystem::create_directories(folder);
-  const auto picture = folder / (figure.name + "." + kind);
-  write_whole(picture, *drawn);
-  return picture;
+                                          std::filesystem::path& folder) {
+  const auto picture = drawn(figure, kind);
+  if (!picture) return {};
+  if (folder.empty()) folder = private_folder("figures");
+  const auto file = folder / (figure.name + "." + kind);
+  write_whole(file, *picture);
+  return file;
 }
 
 }  // namespace rederive

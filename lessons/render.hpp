@@ -14,10 +14,11 @@ enum class Format { unicode, plain, latex, markdown, notebook, html };
 
 struct Setting {
   Format format = Format::unicode;
-  std::size_t width = 80;            ///< of the terminal
-  bool lively = false;               ///< bold and colour allowed
-  std::filesystem::path figures;     ///< the folder that pictures are written into
-  bool beside = false;               ///< the text stands in that folder, too, and names them without it
+  std::size_t width = 80;  ///< of the terminal
+  bool lively = false;     ///< bold and colour allowed
+  /// The folder that pictures are written into. Empty: the first picture sets it to a private folder.
+  std::shared_ptr<std::filesystem::path> figures = std::make_shared<std::filesystem::path>();
+  bool beside = false;               ///< the text is written into that folder, too, and names them without it
   std::string previous, next;        ///< programs of the neighbouring lessons; empty if there is none
   std::vector<std::string> lessons;  ///< all programs, in order
   bool module = false;               ///< a notebook may call the Python module
@@ -55,10 +56,12 @@ std::string headline(const Entry& entry);
 /// What the ledger found, line by line: printed, correct, factor, conditions, witness, dimension, notes.
 std::vector<Remark> findings(const Entry& entry);
 
-/// Draws a figure with gnuplot. `kind` is "svg" or "pdf". Gives the file, or nothing if gnuplot is not there.
-/// Throws std::runtime_error with gnuplot's own words if the script is wrong.
+/// Draws a figure with gnuplot. `kind` is "svg" or "pdf". Returns the picture, or nothing if gnuplot is not
+/// there. Throws std::runtime_error with gnuplot's own words if the script is wrong.
+std::optional<std::string> drawn(const Figure& figure, const std::string& kind);
+/// Writes the same into a folder and returns the file. An empty folder is set to a private one.
 std::optional<std::filesystem::path> draw(const Figure& figure, const std::string& kind,
-                                          const std::filesystem::path& folder);
+                                          std::filesystem::path& folder);
 
 /// LaTeX as `print` writes it → MathML, which browsers draw without help. Throws std::invalid_argument naming
 /// a command that it does not know.
@@ -72,8 +75,6 @@ std::string math_font_style();
 std::string latex_escaped(std::string_view text);
 /// Text for HTML, with & < > " escaped.
 std::string escaped(const std::string& text);
-/// What a file holds, or nothing.
-std::string whole_file(const std::filesystem::path& path);
 /// What a command of the shell writes, and what it ends with.
 struct Said {
   int status;

@@ -3,8 +3,6 @@
 
 #include <derivations/emit/data_folder.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
-#include <fstream>
-#include <iterator>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 #include <regex>
@@ -174,17 +172,16 @@ class HtmlRenderer : public Renderer {
   }
 
   std::string render(const Figure& part) {
-    const auto picture = draw(part, "svg", setting_.figures);
+    const auto picture = drawn(part, "svg");
     const std::string image = picture ? "<img alt=\"" + escaped(unmarked(part.caption, Notation::unicode)) +
-                                            "\" src=\"data:image/svg+xml;base64," +
-                                            base64(whole_file(*picture)) + "\">"
+                                            "\" src=\"data:image/svg+xml;base64," + base64(*picture) + "\">"
                                       : std::string();
     return "<figure>" + image + "<figcaption>" + flat(part.caption) + "</figcaption></figure>\n";
   }
 
   /// The element and its scripts, opened at a case.
   static std::string workbench(const std::string& options) {
-    std::string text = whole_file(data_folder() / "workbench_element.html");
+    std::string text = read_if_there(data_folder() / "workbench_element.html").value_or("");
     const std::string place = "data-case=\"";
     const std::size_t at = text.find(place);
     if (at == std::string::npos)
@@ -219,16 +216,11 @@ class HtmlRenderer : public Renderer {
 
 }  // namespace
 
-std::string whole_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 std::string page_head(const std::string& title) {
   return "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">"
          "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
          "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-         title + "</title>\n<style>\n" + whole_file(data_folder() / "page.css") + "</style>\n" +
+         title + "</title>\n<style>\n" + read_whole(data_folder() / "page.css") + "</style>\n" +
          math_font_style() + "</head>\n<body>\n";
 }
 
@@ -264,7 +256,7 @@ std::string formula_html(const Relation& relation) {
 std::string page_html(const Page& page) { return HtmlRenderer({}).blocks(page); }
 
 std::string math_font_style() {
-  const std::string font = whole_file(data_folder() / "math.woff2");
+  const std::string font = read_if_there(data_folder() / "math.woff2").value_or("");
   return font.empty() ? ""
                       : "<style>@font-face{font-family:\"Rederive Math\";src:url(data:font/woff2;base64," +
                             base64(font) + ")}</style>\n";

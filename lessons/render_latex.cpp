@@ -106,9 +106,9 @@ class LatexRenderer : public Renderer {
   }
 
   std::string render(const Figure& part) const {
-    const auto picture = draw(part, "pdf", setting_.figures);
+    const auto picture = draw(part, "pdf", *setting_.figures);
     const std::string image = picture ? "\\includegraphics[width=.75\\linewidth]{" +
-                                            (setting_.beside ? picture->filename() : *picture).string() +
+                                            printable_name(setting_.beside ? picture->filename() : *picture) +
                                             "}\\\\\n"
                                       : "";
     return "\\begin{center}" + image + "\\small " + flat(part.caption) + "\\end{center}\n";

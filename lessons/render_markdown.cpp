@@ -88,10 +88,10 @@ class MarkdownRenderer : public Renderer {
   }
 
   std::string render(const Figure& part) const {
-    const auto picture = draw(part, "svg", setting_.figures);
+    const auto picture = draw(part, "svg", *setting_.figures);
     const std::string caption = flat(part.caption);
     return (picture ? fmt::format("![{}]({})\n\n", unmarked(part.caption, Notation::unicode),
-                                  (setting_.beside ? picture->filename() : *picture).string())
+                                  printable_name(setting_.beside ? picture->filename() : *picture))
                     : std::string()) +
            caption + "\n";
   }

@@ -128,9 +128,8 @@ class TextRenderer : public Renderer {
   }
 
   std::string render(const Figure& part) const {
-    const auto picture = draw(part, "svg", setting_.figures);
-    const std::string where = picture ? (setting_.beside ? picture->filename() : *picture).string()
-                                      : "no picture: gnuplot is not installed";
+    const auto picture = draw(part, "svg", *setting_.figures);
+    const std::string where = picture ? picture->filename().string() : "no picture: gnuplot is not installed";
     return "  [Figure] " + where + "\n" + wrap(flat(part.caption), setting_.width, "  ", "  ");
   }
 

@@ -1,6 +1,7 @@
 // The main that all lessons share: one set of flags.
 #include <fmt/format.h>
 #include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <derivations/emit/command_line.hpp>
@@ -41,21 +42,13 @@ std::size_t terminal_width() {
   return std::clamp<std::size_t>(size.ws_col, 40, 100);
 }
 
-/// Beside --out, where the text refers to them; a web page has them inside. Else where temporary files are.
-fs::path figures_folder(const Flags& flags) {
-  if (!flags.out.empty() && flags.format != "html") return fs::absolute(flags.out).parent_path();
-  std::error_code error;
-  const fs::path temporary = fs::temp_directory_path(error);
-  return (error ? fs::path("/tmp") : temporary) / fmt::format("rederive-figures-{}", ::getuid());
-}
-
 Setting setting_from(const Flags& flags) {
   Setting setting;
   setting.format = formats.at(flags.format);
   setting.width = terminal_width();
   setting.lively = flags.out.empty() && is_lively(1) && setting.format == Format::unicode;
-  setting.figures = figures_folder(flags);
-  setting.beside = !flags.out.empty();
+  setting.beside = !flags.out.empty() && becomes_ordinary_file(flags.out);
+  if (setting.beside) *setting.figures = fs::absolute(flags.out).parent_path();
   setting.lessons = all_lessons();
   setting.previous = neighbour(setting.lessons, -1);
   setting.next = neighbour(setting.lessons, +1);
@@ -83,9 +76,9 @@ std::string contents(const Lesson& lesson) {
 }
 
 /// Hands on each part as soon as it is there.
-void write_lesson(const Lesson& lesson, const Flags& flags,
+void write_lesson(const Lesson& lesson, const Flags& flags, const Setting& setting,
                   const std::function<void(const std::string&)>& put) {
-  const auto renderer = make_renderer(setting_from(flags));
+  const auto renderer = make_renderer(setting);
   if (!flags.step) put(renderer->begin(lesson));
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     if (flags.step && *flags.step != static_cast<int>(i + 1)) continue;
@@ -103,7 +96,8 @@ int run(const Lesson& lesson, const Flags& flags) {
     throw BadInput(
         fmt::format("--step {}: this lesson has the steps 1 to {}", *flags.step, lesson.steps.size()));
   if (!flags.out.empty() && !fs::is_directory(fs::absolute(flags.out).parent_path()))
-    throw BadInput("--out " + flags.out + ": there is no such folder");
+    throw BadInput("--out " + printable_name(flags.out) + ": there is no such folder");
+  const Setting setting = setting_from(flags);
   std::string text;
   int code = as_expected;
   const auto put = [&](const std::string& part) {
@@ -119,7 +113,9 @@ int run(const Lesson& lesson, const Flags& flags) {
     code = verdicts(lesson, lines);
     put(lines);
   } else {
-    write_lesson(lesson, flags, put);
+    write_lesson(lesson, flags, setting, put);
+    if (!setting.beside && !setting.figures->empty())
+      std::fprintf(stderr, "The figures are in %s\n", printable_name(*setting.figures).c_str());
   }
   if (!flags.out.empty()) write_whole(flags.out, text);
   return code;

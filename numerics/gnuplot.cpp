@@ -28,11 +28,23 @@ struct Unnamed {
   }
 };
 
+/// Returns all that comes out of a stream. Throws BadInput if it cannot be read to its end.
 std::string all_of(std::FILE* file) {
   std::string text;
   char buffer[65536];
   for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, file)) > 0;) text.append(buffer, n);
+  if (std::ferror(file) != 0) throw BadInput("what gnuplot writes cannot be read");
   return text;
+}
+
+/// Returns the command that lets gnuplot draw what `script` says, its complaints going to another file. It
+/// reads none of the user's settings: neither .gnuplot (-d) nor the environment, of which only what finds
+/// programs and libraries is kept. The time zone would appear in the date of a PDF.
+std::string command_to_draw(const std::string& script, const std::string& complaints) {
+  return fmt::format(
+      "exec env -i ${{PATH:+PATH=\"$PATH\"}} ${{LD_LIBRARY_PATH:+LD_LIBRARY_PATH=\"$LD_LIBRARY_PATH\"}} "
+      "TZ=UTC0 gnuplot -d {} 2>{}",
+      script, complaints);
 }
 
 void take_date_out(std::string& picture) {
@@ -48,12 +60,10 @@ void take_date_out(std::string& picture) {
 
 std::optional<std::string> drawn_by_gnuplot(const std::string& script) {
   const Unnamed commands, complaints;
-  // The time zone stands in the date of a PDF.
-  const std::string run = fmt::format("TZ=UTC0 exec gnuplot {} 2>{}", commands.name(), complaints.name());
   std::fwrite(script.data(), 1, script.size(), commands.file);
   if (std::fflush(commands.file) != 0 || std::ferror(commands.file) != 0)
     throw BadInput("cannot write a temporary file");
-  std::FILE* pipe = ::popen(run.c_str(), "r");
+  std::FILE* pipe = ::popen(command_to_draw(commands.name(), complaints.name()).c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("gnuplot cannot be run");
   std::string picture = all_of(pipe);
   const int status = ::pclose(pipe);

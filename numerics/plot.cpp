@@ -35,13 +35,13 @@ std::string terminal(const fs::path& file, double width, double height) {
   if (kind == ".pdf")
     return fmt::format("set terminal pdfcairo size {:.2f}in,{:.2f}in font 'DejaVu Sans,12'\n", width / 96,
                        height / 96);
-  throw std::invalid_argument("'" + file.string() + "': a plot is written to .svg, .png or .pdf");
+  throw std::invalid_argument("'" + printable_name(file) + "': a plot is written to .svg, .png or .pdf");
 }
 
 void write_plot(const std::string& script, const fs::path& file, double width, double height) {
   const std::string begin = "set encoding utf8\n" + terminal(file, width, height);
   const auto refuse = [&](const std::string& why) {
-    throw BadInput("cannot write '" + file.string() + "': " + why);
+    throw BadInput("cannot write '" + printable_name(file) + "': " + why);
   };
   std::optional<std::string> picture;
   try {
@@ -93,6 +93,8 @@ int lines_in(const std::string& text) {
 }
 
 }  // namespace
+
+void check_plot_name(const fs::path& file) { (void)terminal(file, 0, 0); }
 
 void draw(const Figure& figure, const fs::path& file) {
   const auto count = figure.panels.size();

@@ -39,6 +39,9 @@ struct Figure {
   std::vector<Panel> panels;
 };
 
+/// Throws std::invalid_argument unless the extension is one that a plot is drawn to.
+void check_plot_name(const std::filesystem::path& file);
+
 /// Draws to SVG, PNG or PDF by the extension, whole or not at all.
 /// Throws std::invalid_argument for another extension, BadInput for an unwritable file, or if gnuplot is
 /// missing.

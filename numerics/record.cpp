@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
+#include <derivations/emit/program.hpp>
 #include <numeric>
 #include <numerics/ground_motion.hpp>
 #include <numerics/record_header.hpp>
@@ -40,19 +40,11 @@ bool is_comment(const std::string& line) {
   return first == std::string::npos || line[first] == '#' || line[first] == '%';
 }
 
-/// The whole file, unless it is larger than any record.
+/// Returns what the file holds. Throws std::invalid_argument if it cannot be read.
 std::string text_of(const std::string& file) {
-  constexpr std::size_t largest = 100'000'000;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::invalid_argument("cannot read '" + file + "'");
-  std::string text, some(65536, '\0');
-  do {
-    stream.read(some.data(), static_cast<std::streamsize>(some.size()));
-    text.append(some, 0, static_cast<std::size_t>(stream.gcount()));
-  } while (stream && text.size() <= largest);
-  if (stream.bad()) throw std::invalid_argument("cannot read '" + file + "'");
-  if (text.size() > largest) throw std::invalid_argument("'" + file + "' is larger than 100 megabytes");
-  return text;
+  FileContent content = content_of(file);
+  if (content.trouble != FileTrouble::none) throw std::invalid_argument(content.complaint);
+  return std::move(content.bytes);
 }
 
 std::vector<std::string> lines_of(const std::string& file) {
@@ -164,7 +156,8 @@ Record read_record(const std::string& file, RecordUnit unit, double step) {
   const auto lines = lines_of(file);
   const auto header = record_header(lines, file);
   Record record = header ? headed_record(*header, lines, file) : column_record(lines, file, step);
-  if (record.time.size() < 2) throw std::invalid_argument("'" + file + "' holds fewer than two samples");
+  if (record.time.size() < 2)
+    throw std::invalid_argument("'" + printable_name(file) + "' holds fewer than two samples");
   if (!header && unit == RecordUnit::metres_per_second_squared)
     for (double& value : record.acceleration) value /= standard_gravity;
   return record;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <derivations/emit/program.hpp>
 #include <map>
 #include <numerics/block.hpp>
 #include <numerics/record_header.hpp>
@@ -154,7 +155,7 @@ RecordHeader esm_header(const Lines& lines, const std::string& file) {
 
 void refuse(const std::string& file, std::size_t line, std::string why) {
   std::ranges::replace(why, '\0', '?');  // or the message would end there
-  throw std::invalid_argument(fmt::format("{}:{}: {}", file, line, why));
+  throw std::invalid_argument(fmt::format("{}:{}: {}", printable_name(file), line, why));
 }
 
 std::optional<RecordHeader> record_header(const Lines& lines, const std::string& file) {

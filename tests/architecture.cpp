@@ -19,6 +19,7 @@ const std::set<std::string> engine{"language", "numbers", "identity", "sign", "d
 
 /// What a room may include, beside itself.
 const std::map<std::string, std::set<std::string>> allowed{
+    {"program", {"language"}},
     {"language", {}},
     {"numbers", {"language"}},
     {"identity", {"language", "numbers"}},
@@ -26,7 +27,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"decide", {"language", "numbers", "identity", "sign"}},
     {"mechanics", {"language"}},
     {"rocking_block", {"language", "mechanics"}},
-    {"emit", {"language", "mechanics", "rocking_block"}},
+    {"emit", {"program", "language", "mechanics", "rocking_block"}},
     {"paper", {"language", "numbers", "identity", "sign", "decide", "mechanics", "rocking_block", "emit"}},
     {"kernel",
      {"language", "numbers", "identity", "sign", "decide", "mechanics", "rocking_block", "emit", "paper"}},

@@ -1,8 +1,8 @@
 // rocking map --hdf5: what others read, and what an interrupted run leaves.
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <cstring>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "run_program.hpp"
@@ -35,8 +35,33 @@ void write_bytes(const fs::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
-std::string as_bytes(const std::vector<int>& codes) {
-  return {reinterpret_cast<const char*>(codes.data()), codes.size() * sizeof(int)};
+template <class Value>
+std::string as_bytes(const Value& value) {
+  return {reinterpret_cast<const char*>(&value), sizeof value};
+}
+
+std::uint32_t crc_of(const std::string& bytes) {
+  std::uint32_t crc = ~0U;
+  for (const unsigned char byte : bytes) {
+    crc ^= byte;
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (crc % 2 == 1 ? 0xEDB88320U : 0U);
+  }
+  return ~crc;
+}
+
+/// Leaves FILE.part with all columns: the HDF5 file, which is larger, may not be written.
+std::string left_part(const fs::path& file, const Arguments& call = small) {
+  std::string command = "ulimit -f 4 && " + quoted(std::string(REDERIVE_PROGRAMS) + "/rocking");
+  for (const auto& word : call) command += " " + quoted(word);
+  const Result result = run_program("/bin/bash", {"-c", command + " --hdf5 " + quoted(file)});
+  REQUIRE_MESSAGE(result.exit_code == 2, result.err);
+  REQUIRE(!fs::exists(file));
+  return read_file(file.string() + ".part");
+}
+
+/// A column as it stands in FILE.part: a mark, a checksum, codes.
+std::string column_in_part(std::uint32_t checksum_of_head, std::uint64_t column, const std::string& codes) {
+  return "done" + as_bytes(crc_of(as_bytes(checksum_of_head) + as_bytes(column) + codes)) + codes;
 }
 
 void check_refused(const Arguments& more, const std::string& names) {
@@ -87,33 +112,68 @@ with h5py.File(sys.argv[1]) as file:
         run_program("rocking", {"--version"}).out);
 }
 
-TEST_CASE("a run goes on from the rows that an interrupted one left, and computes the others") {
+TEST_CASE("a run goes on from the columns that an interrupted one left, and computes the others") {
   if (!has_hdf5()) return;
   const TemporaryFolder folder;
-  const std::string file = folder.path / "map.h5", part = file + ".part";
+  const fs::path file = folder.path / "map.h5", part = file.string() + ".part";
   const Result whole = map_with({"--hdf5", file, "--json"});
   REQUIRE(whole.exit_code == 0);
   CHECK(!fs::exists(part));
-  const auto codes = nlohmann::json::parse(whole.out)["codes"].get<std::vector<std::vector<int>>>();
-  std::vector<int> all;
-  for (const auto& column : codes) all.insert(all.end(), column.begin(), column.end());
   const std::string bytes = read_file(file);
-  const std::size_t at = bytes.find(as_bytes(all));
-  REQUIRE(at != std::string::npos);
-
-  std::vector<int> left = all;  // row 2 tells by a code of its own that it was not computed again
-  std::fill(left.begin() + 10, left.begin() + 15, 77);
-  std::fill(left.begin() + 17, left.end(), std::numeric_limits<int>::min());
-  write_bytes(part, std::string(bytes).replace(at, left.size() * sizeof(int), as_bytes(left)));
+  auto expected = nlohmann::json::parse(whole.out)["codes"].get<std::vector<std::vector<int>>>();
   fs::remove(file);
+
+  std::string left = left_part(file);  // column 2 tells by a code of its own that it was not computed again
+  constexpr std::size_t sizes = std::string_view("rederive map 1\n").size(), place = 8 + 5 * sizeof(int);
+  std::uint64_t size = 0;
+  std::uint32_t checksum = 0;
+  std::memcpy(&size, left.data() + sizes, sizeof size);
+  std::memcpy(&checksum, left.data() + sizes + sizeof size, sizeof checksum);
+  const std::size_t head = sizes + sizeof size + sizeof checksum + size;
+  REQUIRE(left.size() == head + 8 * place);
+  REQUIRE(checksum == crc_of(left.substr(head - size, size)));
+  std::string codes, strange;
+  for (int j = 0; j < 5; ++j) codes += as_bytes(expected[2][j]), strange += as_bytes(77);
+  REQUIRE(left.substr(head + 2 * place, place) == column_in_part(checksum, 2, codes));
+  left.replace(head + 2 * place, place, column_in_part(checksum, 2, strange));
+  left.replace(head + 3 * place, place, column_in_part(checksum, 2, strange));  // in another's place
+  left.replace(head + 5 * place, 3 * place, std::string(3 * place, '\0'));
+  write_bytes(part, left);
   const Result resumed = map_with({"--hdf5", file, "--json"});
   REQUIRE_MESSAGE(resumed.exit_code == 0, resumed.err);
-  auto expected = codes;
   expected[2].assign(5, 77);
   CHECK(nlohmann::json::parse(resumed.out)["codes"] == nlohmann::json(expected));
   CHECK(!fs::exists(part));
-  std::fill(all.begin() + 10, all.begin() + 15, 77);
-  CHECK(read_file(file) == std::string(bytes).replace(at, all.size() * sizeof(int), as_bytes(all)));
+  CHECK(read_file(file) != bytes);
+}
+
+TEST_CASE("whatever byte of FILE.part is damaged or missing, the map is the same, or it is refused") {
+  if (!has_hdf5()) return;
+  const TemporaryFolder folder;
+  const fs::path file = folder.path / "map.h5", part = file.string() + ".part";
+  REQUIRE(map_with({"--hdf5", file}).exit_code == 0);
+  const std::string whole = read_file(file);
+  fs::remove(file);
+  const std::string left = left_part(file);
+  int refused = 0, same = 0;
+  const auto check = [&](const std::string& damaged, std::size_t at) {
+    write_bytes(part, damaged);
+    fs::remove(file);
+    const Result result = map_with({"--hdf5", file});
+    INFO("byte " << at << ": " << result.err);
+    CHECK((result.exit_code == 0 || result.exit_code == 2));
+    if (result.exit_code == 0) CHECK(read_file(file) == whole);
+    if (result.exit_code == 2) CHECK(read_file(part) == damaged);
+    ++(result.exit_code == 0 ? same : refused);
+  };
+  for (std::size_t at = 0; at < left.size(); at += 7) {
+    std::string damaged = left;
+    damaged[at] = static_cast<char>(damaged[at] ^ (1 << at % 8));
+    check(damaged, at);
+  }
+  for (std::size_t at = 0; at < left.size(); at += 50) check(left.substr(0, at), at);
+  CHECK(refused > 20);
+  CHECK(same > 20);
 }
 
 TEST_CASE("a run that was killed leaves what the next one takes up, to the same bytes") {
@@ -137,9 +197,7 @@ TEST_CASE("a run that was killed leaves what the next one takes up, to the same 
 TEST_CASE("what another map, or something else, left is refused and kept") {
   if (!has_hdf5()) return;
   const TemporaryFolder folder;
-  const std::string file = folder.path / "map.h5", part = file + ".part";
-  REQUIRE(map_with({"--hdf5", part}).exit_code == 0);  // all rows are there
-  const std::string bytes = read_file(part);
+  const std::string file = folder.path / "map.h5", part = file + ".part", bytes = left_part(file);
   check_refused({"--hdf5", file, "--alpha", "0.3"}, "alpha is 0.25 there, and 0.3 here");
   check_refused({"--hdf5", file, "--model", "nonlinear"}, "model is linear there, and nonlinear here");
   check_refused({"--hdf5", file, "--tolerance", "1e-9"}, "tolerance");
@@ -160,4 +218,7 @@ TEST_CASE("what another map, or something else, left is refused and kept") {
   check_refused({"--hdf5", folder.path}, folder.path);
   check_refused({"--hdf5", "/dev/null"}, "/dev/null");
   check_refused({"--hdf5", ""}, "a file needs a name");
+  write_bytes(part, bytes);
+  fs::create_hard_link(part, folder.path / "of another name");
+  check_refused({"--hdf5", file}, "is not an ordinary file of yours alone");
 }

@@ -32,47 +32,59 @@ inline std::vector<std::string> arguments_of(int argc, char** argv) {
   return arguments;
 }
 
-/// Parses the arguments and runs `body`. Usage errors and BadInput end with 2 and a message on standard
-/// error, anything else that is thrown with 3.
+/// What a program says about standard output that takes no more.
+inline constexpr auto unwritable_output = "standard output could not be written";
+
+/// Says on standard error what CLI11 found wrong with the arguments.
+inline void complain_of_arguments(const CLI::App& app, const std::string& name,
+                                  const CLI::ParseError& error) {
+  std::string
+      unread;  // CLI11 may complain of something missing before it comes to what it did not understand
+  for (const std::string& argument : app.remaining(true))
+    if (argument != "--" && std::string_view(error.what()).find(argument) == std::string_view::npos)
+      unread += " '" + argument + "'";
+  if (!unread.empty()) unread = " (not understood:" + unread + ")";
+  std::string command = name;
+  for (const CLI::App* part : app.get_subcommands()) command += " " + part->get_name();
+  std::fprintf(stderr, "%s: %s%s\nTry '%s --help'.\n", name.c_str(), printable_line(error.what()).c_str(),
+               printable_line(unread).c_str(), command.c_str());
+}
+
+/// Parses the arguments and runs `body`. Returns its exit code: 2, with a message on standard error, after a
+/// usage error or BadInput, or if a file or standard output fails; 3 after anything else that is thrown.
 inline int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
+  open_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error that is told, not the end
   app.set_version_flag("--version", "Rederive " REDERIVE_VERSION);
   app.get_formatter()->column_width(34);
-  const std::string name = std::filesystem::path(argv[0]).filename().string();
+  const std::string name = printable_name(argc > 0 ? std::filesystem::path(argv[0]).filename() : "");
   app.name(name);
+  const auto complain = [&](const std::string& what, int code) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), printable(what).c_str());
+    return code;
+  };
   try {
     app.parse(arguments_of(argc, argv));
     const int code = body();
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-      throw std::runtime_error("standard output could not be written");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) return complain(unwritable_output, bad_input);
     return code;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) {  // --help, --version
-      const int code = app.exit(error);
-      if (std::cout.flush()) return code;
-      std::fprintf(stderr, "%s: standard output could not be written\n", name.c_str());
-      return undecided_or_failed;
+    if (error.get_exit_code() != 0) {
+      complain_of_arguments(app, name, error);
+      return bad_input;
     }
-    std::string
-        unread;  // CLI11 may complain of something missing before it comes to what it did not understand
-    for (const std::string& argument : app.remaining(true))
-      if (argument != "--" && std::string_view(error.what()).find(argument) == std::string_view::npos)
-        unread += " '" + argument + "'";
-    if (!unread.empty()) unread = " (not understood:" + unread + ")";
-    std::string command = name;
-    for (const CLI::App* part : app.get_subcommands()) command += " " + part->get_name();
-    std::fprintf(stderr, "%s: %s%s\nTry '%s --help'.\n", name.c_str(), printable_line(error.what()).c_str(),
-                 printable_line(unread).c_str(), command.c_str());
-    return bad_input;
+    const int code = app.exit(error);  // --help, --version
+    return std::cout.flush() ? code : complain(unwritable_output, bad_input);
   } catch (const BadInput& error) {
-    std::fprintf(stderr, "%s: %s\n", name.c_str(), printable(error.what()).c_str());
-    return bad_input;
+    return complain(error.what(), bad_input);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain("cannot use '" + printable_name(error.path1()) + "': " + error.code().message(),
+                    bad_input);
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "%s: the memory that it may use is not enough\n", name.c_str());
-    return undecided_or_failed;
+    return complain("the memory that it may use is not enough", undecided_or_failed);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: internal failure: %s\n", name.c_str(), printable(error.what()).c_str());
-    return undecided_or_failed;
+    if (std::ferror(stdout) != 0) return complain(unwritable_output, bad_input);
+    return complain(std::string("internal failure: ") + error.what(), undecided_or_failed);
   }
 }
 

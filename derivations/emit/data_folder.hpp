@@ -35,14 +35,15 @@ inline std::filesystem::path loaded_from() {
 inline std::filesystem::path data_folder() {
   namespace fs = std::filesystem;
   const fs::path place = fs::path("share") / "rederive";
+  std::error_code ignored;  // a folder that may not be entered is not the one
   for (fs::path prefix = loaded_from().parent_path();; prefix = prefix.parent_path()) {
-    if (fs::is_directory(prefix / place)) return prefix / place;
+    if (fs::is_directory(prefix / place, ignored)) return prefix / place;
     if (prefix == prefix.root_path()) break;
   }
   const char* given = std::getenv("XDG_DATA_DIRS");
   std::istringstream folders(given != nullptr && *given != '\0' ? given : "/usr/local/share:/usr/share");
   for (std::string folder; std::getline(folders, folder, ':');)
-    if (fs::is_directory(fs::path(folder) / "rederive")) return fs::path(folder) / "rederive";
+    if (fs::is_directory(fs::path(folder) / "rederive", ignored)) return fs::path(folder) / "rederive";
   return fs::path("/usr") / place;  // for whoever reads it to say that it is not there
 }
 

@@ -24,7 +24,8 @@ Emission emission_of(const std::vector<std::string>& names, Target target) {
     if (unknown.erase(stepper.name) != 0 && !has_steppers)
       throw BadInput("'" + stepper.name + "' is a Taylor stepper: it is written in cpp and in javascript");
   if (!unknown.empty())
-    throw BadInput("there is no function '" + *unknown.begin() + "'; 'emit --list' shows all of them");
+    throw BadInput("there is no function '" + printable_line(*unknown.begin()) +
+                   "'; 'emit --list' shows all of them");
   const auto is_left_out = [&](const auto& f) { return !named.empty() && !named.contains(f.name); };
   std::erase_if(all.functions, is_left_out);
   std::erase_if(all.steppers, [&](const auto& f) { return !has_steppers || is_left_out(f); });

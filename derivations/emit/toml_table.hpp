@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <derivations/emit/program.hpp>
 #include <derivations/language/nearest.hpp>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <map>
@@ -126,22 +125,17 @@ std::vector<TomlTable> tables_of(const std::filesystem::path& file, const std::s
 
 inline TomlTable::File TomlTable::read(const std::filesystem::path& file) {
   constexpr std::size_t largest = 2'000'000, longest_line = 10'000;  // a key a.a.a… is as deep as it is long
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(largest + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!stream.is_open() || stream.bad()) throw BadInput("cannot read '" + file.string() + "'");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > largest) throw BadInput("'" + file.string() + "' is larger than two megabytes");
+  const std::string text = read_whole(file, {.most = largest}), name = printable_name(file);
   std::size_t line = 1;
   for (std::size_t begin = 0, end; begin < text.size(); begin = end + 1, ++line) {
     end = std::min(text.find('\n', begin), text.size());
     if (end - begin > longest_line)
-      throw BadInput(fmt::format("{}:{}: a line has more than {} bytes", file.string(), line, longest_line));
+      throw BadInput(fmt::format("{}:{}: a line has more than {} bytes", name, line, longest_line));
   }
   try {
-    return {file.string(), toml::parse(text)};
+    return {name, toml::parse(text)};
   } catch (const toml::parse_error& error) {
-    throw BadInput(fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
+    throw BadInput(fmt::format("{}:{}: {}", name, error.source().begin.line, error.description()));
   }
 }
 

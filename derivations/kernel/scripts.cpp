@@ -3,7 +3,6 @@
 #include <derivations/kernel/lemma.hpp>
 #include <derivations/kernel/scripts.hpp>
 #include <derivations/paper/prove.hpp>
-#include <fstream>
 #include <regex>
 
 namespace rederive {
@@ -50,12 +49,9 @@ std::optional<Lemma> lemma_of(const Entry& entry) {
 }
 
 std::string shipped(const std::string& name) {
-  std::ifstream file(data_folder() / "kernel" / name);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file)
-    throw std::runtime_error("a file that ships with the project cannot be read: " + name +
-                             "; XDG_DATA_DIRS may name the folder share of an installation");
-  return text;
+  if (auto text = read_if_there(data_folder() / "kernel" / name)) return std::move(*text);
+  throw std::runtime_error("a file that ships with the project is missing: " + name +
+                           "; XDG_DATA_DIRS may name the folder share of an installation");
 }
 
 std::vector<Lemma> shipped_theorems() {
@@ -92,11 +88,13 @@ std::map<std::string, std::string> files_of(const std::vector<Lemma>& lemmas) {
   return files;
 }
 
-void write_scripts(const std::filesystem::path& folder, const std::vector<Lemma>& lemmas) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw BadInput("cannot make the folder '" + folder.string() + "': " + error.message());
-  for (const auto& [name, text] : files_of(lemmas)) write_whole(folder / name, text);
+void write_scripts(const std::filesystem::path& folder, const std::vector<Lemma>& lemmas,
+                   const std::map<std::string, std::string>& more) {
+  make_output_folder(folder);
+  std::vector<std::pair<std::filesystem::path, std::string>> files;
+  for (const auto& [name, text] : files_of(lemmas)) files.emplace_back(folder / name, text);
+  for (const auto& [name, text] : more) files.emplace_back(folder / name, text);
+  write_together(files);
 }
 
 }  // namespace rederive

@@ -39,7 +39,9 @@ std::string shipped(const std::string& name);
 
 /// The files by their names: what ships, those of the lemmas, _CoqProject and a Makefile.
 std::map<std::string, std::string> files_of(const std::vector<Lemma>& lemmas);
-/// Writes them into a folder, each file whole or not at all. Throws BadInput where that is not possible.
-void write_scripts(const std::filesystem::path& folder, const std::vector<Lemma>& lemmas);
+/// Writes them, and `more` files by their names, into a folder: all of them or none. Throws BadInput where
+/// that is not possible.
+void write_scripts(const std::filesystem::path& folder, const std::vector<Lemma>& lemmas,
+                   const std::map<std::string, std::string>& more = {});
 
 }  // namespace rederive

@@ -48,11 +48,10 @@ int count(const std::vector<Lemma>& lemmas, const std::string& kind) {
 /// The scripts, and with all rows the page of what rests on what.
 void write_all(const std::filesystem::path& folder, const std::vector<Entry>& entries,
                const std::vector<Lemma>& lemmas, bool has_all_rows) {
-  write_scripts(folder, lemmas);
-  if (!has_all_rows) return;
+  if (!has_all_rows) return write_scripts(folder, lemmas);
   const auto supports = supports_of(entries, lemmas);
-  write_whole(folder / "README.md", rests_page(entries, supports));
-  write_whole(folder / "rests.svg", rests_drawing(supports));
+  write_scripts(folder, lemmas,
+                {{"README.md", rests_page(entries, supports)}, {"rests.svg", rests_drawing(supports)}});
 }
 
 int report(const std::vector<Lemma>& lemmas, const std::vector<Checked>& checked,
@@ -99,15 +98,17 @@ int certify(const std::vector<Entry>& entries, const CertifyOptions& options) {
     throw BadInput(
         "certify wants a folder for the scripts, or --check; right is, for example, ledger certify proofs");
   if (std::ranges::any_of(entries, [&](auto& e) { return e.row.id == options.folder; }))
-    throw BadInput("'" + options.folder +
+    throw BadInput("'" + printable_name(options.folder) +
                    "' is a row, where the folder should stand; right is, for example, " +
-                   "ledger certify proofs " + options.folder);
+                   "ledger certify proofs " + printable_name(options.folder));
   const std::vector<Lemma> lemmas = lemmas_of(entries, options.ids);
   if (!options.folder.empty()) write_all(options.folder, entries, lemmas, options.ids.empty());
   if (options.checks) {
     if (!has_coq()) {
-      fmt::print(stderr, "there is no coqc; install coq, coquelicot and coq-interval (on Debian {})\n",
-                 "coq libcoq-coquelicot libcoq-interval");
+      std::fputs(
+          "there is no coqc; install coq, coquelicot and coq-interval (on Debian coq libcoq-coquelicot "
+          "libcoq-interval)\n",
+          stderr);
       return undecided_or_failed;
     }
     const auto progress = [](const std::string& file) {
@@ -119,11 +120,13 @@ int certify(const std::vector<Entry>& entries, const CertifyOptions& options) {
   }
   for (const Lemma& lemma : lemmas)
     if (lemma.text.empty() && !ships(lemma))
-      fmt::print(stderr, "{}: there is no script: {}\n", lemma.id, lemma.why);
+      std::fprintf(stderr, "%s: there is no script: %s\n", printable_line(lemma.id).c_str(),
+                   lemma.why.c_str());
   if (options.json)
-    fmt::print("{}\n", Json{{"folder", options.folder}, {"lemmas", lemmas.size()}}.dump(2));
+    fmt::print("{}\n", Json{{"folder", printable_name(options.folder)}, {"lemmas", lemmas.size()}}.dump(2));
   else
-    fmt::print("{} lemmas in {}; make in that folder runs coqc{}\n", lemmas.size(), options.folder,
+    fmt::print("{} lemmas in {}; make in that folder runs coqc{}\n", lemmas.size(),
+               printable_name(options.folder),
                options.ids.empty() ? ", README.md says what rests on what" : "");
   return as_expected;
 }
@@ -156,7 +159,7 @@ int write_certificate(const ProveRequest& request, const std::string& file) {
   if (!outcome.result) throw std::runtime_error("given up: " + outcome.why);
   const std::string text = outcome.result->substr(1);
   if (outcome.result->front() == 'B') throw BadInput(text);
-  if (outcome.result->front() == 'N') return fmt::print(stderr, "{}\n", text), undecided_or_failed;
+  if (outcome.result->front() == 'N') return std::fprintf(stderr, "%s\n", text.c_str()), undecided_or_failed;
   write_whole(file, text);
   return as_expected;
 }

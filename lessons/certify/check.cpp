@@ -1,4 +1,10 @@
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
+#include <climits>
 #include <cstdlib>
 #include <derivations/emit/program.hpp>
 #include <lessons/certify/check.hpp>
@@ -12,20 +18,45 @@ namespace rederive {
 
 namespace {
 
-/// A folder that goes with its owner.
+std::array<char, PATH_MAX> folder_to_remove{};  // a signal handler can reach nothing else
+
+/// Removes the folder, by what a signal handler may call, and ends as the signal would have done.
+void remove_and_end(int signal) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::execl("/bin/rm", "rm", "-rf", "--", folder_to_remove.data(), nullptr);
+    ::_exit(127);
+  }
+  ::waitpid(child, nullptr, 0);
+  ::signal(signal, SIG_DFL);
+  ::raise(signal);
+}
+
+/// A folder that goes with its owner, also where a signal ends the program. There is one at a time.
 struct Folder {
   Folder() {
     std::string name = (std::filesystem::temp_directory_path() / "rederive-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder can be made");
+    const Uninterrupted whole;
+    if (name.size() >= folder_to_remove.size() || ::mkdtemp(name.data()) == nullptr)
+      throw BadInput("cannot make the folder '" + printable_name(name) + "'");
     path = name;
+    name.copy(folder_to_remove.data(), name.size());
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+      before[i] = ::signal(signals[i], remove_and_end);
+      if (before[i] == SIG_IGN) ::signal(signals[i], SIG_IGN);  // as nohup has it
+    }
   }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
   ~Folder() {
     std::error_code ignored;
     std::filesystem::remove_all(path, ignored);
+    for (std::size_t i = 0; i < signals.size(); ++i) ::signal(signals[i], before[i]);
+    folder_to_remove = {};
   }
+  static constexpr std::array signals{SIGHUP, SIGINT, SIGTERM};
   std::filesystem::path path;
+  std::array<sighandler_t, 3> before{};
 };
 
 Said compile(const Folder& folder, const std::string& file) {

@@ -1,8 +1,4 @@
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
+#include <derivations/emit/program.hpp>
 #include <derivations/language/unicode.hpp>
 #include <lessons/exercises/answer_file.hpp>
 #include <sstream>
@@ -11,13 +7,6 @@ namespace rederive::classroom {
 namespace {
 
 constexpr std::size_t most_bytes = 64 * 1024;
-
-struct Descriptor {
-  int number;
-  ~Descriptor() {
-    if (number >= 0) ::close(number);
-  }
-};
 
 AnswerFile trouble(const std::string& word, const std::string& says) { return {"", word, says, {}}; }
 
@@ -44,24 +33,13 @@ bool is_utf8(const std::string& text) {
 }
 
 AnswerFile read_answer_file(const std::filesystem::path& path) {
-  const Descriptor file{::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)};
-  if (file.number < 0 && errno == ELOOP) return trouble("symlink", "A link was handed in instead of a file.");
-  if (file.number < 0) return trouble("unreadable", "The file cannot be read.");
-  struct stat about {};
-  if (::fstat(file.number, &about) != 0 || !S_ISREG(about.st_mode))
-    return trouble("not_a_file", "This is not an ordinary file.");
-  if (static_cast<std::size_t>(about.st_size) > most_bytes)
+  auto [bytes, found, complaint] =
+      content_of(path, {.most = most_bytes, .follows_link = false, .only_ordinary = true});
+  if (found == FileTrouble::is_link) return trouble("symlink", "A link was handed in instead of a file.");
+  if (found == FileTrouble::not_ordinary) return trouble("not_a_file", "This is not an ordinary file.");
+  if (found == FileTrouble::too_large)
     return trouble("too_large", "The file is larger than 64 kB: no answer needs that.");
-  std::string bytes(most_bytes + 1, '\0');
-  std::size_t used = 0;
-  for (;;) {
-    const ssize_t got = ::read(file.number, bytes.data() + used, bytes.size() - used);
-    if (got < 0) return trouble("unreadable", "The file cannot be read.");
-    used += static_cast<std::size_t>(got);
-    if (got == 0 || used == bytes.size()) break;
-  }
-  if (used > most_bytes) return trouble("too_large", "The file is larger than 64 kB: no answer needs that.");
-  bytes.resize(used);
+  if (found != FileTrouble::none) return trouble("unreadable", "The file cannot be read.");
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);  // what some editors put before UTF-8
   if (bytes.find('\0') != std::string::npos || !is_utf8(bytes))
     return trouble("encoding", "The file is not text in UTF-8. Save it as UTF-8 (not Latin-1 or UTF-16).");

@@ -2,10 +2,12 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <derivations/emit/program.hpp>
+#include <derivations/language/unicode.hpp>
 #include <derivations/paper/bounded.hpp>
 #include <future>
 #include <lessons/exercises/answer_file.hpp>
@@ -35,12 +37,20 @@ struct Class {
 
 constexpr std::size_t most_strange_files = 20;  ///< of one student; beyond that one row says how many more
 
-/// A file name as text: what is not UTF-8 is written as \xNN.
+/// Returns a file name as text: bytes that are not UTF-8, and those of control characters and of invisible
+/// ones, are written as \xNN, so that two names never become one.
 std::string as_text(const std::string& name) {
-  if (is_utf8(name)) return name;
+  const bool has_all = is_utf8(name);
   std::string text;
-  for (unsigned char c : name)
-    text += c < 0x80 ? std::string(1, static_cast<char>(c)) : fmt::format("\\x{:02X}", c);
+  for (std::string_view rest = name; !rest.empty();) {
+    const auto [code, bytes] = first_character(rest);
+    const std::string_view character = rest.substr(0, std::max<std::size_t>(bytes, 1));
+    const bool is_shown = bytes == 1 || (bytes > 1 && has_all);
+    for (const unsigned char c : character)
+      text += is_shown && !is_control(code) && !is_invisible(code) ? std::string(1, static_cast<char>(c))
+                                                                   : fmt::format("\\x{:02X}", c);
+    rest.remove_prefix(character.size());
+  }
   return text;
 }
 
@@ -63,16 +73,21 @@ Task finished(const std::string& student, const std::string& exercise, const std
   return {{student, exercise, "invalid", note, 0}, {}, nullptr};
 }
 
-/// How often a student tried, by the progress file that was handed in; nothing if it is none.
+/// How often a student tried, by the progress file that was handed in; nothing if it is none. Throws BadInput
+/// if it is a file that cannot be read.
 std::optional<std::map<std::string, int>> attempts_in(const fs::path& file) {
-  std::map<std::string, int> attempts;
+  const FileContent content =
+      content_of(file, {.most = 1U << 20, .follows_link = false, .only_ordinary = true});
+  if (content.trouble == FileTrouble::failed) throw BadInput(content.complaint);
+  if (content.trouble != FileTrouble::none) return {};
   try {
-    if (!fs::is_regular_file(fs::symlink_status(file)) || fs::file_size(file) > 1u << 20) return {};
-    for (const auto& [id, record] : load_progress(file).records) attempts[id] = record.attempts;
-  } catch (const std::exception&) {
+    std::map<std::string, int> attempts;
+    for (const auto& [id, record] : read_progress(content.bytes, file).records)
+      attempts[id] = record.attempts;
+    return attempts;
+  } catch (const BadInput&) {
     return {};
   }
-  return attempts;
 }
 
 std::int64_t time_of(const fs::path& file) {
@@ -102,9 +117,13 @@ void add_student(const fs::path& folder, const std::map<std::string, Prepared>& 
   for (const auto& name : *names) {
     const std::string id = name.ends_with(".txt") ? name.substr(0, name.size() - 4) : "";
     const auto known = answers.find(id);
-    if (name == "exercises.txt")
-      if (const auto attempts = attempts_in(folder / name)) {
-        whole.students.back().attempts = *attempts;
+    if (name == "exercises.txt") try {
+        if (const auto attempts = attempts_in(folder / name)) {
+          whole.students.back().attempts = *attempts;
+          continue;
+        }
+      } catch (const BadInput&) {
+        tasks.push_back(finished(student, name, "unreadable"));
         continue;
       }
     if (name == "exercises.txt.lock") continue;  // beside the progress file
@@ -221,10 +240,11 @@ std::string summary(const Classroom& room, const std::map<std::string, Tally>& t
 
 std::string summary_json(const Classroom& room, const std::vector<Task>& tasks,
                          const std::map<std::string, Tally>& tallies, const std::string& csv) {
-  nlohmann::ordered_json json{{"rows", tasks.size()},
-                              {"csv", csv.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(csv)},
-                              {"exercises", nlohmann::ordered_json::array()},
-                              {"grades", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json json{
+      {"rows", tasks.size()},
+      {"csv", csv.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(printable_name(csv))},
+      {"exercises", nlohmann::ordered_json::array()},
+      {"grades", nlohmann::ordered_json::array()}};
   for (const auto& exercise : room.exercises)
     if (const auto found = tallies.find(exercise.id); found != tallies.end()) {
       std::map<std::string, int> notes;
@@ -247,9 +267,10 @@ std::string summary_json(const Classroom& room, const std::vector<Task>& tasks,
 
 int grade(const Classroom& room, const GradeFlags& flags) {
   std::error_code error;
-  if (!fs::is_directory(flags.folder, error)) throw BadInput("there is no folder '" + flags.folder + "'");
+  if (!fs::is_directory(flags.folder, error))
+    throw BadInput("there is no folder '" + printable_name(flags.folder) + "'");
   const auto students = names_in(flags.folder);
-  if (!students) throw BadInput("the folder '" + flags.folder + "' cannot be read");
+  if (!students) throw BadInput("the folder '" + printable_name(flags.folder) + "' cannot be read");
   const bool with_marks = !flags.gradebook.empty() || !flags.feedback.empty();
   if (!with_marks && !(flags.weights + flags.deadline + flags.handed_in).empty())
     throw BadInput("--weights, --deadline and --handed-in are for --gradebook and --feedback");

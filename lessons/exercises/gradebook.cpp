@@ -17,11 +17,7 @@ using Cells = std::vector<std::string>;
 
 /// The lines of a CSV below its header; a cell may stand in quotes. Throws BadInput naming file and line.
 std::vector<std::pair<int, Cells>> read_table(const std::string& file, const std::string& header) {
-  std::error_code error;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || !std::filesystem::exists(file, error) || std::filesystem::is_directory(file, error))
-    throw BadInput("there is no file '" + file + "' to read");
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text = read_whole(file);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   std::vector<std::pair<int, Cells>> lines{{1, Cells(1)}};
   int number = 1;
@@ -41,7 +37,7 @@ std::vector<std::pair<int, Cells>> read_table(const std::string& file, const std
       cell += text[i];
   }
   const auto fail = [&](int line, const std::string& what) -> void {
-    throw BadInput(fmt::format("{}, line {}: {}", file, line, what));
+    throw BadInput(fmt::format("{}, line {}: {}", printable_name(file), line, what));
   };
   if (inside) fail(lines.back().first, "a quote is not closed");
   if (fmt::format("{}", fmt::join(lines[0].second, ",")) != header)
@@ -80,7 +76,7 @@ constexpr auto a_time =
 template <class Value>
 void for_each_line(const Classroom& room, const std::string& file, const std::string& header, Value&& take) {
   for (const auto& [line, cells] : read_table(file, header)) {
-    const std::string at = fmt::format("{}, line {}: ", file, line);
+    const std::string at = fmt::format("{}, line {}: ", printable_name(file), line);
     try {
       const std::string& id = cells[cells.size() - 2];
       if (!(cells.size() == 3 && id.empty())) find_exercise(room, id);
@@ -115,7 +111,7 @@ Rules read_rules(const Classroom& room, const GradeFlags& flags) {
       if (!rules.weights.emplace(id, weight_in(cells[1])).second)
         throw BadInput("a second weight for '" + id + "'");
     });
-  if (rules.weights.empty()) throw BadInput(flags.weights + ": there is no weight in it");
+  if (rules.weights.empty()) throw BadInput(printable_name(flags.weights) + ": there is no weight in it");
   std::error_code error;
   if (const auto deadline = read_time(flags.deadline))
     for (const auto& exercise : room.exercises) rules.deadlines[exercise.id] = *deadline;
@@ -123,7 +119,7 @@ Rules read_rules(const Classroom& room, const GradeFlags& flags) {
     throw BadInput(
         fmt::format("--deadline '{}' is neither {} nor a file with such times, its first line "
                     "exercise,deadline",
-                    flags.deadline, a_time));
+                    printable_line(flags.deadline), a_time));
   else if (!flags.deadline.empty())
     for_each_line(room, flags.deadline, "exercise,deadline", [&](const std::string& id, const Cells& cells) {
       if (!rules.deadlines.emplace(id, time_in(cells[1])).second)

@@ -85,7 +85,7 @@ std::string report_page(const Classroom& room, const std::vector<Student>& stude
 
 /// Throws BadInput if a file or folder that the flags name cannot be written.
 void check_outputs(const GradeFlags& flags);
-/// Writes all pages or none: first into a folder beside, then to their place.
+/// Writes all pages or none, into a folder that is made if it is missing. Throws BadInput.
 void write_pages(std::filesystem::path folder, const std::vector<std::pair<std::string, std::string>>& pages);
 
 }  // namespace rederive::classroom

@@ -91,7 +91,7 @@ std::string element(const Exercise& exercise, const Progress& progress, bool ope
 }
 
 std::string script() {
-  return "<script type=\"module\">\n" + whole_file(exercises_folder() / "exercise.js") + "</script>\n";
+  return "<script type=\"module\">\n" + read_whole(exercises_folder() / "exercise.js") + "</script>\n";
 }
 
 /// What is read while a student types, in a process of its own.

@@ -1,4 +1,6 @@
 // Where grade writes to: looked at before anything is judged, and written whole or not at all.
+#include <unistd.h>
+
 #include <derivations/emit/program.hpp>
 #include <lessons/exercises/grading.hpp>
 #include <set>
@@ -11,27 +13,26 @@ namespace fs = std::filesystem;
 void check_folder(const fs::path& folder, const std::string& refused) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
-    throw BadInput(refused + "there is no folder '" + folder.string() + "' to write into");
+    throw BadInput(refused + "there is no folder '" + printable_name(folder) + "' to write into");
   if (::access(folder.c_str(), W_OK) != 0)
-    throw BadInput(refused + "the folder '" + folder.string() + "' may not be written to");
+    throw BadInput(refused + "the folder '" + printable_name(folder) + "' may not be written to");
 }
 
 void check_file(const fs::path& file, const std::string& students, std::set<fs::path>& others) {
   std::error_code error;
   if (file.empty()) return;
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  if (fs::is_directory(file, error)) throw BadInput("cannot write '" + file.string() + "': it is a folder");
-  const auto status = fs::status(file, error);
-  const bool in_place = fs::exists(status) && !fs::is_regular_file(status);  // a device, a pipe
-  if (error && status.type() != fs::file_type::not_found)
-    throw BadInput("cannot write '" + file.string() + "': " + error.message());
-  if (!in_place) check_folder(folder, "cannot write '" + file.string() + "': ");
+  const std::string name = printable_name(file);
+  if (becomes_ordinary_file(file)) {
+    const fs::path target = ordinary_target(file);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
+    check_folder(folder, "cannot write '" + name + "': ");
+    const auto inside =
+        fs::weakly_canonical(fs::absolute(folder), error).lexically_relative(fs::canonical(students, error));
+    if (!inside.empty() && *inside.begin() != ".." && inside != ".")
+      throw BadInput("cannot write '" + name + "': it lies in the folder of a student");
+  }
   if (!others.insert(fs::weakly_canonical(fs::absolute(file), error)).second)
-    throw BadInput("'" + file.string() + "' cannot be two of the files that are written");
-  const auto inside =
-      fs::weakly_canonical(fs::absolute(folder), error).lexically_relative(fs::canonical(students, error));
-  if (!inside.empty() && *inside.begin() != ".." && inside != ".")
-    throw BadInput("cannot write '" + file.string() + "': it lies in the folder of a student");
+    throw BadInput("'" + name + "' cannot be two of the files that are written");
 }
 
 void check_feedback(const GradeFlags& flags, const std::set<fs::path>& files) {
@@ -39,7 +40,7 @@ void check_feedback(const GradeFlags& flags, const std::set<fs::path>& files) {
   std::error_code error;
   fs::path folder = fs::weakly_canonical(fs::absolute(flags.feedback), error);
   if (!folder.has_filename()) folder = folder.parent_path();  // "pages/"
-  const std::string refused = "cannot write into '" + flags.feedback + "': ";
+  const std::string refused = "cannot write into '" + printable_line(flags.feedback) + "': ";
   const bool is_there = fs::exists(folder, error);
   if (is_there && !fs::is_directory(folder, error)) throw BadInput(refused + "it is no folder");
   const fs::path place = is_there ? folder : folder.parent_path();
@@ -49,7 +50,7 @@ void check_feedback(const GradeFlags& flags, const std::set<fs::path>& files) {
     throw BadInput(refused + "it lies in the class's folder, and would be taken for a student");
   for (const auto& file : files)
     if (file.parent_path() == folder)
-      throw BadInput(refused + "'" + file.string() + "' could be one of its pages");
+      throw BadInput(refused + "'" + printable_name(file) + "' could be one of its pages");
 }
 
 }  // namespace
@@ -62,23 +63,15 @@ void check_outputs(const GradeFlags& flags) {
 
 void write_pages(fs::path folder, const std::vector<std::pair<std::string, std::string>>& pages) {
   if (!folder.has_filename()) folder = folder.parent_path();
-  const fs::path draft = folder.string() + ".part" + std::to_string(::getpid());
+  std::vector<std::pair<fs::path, std::string>> files;
+  for (const auto& [name, text] : pages) files.emplace_back(folder / name, text);
   std::error_code error;
-  const Uninterrupted all;
+  const Uninterrupted whole;
+  const bool is_new = make_output_folder(folder);
   try {
-    for (const auto& [name, text] : pages)
-      if (fs::is_directory(folder / name, error))
-        throw BadInput("cannot write '" + (folder / name).string() + "': it is a folder");
-    fs::create_directories(draft);
-    for (const auto& [name, text] : pages) write_whole(draft / name, text);
-    fs::create_directories(folder);
-    for (const auto& [name, text] : pages) fs::rename(draft / name, folder / name);
-    fs::remove_all(draft, error);
-  } catch (const fs::filesystem_error& failed) {
-    fs::remove_all(draft, error);
-    throw BadInput("cannot write into '" + folder.string() + "': " + failed.code().message());
+    write_together(files);
   } catch (...) {
-    fs::remove_all(draft, error);
+    if (is_new) fs::remove(folder, error);
     throw;
   }
 }

@@ -1,10 +1,11 @@
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <pwd.h>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <charconv>
+#include <cstdlib>
 #include <derivations/emit/program.hpp>
 #include <lessons/exercises/progress.hpp>
 #include <sstream>
@@ -79,34 +80,21 @@ bool take_line(const std::string& line, Progress& progress) {
   return true;
 }
 
-void make_folder(const std::filesystem::path& file) {
-  std::error_code error;
-  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), error);
-  if (error) throw BadInput("cannot make the folder of '" + file.string() + "': " + error.message());
-}
-
 }  // namespace
 
 std::filesystem::path progress_file(const std::string& given) {
   if (!given.empty()) return given;
   if (const char* file = std::getenv("REDERIVE_PROGRESS"); file != nullptr && *file != '\0') return file;
-  if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0')
-    return std::filesystem::path(state) / "rederive" / "exercises.txt";
-  const char* home = std::getenv("HOME");
-  const passwd* user = home == nullptr ? ::getpwuid(::getuid()) : nullptr;
-  if (user != nullptr) home = user->pw_dir;
-  return std::filesystem::path(home == nullptr ? "." : home) / ".local" / "state" / "rederive" /
-         "exercises.txt";
+  return state_folder() / "exercises.txt";
 }
 
 Progress load_progress(const std::filesystem::path& file) {
+  return read_progress(read_if_there(file, {.only_ordinary = true}).value_or(""), file);
+}
+
+Progress read_progress(const std::string& text, const std::filesystem::path& file) {
   Progress progress;
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) return progress;
-  if (!std::filesystem::is_regular_file(file))
-    throw BadInput("the progress file '" + file.string() + "' is no file");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw BadInput("cannot read the progress file '" + file.string() + "'");
+  std::istringstream stream(text);
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
     if (line.empty() || line[0] == '#') continue;
@@ -114,7 +102,7 @@ Progress load_progress(const std::filesystem::path& file) {
       throw BadInput(
           fmt::format("{}, line {}: this is not as Rederive wrote it. Mend the line, or move the file "
                       "away to start afresh",
-                      file.string(), number));
+                      printable_name(file), number));
   }
   return progress;
 }
@@ -127,14 +115,16 @@ void save_progress(const std::filesystem::path& file, const Progress& progress) 
                         record.seed.empty() ? "" : "\tseed " + packed(record.seed));
   for (const auto& [id, answer] : progress.old_answers)
     text += fmt::format("old\t{}\t{}\n", id, packed(answer));
-  make_folder(file);
-  write_whole(file, text);
+  make_own_folder(file.parent_path());
+  write_whole(file, text, Access::owner_only);
 }
 
 ProgressLock::ProgressLock(const std::filesystem::path& file) {
-  make_folder(file);
+  make_own_folder(file.parent_path());
   const std::string name = file.string() + ".lock";
-  descriptor_ = ::open(name.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+  descriptor_ = ::open(name.c_str(), O_CREAT | O_RDWR | O_NOFOLLOW | O_CLOEXEC, 0600);
+  if (descriptor_ < 0 && errno == ELOOP)
+    throw BadInput("'" + printable_name(name) + "' is a link: remove it");
   if (descriptor_ >= 0)
     ::flock(descriptor_, LOCK_EX);  // where locks are not to be had, one program at a time is fine
 }

@@ -27,6 +27,8 @@ struct Progress {
 std::filesystem::path progress_file(const std::string& given);
 /// Reads it; a file that is not there is a fresh start. Throws BadInput naming file and line.
 Progress load_progress(const std::filesystem::path& file);
+/// Reads the text of one. `file` is what messages name.
+Progress read_progress(const std::string& text, const std::filesystem::path& file);
 /// Writes it whole or not at all, and makes its folder. Throws BadInput if it cannot.
 void save_progress(const std::filesystem::path& file, const Progress& progress);
 

@@ -38,7 +38,7 @@ std::string page_named(const Classroom& room, const std::string& name) {
     if (pages[lesson].empty()) pages[lesson] = written_by(lesson, " --format html");
     return with_exercises(room, pages[lesson]);
   }
-  if (name == "workbench.html") return whole_file(data_folder() / "workbench.html");
+  if (name == "workbench.html") return read_whole(data_folder() / "workbench.html");
   if (is_index) return page_of_exercises(room, contents);
   throw BadInput("there is no such page");
 }
@@ -112,8 +112,7 @@ std::pair<int, int> listener_at(int port) {
 int end_by_signal() {
   sigset_t endings;
   ::sigemptyset(&endings);
-  ::sigaddset(&endings, SIGINT);
-  ::sigaddset(&endings, SIGTERM);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&endings, signal);
   ::pthread_sigmask(SIG_BLOCK, &endings, nullptr);
   return ::signalfd(-1, &endings, SFD_CLOEXEC | SFD_NONBLOCK);
 }
@@ -128,7 +127,7 @@ int serve(const Classroom& room, int port) {
   const std::string host = fmt::format("127.0.0.1:{}", at_port),
                     root = fmt::format("/{:08x}{:08x}{:08x}{:08x}/", random(), random(), random(), random());
   std::printf("http://%s%s\nOpen this address in a browser; Ctrl-C ends it.\n", host.c_str(), root.c_str());
-  if (std::fflush(stdout) != 0) throw std::runtime_error("standard output could not be written");
+  if (std::fflush(stdout) != 0) throw BadInput("standard output could not be written");
   const HttpHandlers handlers{
       .guard = [&](const HttpRequest& request) { guard(request, host, root); },
       .answer = [&](const HttpRequest& request) { return response_to(room, request, root); }};

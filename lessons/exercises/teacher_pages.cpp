@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <derivations/emit/program.hpp>
+#include <derivations/language/unicode.hpp>
 #include <functional>
 #include <lessons/exercises/grading.hpp>
 #include <lessons/exercises/in_page.hpp>

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <termios.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -57,7 +58,7 @@ class Watch {
     }
     const fs::path file = path_of(*exercise);
     if (!fs::exists(fs::symlink_status(file))) write_whole(file, stub(*exercise));
-    say(presentation(*exercise) + "\nYour answer goes into " + file.string() + "\n");
+    say(presentation(*exercise) + "\nYour answer goes into " + printable_name(file) + "\n");
     stamps_[exercise->id] = stamp(file);
   }
 
@@ -104,7 +105,7 @@ class Watch {
 
   static void say(const std::string& text) {
     std::fputs(text.c_str(), stdout);
-    std::fflush(stdout);
+    if (std::fflush(stdout) != 0) throw BadInput("standard output could not be written");
   }
 
   /// Says once of each file that its name is no exercise's. True if there was a new one.
@@ -152,7 +153,8 @@ class Watch {
 }  // namespace
 
 int watch(const Classroom& room, const std::string& folder, bool once) {
-  if (!fs::is_directory(folder)) throw BadInput("there is no folder '" + folder + "' to watch");
+  if (!fs::is_directory(folder))
+    throw BadInput("there is no folder '" + printable_name(folder) + "' to watch");
   Watch watcher(room, folder);
   if (once) {
     if (!watcher.look()) watcher.begin(next_exercise(room, load_progress(room.progress)));

@@ -24,7 +24,7 @@ std::string next_line(const Classroom& room, const Progress& progress) {
 int tell(const Classroom& room, const Exercise& exercise, const Opinion& opinion, const std::string& answer) {
   Progress progress;
   if (const std::string trouble = keep(room, exercise, opinion, answer, progress); !trouble.empty())
-    std::fprintf(stderr, "exercises: %s\n", trouble.c_str());
+    std::fprintf(stderr, "exercises: %s\n", printable(trouble).c_str());
   if (room.json)
     put(report_json(exercise, opinion));
   else
@@ -133,9 +133,11 @@ int check(const Classroom& room, const std::string& id, const std::string& answe
 int check_file(const Classroom& room, const std::string& id, const std::string& file, bool is_working) {
   const Exercise& exercise = find_exercise(room, id);
   std::error_code error;
-  if (!std::filesystem::exists(std::filesystem::symlink_status(file, error)))
-    throw BadInput("there is no file '" + file + "'");
+  if (std::filesystem::symlink_status(file, error).type() == std::filesystem::file_type::not_found)
+    throw BadInput("there is no file '" + printable_name(file) + "'");
   const AnswerFile answer = read_answer_file(file);
+  if (answer.trouble == "unreadable")
+    throw BadInput("the file '" + printable_name(file) + "' cannot be read");
   if (!answer.trouble.empty()) return tell(room, exercise, invalid(answer.trouble, answer.says), "");
   if (!is_working) return tell(room, exercise, judge_bounded(exercise, answer.text), answer.text);
   const Working working = judge_working(exercise, answer.lines);
@@ -187,7 +189,8 @@ int reset(const Classroom& room, const std::string& id) {
   progress.records.erase(found);
   save_progress(room.progress, progress);
   put(fmt::format("{} is open again.\n", id));
-  if (!old.empty()) put("Your old answer is kept in " + room.progress.string() + ":\n  " + old + "\n");
+  if (!old.empty())
+    put("Your old answer is kept in " + printable_name(room.progress) + ":\n  " + printable(old) + "\n");
   return as_expected;
 }
 

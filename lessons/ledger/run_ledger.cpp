@@ -228,7 +228,8 @@ int run_ledger(int argc, char** argv, const std::optional<OwnPaper>& own) {
       "that it is, or its digits; then exactly says what it is, or between has rational bounds of a root of "
       "the\n"
       "equation solves. in_words says the same to a reader.\n"
-      "Exit code: 0 proved, 1 refuted, 3 undecided, 2 for input that cannot be read.\n");
+      "Exit code: 0 proved, 1 refuted, 3 undecided, 2 for input that cannot be read or output that cannot "
+      "be\nwritten.\n");
   auto* table = proving
                     ->add_option("--table", options.table,
                                  "Decides every row of a table and writes a page in Markdown, or JSON")

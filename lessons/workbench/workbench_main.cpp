@@ -83,21 +83,21 @@ std::string without_documentation(std::string text) {
 }
 
 void write_all(const std::filesystem::path& folder, const std::filesystem::path& sources) {
-  const std::string motion = whole_file(sources / "motion.js") + whole_file(sources / "map.js");
+  const std::string motion = read_whole(sources / "motion.js") + read_whole(sources / "map.js");
   std::string scripts;
-  for (const char* name : {"case.js", "views.js", "workbench.js"}) scripts += whole_file(sources / name);
-  std::string controls = whole_file(sources / "element.html");
+  for (const char* name : {"case.js", "views.js", "workbench.js"}) scripts += read_whole(sources / name);
+  std::string controls = read_whole(sources / "element.html");
   const std::string law = "<!-- (46b) -->";
   controls.replace(controls.find(law), law.size(),
                    mathml(print_statement(derived_relation(derived("46b")), Notation::latex)));
   const auto element = [&](const std::string& emitted) {
-    return "<style>\n" + whole_file(sources / "workbench.css") + "</style>\n" + controls +
+    return "<style>\n" + read_whole(sources / "workbench.css") + "</style>\n" + controls +
            "<script class=\"workbench-physics\">\n" + emitted + motion + "</script>\n<script>\n" + scripts +
            "</script>\n";
   };
   const std::string emitted = physics(motion);
   write_whole(folder / "workbench_element.html", element(without_documentation(emitted)));
-  write_whole(folder / "workbench.html", whole_file(sources / "head.html") + math_font_style() +
+  write_whole(folder / "workbench.html", read_whole(sources / "head.html") + math_font_style() +
                                              "</head>\n<body class=\"own\">\n<h1>The rocking block</h1>\n" +
                                              element(emitted) + "</body>\n</html>\n");
 }
@@ -105,12 +105,13 @@ void write_all(const std::filesystem::path& folder, const std::filesystem::path&
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_standard_streams();
   try {
     if (argc != 3) throw std::runtime_error("usage: workbench_page FOLDER SOURCES");
     write_all(argv[1], argv[2]);
     return 0;
   } catch (const std::exception& error) {
-    std::cerr << "workbench_page: " << error.what() << "\n";
+    std::cerr << "workbench_page: " << printable(error.what()) << "\n";
     return 3;
   }
 }

@@ -38,7 +38,7 @@ void add_figure(CLI::App& app, Run& run) {
   auto options = std::make_shared<FigureCommand>();
   command->add_option("number", options->number, "8 to 16")->required()->type_name("NUMBER");
   command->add_option("--out", options->out, "draw to .svg, .png or .pdf")
-      ->check(file_name)
+      ->check(plot_name())
       ->type_name("FILE");
   command->add_option("--data", options->data, "write the curves as CSV")
       ->check(file_name)

@@ -53,12 +53,13 @@ std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> files;
   fs::directory_iterator entry(folder, error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error))
-    if (!entry->path().filename().string().starts_with('.') && !entry->is_directory())
+    if (!entry->path().filename().string().starts_with('.') && !entry->is_directory(error))
       files.push_back(entry->path());
-  if (error) throw BadInput("cannot read the folder '" + folder + "': " + error.message());
-  if (files.empty()) throw BadInput("the folder '" + folder + "' of records is empty");
+  if (error) throw BadInput("cannot read the folder '" + printable_name(folder) + "': " + error.message());
+  if (files.empty()) throw BadInput("the folder '" + printable_name(folder) + "' of records is empty");
   for (const std::string& file : files)
-    if (!fs::is_regular_file(file, error)) throw BadInput("'" + file + "' is no ordinary file");
+    if (!fs::is_regular_file(file, error))
+      throw BadInput("'" + printable_name(file) + "' is no ordinary file");
   std::ranges::sort(files);
   return files;
 }
@@ -215,7 +216,7 @@ int run_fragility(const FragilityCommand& options) {
     const Record record = record_of(options, file);
     is_of_use = is_of_use || !record.is_headed;
     if (!(peak_of(record, all.peak) > 0))
-      throw BadInput(fmt::format("'{}' is still ground and cannot be scaled", file));
+      throw BadInput(fmt::format("'{}' is still ground and cannot be scaled", printable_name(file)));
   }
   if (!is_of_use)
     throw BadInput(
@@ -270,7 +271,7 @@ void add_fragility(CLI::App& app, Run& run) {
   add("--unit", options->unit, "NAME", "unit of columns: g or m/s2 [g]")->check(CLI::IsMember({"g", "m/s2"}));
   add("--threads", options->threads, "T", "threads [all; of each rank under mpirun: 1]");
   add("--csv", options->csv, "FILE", "write the table")->check(file_name);
-  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);
+  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(plot_name());
   add_json(*command, options->common.json);
   command->callback([options, &run] { run = [options] { return run_fragility(*options); }; });
 }

@@ -90,9 +90,9 @@ int run_map(const MapCommand& options) {
   }
   const OutcomeMap map = outcome_map(asked, ratios, amplitudes, work, std::move(keeper));
   const bool stopped = was_interrupted(work);
-  if (file && !stopped) file->finish();
+  if (file && !stopped) file->finish(map);
   if (file && stopped)
-    fmt::print(stderr, "the same command goes on from '{}'\n", printable_line(file->part().string()));
+    std::fprintf(stderr, "the same command goes on from '%s'\n", printable_name(file->part()).c_str());
   if (!options.csv.empty()) write_whole(options.csv, csv_of(map));
   if (!options.plot.empty())
     draw(Shades{map.omega_ratios, map.amplitudes, map.codes, "ω_p/p (dimensionless)",
@@ -125,7 +125,7 @@ void add_map(CLI::App& app, Run& run) {
   add("--hdf5", options->hdf5, "FILE",
       "write the grid as HDF5; interrupted, the same command goes on from FILE.part")
       ->check(file_name);
-  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);
+  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(plot_name());
   command->callback([options, &run] { run = [options] { return run_map(*options); }; });
 }
 

@@ -6,18 +6,15 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <hdf5_hl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <derivations/emit/program.hpp>
-#include <limits>
+#include <numerics/commands/map_part.hpp>
 
 namespace rederive::inline numeric {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int not_yet = std::numeric_limits<int>::min();
 
 /// What HDF5 gave us, closed when it goes.
 class Handle {
@@ -63,33 +60,13 @@ void write_attribute(hid_t where, const std::string& name, const std::variant<st
                 : H5Awrite(attribute, H5T_NATIVE_DOUBLE, &std::get<1>(value)));
 }
 
-std::variant<std::string, double> read_attribute(hid_t where, const std::string& name) {
-  const Handle attribute(H5Aopen(where, name.c_str(), H5P_DEFAULT), H5Aclose),
-      type(H5Aget_type(attribute), H5Tclose), text = text_type();
-  if (H5Tget_class(type) == H5T_STRING) {
-    char* words = nullptr;
-    check(H5Aread(attribute, text, &words));
-    const std::string value = words == nullptr ? "" : words;
-    H5free_memory(words);
-    return value;
-  }
-  double value = 0;
-  check(H5Aread(attribute, H5T_NATIVE_DOUBLE, &value));
-  return value;
-}
-
-/// A dataset that lies ready in the file, so that filling it changes nothing else there.
 Handle create_dataset(hid_t file, const char* name, hid_t type, const std::vector<hsize_t>& sizes,
                       const std::vector<hsize_t>& chunk, const std::string& meaning) {
   const int rank = static_cast<int>(sizes.size());
   const Handle space(H5Screate_simple(rank, sizes.data(), nullptr), H5Sclose),
       properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   check(H5Pset_obj_track_times(properties, false));
-  check(H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY));
-  if (!chunk.empty()) {
-    check(H5Pset_chunk(properties, rank, chunk.data()));
-    check(H5Pset_fill_value(properties, H5T_NATIVE_INT, &not_yet));
-  }
+  if (!chunk.empty()) check(H5Pset_chunk(properties, rank, chunk.data()));
   Handle set(H5Dcreate2(file, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
   write_attribute(set, "long_name", meaning);
   write_attribute(set, "units", "1");
@@ -104,133 +81,84 @@ Handle create_axis(hid_t file, const char* name, const std::vector<double>& valu
   return axis;
 }
 
-void create(const fs::path& path, const Attributes& attributes, const std::vector<double>& ratios,
-            const std::vector<double>& amplitudes) {
-  const Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+/// Fills an empty file with the map, its axes, and what it was computed from.
+void fill(hid_t file, const Attributes& attributes, const OutcomeMap& map) {
   for (const auto& [name, value] : attributes) write_attribute(file, name, value);
-  const Handle x = create_axis(file, "omega_ratio", ratios, "frequency of the pulse omega_p/p"),
-               y = create_axis(file, "amplitude", amplitudes, "amplitude of the pulse a_p/(alpha g)");
-  const hsize_t columns = ratios.size(), rows = amplitudes.size(), cells = 16384;
+  const Handle x = create_axis(file, "omega_ratio", map.omega_ratios, "frequency of the pulse omega_p/p"),
+               y = create_axis(file, "amplitude", map.amplitudes, "amplitude of the pulse a_p/(alpha g)");
+  const hsize_t columns = map.omega_ratios.size(), rows = map.amplitudes.size(), cells = 16384;
   const Handle code = create_dataset(
       file, "code", H5T_STD_I32LE, {columns, rows},
       {std::clamp<hsize_t>(cells / rows, 1, columns), std::min(rows, cells)},
       "side * (impacts + 1) where the block overturns, to theta < 0 or > 0; 0 where it is safe");
   check(H5DSattach_scale(code, x, 0));
   check(H5DSattach_scale(code, y, 1));
+  std::vector<int> codes;
+  codes.reserve(columns * rows);
+  for (const auto& column : map.codes) codes.insert(codes.end(), column.begin(), column.end());
+  check(H5Dwrite(code, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, codes.data()));
 }
 
-std::vector<double> axis_of(hid_t file, const char* name) {
-  const Handle set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose), space(H5Dget_space(set), H5Sclose);
-  std::vector<double> values(
-      static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space))));
-  check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-  return values;
+/// Returns the bytes of the map as an HDF5 file, which is made in memory.
+std::string image_of(const Attributes& attributes, const OutcomeMap& map) {
+  constexpr std::size_t growth = 1 << 20;
+  const Handle in_memory(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  check(H5Pset_fapl_core(in_memory, growth, false));
+  // HDF5 looks whether there is a file of the name, even so: there is none of this one.
+  const Handle file(H5Fcreate("/dev/null/map", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory), H5Fclose);
+  fill(file, attributes, map);
+  check(H5Fflush(file, H5F_SCOPE_LOCAL));
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  std::string image(static_cast<std::size_t>(std::max<ssize_t>(size, 0)), '\0');
+  if (size <= 0 || H5Fget_file_image(file, image.data(), image.size()) != size)
+    throw std::runtime_error("HDF5 refuses");
+  return image;
 }
 
-std::string shown(const std::variant<std::string, double>& value) {
-  return value.index() == 0 ? std::get<0>(value) : fmt::format("{}", std::get<1>(value));
+/// What a map is computed from, as FILE.part keeps it.
+nlohmann::ordered_json about(const Attributes& attributes, const std::vector<double>& omega_ratios,
+                             const std::vector<double>& amplitudes) {
+  nlohmann::ordered_json all;
+  for (const auto& [name, value] : attributes)
+    std::visit([&, &name = name](const auto& of) { all[name] = of; }, value);
+  all["omega_ratios"] = omega_ratios;
+  all["amplitudes"] = amplitudes;
+  return all;
 }
 
 }  // namespace
 
 struct MapFile::Open {
-  fs::path target, part;
-  std::size_t columns, rows;
-  Handle file, code;
-
-  std::invalid_argument refusal(const std::string& why) const {
-    return std::invalid_argument(fmt::format("cannot write '{}': {}", target.string(), why));
-  }
-
-  /// What is unlike in the file that is there; empty if it can be taken up.
-  std::string difference(const Attributes& attributes, const std::vector<double>& ratios,
-                         const std::vector<double>& amplitudes) const {
-    for (const auto& [name, value] : attributes)
-      if (const auto there = read_attribute(file, name); there != value)
-        return fmt::format("{} is {} there, and {} here", name, shown(there), shown(value));
-    if (axis_of(file, "omega_ratio") != ratios) return "--omega is another there";
-    if (axis_of(file, "amplitude") != amplitudes) return "--amplitude is another there";
-    return "";
-  }
+  fs::path target;
+  Attributes attributes;
+  MapPart part;
 };
 
 MapFile::MapFile(const fs::path& file, const Attributes& attributes, const std::vector<double>& omega_ratios,
-                 const std::vector<double>& amplitudes)
-    : open_(std::make_unique<Open>()) {
+                 const std::vector<double>& amplitudes) {
   H5dont_atexit();  // what could not be written would be tried once more there, and crash
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // its failures come out as ours
-  std::error_code error;
-  open_->target = fs::is_symlink(fs::symlink_status(file, error)) ? fs::weakly_canonical(file, error) : file;
-  open_->part = open_->target.string() + ".part";
-  open_->columns = omega_ratios.size(), open_->rows = amplitudes.size();
-  if (const auto status = fs::status(open_->target, error);
-      fs::exists(status) && !fs::is_regular_file(status))
-    throw open_->refusal("it is no regular file");
-  if (!fs::exists(open_->part, error)) {
-    const fs::path begun = open_->part.string() + std::to_string(::getpid());
-    const Uninterrupted whole;
-    try {
-      create(begun, attributes, omega_ratios, amplitudes);
-      fs::rename(begun, open_->part);
-    } catch (const std::runtime_error&) {
-      fs::remove(begun, error);
-      throw open_->refusal("the file cannot be created there");
-    }
-  }
-  std::string unlike;
-  try {
-    open_->file = Handle(H5Fopen(open_->part.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
-    unlike = open_->difference(attributes, omega_ratios, amplitudes);
-    open_->code = Handle(H5Dopen2(open_->file, "code", H5P_DEFAULT), H5Dclose);
-  } catch (const std::runtime_error&) {
-    throw open_->refusal(fmt::format(
-        "'{}' is no map that a run of this program left, or in use by another run", open_->part.string()));
-  }
-  if (!unlike.empty())
-    throw open_->refusal(
-        fmt::format("'{}' was left by a run for another map: {}. Finish that, or remove the file",
-                    open_->part.string(), unlike));
+  const fs::path target = ordinary_target(file);
+  open_.reset(new Open{.target = target,
+                       .attributes = attributes,
+                       .part = MapPart(target, about(attributes, omega_ratios, amplitudes),
+                                       omega_ratios.size(), amplitudes.size())});
 }
 
 MapFile::~MapFile() = default;
 
-std::vector<std::vector<int>> MapFile::known() const {
-  std::vector<int> all(open_->columns * open_->rows);
-  const Handle space(H5Dget_space(open_->code), H5Sclose);
-  hsize_t sizes[2] = {0, 0};
-  if (H5Sget_simple_extent_ndims(space) != 2 || H5Sget_simple_extent_dims(space, sizes, nullptr) != 2 ||
-      sizes[0] != open_->columns || sizes[1] != open_->rows ||
-      H5Dread(open_->code, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()) < 0)
-    throw open_->refusal(fmt::format("'{}' is damaged: remove it", open_->part.string()));
-  std::vector<std::vector<int>> codes(open_->columns);
-  for (std::size_t i = 0; i < codes.size(); ++i) {
-    const auto from = all.begin() + static_cast<std::ptrdiff_t>(i * open_->rows),
-               to = from + static_cast<std::ptrdiff_t>(open_->rows);
-    if (std::find(from, to, not_yet) == to) codes[i].assign(from, to);
-  }
-  return codes;
-}
+std::vector<std::vector<int>> MapFile::known() const { return open_->part.known(); }
 
 void MapFile::keep(const OutcomeMap& map, std::size_t first, std::size_t last) {
-  std::vector<int> codes;
-  for (std::size_t i = first; i < last; ++i)
-    codes.insert(codes.end(), map.codes[i].begin(), map.codes[i].end());
-  const hsize_t start[2] = {first, 0}, size[2] = {last - first, open_->rows};
-  const Handle there(H5Dget_space(open_->code), H5Sclose), here(H5Screate_simple(2, size, nullptr), H5Sclose);
-  if (H5Sselect_hyperslab(there, H5S_SELECT_SET, start, nullptr, size, nullptr) < 0 ||
-      H5Dwrite(open_->code, H5T_NATIVE_INT, here, there, H5P_DEFAULT, codes.data()) < 0 ||
-      H5Fflush(open_->file, H5F_SCOPE_LOCAL) < 0)
-    throw open_->refusal("the disk takes no more");
+  for (std::size_t i = first; i < last; ++i) open_->part.keep(i, map.codes[i]);
 }
 
-void MapFile::finish() {
-  open_->code = Handle(), open_->file = Handle();
-  std::error_code error;
-  fs::rename(open_->part, open_->target, error);
-  if (error) throw open_->refusal(error.message());
+void MapFile::finish(const OutcomeMap& map) {
+  write_whole(open_->target, image_of(open_->attributes, map));
+  open_->part.remove();
 }
 
-std::filesystem::path MapFile::part() const { return open_->part; }
+std::filesystem::path MapFile::part() const { return open_->part.file(); }
 
 }  // namespace rederive::inline numeric
 
@@ -246,7 +174,7 @@ MapFile::MapFile(const std::filesystem::path&, const Attributes&, const std::vec
 MapFile::~MapFile() = default;
 std::vector<std::vector<int>> MapFile::known() const { return {}; }
 void MapFile::keep(const OutcomeMap&, std::size_t, std::size_t) {}
-void MapFile::finish() {}
+void MapFile::finish(const OutcomeMap&) {}
 std::filesystem::path MapFile::part() const { return {}; }
 
 }  // namespace rederive::inline numeric

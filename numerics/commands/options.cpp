@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numerics/commands/options.hpp>
+#include <numerics/plot.hpp>
 
 namespace rederive::inline numeric {
 
@@ -154,6 +155,20 @@ std::string words_for(int code) {
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(width, text.size()), ' ');
   return text;
+}
+
+const CLI::Validator& plot_name() {
+  static const CLI::Validator validator(
+      [](std::string& name) -> std::string {
+        try {
+          check_plot_name(name);
+          return file_name(name);
+        } catch (const std::invalid_argument& error) {
+          return name.empty() ? file_name(name) : error.what();
+        }
+      },
+      "");
+  return validator;
 }
 
 void print_json(const nlohmann::ordered_json& document) { fmt::print("{}\n", document.dump(2)); }

@@ -56,6 +56,9 @@ std::string words_for(int code);
 /// Blanks on the right up to a width.
 std::string padded(std::string text, std::size_t width);
 
+/// For options that take the name of a plot to be drawn.
+const CLI::Validator& plot_name();
+
 void print_json(const nlohmann::ordered_json& document);
 
 /// An optional number as JSON: null if there is none.

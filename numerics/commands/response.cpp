@@ -3,8 +3,6 @@
 
 #include <cmath>
 #include <derivations/emit/data_folder.hpp>
-#include <fstream>
-#include <iterator>
 #include <numerics/commands/options.hpp>
 #include <numerics/figures.hpp>
 #include <numerics/story.hpp>
@@ -36,7 +34,7 @@ GroundMotion motion_of(const ResponseCommand& options, const Block& block) {
     const Record record = read_record(options.record, unit, step);
     if (record.is_headed && !(options.step + options.unit).empty())
       throw BadInput(fmt::format("{}: the header of '{}' says it", options.step.empty() ? "--unit" : "--step",
-                                 options.record));
+                                 printable_name(options.record)));
     return record_motion(record, block, number("--scale", options.scale));
   }
   if (options.amplitude.empty()) throw BadInput("--amplitude is required: a_p/(alpha g) of the pulse");
@@ -126,8 +124,7 @@ Figure history_plot(const Told& told, const std::string& caption) {
 
 /// The workbench, opened at this case: its scripts read it as options of this command.
 std::string page_of(const ResponseCommand& options, const Block& block) {
-  std::ifstream file(data_folder() / "workbench.html", std::ios::binary);
-  std::string page{std::istreambuf_iterator<char>(file), {}};
+  std::string page = read_if_there(data_folder() / "workbench.html").value_or("");
   const std::string place = "data-case=\"";
   const std::size_t at = page.find(place);
   if (at == std::string::npos)
@@ -178,7 +175,7 @@ void add_response(CLI::App& app, Run& run) {
   add("--amplitude", options->amplitude, "A", "a_p/(alpha g) of the pulse");
   add("--until", options->until, "TAU", "end of the history, in p t");
   add("--csv", options->csv, "FILE", "write the history")->check(file_name);
-  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);
+  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(plot_name());
   add("--page", options->page, "FILE", "write a web page in which one can play with this case")
       ->check(file_name);
   add("--friction", options->friction, "MU", "say whether this friction suffices");

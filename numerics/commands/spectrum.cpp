@@ -119,7 +119,7 @@ void add_spectrum(CLI::App& app, Run& run) {
   add("--threads", options->threads, "T", "threads [all; of each rank under mpirun: 1]");
   add("--csv", options->csv, "FILE", "write the table; interrupted, the rows that are done")
       ->check(file_name);
-  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(file_name);
+  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(plot_name());
   command->callback([options, &run] { run = [options] { return run_spectrum(*options); }; });
 }
 

@@ -38,7 +38,7 @@ Work sweep_work(const std::string& threads, int count, const char* unit) {
 
 bool was_interrupted(const Work& work, const char* consequence) {
   const bool stopped = interruption();
-  if (stopped) fmt::print(stderr, "{}interrupted: {}\n", work.progress ? "\n" : "", consequence);
+  if (stopped) std::fprintf(stderr, "%sinterrupted: %s\n", work.progress ? "\n" : "", consequence);
   return stopped;
 }
 
