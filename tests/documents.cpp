@@ -39,7 +39,7 @@ TEST_CASE("every program has a manual page that names its options") {
   int subcommands = 0;
   for (const std::string program : {"ledger", "rocking", "exercises"}) {
     std::istringstream words(bash(quoted(REDERIVE_PROGRAMS "/" + program) +
-                                  " --help | sed '1,/^Subcommands/d; s/^  \\([a-z]*\\) .*/\\1/'")
+                                  " --help | sed -n '1,/^Subcommands/d; s/^  \\([a-z]*\\) .*/\\1/p'")
                                  .out);
     for (std::string subcommand; words >> subcommand; ++subcommands)
       CHECK_MESSAGE(read_file(build + "/man/" + program + "-" + subcommand + ".1").find("\\-\\-help") !=

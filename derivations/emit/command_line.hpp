@@ -57,6 +57,10 @@ inline int run_command(CLI::App& app, int argc, char** argv, const std::function
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error that is told, not the end
   app.set_version_flag("--version", "Rederive " REDERIVE_VERSION);
   app.get_formatter()->column_width(34);
+  app.footer(
+      "Exit code: 0 as expected; 1 a verdict or an answer is not as expected; 2 bad usage, bad input, or "
+      "output\n"
+      "that cannot be written; 3 undecided, or an internal failure.");
   const std::string name = printable_name(argc > 0 ? std::filesystem::path(argv[0]).filename() : "");
   app.name(name);
   const auto complain = [&](const std::string& what, int code) {
