@@ -189,7 +189,7 @@ TEST_CASE("bad input: exit code 2, a message, and nothing written") {
   weights("exercise,weight\n", "there is no weight in it");
   weights("", "line 1");
   refused({"--gradebook", book, "--weights", "/no/such"}, "/no/such");
-  refused({"--gradebook", book, "--weights", room.answers}, "there is no file");
+  refused({"--gradebook", book, "--weights", room.answers}, "it is a folder");
   for (const auto* time : {"2026-02-30", "2026-13-01", "2026-01-01T24:00", "tomorrow", "2026-01-01T12:00+2"})
     refused({"--gradebook", book, "--deadline", time}, "is neither a time such as");
   refused({"--gradebook", book, "--deadline", list("exercise,deadline\nrestitution,soon\n")},

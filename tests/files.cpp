@@ -57,15 +57,24 @@ TEST_CASE("whatever system call fails as a file is written, the old file stays a
     }
   }
   const TemporaryFolder folder;
-  for (const auto* failing : {"write:error=ENOSPC:when=1", "write:error=EIO:when=1", "close:error=EIO"}) {
-    write(folder.path / "file", "old");
-    const Result r = run(folder, std::string("strace -o /dev/null -e trace=write,close -e inject=") +
-                                     failing + " " + emit + "file");
-    INFO(failing << ": " << r.err);
-    CHECK(r.exit_code == 2);
-    CHECK(read_file(folder.path / "file") == "old");
-    CHECK(files_in(folder.path) == std::set<std::string>{"file"});
-  }
+  int told = 0;
+  const std::string whole = run(folder, "emit --target c --function restitution").out;
+  for (const std::string failing :
+       {"write:error=ENOSPC:when=1", "write:error=EIO:when=1", "close:error=EIO:when="})
+    for (int k = 1; k <= (failing.ends_with("=") ? 25 : 1); ++k) {  // some of the files closed are not ours
+      write(folder.path / "file", "old");
+      const std::string fault = failing + (failing.ends_with("=") ? std::to_string(k) : "");
+      const Result r =
+          run(folder, "strace -o /dev/null -e trace=write,close -e inject=" + fault + " " + emit + "file");
+      INFO(fault << ": " << r.err);
+      const bool is_told = r.exit_code == 2 && has(r.err, "cannot write 'file': ");
+      CHECK((is_told || failing.ends_with("=")));
+      CHECK((is_told || r.exit_code == 127 || r.exit_code == 0));
+      CHECK(read_file(folder.path / "file") == (r.exit_code == 0 ? whole : "old"));
+      CHECK(files_in(folder.path) == std::set<std::string>{"file"});
+      told += is_told ? 1 : 0;
+    }
+  CHECK(told == 3);
 }
 
 TEST_CASE("a signal that comes as a file is written waits until it is whole") {
@@ -98,7 +107,7 @@ TEST_CASE(
   for (int k = 0; k < 3; ++k) {
     REQUIRE(run(folder, "strace -o trace -e trace=openat,fsync,rename " + emit + "file").exit_code == 0);
     const std::string trace = read_file(folder.path / "trace");
-    const std::size_t opened = trace.find("O_CREAT"), synced = trace.find("fsync("),
+    const std::size_t opened = trace.find("\".rederive-"), synced = trace.find("fsync("),
                       renamed = trace.find("rename(");
     REQUIRE(opened != std::string::npos);
     const std::size_t begin = trace.rfind('\n', opened) + 1;
@@ -126,7 +135,7 @@ TEST_CASE("a link of another user is refused, one's own is followed, and stays")
     const Result r = run(folder, victim + "bash -c " + quoted("PATH='" REDERIVE_PROGRAMS "':$PATH; " + call));
     INFO(writer << ": " << r.err);
     CHECK((r.exit_code == 2 || has(writer, "check momentum")));
-    CHECK(has(r.err, "'shared/file': it is a link of another user"));
+    if (!has(writer, "check momentum")) CHECK(has(r.err, "'shared/file': it is a link of another user"));
     CHECK(read_file(folder.path / "victim/thesis.tex") == "my thesis\n");
   }
   REQUIRE(run(folder, "rm -rf shared/* && touch file && ln -s ../file shared/file && " + emit + "shared/file")

@@ -37,18 +37,18 @@ struct Class {
 
 constexpr std::size_t most_strange_files = 20;  ///< of one student; beyond that one row says how many more
 
-/// Returns a file name as text: bytes that are not UTF-8, and those of control characters and of invisible
-/// ones, are written as \xNN, so that two names never become one.
+/// Returns a file name as text: bytes that are not UTF-8, and those of invisible characters and of control
+/// characters other than line ends, are written as \xNN, so that two names never become one.
 std::string as_text(const std::string& name) {
   const bool has_all = is_utf8(name);
   std::string text;
   for (std::string_view rest = name; !rest.empty();) {
     const auto [code, bytes] = first_character(rest);
     const std::string_view character = rest.substr(0, std::max<std::size_t>(bytes, 1));
-    const bool is_shown = bytes == 1 || (bytes > 1 && has_all);
+    const bool is_shown =
+        (bytes == 1 || (bytes > 1 && has_all)) && (code == '\n' || !is_control(code)) && !is_invisible(code);
     for (const unsigned char c : character)
-      text += is_shown && !is_control(code) && !is_invisible(code) ? std::string(1, static_cast<char>(c))
-                                                                   : fmt::format("\\x{:02X}", c);
+      text += is_shown ? std::string(1, static_cast<char>(c)) : fmt::format("\\x{:02X}", c);
     rest.remove_prefix(character.size());
   }
   return text;

@@ -123,9 +123,10 @@ void MapPart::begin(const std::string& head) {
 }
 
 void MapPart::check_head(const nlohmann::ordered_json& about) const {
-  const std::string name = printable_name(file_),
-                    damaged =
-                        fmt::format("'{}' is no map that a run of this program left, or it is damaged", name);
+  const std::string
+      name = printable_name(file_),
+      damaged = fmt::format(
+          "'{}' is no map that a run of this program left, or it is damaged: remove it to begin anew", name);
   const std::string start = read(0, file_mark.size() + sizes_in_head);
   if (start.size() < file_mark.size() + sizes_in_head || !start.starts_with(file_mark)) refuse(damaged);
   const auto size = value_in<std::uint64_t>(start, file_mark.size());
