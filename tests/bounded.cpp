@@ -1,13 +1,19 @@
 // Work in a child process: what counts against its limit, and what it may not take with it.
 #include <doctest/doctest.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <derivations/paper/bounded.hpp>
+#include <derivations/paper/seal.hpp>
+#include <future>
 #include <map>
 #include <tests/server.hpp>
 #include <thread>
@@ -47,6 +53,46 @@ TEST_CASE("work that waits for longer than one has patience is given up") {
   CHECK(waited.why == "it took longer than it may");
 }
 
+TEST_CASE("work that uses the processor is not given up for the time that goes by") {
+  CHECK(run_bounded([] { return spin(2.5), std::string("done"); }, 60, megabytes, 2).result == "done");
+}
+
+TEST_CASE("work is the same whichever standard descriptors are closed, and whatever it opens there") {
+  for (int closed = 0; closed < 8; ++closed) {
+    const pid_t program = ::fork();
+    if (program == 0) {
+      for (int k = 0; k < 3; ++k)
+        if ((closed >> k & 1) != 0) ::close(k);
+      const auto open_all = [] {
+        const int nowhere = ::open("/dev/null", O_RDWR);
+        for (int k = 0; k < 3; ++k) ::dup2(nowhere, k);
+      };
+      const auto work = [] { return std::string(100'000, 'a'); };
+      ::_exit(run_bounded(work, 20, megabytes, 60, open_all).result == std::string(100'000, 'a') ? 0 : 1);
+    }
+    int status = -1;
+    ::waitpid(program, &status, 0);
+    CHECK_MESSAGE(status == 0, closed);
+  }
+}
+
+TEST_CASE("work waits for a descriptor if there is none") {
+  const pid_t program = ::fork();
+  if (program == 0) {
+    const rlimit few{20, 20};
+    ::setrlimit(RLIMIT_NOFILE, &few);
+    std::vector<int> all;
+    for (int k; (k = ::open("/dev/null", O_RDONLY)) >= 0;) all.push_back(k);
+    auto waiting = std::async(std::launch::async,
+                              [] { return run_bounded([] { return std::string("done"); }, 20, megabytes); });
+    for (const int k : all) ::close(k);
+    ::_exit(waiting.get().result == "done" ? 0 : 1);
+  }
+  int status = -1;
+  ::waitpid(program, &status, 0);
+  CHECK(status == 0);
+}
+
 TEST_CASE("work that takes the processor for longer than it may is given up") {
   const Bounded spun = run_bounded([] { return spin(5), std::string("done"); }, 0.1, megabytes);
   CHECK_FALSE(spun.result);
@@ -79,7 +125,7 @@ TEST_CASE("what this process has already does not count against the memory of th
         [=] { return std::to_string(std::vector<char>(static_cast<std::size_t>(space) << 20).capacity()); };
   };
   CHECK(run_bounded(takes(megabytes / 4), 4, megabytes).result);
-  if (!is_watched()) CHECK(run_bounded(takes(megabytes + 1), 4, megabytes).note == "memory");
+  if (!is_watched()) CHECK(run_bounded(takes(megabytes + 1), 4, megabytes).ending == Ending::memory);
 }
 
 // Each is tried before the child is sealed, too: what fails then says nothing.

@@ -5,7 +5,7 @@
 
 #include <ctime>
 
-#include "run_program.hpp"
+#include "server.hpp"
 
 namespace fs = std::filesystem;
 
@@ -207,4 +207,48 @@ TEST_CASE("bad input: exit code 2, a message, and nothing written") {
   refused({"--gradebook", book, "--feedback", room.answers / "pages"}, "would be taken for a student");
   refused({"--gradebook", room.answers / "anna/restitution.txt"}, "it lies in the folder of a student");
   refused({"--feedback", ""}, "a file needs a name");
+}
+
+TEST_CASE("what ended by a crash is named, and is not graded: exit code 3") {
+  ClassRoom room;
+  for (int k = 0; k < 30; ++k)
+    room.file("class/student" + std::to_string(k) + "/height-of-centre.txt",
+              "R*(cos(alpha-theta)-cos(alpha))\n");
+  const std::string csv = room.folder.path / "rows.csv", said = room.folder.path / "said.txt";
+  const int error = ::open(said.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
+  const pid_t program = start_program(
+      {REDERIVE_PROGRAMS "/exercises", "grade", "--workers", "1", "--csv", csv, room.answers}, {{error, 2}});
+  int status = 0;
+  while (::waitpid(program, &status, WNOHANG) == 0)
+    for (const pid_t child : children_of(program)) ::kill(child, SIGKILL);
+  ::close(error);
+  const std::string rows = read_file(csv), names = read_file(said);
+  std::size_t ended = 0, listed = 0;
+  for (std::size_t at = 0; (at = rows.find(",undecided,killed,0\n", at)) != std::string::npos; ++at) ++ended;
+  for (std::size_t at = 0; (at = names.find("/height-of-centre: killed\n", at)) != std::string::npos; ++at)
+    ++listed;
+  CHECK(ended > 0);
+  CHECK(listed == ended);
+  CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 3));
+  CHECK(room.grade({}).exit_code == 0);
+}
+
+TEST_CASE(
+    "right answers are right whichever standard descriptors are closed, and with any number of workers") {
+  ClassRoom room;
+  for (const std::string student : {"a", "b", "c", "d"})
+    room.file("class/" + student + "/height-of-centre.txt", "R*(cos(alpha-theta)-cos(alpha))\n");
+  const std::string csv = room.folder.path / "rows.csv";
+  for (const std::string redirect : {"<&-", ">&-", "2>&-", "<&- 2>&-", "<&- >&- 2>&-"})
+    for (const std::string workers : {"1", "16"}) {
+      fs::remove(csv);
+      run_program("/bin/sh", {"-c", "exec '" REDERIVE_PROGRAMS "/exercises' grade --workers " + workers +
+                                        " --csv '" + csv + "' '" + room.answers.string() + "' " + redirect});
+      const std::string rows = read_file(csv);
+      CAPTURE(redirect);
+      CHECK(std::count(rows.begin(), rows.end(), '\n') == 5);
+      CHECK(rows.find("undecided") == std::string::npos);
+      CHECK(rows.find("a,height-of-centre,correct,") != std::string::npos);
+      CHECK(rows.find("d,height-of-centre,correct,") != std::string::npos);
+    }
 }

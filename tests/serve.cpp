@@ -63,17 +63,6 @@ std::string says(const Server& server, const std::string& exercise, const std::s
   return told(server, exercise, what, answer)["says"];
 }
 
-/// Whether a process has started another that has not ended.
-bool has_child(pid_t process) {
-  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-    const std::string status = read_file(entry.path() / "stat");
-    const std::size_t behind = status.rfind(')');  // "PID (name) state parent …"
-    if (behind != std::string::npos && status.substr(behind + 4).starts_with(std::to_string(process) + " "))
-      return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 TEST_CASE("a lesson is the page that its program writes, with the exercises in their places") {
@@ -287,7 +276,8 @@ TEST_CASE("it ends although an answer is at work") {
   const auto is_answered = [&] {
     return asked.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
   };
-  while (!has_child(server.process()) && !is_answered()) std::this_thread::yield();  // a child judges
+  while (children_of(server.process()).empty() && !is_answered())
+    std::this_thread::yield();  // a child judges
   CHECK(server.end(SIGTERM) == 0);
   asked.wait();
 }

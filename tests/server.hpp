@@ -26,6 +26,18 @@ inline pid_t start_program(const std::vector<std::string>& command,
   return process;
 }
 
+/// The processes that a process has started and that have not ended.
+inline std::vector<pid_t> children_of(pid_t process) {
+  std::vector<pid_t> children;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string status = read_file(entry.path() / "stat");
+    const std::size_t behind = status.rfind(')');  // "PID (name) state parent ..."
+    if (behind != std::string::npos && status.substr(behind + 4).starts_with(std::to_string(process) + " "))
+      children.push_back(std::stoi(entry.path().filename()));
+  }
+  return children;
+}
+
 class Server {
  public:
   TemporaryFolder folder;

@@ -6,8 +6,7 @@
 namespace rederive {
 
 /// The child does everything that may be expensive; what it could not read is said here.
-nlohmann::ordered_json decide_bounded(const ProveRequest& request, double patience,
-                                      const std::function<bool()>& stop) {
+nlohmann::ordered_json decide_bounded(const ProveRequest& request, const std::function<bool()>& stop) {
   const auto work = [&]() -> std::string {
     try {
       return "J" + to_json(decide(request)).dump();
@@ -15,7 +14,7 @@ nlohmann::ordered_json decide_bounded(const ProveRequest& request, double patien
       return std::string("B") + error.what();
     }
   };
-  const Bounded outcome = run_bounded(work, 1.75, 480, patience, {}, stop);
+  const Bounded outcome = run_bounded(work, 1.75, 480, 60, {}, stop);
   if (outcome.result && outcome.result->front() == 'B') throw BadInput(outcome.result->substr(1));
   if (outcome.result) return nlohmann::ordered_json::parse(outcome.result->substr(1));
   Proof proof;

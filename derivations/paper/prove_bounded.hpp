@@ -7,10 +7,8 @@
 
 namespace rederive {
 
-/// Decides within two seconds and 500 MB; where the machine has less than half a processor for it, in more,
-/// but not in more than `patience` seconds, and not when `stop` says so. The proof as `ledger prove --json`
-/// has it. Throws BadInput (with a caret) for what cannot be read.
-nlohmann::ordered_json decide_bounded(const ProveRequest& request, double patience = 60,
-                                      const std::function<bool()>& stop = {});
+/// Decides within two seconds of processor time and 500 MB. It is given up when `stop` says so. The proof as
+/// `ledger prove --json` has it. Throws BadInput (with a caret) for what cannot be read.
+nlohmann::ordered_json decide_bounded(const ProveRequest& request, const std::function<bool()>& stop = {});
 
 }  // namespace rederive

@@ -56,7 +56,7 @@ std::string prove(const std::string& left, const std::string& right, const std::
     return is_interrupted = PyErr_CheckSignals() != 0;
   };
   std::string found = alone(algebra(), [&] {
-    return decide_bounded({trimmed(left), trimmed(right), assume, small, order}, 60, stop).dump();
+    return decide_bounded({trimmed(left), trimmed(right), assume, small, order}, stop).dump();
   });
   if (is_interrupted) throw py::error_already_set();
   return found;

@@ -97,7 +97,8 @@ void declare(CLI::App& app, Arguments& given) {
       "known where a student handed in exercises.txt, the progress file, beside the answers. In the\n"
       "gradebook an empty cell was not handed in; at ? the program could not decide: look yourself.\n"
       "Lists are CSV with the header named above. Times are like 2026-12-01T12:00, in UTC or with +02:00\n"
-      "behind; a day alone ends at midnight; no exercise in --handed-in means all of that student.");
+      "behind; a day alone ends at midnight; no exercise in --handed-in means all of that student.\n"
+      "The exit code is 3 if an answer ended by a limit or a crash; which, is said at the end.");
   grade->add_option("--workers", given.grade.workers, "answers judged at a time")
       ->check(whole_number)
       ->check(CLI::Range(1, 64));

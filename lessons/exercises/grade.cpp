@@ -155,6 +155,7 @@ struct Desk {
   void make_ready(const Task& task) {
     const int nowhere = ::open("/dev/null", O_RDWR);
     for (int standard = 0; standard < 3; ++standard) ::dup2(nowhere, standard);
+    if (nowhere > 2) ::close(nowhere);
     file = read_answer_file(task.path);
     if (task.variant) own = prepare(*task.variant);
     (void)slip_words("answer", "");
@@ -181,7 +182,8 @@ std::string judged_in_child(const Desk& desk, const Task& task) {
 void fill_in(Row& row, const Bounded& outcome) {
   if (!outcome.result) {
     row.verdict = "undecided";
-    row.note = outcome.note;
+    row.note = to_string(outcome.ending);
+    row.ended = true;
     return;
   }
   const auto json = nlohmann::json::parse(*outcome.result);
@@ -199,8 +201,8 @@ void judge_all(std::vector<Task>& tasks, unsigned workers) {
     for (std::size_t i; (i = next++) < jobs.size();) {
       const Task& task = *jobs[i];
       Desk desk;
-      fill_in(jobs[i]->row, run_bounded([&] { return judged_in_child(desk, task); }, 2, 1024, 10,
-                                        [&] { desk.make_ready(task); }));
+      fill_in(jobs[i]->row, run_bounded([&] { return judged_in_child(desk, task); }, most_judging_seconds,
+                                        most_judging_megabytes, 60, [&] { desk.make_ready(task); }));
       if (const std::size_t count = ++done; lively && (count % 20 == 0 || count == jobs.size()))
         std::fprintf(stderr, "\rJudged %zu of %zu", count, jobs.size());
     }
@@ -263,6 +265,19 @@ std::string summary_json(const Classroom& room, const std::vector<Task>& tasks,
   return json.dump(2) + "\n";
 }
 
+/// Says which answers ended by a limit or a crash, and so have no verdict; the exit code for them.
+int report_ended(const std::vector<Task>& tasks) {
+  std::string list;
+  for (const auto& task : tasks)
+    if (task.row.ended)
+      list +=
+          fmt::format("  {}/{}: {}\n", printable_line(task.row.student), task.row.exercise, task.row.note);
+  if (list.empty()) return as_expected;
+  std::fputs(("exercises: these answers ended by a limit or a crash and have no verdict:\n" + list).c_str(),
+             stderr);
+  return undecided_or_failed;
+}
+
 }  // namespace
 
 int grade(const Classroom& room, const GradeFlags& flags) {
@@ -297,11 +312,11 @@ int grade(const Classroom& room, const GradeFlags& flags) {
   if (!flags.csv.empty()) write_whole(flags.csv, csv);
   if (room.json) {
     std::fputs(summary_json(room, tasks, tallies, flags.csv).c_str(), stdout);
-    return as_expected;
+    return report_ended(tasks);
   }
   if (flags.csv.empty()) std::fputs(csv.c_str(), stdout);
   std::fputs(summary(room, tallies).c_str(), flags.csv.empty() ? stderr : stdout);
-  return as_expected;
+  return report_ended(tasks);
 }
 
 }  // namespace rederive::classroom

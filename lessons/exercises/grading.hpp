@@ -18,6 +18,7 @@ struct Row {
   std::string student, exercise, verdict, note;
   double score = 0;
   bool judged = false;
+  bool ended = false;  ///< by a limit or a crash; `note` says which
   std::string answer = {}, read_as = {}, feedback = {}, hint = {}, statement = {};
   std::int64_t time = 0;  ///< of the file, in seconds since 1970
 };

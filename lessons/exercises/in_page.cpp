@@ -105,7 +105,7 @@ std::string read_back(const Exercise& exercise, const std::string& text) {
       return feedback_html(explain(error, text) + "\n");
     }
   };
-  const Bounded outcome = run_bounded(work, 0.5, 480, 2);
+  const Bounded outcome = run_bounded(work, 5, 480);
   return outcome.result ? *outcome.result : "This could not be read: " + escaped(outcome.why) + ".";
 }
 

@@ -47,7 +47,12 @@ struct Prepared {
 Prepared prepare(const Exercise& exercise);
 /// Judges an answer as typed.
 Opinion judge_answer(const Prepared& prepared, const std::string& text);
-/// The same for whatever may have been typed: undecided after 1.5 seconds, or beyond 480 MB.
+/// What judging an answer may take, in seconds of the processor and megabytes beyond what this process has.
+/// Right answers take a small part of it, on a machine that is busy with other work too: where the prover
+/// gives up, it does so by what it has counted.
+constexpr double most_judging_seconds = 20;
+constexpr long most_judging_megabytes = 1024;
+/// The same for whatever may have been typed: undecided beyond most_judging_seconds or most_judging_megabytes.
 Opinion judge_bounded(const Exercise& exercise, const std::string& text);
 /// What `judge` says, or that it could not, within the same bounds.
 Opinion bounded(const std::function<Opinion()>& judge);

@@ -42,9 +42,8 @@ Opinion bounded(const std::function<Opinion()>& judge) {
       return packed(undecided("undecided", in_plain_words(error)));
     }
   };
-  constexpr double seconds = 1.5, patience = 1.7;  // of the two that an answer may take, with the preparation
   const auto read_words = [] { (void)slip_words("answer", ""); };
-  const Bounded outcome = run_bounded(work, seconds, 480, patience, read_words);
+  const Bounded outcome = run_bounded(work, most_judging_seconds, most_judging_megabytes, 60, read_words);
   return outcome.result ? opinion_in(*outcome.result) : undecided("limits", outcome.why);
 }
 

@@ -121,7 +121,7 @@ int show_mutation(const Options& options) {
 }
 
 int show_proof(const Options& options) {
-  const auto json = decide_bounded(options.request, 1.85);
+  const auto json = decide_bounded(options.request);
   const std::string verdict = json["verdict"];
   if (options.json) {
     put(json);
