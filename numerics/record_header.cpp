@@ -1,21 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <derivations/emit/program.hpp>
 #include <map>
 #include <numerics/block.hpp>
 #include <numerics/record_header.hpp>
 #include <regex>
-#include <stdexcept>
 
 namespace rederive::inline numeric {
-namespace {
 
-using Lines = std::vector<std::string>;
-
-/// The line without what no header needs: it may be of any length, and std::regex recurses.
 std::string head_of(const std::string& line) { return line.substr(0, 200); }
 
 std::string upper(std::string text) {
@@ -24,18 +17,17 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// A positive number, at most 1e9.
 double positive(const std::string& text, const std::string& name, const std::string& file, std::size_t line) {
-  double value = 0;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || rest != text.data() + text.size() || !(value > 0 && value <= 1e9))
+  const auto value = whole_number_in(text, Comma::decimal_point);
+  if (!value || !(*value > 0 && *value <= 1e9))
     refuse(file, line, fmt::format("{} '{}' is not a number above 0", name, text.substr(0, 40)));
-  return value;
+  return *value;
 }
 
 double whole(const std::string& text, const std::string& name, const std::string& file, std::size_t line) {
   const double value = positive(text, name, file, line);
-  if (value != std::floor(value)) refuse(file, line, fmt::format("{} {} is not a whole number", name, text));
+  if (value != std::floor(value) || text.find(',') != std::string::npos)
+    refuse(file, line, fmt::format("{} {} is not a whole number", name, text));
   return value;
 }
 
@@ -45,53 +37,119 @@ double checked_step(double step, const std::string& file, std::size_t line) {
   return step;
 }
 
-/// One unit of acceleration in g.
 double unit_in_g(const std::string& unit, const std::string& file, std::size_t line) {
   std::string name = upper(unit);
   while (name.ends_with('.')) name.pop_back();
   name = std::regex_replace(name, std::regex("SEC"), "S");
-  if (name == "G") return 1;
-  const bool gal = name == "GAL" || name.starts_with("CM/");
-  for (const char* square : {"M/S**2", "M/S^2", "M/S2", "M/S/S", "GAL"})
-    if (name == square || name == std::string("C") + square) return (gal ? 0.01 : 1) / standard_gravity;
+  constexpr std::pair<std::string_view, double> metres[] = {{"", 1}, {"C", 0.01}, {"M", 0.001}};
+  if (name == "G" || name == "MG") return name == "G" ? 1 : 0.001;
+  if (name == "GAL" || name == "GALS") return 0.01 / standard_gravity;
+  for (const auto& [prefix, size] : metres)
+    for (const std::string_view square : {"M/S**2", "M/S^2", "M/S2", "M/S/S"})
+      if (name == std::string(prefix) + std::string(square)) return size / standard_gravity;
   refuse(file, line,
          fmt::format("the unit '{}' is none of acceleration: g, cm/s^2 or m/s^2 is expected",
                      unit.substr(0, 40)));
 }
 
-/// PEER AT2: "… UNITS OF G" on line 3, "NPTS= 4000, DT= .0050 SEC" or "4000 0.0050 NPTS, DT" on line 4.
-RecordHeader peer_header(const Lines& lines, const std::string& file) {
-  static const std::regex points(R"(NPTS\s*=\s*([^\s,]+(,\d+)*))");
-  static const std::regex step(R"(DT\s*=\s*([^\s,]+)\s*([A-Z]*))");
-  static const std::regex old(R"(^\s*(\S+)\s+(\S+)\s+NPTS)"), unit(R"(UNITS\s+OF\s+([^\s,;]+)([^,;]*))");
-  static const std::regex factor(R"(^\s*([*/]|\(?\s*X?\s*\.?[0-9])|SCALE|FACTOR|TIMES)");
-  const std::string what = upper(head_of(lines[2])), numbers = upper(head_of(lines[3]));
+void check_quantity(const std::string& description, const std::string& file, std::size_t line) {
+  const std::string text = upper(head_of(description));
+  if (text.find("ACCEL") != std::string::npos && text.find("SPECTR") == std::string::npos) return;
+  for (const char* quantity : {"VELOCITY", "DISPLACEMENT", "SPECTR"})
+    if (text.find(quantity) != std::string::npos)
+      refuse(file, line,
+             fmt::format("'{}': a time series of accelerations is expected", description.substr(0, 60)));
+}
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+constexpr const char* count_names = "(?:NPTS?|NUMBER OF POINTS)";
+constexpr const char* step_names = "(?:DT|TSTEP|TIME STEP|DELTA ?T)";
+
+std::regex in_words(const std::string& pattern) { return std::regex("\\b" + pattern); }
+
+/// Whether a line gives a number of points and a time step, by name.
+bool has_count_and_step(const std::string& line) {
+  static const std::regex count = in_words(std::string(count_names) + "\\b"),
+                          step = in_words(std::string(step_names) + "\\b");
+  const std::string text = upper(head_of(line));
+  return std::regex_search(text, count) && std::regex_search(text, step);
+}
+
+/// "4000, .0050 NPTS, DT" and the other way round: the texts of count and step.
+std::optional<std::pair<std::string, std::string>> numbers_before_names(const std::string& text) {
+  static const std::regex both(R"(^\s*([^\s,]+)[\s,]+([^\s,]+)[\s,]+)" + std::string("(") + count_names +
+                               R"(|)" + step_names + R"()\b)"),
+      count(std::string("^") + count_names);
+  std::smatch found;
+  if (!std::regex_search(text, found, both)) return std::nullopt;
+  const std::string name = found[3];
+  const bool count_first = std::regex_search(name, count);
+  return std::pair(found[count_first ? 1 : 2].str(), found[count_first ? 2 : 1].str());
+}
+
+/// The line "NPTS= 4000, DT= .0050 SEC", in this or another spelling, into the header.
+void read_count_and_step(const std::string& line, const std::string& file, std::size_t number,
+                         RecordHeader& header) {
+  const std::string sign = R"(\s*(?:[=:]\s*|\s(?=[\d.])))", value = R"(([^\s,;]+(?:,\d+)*))";
+  static const std::regex points = in_words(count_names + sign + value),
+                          step = in_words(step_names + sign + value + R"(\s*([A-Z]*))");
+  const std::string text = upper(head_of(line));
   std::smatch found, second;
-  RecordHeader header;
-  header.first = 4;
-  header.width = 15;
-  header.counted = "NPTS";
-  if (std::regex_search(numbers, found, points) && std::regex_search(numbers, second, step)) {
-    header.count = whole(found[1], "NPTS", file, 4);
-    std::string text = second[1], of = second[2];
-    if (of.empty() && text.ends_with("SEC")) of = "SEC", text.resize(text.size() - of.size());
-    header.step = positive(text, "DT", file, 4);
-    constexpr std::string_view seconds[] = {"", "S", "SEC", "SECS", "SECOND", "SECONDS", "NPTS"};
-    if (std::ranges::find(seconds, of) == std::end(seconds))
-      refuse(file, 4, fmt::format("DT in '{}': seconds are expected", of));
-  } else if (std::regex_search(numbers, found, old)) {
-    header.count = whole(found[1], "NPTS", file, 4);
-    header.step = positive(found[2], "DT", file, 4);
+  if (std::regex_search(text, found, points) && std::regex_search(text, second, step)) {
+    header.count = whole(found[1], "NPTS", file, number);
+    std::string seconds = second[1], unit = second[2];
+    if (unit.empty() && seconds.ends_with("SEC")) unit = "SEC", seconds.resize(seconds.size() - unit.size());
+    header.step = positive(seconds, "DT", file, number);
+    constexpr std::string_view units[] = {"", "S", "SEC", "SECS", "SECOND", "SECONDS", "NPTS", "NPT"};
+    if (std::ranges::find(units, unit) == std::end(units))
+      refuse(file, number, fmt::format("DT in '{}': seconds are expected", unit));
+  } else if (const auto both = numbers_before_names(text)) {
+    header.count = whole(both->first, "NPTS", file, number);
+    header.step = positive(both->second, "DT", file, number);
   } else {
-    refuse(file, 4, "'NPTS= 4000, DT= .0050 SEC' is expected, with the file's own numbers");
+    refuse(file, number, "'NPTS= 4000, DT= .0050 SEC' is expected, with the file's own numbers");
   }
-  checked_step(header.step, file, 4);
-  if (!std::regex_search(what, found, unit))
-    refuse(file, 3, "no unit is named: 'ACCELERATION TIME SERIES IN UNITS OF G' is expected");
-  header.to_g = unit_in_g(found[1], file, 3);
+  checked_step(header.step, file, number);
+}
+
+/// The line "ACCELERATION TIME SERIES IN UNITS OF G": one unit of the values in g.
+double peer_unit(const std::string& line, const std::string& file, std::size_t number) {
+  static const std::regex unit(R"(UNITS?\s*(?:OF|[:=])\s*([^\s,;]+)([^,;]*))");
+  static const std::regex factor(R"(^\s*([*/]|\(?\s*X?\s*\.?[0-9])|SCALE|FACTOR|TIMES)");
+  check_quantity(line, file, number);
+  const std::string text = upper(head_of(line));
+  std::smatch found;
+  if (!std::regex_search(text, found, unit))
+    refuse(file, number, "no unit is named: 'ACCELERATION TIME SERIES IN UNITS OF G' is expected");
+  const double to_g = unit_in_g(found[1], file, number);
   const std::string more = found[2];
   if (std::regex_search(more, factor))
-    refuse(file, 3, fmt::format("behind the unit stands '{}': a factor is not expected", more.substr(0, 40)));
+    refuse(file, number, fmt::format("'{}' follows the unit: a factor is not expected", more.substr(0, 40)));
+  return to_g;
+}
+
+/// PEER AT2: three lines, the last of which names quantity and unit, and a line with count and step.
+std::optional<RecordHeader> peer_header(const Lines& lines, const std::string& file) {
+  constexpr std::size_t most = 8;
+  std::size_t numbers = 0, unit = 0;
+  for (std::size_t i = std::min(most, lines.size()); i-- > 1;) {
+    if (is_comment(lines[i])) continue;
+    if (has_count_and_step(lines[i])) numbers = i;
+    if (upper(head_of(lines[i])).find("UNITS OF") != std::string::npos) unit = i;
+  }
+  const bool has_count =
+      lines.size() > 3 && !is_comment(lines[3]) && upper(head_of(lines[3])).find("NPTS") != std::string::npos;
+  if (numbers == 0 && unit == 0 && !has_count) return std::nullopt;
+  if (numbers == 0) numbers = has_count ? 3 : unit + 1;
+  if (unit == 0 || unit >= numbers) unit = numbers - 1;
+  if (numbers >= lines.size()) refuse(file, lines.size(), "the file ends inside its header");
+  RecordHeader header{.first = numbers + 1, .width = 15, .counted = "NPTS"};
+  check_quantity(lines[unit], file, unit + 1);
+  read_count_and_step(lines[numbers], file, numbers + 1, header);
+  header.to_g = peer_unit(lines[unit], file, unit + 1);
   return header;
 }
 
@@ -147,16 +205,14 @@ RecordHeader esm_header(const Lines& lines, const std::string& file) {
   header.step = checked_step(positive(step, "SAMPLING_INTERVAL_S", file, step_line), file, step_line);
   header.count = whole(said["NDATA"].first, "NDATA", file, said["NDATA"].second);
   header.counted = "NDATA";
+  if (said.contains("DATA_TYPE") && upper(said["DATA_TYPE"].first) != "ACCELERATION")
+    refuse(file, said["DATA_TYPE"].second,
+           fmt::format("DATA_TYPE is '{}': ACCELERATION is expected", said["DATA_TYPE"].first.substr(0, 40)));
   header.to_g = unit_in_g(said["UNITS"].first, file, said["UNITS"].second);
   return header;
 }
 
 }  // namespace
-
-void refuse(const std::string& file, std::size_t line, std::string why) {
-  std::ranges::replace(why, '\0', '?');  // or the message would end there
-  throw std::invalid_argument(fmt::format("{}:{}: {}", printable_name(file), line, why));
-}
 
 std::optional<RecordHeader> record_header(const Lines& lines, const std::string& file) {
   if (lines.empty()) return {};
@@ -164,10 +220,9 @@ std::optional<RecordHeader> record_header(const Lines& lines, const std::string&
   for (std::size_t i = 0; i < std::min<std::size_t>(lines.size(), 64); ++i)
     if (lines[i].starts_with("SAMPLING_INTERVAL_S:") || lines[0].starts_with("EVENT_NAME:"))
       return esm_header(lines, file);
-  const auto comment = [](const std::string& line) { return line.find_first_of("#%") != std::string::npos; };
-  if (lines.size() >= 4 && !comment(lines[3]) && upper(head_of(lines[3])).find("NPTS") != std::string::npos)
-    return peer_header(lines, file);
-  return {};
+  if (auto header = smc_header(lines, file)) return header;
+  if (auto header = cosmos_header(lines, file)) return header;
+  return peer_header(lines, file);
 }
 
 }  // namespace rederive::inline numeric

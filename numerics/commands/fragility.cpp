@@ -7,6 +7,7 @@
 #include <numerics/commands/blocks.hpp>
 #include <numerics/commands/options.hpp>
 #include <numerics/commands/ranks.hpp>
+#include <numerics/commands/record_options.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/fragility.hpp>
 #include <numerics/plot.hpp>
@@ -19,7 +20,8 @@ using Json = nlohmann::ordered_json;
 
 struct FragilityCommand {
   CommonOptions common;
-  std::string records, amplitudes, blocks, peak = "acceleration", unit, step, csv, plot, threads;
+  std::string records, amplitudes, blocks, peak = "acceleration", csv, plot, threads;
+  RecordFlags reading;
 };
 
 struct BlockFragility {
@@ -65,9 +67,7 @@ std::vector<std::string> files_in(const std::string& folder) {
 }
 
 Record record_of(const FragilityCommand& options, const std::string& file) {
-  const auto unit = options.unit == "m/s2" ? RecordUnit::metres_per_second_squared : RecordUnit::g;
-  const double step = options.step.empty() ? 0 : number_between("--step", options.step, 1e-9, 1e6);
-  return read_record(file, unit, step);
+  return read_record(file, options_of(options.reading));
 }
 
 Fragility asked_of(const FragilityCommand& options) {
@@ -86,7 +86,7 @@ Fragility asked_of(const FragilityCommand& options) {
     for (NamedBlock& block : read_blocks(options.blocks)) asked.blocks.push_back({std::move(block), {}, {}});
   if (!options.plot.empty() && asked.blocks.size() > 20)
     throw BadInput("--plot: more than 20 blocks are too many for one picture");
-  if (!options.step.empty()) number_between("--step", options.step, 1e-9, 1e6);
+  (void)options_of(options.reading);
   asked.records = files_in(options.records);
   return asked;
 }
@@ -211,7 +211,7 @@ Figure figure_of(const Fragility& all) {
 
 int run_fragility(const FragilityCommand& options) {
   Fragility all = asked_of(options);
-  bool is_of_use = (options.step + options.unit).empty() || !is_first_rank();  // of one record at least
+  bool is_of_use = option_of_columns(options.reading).empty() || !is_first_rank();  // of one record at least
   for (const auto& file : is_first_rank() ? all.records : std::vector<std::string>()) {
     const Record record = record_of(options, file);
     is_of_use = is_of_use || !record.is_headed;
@@ -219,8 +219,7 @@ int run_fragility(const FragilityCommand& options) {
       throw BadInput(fmt::format("'{}' is still ground and cannot be scaled", printable_name(file)));
   }
   if (!is_of_use)
-    throw BadInput(
-        fmt::format("{}: the headers of all records say it", options.step.empty() ? "--unit" : "--step"));
+    throw BadInput(fmt::format("{}: the headers of all records say it", option_of_columns(options.reading)));
   const int records = static_cast<int>(all.records.size());
   for (BlockFragility& block : all.blocks) block.outcomes.resize(all.records.size());
   Work work = sweep_work(options.threads, records * static_cast<int>(all.blocks.size()), "motions");
@@ -252,9 +251,9 @@ void add_fragility(CLI::App& app, Run& run) {
   const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
     return command->add_option(name, into, what)->type_name(type);
   };
-  add("--records", options->records, "DIR",
-      "a folder of recorded accelerations, as response --record reads them")
-      ->required();
+  auto* records = add("--records", options->records, "DIR",
+                      "a folder of recorded accelerations, as response --record reads them")
+                      ->required();
   add("--amplitudes", options->amplitudes, "A1:A2:N",
       "what the peak of each is scaled to: from, to, how many")
       ->required();
@@ -267,8 +266,7 @@ void add_fragility(CLI::App& app, Run& run) {
   for (const char* name : {"--alpha", "--frequency-parameter", "--half-width", "--restitution"})
     blocks->excludes(command->get_option(name));
   add_model(*command, options->common.model);
-  add("--step", options->step, "SECONDS", "time step of records of one column");
-  add("--unit", options->unit, "NAME", "unit of columns: g or m/s2 [g]")->check(CLI::IsMember({"g", "m/s2"}));
+  add_record_flags(*command, options->reading, records);
   add("--threads", options->threads, "T", "threads [all; of each rank under mpirun: 1]");
   add("--csv", options->csv, "FILE", "write the table")->check(file_name);
   add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(plot_name());

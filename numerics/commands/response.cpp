@@ -4,6 +4,7 @@
 #include <cmath>
 #include <derivations/emit/data_folder.hpp>
 #include <numerics/commands/options.hpp>
+#include <numerics/commands/record_options.hpp>
 #include <numerics/figures.hpp>
 #include <numerics/story.hpp>
 #include <stdexcept>
@@ -15,7 +16,8 @@ using Json = nlohmann::ordered_json;
 
 struct ResponseCommand {
   CommonOptions common;
-  std::string amplitude, until, csv, plot, page, friction, record, step, unit, scale = "1";
+  std::string amplitude, until, csv, plot, page, friction, record, scale = "1";
+  RecordFlags reading;
 };
 
 struct Told {
@@ -29,12 +31,9 @@ struct Told {
 
 GroundMotion motion_of(const ResponseCommand& options, const Block& block) {
   if (!options.record.empty()) {
-    const auto unit = options.unit == "m/s2" ? RecordUnit::metres_per_second_squared : RecordUnit::g;
-    const double step = options.step.empty() ? 0 : number_between("--step", options.step, 1e-9, 1e6);
-    const Record record = read_record(options.record, unit, step);
-    if (record.is_headed && !(options.step + options.unit).empty())
-      throw BadInput(fmt::format("{}: the header of '{}' says it", options.step.empty() ? "--unit" : "--step",
-                                 printable_name(options.record)));
+    const Record record = read_record(options.record, options_of(options.reading));
+    if (const std::string option = option_of_columns(options.reading); record.is_headed && !option.empty())
+      throw BadInput(fmt::format("{}: the header of '{}' says it", option, printable_name(options.record)));
     return record_motion(record, block, number("--scale", options.scale));
   }
   if (options.amplitude.empty()) throw BadInput("--amplitude is required: a_p/(alpha g) of the pulse");
@@ -180,11 +179,8 @@ void add_response(CLI::App& app, Run& run) {
       ->check(file_name);
   add("--friction", options->friction, "MU", "say whether this friction suffices");
   auto* record = add("--record", options->record, "FILE",
-                     "a recorded acceleration: columns, PEER AT2, K-NET (about its mean), ESM");
-  add("--step", options->step, "SECONDS", "time step of a record of one column")->needs(record);
-  add("--unit", options->unit, "NAME", "unit of columns: g or m/s2 [g]")
-      ->check(CLI::IsMember({"g", "m/s2"}))
-      ->needs(record);
+                     "a recorded acceleration: columns, PEER AT2, K-NET (about its mean), ESM, SMC, COSMOS");
+  add_record_flags(*command, options->reading, record);
   add("--scale", options->scale, "NUMBER", "multiplies the record [1]")->needs(record);
   command->callback([options, &run] { run = [options] { return response(*options); }; });
 }

@@ -1,0 +1,45 @@
+#include <map>
+#include <numerics/commands/record_options.hpp>
+
+namespace rederive::inline numeric {
+namespace {
+
+const std::map<std::string, RecordUnit>& units() {
+  static const std::map<std::string, RecordUnit> all{{"g", RecordUnit::g},
+                                                     {"m/s2", RecordUnit::metres_per_second_squared},
+                                                     {"cm/s2", RecordUnit::gal},
+                                                     {"gal", RecordUnit::gal}};
+  return all;
+}
+
+}  // namespace
+
+void add_record_flags(CLI::App& app, RecordFlags& flags, CLI::Option* record) {
+  const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
+    return app.add_option(name, into, what)->type_name(type)->needs(record);
+  };
+  add("--step", flags.step, "SECONDS", "time step of records of values alone, one or several a line");
+  add("--unit", flags.unit, "NAME", "unit of columns: g, gal, cm/s2 or m/s2 [g, for values up to 10]")
+      ->check(CLI::IsMember({"g", "gal", "cm/s2", "m/s2"}));
+  add("--gaps", flags.gaps, "NAME",
+      "what is missing, values or times: refuse, or interpolate between neighbours [refuse]")
+      ->check(CLI::IsMember({"refuse", "interpolate"}));
+  add("--accept", flags.accept, "VALUE",
+      "a value such as -999 that looks as if there were none, and is meant");
+}
+
+RecordOptions options_of(const RecordFlags& flags) {
+  RecordOptions options;
+  if (!flags.unit.empty()) options.unit = units().at(flags.unit);
+  if (!flags.step.empty()) options.step = number_between("--step", flags.step, 1e-9, 1e6);
+  options.interpolate = flags.gaps == "interpolate";
+  if (!flags.accept.empty()) options.accept = number("--accept", flags.accept);
+  return options;
+}
+
+std::string option_of_columns(const RecordFlags& flags) {
+  if (!flags.step.empty()) return "--step";
+  return flags.unit.empty() ? "" : "--unit";
+}
+
+}  // namespace rederive::inline numeric
