@@ -33,6 +33,7 @@ struct Slip {
   std::optional<Reference> road;  ///< the wrong answer, computed
   std::string typed;              ///< or the wrong answer as students write it
   std::string hint;               ///< for one who asks for a hint after it
+  int digits = 0;                 ///< of a number: to how many it is recognised; 0: to those asked for
 };
 
 struct Option {

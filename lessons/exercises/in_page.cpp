@@ -141,7 +141,7 @@ std::string verdict_html(const std::string& verdict, const std::string& read_as,
                          const std::string& more) {
   return fmt::format("<div class=\"said {}\">\n{}<p><b>{}</b></p>\n{}{}</div>\n", verdict,
                      read_as.empty() ? "" : "<p>Read as: " + code(read_as) + "</p>\n",
-                     verdict_in_words(verdict), verdict == "correct" ? "" : feedback_html(feedback), more);
+                     verdict_in_words(verdict), feedback == "Right." ? "" : feedback_html(feedback), more);
 }
 
 std::string with_exercises(const Classroom& room, std::string page) {

@@ -25,9 +25,11 @@ struct Opinion {
 /// A wrong answer to compare with, computed beforehand.
 struct Road {
   std::string note, says, verdict;
-  Relation relation;
-  std::optional<Signature> signature;
+  Relation relation = {};
+  std::optional<Signature> signature = {};
   double number = 0;
+  int digits =
+      0;  ///< to which a number is recognised; 0: to those asked for, and those typed if they are more
 };
 
 /// An exercise with its answer and its wrong roads computed: made once, used for a whole class.
@@ -96,6 +98,8 @@ void add_roads_of_number(Prepared& prepared);
 bool is_right(Verdict verdict);
 /// The project's word on two statements of an exercise.
 Proof proof_of(const Prepared& prepared, const Relation& read, const Relation& against);
+/// What is printed, with functions as students type them: abs, not fabs.
+std::string as_typed(const std::string& printed);
 /// The opinion with a verdict, a note, a feedback and a score.
 Opinion found(Opinion opinion, const std::string& verdict, const std::string& note, const std::string& says,
               double score);

@@ -27,8 +27,9 @@ void check_symbols(const Exercise& exercise, const Relation& read) {
     for (const auto& side : read.sides)
       if (const Node* node = find_symbol(side, name))
         throw SyntaxError("symbol_not_given", node->position,
-                          fmt::format("'{}' is not among the symbols of this exercise: {}", name,
-                                      fmt::join(exercise.symbols, ", ")));
+                          fmt::format("'{}' is not among the symbols of this exercise: {}{}", name,
+                                      fmt::join(exercise.symbols, ", "),
+                                      name == "e" ? "; the exponential function is exp(x)" : ""));
   }
 }
 
@@ -102,6 +103,11 @@ Road road_to(const Prepared& prepared, const Relation& relation, const std::stri
 
 }  // namespace
 
+std::string as_typed(const std::string& printed) {
+  static const std::regex in_c("fabs\\(");
+  return std::regex_replace(printed, in_c, "abs(");
+}
+
 bool is_right(Verdict verdict) { return verdict == Verdict::proved || verdict == Verdict::proved_under; }
 
 Proof proof_of(const Prepared& prepared, const Relation& read, const Relation& against) {
@@ -124,7 +130,7 @@ void add_roads(Prepared& prepared) {
                            prepared.assumed);
   for (const auto& slip : exercise.slips) {
     if (exercise.kind == Kind::number) {
-      Road road{slip.note, slip.says, "wrong", {}, {}, 0};
+      Road road{.note = slip.note, .says = slip.says, .verdict = "wrong", .digits = slip.digits};
       road.number = slip.road ? resolve(*slip.road, exercise.kind).number : parse_quantity(slip.typed).value;
       prepared.roads.push_back(road);
       continue;
@@ -152,8 +158,7 @@ Opinion judge_formula(const Prepared& prepared, const std::string& text) {
 
 Opinion judge_formula(const Prepared& prepared, const Relation& read) {
   Opinion opinion;
-  opinion.read_as = std::regex_replace(read.operators.empty() ? print(read.sides[0]) : print(read),
-                                       std::regex("fabs\\("), "abs(");  // as students type it
+  opinion.read_as = as_typed(read.operators.empty() ? print(read.sides[0]) : print(read));
   for (const auto& side : read.sides) lower(side);  // refuses what is undefined at once, such as 1/0
   const auto mine = signature_of(prepared, read);
   const bool surely_different = mine && prepared.signature && !alike(*mine, *prepared.signature) &&

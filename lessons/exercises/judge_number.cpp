@@ -29,6 +29,11 @@ bool near(const Exercise& exercise, double value, double right) {
 bool is_slip(const Exercise& exercise, const Quantity& read, double slip) {
   return std::abs(read.value - slip) <= allowance(slip, std::max(exercise.digits, read.digits));
 }
+/// The same of one that the exercise names: it may be typed to two digits.
+bool is_named_slip(const Exercise& exercise, const Quantity& read, const Road& road) {
+  const int typed = read.digits == 0 ? exercise.digits : std::max(read.digits, 2);
+  return std::abs(read.value - road.number) <= allowance(road.number, road.digits > 0 ? road.digits : typed);
+}
 
 /// The usual ways in which a number goes astray, whatever its formula is.
 std::string slip_of(const Exercise& exercise, const Quantity& read, double right) {
@@ -72,7 +77,8 @@ namespace {
 
 /// "(c)", "[3]", "c." without what stands around it, in small letters; empty where that is anything else.
 std::string pointed_at(const std::string& text, const char* what) {
-  const std::regex form(R"(\s*[(\[]?\s*()" + std::string(what) + R"()\s*[)\].]?\s*)", std::regex::icase);
+  const std::regex form(R"(\s*(?:term\b)?\s*[(\[]?\s*()" + std::string(what) + R"()\s*[)\].]?\s*)",
+                        std::regex::icase);
   std::smatch found;
   if (!std::regex_match(text, found, form)) return {};
   std::string letters = found[1];
@@ -153,15 +159,25 @@ Opinion judge_number(const Prepared& prepared, const std::string& typed) {
   if (near(exercise, read.value, right)) {
     if (!read.dimension && !pure)
       return found(start, "wrong_form", "missing_unit", slip_words("answer", "missing_unit"), 0.5);
-    return found(start, "correct", "correct", "Right.", 1);
+    const std::string says = read.in_turns ? fmt::format("Right: {} are {:.{}g} radians a second.",
+                                                         read.read_as, read.value, exercise.digits)
+                                           : "Right.";
+    return found(start, "correct", "correct", says, 1);
   }
   constexpr double turn = 6.283185307179586;
-  if (read.read_as.find("Hz") != std::string::npos && near(exercise, read.value / turn, right))
-    return found(
-        start, "wrong", "unit",
-        "Hz counts whole turns in a second: 1 Hz is $2*pi$ radians a second. What is asked for is no "
-        "number of turns.",
-        0);
+  if (read.in_turns && near(exercise, read.value / turn, right))
+    return found(start, "wrong", "unit",
+                 fmt::format("Hz counts whole turns in a second, and a turn is $2*pi$ radians: {} are {:.3g} "
+                             "radians a second. Which of the two does your number count?",
+                             read.read_as, read.value),
+                 0);
+  if (read.digits > 0 && read.digits < exercise.digits &&
+      std::abs(read.value - right) <= allowance(right, read.digits))
+    return found(start, "wrong", "rounding", number_words("rounding"), 0);
+  const std::size_t named = exercise.slips.size();  // the first roads
+  for (std::size_t k = 0; k < std::min(named, prepared.roads.size()); ++k)
+    if (const Road& road = prepared.roads[k]; is_named_slip(exercise, read, road))
+      return found(start, "wrong", road.note, road.says, 0);
   for (const auto& road : prepared.roads)
     if (is_slip(exercise, read, road.number)) return found(start, "wrong", road.note, road.says, 0);
   if (const std::string note = slip_of(exercise, read, right); !note.empty())

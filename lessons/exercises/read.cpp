@@ -112,6 +112,7 @@ Slip read_slip(TomlTable& table) {
   slip.says = table.needed_text("says");
   slip.typed = table.text("typed");
   slip.hint = table.needed_text("hint");
+  slip.digits = static_cast<int>(table.whole("digits", 1, 17).value_or(0));
   std::optional<TomlTable> road = table.table("road");
   table.done();
   if (road.has_value() != slip.typed.empty()) table.fail("one of 'road' and 'typed' is needed, and not both");

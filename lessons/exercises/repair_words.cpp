@@ -31,15 +31,13 @@ std::optional<Tree> plain_number(double value) {
 }
 
 std::string in_words(const Repair& repair) {
-  const std::string part = (repair.part == nullptr ? "the whole" : "$" + print(repair.part) + "$") +
-                           (repair.other == nullptr ? "" : " and $" + print(repair.other) + "$");
-  std::string text = repair.note == "factor"
-                         ? fmt::format("A numerical factor is wrong: {} is ${}$ times what it should be.",
-                                       part, print(*plain_number(*repair.too_large)))
-                         : fmt::format(fmt::runtime(slip_words("part", repair.note)), part);
+  std::string part = repair.part == nullptr ? "your answer" : "$" + print(repair.part) + "$";
+  if (repair.other != nullptr) part += " and $" + print(repair.other) + "$";
+  if (repair.term != nullptr) part += " (in the term $" + print(repair.term) + "$)";
+  std::string text = fmt::format(fmt::runtime(slip_words("part", repair.note)), part);
   for (const auto& [clumsy, plain] :
-       {std::pair(" beside the whole", ""), {" at the whole", ""}, {" in the whole", " throughout"}})
-    if (const std::size_t at = text.find(clumsy); at != std::string::npos)
+       {std::pair(" beside your answer", ""), {" at your answer", ""}, {" in your answer", " throughout"}})
+    if (const std::size_t at = text.find(clumsy); at != std::string::npos && repair.note != "factor")
       text.replace(at, std::string_view(clumsy).size(), plain);
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   if (repair.note == "wrong_angle" && repair.part != nullptr &&

@@ -24,6 +24,12 @@ bool are_exchanged(const std::string& one, const std::string& other) {
 bool is_symbol(const Tree& part) { return part->kind == NodeKind::symbol; }
 bool is_number(const Tree& part) { return part->kind == NodeKind::number; }
 
+std::size_t occurrences(const Tree& tree, const Tree& part) {
+  std::size_t count = is_same(tree, part) ? 1 : 0;
+  for (const auto& child : tree->children) count += occurrences(child, part);
+  return count;
+}
+
 bool takes_angles(const Tree& call) {
   return call->text != "exp" && call->text != "sqrt" && call->text != "log" && call->text != "fabs";
 }
@@ -102,26 +108,38 @@ class Search {
     const Tree& inside = node->kind == NodeKind::call ? node : around;
     const bool is_exponent_next =
         node->kind == NodeKind::power && (pass == &Search::sizes || pass == &Search::terms);
-    for (std::size_t k = 0; k < (is_exponent_next ? 1 : node->children.size()) && !found_; ++k)
+    const Tree whole_term = term_;
+    for (std::size_t k = 0; k < (is_exponent_next ? 1 : node->children.size()) && !found_; ++k) {
+      if (node->kind == NodeKind::sum && inside == nullptr) term_ = node->children[k];
       visit(
           node->children[k], [&, k](const Tree& child) { return rebuild(with_child(node, k, child)); },
           inside, pass, of_pivot && node->kind != NodeKind::sum);
+      term_ = whole_term;
+    }
   }
 
-  void offer(const Tree& side, const std::string& note, const Tree& part, const Tree& around,
-             std::optional<double> too_large = {}) {
+  void offer(const Tree& side, const std::string& note, const Tree& part, const Tree& around) {
     if (found_) return;
     Relation relation = answer_;
     relation.sides[side_] = side;
-    offer({relation, note, part, too_large}, around);
+    offer({.relation = relation, .note = note, .part = part, .term = term_}, around);
   }
   void offer(Repair repair, const Tree& around) {
     if (found_ || proofs_ >= most_proofs || !sieve_.passes(repair.relation)) return;
     if (around != nullptr && repair.note != "degrees" && repair.note != "rounding")
       repair.note = takes_angles(around) ? "wrong_angle" : "wrong_argument", repair.part = around;
     if (answer_.operators.empty() && repair.part == answer_.sides[0]) repair.part = nullptr;
+    if (!needs_term(repair)) repair.term = nullptr;
     ++proofs_;
     if (accept_(repair)) found_ = repair;
+  }
+
+  /// Whether the part alone does not say where it is.
+  bool needs_term(const Repair& repair) const {
+    if (repair.part == nullptr || repair.term == nullptr || is_same(repair.part, repair.term)) return false;
+    std::size_t count = 0;
+    for (const auto& side : answer_.sides) count += occurrences(side, repair.part);
+    return count > 1 && occurrences(repair.term, repair.part) == 1 && size_of(repair.term) < 30;
   }
 
   /// Each part times a number: the one that makes the whole right, where the whole is linear in the part.
@@ -145,7 +163,7 @@ class Search {
               std::abs(k + 1) < 1e-9 ? "sign"
               : is_degree(k)         ? "degrees"
                                      : "factor",
-              node, around, 1 / k);
+              node, around);
     }
   }
   static bool is_degree(double k) {
@@ -232,7 +250,7 @@ class Search {
                          const Tree& other = nullptr) {
       Relation relation = answer_;
       for (auto& side : relation.sides) side = change(side);
-      offer({relation, note, part, {}, other}, nullptr);
+      offer({.relation = relation, .note = note, .part = part, .other = other}, nullptr);
     };
     const auto put = [&](const Tree& part, const Tree& value, const char* note) {
       all([&](const Tree& side) { return rederive::put_in(side, part, value); }, note, part);
@@ -283,6 +301,7 @@ class Search {
   const std::function<bool(const Repair&)>& accept_;
   Parts parts_;
   std::size_t side_ = 0;
+  Tree term_;  ///< of the innermost sum that is no argument: what is looked at lies in it
   int proofs_ = 0;
   std::optional<Repair> found_;
 };

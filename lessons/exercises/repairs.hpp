@@ -9,11 +9,11 @@ namespace rederive::classroom {
 
 /// One part of a student's answer changed.
 struct Repair {
-  Relation relation;                     ///< the answer after the change
-  std::string note;                      ///< the slip that it undoes
-  Tree part;                             ///< what was changed, as typed; nullptr where it is all of it
-  std::optional<double> too_large = {};  ///< the part was so many times what it should be
-  Tree other = nullptr;                  ///< exchanged with the part
+  Relation relation;     ///< the answer after the change
+  std::string note;      ///< the slip that it undoes
+  Tree part;             ///< what was changed, as typed; nullptr where it is all of it
+  Tree other = nullptr;  ///< exchanged with the part
+  Tree term = nullptr;   ///< in which it is, where the same part is in others, too
 };
 
 /// Tries every single change, the plainest first, and hands those to `accept` that pass the sieve, until it

@@ -133,7 +133,7 @@ std::string report_json(const Exercise& exercise, const Opinion& opinion) {
   json["read_as"] =
       opinion.read_as.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(opinion.read_as);
   const bool several_lines = opinion.feedback.find('\n') != std::string::npos;
-  json["feedback"] = several_lines ? opinion.feedback : unmarked(opinion.feedback, Notation::plain);
+  json["feedback"] = several_lines ? opinion.feedback : as_typed(unmarked(opinion.feedback, Notation::plain));
   json["witness"] = nullptr;
   if (opinion.witness)
     json["witness"] = {{"at", opinion.witness->at},

@@ -2,7 +2,9 @@
 #include <cln/real.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
+#include <derivations/decide/problem.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/exercises/units.hpp>
@@ -17,7 +19,7 @@ struct Unit {
   std::string name, si, factor;
 };
 constexpr auto table = R"(
-m m 1  cm m 1/100  mm m 1/1000  km m 1000  g m/s^2 981/100
+m m 1  cm m 1/100  mm m 1/1000  km m 1000  g m/s^2 981/100  Gal m/s^2 1/100
 s s 1  sec s 1  ms s 1/1000  min s 60  Hz 1/s 2*pi
 kg kg 1  t kg 1000  N kg*m/s^2 1  kN kg*m/s^2 1000  Pa kg/m/s^2 1
 J kg*m^2/s^2 1  kJ kg*m^2/s^2 1000  Nm kg*m^2/s^2 1  W kg*m^2/s^3 1
@@ -48,11 +50,6 @@ const Symbols& no_symbols() {
   return table;
 }
 
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
-}
-
 /// A constant, to all the digits of a double.
 double as_number(const Tree& tree) {
   const Value value = value_at(tree, {}, 256);
@@ -64,18 +61,16 @@ double as_number(const Tree& tree) {
   return cln::double_approx(number);
 }
 
-/// The size of a unit such as "m/s^2" and what it measures.
-std::pair<double, Dimension> read_unit(const std::string& text) {
-  const Tree tree = parse(text, unit_symbols());
-  GiNaC::exmap sizes;
+/// The value of a tree of numbers and units, in base units.
+double base_value(const Tree& tree) {
+  Tree sizes = tree;
   for (const auto& unit : units())
-    sizes[unit_symbols()[unit.name]] = lower(parse(unit.factor, no_symbols()), no_symbols());
-  const auto report = dimension(tree, unit_symbols());
-  if (names_of(tree).empty()) throw SyntaxError("unit", 0, "this is no unit: " + text);
-  if (!report.consistent || !report.dimension) throw SyntaxError("unit", 0, "this is no unit: " + text);
-  const GiNaC::ex size = lower(tree, unit_symbols()).subs(sizes);
-  return {as_number(to_tree(size, no_symbols())), *report.dimension};
+    sizes = rederive::put_in(sizes, unit.name, parse(unit.factor, no_symbols()));
+  (void)lower(sizes, no_symbols());  // refuses what is undefined at once, such as 1/0
+  return as_number(sizes);
 }
+
+bool has_unit(const Tree& tree) { return !names_of(tree).empty(); }
 
 /// The significant digits of a plain decimal number; 0 of anything else.
 int digits_of(const Tree& tree) {
@@ -87,39 +82,127 @@ int digits_of(const Tree& tree) {
   return digits;
 }
 
-/// "m s⁻²" as "m*s⁻²": between the units of a product a blank is enough.
-std::string with_stars(const std::string& unit) {
-  std::string result;
-  for (std::size_t i = 0; i < unit.size(); ++i) {
-    const bool between = unit[i] == ' ' && i > 0 && i + 1 < unit.size() &&
-                         std::isalpha(static_cast<unsigned char>(unit[i + 1])) &&
-                         std::string_view("*/(").find(unit[i - 1]) == std::string_view::npos;
-    result += between ? '*' : unit[i];
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+/// What was typed, in our syntax: units are factors without a sign; with the places of its bytes in what was
+/// typed.
+class Typed {
+ public:
+  explicit Typed(const std::string& typed) : typed_(typed) {
+    while (at_ < typed_.size()) read();
   }
-  return result;
+  const std::string& text() const { return text_; }
+  std::size_t place(std::size_t at) const { return at < places_.size() ? places_[at] : typed_.size(); }
+
+ private:
+  void add(const std::string& more) {
+    text_ += more;
+    places_.insert(places_.end(), more.size(), at_);
+  }
+
+  /// Whether an operand ends here: then a unit that comes next is a factor.
+  bool ends_operand() const {
+    const std::size_t last = text_.find_last_not_of(' ');
+    return last != std::string::npos &&
+           std::string_view("+-*/^(,=<>_").find(text_[last]) == std::string::npos;
+  }
+
+  void read() {
+    static const std::vector<std::pair<std::string, std::string>> signs{
+        {"·", "*"}, {"⋅", "*"}, {"×", "*"}, {" x 10^", "*10^"}, {"÷", "/"}, {"−", "-"}};
+    for (const auto& [sign, meant] : signs)
+      if (typed_.compare(at_, sign.size(), sign) == 0) return take(meant, sign.size());
+    if (typed_.compare(at_, 2, "°") == 0) return take_unit("deg", 2);
+    if (typed_[at_] == '%') return take_unit("percent", 1);
+    const char before = at_ > 0 ? typed_[at_ - 1] : ' ';
+    std::size_t end = at_;
+    while (end < typed_.size() && is_letter(typed_[end])) ++end;
+    const std::string word = typed_.substr(at_, end - at_);
+    if (before != '_' && unit_symbols().find(word) != nullptr) return take_unit(word, word.size());
+    if (!word.empty()) return take(word, word.size());
+    if (before == ' ' && typed_[at_] == '1' && is_reciprocal()) return take("", 1);
+    if (typed_[at_] == '(' && is_unit_in_parentheses()) add("*");
+    take(typed_.substr(at_, 1), 1);
+  }
+  void take(const std::string& meant, std::size_t size) {
+    add(meant);
+    at_ += size;
+  }
+  void take_unit(const std::string& name, std::size_t size) {
+    if (ends_operand()) add("*");
+    take(name, size);
+    const auto digit = [this](std::size_t at) { return at < typed_.size() && std::isdigit(typed_[at]) != 0; };
+    if (digit(at_) && !digit(at_ + 1) && typed_[at_] > '1') add("^");  // m/s2
+  }
+
+  /// 2.69 1/s: the 1 of it.
+  bool is_reciprocal() const {
+    const std::size_t name = typed_.find_first_not_of(' ', at_ + 2);
+    return ends_operand() && typed_.compare(at_ + 1, 1, "/") == 0 && name != std::string::npos &&
+           is_letter(typed_[name]);
+  }
+  bool is_unit_in_parentheses() const {
+    const std::size_t end = typed_.find(')', at_);
+    return ends_operand() && end != std::string::npos && end - at_ < 40 &&
+           is_unit(typed_.substr(at_ + 1, end - at_ - 1));
+  }
+
+  const std::string& typed_;
+  std::string text_;
+  std::vector<std::size_t> places_;
+  std::size_t at_ = 0;
+};
+
+/// The factors from one to another, as they are in the product.
+Tree factors(const Tree& whole, std::size_t from, std::size_t to) {
+  Node node{Node::Kind::product, "", {}, {}, whole->children[from]->position};
+  if (whole->inverse[from]) node.children.push_back(number("1")), node.inverse.push_back(false);
+  for (std::size_t k = from; k < to; ++k) {
+    node.children.push_back(whole->children[k]);
+    node.inverse.push_back(whole->inverse[k]);
+  }
+  return node.children.size() == 1 ? node.children[0] : std::make_shared<const Node>(std::move(node));
 }
 
-/// Where a unit may begin: at a letter, at a sign of division before one, or behind a blank.
-bool may_split(const std::string& text, std::size_t at) {
-  const unsigned char c = static_cast<unsigned char>(text[at]);
-  return std::isalpha(c) || c == '/' || text[at - 1] == ' ';
+/// The factors of a product without units, and behind them those with units; nothing where they are mixed.
+std::optional<std::pair<Tree, Tree>> number_and_unit(const Tree& tree) {
+  if (tree->kind != Node::Kind::product) return {};
+  const auto first = std::ranges::find_if(tree->children, has_unit), end = tree->children.end();
+  if (first == tree->children.begin() || first == end || !std::all_of(first, end, has_unit)) return {};
+  const auto at = static_cast<std::size_t>(first - tree->children.begin());
+  return std::pair(factors(tree, 0, at), factors(tree, at, tree->children.size()));
 }
 
-std::optional<Quantity> split_at(const std::string& text, std::size_t at) {
-  try {
-    std::string left = text.substr(0, at);
-    if (left.ends_with('*')) left.pop_back();  // "0.3*g"
-    std::string right = text.substr(at);
-    if (right[0] == '/') right = "1" + right;
-    right = with_stars(right);
-    const Tree tree = parse(left, no_symbols());
-    (void)lower(tree, no_symbols());  // refuses what is undefined at once, such as 1/0
-    const double number = as_number(tree);
-    const auto [size, what] = read_unit(right);
-    return Quantity{number * size, what, print(tree) + " " + right, digits_of(tree)};
-  } catch (const std::exception&) {  // no number, no unit, or one that has no size: m/(100*cm-m)
-    return {};
+/// a - b*m as (a - b)*m: a unit behind a sum without others is that of the whole.
+Tree with_unit_of_whole(const Tree& tree) {
+  if (tree->kind != Node::Kind::sum) return tree;
+  const auto& terms = tree->children;
+  const auto last = number_and_unit(terms.back());
+  if (!last || std::any_of(terms.begin(), terms.end() - 1, has_unit)) return tree;
+  if (names_of(last->second) == std::set<std::string>{"percent"}) return tree;
+  const auto measured = dimension(last->second, unit_symbols()).dimension;
+  if (measured && unit_text(*measured) == "1")
+    throw SyntaxError(
+        "ambiguous_unit", last->second->position,
+        "is this the unit of the whole, as in (90 - 30) deg, or of the last term, as in 2 rad - 30 deg?");
+  return product(with_child(tree, terms.size() - 1, last->first), last->second);
+}
+
+/// The tree as text, units behind blanks: "(1.5 - 1.47) m", "2.69 1/s".
+std::string echo(const Tree& tree, bool is_first = true) {
+  const std::string text = print(tree, Notation::plain, unit_symbols());
+  const bool is_sum = tree->kind == Node::Kind::sum || tree->kind == Node::Kind::negative;
+  if (tree->kind == Node::Kind::sum && is_first) {
+    std::string terms = echo(tree->children[0]);
+    for (std::size_t k = 1; k < tree->children.size(); ++k)
+      terms += (tree->inverse[k] ? " - " : " + ") + echo(tree->children[k], false);
+    return terms;
   }
+  if (tree->kind == Node::Kind::negative && is_first) return "-" + echo(tree->children[0], false);
+  if (is_sum) return "(" + text + ")";
+  const auto parts = number_and_unit(tree);
+  return parts ? echo(parts->first, false) + " " + print(parts->second, Notation::plain, unit_symbols())
+               : text;
 }
 
 /// A number with something behind it that is no unit: "5 apples".
@@ -131,35 +214,61 @@ void complain_of_unit(const std::string& text) {
                     "this is no unit known here; m, cm, mm, s, ms, kg, N, J, rad, deg, g (gravity) are");
 }
 
+/// 0,25 is refused, with the same text as it is to be written.
+void refuse_comma(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) return;
+  std::string meant = text;
+  const bool is_plain = text.find('.') == std::string::npos && text.find(',', comma + 1) == std::string::npos;
+  throw SyntaxError(
+      "decimal_comma", comma,
+      "write decimal fractions with a point" + (is_plain ? ": " + meant.replace(comma, 1, ".") : ""));
+}
+
+bool has_number(const Tree& tree) {
+  return tree->kind == Node::Kind::number || (tree->kind == Node::Kind::symbol && tree->text == "pi") ||
+         std::ranges::any_of(tree->children, has_number);
+}
+
+Quantity quantity_of(const Tree& typed) {
+  const Tree tree = with_unit_of_whole(typed);
+  if (!has_unit(tree))
+    return {.value = base_value(tree), .dimension = {}, .read_as = echo(tree), .digits = digits_of(tree)};
+  if (!has_number(tree)) throw SyntaxError("number_wanted", 0, "a number is wanted before the unit");
+  const DimensionReport report = dimension(tree, unit_symbols());
+  if (!report.consistent)
+    throw SyntaxError("unit", 0, "the units do not fit together: " + report.explanation);
+  const auto parts = number_and_unit(tree);
+  return {.value = base_value(tree),
+          .dimension = report.dimension,
+          .read_as = echo(tree),
+          .digits = parts ? digits_of(parts->first) : 0,
+          .in_turns = names_of(tree).contains("Hz")};
+}
+
 }  // namespace
 
 bool is_unit(const std::string& text) {
   try {
-    (void)read_unit(text);
-    return true;
+    const Tree tree = parse(text, unit_symbols());
+    const DimensionReport report = dimension(tree, unit_symbols());
+    return has_unit(tree) && report.consistent && report.dimension;
   } catch (const std::exception&) {
     return false;
   }
 }
 
-Quantity parse_quantity(const std::string& typed) {
-  std::string text = typed;
-  replace_all(text, "°", " deg");
-  replace_all(text, "%", " percent");
-  replace_all(text, "·", "*");
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
-  const std::size_t comma = text.find(',');
-  if (comma != std::string::npos)
-    throw SyntaxError("decimal_comma", comma, "write decimal fractions with a point: 0.25");
-  constexpr std::size_t longest =
-      40;  // of a unit; without a bound, a long text would be parsed at each letter
-  for (std::size_t at = text.size() > longest ? text.size() - longest : 1; at < text.size(); ++at)
-    if (may_split(text, at))
-      if (auto quantity = split_at(text, at)) return *quantity;
-  complain_of_unit(text);
-  const Tree tree = parse(text, no_symbols());
-  (void)lower(tree, no_symbols());
-  return {as_number(tree), {}, print(tree), digits_of(tree)};
+Quantity parse_quantity(const std::string& text) {
+  refuse_comma(text);
+  const Typed typed(text);
+  try {
+    return quantity_of(parse(typed.text(), unit_symbols()));
+  } catch (const SyntaxError& error) {
+    if (error.note == "unknown_symbol") complain_of_unit(text);
+    const bool is_product = error.note == "implicit_multiplication";  // what the parser would write has units
+    throw SyntaxError(error.note, error.position == 0 ? 0 : typed.place(error.position),
+                      is_product ? "a product needs its '*'" : error.what());
+  }
 }
 
 }  // namespace rederive::classroom

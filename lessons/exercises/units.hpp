@@ -1,4 +1,4 @@
-// Numbers with units as students type them: "2.14 1/s", "35 cm", "14.3 deg", "sqrt(3)/2 m/s".
+// Numbers with units as students type them: "2.14 1/s", "35 cm", "14.3 deg", "1.5 m - 1.47 m".
 #pragma once
 
 #include <derivations/rocking_block/paper_symbols.hpp>
@@ -8,13 +8,16 @@
 namespace rederive::classroom {
 
 struct Quantity {
-  double value;                        ///< in SI units; angles in radians
+  double value = 0;                    ///< in SI units; angles in radians
   std::optional<Dimension> dimension;  ///< nothing where no unit was typed
-  std::string read_as;
-  int digits = 0;  ///< how many significant ones were typed; 0 if it is no plain decimal number
+  std::string read_as;                 ///< reads back as the same quantity
+  int digits = 0;         ///< how many significant ones were typed; 0 if it is no plain decimal number
+  bool in_turns = false;  ///< the unit is Hz, which counts whole turns
 };
 
-/// Reads a number and a unit. Throws SyntaxError where either cannot be read.
+/// Reads a number and a unit. Each term of a sum has its own unit, or the last term has the one of the whole
+/// sum: 1.5 - 1.47 m is 0.03 m. Throws SyntaxError where a number or a unit cannot be read, where terms have
+/// different units, and for 90 - 30 deg, which has two readings.
 Quantity parse_quantity(const std::string& text);
 /// Whether a text is a unit: "kg*m^2".
 bool is_unit(const std::string& text);

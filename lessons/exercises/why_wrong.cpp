@@ -94,12 +94,30 @@ std::optional<Opinion> by_roads(const Prepared& prepared, const Relation& read, 
   return {};
 }
 
+/// Which symbols that an answer may use the first statement has and the second has not.
+std::vector<std::string> symbols_missing(const Prepared& prepared, const Relation& first,
+                                         const Relation& second) {
+  const auto names = names_of(put_in(first, prepared.answer.given)),
+             others = names_of(put_in(second, prepared.answer.given));
+  std::vector<std::string> missing;
+  std::set_difference(names.begin(), names.end(), others.begin(), others.end(), std::back_inserter(missing));
+  return missing;
+}
+
 /// What the answer depends on, against what it should depend on.
-std::optional<std::string> wrong_symbols(const Prepared& prepared, const Relation& read) {
-  const auto mine = names_of(put_in(read, prepared.answer.given));
-  const auto right = names_of(put_in(prepared.answer.relation, prepared.answer.given));
-  if (!std::includes(mine.begin(), mine.end(), right.begin(), right.end())) return "missing_symbol";
-  if (!std::includes(right.begin(), right.end(), mine.begin(), mine.end())) return "extra_symbol";
+std::optional<Opinion> for_symbols(const Prepared& prepared, const Relation& read, const Opinion& start) {
+  const Relation& right = prepared.answer.relation;
+  for (const bool is_missing : {true, false}) {
+    std::vector<std::string> names =
+        is_missing ? symbols_missing(prepared, right, read) : symbols_missing(prepared, read, right);
+    if (names.empty()) continue;
+    const auto& known = prepared.exercise.symbols;
+    std::erase_if(names, [&](const auto& name) { return std::ranges::find(known, name) == known.end(); });
+    const std::string list = joined(names, ", ", [](const auto& name) { return "$" + name + "$"; });
+    const std::string note = is_missing ? "missing_symbol" : "extra_symbol";
+    const std::string says = slip_words("answer", note);
+    return found(start, "wrong", note, fmt::format(fmt::runtime(says), list.empty() ? "" : ": " + list), 0);
+  }
   return {};
 }
 
@@ -124,7 +142,8 @@ Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::opt
   const auto is_mended = [&](const Repair& repair) {
     return is_right(proof_of(prepared, repair.relation, prepared.answer.relation).verdict);
   };
-  const bool differs = mine && prepared.signature && !alike(*mine, *prepared.signature);  // beyond doubt
+  const bool is_alike = mine && prepared.signature && alike(*mine, *prepared.signature);
+  const bool differs = mine && prepared.signature && !is_alike;  // beyond doubt
   const bool agrees =
       !differs && prepared.sieve && !prepared.sieve->is_empty() && prepared.sieve->passes(read);
   std::vector<Relation> forms{prepared.answer.relation};
@@ -139,12 +158,14 @@ Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::opt
                           ? " Look at $" + print(repair->part) + "$."
                           : ""),
                  0);
+  if (repair && repair->note == "taken_away")
+    if (auto opinion = for_symbols(prepared, read, start); opinion && opinion->note == "missing_symbol")
+      return *opinion;
   if (repair) return found(start, "wrong", repair->note, in_words(*repair), 0);
-  if (!agrees)
+  if (!is_alike)
     if (auto opinion = for_small_angles(prepared, read, start)) return *opinion;
-  if (const auto note = wrong_symbols(prepared, read))
-    return found(start, "wrong", *note, slip_words("answer", *note), 0);
-  const std::string note = agrees ? "not_everywhere" : "other";
+  if (auto opinion = for_symbols(prepared, read, start)) return *opinion;
+  const std::string note = agrees || is_alike ? "not_everywhere" : "other";
   Opinion opinion = found(start, "wrong", note, slip_words("answer", note), 0);
   opinion.witness = by_hand(prepared, read);
   if (opinion.witness) opinion.feedback += " Try it at one point, by hand:";
