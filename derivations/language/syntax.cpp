@@ -159,7 +159,8 @@ class Parser {
         refuse("syntax", "one statement at a time: " + quoted(now()) + " is not read here", now());
       if (is_number(at_ - 1) && is_number(at_))
         refuse("implicit_multiplication",
-               "two numbers side by side may be a sum, as in 1 1/2, or a product: write its sign", now());
+               "two numbers side by side may be a sum, as in 1 1/2, or a product: the sign is missing",
+               now());
       note("implicit_multiplication", "a product needs its '*'", now());
       node.children.push_back(power());
     }
@@ -204,9 +205,9 @@ class Parser {
     if (token.kind == Is::number) return make_tree(Kind::number, take().text, {}, {}, token.position);
     if (token.kind == Is::name) return name();
     if (take_if("(")) {
-      Tree inside = sum();
+      const Tree inside = sum();
       close(token);
-      return inside;
+      return std::make_shared<const Node>(*inside);  // no run of what stands around it
     }
     if (!take_if("sqrt")) refuse_operand();
     go_down();

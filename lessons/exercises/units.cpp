@@ -6,6 +6,7 @@
 #include <cctype>
 #include <derivations/decide/problem.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
+#include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/exercises/units.hpp>
 #include <limits>
@@ -71,6 +72,14 @@ double base_value(const Tree& tree) {
 }
 
 bool has_unit(const Tree& tree) { return !names_of(tree).empty(); }
+
+/// Whether it is units alone, with their powers: m, s^2, (kg*m).
+bool is_of_units(const Tree& tree) {
+  if (tree->kind == Node::Kind::power) return is_of_units(tree->children[0]) && !has_unit(tree->children[1]);
+  if (tree->kind != Node::Kind::product) return tree->kind == Node::Kind::symbol && has_unit(tree);
+  const bool starts_with_one = tree->children[0]->text == "1" && tree->inverse[1];
+  return std::all_of(tree->children.begin() + (starts_with_one ? 1 : 0), tree->children.end(), is_of_units);
+}
 
 /// The significant digits of a plain decimal number; 0 of anything else.
 int digits_of(const Tree& tree) {
@@ -168,7 +177,7 @@ Tree factors(const Tree& whole, std::size_t from, std::size_t to) {
 std::optional<std::pair<Tree, Tree>> number_and_unit(const Tree& tree) {
   if (tree->kind != Node::Kind::product) return {};
   const auto first = std::ranges::find_if(tree->children, has_unit), end = tree->children.end();
-  if (first == tree->children.begin() || first == end || !std::all_of(first, end, has_unit)) return {};
+  if (first == tree->children.begin() || first == end || !std::all_of(first, end, is_of_units)) return {};
   const auto at = static_cast<std::size_t>(first - tree->children.begin());
   return std::pair(factors(tree, 0, at), factors(tree, at, tree->children.size()));
 }
@@ -190,7 +199,7 @@ Tree with_unit_of_whole(const Tree& tree) {
 
 /// The tree as text, units behind blanks: "(1.5 - 1.47) m", "2.69 1/s".
 std::string echo(const Tree& tree, bool is_first = true) {
-  const std::string text = print(tree, Notation::plain, unit_symbols());
+  const std::string text = as_typed(print(tree, Notation::plain, unit_symbols()));
   const bool is_sum = tree->kind == Node::Kind::sum || tree->kind == Node::Kind::negative;
   if (tree->kind == Node::Kind::sum && is_first) {
     std::string terms = echo(tree->children[0]);
@@ -252,7 +261,7 @@ bool is_unit(const std::string& text) {
   try {
     const Tree tree = parse(text, unit_symbols());
     const DimensionReport report = dimension(tree, unit_symbols());
-    return has_unit(tree) && report.consistent && report.dimension;
+    return is_of_units(tree) && report.consistent && report.dimension;
   } catch (const std::exception&) {
     return false;
   }
