@@ -131,8 +131,11 @@ TEST_CASE("what is assumed is said behind the line, and holds there alone") {
                "= (4 - 3*cos(alpha)^2)/(3*sin(alpha)*cos(alpha)) [sin(2*alpha) > 0]")
             .verdict == "correct");
   CHECK(judged("release-from-rest",
-               "alpha - alpha*cosh(p*t)\n= alpha - (alpha - theta_0)*cosh(p*t) [theta_0 = 0]")
+               "alpha - alpha/2*cosh(p*t)\n= alpha - (alpha - theta_0)*cosh(p*t) [theta_0 = alpha/2]")
             .verdict == "correct");
+  CHECK(judged("release-from-rest",  // it is given that theta_0 > 0
+               "alpha - alpha*cosh(p*t)\n= alpha - (alpha - theta_0)*cosh(p*t) [theta_0 = 0]")
+            .note == "assumption");
   CHECK(judged("release-from-rest",
                "alpha - alpha*cosh(p*t) [theta_0 = 0]\n= alpha - (alpha - theta_0)*cosh(p*t)")
             .line == 2);

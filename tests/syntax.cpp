@@ -140,7 +140,7 @@ TEST_CASE("a product without its sign is refused with what was meant") {
        {"x - y/r cos(t)", "implicit_multiplication", 8, "write x - y/(r*cos(t)) or x - y/r*cos(t)"},
        {"m*(x - y/r t)", "implicit_multiplication", 11, "write m*(x - y/(r*t)) or m*(x - y/r*t)"},
        {"2x/3 m y = g t", "implicit_multiplication", 1, "write 2*x/(3*m*y) = g*t or 2*x/3*m*y = g*t"},
-       {"x/(2 y) cos(t)", "implicit_multiplication", 5, "write x/(2*y*cos(t)) or x/(2*y)*cos(t)"},
+       {"x/(2 y) cos(t)", "implicit_multiplication", 5, "write x/((2*y)*cos(t)) or x/(2*y)*cos(t)"},
        {"1 1/3*m", "implicit_multiplication", 2, "may be a sum, as in 1 1/2, or a product"},
        {"pi r", "implicit_multiplication", 3, "pi*r"}});
   const auto said = [](const std::string& text) {
