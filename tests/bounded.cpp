@@ -242,9 +242,8 @@ TEST_CASE("work ends with the program that asked for it, however that ends") {
   ::kill(program, SIGKILL);
   ::waitpid(program, nullptr, 0);
   pollfd end{ends[0], POLLIN, 0};
-  const bool has_ended = ::poll(&end, 1, 20'000) == 1;
-  CHECK(has_ended);
-  if (has_ended) CHECK(::read(ends[0], &begun, 1) == 0);
+  CHECK(::poll(&end, 1, -1) == 1);  // if it does not end, the test does not either
+  CHECK(::read(ends[0], &begun, 1) == 0);
   ::close(ends[0]);
 }
 #endif

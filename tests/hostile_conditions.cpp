@@ -157,7 +157,7 @@ TEST_CASE("in a folder that may not be written to, what writes says so, and all 
 TEST_CASE("few files and little memory are enough, or are an error that is told") {
   const TemporaryFolder folder;
   for (const std::string& command : commands())
-    for (const char* limit : {"ulimit -n 10", "ulimit -v 90000", "ulimit -u 60", "ulimit -t 20"}) {
+    for (const char* limit : {"ulimit -n 10", "ulimit -v 90000", "ulimit -u 60"}) {
       if (rederive::is_watched() && limit[8] == 'v') continue;
       const Result r = run(folder, std::string(limit) + " && " + command);
       INFO(limit << " " << command << ": " << r.err);

@@ -49,7 +49,7 @@ std::string probed(const std::filesystem::path& folder) {
   std::ofstream(folder / "probe.html") << page.replace(page.find("%PAGES%"), 7, names);
   const std::string command =
       "cd " + quoted(folder.string()) +
-      " && timeout 240 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run"
+      " && timeout 3000 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run"
       " --disable-background-networking --disable-component-update --disable-sync "
       "--allow-file-access-from-files"
       " --virtual-time-budget=60000 --user-data-dir=" +

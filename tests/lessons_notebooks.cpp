@@ -28,7 +28,7 @@ try:
     for file in sys.argv[2:]:
         notebook = nbformat.read(file, 4)
         nbformat.validate(notebook)
-        NotebookClient(notebook, km=kernel, timeout=300).execute()
+        NotebookClient(notebook, km=kernel, timeout=3000).execute()
         json.dump(notebook, open(file, "w"))
 finally:
     kernel.shutdown_kernel(now=True)

@@ -66,10 +66,10 @@ std::vector<std::string> hostile_texts() {
   return texts;
 }
 
-/// One of our programs with no more than so much processor time and memory for each process; whoever takes
-/// more is ended.
+/// One of our programs with no more than so much memory for each process; what takes more, or hangs, is
+/// ended.
 Result run_bounded(const std::string& program, std::vector<std::string> arguments) {
-  const std::string limits = rederive::is_watched() ? "ulimit -t 120" : "ulimit -t 4 -v 560000";
+  const std::string limits = rederive::is_watched() ? "ulimit -t 3600" : "ulimit -t 600 -v 560000";
   arguments.insert(arguments.begin(),
                    {"-c", limits + "; exec '" REDERIVE_PROGRAMS "'/\"$0\" \"$@\"", program});
   return run_program("/bin/bash", arguments);

@@ -29,7 +29,7 @@ struct Request {
 
 Asked ask(const Server& server, const Request& request) {
   httplib::Client client("127.0.0.1", server.port);
-  client.set_read_timeout(60);
+  client.set_read_timeout(3600);
   httplib::Request sent;
   sent.method = request.method;
   sent.path = request.path;

@@ -104,7 +104,7 @@ const Json& found_in_browser() {
     std::ofstream(folder.path / "probe.html") << page;
     const Result shown = run_program(
         "/usr/bin/env",
-        {"timeout", "120", "chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic",
+        {"timeout", "3000", "chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic",
          "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
          "--user-data-dir=" + (folder.path / "profile").string(), "--dump-dom",
          "file://" + (folder.path / "probe.html").string()});

@@ -1,4 +1,5 @@
-// equations.toml: rows are read or refused, and so are their domains and what they print.
+// equations.toml: rows are read, or refused with file and line; so are their domains and what they print.
+#include <derivations/emit/program.hpp>
 #include <derivations/language/syntax.hpp>
 #include <derivations/paper/ledger.hpp>
 #include <tests/fuzz/fuzz.hpp>
@@ -11,8 +12,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const Row& row : read_rows(file.name())) try {
         (void)parse_statement(row.claim(), symbols_in(row.domain));
       } catch (const std::invalid_argument&) {
+      } catch (const SyntaxError&) {
       }
-  } catch (const std::runtime_error&) {
+  } catch (const BadInput& error) {
+    fuzz::must(fuzz::names_line_of(error.what(), file.name()), error.what());
   }
   return 0;
 }

@@ -1,9 +1,12 @@
-// Exercises as a teacher writes them: read, with and without a seed, or refused.
+// Exercises as a teacher writes them: read with and without a seed, and made ready, or refused with file and
+// line.
+#include <derivations/emit/program.hpp>
 #include <filesystem>
 #include <fstream>
-#include <lessons/exercises/exercise.hpp>
+#include <lessons/exercises/judge.hpp>
 #include <tests/fuzz/fuzz.hpp>
 
+using namespace rederive;
 using namespace rederive::classroom;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -11,11 +14,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::string pattern = (std::filesystem::temp_directory_path() / "rederive-XXXXXX").string();
     return std::filesystem::path(::mkdtemp(pattern.data()));
   }();
-  std::ofstream(folder / "lesson.toml", std::ios::binary) << fuzz::text_of(data, size);
+  const std::filesystem::path file = folder / "lesson.toml";
+  std::ofstream(file, std::ios::binary) << fuzz::text_of(data, size);
   for (const char* seed : {"", "7"}) try {
-      (void)read_exercises(folder, seed);
-    } catch (const std::runtime_error&) {
+      for (const Exercise& exercise : read_exercises(folder, seed)) (void)prepare(exercise);
+    } catch (const BadInput& error) {
+      fuzz::must(fuzz::names_line_of(error.what(), file), error.what());
     }
-  std::filesystem::remove_all(folder / "lesson.toml");
+  std::filesystem::remove(file);
   return 0;
 }

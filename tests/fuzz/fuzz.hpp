@@ -43,6 +43,14 @@ class File {
   std::string name_ = std::filesystem::temp_directory_path() / "rederive-XXXXXX";
 };
 
+/// Whether a complaint begins with "FILE:LINE: ".
+inline bool names_line_of(const std::string& complaint, const std::filesystem::path& file) {
+  const std::string head = file.string() + ":";
+  if (!complaint.starts_with(head)) return false;
+  const std::size_t end = complaint.find_first_not_of("0123456789", head.size());
+  return end != std::string::npos && end > head.size() && complaint.compare(end, 2, ": ") == 0;
+}
+
 /// What must hold for every input.
 inline void must(bool holds, const std::string& what) {
   if (holds) return;

@@ -28,7 +28,7 @@ def test_a_notebook_is_kept_without_output_and_runs(name, tmp_path, monkeypatch)
     nbformat.validate(notebook)
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
     assert all(not cell.outputs and cell.execution_count is None for cell in cells)
-    nbclient.NotebookClient(notebook, timeout=300, resources={"metadata": {"path": tmp_path}}).execute()
+    nbclient.NotebookClient(notebook, timeout=3000, resources={"metadata": {"path": tmp_path}}).execute()
     outputs = [output for cell in cells for output in cell.outputs]
     assert not [output for output in outputs if output.output_type in ("error", "stream")]
     for kind, text in WANTED[name]:
