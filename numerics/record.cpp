@@ -93,7 +93,10 @@ void check_last_line(const RecordHeader& header, const Lines& lines, const Numbe
   const auto first = lines.begin() + static_cast<std::ptrdiff_t>(header.first);
   auto last = lines.end();
   while (last != first && is_comment(last[-1])) --last;  // blank
-  if (last - first < 2 || is_whole(last[-1]) || !std::all_of(first, last - 1, is_whole)) return;
+  const bool is_numbers =
+      last != first && last[-1].find_first_not_of("0123456789+-.,eEdDqQ \t") == std::string::npos;
+  if (last - first < 2 || !is_numbers || is_whole(last[-1]) || !std::all_of(first, last - 1, is_whole))
+    return;
   refuse(style.file, static_cast<std::size_t>(last - lines.begin()),
          fmt::format("the line ends inside a column of {} characters: the file is cut off", header.width));
 }
@@ -121,12 +124,14 @@ Samples headed_samples(const RecordHeader& header, Lines& lines, const RecordOpt
                           .keeps_missing = options.interpolate};
   if (header.width > 0) check_last_line(header, lines, style);
   Samples samples;
-  for (std::size_t i = header.first; i < lines.size(); ++i)
+  for (std::size_t i = header.first; i < lines.size(); ++i) {
+    if (is_comment(lines[i])) continue;
     for (const double value : numbers_in(lines[i], style, i + 1)) {
       samples.time.push_back(static_cast<double>(samples.time.size()) * header.step);
       samples.value.push_back(value);
       samples.line.push_back(i + 1);
     }
+  }
   if (static_cast<double>(samples.value.size()) != header.count)
     refuse(file, lines.size(),
            fmt::format("the file holds {} values, but {} is {}", samples.value.size(), header.counted,

@@ -125,6 +125,9 @@ TEST_CASE("numbers are read as programs write them") {
        {"0.1x", "0x1", "1.2.3", "1e", "1e+", "e5", "1-2", "2001-01-01", "1.0-3.", "..1"})
     CHECK(begins(refusal_of("0 0.1\n1 " + word + "\n", {.step = 0}), "record.txt:2: "));
   CHECK(begins(refusal_of("0 0\n1 2e9\n"), "record.txt:2: '2e9' is out of range"));
+  CHECK(record_in(peer_head + peer_counts + peer_values + "# the end\n").acceleration == four);
+  CHECK(begins(refusal_of(peer_head + peer_counts + peer_values + "the end\n"),
+               "record.txt:7: 'the' is not a number"));
 }
 
 TEST_CASE("a value that stands for none is refused with its line, or taken as one is told") {

@@ -54,7 +54,8 @@ Opinion judge_answer(const Prepared& prepared, const std::string& text);
 /// gives up, it does so by what it has counted.
 constexpr double most_judging_seconds = 20;
 constexpr long most_judging_megabytes = 1024;
-/// The same for whatever may have been typed: undecided beyond most_judging_seconds or most_judging_megabytes.
+/// The same for whatever may have been typed: undecided beyond most_judging_seconds or
+/// most_judging_megabytes.
 Opinion judge_bounded(const Exercise& exercise, const std::string& text);
 /// What `judge` says, or that it could not, within the same bounds.
 Opinion bounded(const std::function<Opinion()>& judge);
