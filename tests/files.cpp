@@ -105,6 +105,7 @@ TEST_CASE(
   const TemporaryFolder folder;
   std::set<std::string> names;
   for (int k = 0; k < 3; ++k) {
+    fs::remove(folder.path / "file");
     REQUIRE(run(folder, "strace -o trace -e trace=openat,fsync,rename " + emit + "file").exit_code == 0);
     const std::string trace = read_file(folder.path / "trace");
     const std::size_t opened = trace.find("\".rederive-"), synced = trace.find("fsync("),
