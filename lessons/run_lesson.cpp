@@ -114,7 +114,7 @@ int run(const Lesson& lesson, const Flags& flags) {
     put(lines);
   } else {
     write_lesson(lesson, flags, setting, put);
-    if (!setting.beside && !setting.figures->empty())
+    if (!setting.beside && !setting.figures->empty() && ::isatty(2) != 0)
       std::fprintf(stderr, "The figures are in %s\n", printable_name(*setting.figures).c_str());
   }
   if (!flags.out.empty()) write_whole(flags.out, text);
