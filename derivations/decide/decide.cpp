@@ -15,8 +15,7 @@ std::string to_string(Verdict verdict) {
 
 namespace {
 
-constexpr Effort few{.points = 6, .solutions = 1, .bits = 200, .beside_ends = 0},
-    many{.points = 220, .solutions = 24, .bits = 1800, .beside_ends = 16};
+constexpr Effort few{6, 1, 200}, many{310, 24, 1800};
 
 Proof undecided(std::string reason) { return {.reason = std::move(reason)}; }
 
@@ -91,11 +90,12 @@ bool is_contradictory(const Problem& problem) try {
 
 /// Points, identity and signs, more points. Without `by_points` nothing is refuted.
 Proof decide_problem(const Problem& problem, bool by_points) {
-  const bool is_of_numbers = !problem.left.operators.empty() && names_of(problem.left).empty() &&
-                             names_of(problem.right).empty();
+  const bool is_of_numbers =
+      !problem.left.operators.empty() && names_of(problem.left).empty() && names_of(problem.right).empty();
   Search tried = search(problem, is_of_numbers ? many : few);
   if (is_of_numbers && tried.agreed > 0)
-    return {.verdict = Verdict::proved, .reason = "the numbers in both are told apart by balls", .by = "sign"};
+    return {
+        .verdict = Verdict::proved, .reason = "the numbers in both are told apart by balls", .by = "sign"};
   std::optional<Proof> proof;
   std::string missing =
       "the sides agree wherever they were compared, but neither the difference vanishes identically nor a "

@@ -39,7 +39,6 @@ namespace {
 struct Candidates {
   std::vector<cl_RA> plain;
   std::vector<Constant> special;
-  std::vector<cl_RA> beside_ends;
 };
 
 /// Rational numbers on both sides of a number, at distances of 1/10 to 1/10^8.
@@ -67,18 +66,16 @@ Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks
     if (has_low && range.low.is_rational()) add(range.low.a + cl_RA(1) / n), add(range.low.a + n);
     if (has_high && range.high.is_rational()) add(range.high.a - cl_RA(1) / n), add(range.high.a - n);
   }
+  for (const End* end : {&range.low, &range.high})
+    for (const cl_RA& value : end->infinite == 0 ? beside(end->ball(128)) : std::vector<cl_RA>()) add(value);
   const cl_RA little = cl_RA(1) / 100;
   for (const cl_RA& n : landmarks)
     for (const cl_RA& value : {n, cl_RA(-n), n + little, n - little, 2 * n, -2 * n, n / 2}) add(value);
   if (result.plain.empty() && has_low && has_high)
     add(((range.low.ball(64) + range.high.ball(64)) / Ball(2)).middle());
   std::vector<Constant> special{{}};
-  for (const End* end : {&range.low, &range.high}) {
-    if (end->infinite != 0) continue;
-    special.push_back(*end);
-    std::ranges::copy_if(beside(end->ball(128)), std::back_inserter(result.beside_ends),
-                         [&](const cl_RA& x) { return range.contains({x}); });
-  }
+  for (const End* end : {&range.low, &range.high})
+    if (end->infinite == 0) special.push_back(*end);
   for (const char* q : {"1/2", "1", "1/6", "1/4", "1/3", "-1/2", "2/3", "-1/6", "3/2", "-1/4", "2"})
     special.push_back({0, q});
   std::ranges::copy_if(special, std::back_inserter(result.special),
@@ -120,13 +117,19 @@ Table table_of(const Problem& problem) {
 }
 
 /// A fixed sequence of points: symbol k takes its candidates in a stride of its own; every third point from
-/// the tenth on has special values, and every fourth has equal values where it can.
+/// the tenth on has special values, and every fourth has equal values where it can. From most_mixed on
+/// all candidates come in turn.
 std::optional<Point> point_of(const Table& table, int index) {
+  constexpr int most_mixed = 220;
   Point point;
   int place = 0;
   for (const auto& [name, c] : table) {
     ++place;
     if (c.plain.empty() && c.special.empty()) return std::nullopt;
+    if (index >= most_mixed && !c.plain.empty()) {
+      point.emplace(name, c.plain[(index - most_mixed + 7 * (place - 1)) % c.plain.size()]);
+      continue;
+    }
     const int mixed = index < 1 ? place - 1 : index + place * (index % 7 + 1) + index * index * place / 3;
     const bool is_alone = index / 5 % static_cast<int>(table.size()) == place - 1;
     const bool is_zero = is_alone ? index % 5 == 4 : index % 10 == 7;  // it alone, or all others
@@ -141,13 +144,6 @@ std::optional<Point> point_of(const Table& table, int index) {
       point.emplace(name, c.plain[attempt % std::min<std::size_t>(c.plain.size(), 4 + index)]);
   }
   return point;
-}
-
-/// One symbol after the other to each place beside the ends of its range.
-void move_beside_end(Point& point, const Table& table, int index) {
-  const auto& [name, c] = table[index % table.size()];
-  const std::size_t place = index / table.size();
-  if (place < c.beside_ends.size()) point.insert_or_assign(name, c.beside_ends[place]);
 }
 
 bool has_value(const Tree& tree, const Point& point) {
@@ -236,11 +232,9 @@ Search search(const Problem& problem, const Effort& effort) {
   Search result;
   const Table table = table_of(problem);
   const int solutions = problem.left.operators.empty() ? 0 : effort.solutions;
-  const int points = table.empty() ? 1 : effort.points + effort.beside_ends * std::ssize(table);
-  for (int k = 0; k < points && !result.witness; ++k) {
-    auto point = point_of(table, k);
+  for (int k = 0; k < (table.empty() ? 1 : effort.points) && !result.witness; ++k) {
+    const auto point = point_of(table, k);
     if (!point) break;
-    if (k >= effort.points) move_beside_end(*point, table, k - effort.points);
     const auto solution = solve(equations_of(problem.assumptions), *point, problem.symbols, k);
     if (solution && is_admitted(problem, *solution)) {
       const int said = compare_at(problem, *solution, table.empty() ? bits_of_numbers : effort.bits);

@@ -37,9 +37,8 @@ struct Search {
 };
 struct Effort {
   int points;
-  int solutions;    ///< of relations: at so many points one is also solved for a symbol
-  long bits;        ///< up to so many, of statements with symbols
-  int beside_ends;  ///< so many more points for each symbol, which is beside an end of its range
+  int solutions;  ///< of relations: at so many points one is also solved for a symbol
+  long bits;      ///< up to so many, of statements with symbols
 };
 Search search(const Problem& problem, const Effort& effort);
 

@@ -45,7 +45,7 @@ bool lies_in(const Number& number, const Interval& range) {
 
 /// y of e = c·y + d = 0 at the point, e multiplied out.
 std::optional<Number> solve_linear(const Point& point, const GiNaC::ex& e, const std::string& name,
-                                   const Symbols& symbols) {
+                                   const Symbols& symbols) try {
   const GiNaC::ex y = symbols[name];
   if (!e.is_polynomial(y) || e.degree(y) != 1) return std::nullopt;
   const Tree value = to_tree(-e.coeff(y, 0) / e.coeff(y, 1), symbols);
@@ -54,6 +54,8 @@ std::optional<Number> solve_linear(const Point& point, const GiNaC::ex& e, const
   if (found.constant) return number_of(*found.constant);
   const Tree constant = with_coordinates(value, point, name);
   return constant ? std::optional<Number>(constant) : std::nullopt;
+} catch (const std::invalid_argument&) {  // of to_tree: GiNaC has taken the root of -1
+  return std::nullopt;
 }
 
 /// Where signs are tried at first, in steps of 1/4 near 0; and then by powers of 2 around 0, and nearer
@@ -81,8 +83,7 @@ struct Place {
 
 /// Two places of different signs, narrowed to a thousandth, the lower one first; or the zero itself twice.
 std::pair<cl_RA, cl_RA> narrowed(Place a, Place b, const std::function<Place(const cl_RA&)>& at) {
-  cl_RA unit = cl_RA(1) / 1000;
-  while (10'000 * unit < std::max(cln::abs(a.x), cln::abs(b.x))) unit = 10 * unit;
+  const cl_RA unit = cl_RA(1) / 1000;
   while (cln::abs(b.x - a.x) > unit) {
     const cl_RA half = (a.x + b.x) / 2, rounded = cln::floor1(half / unit) * unit;
     Place middle = at((rounded - a.x) * (rounded - b.x) < 0 ? rounded : half);

@@ -1,12 +1,4 @@
-// The sign of a polynomial under hypotheses, with a certificate.
-//
-// First by intervals and products, as the ring knows them. Then by Positivstellensatz of low degree: from the
-// hypotheses, the ranges of the generators and the negated claim, their products in pairs and squares of sums
-// of two generators, a combination with non-negative rational coefficients, one of a strict inequality among
-// them, that is identically 0. Then the hypotheses and the negated claim cannot hold together (the easy
-// direction of Stengle's theorem 1974; Parrilo 2003). Farkas' lemma makes the search for the coefficients a
-// linear program; they are multiplied out in exact arithmetic before they are believed. What is found is
-// true; that there is one of low degree is not certain, so that nothing found says nothing.
+// The sign of a polynomial under hypotheses, with a certificate. The method is in README.md.
 #pragma once
 
 #include <derivations/identity/exponential_ring.hpp>
