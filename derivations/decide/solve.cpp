@@ -61,17 +61,22 @@ std::optional<Number> solve_linear(const Point& point, const GiNaC::ex& e, const
 /// Where signs are tried at first, in steps of 1/4 near 0; and then by powers of 2 around 0, and nearer
 /// around pi/2, the numbers that occur, and the ends of the range.
 std::vector<cl_RA> grid_of(const Interval& range, const Tree& residual, bool is_wide) {
-  std::set<cl_RA> grid;
-  std::vector<cl_RA> centres{0, cl_RA(Ball::pi(64).middle()) / 2};
-  for (int k = -41; k <= 40 && !is_wide; ++k) grid.insert(cl_RA(2 * k + 1) / 8);
+  std::vector<cl_RA> centres{Ball::pi(64).middle() / Ball(2)}, grid;
+  for (int k = -41; k <= 40 && !is_wide; ++k) grid.push_back(cl_RA(2 * k + 1) / 8);
   if (is_wide) collect_landmarks(residual, centres);
   for (const End* end : {&range.low, &range.high})
     if (end->infinite == 0) centres.push_back(end->ball(64).middle());
-  for (const cl_RA& centre : centres)
-    for (int k = cln::zerop(centre) ? -40 : -24; k <= (cln::zerop(centre) ? 60 : 4) && is_wide; ++k)
-      for (const int side : {-1, 0, 1}) grid.insert(centre + side * cln::expt(cl_RA(2), k));
+  for (int k = -40; k <= 60 && is_wide; ++k)
+    for (const int side : {-1, 0, 1}) {
+      const cl_RA distance = side * cln::expt(cl_RA(2), k);
+      grid.push_back(distance);
+      for (const cl_RA& centre : centres)
+        if (-24 <= k && k <= 4) grid.push_back(centre + distance);
+    }
   std::erase_if(grid, [&](const cl_RA& x) { return !range.contains({x}); });
-  return {grid.begin(), grid.end()};
+  std::ranges::sort(grid);
+  grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
+  return grid;
 }
 
 /// A place on a line, and what a residual is there.
@@ -113,8 +118,7 @@ std::optional<Number> enclose(Point point, const Tree& residual, const std::stri
     point.insert_or_assign(name, x);
     return Place{x, value_at(residual, point, 192)};
   };
-  const int rounds = attempt == 1 || attempt == 2 ? 30 : 1;
-  const Tree tree = with_coordinates(residual, point, name);
+  const int rounds = attempt == 6 || attempt == 7 ? 30 : 1;  // wide, from above and from below
   std::vector<Place> places;
   for (int round = 0; round < rounds; ++round) {
     auto grid = round < 2 ? grid_of(range, residual, round == 1) : finer(std::move(places));
@@ -127,6 +131,7 @@ std::optional<Number> enclose(Point point, const Tree& residual, const std::stri
       if (last->sign.value_or(0) * before->sign.value_or(0) >= 0) continue;
       const auto [low, high] = narrowed(*before, *last, at);
       if (low == high) return low;
+      const Tree tree = with_coordinates(residual, point, name);
       const Number zero(tree, name, low, high);
       // a finite ball over the whole of it: continuous there, no pole
       if (tree && value_at(tree, {{name, zero}}, 24).is == Value::Is::certain) return zero;

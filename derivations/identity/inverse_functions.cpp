@@ -128,15 +128,17 @@ std::optional<Fraction> Translator::moved_by_half_turns(const Fraction& a, bool 
 }
 
 std::optional<Fraction> Translator::known_angle(bool is_sine, const Fraction& u) {
-  for (const auto& [argument, values] : circular_)
+  for (const auto& [argument, values] : circular_) {
+    const Fraction c = ring_.normal(values.first), s = ring_.normal(values.second);
     for (const bool is_turned : {false, true}) {  // cos a = sin(π/2 - a)
-      const auto& [cosine, sine] = is_turned ? std::pair(values.second, values.first) : values;
+      const Fraction &sine = is_turned ? c : s, &cosine = is_turned ? s : c;
       if (!is_sine && (cosine.is_zero() || sine.numerator.terms() > 100)) continue;
       const Fraction value = ring_.normal(is_sine ? sine : sine / cosine);
       if (value != u && value != -u) continue;
       const auto angle = moved_by_half_turns(is_turned ? pi() / 2 - argument : argument, is_sine);
       if (angle) return value == u ? *angle : -*angle;
     }
+  }
   return std::nullopt;
 }
 
