@@ -136,8 +136,7 @@ int check_file(const Classroom& room, const std::string& id, const std::string& 
   if (std::filesystem::symlink_status(file, error).type() == std::filesystem::file_type::not_found)
     throw BadInput("there is no file '" + printable_name(file) + "'");
   const AnswerFile answer = read_answer_file(file);
-  if (answer.trouble == "unreadable")
-    throw BadInput("cannot read '" + printable_name(file) + "'");
+  if (answer.trouble == "unreadable") throw BadInput("cannot read '" + printable_name(file) + "'");
   if (!answer.trouble.empty()) return tell(room, exercise, invalid(answer.trouble, answer.says), "");
   if (!is_working) return tell(room, exercise, judge_bounded(exercise, answer.text), answer.text);
   const Working working = judge_working(exercise, answer.lines);
