@@ -124,6 +124,7 @@ TEST_CASE("a product without its sign is refused with what was meant") {
        {"(x+1)(x-1)", "implicit_multiplication", 5, "(x + 1)*(x - 1)"},
        {"sin(x)cos(y)", "implicit_multiplication", 6, "sin(x)*cos(y)"},
        {"mgR", "implicit_multiplication", 0, "m*g*R"},
+       {"αp/e", "implicit_multiplication", 0, "write alpha*p/e"},
        {"2 sin(x)", "implicit_multiplication", 2, "2*sin(x)"},
        {"2e", "implicit_multiplication", 1, "2*e"},
        {"3 4", "implicit_multiplication", 2, "may be a sum"},

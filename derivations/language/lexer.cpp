@@ -235,7 +235,7 @@ class Tokenizer {
 
   void add_words(const std::string& name) {
     if (code() == '(') return add(Token::Kind::name, name);
-    for (const std::string& word : words_in(name, symbols_))
+    for (const std::string& word : words_in(name, at_ - start_, symbols_))
       add(word[0] >= '0' && word[0] <= '9' ? Token::Kind::number : Token::Kind::name, word);
   }
 

@@ -32,8 +32,9 @@ struct Token {
 std::vector<Token> tokenize(std::string_view text, const Symbols& symbols, const Limits& limits);
 
 /// The known words that a name sticks together from, at most three: {"m", "g", "R"} for mgR, {"sin", "2",
-/// "x"} for sin2x. The name alone where it is known, or more like a slip of the pen.
-std::vector<std::string> words_in(const std::string& name, const Symbols& symbols);
+/// "x"} for sin2x. The name alone where it is known, or more like a slip of the pen; that is none of three
+/// typed characters, such as αp, or of fewer.
+std::vector<std::string> words_in(const std::string& name, std::size_t characters, const Symbols& symbols);
 /// arcsin, ln: whether it is a function under that name in other languages.
 bool is_function_elsewhere(std::string_view name);
 /// What to say of a name that is no function, or no symbol; `quoted` is how it was typed.

@@ -44,12 +44,12 @@ bool is_no_number(std::string_view name) {
 
 }  // namespace
 
-std::vector<std::string> words_in(const std::string& name, const Symbols& symbols) {
+std::vector<std::string> words_in(const std::string& name, std::size_t characters, const Symbols& symbols) {
   if (symbols.find(name) != nullptr || name.size() > longest_name) return {name};
   if (is_no_number(name) || is_function_elsewhere(name)) return {name};
   const auto words = split(name, symbols, 3, false);
   const bool is_meant =
-      !words.empty() && (name.size() <= 3 || is_function(words[0]) || nearest_symbol(name, symbols).empty());
+      !words.empty() && (characters <= 3 || is_function(words[0]) || nearest_symbol(name, symbols).empty());
   return is_meant ? words : std::vector{name};
 }
 
