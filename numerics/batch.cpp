@@ -187,6 +187,19 @@ PulseBatch::PulseBatch(const PulseCase& asked, const std::vector<double>& amplit
   for (const double amplitude : amplitudes) launches_.push_back(launch_at(amplitude));
 }
 
+PulseBatch PulseBatch::until_last_push() const {
+  PulseBatch cut = *this;
+  for (Launch& launch : cut.launches_) {
+    const Real start = launch.piece.to - static_cast<Real>(launch.left),
+               end = launch.pushes.empty() ? 0 : launch.pushes.back().from;
+    launch.left = static_cast<double>(end - start);
+    if (!(launch.left > 0)) launch.side = 0;
+    launch.piece.to = end;
+    if (!launch.pushes.empty()) launch.pushes.pop_back();
+  }
+  return cut;
+}
+
 template <class Result, class OfLeft>
 std::vector<std::vector<Result>> PulseBatch::followed(const std::vector<double>& omega_ratios, OfLeft of_left,
                                                       Result (*of_outcome)(const Outcome&)) const {
@@ -246,7 +259,12 @@ std::vector<std::vector<int>> PulseBatch::codes(const std::vector<double>& omega
       omega_ratios, code_after, +[](const Outcome& outcome) { return outcome.code; });
 }
 
-std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<double>& amplitudes, int threads) {
+namespace {
+
+/// What `follow` makes of some of the amplitudes at a time, shared among threads if there are many.
+template <class Follow>
+std::vector<Outcome> shared_outcomes(const std::vector<double>& amplitudes, int threads,
+                                     const Follow& follow) {
   constexpr int worth_a_thread = 64;
   const std::ptrdiff_t count = std::ssize(amplitudes);
   Work work;
@@ -256,13 +274,27 @@ std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<doubl
   for_each_index(work, [&](int i) {
     const auto from = amplitudes.begin() + count * i / work.count,
                to = amplitudes.begin() + count * (i + 1) / work.count;
-    const auto into = all.begin() + count * i / work.count;
-    if (asked.engine == Engine::taylor)
-      std::ranges::copy(PulseBatch(asked, {from, to}).outcomes({asked.omega_ratio}).front(), into);
-    else
-      std::transform(from, to, into, [&](double amplitude) { return outcome_at(asked, amplitude); });
+    std::ranges::copy(follow(std::vector(from, to)), all.begin() + count * i / work.count);
   });
   return all;
+}
+
+}  // namespace
+
+std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<double>& amplitudes, int threads) {
+  return shared_outcomes(amplitudes, threads, [&](const std::vector<double>& some) {
+    if (asked.engine == Engine::taylor) return PulseBatch(asked, some).outcomes({asked.omega_ratio}).front();
+    std::vector<Outcome> found;
+    for (const double amplitude : some) found.push_back(outcome_at(asked, amplitude));
+    return found;
+  });
+}
+
+std::vector<Outcome> outcomes_before_last_push(const PulseCase& asked, const std::vector<double>& amplitudes,
+                                               int threads) {
+  return shared_outcomes(amplitudes, threads, [&](const std::vector<double>& some) {
+    return PulseBatch(asked, some).until_last_push().outcomes({asked.omega_ratio}).front();
+  });
 }
 
 }  // namespace numeric

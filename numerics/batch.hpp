@@ -61,6 +61,9 @@ class PulseBatch {
   /// Their codes: each motion ends as soon as its code is certain.
   std::vector<std::vector<int>> codes(const std::vector<double>& omega_ratios) const;
 
+  /// The same motions, until the last push of the pulse begins; one that this push starts does not start.
+  PulseBatch until_last_push() const;
+
   /// When and with what the block starts. Times are phases: they do not depend on omega_p.
   struct Launch {
     Piece piece;                ///< the pulse
@@ -90,5 +93,9 @@ class PulseBatch {
 /// outcome_at of each amplitude, by the engine asked for. Several threads share them if there are many.
 std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<double>& amplitudes,
                                  int threads = 1);
+
+/// Impacts and rests of each amplitude before the last push of the pulse begins, followed by the kernel.
+std::vector<Outcome> outcomes_before_last_push(const PulseCase& asked, const std::vector<double>& amplitudes,
+                                               int threads = 1);
 
 }  // namespace rederive::inline numeric

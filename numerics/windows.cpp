@@ -2,71 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numerics/batch.hpp>
-#include <numerics/windows.hpp>
+#include <numerics/edges.hpp>
+#include <numerics/hills.hpp>
 #include <stdexcept>
 #include <tuple>
 
 namespace rederive::inline numeric {
 namespace {
 
-/// The outcome at one amplitude, the margins squeezed into (-1, 1) so that their steep parts do not hide the
-/// rest.
-struct Station {
-  double amplitude = 0;
-  Outcome outcome;
-  double outward = -1, returning = -1;
-  int code() const { return outcome.code; }
-};
-
-double squeezed(Real margin) { return static_cast<double>(margin / (1 + std::abs(margin))); }
-
 auto itinerary(const Station& s) {
   return std::tuple(s.outcome.code, s.outcome.side, s.outcome.impacts, s.outcome.lies, s.outcome.rests > 0);
-}
-
-using Stop = const std::atomic<bool>*;
-
-/// All at once; where they might be stopped, some at a time.
-std::vector<Station> stations_at(const PulseCase& asked, const std::vector<double>& amplitudes,
-                                 Stop stop = nullptr, int threads = 1) {
-  const auto end = amplitudes.end();
-  const std::ptrdiff_t some = stop == nullptr ? end - amplitudes.begin() : 64 * threads;
-  std::vector<Station> stations;
-  for (auto from = amplitudes.begin(); from != end;) {
-    if (stop != nullptr && *stop) throw Stopped();
-    const auto to = from + std::min(some, end - from);
-    for (const Outcome& outcome : outcomes_at(asked, {from, to}, threads))
-      stations.push_back({amplitudes[stations.size()], outcome, squeezed(outcome.margins.outward),
-                          squeezed(outcome.margins.returning)});
-    from = to;
-  }
-  return stations;
-}
-
-/// Between two stations.
-struct Gap {
-  Station low, high;
-  double width() const { return high.amplitude - low.amplitude; }
-};
-
-/// Parts all gaps together, each into `parts`: the stations of each, its ends among them.
-std::vector<std::vector<Station>> parted(const PulseCase& asked, const std::vector<Gap>& gaps, int parts,
-                                         Stop stop = nullptr, int threads = 1) {
-  std::vector<double> amplitudes;
-  for (const auto& [low, high] : gaps)
-    for (int i = 1; i < parts; ++i)
-      amplitudes.push_back(std::lerp(low.amplitude, high.amplitude, static_cast<double>(i) / parts));
-  const std::vector<Station> found = stations_at(asked, amplitudes, stop, threads);
-  std::vector<std::vector<Station>> rows;
-  auto next = found.begin();
-  for (const auto& [low, high] : gaps) {
-    std::vector<Station>& row = rows.emplace_back(1, low);
-    for (int i = 1; i < parts; ++i, ++next)
-      if (row.back().amplitude < next->amplitude && next->amplitude < high.amplitude) row.push_back(*next);
-    row.push_back(high);
-  }
-  return rows;
 }
 
 /// Whether a margin, from its three values and with room to spare, could reach zero between them: as a
@@ -90,13 +35,13 @@ bool may_hide_a_window(const Station& low, const Station& between, const Station
 /// window.
 std::vector<Station> scan(const PulseCase& asked, const WindowSearch& search,
                           const std::vector<double>& amplitudes) {
-  std::vector<Station> stations = stations_at(asked, amplitudes, search.stop, search.threads);
+  std::vector<Station> stations = stations_at(asked, amplitudes, search);
   std::vector<Gap> gaps;
   for (std::size_t i = 0; i + 1 < stations.size(); ++i) gaps.push_back({stations[i], stations[i + 1]});
   while (!gaps.empty()) {
     std::erase_if(gaps, [&](const Gap& gap) { return !(gap.width() > search.narrowest); });
     std::vector<Gap> next;
-    for (const auto& row : parted(asked, gaps, 2, search.stop, search.threads)) {
+    for (const auto& row : parted(asked, gaps, 2, search)) {
       if (row.size() < 3 || !may_hide_a_window(row[0], row[1], row[2], search)) continue;
       stations.push_back(row[1]);
       next.push_back({row[0], row[1]}), next.push_back({row[1], row[2]});
@@ -105,13 +50,6 @@ std::vector<Station> scan(const PulseCase& asked, const WindowSearch& search,
   }
   std::ranges::sort(stations, {}, &Station::amplitude);
   return stations;
-}
-
-/// So many amplitudes are asked at once at least, to keep the lanes of the kernel busy.
-constexpr int together = 16;
-
-int parts_of(const std::vector<Gap>& gaps) {
-  return std::max(2, together / std::max(1, static_cast<int>(gaps.size())));
 }
 
 /// Stations beside each amplitude at which a chain of impacts just comes to rest, where some overturn near
@@ -131,7 +69,7 @@ std::vector<Station> beside_chains(const PulseCase& asked, const WindowSearch& s
   }
   if (gaps.empty()) return {};
   for (int k = 0; k < 5; ++k)
-    for (std::size_t i = 0; const auto& row : parted(asked, gaps, together, search.stop, search.threads)) {
+    for (std::size_t i = 0; const auto& row : parted(asked, gaps, together, search)) {
       const auto at = std::ranges::adjacent_find(row, differ);
       gaps[i++] = {at[0], at[1]};
     }
@@ -142,47 +80,7 @@ std::vector<Station> beside_chains(const PulseCase& asked, const WindowSearch& s
       if (stations.front().amplitude < amplitude && amplitude < stations.back().amplitude)
         amplitudes.push_back(amplitude);
     }
-  return stations_at(asked, amplitudes, search.stop, search.threads);
-}
-
-/// The stations beside a change of code once more, exactly: one next to an edge may change sides.
-void settle(const PulseCase& asked, std::vector<Station>& stations, Stop stop) {
-  std::vector<bool> settled(stations.size(), asked.engine == Engine::gsl);
-  for (bool changed = true; changed;) {
-    std::vector<std::size_t> which;
-    for (std::size_t i = 0; i < stations.size(); ++i) {
-      const bool beside = (i > 0 && stations[i - 1].code() != stations[i].code()) ||
-                          (i + 1 < stations.size() && stations[i].code() != stations[i + 1].code());
-      if (beside && !settled[i]) which.push_back(i);
-    }
-    std::vector<double> amplitudes;
-    for (const std::size_t i : which) amplitudes.push_back(stations[i].amplitude), settled[i] = true;
-    const auto again = stations_at(exactly(asked), amplitudes, stop);
-    for (std::size_t k = 0; k < which.size(); ++k) stations[which[k]] = again[k];
-    changed = !which.empty();
-  }
-}
-
-bool are_neighbours(double low, double high) { return !(std::nextafter(low, high) < high); }
-
-/// The changes of code, in order, each between neighbouring numbers.
-std::vector<Gap> changes_between(const PulseCase& asked, std::vector<Station> stations, Stop stop) {
-  settle(asked, stations, stop);
-  std::vector<Gap> gaps, changes;
-  const auto add_changes = [&](const std::vector<Station>& row, std::vector<Gap>& open) {
-    for (std::size_t i = 0; i + 1 < row.size(); ++i)
-      if (row[i].code() != row[i + 1].code())
-        (are_neighbours(row[i].amplitude, row[i + 1].amplitude) ? changes : open)
-            .push_back({row[i], row[i + 1]});
-  };
-  add_changes(stations, gaps);
-  while (!gaps.empty()) {
-    std::vector<Gap> next;
-    for (const auto& row : parted(exactly(asked), gaps, parts_of(gaps), stop)) add_changes(row, next);
-    gaps = std::move(next);
-  }
-  std::ranges::sort(changes, {}, [](const Gap& change) { return change.low.amplitude; });
-  return changes;
+  return stations_at(asked, amplitudes, search);
 }
 
 /// Drops what is narrower than an edge is exact, and joins what only that had parted.
@@ -224,20 +122,13 @@ std::vector<double> first_amplitudes(const PulseCase& asked, const WindowSearch&
   return amplitudes;
 }
 
-/// The windows between the first and the last of some amplitudes.
-std::vector<Window> windows_among(const PulseCase& asked, const WindowSearch& search,
-                                  const std::vector<double>& amplitudes) {
+/// The windows that some stations, in order, show.
+std::vector<Window> windows_of(const PulseCase& asked, const WindowSearch& search,
+                               const std::vector<Station>& stations) {
   std::vector<Window> windows;
-  if (amplitudes.empty()) return windows;
-  PulseCase glancing = asked;
-  if (asked.engine == Engine::taylor) glancing.tolerance = std::max(asked.tolerance, search.glance);
-  std::vector<Station> stations = scan(glancing, search, amplitudes);
-  const std::vector<Station> more = beside_chains(glancing, search, stations);
-  stations.insert(stations.end(), more.begin(), more.end());
-  std::ranges::sort(stations, {}, &Station::amplitude);
   double from = stations.front().amplitude;
   int code = stations.front().code();
-  for (const auto& [before, after] : changes_between(asked, stations, search.stop)) {
+  for (const auto& [before, after] : changes_between(asked, stations, search)) {
     if (code != 0) windows.push_back({from, before.amplitude, code});
     from = after.amplitude, code = after.code();
   }
@@ -245,42 +136,75 @@ std::vector<Window> windows_among(const PulseCase& asked, const WindowSearch& se
   return wide_enough(windows, asked.model);
 }
 
-}  // namespace
+bool overturns(const Station& station) { return station.code() != 0; }
 
-PulseCase exactly(PulseCase asked) {
-  if (asked.model == Model::linear) asked.engine = Engine::gsl;
-  if (asked.engine == Engine::taylor) asked.tolerance = 1e-15;
+void add_stations(std::vector<Station>& stations, const std::vector<Station>& more) {
+  stations.insert(stations.end(), more.begin(), more.end());
+  std::ranges::stable_sort(stations, {}, &Station::amplitude);
+  const auto same = [](const Station& a, const Station& b) { return a.amplitude == b.amplitude; };
+  stations.erase(std::ranges::unique(stations, same).begin(), stations.end());
+}
+
+/// Adds what is found below the first station that overturns, down to `lowest`.
+void search_below(const PulseCase& asked, const WindowSearch& search, double lowest,
+                  std::vector<Station>& stations) {
+  constexpr int few = 8;
+  const auto first = std::ranges::find_if(stations, overturns);
+  const auto has_chain = [](const Station& s) { return s.outcome.impacts > few || s.outcome.rests > 0; };
+  if (first != stations.end() && std::any_of(stations.begin(), first + 1, has_chain))
+    add_stations(stations, stations_below(asked, search, lowest, *first));
+}
+
+PulseCase at_a_glance(PulseCase asked, const WindowSearch& search) {
+  if (asked.engine == Engine::taylor) asked.tolerance = std::max(asked.tolerance, search.glance);
   return asked;
 }
 
-Change edge_of_code(const PulseCase& asked, int code, double inside, double outside) {
-  const bool rises = inside < outside;
-  std::vector<Station> ends = stations_at(exactly(asked), {inside, outside});
-  if (ends[0].code() != code || ends[1].code() == code)
-    throw std::invalid_argument(fmt::format("code {} must hold at {} and not at {}", code, inside, outside));
-  if (!rises) std::swap(ends[0], ends[1]);
-  while (!are_neighbours(ends[0].amplitude, ends[1].amplitude)) {
-    const auto row = parted(exactly(asked), {{ends[0], ends[1]}}, together).front();
-    std::size_t i = rises ? 0 : row.size() - 2;  // the change nearest to `inside`
-    while ((row[i].code() == code) == (row[i + 1].code() == code)) rises ? ++i : --i;
-    ends = {row[i], row[i + 1]};
-  }
-  if (!rises) std::swap(ends[0], ends[1]);
-  return {ends[0].amplitude, ends[1].amplitude};
+/// All windows between the first and the last of some amplitudes.
+std::vector<Window> all_windows(const PulseCase& asked, const WindowSearch& search,
+                                const std::vector<double>& amplitudes) {
+  const PulseCase glancing = at_a_glance(asked, search);
+  std::vector<Station> stations = scan(glancing, search, amplitudes);
+  add_stations(stations, beside_chains(glancing, search, stations));
+  search_below(asked, search, amplitudes.front(), stations);
+  return windows_of(asked, search, stations);
 }
+
+/// The first of them: each station that overturns is followed exactly, until one is in a window.
+std::optional<Window> first_window(const PulseCase& asked, const WindowSearch& search,
+                                   const std::vector<double>& amplitudes) {
+  constexpr std::ptrdiff_t some = 64;
+  const PulseCase glancing = at_a_glance(asked, search);
+  for (auto from = amplitudes.begin(); from + 1 < amplitudes.end();) {
+    const auto to = from + std::min(some, amplitudes.end() - from - 1);
+    std::vector<Station> stations = scan(glancing, search, {from, to + 1});
+    search_below(asked, search, amplitudes.front(), stations);
+    for (auto at = stations.begin(); at < stations.end();) {
+      const auto first = std::find_if(at, stations.end(), overturns),
+                 end = std::find_if_not(first, stations.end(), overturns);
+      if (first == stations.end()) break;
+      const auto windows =
+          windows_of(asked, search, {first == at ? first : first - 1, end == stations.end() ? end : end + 1});
+      if (!windows.empty()) return windows.front();
+      at = end;
+    }
+    from = to;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 std::vector<Window> overturning_windows(const PulseCase& asked, const WindowSearch& search) {
   const std::vector<double> all = first_amplitudes(asked, search);
-  if (!search.least) return windows_among(asked, search, all);
-  constexpr std::ptrdiff_t some = 64;
-  for (auto from = all.begin(); from != all.end();) {
-    const auto to = from + std::min(some, all.end() - from - 1);
-    if (const auto windows = windows_among(asked, search, {from, to + 1}); !windows.empty())
-      return {{windows.front().from, std::nullopt, windows.front().code}};
-    from = to + 1 == all.end() ? all.end() : to;
-  }
-  return {};
+  if (all.empty()) return {};
+  if (!search.least) return all_windows(asked, search, all);
+  const std::optional<Window> first = first_window(asked, search, all);
+  if (!first) return {};
+  return {{first->from, std::nullopt, first->code}};
 }
+
+double narrowest_found(const WindowSearch& search) { return search.least ? 1e-9 : search.narrowest_turn; }
 
 std::optional<Window> least_window(const std::vector<Window>& windows) {
   if (windows.empty()) return std::nullopt;

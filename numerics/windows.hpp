@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <numerics/overturning.hpp>
 #include <numerics/roots.hpp>
 #include <optional>
@@ -27,7 +28,8 @@ struct WindowSearch {
   double glance = 1e-9;  ///< tolerance of a kernel that looks for them: an edge is found exactly afterwards
   int threads = 1;       ///< at least 1
   bool least = false;  ///< the window of the smallest amplitude alone, found from below; its `to` stays empty
-  const std::atomic<bool>* stop = nullptr;  ///< when it turns true, Stopped is thrown soon
+  const std::atomic<bool>* stop = nullptr;         ///< when it turns true, Stopped is thrown soon
+  std::function<void(int motions)> progress = {};  ///< told how many more motions have been followed
 };
 
 /// A search was ended before it was through.
@@ -49,6 +51,10 @@ constexpr double exactness_of_edges(Model model) { return model == Model::linear
 /// narrower than exactness_of_edges are left out. Throws std::invalid_argument unless 0 < omega_p/p and
 /// 0 < largest <= 1e6, and Stopped once `stop` is true.
 std::vector<Window> overturning_windows(const PulseCase& asked, const WindowSearch& search = {});
+
+/// Windows narrower than this, in units of alpha g, may be missing from what a search finds; below the least
+/// amplitude alone it looks for narrower ones than everywhere.
+double narrowest_found(const WindowSearch& search);
 
 /// The window of the smallest amplitude, if any.
 std::optional<Window> least_window(const std::vector<Window>& windows);

@@ -152,6 +152,10 @@ std::string words_for(int code) {
   return fmt::format("overturns to theta {} 0 {}", code < 0 ? "<" : ">", how);
 }
 
+std::string missing_windows(double narrowest) {
+  return fmt::format("windows narrower than {} (in units of alpha g) may be missing", narrowest);
+}
+
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(width, text.size()), ' ');
   return text;

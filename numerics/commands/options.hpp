@@ -53,6 +53,9 @@ std::string name_of(Pulse pulse);
 /// "overturns to theta < 0 without impact", "safe".
 std::string words_for(int code);
 
+/// "windows narrower than 1e-05 (in units of alpha g) may be missing".
+std::string missing_windows(double narrowest);
+
 /// Blanks on the right up to a width.
 std::string padded(std::string text, std::size_t width);
 

@@ -19,7 +19,8 @@ struct SpectrumCommand {
 
 std::string field(const std::optional<double>& value) { return value ? fmt::format("{:.17g}", *value) : ""; }
 
-std::string csv_of(const std::vector<SpectrumPoint>& points, bool least) {
+std::string csv_of(const std::vector<SpectrumPoint>& points, const WindowSearch& search) {
+  const bool least = search.least;
   std::string text = "omega_ratio,minimum,code";
   text += least ? "\n" : ",mode1,mode2_lower,mode2_upper\n";
   for (const auto& at : points) {
@@ -30,7 +31,7 @@ std::string csv_of(const std::vector<SpectrumPoint>& points, bool least) {
       text += fmt::format(",{},{},{}", field(at.mode1), field(at.mode2_lower), field(at.mode2_upper));
     text += "\n";
   }
-  return text;
+  return text + "# " + missing_windows(narrowest_found(search)) + "\n";
 }
 
 Curve curve_of(const std::vector<SpectrumPoint>& points, std::optional<double> SpectrumPoint::*value,
@@ -44,7 +45,8 @@ Curve curve_of(const std::vector<SpectrumPoint>& points, std::optional<double> S
   return curve;
 }
 
-Figure figure_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked, bool least) {
+Figure figure_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked,
+                 const WindowSearch& search) {
   Panel panel;
   panel.x_label = "ω_p/p (dimensionless)";
   panel.y_label = "amplitude a_p/(α g) (dimensionless)";
@@ -53,24 +55,27 @@ Figure figure_of(const std::vector<SpectrumPoint>& points, const PulseCase& aske
                   curve_of(points, &SpectrumPoint::mode2_lower, "after one impact, from", 3, 2),
                   curve_of(points, &SpectrumPoint::mode2_upper, "after one impact, to", 4, 2)};
   panel.curves[0].grey = true;
-  if (least) panel.curves.resize(1);
-  return {fmt::format("{} model, one-{} pulse, α = {:.6g} rad, e = {:.6g}", name_of(asked.model),
-                      name_of(asked.pulse), asked.block.alpha, asked.block.restitution),
+  if (search.least) panel.curves.resize(1);
+  return {fmt::format("{} model, one-{} pulse, α = {:.6g} rad, e = {:.6g};\n{}", name_of(asked.model),
+                      name_of(asked.pulse), asked.block.alpha, asked.block.restitution,
+                      missing_windows(narrowest_found(search))),
           {panel}};
 }
 
-nlohmann::ordered_json json_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked, bool least) {
+nlohmann::ordered_json json_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked,
+                               const WindowSearch& search) {
   nlohmann::ordered_json document{{"alpha", asked.block.alpha},
                                   {"restitution", asked.block.restitution},
                                   {"model", name_of(asked.model)},
                                   {"pulse", name_of(asked.pulse)},
                                   {"unit", "alpha_g"},
+                                  {"windows_narrower_than_may_be_missing", narrowest_found(search)},
                                   {"points", nlohmann::ordered_json::array()}};
   for (const auto& at : points) {
     if (!at.done) continue;
     nlohmann::ordered_json point{
         {"omega_ratio", at.omega_ratio}, {"minimum", or_null(at.minimum)}, {"code", at.code}};
-    if (!least)
+    if (!search.least)
       point.update({{"mode1", or_null(at.mode1)},
                     {"mode2_lower", or_null(at.mode2_lower)},
                     {"mode2_upper", or_null(at.mode2_upper)}});
@@ -90,14 +95,15 @@ int run_spectrum(const SpectrumCommand& options) {
   std::vector<double> ratios;
   for (int i = 0; i < span.count; ++i) ratios.push_back(station(span, i));
   const Work work = sweep_work(options.threads, span.count, "frequencies");
+  if (work.progress) work.progress(0);
   const auto points = spectrum(asked, ratios, search, work);
   const bool stopped = was_interrupted(work);
-  if (!options.csv.empty()) write_whole(options.csv, csv_of(points, options.least));
-  if (!options.plot.empty()) draw(figure_of(points, asked, options.least), options.plot);
+  if (!options.csv.empty()) write_whole(options.csv, csv_of(points, search));
+  if (!options.plot.empty()) draw(figure_of(points, asked, search), options.plot);
   if (options.common.json)
-    print_json(json_of(points, asked, options.least));
+    print_json(json_of(points, asked, search));
   else if (options.csv.empty())
-    fmt::print("{}", csv_of(points, options.least));
+    fmt::print("{}", csv_of(points, search));
   return stopped ? not_as_expected : as_expected;
 }
 

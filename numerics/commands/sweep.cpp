@@ -42,4 +42,21 @@ bool was_interrupted(const Work& work, const char* consequence) {
   return stopped;
 }
 
+SearchProgress::SearchProgress(WindowSearch& search) {
+  if (is_lively(2)) search.progress = [this](int motions) { add(motions); };
+}
+
+SearchProgress::~SearchProgress() {
+  if (is_shown_) fmt::print(stderr, "\r\033[K");
+}
+
+void SearchProgress::add(int motions) {
+  motions_ += motions;
+  if (Clock::now() < next_) return;
+  next_ = Clock::now() + std::chrono::milliseconds(200);
+  is_shown_ = true;
+  fmt::print(stderr, "\r{} motions followed", motions_);
+  std::fflush(stderr);
+}
+
 }  // namespace rederive::inline numeric

@@ -1,7 +1,9 @@
 // Long computations on the command line: threads, progress on a terminal, Ctrl-C keeps what is done.
 #pragma once
 
+#include <chrono>
 #include <numerics/parallel.hpp>
+#include <numerics/windows.hpp>
 #include <string>
 
 namespace rederive::inline numeric {
@@ -12,5 +14,23 @@ Work sweep_work(const std::string& threads, int count, const char* unit);
 
 /// Whether Ctrl-C was pressed; ends the progress line and says what comes of it.
 bool was_interrupted(const Work& work, const char* consequence = "what was done is kept");
+
+/// Tells on a terminal, from two seconds on, how many motions a search for windows has followed; its end
+/// clears the line.
+class SearchProgress {
+ public:
+  /// Sets `search.progress`.
+  explicit SearchProgress(WindowSearch& search);
+  ~SearchProgress();
+  SearchProgress(const SearchProgress&) = delete;
+  SearchProgress& operator=(const SearchProgress&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void add(int motions);
+  Clock::time_point next_ = Clock::now() + std::chrono::seconds(2);
+  long motions_ = 0;
+  bool is_shown_ = false;
+};
 
 }  // namespace rederive::inline numeric

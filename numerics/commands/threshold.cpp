@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numerics/commands/options.hpp>
+#include <numerics/commands/sweep.hpp>
 #include <numerics/windows.hpp>
 #include <stdexcept>
 #include <thread>
@@ -44,8 +45,9 @@ struct Answer {
   PulseCase asked;
   std::vector<Window> windows;
   std::vector<ClosedForm> roots;
-  int digits = 0;      ///< 0: as many as a double has
-  bool least = false;  ///< the least amplitude alone
+  int digits = 0;        ///< 0: as many as a double has
+  bool least = false;    ///< the least amplitude alone
+  double narrowest = 0;  ///< windows narrower than this may be missing
 };
 
 /// Where the edge of a window is a root of a closed form, as many digits as are asked for; else those that
@@ -57,7 +59,7 @@ std::string edge_text(const Answer& answer, double edge, int code, bool lower) {
     if (linear && code_of(root.form) == code && root.real && root.admissible == lower &&
         std::abs(root.amplitude / edge - 1) < 1e-12)
       return certain_text(root.exact.amplitude, answer.digits);
-  return fmt::format("{:#.{}g}", edge, std::min(answer.digits, linear ? 12 : 10));
+  return certain_text(Ball(edge), std::min(answer.digits, linear ? 12 : 10));
 }
 
 std::string from_text(const Answer& answer, const Window& window) {
@@ -96,12 +98,13 @@ void print_answer(const Answer& answer) {
     for (const Window& window : answer.windows)
       fmt::print("  {} {:+d}  {}\n", padded(from_text(answer, window), width), window.code,
                  words_for(window.code));
+    fmt::print("  ({})\n", missing_windows(answer.narrowest));
     return;
   }
   for (const Window& window : answer.windows)
     fmt::print("  {} to {} {:+d}  {}\n", padded(from_text(answer, window), width),
                padded(to_text(answer, window), width), window.code, words_for(window.code));
-  fmt::print("  (windows narrower than {} may be missing)\n", WindowSearch{}.narrowest_turn);
+  fmt::print("  ({})\n", missing_windows(answer.narrowest));
   fmt::print("\nClosed forms of the linear model:\n");
   for (const ClosedForm& root : answer.roots) {
     const std::string amplitude = answer.digits == 0 ? fmt::format("{:.15g}", root.amplitude)
@@ -119,6 +122,7 @@ void print_answer_as_json(const Answer& answer) {
                 {"model", name_of(asked.model)},
                 {"pulse", name_of(asked.pulse)},
                 {"unit", "alpha_g"},
+                {"windows_narrower_than_may_be_missing", answer.narrowest},
                 {"minimum", nullptr},
                 {"windows", Json::array()},
                 {"closed_forms", Json::array()}};
@@ -140,7 +144,11 @@ int threshold(const ThresholdOptions& options) {
     answer.digits = static_cast<int>(number_between("--digits", options.digits, 1, 60));
   answer.least = search.least = options.least;
   search.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  answer.windows = overturning_windows(answer.asked, search);
+  answer.narrowest = narrowest_found(search);
+  {
+    const SearchProgress progress(search);
+    answer.windows = overturning_windows(answer.asked, search);
+  }
   if (answer.digits != 0)
     answer.roots = closed_forms(answer.asked.pulse, exact_case_of(options.common));
   else if (!answer.least)
