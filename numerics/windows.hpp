@@ -44,10 +44,10 @@ constexpr double exactness_of_edges(Model model) { return model == Model::linear
 ///
 /// Along a fixed itinerary (impacts during the pulse) both margins are continuous in the amplitude. Gaps are
 /// halved, all together, where the itinerary or the code changes and where a margin, seen through its second
-/// difference, might reach zero in between; each edge is then enclosed in neighbouring numbers, by an
-/// integration to the last digits. Near an amplitude at which a chain of impacts just does not come to rest
-/// there are ever more windows, ever narrower: they are looked for down to 1e-9 beside it, and between chains
-/// of hundreds of impacts some may be missing. Elsewhere those narrower than narrowest_turn may be, and those
+/// difference, might reach zero in between; each edge is then enclosed in neighbouring numbers, see
+/// changes_between. Below the first station that overturns, windows among chains of impacts are looked for by
+/// stations_below. Beside each amplitude at which a chain of impacts just does not come to rest, windows are
+/// looked for down to a distance of 1e-9. Windows narrower than narrowest_found may be missing, and those
 /// narrower than exactness_of_edges are left out. Throws std::invalid_argument unless 0 < omega_p/p and
 /// 0 < largest <= 1e6, and Stopped once `stop` is true.
 std::vector<Window> overturning_windows(const PulseCase& asked, const WindowSearch& search = {});

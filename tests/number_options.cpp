@@ -1,8 +1,10 @@
 // Every number option of rocking, as --help lists them, refuses what is no number.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "run_program.hpp"
@@ -89,6 +91,47 @@ TEST_CASE("what lies outside of its range, and an option without its value, is r
     refused(option, {});
   refused("--half-width=-1", {"--half-height", "1"});
   refused("--half-height=1e308", {"--half-width", "1e-300"});
+}
+
+TEST_CASE("--digits rounds to so many figures, with its carry") {
+  // Of least amplitudes 1.96339131732 and 4.77863…, edges 5.81884337303 and 9.97028931087, and a
+  // root 16.4340847056.
+  const auto threshold = [](const std::string& omega, const std::string& digits, const std::string& model) {
+    const Result result = run_program(
+        "rocking", {"threshold", "--omega", omega, "--digits", digits, "--model", model, "--json"});
+    REQUIRE_MESSAGE(result.exit_code == 0, result.err);
+    return nlohmann::json::parse(result.out);
+  };
+  struct Case {
+    const char *omega, *digits, *least, *last;  // window
+  };
+  for (const Case& c : {Case{"4.2", "1", "2", "6"},
+                        {"4.2", "2", "2.0", "5.8"},
+                        {"4.2", "3", "1.96", "5.82"},
+                        {"6.02", "1", "5", "1e+01"},
+                        {"6.02", "2", "4.8", "10"},
+                        {"6.02", "3", "4.78", "9.97"}}) {
+    CAPTURE(c.omega);
+    CAPTURE(c.digits);
+    const auto document = threshold(c.omega, c.digits, "nonlinear");
+    CHECK(document["minimum"]["amplitude"] == c.least);
+    CHECK(document["windows"].back()["from"] == c.last);
+  }
+  const auto forms = threshold("8.5", "1", "linear")["closed_forms"];
+  CHECK(forms[0]["amplitude"] == "2e+01");
+  CHECK(threshold("8.5", "3", "linear")["closed_forms"][0]["amplitude"] == "16.4");
+  for (const char* omega : {"2", "3", "6.3"}) {
+    const auto exact = threshold(omega, "17", "linear")["closed_forms"];
+    for (const int digits : {1, 2, 5}) {
+      const auto rounded = threshold(omega, std::to_string(digits), "linear")["closed_forms"];
+      for (std::size_t i = 0; i < exact.size(); ++i)
+        for (const char* name : {"amplitude", "psi"}) {
+          const double value = std::stod(exact[i][name].get<std::string>());
+          CHECK(std::stod(rounded[i][name].get<std::string>()) ==
+                std::stod(fmt::format("{:.{}e}", value, digits - 1)));
+        }
+    }
+  }
 }
 
 TEST_CASE("the other programs refuse what is no number, too") {

@@ -90,6 +90,64 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("nothing overturns below the least amplitude, whatever a chain of impacts loses") {
+  struct Case {
+    Model model;
+    double alpha, ratio, restitution, least;  // below which random amplitudes by the million found none
+    int code;
+  };
+  for (const Case& c : {Case{Model::linear, 0.25, 0.2, 0.3, 1.01976258307585, 8},
+                        {Model::linear, 0.25, 0.2, 0.95, 1.01509119589102, 50},
+                        {Model::linear, 0.25, 0.1, 0.99, 1.00387765693009, 264},
+                        {Model::linear, 0.25, 0.1, 1, 1.00139806204348, 544},
+                        {Model::linear, 0.05, 0.05, 0.9962531258199, 1.00114958351427, 1078},
+                        {Model::nonlinear, 0.05, 0.1, 0.99, 1.00471236558281, 264},
+                        {Model::nonlinear, 0.05, 0.1, 1, 1.00223308691151, 544}}) {
+    CAPTURE(c.least);
+    const PulseCase of = asked(c.ratio, c.model, c.alpha, c.restitution);
+    const Window least = overturning_windows(of, {.least = true}).front();
+    CHECK(least.from == doctest::Approx(c.least).epsilon(1e-11));
+    CHECK(least.code == c.code);
+    CHECK(overturning_windows(of, {.threads = 3, .least = true}).front().from == least.from);
+    CHECK(outcome_at(of, least.from * (1 + exactness_of_edges(c.model))).code == c.code);
+    const double level = static_cast<double>(start_level(of.block, of.model));
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> share(0, 1);
+    std::vector<double> below;
+    while (below.size() < 1000) {  // ever nearer to it
+      const double amplitude =
+          least.from - (least.from - level) * share(random) * std::exp2(-30 * share(random));
+      if (amplitude < least.from * (1 - exactness_of_edges(c.model))) below.push_back(amplitude);
+    }
+    for (const Outcome& outcome : outcomes_at(of, below)) CHECK(outcome.code == 0);
+  }
+}
+
+TEST_CASE("of many windows among chains the edges are those of the closed forms, to 1e-14") {
+  const PulseCase of = asked(0.1, Model::linear, 0.15);
+  const auto windows = overturning_windows(of, {.largest = 1.01});
+  CHECK(windows.size() > 50);
+  CHECK(windows.front().from == overturning_windows(of, {.least = true}).front().from);
+  for (std::size_t i = 0; i + 1 < windows.size(); i += 7) {
+    CAPTURE(windows[i].code);
+    CHECK(outcome_at(of, windows[i].from * (1 + 1e-14)).code == windows[i].code);
+    CHECK(outcome_at(of, windows[i].from * (1 - 1e-14)).code != windows[i].code);
+    CHECK(outcome_at(of, *windows[i].to * (1 - 1e-14)).code == windows[i].code);
+    CHECK(outcome_at(of, *windows[i].to * (1 + 1e-14)).code != windows[i].code);
+  }
+}
+
+TEST_CASE("a search tells how many motions it has followed, and stops when it is asked to") {
+  const PulseCase of = asked(0.1, Model::linear, 0.25, 1);
+  int motions = 0;
+  std::atomic<bool> stop{false};
+  WindowSearch search{.least = true, .stop = &stop};
+  search.progress = [&](int more) { stop = (motions += more) > 500; };
+  CHECK_THROWS_AS(overturning_windows(of, search), Stopped);
+  CHECK(motions > 500);
+  CHECK(motions < 1000);
+}
+
 TEST_CASE("either engine finds the same windows, each edge at two neighbouring numbers") {
   std::mt19937 random(77);
   std::uniform_real_distribution<double> share(0, 1);

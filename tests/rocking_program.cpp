@@ -40,6 +40,36 @@ TEST_CASE("rocking threshold --json keeps its contract") {
   }
 }
 
+TEST_CASE("every output of a search says how narrow windows may be missing") {
+  const TemporaryFolder folder;
+  const std::string words = "(in units of alpha g) may be missing", file = folder.path / "plot.svg";
+  const auto has = [&](const std::string& text) { return text.find(words) != std::string::npos; };
+  for (const bool least : {false, true}) {
+    const std::vector<std::vector<std::string>> commands{
+        {"threshold", "--omega", "2"},
+        {"spectrum", "--from", "2", "--to", "3", "--points", "2", "--plot", file}};
+    for (std::vector<std::string> command : commands) {
+      if (least) command.emplace_back("--least");
+      CHECK(has(run_program("rocking", command).out));
+      command.emplace_back("--json");
+      CHECK(json_of(command)["windows_narrower_than_may_be_missing"] == (least ? 1e-9 : 1e-5));
+    }
+    CHECK(has(read_file(file)));
+  }
+}
+
+TEST_CASE("the least amplitude without loss at impacts is below one that a response confirms") {
+  const std::vector<std::string> common{"--omega", "0.1", "--restitution", "1", "--json"};
+  const auto with = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), common.begin(), common.end());
+    return json_of(arguments);
+  };
+  const auto least = with({"threshold", "--least"})["minimum"];
+  CHECK(least["amplitude"].get<double>() < 1.00139806245156);
+  CHECK(with({"response", "--amplitude", least["amplitude"].dump()})["code"] == least["code"]);
+  CHECK(with({"response", "--amplitude", "1.00139806245156"})["code"] == least["code"]);
+}
+
 TEST_CASE("rocking threshold --digits gives that many figures, and no more than are right") {
   const auto figures = [](std::string number) {
     std::erase(number, '.');

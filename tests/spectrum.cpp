@@ -25,6 +25,23 @@ TEST_CASE("a spectrum is its windows, whatever the number of threads") {
   CHECK(!one[3].minimum);
 }
 
+TEST_CASE("a spectrum of least amplitudes has those among chains of impacts, with any number of threads") {
+  PulseCase asked;
+  asked.block = make_block(0.25, 2.14, 0.95);
+  Work alone, two;
+  two.threads = 2;
+  const std::vector<double> ratios{0.1, 0.2, 2};
+  const auto points = spectrum(asked, ratios, {.least = true}, alone);
+  CHECK(*points[0].minimum == doctest::Approx(1.00496169321666).epsilon(1e-12));  // by random amplitudes
+  CHECK(*points[1].minimum == doctest::Approx(1.01509119589102).epsilon(1e-12));
+  CHECK(std::pair(points[0].code, points[1].code) == std::pair(138, 50));
+  const auto again = spectrum(asked, ratios, {.least = true}, two), whole = spectrum(asked, ratios, {}, two);
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    CHECK(again[i].minimum == points[i].minimum);
+    CHECK(*whole[i].minimum == doctest::Approx(*points[i].minimum).epsilon(1e-14));
+  }
+}
+
 TEST_CASE("an interruption keeps what is done, and an error comes through") {
   std::atomic<bool> stop{false};
   Work work;

@@ -121,7 +121,8 @@ void add_spectrum(CLI::App& app, Run& run) {
   add("--points", options->points, "N", "how many")->required();
   add("--max-amplitude", options->max_amplitude, "NUMBER", "largest amplitude, in alpha g [12]");
   add_engine(*command, options->common.engine);
-  command->add_flag("--least", options->least, "the least amplitude alone");
+  command->add_flag("--least", options->least,
+                    "the least amplitude alone, in windows down to a width of 1e-9");
   add("--threads", options->threads, "T", "threads [all; of each rank under mpirun: 1]");
   add("--csv", options->csv, "FILE", "write the table; interrupted, the rows that are done")
       ->check(file_name);

@@ -165,7 +165,8 @@ void add_threshold(CLI::App& app, Run& run) {
   auto options = std::make_shared<ThresholdOptions>();
   add_common_options(*command, options->common, Frequency::required);
   add_engine(*command, options->common.engine);
-  command->add_flag("--least", options->least, "the least amplitude alone");
+  command->add_flag("--least", options->least,
+                    "the least amplitude alone, in windows down to a width of 1e-9");
   command->add_option("--max-amplitude", options->max_amplitude, "largest amplitude, in alpha g [12]")
       ->type_name("NUMBER");
   command
