@@ -14,7 +14,7 @@ namespace {
 struct Spot {
   Station station;
   int impacts = 0;         ///< before that push, since the last rest
-  bool rests = false;      ///< before it
+  bool rests = false;      ///< when it begins, or has not moved yet
   double height() const {  ///< above the barrier; below 0 where it does not overturn
     if (station.code() != 0) return 1;
     return static_cast<double>(std::max(station.outcome.margins.outward, station.outcome.margins.returning));
@@ -63,7 +63,7 @@ class HillSearch {
     const std::vector<Outcome> before = outcomes_before_last_push(asked_, amplitudes, search_.threads);
     Spots row;
     for (std::size_t i = 0; i < stations.size(); ++i)
-      row.push_back({stations[i], before[i].impacts, before[i].rests > 0});
+      row.push_back({stations[i], before[i].impacts, before[i].side == 0});
     stations_.insert(stations_.end(), stations.begin(), stations.end());
     return row;
   }
@@ -75,8 +75,10 @@ class HillSearch {
   }
 
   /// The lowest of some amplitudes below the top, the farthest `distance` away, with no more than so many
-  /// hills between; of none, if the hills are narrower than `finest_`.
+  /// hills between; none, if the hills are narrower than `finest_`. While a chain lasts, no amplitude is more
+  /// than half-way to the lowest, where a motion without loss has impacts without number.
   std::optional<Spot> bottom_of_group(double distance, int hills) {
+    if (!top_.rests) distance = std::min(distance, (top_.amplitude() - lowest_) / 2);
     for (; distance > finest_; distance /= 256) {
       std::vector<double> amplitudes;
       for (int i = 0; i < 8; ++i) {
@@ -85,7 +87,7 @@ class HillSearch {
       }
       const std::vector<Outcome> before = outcomes_before_last_push(asked_, amplitudes, search_.threads);
       for (std::size_t i = 0; i < amplitudes.size(); ++i) {
-        const Spot spot{{}, before[i].impacts, before[i].rests > 0};
+        const Spot spot{{}, before[i].impacts, before[i].side == 0};
         if (hills_between(spot, top_) <= hills && amplitudes[i] < top_.amplitude())
           return spots_at({amplitudes[i]}).front();
       }

@@ -148,7 +148,7 @@ void add_stations(std::vector<Station>& stations, const std::vector<Station>& mo
 /// Adds what is found below the first station that overturns, down to `lowest`.
 void search_below(const PulseCase& asked, const WindowSearch& search, double lowest,
                   std::vector<Station>& stations) {
-  constexpr int few = 8;
+  constexpr int few = 16;
   const auto first = std::ranges::find_if(stations, overturns);
   const auto has_chain = [](const Station& s) { return s.outcome.impacts > few || s.outcome.rests > 0; };
   if (first != stations.end() && std::any_of(stations.begin(), first + 1, has_chain))
