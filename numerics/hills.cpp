@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -111,7 +112,8 @@ class HillSearch {
     Spots row = spots_at(amplitudes);
     row.insert(row.begin(), bottom), row.push_back(top_);
     std::vector<Stretch> stretches;
-    const int more = hills_between(bottom, top_) > 0 ? halvings : 1;
+    const auto hills = static_cast<unsigned>(hills_between(bottom, top_));
+    const int more = std::min<int>(halvings, std::bit_width(hills));
     for (std::size_t i = 0; i + 1 < row.size(); ++i) stretches.push_back({row[i], row[i + 1], more});
     while (!stretches.empty()) {
       double lowest_window = top_.amplitude();
