@@ -188,12 +188,13 @@ PulseBatch::PulseBatch(const PulseCase& asked, const std::vector<double>& amplit
 }
 
 PulseBatch PulseBatch::until_last_push() const {
+  constexpr double no_time = 1e-9;  // of the phase
   PulseBatch cut = *this;
   for (Launch& launch : cut.launches_) {
     const Real start = launch.piece.to - static_cast<Real>(launch.left),
                end = launch.pushes.empty() ? 0 : launch.pushes.back().from;
     launch.left = static_cast<double>(end - start);
-    if (!(launch.left > 0)) launch.side = 0;
+    if (!(launch.left > no_time)) launch.side = 0;
     launch.piece.to = end;
     if (!launch.pushes.empty()) launch.pushes.pop_back();
   }

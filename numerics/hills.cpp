@@ -58,6 +58,7 @@ class HillSearch {
  private:
   static constexpr double first_share = 1e-3;
   static constexpr int first_hills = 8, enough_groups = 4, halvings = 3;
+  static constexpr std::size_t most_spots = 50'000;  ///< of a group
 
   Spots spots_at(const std::vector<double>& amplitudes) {
     const std::vector<Station> stations = stations_at(asked_, amplitudes, search_);
@@ -115,7 +116,7 @@ class HillSearch {
     const auto hills = static_cast<unsigned>(hills_between(bottom, top_));
     const int more = std::min<int>(halvings, std::bit_width(hills));
     for (std::size_t i = 0; i + 1 < row.size(); ++i) stretches.push_back({row[i], row[i + 1], more});
-    while (!stretches.empty()) {
+    while (!stretches.empty() && row.size() < most_spots) {
       double lowest_window = top_.amplitude();
       for (const Spot& spot : row)
         if (is_in_window(spot)) lowest_window = std::min(lowest_window, spot.amplitude());

@@ -125,6 +125,16 @@ TEST_CASE("nothing overturns below the least amplitude, whatever a chain of impa
   }
 }
 
+TEST_CASE("a cosine pulse, whose only push starts the block, has no chain before it to search") {
+  for (const double e : {0.05, 0.6, 1.0}) {
+    PulseCase of = asked(0.1, Model::linear, 0.25, e);
+    of.pulse = Pulse::cosine;
+    const Window least = overturning_windows(of, {.least = true}).front();
+    CHECK(least.from == doctest::Approx(1.00498755654968).epsilon(1e-13));
+    CHECK(least.code == 1);
+  }
+}
+
 TEST_CASE("of many windows among chains the edges are those of the closed forms, to 1e-14") {
   const PulseCase of = asked(0.1, Model::linear, 0.15);
   const auto windows = overturning_windows(of, {.largest = 1.01});

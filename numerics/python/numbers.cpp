@@ -243,7 +243,8 @@ void add_functions(py::module_& module) {
       R"(The least amplitude a_p/(alpha*g) that overturns the block, and how; None if none up to `largest`.
 
 model: "linear", eq (56), or "nonlinear", eq (21). theta0 in rad and thetadot0 in rad/s at the start. The amplitude is
-right to 1e-12 of it (linear), 1e-10 (nonlinear); windows below it narrower than 1e-9 may be missing. Raises ValueError for values out of range.
+right to 1e-12 of it (linear), 1e-10 (nonlinear); below it, windows narrower than 1e-9 may be missing. Raises ValueError
+for values out of range.
 
 >>> threshold(Pulse(3))  # eqs (86) and (88)
 Threshold(amplitude=1.40009981815..., code=2)
