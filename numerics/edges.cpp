@@ -61,26 +61,43 @@ bool is_confirmed(std::size_t index, const Gap& change) {
   return index < 2 || std::max(change.low.outcome.impacts, change.high.outcome.impacts) <= most_impacts;
 }
 
+/// Stations of closed forms around some changes that the kernel found, as far as the code before the first
+/// and that after the last are confirmed, but within `least` and `most`.
+std::vector<Station> confirmed_row(const PulseCase& exact, const Gap& first, const Gap& last, double least,
+                                   double most, const WindowSearch& search) {
+  const double low = first.low.amplitude, high = last.high.amplitude;
+  std::vector<Station> row = stations_at(exact, {low, high}, search);
+  for (double distance = 0x1p-50; distance < 0x1p-10; distance *= 16) {
+    if (row.front().code() == first.low.code() && row.back().code() == last.high.code()) break;
+    const double below = low * (1 - distance), above = high * (1 + distance);
+    if (least < below) row.insert(row.begin(), stations_at(exact, {below}, search).front());
+    if (above < most) row.push_back(stations_at(exact, {above}, search).front());
+  }
+  return row;
+}
+
 /// The changes of the linear model as closed forms have them: there, or close beside where the kernel has
-/// them.
+/// them. Where rounding makes the kernel change its mind several times at an edge, closed forms are asked
+/// once.
 std::vector<Gap> confirmed(const PulseCase& asked, const std::vector<Gap>& found,
                            const WindowSearch& search) {
+  constexpr double one_edge = 1 + 0x1p-44;
   const PulseCase exact = exactly(asked);
   std::vector<Gap> changes, open;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const double low = found[i].low.amplitude, high = found[i].high.amplitude;
-    std::vector<Station> row{found[i].low, found[i].high};
-    if (is_confirmed(i, found[i])) row = stations_at(exact, {low, high}, search);
-    if (row[0].code() != found[i].low.code() || row[1].code() != found[i].high.code()) {
-      const double least = i == 0 ? 0 : found[i - 1].high.amplitude,
-                   most = i + 1 == found.size() ? high * 2 : found[i + 1].low.amplitude;
-      for (const double distance : {0x1p-48, 0x1p-44, 0x1p-40})
-        for (const double amplitude : {low * (1 - distance), high * (1 + distance)})
-          if (least < amplitude && amplitude < most)
-            row.push_back(stations_at(exact, {amplitude}, search).front());
-      std::ranges::sort(row, {}, &Station::amplitude);
+  for (std::size_t i = 0, next = 0; i < found.size(); i = next) {
+    const std::size_t last = [&] {
+      std::size_t k = i;
+      while (k + 1 < found.size() && found[k + 1].low.amplitude < found[k].high.amplitude * one_edge) ++k;
+      return k;
+    }();
+    next = last + 1;
+    if (!is_confirmed(i, found[i])) {
+      changes.insert(changes.end(), found.begin() + i, found.begin() + next);
+      continue;
     }
-    add_changes(row, changes, open);
+    const double least = i == 0 ? 0 : found[i - 1].high.amplitude,
+                 most = next == found.size() ? 2 * found[last].high.amplitude : found[next].low.amplitude;
+    add_changes(confirmed_row(exact, found[i], found[last], least, most, search), changes, open);
   }
   const std::vector<Gap> more = narrowed(exact, std::move(open), search);
   changes.insert(changes.end(), more.begin(), more.end());
