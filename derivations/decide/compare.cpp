@@ -42,14 +42,14 @@ std::optional<Fraction> factor_between(const Comparison& setting, const Atom& le
   return std::nullopt;
 }
 
-std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::vector<Atom>& left,
+std::optional<Sameness> same_link_by_link(Comparison& setting, const std::vector<Atom>& left,
                                           const std::vector<Atom>& right) {
   if (left.empty() || left.size() != right.size()) return std::nullopt;
   Sameness all{"identity", 1};
   for (std::size_t k = 0; k < left.size(); ++k) {
     const Atom &a = left[k], &b = right[k];
     if (a.signs != b.signs || a.value.is_zero() != b.value.is_zero()) return std::nullopt;
-    const bool is_one = a.value.is_zero() || vanishes(a.value - b.value, setting.ring);
+    const bool is_one = a.value.is_zero() || vanishes(a.value - b.value, setting.ring, setting.translator);
     const auto factor = is_one ? Fraction(1) : factor_between(setting, a, b, all);
     if (!factor) return std::nullopt;
     if (!(*factor == 1)) all.factor = left.size() == 1 ? factor : std::nullopt;
@@ -57,7 +57,8 @@ std::optional<Sameness> same_link_by_link(const Comparison& setting, const std::
   return all;
 }
 
-/// The irreducible factors of an equation that may be 0; of a root, |u| or a sine those of its power.
+/// The irreducible factors of an equation that may be 0; of a root, |u|, a sine or a whole those of its
+/// value.
 std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
   std::set<Polynomial> result;
   for (const auto& [factor, exponent] : factors(value.numerator).second) {
@@ -65,8 +66,8 @@ std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
     const int k = factor.used()[0];
     const Generator& g = ring.generators()[k];
     const bool is_power = g.function == "sqrt" || g.function == "fabs" || g.function == "sin";
-    if (factor == Polynomial::variable(k) && is_power && g.degree > 1)
-      result.merge(zero_set(ring, g.value));
+    if (factor == Polynomial::variable(k) && (g.function == "whole" || (is_power && g.degree > 1)))
+      result.merge(zero_set(ring, g.function == "whole" ? g.of : g.value));
     else
       result.insert(factor);
   }
@@ -74,7 +75,7 @@ std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
 }
 
 /// All claims follow from a statement. An equation of it is 0 where one of its factors is: a case each.
-std::optional<Sameness> all_follow(const Comparison& setting, const std::vector<Atom>& from,
+std::optional<Sameness> all_follow(Comparison& setting, const std::vector<Atom>& from,
                                    const std::vector<Atom>& claims) {
   Sameness all{"identity"};
   const auto by_signs = [&](const std::vector<Atom>& case_of, const Atom& claim) {
@@ -99,7 +100,7 @@ std::optional<Sameness> all_follow(const Comparison& setting, const std::vector<
     });
   };
   for (const Atom& claim : claims) {
-    if (claim.signs != Signs::positive() && vanishes(claim.value, setting.ring)) continue;
+    if (claim.signs != Signs::positive() && vanishes(claim.value, setting.ring, setting.translator)) continue;
     bool is_found = false;
     for (std::size_t k = 0; k < from.size() && !is_found; ++k) is_found = in_cases(k, claim);
     if (!is_found && !by_signs(from, claim)) return std::nullopt;
@@ -121,20 +122,22 @@ std::optional<Sameness> same(Comparison& setting, const Problem& problem) {
   const auto left_readings = readings_of(setting, problem.left, setting.left),
              right_readings = readings_of(setting, problem.right, setting.right);
   for (const auto& of_left : left_readings)
-    for (const auto& of_right : right_readings) {
-      auto found = same_link_by_link(setting, of_left, of_right);
-      if (!found) continue;
-      if (&of_left != &left_readings[0] || &of_right != &right_readings[0]) found->factor.reset();
-      return found;
-    }
+    for (const auto& of_right : right_readings) try {
+        auto found = same_link_by_link(setting, of_left, of_right);
+        if (!found) continue;
+        if (&of_left != &left_readings[0] || &of_right != &right_readings[0]) found->factor.reset();
+        return found;
+      } catch (const TooLarge&) {  // there are other ways
+      }
   for (const auto& of_left : left_readings)
-    for (const auto& of_right : right_readings) {
-      auto forth = all_follow(setting, of_left, of_right);
-      const auto back = forth ? all_follow(setting, of_right, of_left) : std::nullopt;
-      if (!back) continue;
-      forth->rest_on(*back);
-      return forth;
-    }
+    for (const auto& of_right : right_readings) try {
+        auto forth = all_follow(setting, of_left, of_right);
+        const auto back = forth ? all_follow(setting, of_right, of_left) : std::nullopt;
+        if (!back) continue;
+        forth->rest_on(*back);
+        return forth;
+      } catch (const TooLarge&) {
+      }
   return std::nullopt;
 }
 

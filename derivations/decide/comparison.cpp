@@ -33,21 +33,25 @@ void learn(Comparison& setting, const Fraction& value, Signs signs) {
   setting.ring.learn(value, signs);
 }
 
-/// A polynomial equation, monic in a symbol: a relation of the ring, g^n = rest.
+/// A polynomial equation in which the power of a symbol has a factor that is not 0, a number if there is one:
+/// a relation of the ring, g^n = rest.
 void relate(Ring& ring, const Fraction& value) {
   const Polynomial p = ring.essential(value, Signs::zero()).value;
-  for (const int k : p.used()) {
+  auto used = p.used();
+  std::ranges::stable_partition(used, [&](int k) { return p.coefficients(k).back().is_constant(); });
+  for (const int k : used) {
     const Generator& g = ring.generators()[k];
     const int degree = p.degree(k);
     if (g.degree != 0 || degree > 4 || !GiNaC::is_a<GiNaC::symbol>(g.meaning)) continue;
     const auto c = p.coefficients(k);
-    if (!c.back().is_constant()) continue;
+    if (!ring.signs_of(c.back()).is_definite()) continue;
     Polynomial rest = 0;
     for (int n = 0; n < degree; ++n) rest = rest + c[n] * power(Polynomial::variable(k), n);
-    const auto others = rest.used();  // the relation must not lead round in a circle
+    const auto others = (rest * c.back()).used();  // the relation must not lead round in a circle
     if (std::ranges::any_of(others, [&](int v) {
           const Fraction& of_v = ring.generators()[v].value;
-          return of_v.numerator.degree(k) > 0 || of_v.denominator.degree(k) > 0;
+          return of_v.numerator.degree(k) > 0 || of_v.denominator.degree(k) > 0 ||
+                 (v != k && ring.generators()[v].meaning.has(g.meaning));
         }))
       continue;
     ring.relate(k, degree, Fraction(-rest, c.back()));

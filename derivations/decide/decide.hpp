@@ -8,10 +8,10 @@
 namespace rederive {
 
 /// Decides left against right: two expressions, two equations or two inequalities. A chain says that all its
-/// links hold: K = a = b that K = a and K = b. To ask whether a statement holds wherever
-/// it has a value, compare it with 0 < 1. What is given is substituted first; assumptions are sign conditions
-/// and equations that hold. The verdict is proved, proved_under where equations that are assumed are needed,
-/// refuted or undecided. Throws std::bad_alloc alone.
+/// links hold. To ask whether a statement holds wherever it has a value, compare it with 0 < 1. What is given
+/// is substituted first; assumptions are sign conditions and equations that hold. The verdict is proved,
+/// proved_under where equations that are assumed are needed, refuted or undecided. Throws std::bad_alloc
+/// alone.
 Proof decide(const Relation& left, const Relation& right, const Symbols& symbols,
              const std::vector<Given>& given = {}, const std::vector<Relation>& assumptions = {});
 

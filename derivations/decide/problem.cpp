@@ -113,6 +113,10 @@ Relation with_inversions(const Relation& relation, const Symbols& symbols) {
   if (relation.operators.size() != 1) return relation;
   for (const int side : {0, 1}) {
     const Tree &of = relation.sides[side], &other = relation.sides[1 - side];
+    const bool is_power = of->kind == Node::Kind::power && of->children[1]->kind == Node::Kind::number;
+    if (is_power && is_same(other, zero()) && relation.operators[0] == "=" &&
+        cln::plusp(exact(of->children[1]->text)))
+      return with_inversions({{of->children[0], other}, {"="}}, symbols);
     if (!is_monotone(of, symbols)) continue;
     const MonotonePiece& f = monotone_piece(of->text);
     Relation result = relation;

@@ -42,7 +42,7 @@ Tree difference(const Tree& a, const Tree& b);
 Problem with_values(Problem problem, const std::vector<Given>& given);
 
 /// f(u) = v as u = g(v), for the inversion g of a monotone function f, where v lies in the values of f: x =
-/// asin(u) says sin(x) = u where -pi/2 <= x <= pi/2. Likewise inequalities; and f(u) = f(v) as u = v.
+/// asin(u) says sin(x) = u where -pi/2 <= x <= pi/2. So inequalities; f(u) = f(v) as u = v; u^2 = 0 as u = 0.
 Relation with_inversions(const Relation& relation, const Symbols& symbols);
 
 }  // namespace rederive

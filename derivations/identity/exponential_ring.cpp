@@ -24,7 +24,7 @@ void Ring::relate(int generator, int degree, const Fraction& value) {
 /// Σ cₖ gᵏ becomes Σ cₖ g^{k mod n} value^{k div n}, generator by generator, the last one first.
 Fraction Ring::reduced(const Polynomial& p) const {
   Fraction rest = p;
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < 60; ++round) {
     int k = static_cast<int>(generators_.size()) - 1;
     while (k >= 0 && (generators_[k].degree == 0 || rest.numerator.degree(k) < generators_[k].degree)) --k;
     if (k < 0) return rest;
@@ -39,7 +39,7 @@ Fraction Ring::reduced(const Polynomial& p) const {
                         power(g.value.denominator, most - i / g.degree);
     rest = Fraction(sum, rest.denominator * power(g.value.denominator, most));
   }
-  throw Undecidable("relations between roots that are too deep");
+  throw TooLarge("relations between roots that are too deep");
 }
 
 Fraction Ring::normal(const Fraction& f) const {

@@ -1,17 +1,12 @@
 // The ring in which identities are decided.
 //
-// Every function of the paper becomes a rational function of generators: the symbols, π, the cosine and the
-// sine of independent phases, exponentials of independent real arguments, roots, absolute values, logarithms,
-// inverse functions. Between them hold true relations, each for a power of one generator in terms of earlier
-// ones: s² = 1 - c², y² = u, a² = u². What reduces to 0 modulo these is 0 wherever it has a value: that
-// proves an identity. Exponentials of arguments that are independent over the rationals are algebraically
-// independent: of algebraic numbers by Lindemann-Weierstrass, of functions modulo constants by Ax 1971
-// (Risch's structure theorem for towers). There the converse holds; with π, e and logarithms of numbers
-// together that needs Schanuel's conjecture; no proof rests on it. Davenport-Siret-Tournier ch. 5;
-// Richardson.
-//
-// Beside its relation every generator has the range of its values. From these follow signs of polynomials: by
-// intervals, factor by factor, and by the discriminant of what is quadratic in a generator.
+// Every function becomes a rational function of generators: the symbols, π, the cosine and the sine of
+// independent phases, exponentials, roots, absolute values, logarithms, inverse functions, and whole values
+// that are too large. Between them hold true relations, each for a power of one generator in terms of earlier
+// ones: s² = 1 - c², y² = u, a² = u². What reduces to 0 modulo these is 0 wherever it has a value. Where
+// exponentials are algebraically independent the converse holds (Lindemann-Weierstrass; Ax 1971); with π, e
+// and logarithms of numbers that needs Schanuel's conjecture; no proof rests on it. Davenport et al. ch. 5.
+// From the ranges of generators follow signs: by intervals, factor by factor, and by discriminants.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -48,12 +43,12 @@ struct Fact {
 
 class Ring {
  public:
-  /// The variable of a symbol, or of f(of), made by `make` when it is new. Throws Undecidable if too many.
+  /// The variable of a symbol, or of f(of), made by `make` when it is new. Throws TooLarge if too many.
   template <class Make>
   Fraction generator(const std::string& name, const Fraction& of, const Make& make) {
     if (const auto known = find(name, of)) return Polynomial::variable(*known);
     if (generators_.size() == Polynomial::variables)
-      throw Undecidable("too many independent functions in one statement");
+      throw TooLarge("too many independent functions in one statement");
     generators_.push_back(make());
     return Polynomial::variable(index_[{name, of}] = static_cast<int>(generators_.size()) - 1);
   }

@@ -7,32 +7,51 @@ namespace rederive {
 using cln::cl_RA;
 
 using Pair = std::pair<Fraction, Fraction>;
+constexpr int most_times = 64, most_parts = 180;
 
 /// The least common multiple of this number and of all that were named before, of this function and argument.
 int Translator::common_multiple(const std::string& name, const Fraction& of, const cln::cl_I& number) {
   const auto [place, is_new] = denominators_.try_emplace({name, of}, 1);
   const cln::cl_I before = std::exchange(place->second, cln::lcm(place->second, number));
-  if (place->second > 60) throw Undecidable("a phase or a root of a part above 60");
+  if (place->second > most_parts) throw TooLarge("a root of an order above 180");
   if (!is_new && place->second != before) throw OtherBasis();
   return cln::cl_I_to_int(place->second);
 }
 
-/// A term of an argument as a whole multiple of a phase: of the term over the least common denominator that
-/// all its multiples have. Terms are linearly independent over the rationals, and so are the phases.
+/// The term over the common denominator, as long as the multiples of that are small.
+cl_RA Translator::Multiples::unit() const {
+  const cln::cl_I parts = cln::denominator(common);
+  return largest * parts <= most_times ? 1 / cl_RA(parts) : common;
+}
+
+/// Terms are linearly independent over the rationals, and so are phases, but those of multiples of one term
+/// that have little in common.
 Translator::Multiple Translator::multiple_of_phase(const std::string& function, const cl_RA& number,
                                                    const Fraction& term) {
-  const bool is_turn = function == "cos" && term == pi();
-  const int parts =
-      common_multiple(is_turn ? "turn" : function, is_turn ? 0 : term, cln::denominator(number));
-  const cl_RA times = (is_turn ? number - 2 * cln::round1(number / 2) : number) * parts;
-  if (cln::abs(times) > 64) throw Undecidable("a multiple of a phase above 64");
-  return {term / parts, cln::cl_I_to_int(cln::numerator(times))};
+  if (function == "cos" && term == pi() &&
+      cln::lcm(denominators_.at({"turn", 0}), cln::denominator(number)) <= most_parts) {
+    const int parts = common_multiple("turn", 0, cln::denominator(number));
+    const cl_RA times = (number - 2 * cln::round1(number / 2)) * parts;
+    return {term / parts, cln::cl_I_to_int(cln::numerator(times))};
+  }
+  const cl_RA size = cln::abs(number);
+  auto& all = multiples_[{function, term}];
+  auto known = all.begin();
+  Multiples with_this{size, size};
+  for (; known != all.end(); ++known) {
+    const cl_RA parts = cln::lcm(cln::denominator(known->common), cln::denominator(size));
+    with_this = {cln::gcd(cln::numerator(known->common * parts), cln::numerator(size * parts)) / parts,
+                 cln::max(known->largest, size)};
+    if (with_this.largest <= most_times * with_this.common) break;
+  }
+  if (known == all.end()) known = all.insert(known, with_this = {size, size});
+  const cl_RA unit = with_this.unit();
+  if (std::exchange(*known, with_this).unit() != unit) throw OtherBasis();
+  return {Fraction(unit) * term, cln::cl_I_to_int(cln::numerator(number / unit))};
 }
 
 /// cos and sin of a phase of the basis, as generators with c² + s² = 1.
 Pair Translator::phase(const Fraction& phase) {
-  if (const Fraction part = phase / pi(); part.is_constant())
-    return part_of_pi(cln::denominator(part.constant()));
   const Fraction c = ring_.function("cos", phase), s = ring_.function("sin", phase, 2, 1 - c * c);
   const auto used = phase.numerator.used();
   const Fraction x = used.size() == 1 ? Fraction(Polynomial::variable(used[0])) : Fraction(0);
@@ -49,14 +68,17 @@ Pair Translator::phase(const Fraction& phase) {
   return {ring_.normal(c), ring_.normal(s)};
 }
 
-/// cos π/n, which is algebraic, and by it sin π/n for an even n.
-Pair Translator::part_of_pi(const cln::cl_I& n) {
-  if (n == 2) return {0, 1};
-  const Fraction c = ring_.function("cos", pi() / Fraction(n));
-  const int index = c.numerator.used().at(0);
-  const auto [degree, value, sine] = algebraic_cosine(index, cln::cl_I_to_int(n));
-  if (ring_.generators()[index].degree == 0) ring_.relate(index, degree, value);
-  return {c, ring_.normal(sine)};
+/// cos and sin of times·π/n, for an even n, by cos π/n, which is algebraic; sin(k·π/n) = cos((n/2 - k)·π/n).
+Pair Translator::part_of_pi(int times, int n) {
+  const auto cosine = [&](int k) {
+    if (n == 2) return Fraction(1 - k);  // of no, one or two right angles
+    const int c = ring_.function("cos", pi() / n).numerator.used().at(0);
+    const auto [degree, value] = algebraic_cosine(c, n);
+    if (ring_.generators()[c].degree == 0) ring_.relate(c, degree, value);
+    return ring_.normal(2 * k > n ? -chebyshev(c, n - k) : chebyshev(c, k));
+  };
+  const Fraction sine = cosine(std::abs(n / 2 - std::abs(times)));
+  return {cosine(std::abs(times)), times < 0 ? -sine : sine};
 }
 
 Pair Translator::circular(const Fraction& argument) {
@@ -65,11 +87,14 @@ Pair Translator::circular(const Fraction& argument) {
   Pair result{1, 0};
   for (const auto& [number, term] : terms_of(argument)) {
     const auto [part, times] = multiple_of_phase("cos", number, term);
-    const auto [c, s] = phase(part);
-    for (int k = 0; k < std::abs(times); ++k) {  // cos and sin of a sum
+    const int n = cln::cl_I_to_int(denominators_.at({"turn", 0}));
+    const bool is_turn = part == pi() / n;
+    auto [c, s] = is_turn ? part_of_pi(times, n) : phase(part);
+    if (times < 0 && !is_turn) s = -s;
+    for (int k = 0; k < (is_turn ? 1 : std::abs(times)); ++k) {  // cos and sin of a sum
       const auto [cosine, sine] = result;
-      result.first = ring_.normal(cosine * c - sine * (times < 0 ? -s : s));
-      result.second = ring_.normal(sine * c + cosine * (times < 0 ? -s : s));
+      result.first = ring_.normal(cosine * c - sine * s);
+      result.second = ring_.normal(sine * c + cosine * s);
     }
   }
   if (!result.first.is_constant()) {

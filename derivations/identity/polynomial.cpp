@@ -73,7 +73,7 @@ Polynomial Polynomial::primitive() const {
 
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   if (a.terms() > 1 && b.terms() > 1 && a.terms() * b.terms() > 100 * Polynomial::most_terms)
-    throw Undecidable("too many terms, once it is multiplied out");
+    throw TooLarge("too many terms, once it is multiplied out");
   return Polynomial::of<fmpz_mpoly_mul>(a.p_, b.p_);
 }
 
@@ -93,7 +93,7 @@ std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b) {
 Polynomial gcd(const Polynomial& a, const Polynomial& b) {
   Polynomial result;
   if (fmpz_mpoly_gcd(result.p_, a.p_, b.p_, Polynomial::context()) == 0)
-    throw Undecidable("a greatest common divisor that is too large");
+    throw TooLarge("a greatest common divisor that is too large");
   return result;
 }
 
@@ -135,23 +135,30 @@ Factors factors(const Polynomial& p) {
     }
   }
   fmpz_mpoly_factor_clear(found, Polynomial::context()), fmpz_factor_clear(primes);
-  if (!is_done) throw Undecidable("a polynomial whose factors are not found");
+  if (!is_done) throw TooLarge("a polynomial whose factors are not found");
   return known[p] = std::move(result);
 }
 
-AlgebraicCosine algebraic_cosine(int variable, int n) {
-  fmpz_poly_t minimal, sine;
-  fmpz_poly_init(minimal), fmpz_poly_init(sine);
-  fmpz_poly_cos_minpoly(minimal, 2 * n), fmpz_poly_chebyshev_t(sine, n / 2 - 1);
-  AlgebraicCosine result{static_cast<int>(fmpz_poly_degree(minimal)), 0, 0};
+std::pair<int, Fraction> algebraic_cosine(int variable, int n) {
+  fmpz_poly_t minimal;
+  fmpz_poly_init(minimal), fmpz_poly_cos_minpoly(minimal, 2 * n);
+  const int degree = static_cast<int>(fmpz_poly_degree(minimal));
   Polynomial rest = 0;
-  for (int k = 0; k < result.degree; ++k)
-    rest =
-        rest - Polynomial(fmpz_poly_get_coeff_si(minimal, k)) * power(2 * Polynomial::variable(variable), k);
-  result.value = Fraction(rest, power(Polynomial(2), result.degree));
-  fmpz_mpoly_set_fmpz_poly(result.sine.p_, sine, variable, Polynomial::context());
-  fmpz_poly_clear(minimal), fmpz_poly_clear(sine);
-  return result;
+  for (int k = 0; k < degree; ++k) {
+    Integer coefficient;
+    fmpz_poly_get_coeff_fmpz(coefficient.z, minimal, k);
+    rest = rest - Polynomial(coefficient.value()) * power(2 * Polynomial::variable(variable), k);
+  }
+  fmpz_poly_clear(minimal);
+  return {degree, Fraction(rest, power(Polynomial(2), degree))};
+}
+
+Polynomial chebyshev(int variable, int k) {
+  fmpz_poly_t coefficients;
+  fmpz_poly_init(coefficients), fmpz_poly_chebyshev_t(coefficients, k);
+  Polynomial result;
+  fmpz_mpoly_set_fmpz_poly(result.p_, coefficients, variable, Polynomial::context());
+  return fmpz_poly_clear(coefficients), result;
 }
 
 Fraction::Fraction(const Polynomial& n, const Polynomial& d) : numerator(n), denominator(d) {
@@ -177,9 +184,6 @@ Fraction operator*(const Fraction& a, const Fraction& b) {
 }
 Fraction operator/(const Fraction& a, const Fraction& b) {
   return {a.numerator * b.denominator, a.denominator * b.numerator};
-}
-bool operator==(const Fraction& a, const Fraction& b) {
-  return a.numerator == b.numerator && a.denominator == b.denominator;
 }
 bool operator<(const Fraction& a, const Fraction& b) {
   return std::tie(a.numerator, a.denominator) < std::tie(b.numerator, b.denominator);

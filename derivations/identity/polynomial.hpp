@@ -1,8 +1,7 @@
 // Polynomials in the generators of the ring, with whole coefficients, and fractions of them.
 //
-// FLINT's multivariate polynomials do the arithmetic (fmpz_mpoly: sparse multiplication and heap division
-// after Monagan and Pearce, greatest common divisors after Zippel, factors after Wang). Every polynomial has
-// the same variables, 0 to Polynomial::variables - 1; what they stand for is said in exponential_ring.hpp.
+// FLINT's multivariate polynomials do the arithmetic (fmpz_mpoly). Every polynomial has the same variables,
+// 0 to Polynomial::variables - 1; what they stand for is said in exponential_ring.hpp.
 #pragma once
 
 #include <cln/integer.h>
@@ -20,6 +19,10 @@ namespace rederive {
 struct Undecidable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+/// Something becomes too large on one way to a decision; there may be another way.
+struct TooLarge : Undecidable {
+  using Undecidable::Undecidable;
+};
 /// Something has no value anywhere: a division by what is identically 0, the root of a negative number.
 struct NoValue : Undecidable {
   using Undecidable::Undecidable;
@@ -29,7 +32,7 @@ class Polynomial;
 /// A sign, the content's primes below 2000 and its rest, and irreducible polynomials, with their exponents.
 using Factors = std::pair<int, std::vector<std::pair<Polynomial, int>>>;
 
-/// A polynomial with whole coefficients. Throws Undecidable where a result would have too many terms.
+/// A polynomial with whole coefficients. Throws TooLarge where a result would have too many terms.
 class Polynomial {
  public:
   static constexpr int variables = 31;  ///< with their degree 32 exponents, in four words
@@ -64,27 +67,19 @@ class Polynomial {
   bool leads_with_minus() const { return !is_zero() && cln::minusp(coefficient(0)); }
 
   Polynomial operator-() const { return of<fmpz_mpoly_neg>(p_); }
-  friend Polynomial operator+(const Polynomial& a, const Polynomial& b) {
-    return of<fmpz_mpoly_add>(a.p_, b.p_);
-  }
-  friend Polynomial operator-(const Polynomial& a, const Polynomial& b) {
-    return of<fmpz_mpoly_sub>(a.p_, b.p_);
-  }
+  Polynomial operator+(const Polynomial& b) const { return of<fmpz_mpoly_add>(p_, b.p_); }
+  Polynomial operator-(const Polynomial& b) const { return of<fmpz_mpoly_sub>(p_, b.p_); }
   friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
-  friend bool operator==(const Polynomial& a, const Polynomial& b) {
-    return fmpz_mpoly_equal(a.p_, b.p_, context());
-  }
+  bool operator==(const Polynomial& b) const { return fmpz_mpoly_equal(p_, b.p_, context()); }
   /// Some order, for tables.
-  friend bool operator<(const Polynomial& a, const Polynomial& b) {
-    return fmpz_mpoly_cmp(a.p_, b.p_, context()) < 0;
-  }
+  bool operator<(const Polynomial& b) const { return fmpz_mpoly_cmp(p_, b.p_, context()) < 0; }
   /// a/b, if that leaves nothing.
   friend std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b);
   friend std::vector<std::pair<cln::cl_RA, struct Fraction>> terms_of(const struct Fraction& f);
   friend Polynomial gcd(const Polynomial& a, const Polynomial& b);
   /// Each factor leads with plus, and those that are no numbers have content 1. Kept in a memo table.
   friend Factors factors(const Polynomial& p);
-  friend struct AlgebraicCosine algebraic_cosine(int variable, int n);
+  friend Polynomial chebyshev(int variable, int k);
 
  private:
   /// The variables of all polynomials, in degree-lexicographic order.
@@ -93,13 +88,13 @@ class Polynomial {
   static Polynomial of(const Arguments&... arguments) {
     Polynomial result;
     function(result.p_, arguments..., context());
-    if (result.terms() > most_terms) throw Undecidable("too many terms, once it is multiplied out");
+    if (result.terms() > most_terms) throw TooLarge("too many terms, once it is multiplied out");
     return result;
   }
   fmpz_mpoly_t p_;
 };
 
-/// Throws Undecidable where the power has too many terms.
+/// Throws TooLarge where the power has too many terms.
 Polynomial power(const Polynomial& base, int exponent);
 
 /// numerator/denominator in lowest terms; the denominator leads with plus.
@@ -116,6 +111,7 @@ struct Fraction {
   bool is_constant() const { return numerator.is_constant() && denominator.is_constant(); }
   cln::cl_RA constant() const { return cln::cl_RA(numerator.constant()) / denominator.constant(); }
   Fraction operator-() const;
+  bool operator==(const Fraction& other) const = default;
 };
 
 Fraction operator+(const Fraction& a, const Fraction& b);
@@ -123,19 +119,14 @@ Fraction operator-(const Fraction& a, const Fraction& b);
 Fraction operator*(const Fraction& a, const Fraction& b);
 /// Throws NoValue where b is 0.
 Fraction operator/(const Fraction& a, const Fraction& b);
-bool operator==(const Fraction& a, const Fraction& b);
 bool operator<(const Fraction& a, const Fraction& b);  ///< some order, for tables
 /// A negative exponent turns the fraction over.
 Fraction power(const Fraction& base, int exponent);
 
-/// For a variable c = cos(π/n) with an even n: c^degree = value, from the minimal polynomial of 2·cos(2π/2n);
-/// and sin(π/n) = cos((n/2 - 1)π/n), by Chebyshev's polynomial.
-struct AlgebraicCosine {
-  int degree;
-  Fraction value;
-  Polynomial sine;
-};
-AlgebraicCosine algebraic_cosine(int variable, int n);
+/// For a variable c = cos(π/n): c^degree = value, from the minimal polynomial of 2·cos(2π/2n).
+std::pair<int, Fraction> algebraic_cosine(int variable, int n);
+/// For a variable cos(x): cos(k·x), by Chebyshev's polynomial.
+Polynomial chebyshev(int variable, int k);
 
 /// The sum of coefficient · term that a fraction is: (2·x·y + 3)/(y + 1) = 2·x - 2·x/(y + 1) + 3/(y + 1).
 std::vector<std::pair<cln::cl_RA, Fraction>> terms_of(const Fraction& f);

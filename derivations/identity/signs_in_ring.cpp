@@ -1,16 +1,9 @@
 // Signs and ranges of polynomials in the generators: what is known of them, and what follows.
 #include <algorithm>
 #include <derivations/identity/exponential_ring.hpp>
+#include <derivations/language/functions.hpp>
 
 namespace rederive {
-
-namespace {
-
-Signs sign_of_number(const cln::cl_RA& n) {
-  return cln::zerop(n) ? Signs::zero() : cln::plusp(n) ? Signs::positive() : Signs::negative();
-}
-
-}  // namespace
 
 Signs signs_of(const Interval& values) {
   if (values.is_positive()) return Signs::positive();
@@ -31,7 +24,7 @@ Fact Ring::essential(const Fraction& value, Signs signs) const {
   const Fraction f = normal(value);
   if (f.is_zero()) return {0, signs};
   const auto& [sign, list] = factors(signs == Signs::zero() ? f.numerator : f.numerator * f.denominator);
-  Signs outside = sign_of_number(sign);
+  Signs outside = rederive::signs_of(point({sign}));
   Polynomial rest = 1;
   for (const auto& [factor, exponent] : list) {
     const Signs known = power(signs_of(factor), exponent);
@@ -98,7 +91,7 @@ void Ring::propagate() {
     has_changed = false;
     for (std::size_t k = 0; k < generators_.size(); ++k) {
       const Generator g = generators_[k];
-      if (g.function.empty()) continue;
+      if (find_function(g.function) == nullptr) continue;
       const Interval of = range_of(g.of), values = g.function == "sqrt" ? power(of, cln::cl_RA(1) / g.degree)
                                                                         : call(g.function, of);
       has_changed = narrow(static_cast<int>(k), values) || has_changed;
@@ -130,7 +123,7 @@ Interval Ring::range_of(const Fraction& f) const {
 }
 
 Signs Ring::signs_of(const Polynomial& p, int depth) const {
-  if (p.is_constant()) return sign_of_number(p.constant());
+  if (p.is_constant()) return rederive::signs_of(point({p.constant()}));
   const auto [found, is_new] = found_.try_emplace({p, depth}, Signs::any());
   return is_new ? found->second = signs_anew(p, depth) : found->second;
 }

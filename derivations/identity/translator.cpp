@@ -27,43 +27,58 @@ Fraction Translator::translate(const Tree& tree) {
   if (node.kind == Node::Kind::symbol)
     return argument_ && node.text == "u" ? *argument_ : node.text == "pi" ? pi() : symbol(node.text);
   if (node.kind == Node::Kind::negative) return -translate(node.children[0]);
-  if (node.kind == Node::Kind::power) return power_of(node);
+  if (node.kind == Node::Kind::power) return power_of(tree);
   if (node.kind == Node::Kind::call) return call(node);
   const bool is_sum = node.kind == Node::Kind::sum;
   Fraction result = is_sum ? 0 : 1;
   for (std::size_t k = 0; k < node.children.size(); ++k) {
     const Fraction part = translate(node.children[k]);
-    if (is_sum) {
-      result = node.inverse[k] ? result - part : result + part;
-    } else {
-      if (node.inverse[k]) require(part, Signs::nonzero(), node.children[k]);
-      result = ring_.normal(node.inverse[k] ? result / part : result * part);
-    }
+    if (!is_sum && node.inverse[k]) require(part, Signs::nonzero(), node.children[k]);
+    result = of_value_or_whole(part, [&](const Fraction& x) {
+      if (is_sum) return node.inverse[k] ? result - x : result + x;
+      return ring_.normal(node.inverse[k] ? result / x : result * x);
+    });
   }
   return ring_.normal(result);
 }
 
-/// b^e: roots where the exponent is a fraction, else e^{e log b} of a base that is positive.
-Fraction Translator::power_of(const Node& node) {
+/// The value as one unknown, of which no more is known than its range.
+Fraction Translator::whole(const Fraction& value) {
+  return ring_.generator("whole", value, [&] {
+    return Generator{ring_.meaning_of(value), ring_.range_of(value), "whole", value};
+  });
+}
+
+/// b^e: roots where the exponent is a fraction, else e^{e log b} of a base that is positive. Of another base
+/// it is one unknown, as there are values for whole exponents only, and 0 is excluded.
+Fraction Translator::power_of(const Tree& tree) {
+  const Node& node = *tree;
   const Fraction base = translate(node.children[0]), exponent = translate(node.children[1]);
   if (!exponent.is_constant()) {
-    if (ring_.signs_of(base) !=
-        Signs::positive())  // of a negative one there are values for whole exponents only
-      throw Undecidable("a power with a symbolic exponent, of a base that is not known to be positive");
-    return exponential(ring_.normal(exponent * logarithm(base)));
+    if (ring_.signs_of(base) == Signs::positive())
+      return exponential(ring_.normal(exponent * logarithm(base)));
+    if (base.is_zero()) throw Undecidable("a power of 0 with a symbolic exponent");
+    const std::string name = "to the power " + std::to_string(whole(exponent).numerator.used().at(0));
+    const Fraction power = ring_.generator(name, base, [&] {
+      return Generator{pow(ring_.meaning_of(base), ring_.meaning_of(exponent)), {}, "power", base};
+    });
+    require(power, Signs::nonzero(), tree);
+    return power;
   }
   const cl_RA number = exponent.constant();
   const bool is_whole = cln::denominator(number) == 1,
              needs_nonzero = !cln::plusp(number);  // 0^0 has no value
   if (!is_whole) require(base, needs_nonzero ? Signs::positive() : Signs::nonnegative(), node.children[0]);
   if (is_whole && needs_nonzero) require(base, Signs::nonzero(), node.children[0]);
-  return is_whole ? raised(base, number) : root_of(node.children[0], base, number);
+  return of_value_or_whole(base, [&](const Fraction& x) {
+    return is_whole ? raised(x, number) : root_of(node.children[0], x, number);
+  });
 }
 
 /// base^exponent, of a base that is not negative where the exponent is a fraction.
 Fraction Translator::raised(const Fraction& base, const cl_RA& exponent) {
-  if (cln::abs(exponent) > 64 || cln::denominator(exponent) > 12)
-    throw Undecidable("an exponent that is too large");
+  if (cln::abs(exponent) > 64 || cln::denominator(exponent) > 180)
+    throw TooLarge("an exponent that is too large");
   const int n = cln::cl_I_to_int(cln::numerator(exponent)),
             order = cln::cl_I_to_int(cln::denominator(exponent));
   const Fraction factor = order > 1 ? root(base, order) : base;
@@ -94,22 +109,25 @@ Fraction Translator::call(const Node& node) {
     for (const auto& [value, signs] : rule->domain) require(of_x(value), signs, put_in(value, "u", argument));
     if (rule->result) return of_x(rule->result);
   }
-  if (name == "sin") return circular(x).second;
-  if (name == "cos") return circular(x).first;
-  if (name == "sqrt") return root_of(argument, x, cl_RA(1) / 2);
-  if (name == "fabs") return absolute(x);
-  if (name == "exp") return exponential(x);
-  if (name == "log") return logarithm(x);
-  if (name == "atan" || name == "asin") return angle(name == "asin", x);
-  throw Undecidable("the function " + name);
+  return of_value_or_whole(x, [&](const Fraction& of) {
+    if (name == "sin") return circular(of).second;
+    if (name == "cos") return circular(of).first;
+    if (name == "sqrt") return root_of(argument, of, cl_RA(1) / 2);
+    if (name == "fabs") return absolute(of);
+    if (name == "exp") return exponential(of);
+    if (name == "log") return logarithm(of);
+    if (name == "atan" || name == "asin") return angle(name == "asin", of);
+    throw Undecidable("the function " + name);
+  });
 }
 
 Fraction Translator::symbol(const std::string& name) {
-  return ring_.generator(name, 0, [&] {
+  const Fraction variable = ring_.generator(name, 0, [&] {
     const Symbol* known = symbols_.find(name);
     if (known == nullptr) throw Undecidable("the symbol " + name + ", which is not declared");
     return Generator{known->ginac, parse_range(known->range)};
   });
+  return ring_.normal(variable);  // an equation that is assumed may say what it is
 }
 
 Fraction Translator::pi() {

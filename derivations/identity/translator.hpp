@@ -15,7 +15,7 @@ struct Atom {
   Tree tree = nullptr;
 };
 
-/// The common denominator of a phase, or the order of a root, has grown: all is translated in a new ring.
+/// What phases, roots or values are made of has to change: all is translated in a new ring.
 struct OtherBasis : Undecidable {
   OtherBasis() : Undecidable("functions of functions, too deep") {}
 };
@@ -46,21 +46,35 @@ class Translator {
   Fraction logarithm(const Fraction& value);
 
   Fraction pi();
-  /// number · term = n · phase, of an argument of "cos" or "exp": the phase and the whole number n.
+  /// number · term = n · phase, of an argument of "cos" or "exp": the phase, which the multiples of the term
+  /// have in common, and the whole number n.
   using Multiple = std::pair<Fraction, int>;
   Multiple multiple_of_phase(const std::string& function, const cln::cl_RA& number, const Fraction& term);
 
  private:
   Fraction translate(const Tree& tree);
-  Fraction power_of(const Node& node);
+  Fraction power_of(const Tree& tree);
   Fraction raised(const Fraction& base, const cln::cl_RA& exponent);
+  Fraction whole(const Fraction& value);
+  /// What the work makes of a value; in a new ring of the value as one unknown, where that is too large.
+  template <class Work>
+  Fraction of_value_or_whole(const Fraction& value, const Work& work) {
+    if (too_large_.contains(value)) return work(whole(value));
+    try {
+      return work(value);
+    } catch (const TooLarge&) {
+      if (value.numerator.terms() < 3) throw;
+    }
+    too_large_.insert(value);
+    throw OtherBasis();
+  }
   Fraction call(const Node& node);
   void require(const Fraction& value, Signs allowed, const Tree& tree);
 
   Fraction symbol(const std::string& name);
   int common_multiple(const std::string& name, const Fraction& of, const cln::cl_I& number);
   std::pair<Fraction, Fraction> phase(const Fraction& phase);
-  std::pair<Fraction, Fraction> part_of_pi(const cln::cl_I& n);
+  std::pair<Fraction, Fraction> part_of_pi(int times, int n);
 
   // inverse_functions.cpp
   Fraction root(const Fraction& value, int order);
@@ -78,8 +92,14 @@ class Translator {
   const Symbols& symbols_;
   std::vector<Atom>* conditions_ = nullptr;
   std::optional<Fraction> argument_;  ///< u of the rule that is applied
-  /// The common denominators of phases, and the orders of roots; "turn": of multiples of π.
+  /// The orders of roots; "turn": the common denominator of multiples of π.
   std::map<std::pair<std::string, Fraction>, cln::cl_I> denominators_{{{"turn", 0}, 2}};
+  struct Multiples {             ///< of one term, and of one phase
+    cln::cl_RA common, largest;  ///< their greatest common divisor; the largest of their sizes
+    cln::cl_RA unit() const;     ///< the phase, as a multiple of the term
+  };
+  std::map<std::pair<std::string, Fraction>, std::vector<Multiples>> multiples_;
+  std::set<Fraction> too_large_;  ///< values that are one unknown where something is made of them
   std::map<Fraction, std::pair<Fraction, Fraction>> circular_;  ///< a memo table, by arguments
 };
 
@@ -91,8 +111,8 @@ bool vanishes(const Fraction& f, const Ring& ring);
 /// if between -2π and 2π; of logarithms e^d - 1; of d = u - v, with two positive terms, log(u/v).
 std::vector<Fraction> zeros_like(const Fraction& d, Ring& ring, Translator& translator);
 
-/// True if one of these is 0.
-bool vanishes(const Fraction& f, Ring& ring, Translator& translator);
+/// True if one of these is 0, or of a factor; or all coefficients of the powers of a symbol are.
+bool vanishes(const Fraction& f, Ring& ring, Translator& translator, int depth = 3);
 
 /// What must hold for f(u) to have a value, and what it is there.
 struct RewriteRule {

@@ -75,9 +75,26 @@ std::vector<Fraction> zeros_like(const Fraction& f, Ring& ring, Translator& tran
   return result;
 }
 
-bool vanishes(const Fraction& f, Ring& ring, Translator& translator) {
-  return vanishes(f, ring) ||
-         std::ranges::any_of(zeros_like(f, ring, translator), [&](auto& z) { return vanishes(z, ring); });
+bool vanishes(const Fraction& f, Ring& ring, Translator& translator, int depth) {
+  if (vanishes(f, ring)) return true;
+  const Polynomial p = ring.normal(f).numerator;
+  const auto is_inverse = [&](const Generator& g) { return g.is_angle() || g.function == "log"; };
+  if (p.terms() > 60 || std::ranges::none_of(ring.generators(), is_inverse)) return false;
+  const auto is_zero = [&](const Fraction& z) { return vanishes(z, ring); };
+  const auto part_vanishes = [&](const Polynomial& c) { return vanishes(c, ring, translator, depth - 1); };
+  for (const auto& [factor, exponent] : factors(p).second) {
+    cln::cl_I scale = 0;  // of angles, beside π
+    for (std::size_t t = 0; t < factor.terms(); ++t)
+      if (!(factor.monomial(t) == translator.pi().numerator)) scale = cln::gcd(scale, factor.coefficient(t));
+    if (factor.is_constant() || cln::zerop(scale)) continue;
+    if (std::ranges::any_of(zeros_like(Fraction(factor, Polynomial(scale)), ring, translator), is_zero))
+      return true;
+    for (const int k : factor.used())
+      if (depth > 0 && ring.generators()[k].function.empty() &&
+          std::ranges::all_of(factor.coefficients(k), part_vanishes))
+        return true;
+  }
+  return false;
 }
 
 }  // namespace rederive

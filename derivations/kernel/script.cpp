@@ -29,7 +29,7 @@ Polynomial in_sines(const Ring& ring, const Polynomial& p) {
     result = 0;
     for (int n = 0; n < static_cast<int>(coefficients.size()); ++n)
       result = result + coefficients[n] * power(Polynomial::variable(cosine), n % 2) *
-                            power(1 - Polynomial::variable(k) * Polynomial::variable(k), n / 2);
+                            power(Polynomial(1) - Polynomial::variable(k) * Polynomial::variable(k), n / 2);
   }
   return result;
 }
