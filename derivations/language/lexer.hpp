@@ -35,6 +35,13 @@ std::vector<Token> tokenize(std::string_view text, const Symbols& symbols, const
 /// "x"} for sin2x. The name alone where it is known, or more like a slip of the pen; that is none of three
 /// typed characters, such as αp, or of fewer.
 std::vector<std::string> words_in(const std::string& name, std::size_t characters, const Symbols& symbols);
+/// A product that was typed without its signs; whether it is the divisor of 3/2x, which is (3/2)*x.
+struct Run {
+  Tree product;
+  bool is_fraction;
+};
+/// The whole text as it is to be written, ": write a*b"; both readings of a/b c.
+std::string advice(const Relation& relation, const std::vector<Run>& runs, const Symbols& symbols);
 /// arcsin, ln: whether it is a function under that name in other languages.
 bool is_function_elsewhere(std::string_view name);
 /// What to say of a name that is no function, or no symbol; `quoted` is how it was typed.

@@ -1,6 +1,5 @@
 // Tokens → tree, by recursive descent: a function a level of the grammar.
-// Where a sign or a parenthesis is missing, it reads on to the end as if it were there, and then says what it
-// read.
+// Where a sign or a parenthesis is missing, it reads on as if it were there, and says so at the end.
 #include <algorithm>
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lexer.hpp>
@@ -33,7 +32,11 @@ class Parser {
     }
     if (now().is(")")) refuse("syntax", "this parenthesis closes nothing", now());
     if (now().is(",")) refuse_comma();
-    if (slip_) throw SyntaxError(slip_->note, slip_->position, slip_->what() + advice(relation));
+    if (slip_)
+      throw SyntaxError(
+          slip_->note, slip_->position,
+          slip_->what() + (has_open_argument_ ? "; where the argument of a function ends is not plain"
+                                              : advice(relation, runs_, symbols_)));
     return relation;
   }
 
@@ -99,39 +102,6 @@ class Parser {
     return chain(Kind::product, factor(), "*", "/", &Parser::factor, position);
   }
 
-  /// The whole text as it is to be written; both readings of a/2g, a/(2*g) and a/2*g; nothing where the end
-  /// of a function's argument is open.
-  std::string advice(const Relation& relation) const {
-    if (has_open_argument_) return "; where the argument of a function ends is not plain";
-    const std::string grouped = print(with_runs(relation, true), Notation::plain, symbols_),
-                      flat = print(with_runs(relation, false), Notation::plain, symbols_);
-    if (std::max(grouped.size(), flat.size()) > 4 * longest_text) return "";
-    if (grouped == flat) return ": write " + flat;
-    return ": write " + grouped + " or " + flat;
-  }
-
-  /// What was typed without signs joins the product that it stands in; `grouped`: below a / all of it.
-  Relation with_runs(Relation relation, bool grouped) const {
-    for (Tree& side : relation.sides) side = with_runs(side, grouped);
-    return relation;
-  }
-  Tree with_runs(const Tree& tree, bool grouped) const {
-    Node result{tree->kind, tree->text, {}, {}, tree->position};
-    for (std::size_t i = 0; i < tree->children.size(); ++i) {
-      const Tree child = with_runs(tree->children[i], grouped);
-      const auto run = std::ranges::find(runs_, tree->children[i], &Run::first);
-      const bool is_divisor = tree->kind == Kind::product && tree->inverse[i];
-      const bool is_apart =
-          tree->kind != Kind::product || run == runs_.end() || (is_divisor && grouped && !run->second);
-      const std::vector<Tree> parts = is_apart ? std::vector{child} : child->children;
-      for (std::size_t k = 0; k < parts.size(); ++k) {
-        result.children.push_back(parts[k]);
-        if (!tree->inverse.empty()) result.inverse.push_back(k == 0 && tree->inverse[i]);
-      }
-    }
-    return std::make_shared<const Node>(std::move(result));
-  }
-
   /// The signs before an operand.
   Tree with_signs(Tree (Parser::*operand)()) {
     if (!is_either("-", "+")) return (this->*operand)();
@@ -165,8 +135,8 @@ class Parser {
       node.children.push_back(power());
     }
     if (node.children.size() == 1) return node.children[0];
-    runs_.emplace_back(std::make_shared<const Node>(node), is_fraction);
-    return runs_.back().first;
+    runs_.push_back({std::make_shared<const Node>(node), is_fraction});
+    return runs_.back().product;
   }
 
   Tree power() {
@@ -307,8 +277,7 @@ class Parser {
   std::vector<Token> tokens_;
   std::size_t at_ = 0, depth_ = 0;
   std::optional<SyntaxError> slip_;
-  using Run = std::pair<Tree, bool>;
-  std::vector<Run> runs_;           ///< the products without signs; whether 3/2x is one, which is (3/2)*x
+  std::vector<Run> runs_;
   bool has_open_argument_ = false;  ///< as in sin x + y, sin x^2
 };
 
