@@ -148,6 +148,10 @@ TEST_CASE("right answers that students type are right, and wrong ones are called
            {"amplitude-at-five", "2.921", "wrong", "one_impact"},
            {"size-from-p", "5.11", "wrong", "half_diagonal"},
            {"inertia-about-corner", "1 1/3*m*R^2", "invalid", "implicit_multiplication"},
+           {"equation-of-motion", "(thetaddot + p^2*(sin(alpha-theta) + u_gddot/g*cos(alpha-theta)))^2 = 0",
+            "correct", "correct"},
+           {"equation-of-motion", "exp(thetaddot/p^2 + sin(alpha-theta) + u_gddot/g*cos(alpha-theta)) = 1",
+            "correct", "correct"},
        }) {
     const Opinion opinion = judged(row.id, row.answer);
     CHECK_MESSAGE(opinion.verdict == row.verdict, row.id, ": ", row.answer, ": ", opinion.verdict);
