@@ -25,15 +25,15 @@ std::vector<std::string> terms(const Tree& side, Notation notation) {
   if (side->kind != Node::Kind::sum) return {print(side, notation)};
   std::vector<std::string> result;
   const std::string minus = notation == Notation::unicode ? "−" : "-";
+  const auto enclosed = [&](const std::string& text) {
+    return notation == Notation::latex ? "\\left(" + text + "\\right)" : "(" + text + ")";
+  };
   for (std::size_t i = 0; i < side->children.size(); ++i) {
-    const bool taken_away = i < side->inverse.size() && side->inverse[i];
     const Tree& term = side->children[i];
-    const bool enclosed = taken_away && (term->kind == Node::Kind::sum || term->kind == Node::Kind::negative);
+    const bool is_sum = term->kind == Node::Kind::sum, is_negative = term->kind == Node::Kind::negative;
     std::string text = print(term, notation);
-    if (enclosed)
-      text = (notation == Notation::latex ? "\\left(" : "(") + text +
-             (notation == Notation::latex ? "\\right)" : ")");
-    result.push_back(i == 0 ? (taken_away ? minus + text : text) : (taken_away ? minus : "+") + (" " + text));
+    if (is_sum || (is_negative && i > 0)) text = enclosed(text);
+    result.push_back(i == 0 ? text : (side->inverse[i] ? minus : "+") + (" " + text));
   }
   return result;
 }

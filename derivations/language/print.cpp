@@ -45,8 +45,10 @@ bool is_named(const Node& node) {
   return function != nullptr && !function->latex.empty();
 }
 
-bool is_named_or_power(const Node& node) {
-  return is_named(node) || (node.kind == Kind::power && is_named(*node.children[0]));
+/// Whether LaTeX writes a function's name first: sin(x), sin(x)^2.
+bool begins_with_name(const Node& node) {
+  const bool is_raised = node.kind == Kind::power && node.children[1]->kind == Kind::number;
+  return is_named(is_raised ? *node.children[0] : node);
 }
 
 struct Printer {
@@ -77,7 +79,7 @@ struct Printer {
     if (node.kind == Kind::sum) return chain(node, Place::term, " + ", " " + signs.minus + " ");
     if (node.kind == Kind::power) return power(node, last);
     if (node.kind == Kind::call) return call(node, "", last);
-    return is_latex() ? fractions(node) : chain(node, Place::factor, signs.times, "/");
+    return is_latex() ? fractions(node, last) : chain(node, Place::factor, signs.times, "/");
   }
 
   std::string number(const std::string& digits) const {
@@ -101,30 +103,37 @@ struct Printer {
     return text;
   }
 
-  /// Runs of factors over runs of divisors: a*b/c*d is \frac{a b}{c} d.
-  std::string fractions(const Node& node) const {
+  /// Runs of factors over runs of divisors: a*b/c*d is \frac{a b}{c} d. `last` as in print().
+  std::string fractions(const Node& node, bool last) const {
     std::string text;
     for (std::size_t i = 0; i < node.children.size();) {
       std::vector<Tree> above, below;
       while (i < node.children.size() && !node.inverse[i]) above.push_back(node.children[i++]);
       while (i < node.children.size() && node.inverse[i]) below.push_back(node.children[i++]);
-      append(text, below.empty() ? row(above, i == node.children.size())
-                                 : "\\frac{" + row(above, true) + "}{" + row(below, true) + "}");
+      append(text, below.empty() ? row(above, last && i == node.children.size())
+                                 : "\\frac{" + part(above) + "}{" + part(below) + "}");
     }
     return text;
   }
 
   void append(std::string& text, const std::string& factor) const {
-    const bool digit = !factor.empty() && factor[0] >= '0' && factor[0] <= '9';
-    text += (text.empty() ? "" : digit ? " \\cdot " : signs.times) + factor;
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const bool is_number = !factor.empty() && is_digit(factor[0]),
+               is_mixed = !text.empty() && is_digit(text.back()) && factor.starts_with("\\frac{") &&
+                          is_digit(factor[6]);  // 2 \frac{1}{3} would be 7/3
+    text += (text.empty() ? "" : is_number || is_mixed ? " \\cdot " : signs.times) + factor;
   }
 
-  /// Factors side by side; one alone needs no parentheses in the parts of a fraction.
+  /// A numerator or a denominator: a single factor needs no parentheses there.
+  std::string part(const std::vector<Tree>& factors) const {
+    return factors.size() == 1 ? print(factors[0]) : row(factors, true);
+  }
+
+  /// Factors side by side.
   std::string row(const std::vector<Tree>& factors, bool last) const {
-    if (factors.size() == 1 && last) return print(factors[0]);
     std::string text;
     for (std::size_t i = 0; i < factors.size(); ++i) {
-      const bool nothing_follows = i + 1 == factors.size() ? last : is_named_or_power(*factors[i + 1]);
+      const bool nothing_follows = i + 1 == factors.size() ? last : begins_with_name(*factors[i + 1]);
       append(text, print(factors[i], Place::term, nothing_follows));
     }
     return text;
@@ -132,7 +141,7 @@ struct Printer {
 
   std::string power(const Node& node, bool last) const {
     const Node &base = *node.children[0], &exponent = *node.children[1];
-    const bool is_raised_name = is_latex() ? is_named(base) && exponent.kind == Kind::number  // sin²(x)
+    const bool is_raised_name = is_latex() ? begins_with_name(node)  // sin²(x)
                                            : notation == Notation::unicode && base.kind == Kind::call &&
                                                  base.text != "sqrt" && is_integer(exponent);
     const std::string raised = raise(node.children[1]);
@@ -167,7 +176,7 @@ struct Printer {
     if (node.text == "sqrt") return "\\sqrt{" + inside + "}";
     if (node.text == "fabs") return "\\left|" + inside + "\\right|";
     if (node.text == "exp") return "\\mathrm{e}^{" + inside + "}";
-    if (!last || !is_atom(*node.children[0])) return name + bracket(inside);
+    if (!last || !is_atom(*node.children[0]) || has(inside, "\\cdot")) return name + bracket(inside);
     return name + (inside[0] == '\\' ? "" : " ") + inside;
   }
 };
