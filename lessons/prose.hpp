@@ -54,6 +54,10 @@ std::string joined(const Items& items, std::string_view between, Say say = {}) {
   }
   return text;
 }
+/// "1 row", "2 rows".
+inline std::string counted(std::size_t count, const std::string& name) {
+  return std::to_string(count) + " " + name + (count == 1 ? "" : "s");
+}
 /// "(71) (86)".
 inline std::string numbers_of(const std::vector<std::string>& ids) {
   return ids.empty() ? "" : "(" + joined(ids, ") (") + ")";

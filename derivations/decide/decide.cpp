@@ -8,8 +8,8 @@
 namespace rederive {
 
 std::string to_string(Verdict verdict) {
-  constexpr const char* words[] = {"proved",  "proved_under", "approximation",
-                                   "refuted", "definition",   "undecided"};
+  constexpr const char* words[] = {"proved",     "proved_under", "approximation", "refuted",
+                                   "definition", "undecided",    "error"};
   return words[static_cast<int>(verdict)];
 }
 

@@ -8,8 +8,8 @@
 
 namespace rederive {
 
-/// Approximation is what `decide_to_order` says, definition what the ledger says of some rows.
-enum class Verdict { proved, proved_under, approximation, refuted, definition, undecided };
+/// Approximation is what `decide_to_order` says; definition and error are what the ledger says of some rows.
+enum class Verdict { proved, proved_under, approximation, refuted, definition, undecided, error };
 /// "proved", "proved_under" …
 std::string to_string(Verdict verdict);
 

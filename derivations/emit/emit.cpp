@@ -67,12 +67,11 @@ void check_arguments(const EmittedFunction& function) {
 
 std::string plain_unit(const Dimension& dimension) {
   std::string above, below;
-  const char* units[] = {"kg", "m", "s"};
   for (std::size_t i = 0; i < dimension.size(); ++i) {
     const GiNaC::numeric power = GiNaC::abs(dimension[i]);
     if (power.is_zero()) continue;
     std::string& side = dimension[i].is_negative() ? below : above;
-    std::string factor = units[i];
+    std::string factor = base_units[i];
     if (power != 1) factor += "^" + print(GiNaC::ex(power));
     side += (side.empty() ? "" : dimension[i].is_negative() ? "/" : "*") + factor;
   }
@@ -139,8 +138,7 @@ Provenance provenance(const EmittedFunction& function) {
   const DimensionReport report = dimension(tree, emission_symbols());
   if (!report.consistent) throw std::invalid_argument(function.name + ": " + report.explanation);
   const Operations operations(trees_of(function, true));
-  return {plain_unit(report.dimension.value_or(Dimension{0, 0, 0})), operations.count_unshared(),
-          operations.count(),
+  return {plain_unit(report.dimension.value_or(Dimension{})), operations.count_unshared(), operations.count(),
           hash_of(function.equation + "\n" + print(tree, Notation::plain, emission_symbols()))};
 }
 

@@ -1,3 +1,4 @@
+#include <cctype>
 #include <derivations/emit/data_folder.hpp>
 #include <derivations/emit/program.hpp>
 #include <derivations/kernel/lemma.hpp>
@@ -29,17 +30,25 @@ constexpr const char* makefile =
 
 }  // namespace
 
+std::string lemma_name(const std::string& kind, std::string id) {
+  for (char& c : id)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return kind + "_" + id;
+}
+
 std::optional<Lemma> lemma_of(const Entry& entry) {
-  if (!entry.derivation || entry.proof.verdict == Verdict::definition) return std::nullopt;
+  const bool is_error = entry.proof.verdict == Verdict::error;
+  if ((!entry.derivation && !is_error) || entry.proof.verdict == Verdict::definition) return std::nullopt;
   const bool is_refuted = entry.proof.verdict == Verdict::refuted;
-  Lemma result{entry.row.id, "Ledger.v", "equation_" + entry.row.id, "row", "", ""};
+  Lemma result{
+      .id = entry.row.id, .file = "Ledger.v", .name = lemma_name("equation", entry.row.id), .kind = "row"};
   if (is_refuted) result.name += "_refuted", result.kind = "refutation";
   try {
+    if (is_error) throw Undecidable(entry.proof.reason);
     const Symbols symbols = symbols_in(entry.row.domain);
-    Question question{parse_statement(entry.row.claim(), symbols), derived_relation(*entry.derivation),
-                      symbols, entry.derivation->given};
-    if (const std::string& assumed = entry.derivation->assumption; !assumed.empty() && question.given.empty())
-      question.assumptions = {read_assumption(assumed.substr(0, assumed.find_first_of(";:")), symbols)};
+    const Question question{parse_statement(entry.row.claim(), symbols), derived_relation(*entry.derivation),
+                            symbols, entry.derivation->given,
+                            conditions_of(entry.row, *entry.derivation, symbols)};
     if (entry.proof.verdict == Verdict::undecided) throw Undecidable("the verdict is undecided");
     result.text = comment(entry) + (is_refuted ? refutation : lemma)(result.name, question, entry.proof);
   } catch (const Undecidable& error) {

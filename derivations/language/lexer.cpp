@@ -102,7 +102,8 @@ class Tokenizer {
                         "this is longer than " + std::to_string(limits.characters) + " characters");
     const bool is_ascii = std::ranges::max(characters_.codes) < 0x80;  // then no Greek letter stands in it
     for (const auto& [name, symbol] : symbols.table()) {
-      if (symbol.unicode == name || (is_ascii && (symbol.unicode[0] & 0x80) != 0)) continue;
+      if (is_ascii && (symbol.unicode[0] & 0x80) != 0) continue;
+      if (symbols.find(symbol.unicode) != nullptr) continue;  // a name is read as the symbol of that name
       spellings_.emplace_back(decode(symbol.unicode).codes, name);
       spellings_.back().first.pop_back();
     }

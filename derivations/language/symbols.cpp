@@ -13,17 +13,25 @@ Range read_range(std::string_view text) {
   return {part[2], part[3], part[1] == "[", part[4] == "]"};
 }
 
+std::string in_brackets(const Range& range) {
+  return (range.lower_closed ? "[" : "(") + range.lower + ", " + range.upper +
+         (range.upper_closed ? "]" : ")");
+}
+
+bool is_nonnegative_end(std::string_view end) {
+  static const std::regex form("([^-A-Za-z]|pi|sqrt|exp)*");
+  return std::regex_match(end.begin(), end.end(), form);
+}
+
 const Symbol& Symbols::declare(Symbol symbol) {
   static const std::regex name_form("(?![Pp][Ii]$|inf$)[A-Za-z_][A-Za-z_0-9]*");
-  // Of an end that is not negative: nothing is subtracted, and no function in it has negative values.
-  static const std::regex nonnegative("([^-A-Za-z]|pi|sqrt|exp)*");
   if (!std::regex_match(symbol.name, name_form))
     throw std::invalid_argument("a name is letters, digits and '_', and neither 'pi' nor 'inf', not '" +
                                 symbol.name + "'");
   const Range ends = read_range(symbol.range);
   if (!GiNaC::is_a<GiNaC::symbol>(symbol.ginac)) {
     // GiNaC simplifies sqrt(x^2) to x where it knows that x is not negative.
-    symbol.ginac = std::regex_match(ends.lower, nonnegative)
+    symbol.ginac = is_nonnegative_end(ends.lower)
                        ? SymbolExpression(GiNaC::possymbol(symbol.name, symbol.latex))
                        : SymbolExpression(GiNaC::realsymbol(symbol.name, symbol.latex));
   }

@@ -49,6 +49,11 @@ struct Range {
 };
 /// Reads "(0, pi/2]". Throws std::invalid_argument.
 Range read_range(std::string_view text);
+/// The same as text.
+std::string in_brackets(const Range& range);
+/// Whether an end of a range is seen not to be negative: nothing is subtracted in it, and no function in it
+/// has negative values.
+bool is_nonnegative_end(std::string_view end);
 
 /// A set of declared symbols. Copies share the GiNaC symbols, except those that are declared again.
 class Symbols {

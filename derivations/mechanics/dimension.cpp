@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
+#include <derivations/language/syntax.hpp>
 #include <derivations/language/unicode.hpp>
 #include <derivations/mechanics/dimension.hpp>
-#include <regex>
 #include <sstream>
 
 namespace rederive {
@@ -16,13 +16,11 @@ using Kind = Node::Kind;
 /// None: 0, which is of any dimension.
 using Maybe = std::optional<Dimension>;
 
-const Dimension pure = {0, 0, 0};
+const Dimension pure = {};
 
 struct Inconsistent {
   std::string explanation;
 };
-
-constexpr std::array<const char*, 3> base_units = {"kg", "m", "s"};
 
 std::string power_text(const char* unit, const GiNaC::numeric& power) {
   if (power == 1) return unit;
@@ -153,19 +151,45 @@ std::string side_name(std::size_t side, std::size_t sides) {
 
 }  // namespace
 
-Dimension parse_unit(std::string_view text) {
-  static const std::regex factor(R"((^|^1/|[*/])(kg|m|s)(?:\^([0-9]))?)");
-  Dimension dimension{0, 0, 0};
-  std::ptrdiff_t read = text == "1" ? 1 : 0;
-  std::cregex_iterator part(text.begin(), text.end(), factor), none;
-  for (; part != none && part->position() == read; read += part->length(), ++part) {
-    const std::string sign = (*part)[1], base = (*part)[2], power = (*part)[3];
-    dimension[base == "kg"  ? 0
-              : base == "m" ? 1
-                            : 2] += (sign.ends_with('/') ? -1 : 1) * (power.empty() ? 1 : power[0] - '0');
+namespace {
+
+const Symbols& units_as_symbols() {
+  static const Symbols units = [] {
+    Symbols table;
+    for (const char* unit : base_units) table.declare(unit, unit, unit, unit, "(0, inf)", "", "");
+    return table;
+  }();
+  return units;
+}
+
+/// The dimension of a product of powers of base units. Throws std::invalid_argument for anything else.
+Dimension dimension_of_unit(const Tree& tree) {
+  Dimension result = pure;
+  if (tree->kind == Kind::symbol && tree->text != "pi") {
+    result[static_cast<std::size_t>(std::ranges::find(base_units, tree->text) - base_units.begin())] = 1;
+  } else if (tree->kind == Kind::product) {
+    for (std::size_t i = 0; i < tree->children.size(); ++i) {
+      const Dimension factor = dimension_of_unit(tree->children[i]);
+      for (std::size_t k = 0; k < result.size(); ++k) result[k] += tree->inverse[i] ? -factor[k] : factor[k];
+    }
+  } else if (tree->kind == Kind::power) {
+    const GiNaC::ex exponent = lower(tree->children[1], units_as_symbols());
+    if (!exponent.info(GiNaC::info_flags::rational)) throw std::invalid_argument("no number");
+    return scaled(dimension_of_unit(tree->children[0]), GiNaC::ex_to<GiNaC::numeric>(exponent));
+  } else if (tree->text != "1") {
+    throw std::invalid_argument("no unit");
   }
-  if (!text.empty() && read == std::ssize(text)) return dimension;
-  throw std::invalid_argument("a unit is written like 'kg*m^2/s^2', not '" + std::string(text) + "'");
+  return result;
+}
+
+}  // namespace
+
+Dimension parse_unit(std::string_view text) try {
+  return dimension_of_unit(parse(text, units_as_symbols()));
+} catch (const std::exception&) {  // SyntaxError among them
+  throw std::invalid_argument(
+      "a unit is written in kg, m, s, A, K, mol and cd, like 'kg*m^2/s^2', 's^4/(kg*m^2)' or '1', not '" +
+      std::string(text) + "'");
 }
 
 std::string unit_text(const Dimension& dimension) {

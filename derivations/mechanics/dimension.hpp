@@ -9,9 +9,12 @@
 
 namespace rederive {
 
-/// Exponents of kg, m, s.
-using Dimension = std::array<GiNaC::numeric, 3>;
-/// Reads "kg*m^2/s^2" or "1". Throws std::invalid_argument.
+/// The base units of the SI.
+inline constexpr std::array<const char*, 7> base_units = {"kg", "m", "s", "A", "K", "mol", "cd"};
+/// Their exponents, in this order.
+using Dimension = std::array<GiNaC::numeric, base_units.size()>;
+/// Reads a product of powers of these in our syntax: "kg*m^2/s^2", "s^4/(kg*m^2)", "kg^-1", "1". Throws
+/// std::invalid_argument.
 Dimension parse_unit(std::string_view text);
 
 /// "kg·m²/s²"; "1" for a pure number.

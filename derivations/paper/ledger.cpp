@@ -1,8 +1,14 @@
+#include <fmt/ostream.h>
+
 #include <algorithm>
+#include <derivations/numbers/interval.hpp>
+#include <derivations/paper/corrections.hpp>
 #include <derivations/paper/ledger.hpp>
+#include <derivations/paper/prove.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <derivations/rocking_block/table.hpp>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 namespace rederive {
@@ -25,59 +31,238 @@ std::vector<std::string> downstream(const std::string& id, const std::vector<Row
   return ids;
 }
 
-/// The verdict of the comparison, in the light of what the derivation says about itself.
-void qualify(Proof& proof, const Derivation& derivation) {
-  if (proof.verdict != Verdict::proved) return;
-  if (derivation.order > 0)
-    proof.verdict = Verdict::approximation;
-  else if (!derivation.assumption.empty())
-    proof.verdict = Verdict::proved_under;
+/// "theta < 0" as θ and a number, turned round where the number comes first; nothing of other relations.
+std::optional<Relation> end_of_range(const Relation& link) {
+  const auto is_end = [&](int side) {
+    return is_symbol(link.sides[side]) && names_of(link.sides[1 - side]).empty();
+  };
+  if (is_end(0)) return link;
+  if (!is_end(1)) return std::nullopt;
+  std::string sign = link.operators[0];
+  sign[0] = sign[0] == '<' ? '>' : '<';
+  return Relation{{link.sides[1], link.sides[0]}, {sign}};
+}
+
+/// The inequalities of a domain, one by one.
+std::vector<Relation> links_in(const std::string& domain) {
+  std::vector<Relation> links;
+  std::istringstream parts(domain);
+  for (std::string text; std::getline(parts, text, ',');) {
+    const auto fail = [&] {
+      throw std::invalid_argument("cannot read the domain '" + text +
+                                  "'; right is, for example, \"theta < 0\" or \"0 < theta_0 < alpha\"");
+    };
+    try {
+      for (const Relation& link : links_of(parse_relation(text, paper_symbols()))) {
+        if (names_of(link).empty() || is_equation(link)) fail();
+        links.push_back(link);
+      }
+    } catch (const SyntaxError&) {
+      fail();
+    }
+  }
+  return links;
 }
 
 /// "theta < 0" puts a new upper end into the range of θ.
-void put_end(Symbols& symbols, const std::string& text) {
-  const auto fail = [&] {
-    throw std::invalid_argument("cannot read the domain '" + text +
-                                "'; right is, for example, \"theta < 0\"");
-  };
-  Relation relation;
-  try {
-    relation = parse_relation(text, symbols);
-  } catch (const SyntaxError&) {
-    fail();
-  }
-  const bool simple = relation.sides.size() == 2 && relation.operators[0] != "=" &&
-                      relation.sides[0]->kind == Node::Kind::symbol && relation.sides[0]->text != "pi";
-  if (!simple) fail();
-  const std::string& name = relation.sides[0]->text;
+void put_end(Symbols& symbols, const Relation& link) {
+  const std::string& name = link.sides[0]->text;
   Range range = read_range(symbols.find(name)->range);
-  const bool closed = relation.operators[0].size() == 2, upper = relation.operators[0][0] == '<';
-  (upper ? range.upper : range.lower) = print(relation.sides[1]);
-  (upper ? range.upper_closed : range.lower_closed) = closed;
-  symbols.narrow(name, (range.lower_closed ? "[" : "(") + range.lower + ", " + range.upper +
-                           (range.upper_closed ? "]" : ")"));
+  const bool is_closed = link.operators[0].size() == 2, is_upper = link.operators[0][0] == '<';
+  (is_upper ? range.upper : range.lower) = print(link.sides[1]);
+  (is_upper ? range.upper_closed : range.lower_closed) = is_closed;
+  symbols.narrow(name, in_brackets(range));
+}
+
+/// What a derivation assumes: the relations before : or ;, separated by commas. Words alone say nothing here.
+std::vector<Relation> assumed_by(const Derivation& derivation, const Symbols& symbols) {
+  std::vector<Relation> result;
+  const std::string& said = derivation.assumption;
+  const std::string relations = said.substr(0, said.find_first_of(";:"));
+  for (const char* sign : {"<", ">", "=", "≤", "≥"}) {
+    if (relations.find(sign) == std::string::npos) continue;
+    std::istringstream parts(relations);
+    for (std::string text; std::getline(parts, text, ',');) try {
+        result.push_back(read_assumption(trimmed(text), symbols));
+      } catch (const BadInput& error) {
+        throw std::invalid_argument("its assumption '" + said + "' cannot be read: " + error.what());
+      }
+    break;
+  }
+  return result;
+}
+
+/// The symbols in which a derivation is a series: of "alpha, a_p/g" alpha and a_p.
+std::vector<std::string> small_symbols(const Derivation& derivation, const Symbols& symbols) {
+  std::vector<std::string> small;
+  std::istringstream parts(derivation.small);
+  for (std::string text; std::getline(parts, text, ',');) {
+    Tree tree = parse(text, symbols);
+    while (tree->kind == Node::Kind::product) tree = tree->children[0];
+    if (!is_symbol(tree)) throw std::invalid_argument("'" + trimmed(text) + "' is no symbol that is small");
+    small.push_back(tree->text);
+  }
+  if (small.empty())
+    throw std::invalid_argument(
+        fmt::format("its order is {}, but it does not say in which symbols", derivation.order));
+  return small;
+}
+
+/// Whether the sides of a relation have no terms beyond an order in the small symbols; negative powers may be
+/// among them.
+bool is_series(const Relation& relation, const std::vector<std::string>& small, int order,
+               const Symbols& symbols) {
+  constexpr int poles = 8;  // no pole of a higher order
+  const GiNaC::symbol size("size");
+  GiNaC::exmap scaled;
+  for (const std::string& name : small) scaled[symbols[name]] = size * symbols[name];
+  return std::ranges::all_of(relation.sides, [&](const Tree& side) {
+    const GiNaC::ex of_size = lower(side, symbols).subs(scaled, GiNaC::subs_options::no_pattern);
+    const GiNaC::ex polynomial = (of_size * pow(size, poles)).normal().expand();
+    return polynomial.is_polynomial(size) && polynomial.degree(size) <= order + poles;
+  });
+}
+
+/// The verdict where a derivation has an order: what is printed may be more than the series that is derived,
+/// or less.
+Proof with_series(Proof proof, const Relation& printed, const Derivation& derivation, const Symbols& symbols,
+                  const std::vector<Relation>& conditions) {
+  const Relation derived = derived_relation(derivation);
+  const std::vector<std::string> small = small_symbols(derivation, symbols);
+  const bool is_derived_series = is_series(derived, small, derivation.order, symbols);
+  if (proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under) {
+    if (is_derived_series)
+      proof.verdict = Verdict::approximation;
+    else
+      proof.reason +=
+          fmt::format("; the match is exact, not only to order {} in {}", derivation.order, derivation.small);
+    return proof;
+  }
+  const Proof series =
+      decide_to_order(printed, derived, small, derivation.order, symbols, derivation.given, conditions);
+  if (proof.verdict != Verdict::refuted || series.verdict == Verdict::approximation) return series;
+  // where both are series already, the one that differs from the other is wrong
+  const bool are_series = is_derived_series && is_series(printed, small, derivation.order, symbols);
+  return series.verdict == Verdict::refuted || are_series ? proof : series;
+}
+
+/// Throws std::runtime_error if an expression cannot be judged or printed.
+void check_expression(const GiNaC::ex& expression) {
+  for (auto part = expression.preorder_begin(); part != expression.preorder_end(); ++part) {
+    const auto text = [&] { return fmt::to_string(fmt::streamed(*part)); };
+    if (GiNaC::is_a<GiNaC::symbol>(*part) &&
+        paper_symbols().find(GiNaC::ex_to<GiNaC::symbol>(*part).get_name()) == nullptr)
+      throw std::runtime_error("the symbol " + text() + " is not declared");
+    if (GiNaC::is_a<GiNaC::numeric>(*part) && !part->info(GiNaC::info_flags::rational))
+      throw std::runtime_error("the number " + text() +
+                               " is not rational; an exact one is written like numeric(1, 2)");
+  }
+  (void)to_tree(expression);
+}
+
+/// Checks all expressions of a derivation, and its relation. Throws std::runtime_error, saying where.
+void check_derivation(const Derivation& derivation) {
+  const auto check = [](const std::string& place, const GiNaC::ex& expression) {
+    try {
+      check_expression(expression);
+    } catch (const std::exception& error) {
+      throw std::runtime_error("in " + place + ": " + error.what());
+    }
+  };
+  check("the left side of its result", derivation.left);
+  check("the right side of its result", derivation.right);
+  int number = 0;
+  for (const Step& step : derivation.steps) {
+    const std::string place = fmt::format("step {} ({})", ++number, step.says);
+    check(place, step.left), check(place, step.right);
+  }
+  for (const Given& given : derivation.given) {
+    check("what is given", given.name), check("what is given", given.value);
+    if (paper_symbols().find(given.name) == nullptr)
+      throw std::runtime_error("what is given is no symbol: " + print(given.name));
+  }
+  const std::set<std::string> relations{"=", "<", "<=", ">", ">="};
+  if (!relations.contains(derivation.relation))
+    throw std::runtime_error("its relation '" + derivation.relation + "' is none of =, <, <=, > and >=");
+  (void)parse_statement(print(derived_relation(derivation)));  // it is read again where it is shown
+  if (derivation.order > 0) (void)small_symbols(derivation, paper_symbols());
+  (void)assumed_by(derivation, paper_symbols());
 }
 
 }  // namespace
 
 Symbols symbols_in(const std::string& domain) {
   Symbols symbols = paper_symbols();
-  for (std::size_t start = 0; start < domain.size();) {
-    const std::size_t end = std::min(domain.find(',', start), domain.size());
-    put_end(symbols, domain.substr(start, end - start));
-    start = end + 1;
-  }
+  for (const Relation& link : links_in(domain))
+    if (const auto end = end_of_range(link)) put_end(symbols, *end);
   return symbols;
+}
+
+void check_range(const Symbol& symbol) {
+  const std::string start = "the symbol " + symbol.name + ": ";
+  try {
+    if (!parse_range(symbol.range).is_empty()) return;
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(start + error.what());
+  }
+  throw std::invalid_argument(start + "the range " + symbol.range + " is empty");
+}
+
+std::vector<Relation> declared_conditions_on(std::set<std::string> names) {
+  std::vector<Relation> result, others = declared_conditions();
+  for (bool has_grown = true; has_grown;) {
+    has_grown = false;
+    std::erase_if(others, [&](const Relation& condition) {
+      const std::set<std::string> its_names = names_of(condition);
+      if (std::ranges::none_of(its_names, [&](auto& name) { return names.contains(name); })) return false;
+      names.insert(its_names.begin(), its_names.end());
+      result.push_back(condition);
+      return has_grown = true;
+    });
+  }
+  return result;
+}
+
+std::vector<Relation> conditions_of(const Row& row, const Derivation& derivation, const Symbols& symbols) {
+  std::vector<Relation> stated;
+  for (const Relation& link : links_in(row.domain))
+    if (!end_of_range(link)) stated.push_back(link);
+  for (Relation& relation : assumed_by(derivation, symbols)) stated.push_back(std::move(relation));
+  std::set<std::string> names;
+  const auto add = [&](const Relation& relation) { names.merge(names_of(relation)); };
+  add(parse_statement(row.claim(), symbols)), add(derived_relation(derivation));
+  for (const Given& given : derivation.given) names.merge(names_of(to_tree(given.value)));
+  for (const Relation& relation : stated) add(relation);
+  std::vector<Relation> result = declared_conditions_on(names);
+  result.insert(result.end(), stated.begin(), stated.end());
+  return result;
 }
 
 Relation derived_relation(const Derivation& derivation) {
   return {{to_tree(derivation.left), to_tree(derivation.right)}, {derivation.relation}};
 }
 
-Proof compare(const Relation& printed, const Derivation& derivation, const Symbols& symbols) {
-  Proof proof = decide(printed, derived_relation(derivation), symbols, derivation.given);
-  qualify(proof, derivation);
+Proof compare(const Relation& printed, const Derivation& derivation, const Symbols& symbols,
+              const std::vector<Relation>& conditions) {
+  Proof proof = decide(printed, derived_relation(derivation), symbols, derivation.given, conditions);
+  if (derivation.order > 0) proof = with_series(std::move(proof), printed, derivation, symbols, conditions);
+  if (proof.verdict == Verdict::proved && !derivation.assumption.empty())
+    proof.verdict = Verdict::proved_under;
   return proof;
+}
+
+std::optional<Derivation> checked_derivation(const std::string& id) {
+  const auto found = derivation_table().find(id);
+  if (found == derivation_table().end()) return std::nullopt;
+  try {
+    const Derivation derivation = Cited{id, found->second}.derivation();
+    check_derivation(derivation);
+    return derivation;
+  } catch (const std::exception& error) {
+    throw std::runtime_error("the derivation of (" + id + ") cannot be used: " + error.what());
+  } catch (...) {
+    throw std::runtime_error("the derivation of (" + id + ") throws something that says nothing of itself");
+  }
 }
 
 Entry judge(const Row& row, const std::vector<Row>& rows) {
@@ -88,18 +273,25 @@ Entry judge(const Row& row, const std::vector<Row>& rows) {
   // a result of ours stands in the place of a printed equation: it, too, must follow from the derivation
   const Relation stated = parse_statement(row.claim(), symbols);
   entry.dimension = dimension(stated, symbols);
-  const auto found = derivation_table().find(row.id);
-  if (found == derivation_table().end()) {
+  try {
+    entry.derivation = checked_derivation(row.id);
+  } catch (const std::runtime_error& error) {
+    entry.proof.verdict = Verdict::error;
+    entry.proof.reason = error.what();
+    return entry;
+  }
+  if (!entry.derivation) {
     entry.proof.verdict = row.kind == "definition" ? Verdict::definition : Verdict::undecided;
     entry.proof.reason = row.kind == "definition"
                              ? "introduces a name or an assumption; there is nothing to derive"
                              : "no derivation is listed for this row";
     return entry;
   }
-  entry.derivation = Cited{row.id, found->second}.derivation();
   entry.derived = print(derived_relation(*entry.derivation));
-  entry.proof = compare(stated, *entry.derivation, symbols);
-  if (entry.proof.verdict == Verdict::refuted) entry.correction = entry.derived;
+  const std::vector<Relation> conditions = conditions_of(row, *entry.derivation, symbols);
+  entry.proof = compare(stated, *entry.derivation, symbols, conditions);
+  if (entry.proof.verdict == Verdict::refuted)
+    entry.correction = correction_of(stated, *entry.derivation, symbols, conditions);
   return entry;
 }
 

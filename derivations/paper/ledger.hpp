@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,18 +44,35 @@ std::vector<Row> read_rows(const std::filesystem::path& file);
 std::filesystem::path equations_file();
 
 /// The symbols of the paper with the row's domain put in: "theta < 0" makes 0 the upper end of the range of
-/// θ; several are separated by commas. Throws std::invalid_argument for a domain of another form.
+/// θ; several relations are separated by commas. Throws std::invalid_argument for a domain of another form.
 Symbols symbols_in(const std::string& domain);
 
-/// Judges one row: derives, compares, checks dimensions. `rows` gives what rests on it. Throws SyntaxError
-/// where the printed text cannot be read.
+/// Throws std::invalid_argument, naming the symbol, if its range has an end without a value, or is empty.
+void check_range(const Symbol& symbol);
+
+/// Judges one row: derives, compares, checks dimensions. `rows` gives what rests on it. Where the derivation
+/// cannot be used the verdict is error. Throws SyntaxError where the printed text cannot be read.
 Entry judge(const Row& row, const std::vector<Row>& rows);
+
+/// The derivation of an equation by its id, nullopt if none is listed. Throws std::runtime_error, saying why
+/// and where, if it throws, or holds what cannot be judged: a symbol that is not declared, a number that is
+/// not rational.
+std::optional<Derivation> checked_derivation(const std::string& id);
 
 /// What was derived for a row, as a relation that can be printed and compared.
 Relation derived_relation(const Derivation& derivation);
 
+/// What holds where a row is compared with its derivation, beside the numeric ranges of the symbols: what the
+/// domain and the ranges say of several symbols ("theta_0 < alpha"), and what the derivation assumes. Throws
+/// std::invalid_argument for an assumption that cannot be read.
+std::vector<Relation> conditions_of(const Row& row, const Derivation& derivation, const Symbols& symbols);
+
+/// Those of paper_symbols() that say something of one of these names, or of a symbol in another one of them.
+std::vector<Relation> declared_conditions_on(std::set<std::string> names);
+
 /// Whether a printed relation says what was derived: the comparison that `judge` makes, for a mutant or an
-/// answer.
-Proof compare(const Relation& printed, const Derivation& derivation, const Symbols& symbols);
+/// answer. Where a derivation has an order and the two are not the same, their series are compared.
+Proof compare(const Relation& printed, const Derivation& derivation, const Symbols& symbols,
+              const std::vector<Relation>& conditions = {});
 
 }  // namespace rederive

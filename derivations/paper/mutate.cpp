@@ -2,7 +2,6 @@
 #include <derivations/paper/edits.hpp>
 #include <derivations/paper/mutate.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
-#include <derivations/rocking_block/table.hpp>
 #include <functional>
 #include <map>
 #include <numeric>
@@ -162,10 +161,15 @@ std::vector<Mutant> mutants(const Relation& printed, const Symbols& symbols) {
 Mutation mutate(const Row& row, unsigned seed, int most) {
   Mutation outcome;
   outcome.id = row.id;
-  const auto derive = derivation_table().find(row.id);
-  if (derive == derivation_table().end()) return outcome;
+  std::optional<Derivation> derivation;
+  try {
+    derivation = checked_derivation(row.id);
+  } catch (const std::runtime_error& error) {
+    outcome.error = error.what();
+  }
+  if (!derivation) return outcome;
   const Symbols symbols = symbols_in(row.domain);
-  const Derivation derivation = derive->second();
+  const std::vector<Relation> conditions = conditions_of(row, *derivation, symbols);
   std::vector<Mutant> all = mutants(parse_statement(row.claim(), symbols), symbols);
   std::mt19937 random(std::accumulate(row.id.begin(), row.id.end(), seed, [](unsigned sum, char c) {
     return 31 * sum + static_cast<unsigned char>(c);
@@ -174,7 +178,7 @@ Mutation mutate(const Row& row, unsigned seed, int most) {
     std::swap(all[k - 1], all[random() % k]);  // the same on every library
   if (all.size() > static_cast<std::size_t>(most)) all.resize(static_cast<std::size_t>(most));
   for (const Mutant& mutant : all) {
-    const Verdict verdict = compare(mutant.relation, derivation, symbols).verdict;
+    const Verdict verdict = compare(mutant.relation, *derivation, symbols, conditions).verdict;
     ++outcome.mutants;
     if (verdict == Verdict::refuted)
       ++outcome.refuted;

@@ -22,6 +22,7 @@ struct Mutation {
   std::string id;
   int mutants = 0, refuted = 0, equal = 0, survived = 0;
   std::vector<std::string> survivors;  ///< their text
+  std::string error;                   ///< why there are none, where the derivation cannot be used
 };
 
 /// Compares up to `most` mutants of a row (chosen by `seed`) with what was derived for it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <derivations/decide/decide.hpp>
 #include <derivations/language/unicode.hpp>
+#include <derivations/paper/ledger.hpp>
 #include <derivations/paper/prove.hpp>
 #include <regex>
 
@@ -15,8 +16,11 @@ const std::vector<std::string> greek{
     "mu",    "nu",   "xi",    "rho",   "sigma",   "tau",   "phi", "chi",   "psi",  "omega", "upsilon",
     "Gamma", "Xi",   "Delta", "Theta", "Lambda",  "Sigma", "Phi", "Psi",   "Omega"};
 
+/// Declares a letter as any real number, unless it is a symbol or the way in which one is written.
 void declare_free(Symbols& symbols, const std::string& name) {
-  if (symbols.find(name) == nullptr) symbols.declare(name, name, name, "1", all_numbers, "a real number", "");
+  const auto is_written_so = [&](const auto& entry) { return entry.second.unicode == name; };
+  if (symbols.find(name) == nullptr && std::ranges::none_of(symbols.table(), is_written_so))
+    symbols.declare(name, name, name, "1", all_numbers, "a real number", "");
 }
 
 /// Letters stand for real numbers, alone or with an index or dots: x, x1, k_2, omega_0, betadot. Not so
@@ -81,11 +85,15 @@ Question read(const ProveRequest& request) {
   Question question{declared_symbols(request), {}, {}, {}};
   question.left = read(request.left, question.symbols),
   question.right = read(request.right, question.symbols);
+  std::set<std::string> names = names_of(question.left);
+  names.merge(names_of(question.right));
   for (const std::string& text : request.assumptions) {
     question.assumptions.push_back(read_assumption(text, question.symbols));
+    names.merge(names_of(question.assumptions.back()));
     if (names_of(question.assumptions.back()).empty())
       throw BadInput("the assumption '" + text + "' says nothing of a symbol");
   }
+  for (const Relation& condition : declared_conditions_on(names)) question.assumptions.push_back(condition);
   if (contradict(question.assumptions, question.symbols))
     throw BadInput(
         "no numbers in their ranges meet all assumptions: they contradict each other, or have no value");
@@ -189,8 +197,9 @@ std::vector<std::string> conditions_used(Question q, const ProveRequest& request
 
 Symbols declared_symbols(const ProveRequest& request) {
   Symbols symbols = paper_symbols();
-  for (const char* name : {"t", "r", "d"})
-    symbols.declare(name, name, name, symbols.find(name)->unit, all_numbers, "a real number", "");
+  for (const auto& [name, of_the_block] : {std::pair("t", paper::t), {"r", paper::r}, {"d", paper::d}})
+    if (const Symbol* symbol = symbols.find(name); symbol->ginac.is_equal(of_the_block))
+      symbols.declare(name, name, name, symbol->unit, all_numbers, "a real number", "");
   for (char c = 'a'; c <= 'z'; ++c) declare_free(symbols, std::string(1, c));
   for (char c = 'A'; c <= 'Z'; ++c) declare_free(symbols, std::string(1, c));
   for (const std::string& letter : greek) declare_free(symbols, letter);

@@ -19,7 +19,8 @@ struct ProveRequest {
 };
 
 /// The symbols of the paper, and every letter and Greek letter (with an index or dots) that the texts use. t,
-/// r and d are any real numbers: everybody uses them for something else than the paper does.
+/// r and d are any real numbers unless a paper declares them anew: everybody uses them for something else
+/// than the rocking block does.
 Symbols declared_symbols(const ProveRequest& request);
 
 /// "x > 0", "x != y" as a relation. Throws BadInput, with a caret.

@@ -10,8 +10,13 @@
 
 namespace rederive {
 
-/// All of them, with their meanings. Complete once main() has begun.
+/// All of them, with their meanings. Complete once main() has begun. The first call throws
+/// std::invalid_argument, naming the symbol, for a unit or a range that cannot be read, and for two symbols
+/// that are written alike.
 const Symbols& paper_symbols();
+/// What the ranges say beside numbers: "(0, alpha)" of theta_0 says theta_0 < alpha. In paper_symbols() the
+/// ends of all ranges are numbers.
+const std::vector<Relation>& declared_conditions();
 
 // The language with these symbols.
 inline Tree parse(std::string_view text) { return parse(text, paper_symbols()); }
@@ -33,7 +38,7 @@ DimensionReport dimension(const Formula& formula) {
 namespace paper {
 
 /// A GiNaC symbol, with what paper_symbols() is to say of it: a unit such as "kg*m^2" or "1", a range such as
-/// "[0, inf)". What is malformed throws when it is first read.
+/// "[0, inf)" or "(0, alpha)". A symbol of the same name that was declared before is replaced.
 SymbolExpression declared(const char* name, const char* latex, const char* unicode, const char* unit,
                           const char* range, const char* meaning, const char* introduced);
 

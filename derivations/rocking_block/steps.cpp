@@ -1,6 +1,8 @@
 #include <derivations/rocking_block/steps.hpp>
 #include <map>
 #include <mutex>
+#include <set>
+#include <stdexcept>
 
 namespace rederive {
 
@@ -29,7 +31,16 @@ const Derivation& Cited::derivation() const {
   static std::recursive_mutex guard;
   const std::lock_guard lock(guard);
   if (const auto found = remembered.find(derive); found != remembered.end()) return found->second;
-  return remembered.emplace(derive, derive()).first->second;
+  static std::set<Derive> under_way;
+  if (!under_way.insert(derive).second) throw std::logic_error("(" + number + ") is derived from itself");
+  try {
+    const Derivation derivation = derive();
+    under_way.erase(derive);
+    return remembered.emplace(derive, derivation).first->second;
+  } catch (...) {
+    under_way.erase(derive);
+    throw;
+  }
 }
 
 Step from(const Cited& other, std::string says) {

@@ -15,7 +15,8 @@ using Table = std::map<std::string, Derive>;
 
 void add(const Derivations& section, Table& all) {
   for (const auto& [id, derive] : section)
-    if (!all.emplace(id, derive).second) throw std::logic_error("equation (" + id + ") is derived twice");
+    if (!all.emplace(id, derive).second)
+      throw std::invalid_argument("equation (" + id + ") is derived twice");
 }
 
 Table& table() {

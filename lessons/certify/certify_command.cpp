@@ -7,6 +7,7 @@
 #include <lessons/certify/check.hpp>
 #include <lessons/certify/rests.hpp>
 #include <lessons/certify/steps.hpp>
+#include <lessons/prose.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -58,7 +59,7 @@ int report(const std::vector<Lemma>& lemmas, const std::vector<Checked>& checked
            const std::vector<Support>& supports, bool json) {
   Json list = Json::array();
   std::set<std::string> axioms;
-  int passed = 0;
+  int passed = 0, skipped = 0;
   for (std::size_t k = 0; k < lemmas.size(); ++k) {
     const Lemma& lemma = lemmas[k];
     const Checked& found = checked[k];
@@ -68,23 +69,28 @@ int report(const std::vector<Lemma>& lemmas, const std::vector<Checked>& checked
                     {"kind", lemma.kind},
                     {"passed", found.passed},
                     {"axioms", found.axioms}});
+    if (is_skipped(lemma)) list.back()["skipped"] = lemma.why, ++skipped;
     axioms.insert(found.axioms.begin(), found.axioms.end());
     passed += found.passed ? 1 : 0;
-    if (!json)
-      fmt::print("{:<6} {:<24} {}\n", lemma.id, lemma.name,
-                 found.passed ? "passed" : "failed: " + first_error(found.error));
+    if (json) continue;
+    const std::string said = found.passed        ? "passed"
+                             : is_skipped(lemma) ? "skipped: there is no script: " + lemma.why
+                                                 : "failed: " + first_error(found.error);
+    fmt::print("{:<6} {:<24} {}\n", lemma.id, lemma.name, said);
   }
-  const int failed = static_cast<int>(lemmas.size()) - passed;
+  const int failed = static_cast<int>(lemmas.size()) - passed - skipped;
   if (json) {
     const Json counts{{"rows", count(lemmas, "row")},
                       {"refutations", count(lemmas, "refutation")},
                       {"derivations", count(lemmas, "derivation")},
                       {"rest_wholly_on_theorems", whole(supports)},
                       {"passed", passed},
-                      {"failed", failed}};
+                      {"failed", failed},
+                      {"skipped", skipped}};
     fmt::print("{}\n", Json{{"lemmas", list}, {"counts", counts}}.dump(2));
   } else {
-    fmt::print("\n{} lemmas: {} passed, {} failed. What they assume:\n", lemmas.size(), passed, failed);
+    fmt::print("\n{}: {} passed, {} failed{}. What they assume:\n", counted(lemmas.size(), "lemma"), passed,
+               failed, skipped > 0 ? fmt::format(", {} skipped", skipped) : "");
     for (const std::string& axiom : axioms) fmt::print("  {}\n", axiom);
     if (!supports.empty()) fmt::print("{}.\n", summary(supports));
   }
@@ -119,13 +125,14 @@ int certify(const std::vector<Entry>& entries, const CertifyOptions& options) {
     return report(lemmas, checked, supports, options.json);
   }
   for (const Lemma& lemma : lemmas)
-    if (lemma.text.empty() && !ships(lemma))
-      std::fprintf(stderr, "%s: there is no script: %s\n", printable_line(lemma.id).c_str(),
-                   lemma.why.c_str());
+    if (is_skipped(lemma))
+      std::fprintf(stderr, "%s: there is no script: %s\n", lemma.name.c_str(),
+                   printable_line(lemma.why).c_str());
+  const auto written = lemmas.size() - static_cast<std::size_t>(std::ranges::count_if(lemmas, is_skipped));
   if (options.json)
-    fmt::print("{}\n", Json{{"folder", printable_name(options.folder)}, {"lemmas", lemmas.size()}}.dump(2));
+    fmt::print("{}\n", Json{{"folder", printable_name(options.folder)}, {"lemmas", written}}.dump(2));
   else
-    fmt::print("{} lemmas in {}; make in that folder runs coqc{}\n", lemmas.size(),
+    fmt::print("{} in {}; make in that folder runs coqc{}\n", counted(written, "lemma"),
                printable_name(options.folder),
                options.ids.empty() ? ", README.md says what rests on what" : "");
   return as_expected;

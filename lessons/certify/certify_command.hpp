@@ -13,7 +13,8 @@ struct CertifyOptions {
 };
 
 /// Writes the scripts of the rows, lets coqc check them if that is asked for, and reports on standard output.
-/// Returns the exit code: 1 where a lemma does not pass, 3 where there is no coqc. Throws BadInput.
+/// A row without a script is skipped and named. Returns the exit code: 1 where a lemma does not pass, 3 where
+/// there is no coqc. Throws BadInput.
 int certify(const std::vector<Entry>& entries, const CertifyOptions& options);
 
 /// The lemma of a row, for a reader. Throws BadInput where it has none.

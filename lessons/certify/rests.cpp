@@ -13,10 +13,11 @@ namespace {
 
 using By = Support::By;
 
-/// The rows that a lemma is about: derivation_8_18 is about 8 and 18, step_71 about 71.
+/// The rows that a lemma is about: derivation_8_18 is about 8 and 18, a step about its own.
 std::vector<std::string> rows_of(const Lemma& lemma) {
+  if (lemma.name.starts_with("step_")) return {lemma.id};
   const auto at = lemma.name.find('_');
-  if (!lemma.name.starts_with("derivation_") && !lemma.name.starts_with("step_")) return {};
+  if (!lemma.name.starts_with("derivation_")) return {};
   std::vector<std::string> rows;
   std::istringstream parts(lemma.name.substr(at + 1));
   for (std::string part; std::getline(parts, part, '_');) rows.push_back(part);

@@ -13,6 +13,7 @@ namespace {
 /// What a row says: as it was derived, or as it is defined; nothing of words.
 std::optional<Relation> truth_of(const Entry& entry, const Symbols& symbols) {
   if (entry.derivation) return derived_relation(*entry.derivation);
+  if (entry.proof.verdict == Verdict::error) return std::nullopt;
   Relation stated = parse_statement(entry.row.claim(), symbols);
   return stated.operators.size() == 1 ? std::optional(stated) : std::nullopt;
 }
@@ -94,10 +95,13 @@ std::vector<Lemma> steps_of(const std::vector<Entry>& entries, const Wanted& wan
     if (numbers.empty()) continue;
     try {
       if (const auto question = question_for(entry, before, symbols))
-        result.push_back({entry.row.id, "Steps.v", "step_" + entry.row.id, "derivation",
-                          "(* (" + entry.row.id + ") from " + numbers + ". *)\n" +
-                              lemma("step_" + entry.row.id, *question, {}),
-                          ""});
+        result.push_back({.id = entry.row.id,
+                          .file = "Steps.v",
+                          .name = lemma_name("step", entry.row.id),
+                          .kind = "derivation",
+                          .text = "(* (" + entry.row.id + ") from " + numbers + ". *)\n" +
+                                  lemma(lemma_name("step", entry.row.id), *question, {}),
+                          .why = ""});
     } catch (const Undecidable&) {  // a power or a function for which Coq's text is not known
     }
   }
@@ -109,13 +113,19 @@ std::vector<Lemma> corrections_of(const std::vector<Entry>& entries, const Wante
   for (const Entry& entry : entries) {
     if (!wanted(entry.row.id) || entry.correction.empty()) continue;
     const Symbols symbols = symbols_in(entry.row.domain);
-    const Question question =
-        with_domain({parse_statement(entry.correction, symbols), derived_relation(*entry.derivation), symbols,
-                     entry.derivation->given});
-    Lemma corrected{entry.row.id, "Ledger.v", "equation_" + entry.row.id + "_corrected",
-                    "derivation", "",         ""};
-    corrected.text = "(* (" + entry.row.id + "), as it should read: " + entry.correction + ". *)\n" +
-                     lemma(corrected.name, question, {});
+    Lemma corrected{.id = entry.row.id,
+                    .file = "Ledger.v",
+                    .name = lemma_name("equation", entry.row.id) + "_corrected",
+                    .kind = "derivation"};
+    try {
+      const Question question = with_domain(
+          {parse_statement(entry.correction, symbols), derived_relation(*entry.derivation), symbols,
+           entry.derivation->given, conditions_of(entry.row, *entry.derivation, symbols)});
+      corrected.text = "(* (" + entry.row.id + "), as it should read: " + entry.correction + ". *)\n" +
+                       lemma(corrected.name, question, {});
+    } catch (const Undecidable& error) {
+      corrected.why = error.what();
+    }
     result.push_back(std::move(corrected));
   }
   return result;

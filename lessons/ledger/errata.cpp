@@ -64,7 +64,7 @@ std::string text_sheet(const std::vector<Entry>& wrong) {
     if (!entry.row.consequence.empty()) text += fmt::format("  so         {}\n", entry.row.consequence);
     text += '\n';
   }
-  return text + fmt::format("{} error{}.\n", wrong.size(), wrong.size() == 1 ? "" : "s");
+  return text + counted(wrong.size(), "error") + ".\n";
 }
 
 std::string markdown_sheet(const std::vector<Entry>& wrong, const std::string& paper) {
@@ -139,10 +139,13 @@ std::string errata(const std::vector<Entry>& entries, const std::string& format,
 }
 
 std::string graph(const std::vector<Entry>& entries) {
-  static const std::map<Verdict, std::string> colours{
-      {Verdict::proved, "palegreen"},        {Verdict::proved_under, "khaki"},
-      {Verdict::approximation, "lightblue"}, {Verdict::refuted, "salmon"},
-      {Verdict::definition, "lightgrey"},    {Verdict::undecided, "orange"}};
+  static const std::map<Verdict, std::string> colours{{Verdict::proved, "palegreen"},
+                                                      {Verdict::proved_under, "khaki"},
+                                                      {Verdict::approximation, "lightblue"},
+                                                      {Verdict::refuted, "salmon"},
+                                                      {Verdict::definition, "lightgrey"},
+                                                      {Verdict::undecided, "orange"},
+                                                      {Verdict::error, "red"}};
   std::string text =
       "digraph ledger {\n  rankdir=LR;\n  node [shape=box, style=filled, fontname=\"sans-serif\"];\n";
   for (const Entry& entry : entries)

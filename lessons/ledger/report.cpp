@@ -16,6 +16,7 @@ std::string painted(const std::string& text, Verdict verdict, bool colour) {
   const bool good =
       verdict == Verdict::proved || verdict == Verdict::proved_under || verdict == Verdict::approximation;
   const char* code = verdict == Verdict::refuted     ? "31"
+                     : verdict == Verdict::error     ? "31"
                      : verdict == Verdict::undecided ? "33"
                      : good                          ? "32"
                                                      : "2";
@@ -50,8 +51,9 @@ std::string ledger_table(const std::vector<Entry>& entries, bool colour) {
     text += fmt::format("{:<6} {} {}{}\n", entry.row.id,
                         painted(fmt::format("{:<14}", verdict), entry.proof.verdict, colour),
                         unicode_or(formula), unexpected ? "   <- expected " + entry.row.expected : "");
+    if (entry.proof.verdict == Verdict::error) text += fmt::format("{:<6} {}\n", "", entry.proof.reason);
   }
-  text += fmt::format("\n{} rows:", entries.size());
+  text += "\n" + counted(entries.size(), "row") + ":";
   for (const auto& [verdict, count] : counts(entries)) text += fmt::format(" {} {},", count, verdict);
   text.back() = '\n';
   return text;

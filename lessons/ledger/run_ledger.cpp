@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <derivations/emit/command_line.hpp>
+#include <derivations/emit/data_folder.hpp>
 #include <derivations/language/lexer.hpp>
 #include <derivations/paper/mutate.hpp>
 #include <derivations/paper/prove.hpp>
@@ -10,9 +11,12 @@
 #include <lessons/ledger/prove_table.hpp>
 #include <lessons/ledger/report.hpp>
 #include <lessons/ledger/run_ledger.hpp>
+#include <lessons/prose.hpp>
 #include <nlohmann/json.hpp>
 
 namespace rederive {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -90,14 +94,15 @@ nlohmann::ordered_json counts_of(const Mutation& m) {
 }
 
 std::string line_of(const Mutation& m) {
-  return fmt::format("{:<6} {:>4} mutants {:>4} refuted {:>4} equal {:>4} survived\n", m.id, m.mutants,
-                     m.refuted, m.equal, m.survived);
+  return fmt::format("{:<6} {:>4} {:<7} {:>4} refuted {:>4} equal {:>4} survived\n", m.id, m.mutants,
+                     m.mutants == 1 ? "mutant" : "mutants", m.refuted, m.equal, m.survived);
 }
 
 int show_mutation(const Options& options) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   Mutation total;
   total.id = "all";
+  bool has_errors = false;
   const auto rows = read_rows(options.equations);
   if (!options.id.empty()) (void)row_of(options.id, rows);
   for (const Row& row : rows) {
@@ -106,6 +111,11 @@ int show_mutation(const Options& options) {
     const Mutation m = mutate(row, options.seed);
     list.push_back({{"id", m.id}});
     list.back().update(counts_of(m));
+    if (!m.error.empty()) {
+      has_errors = true;
+      list.back()["error"] = m.error;
+      fmt::print(stderr, "{}\n", printable_line(m.error));
+    }
     total.mutants += m.mutants, total.refuted += m.refuted, total.equal += m.equal,
         total.survived += m.survived;
     if (options.json) continue;
@@ -117,7 +127,7 @@ int show_mutation(const Options& options) {
     put(nlohmann::ordered_json{{"rows", list}, {"totals", counts_of(total)}});
   else
     put(line_of(total));
-  return total.survived == 0 ? as_expected : not_as_expected;
+  return total.survived == 0 && !has_errors ? as_expected : not_as_expected;
 }
 
 int show_proof(const Options& options) {
@@ -153,6 +163,39 @@ int show_table(const Options& options) {
   return is_expected ? as_expected : not_as_expected;
 }
 
+/// The equations of a paper of one's own: beside its source, beside the program or above it, or where the
+/// program runs. Throws BadInput.
+fs::path equations_file_of(const OwnPaper& own) {
+  std::vector<fs::path> folders{fs::path(own.source.file_name()).parent_path(), loaded_from().parent_path(),
+                                loaded_from().parent_path().parent_path(), fs::current_path()};
+  if (own.equations.is_absolute()) folders = {"/"};
+  std::set<std::string> tried;
+  for (const fs::path& folder : folders) {
+    const fs::path file = folder / own.equations;
+    if (fs::exists(file)) return file;
+    tried.insert("'" + file.string() + "'");
+  }
+  throw BadInput("there is no file " + joined(tried, ", ") + "; --equations names another one");
+}
+
+/// Puts a paper of one's own in the place of the one that ships. Throws BadInput for what it declares or
+/// derives wrongly.
+void take(const OwnPaper& own, Options& options, bool has_file) {
+  try {
+    derive_instead(own.derivations);
+    for (const std::string& name : paper_symbols().names()) check_range(*paper_symbols().find(name));
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(error.what());
+  }
+  options.paper = own.title;
+  if (!has_file) options.equations = equations_file_of(own);
+  const std::vector<Row> rows = read_rows(options.equations);
+  for (const auto& [id, derive] : own.derivations)
+    if (std::ranges::find(rows, id, &Row::id) == rows.end())
+      throw BadInput("a derivation is listed for (" + id + "), which is no row of " + options.equations +
+                     "; its rows are " + joined(rows, ", ", [](const Row& row) { return row.id; }));
+}
+
 /// θ as theta, and without blanks around it.
 std::string symbol_name(const std::string& text) {
   const auto tokens = reading(text, [&] { return tokenize(text, paper_symbols(), {}); });
@@ -165,10 +208,10 @@ int run_ledger(int argc, char** argv, const std::optional<OwnPaper>& own) {
   CLI::App app{
       "What the paper says, and what is true. Without a subcommand: every equation with its verdict."};
   Options options;
-  if (own) options.paper = own->title, options.equations = own->equations, derive_instead(own->derivations);
   app.add_flag("--json", options.json, "One JSON document on standard output");
-  app.add_option("--equations", options.equations, "Another equations.toml than the one that ships")
-      ->check(CLI::ExistingFile);
+  auto* equations =
+      app.add_option("--equations", options.equations, "Another equations.toml than the one that ships")
+          ->check(CLI::ExistingFile);
   app.fallthrough();
   app.require_subcommand(0, 1);
 
@@ -243,6 +286,7 @@ int run_ledger(int argc, char** argv, const std::optional<OwnPaper>& own) {
           ->option_text("FILE.v");
 
   return run_command(app, argc, argv, [&]() -> int {
+    if (own) take(*own, options, equations->count() > 0);
     if (*show) return show_one(options);
     if (*text && own) throw BadInput("claims: of this paper the equations alone are judged");
     if (*text) return show_claims(options.claims, options.id, options.json);

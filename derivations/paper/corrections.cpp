@@ -1,0 +1,71 @@
+#include <derivations/paper/corrections.hpp>
+#include <derivations/paper/edits.hpp>
+#include <derivations/paper/mutate.hpp>
+#include <functional>
+
+namespace rederive {
+
+namespace {
+
+using Kind = Node::Kind;
+
+/// The arguments of all functions in a tree, each once.
+void collect_arguments(const Tree& tree, std::vector<Tree>& arguments) {
+  for (const Tree& child : tree->children) collect_arguments(child, arguments);
+  if (tree->kind != Kind::call) return;
+  const Tree& argument = tree->children[0];
+  if (std::ranges::none_of(arguments, [&](const Tree& other) { return is_same(other, argument); }))
+    arguments.push_back(argument);
+}
+
+/// What may be meant by an argument: a half of it, twice it, another argument, or this one with a slip
+/// undone.
+std::vector<Tree> instead_of(const Tree& argument, const std::vector<Tree>& others, const Symbols& symbols) {
+  std::vector<Tree> result;
+  const GiNaC::ex value = lower(argument, symbols);
+  for (const GiNaC::ex& other : {value / 2, value * 2}) result.push_back(to_tree(other.expand(), symbols));
+  result.insert(result.end(), others.begin(), others.end());
+  for (const Mutant& mutant : mutants({{argument}, {}}, symbols)) result.push_back(mutant.relation.sides[0]);
+  return result;
+}
+
+/// Calls `use` with every tree that has another argument in one place, until it returns true.
+bool with_another_argument(const Tree& tree, const std::vector<Tree>& others, const Symbols& symbols,
+                           const std::function<bool(const Tree&)>& use) {
+  if (tree->kind == Kind::call)
+    for (const Tree& argument : instead_of(tree->children[0], others, symbols))
+      if (use(edits::with_child(tree, 0, argument))) return true;
+  for (std::size_t k = 0; k < tree->children.size(); ++k)
+    if (with_another_argument(tree->children[k], others, symbols,
+                              [&](const Tree& child) { return use(edits::with_child(tree, k, child)); }))
+      return true;
+  return false;
+}
+
+}  // namespace
+
+std::string correction_of(const Relation& printed, const Derivation& derivation, const Symbols& symbols,
+                          const std::vector<Relation>& conditions) {
+  const Relation derived = derived_relation(derivation);
+  std::string result = print(derived);
+  if (print(printed).size() >= result.size()) return result;
+  std::vector<Tree> arguments;
+  for (const Tree& side : derived.sides) collect_arguments(side, arguments);
+  for (std::size_t side = 0; side < printed.sides.size(); ++side) {
+    const bool is_found =
+        with_another_argument(printed.sides[side], arguments, symbols, [&](const Tree& changed) {
+          Relation relation = printed;
+          relation.sides[side] = changed;
+          const std::string text = print(relation);
+          if (text.size() >= result.size()) return false;
+          const Verdict verdict = compare(relation, derivation, symbols, conditions).verdict;
+          if (verdict == Verdict::refuted || verdict == Verdict::undecided) return false;
+          result = text;
+          return true;
+        });
+    if (is_found) break;
+  }
+  return result;
+}
+
+}  // namespace rederive
