@@ -46,7 +46,12 @@ PaperOfATest rod() {
               row("3", "omega_0 = sqrt(2*g/(3*L))", "", "refuted") + row("4", "x = r^n") +
               row("5", "x = acosh(1 + r^2)", "", "refuted") + row("6", "x = r^n", "", "refuted") +
               row("7.1", "x + cos(x) = 2*y", "", "refuted") + row("8", "x = alpha - theta_e") +
-              row("9", "in = sin(y)^2"),
+              row("9", "in = sin(y)^2") + row("10", "x = cos(x)/2", "", "refuted") +
+              row("11", "x*exp(x) = 2", "", "refuted") + row("12", "sqrt(b) = 2*cos(b)", "", "refuted") +
+              row("13", "log(b) = -2*b", "", "refuted") + row("14", "in*tan(in) = 1/2", "", "refuted") +
+              row("15", "b*(1 - sqrt(2/3)) = sqrt(h/6)", "", "refuted") +
+              row("16", "x = fabs(y)", "", "refuted") + row("17", "sqrt(1 + b^2) = 2/b", "", "refuted") +
+              row("18", "cosh(x)/(1 + x^2) = 2*x", "", "refuted"),
           {{"1", [] { return derived(symbol("J"), inertia(), {}); }},
            {"2", [] { return derived(symbol("thetaddot"), acceleration(), {}); }},
            {"3", frequency},
@@ -55,7 +60,16 @@ PaperOfATest rod() {
            {"6", [] { return derived(symbol("x"), 2 * pow(symbol("r"), symbol("n")), {}); }},
            {"7.1", [] { return derived(symbol("x") + cos(symbol("x")), symbol("y"), {}); }},
            {"8", [] { return derived(symbol("x"), abs(symbol("alpha") - symbol("theta_e")), {}); }},
-           {"9", [] { return derived(symbol("in"), 1 - pow(cos(symbol("y")), 2), {}); }}}};
+           {"9", [] { return derived(symbol("in"), 1 - pow(cos(symbol("y")), 2), {}); }},
+           {"10", [] { return derived(symbol("x"), cos(symbol("x")), {}); }},
+           {"11", [] { return derived(symbol("x") * exp(symbol("x")), 1, {}); }},
+           {"12", [] { return derived(sqrt(symbol("b")), cos(symbol("b")), {}); }},
+           {"13", [] { return derived(log(symbol("b")), -symbol("b"), {}); }},
+           {"14", [] { return derived(symbol("in") * tan(symbol("in")), ex(1) / 3, {}); }},
+           {"15", [] { return derived(symbol("b"), sqrt(symbol("h") / 6), {}); }},
+           {"16", [] { return derived(symbol("x"), 2 * abs(symbol("y")), {}); }},
+           {"17", [] { return derived(sqrt(1 + pow(symbol("b"), 2)), 3 / symbol("b"), {}); }},
+           {"18", [] { return derived(cosh(symbol("x")) / (1 + pow(symbol("x"), 2)), symbol("x"), {}); }}}};
 }
 
 }  // namespace

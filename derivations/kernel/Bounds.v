@@ -1,4 +1,5 @@
 (* Numbers: what is proved by interval arithmetic. *)
+From Coquelicot Require Import Coquelicot.
 From Rederive Require Export Rederive Intervals.
 Require Export Ranalysis5.
 Export IntegerIntervals.
@@ -23,12 +24,19 @@ Proof.
   - destruct A as [A | ->]; [ exact A | lra ].
   - destruct B as [B | ->]; [ exact B | lra ].
 Qed.
-Ltac continuous := intros; reg; lra.
+Lemma continuous_by_derivative (f : R -> R) (x : R) : ex_derive f x -> continuity_pt f x.
+Proof. intro D; apply derivable_continuous_pt, ex_derive_Reals_0; exact D. Qed.
+Ltac differs := first [ lra | apply Rminus_not_eq; first [ apply Rgt_not_eq; bounds | apply Rlt_not_eq; bounds ] ].
+Ltac continuous :=
+  intros;
+  first
+    [ reg; lra
+    | unfold tan, cot, sec, csc, tanh, coth, sech, csch, sinh, cosh; apply continuous_by_derivative; auto_derive;
+      repeat split; first [ lra | bounds | differs ] ].
 Tactic Notation "zero_between" ident(x) constr(a) constr(b) constr(f) :=
   destruct (intermediate_value f a b) as [x [? ?]];
   [ lra | continuous | first [ left; split; bounds | right; split; bounds ] | cbv beta in * ].
 (* A conjunction at a point: numbers, and functions of numbers. *)
-Ltac differs := first [ lra | apply Rminus_not_eq; first [ apply Rgt_not_eq; bounds | apply Rlt_not_eq; bounds ] ].
 Ltac at_the_point :=
   repeat apply conj;
   first [ reflexivity | lra | bounds | differs | solve [ field; repeat apply conj; differs ] ].

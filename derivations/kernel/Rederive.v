@@ -94,9 +94,15 @@ with nz_by_sign :=
     | lra ].
 Ltac defined := first [ nz | pos | nonneg ].
 
+(* Bars around what has a sign. *)
+Ltac bars :=
+  repeat match goal with
+         | |- context [ Rabs ?u ] =>
+             first [ rewrite (Rabs_pos_eq u) by nonneg | rewrite (Rabs_left1 u) by lra ]
+         end.
 (* The hypotheses with what the names stand for put in, and functions by others. *)
 Ltac start :=
-  intros; assert (pi_is_positive := PI_RGT_0); subst;
+  intros; assert (pi_is_large : 3 < PI) by (generalize PI2_3_2; lra); subst; bars;
   unfold tan, cot, sec, csc, tanh, coth, sech, csch in *;
   repeat first [ rewrite cosh_by_exp in * | rewrite sinh_by_exp in * ].
 (* A phase gets a name; an argument is a sum of phases. *)
@@ -116,6 +122,9 @@ Tactic Notation "square_root" ident(y) ident(square) constr(u) :=
 Tactic Notation "root" constr(u) constr(v) "by" tactic3(squares) :=
   let E := fresh in
   assert (E : sqrt u = v) by (apply root_is; [ nonneg | squares ]); rewrite ?E in *; clear E.
+(* The square of a number times the root of one. *)
+Ltac square_of_numbers :=
+  first [ field | rewrite square_of_root by lra; field | rewrite Rpow_mult_distr, square_of_root by lra; field ].
 Ltac by_theorem u rewriting :=
   lazymatch u with
   | sin (_ + _) => rewriting sin_plus | cos (_ + _) => rewriting cos_plus | exp (_ + _) => rewriting exp_plus

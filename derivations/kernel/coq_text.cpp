@@ -3,6 +3,7 @@
 #include <derivations/identity/translator.hpp>
 #include <derivations/kernel/coq_text.hpp>
 #include <derivations/language/print.hpp>
+#include <set>
 
 namespace rederive {
 
@@ -44,7 +45,11 @@ Tree in_coq(const Tree& tree) {
 }  // namespace
 
 std::string coq_name(const std::string& symbol) {
-  return symbol == "R" ? "R'" : symbol == "pi" ? "PI" : symbol;
+  static const std::set<std::string> taken{"R",       "as",   "at",    "cofix",  "else", "end",    "exists",
+                                           "exists2", "fix",  "for",   "forall", "fun",  "if",     "IF",
+                                           "in",      "let",  "match", "mod",    "Prop", "return", "Set",
+                                           "SProp",   "then", "Type",  "using",  "real", "where",  "with"};
+  return symbol == "pi" ? "PI" : taken.contains(symbol) ? symbol + "'" : symbol;
 }
 
 std::string coq_text(const Tree& tree) { return print(in_coq(tree), Notation::plain, Symbols()); }

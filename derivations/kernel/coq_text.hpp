@@ -6,7 +6,7 @@
 
 namespace rederive {
 
-/// The name of a symbol: R is the real numbers, so that the length R is R'.
+/// The name of a symbol: R is the real numbers, so that the length R is R'; likewise words of Coq's language.
 std::string coq_name(const std::string& symbol);
 /// The text of a tree: cos(psi) - omega_p/p*sin(psi) is Coq as it stands; π is PI, log is ln, decimal numbers
 /// are fractions. Throws Undecidable for what the prelude has no word for: powers with symbolic exponents,

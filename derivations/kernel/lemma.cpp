@@ -102,7 +102,20 @@ bool holds_at(const Relation& statement, const Witness& witness, const std::map<
   return truth_at(statement, point) == Truth::holds;
 }
 
-/// The arguments of functions as the numbers that they are at a point.
+/// The root of a rational number as a number times the root of a whole one, which has no square of a number
+/// up to 100 in it.
+Tree root_of(const cln::cl_RA& number) {
+  cln::cl_I under = cln::numerator(number) * cln::denominator(number), outside = 1;
+  for (int k = 2; k <= 100; ++k)
+    while (cln::zerop(cln::mod(under, k * k))) under = cln::exquo(under, k * k), outside = outside * k;
+  const GiNaC::numeric factor(cln::cl_RA(outside) / cln::denominator(number));
+  const Tree root = make_tree(Node::Kind::call, "sqrt", {tree_of({under})}),
+             times = to_tree(factor, Symbols());
+  if (under == 1) return times;
+  return factor == 1 ? root : make_tree(Node::Kind::product, "", {times, root}, {false, false});
+}
+
+/// The arguments of functions as the numbers that they are at a point, and roots of numbers in one form.
 void say_arguments(const Tree& tree, const std::map<std::string, Tree>& at, std::string& steps) {
   for (const Tree& child : tree->children) say_arguments(child, at, steps);
   if (tree->kind != Node::Kind::call) return;
@@ -110,11 +123,19 @@ void say_arguments(const Tree& tree, const std::map<std::string, Tree>& at, std:
   for (const auto& [symbol, value] : at) argument = put_in(argument, symbol, value);
   const auto number = names_of(argument).empty() ? value_at(argument, {}, 64).exact : std::nullopt;
   if (!number) return;
+  const auto say = [&](const std::string& kind, const std::string& from, const std::string& to,
+                       const std::string& by) {
+    const std::string line = "  " + kind + " (" + from + ") (" + to + ")" + by + ".\n";
+    if (from != to && steps.find(line) == std::string::npos) steps += line;
+  };
+  const std::string text = coq_text(argument), size = coq_text(tree_of({cln::abs(*number)}));
+  if (tree->text == "sqrt") {
+    const Tree root = root_of(*number);
+    if (coq_text(root) != "sqrt(" + text + ")") say("root", text, coq_text(root), " by square_of_numbers");
+    return;
+  }
   const bool is_circular = tree->text == "sin" || tree->text == "cos" || tree->text == "tan";
-  const std::string size = coq_text(tree_of({cln::abs(*number)}));
-  const std::string line = std::string("  ") + (is_circular ? "angle (" : "exponent (") + coq_text(argument) +
-                           ") (" + (cln::minusp(*number) ? "- (" + size + ")" : size) + ").\n";
-  if (coq_text(argument) != size && steps.find(line) == std::string::npos) steps += line;
+  say(is_circular ? "angle" : "exponent", text, cln::minusp(*number) ? "- (" + size + ")" : size, "");
 }
 
 }  // namespace
@@ -167,6 +188,7 @@ std::string refutation(const std::string& name, const Question& question, const 
   for (const auto& [symbol, value] : at)
     values += (values.empty() ? "" : ", ") + ("(" + coq_text(value) + ")");
   for (const Tree& tree : s.trees) say_arguments(tree, at, steps);
+  for (const auto& [symbol, value] : at) say_arguments(value, {}, steps);
   text += ".\nProof.\n";
   for (const auto& [symbol, ends] : proof.witness->between)
     text += "  zero_between " + coq_name(symbol) + " (" + ends.first + ") (" + ends.second + ") (fun " +
