@@ -1,7 +1,8 @@
-// LaTeX, as far as `print` and the symbol table use it, → MathML. Browsers draw MathML by themselves, so a
-// page needs no script, no font and no network; and a reader's screen reader can read it aloud.
+// LaTeX, as far as `print` and the symbols of papers use it, → MathML. Browsers draw MathML by themselves, so
+// a page needs no script, no font and no network; and a reader's screen reader can read it aloud.
 #include <algorithm>
 #include <cctype>
+#include <derivations/language/unicode.hpp>
 #include <lessons/render.hpp>
 #include <map>
 #include <stdexcept>
@@ -10,16 +11,41 @@
 namespace rederive {
 namespace {
 
-const std::map<std::string, std::string, std::less<>> letters{
-    {"alpha", "α"}, {"theta", "θ"}, {"lambda", "λ"}, {"mu", "μ"},    {"pi", "π"},     {"rho", "ρ"},
-    {"phi", "ϕ"},   {"psi", "ψ"},   {"omega", "ω"},  {"Omega", "Ω"}, {"partial", "∂"}};
-const std::map<std::string, std::string, std::less<>> operators{
-    {"cdot", "·"}, {"times", "×"}, {"le", "≤"}, {"ge", "≥"}};
-const std::map<std::string, std::string, std::less<>> accents{{"dot", "˙"}, {"ddot", "¨"}, {"bar", "¯"}};
+using Signs = std::map<std::string, std::string, std::less<>>;
+
+const Signs letters{
+    {"alpha", "α"},      {"beta", "β"},   {"gamma", "γ"},    {"delta", "δ"},    {"epsilon", "ϵ"},
+    {"varepsilon", "ε"}, {"zeta", "ζ"},   {"eta", "η"},      {"theta", "θ"},    {"vartheta", "ϑ"},
+    {"iota", "ι"},       {"kappa", "κ"},  {"varkappa", "ϰ"}, {"lambda", "λ"},   {"mu", "μ"},
+    {"nu", "ν"},         {"xi", "ξ"},     {"omicron", "ο"},  {"pi", "π"},       {"varpi", "ϖ"},
+    {"rho", "ρ"},        {"varrho", "ϱ"}, {"sigma", "σ"},    {"varsigma", "ς"}, {"tau", "τ"},
+    {"upsilon", "υ"},    {"phi", "ϕ"},    {"varphi", "φ"},   {"chi", "χ"},      {"psi", "ψ"},
+    {"omega", "ω"},      {"Gamma", "Γ"},  {"Delta", "Δ"},    {"Theta", "Θ"},    {"Lambda", "Λ"},
+    {"Xi", "Ξ"},         {"Pi", "Π"},     {"Sigma", "Σ"},    {"Upsilon", "Υ"},  {"Phi", "Φ"},
+    {"Psi", "Ψ"},        {"Omega", "Ω"},  {"partial", "∂"},  {"nabla", "∇"},    {"ell", "ℓ"},
+    {"hbar", "ℏ"},       {"infty", "∞"},  {"imath", "ı"},    {"jmath", "ȷ"}};
+const Signs operators{{"cdot", "·"},   {"times", "×"},  {"le", "≤"},     {"leq", "≤"},      {"ge", "≥"},
+                      {"geq", "≥"},    {"ne", "≠"},     {"neq", "≠"},    {"approx", "≈"},   {"sim", "∼"},
+                      {"simeq", "≃"},  {"equiv", "≡"},  {"propto", "∝"}, {"in", "∈"},       {"pm", "±"},
+                      {"mp", "∓"},     {"ast", "∗"},    {"star", "⋆"},   {"circ", "∘"},     {"bullet", "•"},
+                      {"prime", "′"},  {"dagger", "†"}, {"perp", "⊥"},   {"parallel", "∥"}, {"to", "→"},
+                      {"cdots", "⋯"},  {"ldots", "…"},  {"dots", "…"},   {"colon", ":"},    {"mid", "|"},
+                      {"lbrace", "{"}, {"rbrace", "}"}, {"{", "{"},      {"}", "}"},        {"langle", "⟨"},
+                      {"rangle", "⟩"}, {"lvert", "|"},  {"rvert", "|"},  {"vert", "|"},     {"|", "‖"},
+                      {"%", "%"},      {"&", "&"},      {"_", "_"},      {"#", "#"}};
+const Signs accents{{"dot", "˙"},   {"ddot", "¨"},    {"dddot", "⃛"},  {"bar", "¯"},       {"overline", "¯"},
+                    {"hat", "ˆ"},   {"widehat", "ˆ"}, {"tilde", "˜"}, {"widetilde", "˜"}, {"vec", "→"},
+                    {"check", "ˇ"}, {"breve", "˘"},   {"acute", "´"}, {"grave", "`"},     {"mathring", "˚"}};
+const Signs gaps{{",", "0.17em"}, {":", "0.22em"}, {";", "0.28em"}, {"!", "-0.17em"},
+                 {" ", "0.33em"}, {"quad", "1em"}, {"qquad", "2em"}};
 
 constexpr std::string_view functions =
     " sin cos tan cot sec csc sinh cosh tanh coth exp log ln arcsin arccos arctan arsinh arcosh artanh min "
     "max ";
+/// Whether a name is among words that have blanks around them.
+bool is_one_of(const std::string& name, std::string_view words) {
+  return words.find(" " + name + " ") != std::string_view::npos;
+}
 constexpr auto thin_gap = "<mspace width=\"0.17em\"/>";
 
 class Translator {
@@ -58,7 +84,7 @@ class Translator {
     if (text_[at_] != '\\') return false;
     std::size_t end = at_ + 1;
     while (end < text_.size() && std::isalpha(static_cast<unsigned char>(text_[end]))) ++end;
-    return functions.find(" " + text_.substr(at_ + 1, end - at_ - 1) + " ") != std::string_view::npos;
+    return is_one_of(text_.substr(at_ + 1, end - at_ - 1), functions);
   }
 
   /// Atoms with their scripts, until the text or the group ends.
@@ -141,13 +167,25 @@ class Translator {
       return "<mn>" + number + "</mn>";
     }
     if (std::isalpha(static_cast<unsigned char>(c))) return std::string("<mi>") + c + "</mi>";
-    if (static_cast<unsigned char>(c) >= 0x80) fail("a letter beyond ASCII");
+    if (static_cast<unsigned char>(c) >= 0x80) {
+      const std::size_t bytes = first_character(std::string_view(text_).substr(at_ - 1)).bytes;
+      if (bytes == 0) fail("bytes that are no UTF-8");
+      at_ += bytes - 1;
+      return "<mi>" + text_.substr(at_ - bytes, bytes) + "</mi>";
+    }
     return "<mo>" + (c == '-' ? std::string("−") : escaped(std::string(1, c))) + "</mo>";
   }
 
   std::string delimiter(const std::string& form, bool stretches = true) {
     skip_blanks();
-    const std::string sign(1, text_.at(at_++));
+    if (done()) fail("a bracket is missing at the end");
+    std::string sign(1, text_[at_++]);
+    if (sign == "\\") {
+      const std::string name = command();
+      const auto found = operators.find(name);
+      if (found == operators.end()) fail("unknown bracket \\" + name);
+      sign = found->second;
+    }
     const std::string stretchy = stretches ? "true" : "false";
     return sign == "." ? std::string()
                        : "<mo form=\"" + form + "\" lspace=\"0\" rspace=\"0\" stretchy=\"" + stretchy +
@@ -162,11 +200,13 @@ class Translator {
     if (const auto found = accents.find(name); found != accents.end())
       return "<mover accent=\"true\">" + argument() + "<mo stretchy=\"false\">" + found->second +
              "</mo></mover>";
-    if (name == "frac") {
+    if (const auto found = gaps.find(name); found != gaps.end())
+      return "<mspace width=\"" + found->second + "\"/>";
+    if (name == "frac" || name == "dfrac" || name == "tfrac") {
       const std::string over = argument();
       return "<mfrac>" + over + argument() + "</mfrac>";
     }
-    if (name == "sqrt") return "<msqrt>" + argument() + "</msqrt>";
+    if (name == "sqrt") return root();
     if (name == "left") {
       const std::size_t bracket = at_;
       delimiter("prefix");
@@ -181,15 +221,27 @@ class Translator {
       at_ = end;
       return "<mrow>" + open + inner + close + "</mrow>";
     }
-    if (name == "mathrm" || name == "operatorname")
+    if (is_one_of(name, " mathrm operatorname text textrm mathnormal "))
       return "<mi mathvariant=\"normal\">" + escaped(words()) + "</mi>";
-    if (name == ",") return thin_gap;
+    if (is_one_of(name, " mathbf boldsymbol bm textbf "))
+      return "<mrow style=\"font-weight:bold\">" + argument() + "</mrow>";
+    if (is_one_of(name, " mathit mathsf mathcal mathbb mathfrak mathscr textit ")) return argument();
     return function(name);
+  }
+
+  /// \sqrt{x}, or \sqrt[3]{x}.
+  std::string root() {
+    if (!next_is("[")) return "<msqrt>" + argument() + "</msqrt>";
+    ++at_;
+    const std::string degree = row("]");
+    if (!next_is("]")) fail("'[' is not closed");
+    ++at_;
+    return "<mroot>" + argument() + grouped(degree) + "</mroot>";
   }
 
   /// \sin and its kin: an upright word, and a thin gap before what it is taken of.
   std::string function(const std::string& name) {
-    if (functions.find(" " + name + " ") == std::string_view::npos) fail("unknown command \\" + name);
+    if (!is_one_of(name, functions)) fail("unknown command \\" + name);
     const bool apart = !next_is("^") && !next_is("_") && !next_is("\\left") && !next_is("(");
     return "<mi>" + name + "</mi>" + (apart ? thin_gap : "");
   }

@@ -6,6 +6,7 @@
 #include <lessons/prose.hpp>
 #include <optional>
 #include <regex>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -120,9 +121,9 @@ std::optional<std::string> formula_in(const std::vector<std::string>& tokens, st
   try {
     const std::string formula = in_our_syntax(text);
     const Relation statement = parse_statement(formula);
-    const bool has_symbol = std::any_of(statement.sides.begin(), statement.sides.end(),
-                                        [](const Tree& side) { return !names_of(side).empty(); });
-    if (has_symbol) return before + "$" + formula + "$" + behind;
+    const std::set<std::string> names = names_of(statement);
+    if (!names.empty() && std::ranges::none_of(names, is_of_another_paper))
+      return before + "$" + formula + "$" + behind;
   } catch (const std::exception&) {  // words, or what has no ASCII spelling
   }
   return {};
@@ -182,12 +183,13 @@ std::string unmarked(const std::string& sentence, Notation notation) {
   return text;
 }
 
-std::string marked(const std::string& words) {
-  std::string clean = words;
-  for (char& c : clean)
-    if (c == '`' || c == '$') c = '\'';
+namespace {
+
+/// Words without marks, with marks put in.
+std::string marked_words(std::string words) {
+  std::replace(words.begin(), words.end(), '`', '\'');
   std::vector<std::string> tokens(1);
-  for (const char c : clean)
+  for (const char c : words)
     if (c == ' ')
       tokens.emplace_back();
     else
@@ -204,6 +206,35 @@ std::string marked(const std::string& words) {
     i = formula ? end + 1 : i + 1;
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<Span> step_spans(const std::string& words) {
+  if (std::ranges::count(words, '$') % 2 != 0) {
+    std::string text = words;
+    std::replace(text.begin(), text.end(), '$', '\'');
+    return {{Span::Kind::text, text}};
+  }
+  std::vector<Span> result;
+  for (std::size_t at = 0, k = 0; at <= words.size(); ++k) {
+    const std::size_t mark = std::min(words.find('$', at), words.size());
+    Span span{Span::Kind::text, words.substr(at, mark - at)};
+    if (k % 2 != 0) try {
+        (void)parse_statement(span.text);
+        span.kind = Span::Kind::math;
+      } catch (const SyntaxError&) {  // stays text
+      }
+    result.push_back(span);
+    at = mark + 1;
+  }
+  return result;
+}
+
+std::string marked(const std::string& words) {
+  return joined(step_spans(words), "", [](const Span& span) {
+    return span.kind == Span::Kind::math ? "$" + span.text + "$" : marked_words(span.text);
+  });
 }
 
 std::vector<std::string> pieces(const Relation& relation, Notation notation) {

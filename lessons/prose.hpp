@@ -34,9 +34,13 @@ std::string unmarked(const std::string& sentence, Notation notation);
 /// with blanks, the pieces are the whole formula.
 std::vector<std::string> pieces(const Relation& relation, Notation notation);
 
-/// Words written without marks (the ledger's notes, a derivation's steps) with marks put in: names from the
-/// symbol table that no English word can be taken for, and calls such as cos(alpha - theta), become
-/// mathematics.
+/// Words of a derivation's step taken apart: what stands between $…$ and can be read is mathematics, all else
+/// is text.
+std::vector<Span> step_spans(const std::string& words);
+
+/// The words of a step, or of the ledger's notes, with marks put in. What stands between $…$ is mathematics;
+/// so are names and calls such as cos(alpha - theta), as long as all their symbols are of the rocking block:
+/// those of other papers may be English words.
 std::string marked(const std::string& words);
 
 /// Letters and signs beyond ASCII written out: "θ" → "theta", "–" → "-".

@@ -1,6 +1,7 @@
 // What the lessons are made of: sentences with mathematics in them, and the formats they are written in.
 #include <doctest/doctest.h>
 
+#include <derivations/language/functions.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
@@ -65,6 +66,31 @@ TEST_CASE("LaTeX becomes MathML with the same structure") {
   CHECK(mathml("a < b").find("&lt;") != std::string::npos);
   for (const auto* wrong : {"\\unknown", "{a", "a}", "\\left( a", "\\frac{1}"})
     CHECK_THROWS_AS(mathml(wrong), std::invalid_argument);
+}
+
+TEST_CASE("all that the LaTeX of formulas may contain becomes MathML") {
+  for (const char* letter :
+       {"alpha", "beta",     "gamma",   "delta",    "epsilon", "varepsilon", "zeta",   "eta",
+        "theta", "vartheta", "iota",    "kappa",    "lambda",  "mu",         "nu",     "xi",
+        "pi",    "rho",      "sigma",   "varsigma", "tau",     "upsilon",    "phi",    "varphi",
+        "chi",   "psi",      "omega",   "Gamma",    "Delta",   "Theta",      "Lambda", "Xi",
+        "Pi",    "Sigma",    "Upsilon", "Phi",      "Psi",     "Omega"}) {
+    CAPTURE(letter);
+    CHECK(mathml(std::string("\\dot\\") + letter + "_{0}").size() > 60);
+  }
+  for (const Function& function : functions()) {
+    CAPTURE(function.name);
+    const std::string call = std::string(function.name) + "(x)";
+    for (const std::string& text : {call, call + "^2", "2^" + call, "1e-3*" + call + "/y"})
+      CHECK_NOTHROW(mathml(print_inline(text, Notation::latex)));
+  }
+  for (const char* latex :
+       {"\\vec{v}", "\\hat x", "\\tilde\\omega", "\\mathbf{F}_1", "\\mathcal{L}", "x'", "x^{\\prime}",
+        "\\overline{AB}", "\\ell", "\\hbar", "J_{\\text{rod}}", "\\sqrt[3]{x}", "\\left\\{x\\right\\}",
+        "k_\\infty", "a\\;b\\quad c", "\\dfrac{1}{2}", "Θ_w", "x^\\ast", "v_\\perp"})
+    CHECK_NOTHROW(mathml(latex));
+  CHECK(mathml("\\sqrt[3]{x}") ==
+        "<math><mroot><mrow><mi>x</mi></mrow><mrow><mn>3</mn></mrow></mroot></math>");
 }
 
 TEST_CASE("every symbol of the paper has MathML and ASCII") {

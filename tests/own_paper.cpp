@@ -1,6 +1,7 @@
 // What users met when they brought papers of their own to the ledger.
 #include <doctest/doctest.h>
 
+#include <lessons/prose.hpp>
 #include <nlohmann/json.hpp>
 #include <tests/own_paper.hpp>
 
@@ -314,6 +315,55 @@ TEST_CASE("the equations are found beside the source or the program, wherever it
   });
   CHECK(missing.exit_code == 2);
   CHECK(contains(missing.err, "nowhere.toml"));
+}
+
+TEST_CASE("a witness says exactly, or with digits, what was put in") {
+  const auto symbols = [] { declare("h_1", "(0, inf)"), declare("b_1", "(0, 1)"); };
+  const auto derive = [] {
+    return derived(symbol("x"), 2 * symbol("h_1"), {}, {{symbol("h_1"), exp(symbol("b_1"))}});
+  };
+  const Json entry = judged(symbols, row("1", "x = 3*h_1", "", "refuted"), derive);
+  const std::string value = entry["witness"]["exactly"]["h_1"];
+  CHECK_MESSAGE(value.starts_with("exp("), value);
+  for (const std::string words : entry["witness"]["in_words"]) CHECK_MESSAGE(words.size() < 60, words);
+  // b_1 lies between bounds: of h_1 there are digits
+  const auto implicit = [] {
+    const ex b = symbol("b_1");
+    return derived(b * exp(b) + symbol("h_1"), 2 + symbol("h_1") - sin(b), {}, {{symbol("h_1"), cosh(b)}});
+  };
+  const Json other =
+      judged(symbols, row("1", "b_1*exp(b_1) + h_1 = 1 + h_1", "", "refuted"), implicit)["witness"];
+  REQUIRE(other.contains("between"));
+  CHECK(contains(other["at"]["h_1"], "."));
+  CHECK(contains(other["in_words"].dump(), "h_1 ≈ 1."));
+}
+
+TEST_CASE("only what stands between dollars is mathematics in the words of a step") {
+  const auto symbols = [] { declare("a", "(0, inf)"), declare("body", "(0, inf)"), declare("is"); };
+  const auto derive = [] {
+    return derived(symbol("x"), symbol("a"), {in_words("Of a body is taken $a*x^2$, at a price of 5$")});
+  };
+  const PaperOfATest paper{symbols, row("1", "x = 2*a", "", "refuted"), {{"1", derive}}};
+  const TemporaryFolder folder;
+  const Result marked_by_us = in_a_child(folder.path, [&] {
+    symbols();
+    std::fputs((marked("Of a body is taken") + "\n" + marked("is taken $a*x^2$ of a") + "\n" +
+                marked("where R is $R$, for 5$") + "\n" + marked("at $no formula$ of α = 0") + "\n")
+                   .c_str(),
+               stdout);
+    return 0;
+  });
+  CHECK(marked_by_us.out ==
+        "Of a body is taken\nis taken $a*x^2$ of a\nwhere $R$ is 'R', for 5'\n"
+        "at no formula of $alpha = 0$\n");
+  const auto two = [] {
+    return derived(symbol("x"), symbol("a"), {in_words("Of a body is taken $a*x^2$ at once")});
+  };
+  const PaperOfATest other{symbols, row("1", "x = 2*a", "", "refuted"), {{"1", two}}};
+  CHECK(contains(run_paper(other, {"show", "1"}).out, "Of a body is taken a·x² at once\n"));
+  const std::string latex = run_paper(other, {"errata", "--format", "latex"}).out;
+  CHECK_MESSAGE(contains(latex, "Of a body is taken $a x^2$ at once\n"), latex);
+  CHECK(contains(run_paper(paper, {"show", "1"}).out, "Of a body is taken 'a*x^2', at a price of 5'\n"));
 }
 
 TEST_CASE("one is not called several") {

@@ -17,7 +17,8 @@ std::string to_string(Verdict verdict);
 /// `derived` the right one's: of the expressions; of the right-hand sides where both equations have the same
 /// left one; else of left minus right.
 struct Witness {
-  std::map<std::string, std::string> at;  ///< symbol → rational number as text, or digits of what follows
+  std::map<std::string, std::string> at;  ///< symbol → rational number as text, rounded for `exactly`,
+                                          ///< `between` and, with a decimal point, what follows from it
   std::string printed, derived;           ///< 30 digits or more; "no value" where a side has none
   std::map<std::string, std::string> exactly = {};  ///< symbol → the constant that it is: "pi/6"
   std::map<std::string, std::pair<std::string, std::string>> between = {};  ///< bounds of a zero

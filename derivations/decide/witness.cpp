@@ -48,6 +48,19 @@ std::pair<std::string, std::string> values_at(const Problem& problem, const Poin
           of_left == false ? "0" : residual_at(right, point)};
 }
 
+/// A tree with what a witness says of its symbols put in; nothing where one of them lies between bounds.
+std::optional<std::string> closed_form(Tree tree, const Witness& witness, const Symbols& symbols) try {
+  for (const std::string& name : names_of(tree)) {
+    if (witness.between.contains(name)) return std::nullopt;
+    const auto exact = witness.exactly.find(name);
+    const std::string& text = exact != witness.exactly.end() ? exact->second : witness.at.at(name);
+    tree = put_in(tree, name, parse(text, symbols));
+  }
+  return print(lower(tree, symbols), Notation::plain, symbols);
+} catch (const SyntaxError&) {  // too large to be written
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Witness> make_witness(const Problem& problem, const Point& point, std::optional<bool> of_left) {
@@ -73,8 +86,16 @@ std::optional<Witness> make_witness(const Problem& problem, const Point& point, 
       witness.between[name] = {rational_text(known.low), rational_text(known.high)},
       witness.solves = text + " = 0";
   }
-  for (const auto& [name, tree] : problem.values)  // what was put in
-    if (const Value value = value_at(tree, point, 160); value.is == Value::Is::certain) say(name, value);
+  for (const auto& [name, tree] : problem.values) {  // what was put in
+    const Value value = value_at(tree, point, 160);
+    if (value.is != Value::Is::certain) continue;
+    say(name, value);
+    if (value.constant) continue;
+    if (const auto text = closed_form(tree, witness, problem.symbols))
+      witness.exactly[name] = *text;
+    else
+      witness.at[name] = value.ball().digits(38).value_or(witness.at[name]);
+  }
   std::tie(witness.printed, witness.derived) = values_at(problem, point, of_left);
   if (witness.printed.empty() && witness.derived.empty()) return std::nullopt;
   return witness;

@@ -197,9 +197,9 @@ std::vector<std::string> conditions_used(Question q, const ProveRequest& request
 
 Symbols declared_symbols(const ProveRequest& request) {
   Symbols symbols = paper_symbols();
-  for (const auto& [name, of_the_block] : {std::pair("t", paper::t), {"r", paper::r}, {"d", paper::d}})
-    if (const Symbol* symbol = symbols.find(name); symbol->ginac.is_equal(of_the_block))
-      symbols.declare(name, name, name, symbol->unit, all_numbers, "a real number", "");
+  for (const char* name : {"t", "r", "d"})
+    if (!is_of_another_paper(name))
+      symbols.declare(name, name, name, symbols.find(name)->unit, all_numbers, "a real number", "");
   for (char c = 'a'; c <= 'z'; ++c) declare_free(symbols, std::string(1, c));
   for (char c = 'A'; c <= 'Z'; ++c) declare_free(symbols, std::string(1, c));
   for (const std::string& letter : greek) declare_free(symbols, letter);
@@ -256,8 +256,10 @@ std::vector<std::string> in_words(const Witness& witness) {
     if (bounds != witness.between.end())
       words.push_back(fmt::format("{} between {} and {} where {}", name, bounds->second.first,
                                   bounds->second.second, witness.solves));
-    else
+    else if (exact != witness.exactly.end() || value.find('.') == std::string::npos)
       words.push_back(name + " = " + (exact != witness.exactly.end() ? exact->second : value));
+    else
+      words.push_back(name + " ≈ " + value);
   }
   return words;
 }

@@ -38,8 +38,8 @@ Proof decide(const ProveRequest& request);
 /// shown around that character.
 std::string explain(const SyntaxError& error, std::string_view text);
 
-/// A witness: "x = 2/5", "alpha = pi/6", "y between 0.739 and 0.740 where y - cos(y) = 0": a text for every
-/// symbol.
+/// A witness: "x = 2/5", "alpha = pi/6", "y between 0.739 and 0.740 where y - cos(y) = 0", "h ≈ 0.9449": a
+/// text for every symbol.
 std::vector<std::string> in_words(const Witness& witness);
 
 /// Runs `read`; what it finds wrong with `text`, which a user typed, becomes BadInput, with a caret.

@@ -91,6 +91,13 @@ SymbolExpression paper::declared(const char* name, const char* latex, const char
   return symbol;
 }
 
+std::size_t paper::number_of_declarations() { return declarations().size(); }
+
+bool is_of_another_paper(std::string_view name) {
+  return std::any_of(declarations().begin() + static_cast<std::ptrdiff_t>(paper::declarations_of_the_block),
+                     declarations().end(), [&](const Symbol& symbol) { return symbol.name == name; });
+}
+
 const Symbols& paper_symbols() { return declared_symbols().symbols; }
 
 const std::vector<Relation>& declared_conditions() { return declared_symbols().conditions; }

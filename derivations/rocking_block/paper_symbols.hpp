@@ -17,6 +17,8 @@ const Symbols& paper_symbols();
 /// What the ranges say beside numbers: "(0, alpha)" of theta_0 says theta_0 < alpha. In paper_symbols() the
 /// ends of all ranges are numbers.
 const std::vector<Relation>& declared_conditions();
+/// Whether a symbol was declared beside those of the rocking block, or in the place of one of them.
+bool is_of_another_paper(std::string_view name);
 
 // The language with these symbols.
 inline Tree parse(std::string_view text) { return parse(text, paper_symbols()); }
@@ -41,6 +43,8 @@ namespace paper {
 /// "[0, inf)" or "(0, alpha)". A symbol of the same name that was declared before is replaced.
 SymbolExpression declared(const char* name, const char* latex, const char* unicode, const char* unit,
                           const char* range, const char* meaning, const char* introduced);
+/// How many were declared so far.
+std::size_t number_of_declarations();
 
 // clang-format off
 
@@ -162,6 +166,9 @@ inline const SymbolExpression
     phi = declared("phi", "\\phi", "φ", "1", "(-inf, inf)", "angle of a point of the body seen from the pivot", "(36)");
 
 // clang-format on
+
+/// What is declared after these is of another paper.
+inline const std::size_t declarations_of_the_block = number_of_declarations();
 
 }  // namespace paper
 

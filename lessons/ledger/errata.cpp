@@ -42,8 +42,11 @@ std::vector<std::string> last_steps(const Entry& entry, Notation notation, const
   for (std::size_t k = steps.size() > 3 ? steps.size() - 3 : 0; k < steps.size(); ++k) {
     const bool words = steps[k].left.is_zero() && steps[k].right.is_zero();
     const Relation formula{{to_tree(steps[k].left), to_tree(steps[k].right)}, {steps[k].relation}};
-    lines.push_back((notation == Notation::latex ? latex_escaped(steps[k].says) : steps[k].says) +
-                    (words ? "" : std::string(" ") + open + print(formula, notation) + close));
+    const std::string says = joined(step_spans(steps[k].says), "", [&](const Span& span) {
+      if (span.kind == Span::Kind::math) return open + print_inline(span.text, notation) + close;
+      return notation == Notation::latex ? latex_escaped(span.text) : span.text;
+    });
+    lines.push_back(says + (words ? "" : std::string(" ") + open + print(formula, notation) + close));
   }
   return lines;
 }

@@ -103,7 +103,10 @@ std::string ledger_page(const Entry& entry, bool colour) {
   text += "\n  The derivation\n\n";
   int number = 0;
   for (const Step& step : entry.derivation->steps) {
-    text += fmt::format("  {:>2}. {}\n", ++number, step.says);
+    text += fmt::format("  {:>2}. {}\n", ++number, joined(step_spans(step.says), "", [](const Span& span) {
+                          return span.kind == Span::Kind::math ? print_inline(span.text, Notation::unicode)
+                                                               : span.text;
+                        }));
     if (step.left.is_zero() && step.right.is_zero()) continue;
     const Relation formula{{to_tree(step.left), to_tree(step.right)}, {step.relation}};
     text += fmt::format("      {}\n", print(formula, Notation::unicode));
