@@ -94,12 +94,15 @@ std::map<std::string, Tree> values_at(const Witness& witness, const Statement& s
 }
 
 /// Whether a statement holds at a witness; `residual` is its value there, if a root of it is only enclosed.
+/// Throws Undecidable where the statement has no value.
 bool holds_at(const Relation& statement, const Witness& witness, const std::map<std::string, Tree>& at,
               const std::string& residual) {
   if (!witness.between.empty()) return residual == "0";
   Point point;
   for (const auto& [symbol, value] : at) point.emplace(symbol, Number(value));
-  return truth_at(statement, point) == Truth::holds;
+  const Truth truth = truth_at(statement, point);
+  if (truth == Truth::undefined) throw Undecidable("there is no script for what has no value");
+  return truth == Truth::holds;
 }
 
 /// The root of a rational number as a number times the root of a whole one, which has no square of a number
@@ -180,6 +183,7 @@ std::string refutation(const std::string& name, const Question& question, const 
     return coq_text(tree);
   };
   const bool holds_left = holds_at(q.left, *proof.witness, at, proof.witness->printed);
+  (void)holds_at(q.right, *proof.witness, at, proof.witness->derived);
   std::string text = "Lemma " + name + " : exists " + s.variables() + "\n  ", values, steps;
   for (const std::string& h : s.hypotheses()) text += h + " /\\\n  ";
   for (const auto& [need, signs] : s.needs) text += coq_text(need, signs) + " /\\\n  ";
