@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <derivations/numbers/interval.hpp>
-#include <derivations/paper/corrections.hpp>
 #include <derivations/paper/ledger.hpp>
 #include <derivations/paper/prove.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
@@ -14,22 +13,6 @@
 namespace rederive {
 
 namespace {
-
-/// Everything downstream of `id`: what follows from it, and what follows from that.
-std::vector<std::string> downstream(const std::string& id, const std::vector<Row>& rows) {
-  std::set<std::string> reached{id};
-  for (bool grown = true; grown;) {
-    grown = false;
-    for (const Row& row : rows)
-      if (!reached.contains(row.id) && std::any_of(row.follows_from.begin(), row.follows_from.end(),
-                                                   [&](auto& from) { return reached.contains(from); }))
-        grown = reached.insert(row.id).second;
-  }
-  std::vector<std::string> ids;
-  for (const Row& row : rows)
-    if (row.id != id && reached.contains(row.id)) ids.push_back(row.id);
-  return ids;
-}
 
 /// "theta < 0" as θ and a number, turned round where the number comes first; nothing of other relations.
 std::optional<Relation> end_of_range(const Relation& link) {
@@ -263,36 +246,6 @@ std::optional<Derivation> checked_derivation(const std::string& id) {
   } catch (...) {
     throw std::runtime_error("the derivation of (" + id + ") throws something that says nothing of itself");
   }
-}
-
-Entry judge(const Row& row, const std::vector<Row>& rows) {
-  Entry entry;
-  entry.row = row;
-  entry.rests_on_it = downstream(row.id, rows);
-  const Symbols symbols = symbols_in(row.domain);
-  // a result of ours stands in the place of a printed equation: it, too, must follow from the derivation
-  const Relation stated = parse_statement(row.claim(), symbols);
-  entry.dimension = dimension(stated, symbols);
-  try {
-    entry.derivation = checked_derivation(row.id);
-  } catch (const std::runtime_error& error) {
-    entry.proof.verdict = Verdict::error;
-    entry.proof.reason = error.what();
-    return entry;
-  }
-  if (!entry.derivation) {
-    entry.proof.verdict = row.kind == "definition" ? Verdict::definition : Verdict::undecided;
-    entry.proof.reason = row.kind == "definition"
-                             ? "introduces a name or an assumption; there is nothing to derive"
-                             : "no derivation is listed for this row";
-    return entry;
-  }
-  entry.derived = print(derived_relation(*entry.derivation));
-  const std::vector<Relation> conditions = conditions_of(row, *entry.derivation, symbols);
-  entry.proof = compare(stated, *entry.derivation, symbols, conditions);
-  if (entry.proof.verdict == Verdict::refuted)
-    entry.correction = correction_of(stated, *entry.derivation, symbols, conditions);
-  return entry;
 }
 
 }  // namespace rederive
