@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <derivations/numbers/interval.hpp>
+#include <derivations/paper/conditions.hpp>
 #include <derivations/paper/ledger.hpp>
 #include <derivations/paper/prove.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
@@ -189,21 +190,6 @@ void check_range(const Symbol& symbol) {
     throw std::invalid_argument(start + error.what());
   }
   throw std::invalid_argument(start + "the range " + symbol.range + " is empty");
-}
-
-std::vector<Relation> declared_conditions_on(std::set<std::string> names) {
-  std::vector<Relation> result, others = declared_conditions();
-  for (bool has_grown = true; has_grown;) {
-    has_grown = false;
-    std::erase_if(others, [&](const Relation& condition) {
-      const std::set<std::string> its_names = names_of(condition);
-      if (std::ranges::none_of(its_names, [&](auto& name) { return names.contains(name); })) return false;
-      names.insert(its_names.begin(), its_names.end());
-      result.push_back(condition);
-      return has_grown = true;
-    });
-  }
-  return result;
 }
 
 std::vector<Relation> conditions_of(const Row& row, const Derivation& derivation, const Symbols& symbols) {

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -66,9 +65,6 @@ Relation derived_relation(const Derivation& derivation);
 /// domain and the ranges say of several symbols ("theta_0 < alpha"), and what the derivation assumes. Throws
 /// std::invalid_argument for an assumption that cannot be read.
 std::vector<Relation> conditions_of(const Row& row, const Derivation& derivation, const Symbols& symbols);
-
-/// Those of paper_symbols() that say something of one of these names, or of a symbol in another one of them.
-std::vector<Relation> declared_conditions_on(std::set<std::string> names);
 
 /// Whether a printed relation says what was derived: the comparison that `judge` makes, for a mutant or an
 /// answer. Where a derivation has an order and the two are not the same, their series are compared.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <derivations/decide/decide.hpp>
 #include <derivations/language/unicode.hpp>
-#include <derivations/paper/ledger.hpp>
+#include <derivations/paper/conditions.hpp>
 #include <derivations/paper/prove.hpp>
 #include <regex>
 

@@ -1,0 +1,15 @@
+// What the declared ranges say of several symbols.
+#pragma once
+
+#include <derivations/decide/problem.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace rederive {
+
+/// Those of declared_conditions() that say something of one of these names, or of a symbol in another one of
+/// them.
+std::vector<Relation> declared_conditions_on(std::set<std::string> names);
+
+}  // namespace rederive
