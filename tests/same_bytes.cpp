@@ -91,6 +91,10 @@ TEST_CASE("programs are hardened, and twenty runs at random addresses write the 
     for (const char* property :
          {"DYN (Position-Independent Executable file)", "GNU_RELRO", "BIND_NOW", "PIE"})
       CHECK_MESSAGE(head.find(property) != std::string::npos, property);
+    const std::string imports = run_program("/usr/bin/readelf", {"--dyn-syms", "-W", bin / program}).out;
+    if (std::string(REDERIVE_BUILD_TYPE).starts_with("Rel"))
+      for (const char* import : {"__stack_chk_fail", "_chk@"})
+        CHECK_MESSAGE(imports.find(import) != std::string::npos, import);
   }
   std::map<std::string, std::string> first;
   for (int run = 0; run < 20; ++run) {
