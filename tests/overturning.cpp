@@ -95,7 +95,7 @@ TEST_CASE("nothing overturns below the least amplitude, whatever a chain of impa
     Model model;
     double alpha, ratio;
     std::optional<double> restitution;
-    double least;  // below which random amplitudes by the million found none
+    double least;  // thousands of random amplitudes below it do not overturn
     int code;
   };
   for (const Case& c : {Case{Model::linear, 0.25, 0.2, 0.3, 1.01976258307585, 8},

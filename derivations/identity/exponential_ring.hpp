@@ -1,12 +1,4 @@
-// The ring in which identities are decided.
-//
-// Every function becomes a rational function of generators: the symbols, π, the cosine and the sine of
-// independent phases, exponentials, roots, absolute values, logarithms, inverse functions, and whole values
-// that are too large. Between them hold true relations, each for a power of one generator in terms of earlier
-// ones: s² = 1 - c², y² = u, a² = u². What reduces to 0 modulo these is 0 wherever it has a value. Where
-// exponentials are algebraically independent the converse holds (Lindemann-Weierstrass; Ax 1971); with π, e
-// and logarithms of numbers that needs Schanuel's conjecture; no proof rests on it. Davenport et al. ch. 5.
-// From the ranges of generators follow signs: by intervals, factor by factor, and by discriminants.
+// The ring in which identities are decided; README.md names the theorems on which it rests.
 #pragma once
 
 #include <ginac/ginac.h>

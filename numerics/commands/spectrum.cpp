@@ -19,8 +19,7 @@ struct SpectrumCommand {
 
 std::string field(const std::optional<double>& value) { return value ? fmt::format("{:.17g}", *value) : ""; }
 
-std::string csv_of(const std::vector<SpectrumPoint>& points, const WindowSearch& search) {
-  const bool least = search.least;
+std::string csv_of(const std::vector<SpectrumPoint>& points, bool least) {
   std::string text = "omega_ratio,minimum,code";
   text += least ? "\n" : ",mode1,mode2_lower,mode2_upper\n";
   for (const auto& at : points) {
@@ -31,7 +30,7 @@ std::string csv_of(const std::vector<SpectrumPoint>& points, const WindowSearch&
       text += fmt::format(",{},{},{}", field(at.mode1), field(at.mode2_lower), field(at.mode2_upper));
     text += "\n";
   }
-  return text + "# " + missing_windows(narrowest_found(search)) + "\n";
+  return text;
 }
 
 Curve curve_of(const std::vector<SpectrumPoint>& points, std::optional<double> SpectrumPoint::*value,
@@ -98,12 +97,14 @@ int run_spectrum(const SpectrumCommand& options) {
   if (work.progress) work.progress(0);
   const auto points = spectrum(asked, ratios, search, work);
   const bool stopped = was_interrupted(work);
-  if (!options.csv.empty()) write_whole(options.csv, csv_of(points, search));
+  if (!options.csv.empty()) write_whole(options.csv, csv_of(points, search.least));
   if (!options.plot.empty()) draw(figure_of(points, asked, search), options.plot);
   if (options.common.json)
     print_json(json_of(points, asked, search));
   else if (options.csv.empty())
-    fmt::print("{}", csv_of(points, search));
+    fmt::print("{}", csv_of(points, search.least));
+  if (!options.common.json)  // a table of numbers has no place for it
+    fmt::print(stderr, "{}\n", missing_windows(narrowest_found(search)));
   return stopped ? not_as_expected : as_expected;
 }
 
