@@ -51,7 +51,8 @@ TEST_CASE("every output of a search says how narrow windows may be missing") {
     for (std::vector<std::string> command : commands) {
       if (least) command.emplace_back("--least");
       const Result said = run_program("rocking", command);
-      CHECK((has(said.out) || has(said.err)));  // a spectrum is a table of numbers, for other programs to read
+      CHECK(
+          (has(said.out) || has(said.err)));  // a spectrum is a table of numbers, for other programs to read
       command.emplace_back("--json");
       CHECK(json_of(command)["windows_narrower_than_may_be_missing"] == (least ? 1e-9 : 1e-5));
     }

@@ -1,5 +1,4 @@
-// A problem in the ring: both statements as fractions, what is known, and where both have values. Fractions
-// in lowest terms are a canonical form, and hide where a divisor was 0 (Davenport, Siret, Tournier 1988).
+// A problem in the ring: both statements as fractions, what is known, and where both have values.
 #pragma once
 
 #include <derivations/decide/problem.hpp>

@@ -19,11 +19,8 @@ constexpr Effort few{6, 1, 200}, many{310, 24, 1800};
 
 Proof undecided(std::string reason) { return {.reason = std::move(reason)}; }
 
-Proof refuted(const Witness& witness) {
-  return {.verdict = Verdict::refuted,
-          .witness = witness,
-          .reason = "the two sides differ at the witness",
-          .by = "points"};
+Proof refuted(const Witness& witness, const char* reason, const char* by) {
+  return {.verdict = Verdict::refuted, .witness = witness, .reason = reason, .by = by};
 }
 
 Proof proved(const Comparison& setting, const Sameness& found) {
@@ -117,12 +114,11 @@ Proof decide_problem(const Problem& problem, bool by_points) {
         proof = {.verdict = Verdict::proved, .factor = "1", .reason = "they are the same", .by = "identity"};
     }
   if (!tried.witness && (proof ? tried.agreed == 0 : by_points)) tried = search(problem, many);
-  if (tried.witness) return by_points ? refuted(*tried.witness) : undecided("it does not hold everywhere");
+  if (tried.witness && !by_points) return undecided("it does not hold everywhere");
+  if (tried.witness) return refuted(*tried.witness, "the two sides differ at the witness", "points");
   if (tried.agreed == 0 && tried.lacking && by_points && is_contradictory(problem))
-    return {.verdict = Verdict::refuted,
-            .witness = tried.lacking,
-            .reason = "one side has no value wherever the other one has some, as at the witness",
-            .by = "sign"};
+    return refuted(*tried.lacking, "one side has no value wherever the other one has some, as at the witness",
+                   "sign");
   if (tried.agreed == 0) return undecided("no point was found at which both sides have a value");
   return proof.value_or(undecided(missing));
 }

@@ -1,5 +1,4 @@
-// Decides whether two expressions, equations or inequalities are the same. The order of the
-// decision is in README.md.
+// Decides whether two statements are the same. README.md has the order of the decision.
 #pragma once
 
 #include <derivations/decide/problem.hpp>

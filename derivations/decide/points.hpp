@@ -1,5 +1,4 @@
-// Points inside the declared ranges, the truth of two statements there in ball arithmetic (Johansson 2017),
-// and a witness: a point where they differ beyond doubt, which refutes.
+// Points inside the declared ranges, and a witness: a point where two statements differ beyond doubt.
 #pragma once
 
 #include <derivations/decide/problem.hpp>
@@ -18,11 +17,13 @@ constexpr long bits_of_numbers = 16'000;
 /// The constant parts that are rational and neither small nor whole, and some more: where something may turn.
 void collect_landmarks(const Tree& tree, std::vector<cln::cl_RA>& landmarks);
 
-/// The point with other values of some symbols, such that all equations hold, each solved for a symbol of its
-/// own: one that occurs linearly, or one with a zero that a change of sign encloses. `attempt` varies
-/// which are tried first. Nothing where none is found in the range of its symbol.
+/// The point with other values of some symbols, such that all equations hold, each solved for one symbol that
+/// occurs linearly or has a zero between two signs, in its range. `attempt` varies which are tried first.
 std::optional<Point> solve(const std::vector<Relation>& equations, Point point, const Symbols& symbols,
                            int attempt);
+
+/// The tree with every coordinate put in but `but`; nullptr where a coordinate is a root between bounds.
+Tree with_coordinates(Tree tree, const Point& point, const std::string& but = {});
 
 /// Both values at the point, to 30 digits, or to as many as tell them apart; nothing where these cannot be
 /// had. `of_left`: whether the point was found as one that solves the left statement, or the right one.

@@ -25,17 +25,6 @@ Tree residual_of(const Tree& a, const Tree& b, int attempt) {
   return a;
 }
 
-/// The tree with every coordinate but one put in; nothing where a coordinate is no constant.
-Tree with_coordinates(Tree tree, const Point& point, const std::string& but) {
-  for (const auto& [name, number] : point) {
-    if (name == but) continue;
-    const auto constant = number.value(128).constant;
-    if (!constant && !(*number).symbol.empty()) return nullptr;
-    tree = put_in(tree, name, constant ? tree_of(*constant) : (*number).tree);
-  }
-  return tree;
-}
-
 bool lies_in(const Number& number, const Interval& range) {
   const Value& value = number.value(64);
   if (value.constant) return range.contains(*value.constant);
@@ -103,8 +92,7 @@ std::vector<cl_RA> finer(std::vector<Place> places) {
   std::erase_if(places, [](const Place& p) { return !p.sign; });
   if (places.size() < 3) return {};
   const auto size = [](const Place& p) { return p.value.ball() * p.value.ball(); };
-  const auto nearest = std::min_element(places.begin() + 1, places.end() - 1,
-                                        [&](auto& a, auto& b) { return size(a) < size(b); });
+  const auto nearest = std::ranges::min_element(places.begin() + 1, places.end() - 1, {}, size);
   std::vector<cl_RA> grid;
   for (int k = 0; k <= 8; ++k) grid.push_back((k * nearest[1].x + (8 - k) * nearest[-1].x) / 8);
   return grid;
@@ -162,6 +150,16 @@ bool solve_one(Point& point, const Tree& residual, const std::vector<std::string
 }
 
 }  // namespace
+
+Tree with_coordinates(Tree tree, const Point& point, const std::string& but) {
+  for (const auto& [name, number] : point) {
+    if (name == but) continue;
+    const auto constant = number.value(128).constant;
+    if (!constant && !(*number).symbol.empty()) return nullptr;
+    tree = put_in(tree, name, constant ? tree_of(*constant) : (*number).tree);
+  }
+  return tree;
+}
 
 std::optional<Point> solve(const std::vector<Relation>& equations, Point point, const Symbols& symbols,
                            int attempt) {

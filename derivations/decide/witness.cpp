@@ -48,15 +48,10 @@ std::pair<std::string, std::string> values_at(const Problem& problem, const Poin
           of_left == false ? "0" : residual_at(right, point)};
 }
 
-/// A tree with what a witness says of its symbols put in; nothing where one of them lies between bounds.
-std::optional<std::string> closed_form(Tree tree, const Witness& witness, const Symbols& symbols) try {
-  for (const std::string& name : names_of(tree)) {
-    if (witness.between.contains(name)) return std::nullopt;
-    const auto exact = witness.exactly.find(name);
-    const std::string& text = exact != witness.exactly.end() ? exact->second : witness.at.at(name);
-    tree = put_in(tree, name, parse(text, symbols));
-  }
-  return print(lower(tree, symbols), Notation::plain, symbols);
+/// A value that is put in, in our syntax; nothing where a coordinate is a root between bounds.
+std::optional<std::string> closed_form(const Tree& tree, const Point& point, const Symbols& symbols) try {
+  const Tree value = with_coordinates(tree, point);
+  return value ? std::optional(print(lower(value, symbols), Notation::plain, symbols)) : std::nullopt;
 } catch (const SyntaxError&) {  // too large to be written
   return std::nullopt;
 }
@@ -91,7 +86,7 @@ std::optional<Witness> make_witness(const Problem& problem, const Point& point, 
     if (value.is != Value::Is::certain) continue;
     say(name, value);
     if (value.constant) continue;
-    if (const auto text = closed_form(tree, witness, problem.symbols))
+    if (const auto text = closed_form(tree, point, problem.symbols))
       witness.exactly[name] = *text;
     else
       witness.at[name] = value.ball().digits(38).value_or(witness.at[name]);

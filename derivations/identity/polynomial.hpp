@@ -1,7 +1,4 @@
-// Polynomials in the generators of the ring, with whole coefficients, and fractions of them.
-//
-// FLINT's multivariate polynomials do the arithmetic (fmpz_mpoly). Every polynomial has the same variables,
-// 0 to Polynomial::variables - 1; what they stand for is said in exponential_ring.hpp.
+// Polynomials in the generators of the ring, with whole coefficients, and fractions of them, by FLINT.
 #pragma once
 
 #include <cln/integer.h>

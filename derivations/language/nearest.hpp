@@ -17,8 +17,7 @@ inline std::string lower_case(std::string_view text) {
   return result;
 }
 
-/// Insertions, deletions, replacements and exchanges of neighbours that make one word of the other
-/// (Damerau–Levenshtein, each letter moved once).
+/// The least number of edits between two words (Damerau–Levenshtein, each letter moved at most once).
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {
@@ -34,8 +33,7 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
-/// The first of the nearest known words; empty if none is near. A mere difference of case is the nearest of
-/// all.
+/// The first of the nearest known words, or nothing; words that differ in case alone are the nearest.
 inline std::string nearest(std::string_view name, const std::vector<std::string>& known) {
   if (name.size() > longest_name) return {};
   std::string best;

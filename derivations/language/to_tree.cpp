@@ -1,5 +1,4 @@
-// The order of terms in GiNaC depends on memory addresses, and so do the signs that it factors out of the
-// bases of powers: 1/(x - y) in one run is -1/(y - x) in the next. Here the symbol table decides both.
+// GiNaC to tree. The symbol table decides orders and signs: those of GiNaC depend on memory addresses.
 #include <algorithm>
 #include <compare>
 #include <derivations/language/functions.hpp>

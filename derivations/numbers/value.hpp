@@ -51,8 +51,7 @@ Value operator+(const Value& x, const Value& y);
 Value operator-(const Value& x, const Value& y);
 Value operator*(const Value& x, const Value& y);
 Value operator/(const Value& x, const Value& y);
-/// As a real function: x^n for each whole n, x^y for other y and x > 0, and 0^y = 0 for y > 0. 0^0 has no
-/// value.
+/// As a real function: x^n for each whole n, x^y for other y and x > 0, 0^y = 0 for y > 0; 0^0 has no value.
 Value pow(const Value& x, const Value& y);
 /// A function of our syntax by its name. Throws std::out_of_range for an unknown one.
 Value call(const std::string& function, const Value& x);
