@@ -92,7 +92,7 @@ std::vector<cl_RA> finer(std::vector<Place> places) {
   std::erase_if(places, [](const Place& p) { return !p.sign; });
   if (places.size() < 3) return {};
   const auto size = [](const Place& p) { return p.value.ball() * p.value.ball(); };
-  const auto nearest = std::ranges::min_element(places.begin() + 1, places.end() - 1, {}, size);
+  const auto nearest = std::ranges::min_element(places.begin() + 1, places.end() - 1, std::less<>(), size);
   std::vector<cl_RA> grid;
   for (int k = 0; k <= 8; ++k) grid.push_back((k * nearest[1].x + (8 - k) * nearest[-1].x) / 8);
   return grid;
