@@ -2,6 +2,7 @@
 #include <cmath>
 #include <lessons/experiments.hpp>
 #include <lessons/prose.hpp>
+#include <numerics/edges.hpp>
 #include <numerics/ground_motion.hpp>
 #include <numerics/story.hpp>
 #include <stdexcept>

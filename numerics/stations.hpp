@@ -1,7 +1,8 @@
 // The outcomes at single amplitudes from which a search for windows goes on.
 #pragma once
 
-#include <numerics/windows.hpp>
+#include <numerics/overturning.hpp>
+#include <numerics/window_search.hpp>
 #include <vector>
 
 namespace rederive::inline numeric {

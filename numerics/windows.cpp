@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numerics/edges.hpp>
 #include <numerics/hills.hpp>
+#include <numerics/windows.hpp>
 #include <stdexcept>
 #include <tuple>
 
@@ -142,7 +143,7 @@ void add_stations(std::vector<Station>& stations, const std::vector<Station>& mo
   stations.insert(stations.end(), more.begin(), more.end());
   std::ranges::stable_sort(stations, {}, &Station::amplitude);
   const auto same = [](const Station& a, const Station& b) { return a.amplitude == b.amplitude; };
-  stations.erase(std::ranges::unique(stations, same).begin(), stations.end());
+  stations.erase(std::unique(stations.begin(), stations.end(), same), stations.end());
 }
 
 /// Adds what is found below the first station that overturns, down to `lowest`.

@@ -5,6 +5,7 @@
 #include <emitted/rocking_block.hpp>
 #include <numeric>
 #include <numerics/batch.hpp>
+#include <numerics/edges.hpp>
 #include <numerics/overturning.hpp>
 #include <numerics/story.hpp>
 #include <numerics/windows.hpp>

@@ -94,17 +94,18 @@ TEST_CASE("a table that cannot be read says where it is wrong, and what would be
     INFO(text);
     CHECK(text.find(part) != std::string::npos);
   };
-  has(complaint(of_table(row_that_expects("maybe"))), ":1: 'maybe' is no verdict; right is one of");
-  has(complaint(of_table(row_that_expects("proved", "asume = [\"x > 0\"]"))), "unknown key 'asume'");
+  has(complaint(of_table(row_that_expects("maybe"))), ":5: 'expected' cannot be 'maybe'; right is one of");
+  has(complaint(of_table(row_that_expects("proved", "asume = [\"x > 0\"]"))),
+      ":7: there is no key 'asume' here: did you mean 'assume'?");
   has(complaint(of_table(row_that_expects("proved", "assume = \"x > 0\""))), "must be a list of strings");
   has(complaint(of_table(row_that_expects("proved", "order = \"2\""))), "'order' must be a whole number");
-  has(complaint(of_table(row_that_expects("proved", "order = 99"))), "'order' is 0 to 12");
-  has(complaint(of_table(row_that_expects("proved\\u001b[31m"))), "one line of printable characters");
-  has(complaint(of_table("[[row]]\nleft = \"x\"\n")), "a row needs 'group'");
-  has(complaint(of_table("x = 1\n")), "has no [[row]]");
+  has(complaint(of_table(row_that_expects("proved", "order = 99"))), ":7: 'order' must be from 0 to 12");
+  has(complaint(of_table(row_that_expects("proved\\u001b[31m"))), "'proved?[31m'");
+  has(complaint(of_table("[[row]]\nleft = \"x\"\n")), ":1: 'group' is missing or empty");
+  has(complaint(of_table("x = 1\n")), ":1: there is no key 'x' here; the keys are row");
   has(complaint(of_table("[[row\n")), ".toml:1: ");
   has(complaint(of_table(row_that_expects("proved"), {"--assume", "x > 0"})), "excludes --table");
   std::string deep = "a";
   for (int k = 0; k < 60'000; ++k) deep += ".a";
-  has(complaint(of_table(deep + " = 1\n")), "cannot be read: it ran out of memory or stack");
+  has(complaint(of_table(deep + " = 1\n")), ":1: a line has more than 10000 bytes");
 }

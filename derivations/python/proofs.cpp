@@ -47,9 +47,39 @@ std::vector<Told> ledger(const std::string& equations) {
   return told;
 }
 
+/// The text that a Python object is. Throws py::type_error, which begins with `name`, where it is not text,
+/// and UnicodeEncodeError where it has surrogates.
+std::string text_of(const std::string& name, const py::handle& object) {
+  if (!py::isinstance<py::str>(object))
+    throw py::type_error(name + " must be text, not " + Py_TYPE(object.ptr())->tp_name +
+                         "; of a SymPy expression pass its str()");
+  Py_ssize_t size = 0;
+  const char* text = PyUnicode_AsUTF8AndSize(object.ptr(), &size);
+  if (text == nullptr) throw py::error_already_set();
+  return {text, static_cast<std::size_t>(size)};
+}
+
+/// One text, or the texts of a list or another iterable.
+std::vector<std::string> texts_of(const std::string& name, const py::object& given) {
+  std::vector<std::string> texts;
+  if (!py::isinstance<py::iterable>(given) || py::isinstance<py::str>(given) ||
+      py::isinstance<py::bytes>(given))
+    texts.push_back(text_of(name, given));
+  else
+    for (const py::handle object : given) texts.push_back(text_of(name, object));
+  return texts;
+}
+
 /// Ctrl-C ends it.
-std::string prove(const std::string& left, const std::string& right, const std::vector<std::string>& assume,
-                  const std::vector<std::string>& small, std::optional<int> order) {
+std::string prove(const py::object& left_side, const py::object& right_side, const py::object& assumptions,
+                  const py::object& small_symbols, const py::object& series_order) {
+  const std::string left = text_of("prove(): left", left_side), right = text_of("prove(): right", right_side);
+  const auto assume = texts_of("prove(): assume", assumptions),
+             small = texts_of("prove(): small", small_symbols);
+  if (!series_order.is_none() && !py::isinstance<py::int_>(series_order))
+    throw py::type_error(std::string("prove(): order must be a whole number, not ") +
+                         Py_TYPE(series_order.ptr())->tp_name);
+  const auto order = series_order.cast<std::optional<int>>();
   bool is_interrupted = false;
   const auto stop = [&] {
     const py::gil_scoped_acquire locked;
@@ -62,7 +92,9 @@ std::string prove(const std::string& left, const std::string& right, const std::
   return found;
 }
 
-std::string emit_text(const std::string& target, const std::vector<std::string>& names) {
+std::string emit_text(const py::object& language, const py::object& functions) {
+  const std::string target = text_of("emit(): target", language);
+  const auto names = texts_of("emit(): functions", functions);
   const auto found = targets().find(target);
   if (found == targets().end()) {
     std::string known;

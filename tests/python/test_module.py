@@ -301,6 +301,7 @@ def test_text_as_sympy_prints_it_is_read(left, right):
     (lambda: rederive.prove(1, "x"), r"prove\(\): left must be text, not int"),
     (lambda: rederive.prove("x", None), r"prove\(\): right must be text, not NoneType"),
     (lambda: rederive.prove(b"x", "x"), r"prove\(\): left must be text, not bytes"),
+    (lambda: rederive.prove("x", "x", assume=b"x > 0"), r"prove\(\): assume must be text, not bytes"),
     (lambda: rederive.prove("x", "x", assume=["x > 0", 1]), r"prove\(\): assume must be text, not int"),
     (lambda: rederive.prove("x", "x", small=3, order=1), r"prove\(\): small must be text, not int"),
     (lambda: rederive.prove("x", "x", small="x", order=1.5), r"prove\(\): order must be a whole number, not float"),

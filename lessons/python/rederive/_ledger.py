@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from fractions import Fraction
 from functools import cache
@@ -120,29 +120,14 @@ def ledger() -> list[Row]:
             for row, printed, derived in _judged(str(Path(__file__).with_name("equations.toml")))]
 
 
-def _text(function: str, name: str, value: Any) -> str:
-    """Returns `value` if it is text; raises TypeError, which names the function and its argument, otherwise."""
-    if not isinstance(value, str):
-        raise TypeError(f"{function}(): {name} must be text, not {type(value).__name__}; of a SymPy expression pass its str()")
-    value.encode()  # raises UnicodeEncodeError for text that is not Unicode
-    return value
-
-
-def _texts(function: str, name: str, values: Any) -> list[str]:
-    """Returns one text, or each text of a sequence, as a list."""
-    if isinstance(values, str) or not isinstance(values, Iterable):
-        return [_text(function, name, values)]
-    return [_text(function, name, value) for value in values]
-
-
 def prove(left: str, right: str, assume: str | Sequence[str] = (), *, small: str | Sequence[str] = (),
           order: int | None = None) -> Proof:
     """Decides whether two expressions, equations or inequalities say the same; `ledger prove --help` says what it reads.
 
-    Powers may be written x^2 or x**2, so that the str() of a SymPy expression can be read.
-    With `small`, symbols, and `order` the series are compared: sin(x) is x to order 2 in x. Some two seconds and 480 MB at
-    most, in a process of its own; what takes more is undecided; Ctrl-C ends it. Raises ValueError, with a caret under the
-    character, for text that cannot be read, and for assumptions that contradict each other.
+    The str() of a SymPy expression is such a text: x**2 is x^2. With `small`, symbols, and `order` the series are compared:
+    sin(x) is x to order 2 in x. Some two seconds and 480 MB at most, in a process of its own; what takes more is undecided;
+    Ctrl-C ends it. Raises TypeError for what is not text, and ValueError, with a caret under the character, for text that
+    cannot be read, and for assumptions that contradict each other.
 
     >>> prove("b < h", "alpha < pi/4", assume=["tan(alpha) = b/h"]).verdict
     'proved_under'
@@ -154,11 +139,7 @@ def prove(left: str, right: str, assume: str | Sequence[str] = (), *, small: str
       sin(x
          ^
     """
-    if order is not None and not isinstance(order, int):
-        raise TypeError(f"prove(): order must be a whole number, not {type(order).__name__}")
-    found = _proofs.prove(_text("prove", "left", left), _text("prove", "right", right), _texts("prove", "assume", assume),
-                          _texts("prove", "small", small), order)
-    return _made(Proof, json.loads(found))
+    return _made(Proof, json.loads(_proofs.prove(left, right, assume, small, order)))
 
 
 class Emitted:
@@ -197,5 +178,4 @@ def emit(target: str, *functions: str) -> Emitted:
     >>> emit("python", "restitution")(0.25)  # eq (46)
     0.908186921417...
     """
-    names = _texts("emit", "functions", functions)
-    return Emitted(target, tuple(dict.fromkeys(names)), _proofs.emit(_text("emit", "target", target), names))
+    return Emitted(target, tuple(dict.fromkeys(functions)), _proofs.emit(target, functions))
