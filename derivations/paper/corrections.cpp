@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <derivations/decide/points.hpp>
 #include <derivations/paper/corrections.hpp>
 #include <derivations/paper/edits.hpp>
 #include <derivations/paper/mutate.hpp>
@@ -42,6 +44,31 @@ bool with_another_argument(const Tree& tree, const std::vector<Tree>& others, co
   return false;
 }
 
+/// A point at which the derived equation holds, with a value for every name of either; nothing where none is
+/// found soon, or it is not an equation. A repaired form that fails there need not be compared.
+std::optional<Point> solution_of(const Relation& printed, const Derivation& derivation,
+                                 const Symbols& symbols) {
+  const Problem problem = with_values({printed, derived_relation(derivation), {}, symbols}, derivation.given);
+  if (problem.right.operators != std::vector<std::string>{"="}) return std::nullopt;
+  std::set<std::string> names;
+  for (const Tree& tree : trees_of(problem)) names.merge(names_of(tree));
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    Point start;
+    for (const std::string& name : names)
+      start.emplace(name, cln::cl_RA(1 + static_cast<int>(start.size()) % 5) / (7 + attempt));
+    if (auto found = solve({problem.right}, start, symbols, attempt)) return found;
+  }
+  return std::nullopt;
+}
+
+bool fails_at(const Point& point, const Relation& relation, const Derivation& derivation,
+              const Symbols& symbols) {
+  const Problem problem = with_values({relation, relation, {}, symbols}, derivation.given);
+  const auto is_given = [&](const std::string& name) { return point.contains(name); };
+  return std::ranges::all_of(names_of(problem.left), is_given) &&
+         truth_at(problem.left, point, 200) == Truth::fails;
+}
+
 }  // namespace
 
 std::string correction_of(const Relation& printed, const Derivation& derivation, const Symbols& symbols,
@@ -51,6 +78,7 @@ std::string correction_of(const Relation& printed, const Derivation& derivation,
   if (print(printed).size() >= result.size()) return result;
   std::vector<Tree> arguments;
   for (const Tree& side : derived.sides) collect_arguments(side, arguments);
+  const std::optional<Point> solution = solution_of(printed, derivation, symbols);
   for (std::size_t side = 0; side < printed.sides.size(); ++side) {
     const bool is_found =
         with_another_argument(printed.sides[side], arguments, symbols, [&](const Tree& changed) {
@@ -58,6 +86,7 @@ std::string correction_of(const Relation& printed, const Derivation& derivation,
           relation.sides[side] = changed;
           const std::string text = print(relation);
           if (text.size() >= result.size()) return false;
+          if (solution && fails_at(*solution, relation, derivation, symbols)) return false;
           const Verdict verdict = compare(relation, derivation, symbols, conditions).verdict;
           if (verdict == Verdict::refuted || verdict == Verdict::undecided) return false;
           result = text;
