@@ -42,11 +42,11 @@ struct Candidates {
 };
 
 /// Rational numbers on both sides of a number, at distances of 1/10 to 1/10^8.
-std::vector<cl_RA> beside(const Ball& number) {
+std::vector<cl_RA> beside(const cl_RA& number) {
+  static const std::vector<cl_RA> units{"1/10", "1/100", "1/10000", "1/100000000"};
   std::vector<cl_RA> result;
-  for (const char* step : {"1/10", "1/100", "1/10000", "1/100000000"})
-    for (const int steps : {-1, 0, 1, 2})
-      result.push_back((cln::floor1(cl_RA(number.middle()) / cl_RA(step)) + steps) * cl_RA(step));
+  for (const cl_RA& unit : units)
+    for (const int steps : {-1, 0, 1, 2}) result.push_back((cln::floor1(number / unit) + steps) * unit);
   return result;
 }
 
@@ -67,7 +67,7 @@ Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks
     if (has_high && range.high.is_rational()) add(range.high.a - cl_RA(1) / n), add(range.high.a - n);
   }
   for (const End* end : {&range.low, &range.high})
-    for (const cl_RA& value : end->infinite == 0 ? beside(end->ball(128)) : std::vector<cl_RA>()) add(value);
+    if (end->infinite == 0) std::ranges::for_each(beside(end->ball(128).middle()), add);
   const cl_RA little = cl_RA(1) / 100;
   for (const cl_RA& n : landmarks)
     for (const cl_RA& value : {n, cl_RA(-n), n + little, n - little, 2 * n, -2 * n, n / 2}) add(value);
@@ -197,7 +197,7 @@ std::optional<Witness> beside_solution(const Problem& problem, const Point& poin
   for (const auto& [name, number] : solution) {
     const Value& value = number.value(128);
     if (&*number == &*point.at(name) || value.is != Value::Is::certain) continue;
-    for (const cl_RA& x : beside(value.ball())) {
+    for (const cl_RA& x : beside(value.ball().middle())) {
       Point moved = solution;
       moved.insert_or_assign(name, x);
       if (is_admitted(problem, moved) && compare_at(problem, moved, 200) < 0)

@@ -75,7 +75,7 @@ std::string correction_of(const Relation& printed, const Derivation& derivation,
                           const std::vector<Relation>& conditions) {
   const Relation derived = derived_relation(derivation);
   std::string result = print(derived);
-  if (print(printed).size() >= result.size()) return result;
+  if (11 * print(printed).size() >= 10 * result.size()) return result;  // as short as any repaired form
   std::vector<Tree> arguments;
   for (const Tree& side : derived.sides) collect_arguments(side, arguments);
   const std::optional<Point> solution = solution_of(printed, derivation, symbols);
