@@ -54,7 +54,7 @@ void make_seeds() {
 /// Inputs from each of two seeds: together they take about 15 s on two cores.
 const std::map<std::string, int> inputs_from_a_seed{
     {"answers", 2500}, {"equations", 13000}, {"exercises", 600}, {"options", 9000},
-    {"prove", 900},    {"records", 9000},   {"syntax", 5000}};
+    {"prove", 900},    {"records", 9000},    {"syntax", 5000}};
 
 /// Runs a fuzzer, where the system allows at the same addresses each time, for the order of GiNaC's sums, and
 /// so what is new to the fuzzer, depends on them. What it fails on is kept in build/fuzz/failed. An input

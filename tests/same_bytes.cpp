@@ -101,7 +101,7 @@ TEST_CASE("programs are hardened, and twenty runs at random addresses write the 
     const TemporaryFolder folder;
     std::string script =
         "cd " + quoted(folder.path) + " && export PATH=" + quoted(bin) +
-        ":$PATH && ledger --json >ledger && ledger certify coq >said"
+        ":$PATH && ledger --json >ledger && ledger certify coq 13 50 88 >said"
         " && ledger mutate 13 --json >mutants && rocking threshold --omega 3 --json >threshold"
         " && (exercises --progress progress check restitution 'sin(alpha)' >answer; [ $? = 1 ])";
     for (const char* target : {"cpp", "c", "python", "javascript", "latex"})
