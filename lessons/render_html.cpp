@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <derivations/emit/data_folder.hpp>
+#include <derivations/program/files.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>

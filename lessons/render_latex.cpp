@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <derivations/language/unicode.hpp>
+#include <derivations/program/bad_input.hpp>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 #include <sstream>

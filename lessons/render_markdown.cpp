@@ -4,6 +4,7 @@
 // and has a counterpart, else the shell.
 #include <fmt/format.h>
 
+#include <derivations/program/bad_input.hpp>
 #include <lessons/prose.hpp>
 #include <lessons/render.hpp>
 #include <nlohmann/json.hpp>
