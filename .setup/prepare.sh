@@ -1,17 +1,17 @@
 # Sourced by lessons/run and tests/run: installs what is missing, configures and builds into build/.
 # Never run by itself. Expects the current folder to be the project's root.
 
-# wanted FILE: the packages that a list names.
-wanted() { sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$1"; }
+# wanted FILE...: the packages that the lists name.
+wanted() { sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$@"; }
 
-# missing FILE: those of them that dpkg does not have.
+# missing FILE...: those of them that are not installed.
 missing() {
-  wanted "$1" | while read -r package; do
+  wanted "$@" | while read -r package; do
     [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || printf '%s ' "$package"
   done
 }
 
-# install_packages FILE: as root, or through sudo; else says what to install and stops.
+# install_packages FILE...: as root, or through sudo; else says what to install and stops.
 install_packages() {
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     for tool in c++ cmake ninja pkg-config gnuplot; do
@@ -23,10 +23,10 @@ install_packages() {
     [ -z "${absent:-}" ] && return 0
     echo "This is no Debian system, and something is missing here: ${absent}" >&2
     echo "Please install what these Debian packages contain, then run this again:" >&2
-    wanted "$1" | sed 's/^/  /' >&2
+    wanted "$@" | sed 's/^/  /' >&2
     exit 2
   fi
-  packages=$(missing "$1")
+  packages=$(missing "$@")
   [ -z "$packages" ] && return 0
   become=""
   if [ "$(id -u)" != 0 ]; then
@@ -45,12 +45,18 @@ install_packages() {
   }
 }
 
-# build [TARGET...]: configures where needed, builds, and keeps quiet unless something goes wrong.
+# build TESTS [TARGET...]: configures where needed, builds, and prints nothing unless something fails. TESTS is ON or OFF;
+# a build folder that has the tests keeps them.
 build() {
+  local tests=$1 configured=
+  shift
   mkdir -p build
   if [ ! -f build/build.ninja ]; then
-    cmake --preset default >build/configure.log 2>&1 || { cat build/configure.log >&2; exit 3; }
+    cmake --preset default -DREDERIVE_WERROR="${REDERIVE_WERROR:-OFF}" -DREDERIVE_BUILD_TESTS="$tests" >build/configure.log 2>&1 || configured=no
+  elif [ "$tests" = ON ] && grep -q '^REDERIVE_BUILD_TESTS:BOOL=OFF$' build/CMakeCache.txt; then
+    cmake -DREDERIVE_BUILD_TESTS=ON build >build/configure.log 2>&1 || configured=no
   fi
+  [ -z "$configured" ] || { cat build/configure.log >&2; exit 3; }
   if [ -t 2 ]; then
     cmake --build build --target "$@" >&2 || exit 3
   else

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include <derivations/rocking_block/paper_symbols.hpp>
-#include <lessons/drawings.hpp>
-#include <lessons/run_lesson.hpp>
+#include <lessons/illustrations/drawings.hpp>
+#include <lessons/page/run_lesson.hpp>
 
 using namespace rederive;
 

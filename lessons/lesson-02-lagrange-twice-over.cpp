@@ -5,8 +5,8 @@
 //
 // Sample runs:  lesson-02-lagrange-twice-over
 //               lesson-02-lagrange-twice-over --step 2
-#include <lessons/drawings.hpp>
-#include <lessons/run_lesson.hpp>
+#include <lessons/illustrations/drawings.hpp>
+#include <lessons/page/run_lesson.hpp>
 
 using namespace rederive;
 

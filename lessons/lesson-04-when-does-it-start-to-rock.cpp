@@ -6,8 +6,8 @@
 //               lesson-04-when-does-it-start-to-rock --step 4
 #include <fmt/format.h>
 
-#include <lessons/drawings.hpp>
-#include <lessons/run_lesson.hpp>
+#include <lessons/illustrations/drawings.hpp>
+#include <lessons/page/run_lesson.hpp>
 
 using namespace rederive;
 

@@ -6,9 +6,9 @@
 //               lesson-07-the-linear-response --step 2
 #include <fmt/format.h>
 
-#include <lessons/drawings.hpp>
-#include <lessons/experiments.hpp>
-#include <lessons/run_lesson.hpp>
+#include <lessons/illustrations/drawings.hpp>
+#include <lessons/illustrations/experiments.hpp>
+#include <lessons/page/run_lesson.hpp>
 
 using namespace rederive;
 

@@ -1,6 +1,6 @@
 // What was asked for, by name.
 #include <derivations/emit/emit.hpp>
-#include <derivations/emit/program.hpp>
+#include <derivations/program/program.hpp>
 #include <set>
 
 namespace rederive {

@@ -1,8 +1,8 @@
 // emit: the derived results as source code.
 #include <fmt/format.h>
 
-#include <derivations/emit/command_line.hpp>
 #include <derivations/emit/emit.hpp>
+#include <derivations/program/command_line.hpp>
 #include <nlohmann/json.hpp>
 
 using namespace rederive;

@@ -1,9 +1,9 @@
 #include <cctype>
-#include <derivations/emit/data_folder.hpp>
-#include <derivations/emit/program.hpp>
 #include <derivations/kernel/lemma.hpp>
 #include <derivations/kernel/scripts.hpp>
 #include <derivations/paper/prove.hpp>
+#include <derivations/program/data_folder.hpp>
+#include <derivations/program/program.hpp>
 #include <regex>
 
 namespace rederive {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <derivations/decide/decide.hpp>
-#include <derivations/emit/program.hpp>
+#include <derivations/program/program.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 #include <string>

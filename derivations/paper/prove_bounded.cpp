@@ -1,6 +1,6 @@
-#include <derivations/paper/bounded.hpp>
 #include <derivations/paper/json.hpp>
 #include <derivations/paper/prove_bounded.hpp>
+#include <derivations/program/bounded.hpp>
 #include <nlohmann/json.hpp>
 
 namespace rederive {

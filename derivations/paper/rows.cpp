@@ -1,7 +1,7 @@
 // equations.toml → rows. Every complaint names the file, the line, the row and what would be right.
-#include <derivations/emit/data_folder.hpp>
-#include <derivations/emit/toml_table.hpp>
 #include <derivations/paper/ledger.hpp>
+#include <derivations/program/data_folder.hpp>
+#include <derivations/program/toml_table.hpp>
 
 namespace rederive {
 

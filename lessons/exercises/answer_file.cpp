@@ -1,5 +1,5 @@
-#include <derivations/emit/program.hpp>
 #include <derivations/language/unicode.hpp>
+#include <derivations/program/program.hpp>
 #include <lessons/exercises/answer_file.hpp>
 #include <sstream>
 

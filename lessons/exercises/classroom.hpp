@@ -3,7 +3,7 @@
 
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/progress.hpp>
-#include <lessons/lesson.hpp>
+#include <lessons/page/lesson.hpp>
 #include <string>
 #include <vector>
 

@@ -11,7 +11,7 @@
 //   exercises selftest                 is the exercise set sound?
 //   … --seed S                         the same for the variant of that seed
 #include <algorithm>
-#include <derivations/emit/command_line.hpp>
+#include <derivations/program/command_line.hpp>
 #include <lessons/exercises/classroom.hpp>
 
 using namespace rederive;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 #include <lessons/exercises/functions.hpp>
-#include <lessons/experiments.hpp>
+#include <lessons/illustrations/experiments.hpp>
 #include <stdexcept>
 
 namespace rederive::classroom {

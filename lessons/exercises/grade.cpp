@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <derivations/emit/program.hpp>
 #include <derivations/language/unicode.hpp>
-#include <derivations/paper/bounded.hpp>
+#include <derivations/program/bounded.hpp>
+#include <derivations/program/program.hpp>
 #include <future>
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/grading.hpp>

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <derivations/emit/program.hpp>
+#include <derivations/program/program.hpp>
 #include <lessons/exercises/grading.hpp>
 #include <optional>
 #include <regex>

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/emit/toml_table.hpp>
+#include <derivations/program/toml_table.hpp>
 #include <lessons/exercises/classroom.hpp>
-#include <lessons/prose.hpp>
+#include <lessons/page/prose.hpp>
 #include <nlohmann/json.hpp>
 
 namespace rederive::classroom {

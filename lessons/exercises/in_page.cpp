@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <derivations/emit/program.hpp>
-#include <derivations/paper/bounded.hpp>
 #include <derivations/paper/prove.hpp>
+#include <derivations/program/bounded.hpp>
+#include <derivations/program/program.hpp>
 #include <lessons/exercises/in_page.hpp>
 #include <lessons/exercises/units.hpp>
-#include <lessons/prose.hpp>
-#include <lessons/render.hpp>
+#include <lessons/page/prose.hpp>
+#include <lessons/page/render.hpp>
 
 namespace rederive::classroom {
 namespace {

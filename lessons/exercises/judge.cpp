@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <derivations/decide/problem.hpp>
-#include <derivations/emit/program.hpp>
 #include <derivations/numbers/interval.hpp>
 #include <derivations/paper/prove.hpp>
+#include <derivations/program/program.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/definitions.hpp>
 #include <lessons/exercises/judge.hpp>
-#include <lessons/lesson.hpp>
+#include <lessons/page/lesson.hpp>
 #include <map>
 #include <stdexcept>
 

@@ -1,5 +1,5 @@
 // An answer is what anybody may type: it is judged in a process that can neither hang nor starve this one.
-#include <derivations/paper/bounded.hpp>
+#include <derivations/program/bounded.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <nlohmann/json.hpp>
 

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <derivations/emit/program.hpp>
 #include <derivations/paper/mutate.hpp>
+#include <derivations/program/program.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/units.hpp>
-#include <lessons/lesson.hpp>
+#include <lessons/page/lesson.hpp>
 #include <map>
 #include <regex>
 

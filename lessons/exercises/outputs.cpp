@@ -1,7 +1,7 @@
 // Where grade writes to: looked at before anything is judged, and written whole or not at all.
 #include <unistd.h>
 
-#include <derivations/emit/program.hpp>
+#include <derivations/program/program.hpp>
 #include <lessons/exercises/grading.hpp>
 #include <set>
 

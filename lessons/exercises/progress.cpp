@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
-#include <derivations/emit/program.hpp>
+#include <derivations/program/program.hpp>
 #include <lessons/exercises/progress.hpp>
 #include <sstream>
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <derivations/emit/data_folder.hpp>
-#include <derivations/emit/toml_table.hpp>
+#include <derivations/program/data_folder.hpp>
+#include <derivations/program/toml_table.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <derivations/rocking_block/table.hpp>
 #include <lessons/exercises/definitions.hpp>

@@ -8,8 +8,8 @@
 #include <lessons/exercises/exercise.hpp>
 #include <lessons/exercises/functions.hpp>
 #include <lessons/exercises/trees.hpp>
-#include <lessons/lesson.hpp>
-#include <lessons/prose.hpp>
+#include <lessons/page/lesson.hpp>
+#include <lessons/page/prose.hpp>
 #include <stdexcept>
 
 namespace rederive::classroom {

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/emit/program.hpp>
+#include <derivations/program/program.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/classroom.hpp>
-#include <lessons/prose.hpp>
+#include <lessons/page/prose.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 

@@ -8,13 +8,13 @@
 #include <sys/signalfd.h>
 #include <sys/socket.h>
 
-#include <derivations/emit/data_folder.hpp>
-#include <derivations/emit/program.hpp>
+#include <derivations/program/data_folder.hpp>
+#include <derivations/program/program.hpp>
 #include <lessons/exercises/http_server.hpp>
 #include <lessons/exercises/in_page.hpp>
 #include <lessons/exercises/progress.hpp>
-#include <lessons/render.hpp>
-#include <lessons/run_lesson.hpp>
+#include <lessons/page/render.hpp>
+#include <lessons/page/run_lesson.hpp>
 #include <nlohmann/json.hpp>
 #include <random>
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <derivations/emit/program.hpp>
+#include <derivations/program/program.hpp>
 #include <lessons/exercises/classroom.hpp>
-#include <lessons/lesson.hpp>
-#include <lessons/prose.hpp>
+#include <lessons/page/lesson.hpp>
+#include <lessons/page/prose.hpp>
 #include <nlohmann/json.hpp>
 
 namespace rederive::classroom {

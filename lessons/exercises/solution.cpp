@@ -4,8 +4,8 @@
 #include <cmath>
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/exercises/functions.hpp>
-#include <lessons/lesson.hpp>
-#include <lessons/prose.hpp>
+#include <lessons/page/lesson.hpp>
+#include <lessons/page/prose.hpp>
 
 namespace rederive::classroom {
 namespace {

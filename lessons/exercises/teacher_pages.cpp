@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <derivations/emit/program.hpp>
 #include <derivations/language/unicode.hpp>
+#include <derivations/program/program.hpp>
 #include <functional>
 #include <lessons/exercises/grading.hpp>
 #include <lessons/exercises/in_page.hpp>
-#include <lessons/render.hpp>
+#include <lessons/page/render.hpp>
 #include <set>
 
 namespace rederive::classroom {

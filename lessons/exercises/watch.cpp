@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <csignal>
-#include <derivations/emit/program.hpp>
+#include <derivations/program/program.hpp>
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <map>

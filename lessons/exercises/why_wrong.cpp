@@ -5,7 +5,7 @@
 #include <cmath>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/repairs.hpp>
-#include <lessons/prose.hpp>
+#include <lessons/page/prose.hpp>
 
 namespace rederive::classroom {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <derivations/emit/program.hpp>
 #include <derivations/paper/prove.hpp>
+#include <derivations/program/program.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/units.hpp>
 

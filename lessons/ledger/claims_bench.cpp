@@ -1,7 +1,7 @@
 #include <cmath>
 #include <lessons/ledger/claims_bench.hpp>
 #include <lessons/ledger/claims_ratios.hpp>
-#include <numerics/edges.hpp>
+#include <numerics/search/edges.hpp>
 
 namespace rederive {
 

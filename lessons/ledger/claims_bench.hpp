@@ -5,8 +5,8 @@
 
 #include <derivations/paper/ledger.hpp>
 #include <lessons/ledger/claims.hpp>
-#include <numerics/closed_form.hpp>
-#include <numerics/windows.hpp>
+#include <numerics/search/closed_form.hpp>
+#include <numerics/search/windows.hpp>
 
 namespace rederive {
 

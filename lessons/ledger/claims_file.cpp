@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <derivations/emit/toml_table.hpp>
 #include <derivations/paper/ledger.hpp>
+#include <derivations/program/toml_table.hpp>
 #include <lessons/ledger/claims.hpp>
 #include <stdexcept>
 

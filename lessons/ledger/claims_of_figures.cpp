@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <lessons/ledger/claims_readings.hpp>
-#include <numerics/story.hpp>
+#include <numerics/search/story.hpp>
 
 namespace rederive {
 

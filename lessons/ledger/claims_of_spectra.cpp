@@ -4,7 +4,7 @@
 #include <cmath>
 #include <lessons/ledger/claims_readings.hpp>
 #include <numbers>
-#include <numerics/code_spectrum.hpp>
+#include <numerics/records/code_spectrum.hpp>
 
 namespace rederive {
 

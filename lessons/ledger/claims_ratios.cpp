@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <functional>
 #include <lessons/ledger/claims_ratios.hpp>
-#include <numerics/roots.hpp>
+#include <numerics/search/roots.hpp>
 
 namespace rederive {
 

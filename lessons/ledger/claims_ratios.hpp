@@ -1,7 +1,7 @@
 // The two frequencies at which overturning after one impact changes, under a one-sine pulse from rest.
 #pragma once
 
-#include <numerics/overturning.hpp>
+#include <numerics/motion/overturning.hpp>
 #include <optional>
 
 namespace rederive {

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/emit/program.hpp>
+#include <derivations/program/program.hpp>
 #include <lessons/ledger/claims_bench.hpp>
-#include <lessons/prose.hpp>
+#include <lessons/page/prose.hpp>
 #include <nlohmann/json.hpp>
 
 namespace rederive {

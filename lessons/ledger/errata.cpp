@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/report.hpp>
-#include <lessons/prose.hpp>
-#include <lessons/render.hpp>
+#include <lessons/page/prose.hpp>
+#include <lessons/page/render.hpp>
 #include <nlohmann/json.hpp>
 
 namespace rederive {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/emit/toml_table.hpp>
+#include <derivations/program/toml_table.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <map>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/report.hpp>
-#include <lessons/prose.hpp>
+#include <lessons/page/prose.hpp>
 #include <nlohmann/json.hpp>
 
 namespace rederive {

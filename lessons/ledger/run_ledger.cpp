@@ -1,17 +1,17 @@
 #include <fmt/format.h>
 
-#include <derivations/emit/command_line.hpp>
-#include <derivations/emit/data_folder.hpp>
 #include <derivations/language/lexer.hpp>
 #include <derivations/paper/mutate.hpp>
 #include <derivations/paper/prove.hpp>
+#include <derivations/program/command_line.hpp>
+#include <derivations/program/data_folder.hpp>
 #include <derivations/rocking_block/table.hpp>
-#include <lessons/certify/certify_command.hpp>
+#include <lessons/ledger/certify_command.hpp>
 #include <lessons/ledger/claims.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <lessons/ledger/report.hpp>
 #include <lessons/ledger/run_ledger.hpp>
-#include <lessons/prose.hpp>
+#include <lessons/page/prose.hpp>
 #include <nlohmann/json.hpp>
 
 namespace rederive {

@@ -17,7 +17,7 @@ def _folder(python):
     built_for = re.search("REDERIVE_PYTHON:FILEPATH=(.*)", cache.read_text()) if cache.exists() else None
     here = os.path.realpath(built_for[1] if built_for else "/usr/bin/python3") == python
     folder = Path("build" if here else f"build/{sys.implementation.cache_tag}")
-    how = [folder] if (folder / "CMakeCache.txt").exists() else ["--preset", "default", "-B", folder]
+    how = [folder] if (folder / "CMakeCache.txt").exists() else ["--preset", "default", "-DREDERIVE_BUILD_TESTS=OFF", "-B", folder]
     subprocess.run(["cmake", *how, f"-DREDERIVE_PYTHON:FILEPATH={python}"], check=True)
     return folder
 

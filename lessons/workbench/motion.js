@@ -1,5 +1,5 @@
 // The motion of the block and its outcome: what emit writes, joined by impacts, rest and restart as in
-// numerics/response.cpp and numerics/overturning.cpp. Times are p t. Inside, angles are in rad and accelerations
+// numerics/motion/response.cpp and numerics/motion/overturning.cpp. Times are p t. Inside, angles are in rad and accelerations
 // over g; in the linear model, of which alpha is the only scale, angles are over alpha, accelerations over alpha g.
 "use strict";
 

@@ -1,11 +1,11 @@
 // Writes the workbench at build time: the element that lessons hold, and the page of its own.
 // Usage: workbench_page FOLDER SOURCES
 #include <derivations/emit/emit.hpp>
-#include <derivations/emit/program.hpp>
+#include <derivations/program/program.hpp>
 #include <derivations/rocking_block/pulse.hpp>
 #include <iostream>
-#include <lessons/prose.hpp>
-#include <lessons/render.hpp>
+#include <lessons/page/prose.hpp>
+#include <lessons/page/render.hpp>
 #include <stdexcept>
 
 using namespace rederive;

@@ -1,4 +1,4 @@
-#include <derivations/emit/toml_table.hpp>
+#include <derivations/program/toml_table.hpp>
 #include <numerics/commands/blocks.hpp>
 
 namespace rederive::inline numeric {

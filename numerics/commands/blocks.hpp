@@ -1,7 +1,7 @@
 // Blocks by name, out of a file.
 #pragma once
 
-#include <numerics/block.hpp>
+#include <numerics/motion/block.hpp>
 #include <string>
 #include <vector>
 

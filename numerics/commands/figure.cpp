@@ -3,7 +3,7 @@
 
 #include <numerics/commands/options.hpp>
 #include <numerics/commands/sweep.hpp>
-#include <numerics/figures.hpp>
+#include <numerics/pictures/figures.hpp>
 
 namespace rederive::inline numeric {
 namespace {

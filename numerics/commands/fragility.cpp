@@ -9,8 +9,8 @@
 #include <numerics/commands/ranks.hpp>
 #include <numerics/commands/record_options.hpp>
 #include <numerics/commands/sweep.hpp>
-#include <numerics/fragility.hpp>
-#include <numerics/plot.hpp>
+#include <numerics/pictures/plot.hpp>
+#include <numerics/search/fragility.hpp>
 
 namespace rederive::inline numeric {
 namespace {

@@ -6,8 +6,8 @@
 #include <numerics/commands/options.hpp>
 #include <numerics/commands/ranks.hpp>
 #include <numerics/commands/sweep.hpp>
-#include <numerics/map.hpp>
-#include <numerics/plot.hpp>
+#include <numerics/pictures/plot.hpp>
+#include <numerics/search/map.hpp>
 
 namespace rederive::inline numeric {
 namespace {

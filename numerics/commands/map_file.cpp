@@ -8,7 +8,7 @@
 #include <hdf5_hl.h>
 
 #include <algorithm>
-#include <derivations/emit/program.hpp>
+#include <derivations/program/program.hpp>
 #include <numerics/commands/map_part.hpp>
 
 namespace rederive::inline numeric {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 #include <memory>
-#include <numerics/map.hpp>
+#include <numerics/search/map.hpp>
 #include <string>
 #include <utility>
 #include <variant>

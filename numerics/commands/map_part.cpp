@@ -7,7 +7,7 @@
 
 #include <cerrno>
 #include <cstring>
-#include <derivations/emit/program.hpp>
+#include <derivations/program/program.hpp>
 #include <numerics/commands/map_part.hpp>
 #include <system_error>
 

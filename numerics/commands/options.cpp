@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numerics/commands/options.hpp>
-#include <numerics/plot.hpp>
+#include <numerics/pictures/plot.hpp>
 
 namespace rederive::inline numeric {
 

@@ -1,11 +1,11 @@
 // What the subcommands of `rocking` share: options, JSON, and the numbers as the user wrote them.
 #pragma once
 
-#include <derivations/emit/command_line.hpp>
+#include <derivations/program/command_line.hpp>
 #include <functional>
 #include <nlohmann/json.hpp>
-#include <numerics/closed_form.hpp>
-#include <numerics/overturning.hpp>
+#include <numerics/motion/overturning.hpp>
+#include <numerics/search/closed_form.hpp>
 #include <optional>
 #include <string>
 

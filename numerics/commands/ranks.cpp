@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
-#include <derivations/emit/data_folder.hpp>
-#include <derivations/emit/program.hpp>
+#include <derivations/program/data_folder.hpp>
+#include <derivations/program/program.hpp>
 #include <exception>
 #include <memory>
 #include <mutex>

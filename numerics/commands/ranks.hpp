@@ -3,7 +3,7 @@
 #pragma once
 
 #include <functional>
-#include <numerics/parallel.hpp>
+#include <numerics/motion/parallel.hpp>
 #include <optional>
 #include <string>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <numerics/commands/options.hpp>
-#include <numerics/ground_motion.hpp>
+#include <numerics/motion/ground_motion.hpp>
 #include <string>
 
 namespace rederive::inline numeric {

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <derivations/emit/data_folder.hpp>
+#include <derivations/program/data_folder.hpp>
 #include <numerics/commands/options.hpp>
 #include <numerics/commands/record_options.hpp>
-#include <numerics/figures.hpp>
-#include <numerics/story.hpp>
+#include <numerics/pictures/figures.hpp>
+#include <numerics/search/story.hpp>
 #include <stdexcept>
 
 namespace rederive::inline numeric {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numerics/commands/options.hpp>
 #include <numerics/commands/sweep.hpp>
-#include <numerics/plot.hpp>
-#include <numerics/spectrum.hpp>
+#include <numerics/pictures/plot.hpp>
+#include <numerics/search/spectrum.hpp>
 
 namespace rederive::inline numeric {
 namespace {

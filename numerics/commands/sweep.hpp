@@ -2,8 +2,8 @@
 #pragma once
 
 #include <chrono>
-#include <numerics/parallel.hpp>
-#include <numerics/windows.hpp>
+#include <numerics/motion/parallel.hpp>
+#include <numerics/search/windows.hpp>
 #include <string>
 
 namespace rederive::inline numeric {

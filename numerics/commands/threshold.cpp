@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numerics/commands/options.hpp>
 #include <numerics/commands/sweep.hpp>
-#include <numerics/windows.hpp>
+#include <numerics/search/windows.hpp>
 #include <stdexcept>
 #include <thread>
 

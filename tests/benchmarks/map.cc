@@ -2,8 +2,8 @@
 // for plots and some cells with their codes for peers in other languages. Peers follow every so manieth cell.
 #include <fstream>
 #include <memory>
-#include <numerics/batch.hpp>
-#include <numerics/map.hpp>
+#include <numerics/motion/batch.hpp>
+#include <numerics/search/map.hpp>
 
 #include "peers.hpp"
 #include "timing.hpp"

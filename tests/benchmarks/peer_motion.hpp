@@ -5,7 +5,7 @@
 #include <cmath>
 #include <emitted/rocking_block.hpp>
 #include <numbers>
-#include <numerics/overturning.hpp>
+#include <numerics/motion/overturning.hpp>
 #include <optional>
 
 namespace rederive::benchmarks {

@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <numerics/commands/ranks.hpp>
-#include <numerics/map.hpp>
+#include <numerics/search/map.hpp>
 #include <thread>
 
 #include "timing.hpp"

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 #include <emitted/rocking_block.hpp>
-#include <numerics/windows.hpp>
+#include <numerics/search/windows.hpp>
 
 using namespace rederive;
 

@@ -1,6 +1,6 @@
 // Thresholds and spectra of the nonlinear model beside the second road, GSL: rows of a Markdown table.
 #include <cmath>
-#include <numerics/spectrum.hpp>
+#include <numerics/search/spectrum.hpp>
 #include <thread>
 
 #include "timing.hpp"

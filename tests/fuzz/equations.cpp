@@ -1,7 +1,7 @@
 // equations.toml: rows are read, or refused with file and line; so are their domains and what they print.
-#include <derivations/emit/program.hpp>
 #include <derivations/language/syntax.hpp>
 #include <derivations/paper/ledger.hpp>
+#include <derivations/program/program.hpp>
 #include <tests/fuzz/fuzz.hpp>
 
 using namespace rederive;

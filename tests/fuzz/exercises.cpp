@@ -1,6 +1,6 @@
 // Exercises as a teacher writes them: read with and without a seed, and made ready, or refused with file and
 // line.
-#include <derivations/emit/program.hpp>
+#include <derivations/program/program.hpp>
 #include <filesystem>
 #include <fstream>
 #include <lessons/exercises/judge.hpp>

@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <cmath>
+#include <lessons/illustrations/experiments.hpp>
+#include <lessons/page/prose.hpp>
+#include <numerics/motion/ground_motion.hpp>
+#include <numerics/search/edges.hpp>
+#include <numerics/search/story.hpp>
+#include <stdexcept>
+
+namespace rederive {
+namespace {
+
+constexpr double frequency_parameter = 2.14;
+
+PulseCase case_of(const Experiment& experiment) {
+  PulseCase asked;
+  asked.block = make_block(experiment.alpha, frequency_parameter, experiment.restitution);
+  asked.model = experiment.nonlinear ? Model::nonlinear : Model::linear;
+  asked.pulse = experiment.cosine ? Pulse::cosine : Pulse::sine;
+  asked.omega_ratio = experiment.omega;
+  asked.initial = initial_state(asked.block, asked.model, experiment.theta_0, experiment.thetadot_0);
+  return asked;
+}
+
+}  // namespace
+
+Motion motion_of(const Experiment& experiment, int points) {
+  const PulseCase asked = case_of(experiment);
+  const GroundMotion ground = pulse_motion(asked.pulse, experiment.omega, experiment.amplitude,
+                                           start_level(asked.block, asked.model));
+  const Story story = tell(asked.block, asked.model, ground, asked.initial, experiment.until);
+  Motion motion;
+  motion.code = story.outcome.code;
+  motion.needed_friction = required_friction(asked.block, asked.model, story).required;
+  for (const auto& sample :
+       sampled(asked.block, asked.model, ground, story.response, experiment.until, points)) {
+    const double time = static_cast<double>(sample.time), angle = static_cast<double>(sample.angle);
+    const double velocity = static_cast<double>(sample.velocity);
+    if (std::abs(angle) > 3) break;  // it is falling: nothing more to see
+    motion.angle.emplace_back(time, angle);
+    motion.velocity.emplace_back(time, velocity);
+    motion.phase.emplace_back(angle, velocity);
+    motion.ground.emplace_back(time, static_cast<double>(sample.ground));
+  }
+  return motion;
+}
+
+std::string in_words(int code) {
+  if (code == 0) return "safe";
+  const int impacts = std::abs(code) - 1;
+  const std::string side = code < 0 ? "overturns to the left " : "overturns to the right ";
+  if (impacts < 2) return side + (impacts == 0 ? "without impact" : "after one impact");
+  return side + "after " + std::to_string(impacts) + " impacts";
+}
+
+std::vector<Window> overturning_amplitudes(const Experiment& experiment, double largest) {
+  WindowSearch search;
+  search.largest = largest;
+  return overturning_windows(case_of(experiment), search);
+}
+
+Window least_overturning(const Experiment& experiment, double largest) {
+  const auto least = least_window(overturning_amplitudes(experiment, largest));
+  if (!least) throw std::runtime_error("none of the amplitudes asked overturns this block");
+  return *least;
+}
+
+double simulated_without_impact(const Experiment& experiment) {
+  const double near = amplitude_without_impact(experiment.omega);
+  return edge_of_code(case_of(experiment), -1, 1.3 * near, std::max(1.02, 0.97 * near)).inside;
+}
+
+std::optional<double> least_by_conditions(const Experiment& experiment, double largest) {
+  std::optional<double> least;
+  for (const auto& root : condition_roots(experiment))
+    if (root.admissible && root.amplitude <= largest && (!least || root.amplitude < *least))
+      least = root.amplitude;
+  return least;
+}
+
+std::vector<ClosedForm> condition_roots(const Experiment& experiment) {
+  return closed_forms(case_of(experiment));
+}
+
+std::string conditions_of(const ClosedForm& root) { return "(" + joined(root.equations(), ") and (") + ")"; }
+
+std::string is_real(const ClosedForm& root) {
+  return root.admissible ? "yes" : root.why_not.substr(0, root.why_not.find(':'));
+}
+
+double amplitude_without_impact(double omega) {
+  Experiment experiment;
+  experiment.omega = omega;
+  for (const auto& root : condition_roots(experiment))
+    if (root.form == Form::eq71 && root.admissible) return root.amplitude;
+  throw std::runtime_error("(71) has no admissible root here");
+}
+
+double pulse_length(double omega, double amplitude) {
+  const GroundMotion motion = pulse_motion(Pulse::sine, omega, amplitude, 1);
+  return static_cast<double>(motion.back().to);
+}
+
+}  // namespace rederive

@@ -1,0 +1,92 @@
+// What a judgement says, in words that every format shares.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <derivations/rocking_block/paper_symbols.hpp>
+#include <lessons/page/prose.hpp>
+#include <lessons/page/render.hpp>
+
+namespace rederive {
+namespace {
+
+/// "0.123456789…" → six significant digits: enough to see that two numbers differ, short enough to read.
+std::string shortened(const std::string& digits) {
+  try {
+    const double value = std::stod(digits);
+    return std::abs(value) < 1e-20 ? "0" : fmt::format("{:.6g}", value);
+  } catch (const std::exception&) {
+    return digits;  // not a plain number: leave it as the ledger wrote it
+  }
+}
+
+/// "123…/456…" → six digits.
+std::string approximately(const std::string& fraction) {
+  const std::size_t bar = fraction.find('/');
+  const double under = bar == std::string::npos ? 1 : std::stod(fraction.substr(bar + 1));
+  return fmt::format("{:.6f}", std::stod(fraction.substr(0, bar)) / under);
+}
+
+/// What is short enough to work with by hand: "$x = 2/5$", "$x = pi/6$"; else "$x$ ≈ 0.5236". The ledger has
+/// the long ones.
+std::string value_sentence(const Witness& witness, const std::string& symbol, const std::string& value) {
+  const auto exactly = witness.exactly.find(symbol);
+  const std::string& text = exactly == witness.exactly.end() ? value : exactly->second;
+  if (text.size() <= 20 && !witness.between.contains(symbol)) return fmt::format("${} = {}$", symbol, text);
+  return fmt::format("${}$ ≈ {}", symbol, approximately(value));
+}
+
+std::string witness_sentence(const Witness& witness) {
+  const std::string at = joined(witness.at, ", ", [&](const auto& value) {
+    return value_sentence(witness, value.first, value.second);
+  });
+  const std::string printed = shortened(witness.printed), derived = shortened(witness.derived);
+  const bool differ = printed != derived;  // six digits may not tell the two apart
+  return fmt::format("at {} the printed form comes to {}, the derived one to {}", at,
+                     differ ? printed : witness.printed, differ ? derived : witness.derived);
+}
+
+/// "w != 0" → "$w$ ≠ 0"; a condition in another form stays as it is.
+std::string condition_text(const std::string& condition) {
+  const std::size_t sign = condition.find(" != ");
+  if (sign == std::string::npos) return "$" + condition + "$";
+  return "$" + condition.substr(0, sign) + "$ ≠ $" + condition.substr(sign + 4) + "$";
+}
+
+}  // namespace
+
+std::string headline(const Entry& entry) {
+  std::string text = fmt::format("({}): {}", entry.row.id, to_string(entry.proof.verdict));
+  if (entry.proof.verdict == Verdict::refuted && !entry.row.error.empty())
+    text += " (" + entry.row.error + ")";
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+std::vector<Remark> findings(const Entry& entry) {
+  std::vector<Remark> lines;
+  const auto formula = [&](const std::string& label, const std::string& text) {
+    if (!text.empty()) lines.push_back({label, parse_statement(text), ""});
+  };
+  const auto words = [&](const std::string& label, const std::string& text) {
+    if (!text.empty()) lines.push_back({label, {}, text});
+  };
+  formula("printed", entry.row.printed);
+  formula("correct", entry.correction);
+  const std::string& factor = entry.proof.factor;
+  if (!factor.empty() && factor != "1") formula("up to the factor", factor);
+  words("provided that", joined(entry.proof.side_conditions, ", ", condition_text));
+  if (entry.derivation) words("assuming that", marked(entry.derivation->assumption));
+  if (entry.derivation && entry.proof.verdict == Verdict::approximation)
+    words("approximation",
+          marked(fmt::format("to order {} in {}", entry.derivation->order, entry.derivation->small)));
+  if (entry.proof.witness) words("witness", witness_sentence(*entry.proof.witness));
+  if (entry.dimension && !entry.dimension->consistent)
+    words("dimensions", marked(entry.dimension->explanation));
+  if (entry.proof.verdict == Verdict::undecided) words("why", marked(entry.proof.reason));
+  words("consequence", entry.proof.verdict == Verdict::refuted ? marked(entry.row.consequence) : "");
+  words("text repaired", marked(entry.row.scan_repaired));
+  return lines;
+}
+
+}  // namespace rederive

@@ -1,0 +1,13 @@
+// The one main that all lessons share.
+#pragma once
+
+#include <lessons/page/lesson.hpp>
+
+namespace rederive {
+
+/// Parses the flags that all lessons share, and prints what they ask for. Gives the exit code.
+int run_lesson(const Lesson& lesson, int argc, char** argv);
+/// The programs of all lessons, in order: they stand beside the one that runs.
+std::vector<std::string> all_lessons();
+
+}  // namespace rederive

@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <cmath>
+#include <emitted/rocking_block.hpp>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <numeric>
+#include <numerics/motion/arc.hpp>
+#include <numerics/motion/integrator.hpp>
+#include <utility>
+
+namespace rederive::inline numeric {
+namespace {
+
+constexpr Real infinity = std::numeric_limits<Real>::infinity();
+
+/// Equations (57), (59); on a straight piece of a record, or on still ground, (62), (63), the same of a line.
+Point linear_point(const Arc& arc, Real time) {
+  const Piece& piece = arc.piece;
+  const Real one = 1, before = arc.start.time - piece.from, since = time - arc.start.time;
+  const auto point = [&](const auto& at) { return Point{time, at.value, at.d_t}; };
+  const Real angle = arc.start.angle, velocity = arc.start.velocity;
+  if (piece.amplitude == 0) {
+    const Real ground = piece.value + piece.slope * before;
+    if (arc.side < 0)
+      return point(emitted::linear_response_on_line_negative_with_derivatives(one, one, ground, piece.slope,
+                                                                              angle, velocity, since));
+    return point(emitted::linear_response_on_line_positive_with_derivatives(one, one, ground, piece.slope,
+                                                                            angle, velocity, since));
+  }
+  const Real phase = piece.omega * before + piece.phase;
+  if (arc.side < 0)
+    return point(emitted::linear_response_negative_with_derivatives(one, one, piece.omega, piece.amplitude,
+                                                                    phase, angle, velocity, since));
+  return point(emitted::linear_response_positive_with_derivatives(one, one, piece.omega, piece.amplitude,
+                                                                  phase, angle, velocity, since));
+}
+
+/// First h >= 0 with -y + u h + m h^2 / 2 = 0 for y >= 0, m >= 0: the earliest return to upright.
+Real earliest_return(Real y, Real u, Real m) {
+  if (m <= 0) return u > 0 ? y / u : infinity;
+  const Real root = std::sqrt(u * u + 2 * m * y);
+  return u > 0 ? 2 * y / (u + root) : (root - u) / m;
+}
+
+}  // namespace
+
+Mover::Mover(const Block& block, Model model, double tolerance)
+    : block_(block),
+      model_(model),
+      level_(start_level(block, model)),
+      resolution_(std::numeric_limits<Real>::epsilon()),
+      still_(acceleration(block, model, -1, 0, 0)),
+      per_ground_(1),
+      per_push_(1),
+      advance_([](const Arc& arc, const Point&, Real time) { return linear_point(arc, time); }) {
+  if (model == Model::linear) return;
+  // Nothing turns the block faster than a ground acceleration at the height above the pivot, theta = -alpha;
+  // nothing that pushes it outwards does so less than at upright.
+  per_push_ = still_ - acceleration(block, model, -1, 0, 1);
+  per_ground_ = acceleration(block, model, -1, -1, -1);
+  weight_ = -acceleration(block, model, 1, 1 - std::numbers::pi_v<Real> / (2 * block.alpha), 0);
+  resolution_ = std::numeric_limits<double>::epsilon();  // GSL's states are in double
+  advance_ = [integrator = std::make_shared<RockingIntegrator>(block, tolerance)](
+                 const Arc& arc, const Point& from, Real time) {
+    return integrator->integrate(arc.piece, arc.side, from, time);
+  };
+}
+
+Mover::Mover(Advance advance) : Mover(Block{}, Model::linear) { advance_ = std::move(advance); }
+
+/// No acceleration towards upright exceeds this on the arc between two times.
+Real Mover::bound(const Arc& arc, Real from, Real to) const {
+  const Range range = ground_range(arc.piece, from, to);
+  const Real push = arc.side < 0 ? range.low : -range.high;  // > 0: away from upright
+  // At the ends of a push it is the level, but for the rounding of ground and time.
+  const Piece& piece = arc.piece;
+  const Real rounding = 1e-17L * (level_ + piece.amplitude + std::abs(piece.value)) +
+                        std::numeric_limits<Real>::epsilon() * std::abs(piece.slope) * to;
+  if (push >= level_ - 16 * rounding) return 0;
+  return std::max<Real>(0, still_ - (push > 0 ? per_push_ : per_ground_) * push);
+}
+
+/// A time, at most `until`, before which the block cannot come back to upright.
+///
+/// Let y = |theta|/alpha, and y'' >= -m with m >= 0 from now until `to`. Integrated twice,
+/// y(t + h) >= y + y' h - m h^2/2: up to the first zero of that parabola, or `to`, y > 0 (earliest_return).
+/// Such an m is bound(). By (21) with p = 1, y'' = -sin(alpha (1 - y))/alpha + q cos(alpha (1 - y)), where q
+/// is the ground acceleration over alpha g away from upright.
+/// - q >= 0, y <= 1: both terms are least at y = 0: y'' >= -still_ + per_push_ q, per_push_ = cos(alpha).
+/// - q < 0, y <= 1: the first is least at y = 0, the cosine is at most 1: y'' >= -still_ + per_ground_ q.
+/// - y > 1, |theta| <= pi/2: the weight pushes outwards, and y'' >= q if q < 0, else y'' >= 0.
+/// In the linear model (56), y'' = -(1 - y) + q, the three factors are 1. Over less time q has a narrower
+/// range and m is no larger: `to` is `until` at first, then nearer.
+Real Mover::certain_time(const Arc& arc, const Point& at, Real until) const {
+  const Real y = arc.side * at.angle, outward = arc.side * at.velocity;
+  const auto safe = [&](Real to) {
+    return std::min(to, at.time + earliest_return(y, -outward, bound(arc, at.time, to)));
+  };
+  Real time = safe(until);
+  for (const Push& push : pushes_)  // while the ground pushes away from upright
+    if (push.side == arc.side && push.from <= at.time && at.time < push.to)
+      time = std::max(time, safe(std::min(until, push.to)));
+  for (bool longer = true; longer && time < until;) {  // the bound is the lower, the nearer its end
+    const Real twice = std::min(until, at.time + 2 * (time - at.time)), here = safe(twice);
+    longer = here >= twice && twice > time;
+    time = std::max(time, here);
+  }
+  return time;
+}
+
+/// Whether the block moves towards upright, and on beyond it, until `to` at half its speed at least: no
+/// acceleration away from upright exceeds that at the start, which falls with |theta| as far as theta =
+/// alpha; beyond it is that of the weight and of the ground at the lever R.
+bool Mover::falls(const Arc& arc, const Point& at, Real to) const {
+  const Range range = ground_range(arc.piece, at.time, to);
+  const Real push = std::max<Real>(0, arc.side < 0 ? range.high : -range.low);
+  const bool falls_off = model_ == Model::linear || arc.side * at.angle <= 1;
+  const Real outward = falls_off
+                           ? arc.side * acceleration(block_, model_, arc.side, at.angle, -arc.side * push)
+                           : weight_ + per_ground_ * push;
+  return outward * (to - at.time) <= -arc.side * at.velocity / 2;
+}
+
+/// The impact on a step that falls across upright. Newton's error goes with the square of its last step: one
+/// no longer than the root of the resolution is the last. A step that leaves the bracket halves it instead.
+Point Mover::impact_between(const Arc& arc, const Point& above, const Point& below) {
+  const Real enough = std::sqrt(resolution_) * (below.time - above.time);
+  Real low = above.time, high = below.time;
+  Point at = below;
+  for (bool last = false; !last;) {
+    const Real newton = std::clamp(at.time - at.angle / at.velocity, above.time, below.time);
+    last = !(std::abs(newton - at.time) > enough);
+    const Real next = last || (low < newton && newton < high) ? newton : std::midpoint(low, high);
+    if (!last && (next == low || next == high)) break;  // neighbours: nothing is between them
+    at = advance_(arc, above, next);
+    (arc.side * at.angle > 0 ? low : high) = next;
+  }
+  at.angle = 0;
+  return at;
+}
+
+Point Mover::along(const Arc& arc, Real time) { return advance_(arc, arc.start, time); }
+
+Arc Mover::move(const Piece& piece, int side, const Point& start, Real until) {
+  Arc arc{piece, side, start, start, ArcEnd::time};
+  if (pushes_from_ != piece.from) pushes_ = pushes(piece, level_), pushes_from_ = piece.from;
+  const Real lying = model_ == Model::linear ? infinity : std::numbers::pi_v<Real> / 2 / block_.alpha;
+  Point at = start;
+  while (at.time < until) {
+    const Real certain = certain_time(arc, at, until), twice = std::min(until, 2 * certain - at.time);
+    const Real next = falls(arc, at, twice) ? twice : certain;
+    if (!(next > at.time)) {  // no room left between the block and upright
+      arc.kind = ArcEnd::impact;
+      at.angle = 0;
+      break;
+    }
+    const Point there = advance_(arc, at, next);
+    if (side * there.angle <= 0 && side * there.velocity < 0) {
+      arc.kind = ArcEnd::impact;
+      at = impact_between(arc, at, there);
+      break;
+    }
+    at = there;
+    if (side * at.angle >= lying) {
+      arc.kind = ArcEnd::lies;
+      break;
+    }
+    if (side * at.angle < 0) at.angle = 0;  // rounding, on leaving upright
+  }
+  arc.end = at;
+  return arc;
+}
+
+}  // namespace rederive::inline numeric

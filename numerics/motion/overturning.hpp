@@ -1,0 +1,58 @@
+// Overturned or safe: decided by energy when the ground has come to rest. Overturning with and without an
+// impact: N. Makris and Y. Roussos, Geotechnique 50 (2000) 243-262; J. Zhang and N. Makris, J. Eng. Mech. 127
+// (2001) 473-483.
+#pragma once
+
+#include <numerics/motion/response.hpp>
+
+namespace rederive::inline numeric {
+
+/// How far the free motion at the end of the ground motion is from each way of overturning; positive = it
+/// does.
+struct Margins {
+  Real outward;    ///< without a further impact: velocity above that which just reaches theta = alpha, (68),
+                   ///< (75)
+  Real returning;  ///< after one more impact: e times the impact velocity above that which reaches theta =
+                   ///< alpha, (94)
+};
+
+/// Free motion from `at` on `side`, energy being conserved between impacts (22) and multiplied by e^2 at
+/// each. A block that has come back below the barrier once can never pass it, so one more impact is all there
+/// is to ask.
+Margins free_motion_margins(const Block& block, Model model, int side, const Point& at);
+
+/// side*(impacts+1), or 0 = safe; impacts are counted since the block last left rest.
+struct Outcome {
+  int code = 0;
+  int impacts = 0;  ///< until it overturns, or during the ground motion if safe; 0 if that leaves it at rest
+  int rests = 0;
+  int side = 0;       ///< on which side the ground motion leaves it
+  bool lies = false;  ///< fell flat during the ground motion (nonlinear)
+  Margins margins{-1,
+                  -1};  ///< brought back to the last launch by the rate of the separatrix, e^-(tau - launch)
+};
+
+Outcome outcome_of(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
+                   double tolerance = Mover::default_tolerance);
+Outcome outcome_at_end(const Block& block, Model model, const Response& response);
+
+/// What follows many motions: outcome_at, which integrates the nonlinear model by GSL and has closed forms of
+/// the linear one, or PulseBatch.
+enum class Engine { gsl, taylor };
+
+/// What is asked of a pulse: everything but its amplitude.
+struct PulseCase {
+  Block block;
+  Model model = Model::linear;
+  Pulse pulse = Pulse::sine;
+  double omega_ratio = 1;
+  InitialState initial;
+  double tolerance = Mover::default_tolerance;
+  Engine engine = Engine::taylor;
+};
+
+/// Below start_level a pulse moves nothing that rests: safe. With initial conditions the pulse has no first
+/// instant then, and std::invalid_argument is thrown.
+Outcome outcome_at(const PulseCase& asked, Real amplitude);
+
+}  // namespace rederive::inline numeric

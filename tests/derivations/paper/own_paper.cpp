@@ -1,0 +1,374 @@
+// What users met when they brought papers of their own to the ledger.
+#include <doctest/doctest.h>
+
+#include <lessons/page/prose.hpp>
+#include <nlohmann/json.hpp>
+#include <tests/derivations/paper/own_paper.hpp>
+
+using namespace rederive;
+namespace fs = std::filesystem;
+using GiNaC::ex;
+using Json = nlohmann::json;
+
+namespace {
+
+/// A symbol by its name, in a derivation.
+ex symbol(const char* name) { return paper_symbols()[name]; }
+
+void declare(const char* name, const char* range = "(-inf, inf)", const char* unit = "1") {
+  paper::declared(name, name, name, unit, range, "a symbol of the paper", "(1)");
+}
+
+Json judged(const PaperOfATest& paper, int exit_code = 0) {
+  const Result r = run_paper(paper, {"--json"});
+  CHECK_MESSAGE(r.exit_code == exit_code, r.err);
+  REQUIRE_MESSAGE(r.out.starts_with("{"), r.err);
+  return Json::parse(r.out)["equations"];
+}
+
+/// The one row of a paper that derives it in one way.
+Json judged(const std::function<void()>& declare, const std::string& toml, Derive derive, int exit_code = 0) {
+  return judged({declare, toml, {{"1", derive}}}, exit_code)[0];
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("two symbols that are written alike are refused, both named") {
+  for (const char* first : {"L", "ℒ"}) {
+    CAPTURE(first);
+    const PaperOfATest paper{[&] {
+                               paper::declared("L", "L", first, "m", "(0, inf)", "length", "(1)");
+                               paper::declared("L_c", "L", "L", "m", "(0, inf)", "another length", "(1)");
+                             },
+                             row("1", "x = L"),
+                             {{"1", [] { return derived(symbol("x"), symbol("L"), {}); }}}};
+    const Result r = run_paper(paper, {});
+    CHECK(r.exit_code == 2);
+    for (const char* part : {"the symbols L", " L_c ", "are both written 'L'"})
+      CHECK_MESSAGE(contains(r.err, part), r.err);
+  }
+  // a name is read as the symbol of that name
+  Symbols symbols;
+  symbols.declare("L_c", "L", "L", "m", "(0, inf)", "", "");
+  symbols.declare("L", "L", "L", "m", "(0, inf)", "", "");
+  CHECK(parse("L", symbols)->text == "L");
+}
+
+TEST_CASE("what a derivation assumes is put into the comparison") {
+  const auto symbols = [] { declare("q_1"), declare("q_2"); };
+  const std::string toml = row("1", "q_2 = q_1", "", "proved_under");
+  const auto derive = []() -> Derivation {
+    Derivation result = derived(symbol("q_2"), abs(symbol("q_1")), {});
+    result.assumption = "q_1 > 0";
+    return result;
+  };
+  CHECK(judged(symbols, toml, derive)["verdict"] == "proved_under");
+  const auto in_words = []() -> Derivation {
+    Derivation result = derived(symbol("q_2"), abs(symbol("q_1")), {});
+    result.assumption = "q_1 > 0, q_2 > 0; otherwise the sign turns";
+    return result;
+  };
+  CHECK(judged(symbols, toml, in_words)["verdict"] == "proved_under");
+  const auto without = [] { return derived(symbol("q_2"), abs(symbol("q_1")), {}); };
+  CHECK(judged(symbols, toml, without, 1)["verdict"] == "refuted");
+  // what holds nowhere under the assumption stays refuted
+  CHECK(judged(symbols, row("1", "q_2 = 2*q_1", "", "refuted"), derive)["verdict"] == "refuted");
+  const auto slip = []() -> Derivation {
+    Derivation result = derived(symbol("q_2"), abs(symbol("q_1")), {});
+    result.assumption = "q_7 > 0";
+    return result;
+  };
+  const Json error = judged(symbols, toml, slip, 1);
+  CHECK(error["verdict"] == "error");
+  CHECK(contains(error["reason"], "q_7"));
+  CHECK(contains(error["reason"], "assumption"));
+}
+
+TEST_CASE("ranges and domains may hold symbols") {
+  const auto derive = [] {
+    return derived(symbol("q"), sqrt(pow(symbol("alpha") - symbol("theta_0"), 2)), {});
+  };
+  const std::string printed = "q = alpha - theta_0";
+  const auto by_range = [] { declare("q"), declare("theta_0", "(0, alpha)"); };
+  CHECK(judged(by_range, row("1", printed), derive)["verdict"] == "proved");
+  const auto any = [] { declare("q"), declare("theta_0"); };
+  CHECK(judged(any, row("1", printed), derive, 1)["verdict"] == "refuted");
+  for (const char* domain : {"theta_0 < alpha", "alpha > theta_0", "theta_0 > 0, theta_0 < alpha",
+                             "0 < theta_0 < alpha", "0 < theta_0 <= alpha"}) {
+    CAPTURE(domain);
+    CHECK(judged(any, row("1", printed, "domain = \"" + std::string(domain) + "\""), derive)["verdict"] ==
+          "proved");
+  }
+  CHECK(judged(any, row("1", printed, "domain = \"theta_0 > alpha\"", "refuted"), derive)["verdict"] ==
+        "refuted");
+  const Result r =
+      run_paper({any, row("1", printed, "domain = \"theta_0 near alpha\""), {{"1", derive}}}, {});
+  CHECK(r.exit_code == 2);
+  CHECK(contains(r.err, "theta_0 near alpha"));
+}
+
+TEST_CASE("a range or a unit that cannot be read is refused with its symbol") {
+  const auto refused = [](const char* range, const char* unit) {
+    const Result r = run_paper({[&] { declare("q_7", range, unit); },
+                                row("1", "x = y"),
+                                {{"1", [] { return derived(symbol("x"), symbol("y"), {}); }}}},
+                               {});
+    CHECK(r.exit_code == 2);
+    CHECK(r.out.empty());
+    CHECK_MESSAGE(contains(r.err, "the symbol q_7: "), r.err);
+  };
+  for (const char* range : {"(0, alhpa)", "0, 1", "(0, 1", "(1, 0)", "(0, sqrt(-1))", "(0, 1/0)", "", "("})
+    refused(range, "1");
+  for (const char* unit : {"furlong", "kg*", "2*m", "m^x", "", "m + s"}) refused("(0, 1)", unit);
+}
+
+TEST_CASE("units may have parentheses, negative powers and all base units of the SI") {
+  CHECK(parse_unit("s^4/(kg*m^2)") == parse_unit("kg^-1*s^4/m^2"));
+  CHECK(parse_unit("kg^-1*s^4") == parse_unit("s^4/kg"));
+  CHECK(unit_text(parse_unit("kg*m^2/s^3/A^2")) == "kg·m²/(s³·A²)");
+  CHECK(unit_text(parse_unit("mol*cd/K")) == "mol·cd/K");
+  CHECK(parse_unit("m^(1/2)") == parse_unit("m/m^0.5"));
+  const auto symbols = [] {
+    declare("C_e", "(0, inf)", "A^2*s^4/(kg*m^2)"), declare("U_e", "(0, inf)", "kg*m^2/(s^3*A)");
+    declare("W_e", "(0, inf)", "kg*m^2*s^-2");
+  };
+  const Json entry = judged(symbols, row("1", "W_e = C_e*U_e^2/2"), [] {
+    return derived(symbol("W_e"), symbol("C_e") * pow(symbol("U_e"), 2) / 2, {});
+  });
+  CHECK(entry["verdict"] == "proved");
+  CHECK(entry["dimension"] == "consistent");
+}
+
+TEST_CASE("a derivation that cannot be used makes an error of its row alone") {
+  const auto undeclared = [] { return derived(symbol("x"), GiNaC::symbol("q_8"), {}); };
+  const auto thrown = []() -> Derivation { throw std::runtime_error("no such integral"); };
+  const auto divided = [] { return derived(symbol("x"), 1 / (symbol("x") - symbol("x")), {}); };
+  const auto with_float = [] { return derived(symbol("x"), ex(0.5) * symbol("y"), {}); };
+  const auto in_a_step = [] {
+    return derived(symbol("x"), symbol("y"), {{"Take", symbol("x"), GiNaC::symbol("q_9")}});
+  };
+  const auto odd = []() -> Derivation { throw 42; };
+  const auto right = [] { return derived(symbol("x"), symbol("y"), {}); };
+  const auto large = [] { return derived(symbol("x"), pow(symbol("y"), 1000), {}); };
+  const auto relation = [] { return derived(symbol("x"), symbol("y"), {}, {}, "=="); };
+  const PaperOfATest paper{[] {},
+                           row("1", "x = y") + row("2", "x = y") + row("3", "x = y") + row("4", "x = y") +
+                               row("5", "x = y") + row("6", "x = y") + row("7", "x = y") + row("8", "x = y") +
+                               row("9", "x = 2*y", "", "refuted"),
+                           {{"1", undeclared},
+                            {"2", thrown},
+                            {"3", divided},
+                            {"4", with_float},
+                            {"5", in_a_step},
+                            {"6", odd},
+                            {"7", large},
+                            {"8", relation},
+                            {"9", right}}};
+  const Json rows = judged(paper, 1);
+  const char* reasons[] = {"the right side of its result: the symbol q_8 is not declared",
+                           "no such integral",
+                           "division by zero",
+                           "the right side of its result: the number 0.5 is not rational",
+                           "step 1 (Take): the symbol q_9 is not declared",
+                           "(6)",
+                           "exponents go up to 64",
+                           "'=='"};
+  for (std::size_t k = 0; k < 8; ++k) {
+    CAPTURE(k);
+    CHECK(rows[k]["verdict"] == "error");
+    CHECK_MESSAGE(contains(rows[k]["reason"], reasons[k]), rows[k]["reason"]);
+    CHECK(contains(rows[k]["reason"], "the derivation of (" + std::to_string(k + 1) + ")"));
+  }
+  CHECK(rows[8]["verdict"] == "refuted");
+  const Result table = run_paper(paper, {});
+  CHECK(table.exit_code == 1);
+  CHECK(contains(table.out, "no such integral"));
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"show", "2"}, {"mutate"}, {"show", "3", "--json"}})
+    CHECK(run_paper(paper, arguments).exit_code == 1);
+  CHECK(run_paper(paper, {"graph"}).exit_code == 0);
+  CHECK(run_paper(paper, {"errata", "--format", "latex"}).exit_code == 0);
+}
+
+TEST_CASE("what is derived from itself is an error that says so") {
+  struct Circle {
+    static Derivation first() {
+      return derived(symbol("x"), symbol("y"), {from(Cited{"2", second}, "Take")});
+    }
+    static Derivation second() {
+      return derived(symbol("x"), symbol("y"), {from(Cited{"1", first}, "Take")});
+    }
+  };
+  const Json rows = judged(
+      {[] {}, row("1", "x = y") + row("2", "x = y"), {{"1", Circle::first}, {"2", Circle::second}}}, 1);
+  CHECK(contains(rows[0]["reason"], "(1) is derived from itself"));
+  CHECK(contains(rows[1]["reason"], "(2) is derived from itself"));
+}
+
+TEST_CASE("an id derived twice, and a derivation without row, are refused by name") {
+  const auto derive = [] { return derived(symbol("x"), symbol("y"), {}); };
+  const Result twice = run_paper({[] {}, row("1", "x = y"), {{"1", derive}, {"1", derive}}}, {});
+  CHECK(twice.exit_code == 2);
+  CHECK_MESSAGE(contains(twice.err, "(1) is derived twice"), twice.err);
+  const Result extra = run_paper({[] {}, row("1", "x = y"), {{"1", derive}, {"4", derive}}}, {"show", "1"});
+  CHECK(extra.exit_code == 2);
+  CHECK_MESSAGE(contains(extra.err, "(4)"), extra.err);
+  CHECK(contains(extra.err, "paper.toml"));
+}
+
+TEST_CASE("prove knows the symbols of the paper and their ranges") {
+  const auto prove = [](const std::function<void()>& declare, const std::string& left,
+                        const std::string& right) {
+    const Result r =
+        run_paper({declare, row("1", "x = y"), {{"1", [] { return derived(symbol("x"), symbol("y"), {}); }}}},
+                  {"prove", left, right, "--json"});
+    return Json::parse(r.out)["verdict"].get<std::string>();
+  };
+  const auto positive = [] {
+    declare("r", "(0, 1)"), declare("d", "(-1, 0)"), declare("theta_0", "(0, alpha)");
+  };
+  CHECK(prove(positive, "sqrt(r^2)", "r") == "proved");
+  CHECK(prove(positive, "fabs(d)", "-d") == "proved");
+  CHECK(prove(positive, "fabs(alpha - theta_0)", "alpha - theta_0") == "proved");
+  CHECK(prove([] {}, "sqrt(r^2)", "r") == "refuted");
+  const auto written = [] { paper::declared("L_c", "L", "L", "m", "(0, inf)", "length", "(1)"); };
+  CHECK(prove(written, "sqrt(L^2)", "L_c") == "proved");
+}
+
+TEST_CASE("the series of what is derived are compared, and an exact match is called exact") {
+  const auto exact = []() -> Derivation {
+    Derivation result = derived(symbol("x"), symbol("y") * sin(symbol("theta")), {});
+    result.order = 1, result.small = "theta";
+    return result;
+  };
+  const auto of = [&](const std::string& printed, const char* expected) {
+    return judged([] {}, row("1", printed, "", expected), exact);
+  };
+  const Json same = of("x = y*sin(theta)", "proved");
+  CHECK(same["verdict"] == "proved");
+  CHECK(contains(same["reason"], "exact"));
+  CHECK(of("x = y*theta", "approximation")["verdict"] == "approximation");
+  CHECK(of("x = y*tan(theta)", "approximation")["verdict"] == "approximation");
+  CHECK(of("x = 2*y*theta", "refuted")["verdict"] == "refuted");
+  CHECK(of("x = y*cos(theta)", "refuted")["verdict"] == "refuted");
+  const auto series = []() -> Derivation {
+    Derivation result = derived(symbol("x"), symbol("y") * symbol("theta"), {});
+    result.order = 1, result.small = "theta";
+    return result;
+  };
+  CHECK(judged([] {}, row("1", "x = y*theta", "", "approximation"), series)["verdict"] == "approximation");
+  const auto nameless = []() -> Derivation {
+    Derivation result = derived(symbol("x"), symbol("y"), {});
+    result.order = 2;
+    return result;
+  };
+  CHECK(judged([] {}, row("1", "x = y"), nameless, 1)["verdict"] == "error");
+}
+
+TEST_CASE("a slip in one argument is corrected in its place") {
+  const auto symbols = [] { declare("a_1", "(0, 1)"), declare("b_1", "(0, 1)"); };
+  const auto derive = [] {
+    const ex a = symbol("a_1"), b = symbol("b_1");
+    const ex above = symbol("x") * cos(a - b) - symbol("y") * sin(a) + symbol("m") * symbol("g") * sin(b),
+             below = symbol("m") * (symbol("x") + symbol("y") * pow(cos(a - b), 2));
+    return derived(symbol("thetaddot"), (above / below).expand(), {});
+  };
+  const std::string right =
+      "thetaddot = (x*cos(a_1 - b_1) - y*sin(a_1) + m*g*sin(b_1))/(m*(x + y*cos(a_1 - b_1)^2))";
+  const auto printed = [&](const std::string& from, const std::string& to) {
+    std::string text = right;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  for (const auto& [from, to] : {std::pair("cos(a_1 - b_1)", "cos(2*a_1 - 2*b_1)"),
+                                 {"cos(a_1 - b_1)", "cos(a_1 + b_1)"},
+                                 {"sin(b_1)", "sin(2*b_1)"},
+                                 {"sin(a_1)", "sin(b_1)"}}) {
+    const Json entry = judged(symbols, row("1", printed(from, to), "", "refuted"), derive);
+    CHECK(entry["verdict"] == "refuted");
+    CHECK(entry["correction"] == right);
+  }
+  // what is no slip of one argument is corrected by what is derived
+  const Json other = judged(symbols, row("1", printed("y*sin", "x*sin"), "", "refuted"), derive);
+  CHECK(other["correction"] == other["derived"]);
+}
+
+TEST_CASE("the equations are found beside the source or the program, wherever it runs") {
+  const TemporaryFolder elsewhere;
+  const fs::path beside = fs::path(__FILE__).parent_path();
+  REQUIRE(fs::exists(beside / "prove_table.toml"));
+  const Result r = in_a_child(elsewhere.path, [] {
+    std::string name = "paper";
+    char* argv[] = {name.data(), nullptr};
+    return run_ledger(1, argv,
+                      OwnPaper{.title = "A paper", .equations = "prove_table.toml", .derivations = {}});
+  });
+  CHECK(r.exit_code == 2);  // it is another kind of table
+  CHECK_MESSAGE(contains(r.err, (beside / "prove_table.toml").string()), r.err);
+  const Result missing = in_a_child(elsewhere.path, [] {
+    std::string name = "paper";
+    char* argv[] = {name.data(), nullptr};
+    return run_ledger(1, argv, OwnPaper{.title = "A paper", .equations = "nowhere.toml", .derivations = {}});
+  });
+  CHECK(missing.exit_code == 2);
+  CHECK(contains(missing.err, "nowhere.toml"));
+}
+
+TEST_CASE("a witness says exactly, or with digits, what was put in") {
+  const auto symbols = [] { declare("h_1", "(0, inf)"), declare("b_1", "(0, 1)"); };
+  const auto derive = [] {
+    return derived(symbol("x"), 2 * symbol("h_1"), {}, {{symbol("h_1"), exp(symbol("b_1"))}});
+  };
+  const Json entry = judged(symbols, row("1", "x = 3*h_1", "", "refuted"), derive);
+  const std::string value = entry["witness"]["exactly"]["h_1"];
+  CHECK_MESSAGE(value.starts_with("exp("), value);
+  for (const std::string words : entry["witness"]["in_words"]) CHECK_MESSAGE(words.size() < 60, words);
+  // b_1 lies between bounds: of h_1 there are digits
+  const auto implicit = [] {
+    const ex b = symbol("b_1");
+    return derived(b * exp(b) + symbol("h_1"), 2 + symbol("h_1") - sin(b), {}, {{symbol("h_1"), cosh(b)}});
+  };
+  const Json other =
+      judged(symbols, row("1", "b_1*exp(b_1) + h_1 = 1 + h_1", "", "refuted"), implicit)["witness"];
+  REQUIRE(other.contains("between"));
+  CHECK(contains(other["at"]["h_1"], "."));
+  CHECK(contains(other["in_words"].dump(), "h_1 ≈ 1."));
+}
+
+TEST_CASE("only what stands between dollars is mathematics in the words of a step") {
+  const auto symbols = [] { declare("a", "(0, inf)"), declare("body", "(0, inf)"), declare("is"); };
+  const auto derive = [] {
+    return derived(symbol("x"), symbol("a"), {in_words("Of a body is taken $a*x^2$, at a price of 5$")});
+  };
+  const PaperOfATest paper{symbols, row("1", "x = 2*a", "", "refuted"), {{"1", derive}}};
+  const TemporaryFolder folder;
+  const Result marked_by_us = in_a_child(folder.path, [&] {
+    symbols();
+    std::fputs((marked("Of a body is taken") + "\n" + marked("is taken $a*x^2$ of a") + "\n" +
+                marked("where R is $R$, for 5$") + "\n" + marked("at $no formula$ of α = 0") + "\n")
+                   .c_str(),
+               stdout);
+    return 0;
+  });
+  CHECK(marked_by_us.out ==
+        "Of a body is taken\nis taken $a*x^2$ of a\nwhere $R$ is 'R', for 5'\n"
+        "at no formula of $alpha = 0$\n");
+  const auto two = [] {
+    return derived(symbol("x"), symbol("a"), {in_words("Of a body is taken $a*x^2$ at once")});
+  };
+  const PaperOfATest other{symbols, row("1", "x = 2*a", "", "refuted"), {{"1", two}}};
+  CHECK(contains(run_paper(other, {"show", "1"}).out, "Of a body is taken a·x² at once\n"));
+  const std::string latex = run_paper(other, {"errata", "--format", "latex"}).out;
+  CHECK_MESSAGE(contains(latex, "Of a body is taken $a x^2$ at once\n"), latex);
+  CHECK(contains(run_paper(paper, {"show", "1"}).out, "Of a body is taken 'a*x^2', at a price of 5'\n"));
+}
+
+TEST_CASE("one is not called several") {
+  const auto derive = [] { return derived(symbol("x"), symbol("y"), {}); };
+  const PaperOfATest paper{[] {}, row("1", "x = 2*y", "", "refuted"), {{"1", derive}}};
+  CHECK(contains(run_paper(paper, {}).out, "\n1 row: 1 refuted\n"));
+  CHECK(contains(run_paper(paper, {"errata"}).out, "\n1 error.\n"));
+}

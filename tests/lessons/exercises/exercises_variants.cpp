@@ -1,0 +1,169 @@
+// Variants: other numbers, the other side, another slip; by a seed, which may be a student's name.
+#include <doctest/doctest.h>
+
+#include <derivations/program/program.hpp>
+#include <lessons/exercises/classroom.hpp>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "run_program.hpp"
+
+using namespace rederive;
+using namespace rederive::classroom;
+namespace fs = std::filesystem;
+
+namespace {
+
+Exercise exercise(const std::string& id, const std::string& seed = "") {
+  for (const auto& one : read_exercises(exercises_folder(), seed))
+    if (one.id == id) return one;
+  throw std::out_of_range(id);
+}
+
+void write(const fs::path& path, const std::string& text) {
+  fs::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+}  // namespace
+
+TEST_CASE("what a seed picks is the same on every machine") {
+  CHECK(picked("", "x", 1000) == 0);
+  CHECK(picked("1", "x", 1000) == 140);
+  CHECK(picked("anna", "height-of-centre/side", 1000) == 997);
+  CHECK(picked("Zoë", "first-lift/b", 997) == 837);
+}
+
+TEST_CASE("a range beside other names in a table gives all its values") {
+  std::set<std::string> statements;
+  for (int seed = 0; seed < 40; ++seed)
+    statements.insert(exercise("least-amplitude", std::to_string(seed)).statement);
+  CHECK(statements.size() > 5);
+}
+
+TEST_CASE("texts are filled in, and what cannot be is refused") {
+  const Choice choice{{"b", "0.35"}, {"what", "a wall"}};
+  CHECK(filled("{what}, {200*b} cm: {b}^2", choice) == "a wall, 70 cm: 0.35^2");
+  CHECK_THROWS(filled("{b}", {}));
+  CHECK_THROWS(filled("b}", choice));
+  CHECK(values_of("0.6:0.9:0.1") == std::vector<std::string>{"0.6", "0.7", "0.8", "0.9"});
+  CHECK(values_of("1:3:1") == std::vector<std::string>{"1", "2", "3"});
+  CHECK(values_of("a ratio of 1:2") == std::vector<std::string>{"a ratio of 1:2"});
+  CHECK(values_of(".:.:.") == std::vector<std::string>{".:.:."});
+  for (const char* range : {"1.08:0.2:0.01", "1:2:0", "0:1000000:0.001"})
+    CHECK_THROWS_WITH_AS(values_of(range), doctest::Contains("must be FROM:TO:STEP"), std::runtime_error);
+  CHECK_THROWS(filled("{b", choice));
+  CHECK_THROWS(filled("{h}", choice));
+  CHECK_THROWS(filled("{b +}", choice));
+}
+
+TEST_CASE(
+    "without a seed an exercise stands as it is; with seeds there are several of it, with their own "
+    "answers") {
+  CHECK(exercise("frequency-of-a-bookcase").statement.find("is 2 m high and 0.4 m wide") !=
+        std::string::npos);
+  int varying = 0;
+  for (const auto& one : read_exercises(exercises_folder())) {
+    if (one.choice.empty()) continue;
+    ++varying;
+    std::set<std::string> statements, answers;
+    for (const std::string seed : {"", "1", "2", "3", "4", "5", "6"}) {
+      const Exercise variant = exercise(one.id, seed);
+      statements.insert(presentation(variant));
+      answers.insert(one.kind == Kind::wrong_term ? presentation(variant) : model_answer(prepare(variant)));
+    }
+    CHECK_MESSAGE(statements.size() > 1, one.id);
+    CHECK_MESSAGE(answers.size() > 1, one.id);
+  }
+  CHECK(varying == 42);  // all of them
+}
+
+TEST_CASE("a variant is judged by its own answer, and its solution ends at it") {
+  for (const std::string seed : {"anna", "bert", "3"})
+    for (const auto& one : read_exercises(exercises_folder(), seed)) {
+      if (one.choice.empty()) continue;
+      CAPTURE(one.id);
+      const Prepared prepared = prepare(one);
+      std::string text = solution_text(prepared);
+      text.pop_back();
+      CHECK(judge_answer(prepared, text.substr(text.rfind('\n') + 1)).verdict == "correct");
+    }
+  std::string left, right;  // seeds with θ < 0 and θ > 0
+  for (int k = 1; left.empty() || right.empty(); ++k) {
+    const std::string seed = std::to_string(k);
+    (exercise("height-of-centre", seed).choice.at("corner") == "O" ? left : right) = seed;
+  }
+  const auto note = [&](const std::string& seed, const std::string& answer) {
+    return judge_answer(prepare(exercise("height-of-centre", seed)), answer).note;
+  };
+  CHECK(note(left, "R*(cos(alpha + theta) - cos(alpha))") == "correct");
+  CHECK(note(left, "R*(cos(alpha - theta) - cos(alpha))") == "wrong_angle");
+  CHECK(note(right, "R*(cos(alpha - theta) - cos(alpha))") == "correct");
+}
+
+TEST_CASE("help is for the variant that was tried last") {
+  TemporaryFolder folder;
+  const std::string file = (folder.path / "progress.txt").string(), id = "height-of-centre";
+  const auto run = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"--progress", file});
+    return run_program("exercises", arguments);
+  };
+  std::string left;  // a seed with θ < 0
+  for (int k = 1; left.empty(); ++k)
+    if (exercise(id, std::to_string(k)).choice.at("corner") == "O") left = std::to_string(k);
+  const Result tried = run({"check", id, "--seed", left, "R*(cos(alpha - theta) - cos(alpha))"});
+  CHECK(tried.out.find("Stuck? exercises hint " + id + " --seed \"" + left + "\"") != std::string::npos);
+  CHECK(run({"hint", id}).out.find("turned to the left about O.") != std::string::npos);
+  CHECK(run({"solution", id, "--give-up"}).out.ends_with("y_c = R*cos(alpha + theta) - R*cos(alpha)\n"));
+  CHECK(
+      run({"solution", id, "--give-up", "--seed", ""}).out.ends_with("cos(alpha - theta) - R*cos(alpha)\n"));
+  CHECK(read_file(file).find("\tseed " + left + "\n") != std::string::npos);
+  CHECK(run({"check", id, "R*(cos(alpha - theta) - cos(alpha))"}).exit_code ==
+        0);  // without one: as it stands
+  CHECK(read_file(file).find("\tseed") == std::string::npos);
+  CHECK(run({"solution", id}).out.ends_with("y_c = R*cos(alpha - theta) - R*cos(alpha)\n"));
+  CHECK(read_file(file).find("given_up") != std::string::npos);  // what was shown is not solved
+}
+
+TEST_CASE("on the command line, and in a class where each has the own variant") {
+  TemporaryFolder folder;
+  const auto run = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"--progress", (folder.path / "progress.txt").string()});
+    return run_program("exercises", arguments);
+  };
+  const std::string id = "frequency-of-a-bookcase";
+  std::map<std::string, std::string> answers;
+  for (const std::string name : {"anna", "bert", "Zoë Ångström"}) {
+    answers[name] = model_answer(prepare(exercise(id, name)));
+    CHECK(run({"show", id, "--seed", name}).out.find("--seed \"" + name + "\"") != std::string::npos);
+    CHECK(run({"check", id, "--seed", name, answers[name]}).exit_code == 0);
+    CHECK(run({"solution", id, "--seed", name}).out.ends_with("\n" + answers[name] + "\n"));
+    write(folder.path / "class" / name / (id + ".txt"), answers[name]);
+    write(folder.path / "class" / name / "restitution.txt",
+          model_answer(prepare(exercise("restitution", name))));
+  }
+  REQUIRE(answers["anna"] != answers["bert"]);
+  CHECK(run({"check", id, "--seed", "bert", answers["anna"]}).exit_code == 1);
+  write(folder.path / "class" / "carl" / (id + ".txt"), answers["anna"]);
+  const fs::path pages = folder.path / "pages";
+  const Result graded =
+      run({"grade", (folder.path / "class").string(), "--variants", "--feedback", pages.string()});
+  for (const auto& [name, answer] : answers) {
+    CHECK(graded.out.find(name + "," + id + ",correct,correct,1\n") != std::string::npos);
+    CHECK(graded.out.find(name + ",restitution,correct,correct,1\n") != std::string::npos);
+  }
+  CHECK(graded.out.find("carl," + id + ",wrong") != std::string::npos);
+  std::string seed = "1";  // with which another variant comes to carl
+  while (exercise(id, seed + "carl").statement == exercise(id, "carl").statement) seed += "1";
+  const fs::path others = folder.path / "others";
+  run({"--seed", seed, "grade", (folder.path / "class").string(), "--variants", "--feedback",
+       others.string()});
+  const std::string theirs = exercise(id, seed + "carl").statement;
+  CHECK(read_file(others / "carl.html").find(theirs.substr(1, theirs.find(" wide") - 1)) !=
+        std::string::npos);
+  const std::string statement = exercise(id, "carl").statement;
+  CHECK(read_file(pages / "carl.html").find(statement.substr(1, statement.find(" wide") - 1)) !=
+        std::string::npos);
+  const Result without = run({"grade", (folder.path / "class").string()});
+  CHECK(without.out.find("anna," + id + ",correct") == std::string::npos);
+}

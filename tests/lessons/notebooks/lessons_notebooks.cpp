@@ -1,0 +1,204 @@
+// Lessons as Jupyter notebooks: valid, the same bytes each time, and Jupyter runs them; what their cells get
+// from the Python module is what the commands say.
+#include <doctest/doctest.h>
+
+#include <lessons/page/render.hpp>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "run_program.hpp"
+
+using namespace rederive;
+using nlohmann::json;
+
+namespace {
+
+const std::string python = "/usr/bin/python3";  // Debian's, whose packages the modules are
+
+/// Reads each file that argv[2:] names, which must be valid, runs it in argv[1] by one kernel and writes it
+/// back.
+const std::string script = R"(
+import json, sys, nbformat
+from jupyter_client.manager import KernelManager
+from nbclient import NotebookClient
+kernel = KernelManager(kernel_name="python3")
+kernel.start_kernel(cwd=sys.argv[1])
+try:
+    for file in sys.argv[2:]:
+        notebook = nbformat.read(file, 4)
+        nbformat.validate(notebook)
+        NotebookClient(notebook, km=kernel, timeout=3000).execute()
+        json.dump(notebook, open(file, "w"))
+finally:
+    kernel.shutdown_kernel(now=True)
+)";
+
+/// What came of a cell: the texts that it printed, and those of its values.
+std::string output_of(const json& cell) {
+  std::string text;
+  for (const auto& output : cell["outputs"]) {
+    if (output.contains("text")) text += output["text"].get<std::string>();
+    for (const auto* kind : {"text/plain", "text/latex"})
+      if (output.contains("data") && output["data"].contains(kind))
+        text += output["data"][kind].get<std::string>();
+  }
+  return text;
+}
+
+/// What is wrong with the notebook of one lesson that was run; empty if nothing is.
+std::string complaints(const std::string& lesson, const json& notebook) {
+  std::string said;
+  for (const auto& cell : notebook["cells"]) {
+    if (cell["cell_type"] != "code") continue;
+    const auto source = cell["source"].get<std::string>();
+    for (const auto& output : cell["outputs"])
+      if (output["output_type"] == "error" || output.value("name", "") == "stderr")
+        said += lesson + ": " + output.dump() + "\n";
+    if (output_of(cell).empty() && !in_python("import")->starts_with(source))
+      said += lesson + ": nothing came of " + source + "\n";
+  }
+  return said;
+}
+
+/// The code cells that begin so, or that hold this.
+std::vector<json> cells_with(const json& notebook, const std::string& part) {
+  std::vector<json> cells;
+  for (const auto& cell : notebook["cells"])
+    if (cell["cell_type"] == "code" && cell["source"].get<std::string>().find(part) != std::string::npos)
+      cells.push_back(cell);
+  return cells;
+}
+
+bool is_module_built() {
+  const auto folder = std::filesystem::path(REDERIVE_PROGRAMS).parent_path() / "python/rederive";
+  for (std::filesystem::directory_iterator entry(folder), end; entry != end; ++entry)
+    if (entry->path().extension() == ".so") return true;
+  skip("the Python module was not built");
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("a notebook has text and commands in cells, with the mathematics that Jupyter reads") {
+  for (const std::size_t k : {0, 6, 10}) {
+    const std::string lesson = lesson_programs().at(k);
+    CAPTURE(lesson);
+    const std::string text = run_program(lesson, {"--format", "notebook"}).out;
+    const json notebook = json::parse(text);
+    CHECK(notebook["nbformat"] == 4);
+    CHECK(notebook["nbformat_minor"] == 5);
+    std::set<std::string> ids;
+    bool has_formulas = false, has_commands = false;
+    for (const auto& cell : notebook["cells"]) {
+      CHECK(ids.insert(cell["id"]).second);
+      const auto source = cell["source"].get<std::string>();
+      CHECK(!source.empty());
+      CHECK(source.find("```math") == std::string::npos);
+      CHECK(source.find("$`") == std::string::npos);
+      CHECK((cell["cell_type"] == "code") == cell.contains("outputs"));
+      has_formulas = has_formulas || source.find("\n$$") != std::string::npos;
+      has_commands = has_commands || cell["cell_type"] == "code";
+    }
+    CHECK(has_formulas);
+    CHECK(has_commands);
+  }
+  const std::string first = lesson_programs().at(0);
+  CHECK(run_program(first, {"--format", "notebook"}).out == run_program(first, {"--format", "notebook"}).out);
+  const json step = json::parse(run_program(first, {"--format", "notebook", "--step", "1"}).out);
+  CHECK(step["cells"][0]["source"].get<std::string>().starts_with("## 1. "));
+}
+
+TEST_CASE(
+    "a command with a counterpart in the module is a call of it, with all its options, and any other is "
+    "itself") {
+  CHECK(in_python("rocking response --omega 2 --amplitude 2.2 --until 8 --model nonlinear") ==
+        "response = rederive.response(rederive.Pulse(2), 2.2, until=8, model=\"nonlinear\")\n"
+        "print(response.outcome)\nresponse.events");
+  CHECK(in_python("rocking threshold --omega 2 --pulse cosine --theta0 -0.01")
+            .value_or("")
+            .starts_with("print(rederive.threshold(rederive.Pulse(2, \"cosine\"), theta0=-0.01))\n"));
+  CHECK(in_python("rocking map --omega 1:8:200 --amplitude 1:10:100 --plot map.png")
+            .value_or("")
+            .find("np.linspace(1, 8, 200), np.linspace(1, 10, 100)") != std::string::npos);
+  CHECK(in_python("ledger prove \"sin(a)^2\" \"1 - cos(a)^2\"") ==
+        "rederive.prove(\"sin(a)^2\", \"1 - cos(a)^2\")");
+  CHECK(in_python("ledger show 11") == "next(row for row in rederive.ledger() if row.id == \"11\")");
+  for (const auto* command :
+       {"rocking threshold --omega 2 --digits 30", "ledger claims c02", "ledger graph | head",
+        "exercises show barrier", "rocking figure 8", "rocking response --omega 2 --amplitude 1 x"})
+    CHECK_MESSAGE(!in_python(command), command);
+}
+
+TEST_CASE("without the module the cells run the commands, and the first cell says so") {
+  Page page;
+  page.commands({"build/bin/rocking threshold --omega 2", "build/bin/exercises show barrier"});
+  Setting setting;
+  setting.format = Format::notebook;
+  const auto notebook = [&] {
+    const auto renderer = make_renderer(setting);
+    renderer->begin({1, "T", "t", "b", {}});
+    renderer->step(1, "h", page);
+    return json::parse(renderer->end({}));
+  };
+  const json plain = notebook();
+  CHECK(plain["cells"][0]["source"].get<std::string>().find("was not built") != std::string::npos);
+  CHECK(cells_with(plain, "rederive").empty());
+  CHECK(cells_with(plain, "%%sh --no-raise-error\nrocking threshold --omega 2").size() == 1);
+  CHECK(cells_with(plain, "%%sh").size() == 2);
+  setting.module = true;
+  const json calling = notebook();
+  CHECK(calling["cells"][0]["source"].get<std::string>().find("PYTHONPATH") != std::string::npos);
+  CHECK(cells_with(calling, "rederive.threshold(").size() == 1);
+  CHECK(calling["cells"].back()["source"] == "%%sh --no-raise-error\nexercises show barrier");
+}
+
+TEST_CASE("Jupyter runs every lesson, and the module says there what the commands say") {
+  if (!has_tool("jupyter-execute") || !is_module_built()) return;
+  TemporaryFolder folder;
+  ::setenv("PATH", (std::string(REDERIVE_PROGRAMS) + ":" + std::getenv("PATH")).c_str(), 1);
+  ::setenv("PYDEVD_DISABLE_FILE_VALIDATION", "1", 1);
+  ::setenv("IPYTHONDIR", (folder.path / "ipython").c_str(), 1);
+  ::setenv("REDERIVE_PROGRESS", (folder.path / "progress.txt").c_str(), 1);
+  std::vector<std::string> arguments = {"-c", script, folder.path};
+  for (const auto& lesson : lesson_programs()) {
+    arguments.push_back(folder.path / (lesson + ".ipynb"));
+    REQUIRE(run_program(lesson, {"--format", "notebook", "--out", arguments.back()}).exit_code == 0);
+  }
+  const Result ran = run_program(python, arguments);
+  REQUIRE_MESSAGE(ran.exit_code == 0, ran.err);
+  int thresholds = 0, rows = 0;
+  for (std::size_t k = 0; k < lesson_programs().size(); ++k) {
+    const json notebook = json::parse(read_file(arguments[k + 3]));
+    CAPTURE(lesson_programs()[k]);
+    CHECK(complaints(lesson_programs()[k], notebook) == "");
+    CHECK(cells_with(notebook, "import rederive").size() == 1);
+    CHECK(cells_with(notebook, "rederive.").size() > 1);
+    for (const auto& cell : cells_with(notebook, "rederive.threshold(")) {
+      const auto source = cell["source"].get<std::string>();
+      std::smatch asked, said;
+      const std::regex plain(R"(print\(rederive\.threshold\(rederive\.Pulse\(([0-9.]+)\)\)\)\n[^]*)"),
+          threshold(R"(Threshold\(amplitude=([0-9.]+), code=(-?[0-9]+)\)[^]*)");
+      if (!std::regex_match(source, asked, plain)) continue;
+      const std::string out = output_of(cell);
+      REQUIRE(std::regex_match(out, said, threshold));
+      const json command =
+          json::parse(run_program("rocking", {"threshold", "--omega", asked[1], "--json"}).out);
+      CHECK(std::stod(said[1]) ==
+            doctest::Approx(command["minimum"]["amplitude"].get<double>()).epsilon(1e-11));
+      CHECK(std::stoi(said[2]) == command["minimum"]["code"]);
+      ++thresholds;
+    }
+    for (const auto& cell : cells_with(notebook, "row.id == ")) {
+      std::string id = cell["source"].get<std::string>();
+      id = id.substr(id.find('"') + 1, id.rfind('"') - id.find('"') - 1);
+      const json command = json::parse(run_program("ledger", {"show", id, "--json"}).out);
+      const std::string verdict =
+          std::regex_replace(command["verdict"].get<std::string>(), std::regex("_"), " ");
+      CHECK_MESSAGE(output_of(cell).find("\\text{" + verdict + "}") != std::string::npos, id);
+      ++rows;
+    }
+  }
+  CHECK(thresholds >= 4);
+  CHECK(rows >= 7);
+}
