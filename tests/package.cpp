@@ -1,4 +1,4 @@
-// What is built is installed, moved and packed, and built upon there as the README says.
+// What is built is installed, moved and packed, and built upon there as the READMEs say.
 #include <doctest/doctest.h>
 
 #include <sstream>
@@ -6,9 +6,9 @@
 
 namespace {
 
-/// The n-th block of the README's section for those who build on it.
-std::string own_project(const std::string& language, int n) {
-  return block("README.md", "## In your own project", language, n);
+/// The first block in a language of the section for those who build on `folder`.
+std::string own_project(const std::string& folder, const std::string& language) {
+  return block(folder + "/README.md", "## In your own project", language, 0);
 }
 
 }  // namespace
@@ -35,10 +35,10 @@ TEST_CASE("what is installed names no folder of the machine on which it was buil
 
 TEST_CASE("a project finds the numerics, without GiNaC, CLN or Z3") {
   const TemporaryFolder folder;
-  write(folder.path / "my_program.cpp", own_project("cpp", 0));
+  write(folder.path / "my_program.cpp", own_project("numerics", "cpp"));
   make_project(
       folder.path,
-      "add_executable(my_program my_program.cpp)\n" + own_project("cmake", 0) +
+      "add_executable(my_program my_program.cpp)\n" + own_project("numerics", "cmake") +
           "if(GINAC_LIBRARY OR CLN_FOUND)\n  message(FATAL_ERROR \"GiNaC was looked for\")\nendif()\n");
   CHECK(said(folder.path, "b/my_program").starts_with("from 1.4000998181532"));
   const std::string linked = said(folder.path, "ldd b/my_program && cat b/build.ninja");
@@ -47,7 +47,8 @@ TEST_CASE("a project finds the numerics, without GiNaC, CLN or Z3") {
   for (const char* unwanted : {"ginac", "libcln", "z3"}) CHECK_MESSAGE(!contains(linked, unwanted), unwanted);
 
   // and so does a compiler without CMake
-  const std::string readme = read_file(source + "/README.md"), compiler = "`c++ -std=c++20 my_program.cpp ";
+  const std::string readme = read_file(source + "/numerics/README.md"),
+                    compiler = "`c++ -std=c++20 my_program.cpp ";
   const std::size_t line = readme.find(compiler) + 1;
   said(folder.path, "export PKG_CONFIG_PATH=" + quoted(prefix() / "lib/pkgconfig") + "; " +
                         readme.substr(line, readme.find('`', line) - line));
@@ -56,7 +57,7 @@ TEST_CASE("a project finds the numerics, without GiNaC, CLN or Z3") {
 
 TEST_CASE("a project proves an identity") {
   const TemporaryFolder folder;
-  write(folder.path / "proves.cpp", own_project("cpp", 1));
+  write(folder.path / "proves.cpp", own_project("derivations/decide", "cpp"));
   make_project(folder.path,
                "find_package(Rederive 1.0 REQUIRED COMPONENTS decide)\n"
                "add_executable(proves proves.cpp)\ntarget_link_libraries(proves PRIVATE rederive::decide)\n");
@@ -70,7 +71,7 @@ TEST_CASE("a project proves an identity") {
 TEST_CASE("a shared library and a plugin prove an identity, by CMake and by pkg-config") {
   const TemporaryFolder folder;
   const std::string main = "int main()";
-  std::string code = own_project("cpp", 1);
+  std::string code = own_project("derivations/decide", "cpp");
   code.replace(code.find(main), main.size(), "extern \"C\" int proves()");
   write(folder.path / "proves.cpp", code);
   write(folder.path / "calls.cpp", "extern \"C\" int proves();\nint main() { return proves(); }\n");

@@ -155,7 +155,9 @@ TEST_CASE("the ledger refutes or proves equal every mutant of every row") {
   CHECK(mutants >= 1500);
   const std::string told =
       "of " + std::to_string(mutants) + " slips " + std::to_string(refuted) + " are refuted";
-  CHECK_MESSAGE(read_file(std::string(REDERIVE_SOURCE) + "/README.md").find(told) != std::string::npos, told);
+  CHECK_MESSAGE(read_file(std::string(REDERIVE_SOURCE) + "/derivations/paper/README.md").find(told) !=
+                    std::string::npos,
+                told);
 }
 
 TEST_CASE("errata come with the most consequential first, in every format") {

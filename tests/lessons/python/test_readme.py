@@ -1,4 +1,4 @@
-"""What the README shows of Python is what comes of it."""
+"""What the README of the module shows is what comes of it."""
 import doctest
 from pathlib import Path
 
@@ -6,7 +6,7 @@ import pytest
 
 
 def test_the_example_in_the_readme_works():
-    text = (Path(__file__).parents[2] / "README.md").read_text().partition("```python\n")[2].partition("```")[0]
+    text = (Path(__file__).parents[3] / "lessons/python/README.md").read_text().partition("```python\n")[2].partition("```")[0]
     test = doctest.DocTestParser().get_doctest(text, {}, "README", None, None)
     assert len(test.examples) == 4
     doctest.DocTestRunner().run(test, out=lambda said: pytest.fail(said, pytrace=False))
