@@ -2,8 +2,7 @@
 
 #include <derivations/emit/emit.hpp>
 #include <nlohmann/json.hpp>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 using namespace rederive;
 

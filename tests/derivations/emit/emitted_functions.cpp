@@ -8,8 +8,8 @@
 #include <derivations/rocking_block/paper_symbols.hpp>
 #include <emitted/rocking_block.hpp>
 #include <random>
+#include <tests/run_program.hpp>
 
-#include "run_program.hpp"
 #include "running_error.hpp"
 
 using namespace rederive;

@@ -7,8 +7,7 @@
 #include <numbers>
 #include <numerics/motion/integrator.hpp>
 #include <sstream>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 using namespace rederive;
 using GiNaC::ex;

@@ -3,8 +3,7 @@
 #include <derivations/mechanics/linear_motion.hpp>
 #include <derivations/mechanics/moment_balance.hpp>
 #include <derivations/rocking_block/paper_symbols.hpp>
-
-#include "identities.hpp"
+#include <tests/identities.hpp>
 
 using namespace rederive;
 using namespace rederive::paper;

@@ -8,8 +8,7 @@
 #include <lessons/ledger/claims.hpp>
 #include <lessons/ledger/claims_bench.hpp>
 #include <lessons/ledger/prove_table.hpp>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 using namespace rederive;
 namespace fs = std::filesystem;

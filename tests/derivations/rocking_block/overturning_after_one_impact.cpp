@@ -1,8 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <derivations/rocking_block/overturning_after_one_impact.hpp>
-
-#include "identities.hpp"
+#include <tests/identities.hpp>
 
 using namespace rederive;
 using namespace rederive::paper;

@@ -4,8 +4,7 @@
 #include <derivations/rocking_block/impact.hpp>
 #include <derivations/rocking_block/initiation.hpp>
 #include <derivations/rocking_block/sliding.hpp>
-
-#include "identities.hpp"
+#include <tests/identities.hpp>
 
 using namespace rederive;
 using namespace rederive::paper;

@@ -4,8 +4,7 @@
 #include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 namespace fs = std::filesystem;
 using nlohmann::json;

@@ -5,8 +5,7 @@
 #include <lessons/exercises/classroom.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 using namespace rederive;
 using namespace rederive::classroom;

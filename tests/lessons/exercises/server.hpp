@@ -5,8 +5,7 @@
 #include <spawn.h>
 
 #include <csignal>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 extern char** environ;
 

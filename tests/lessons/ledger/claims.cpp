@@ -9,8 +9,7 @@
 #include <numerics/search/closed_form.hpp>
 #include <numerics/search/windows.hpp>
 #include <set>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 namespace {
 

@@ -6,8 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 using namespace rederive;
 using nlohmann::json;

@@ -4,8 +4,7 @@
 
 #include <map>
 #include <regex>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 namespace {
 

@@ -7,8 +7,7 @@
 #include <cctype>
 #include <cstdio>
 #include <regex>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 namespace fs = std::filesystem;
 

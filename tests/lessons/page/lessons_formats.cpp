@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <future>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 namespace {
 

@@ -2,8 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <regex>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 namespace {
 

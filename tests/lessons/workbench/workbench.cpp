@@ -5,8 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 #include <regex>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 namespace {
 

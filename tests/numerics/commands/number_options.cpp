@@ -6,8 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 namespace {
 

@@ -3,8 +3,7 @@
 
 #include <cmath>
 #include <future>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 namespace fs = std::filesystem;
 

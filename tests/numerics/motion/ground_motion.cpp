@@ -6,8 +6,7 @@
 #include <numerics/motion/ground_motion.hpp>
 #include <numerics/motion/response.hpp>
 #include <stdexcept>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 using namespace rederive;
 

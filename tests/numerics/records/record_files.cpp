@@ -3,8 +3,7 @@
 #include <fstream>
 #include <numerics/motion/ground_motion.hpp>
 #include <stdexcept>
-
-#include "run_program.hpp"
+#include <tests/run_program.hpp>
 
 using namespace rederive;
 
