@@ -114,7 +114,7 @@ void a_false_root(Page& page) {
   std::vector<std::vector<std::string>> rows;
   for (const double omega : {2.0, 4.0})
     for (const auto& root : condition_roots({.omega = omega}))
-      if (root.form == Form::eq71 || root.form == Form::eq78)
+      if (root.form == numerics::Form::eq71 || root.form == numerics::Form::eq78)
         rows.push_back({fmt::format("{:.0f}", omega), conditions_of(root),
                         fmt::format("{:.5f}", root.amplitude), is_real(root)});
   page.table({"$omega_p/p$", "condition", "$a_p/(alpha*g)$", "does the block move so? If not, why"}, rows);

@@ -86,7 +86,7 @@ void not_the_same_thing(Page& page) {
   for (const double amplitude : {2.0, 1.0}) {
     const double seconds = pulse_length(amplitude == 1 ? 1 : 4, amplitude) / 2.14;
     const auto code = [&](char ground, double damping) {  // in units of a_g
-      return elastic_response(ground_type(ground), 1, damping, seconds);
+      return numerics::elastic_response(numerics::ground_type(ground), 1, damping, seconds);
     };
     rows.push_back({fmt::format("{:.2f} s", seconds), fmt::format("{:.2f}", code('A', 5)),
                     fmt::format("{:.2f}", code('B', 5)), fmt::format("{:.2f}", code('A', 3))});

@@ -12,11 +12,11 @@ namespace {
 
 constexpr double frequency_parameter = 2.14;
 
-PulseCase case_of(const Experiment& experiment) {
-  PulseCase asked;
-  asked.block = make_block(experiment.alpha, frequency_parameter, experiment.restitution);
-  asked.model = experiment.nonlinear ? Model::nonlinear : Model::linear;
-  asked.pulse = experiment.cosine ? Pulse::cosine : Pulse::sine;
+numerics::PulseCase case_of(const Experiment& experiment) {
+  numerics::PulseCase asked;
+  asked.block = numerics::make_block(experiment.alpha, frequency_parameter, experiment.restitution);
+  asked.model = experiment.nonlinear ? numerics::Model::nonlinear : numerics::Model::linear;
+  asked.pulse = experiment.cosine ? numerics::Pulse::cosine : numerics::Pulse::sine;
   asked.omega_ratio = experiment.omega;
   asked.initial = initial_state(asked.block, asked.model, experiment.theta_0, experiment.thetadot_0);
   return asked;
@@ -25,10 +25,10 @@ PulseCase case_of(const Experiment& experiment) {
 }  // namespace
 
 Motion motion_of(const Experiment& experiment, int points) {
-  const PulseCase asked = case_of(experiment);
-  const GroundMotion ground = pulse_motion(asked.pulse, experiment.omega, experiment.amplitude,
-                                           start_level(asked.block, asked.model));
-  const Story story = tell(asked.block, asked.model, ground, asked.initial, experiment.until);
+  const numerics::PulseCase asked = case_of(experiment);
+  const numerics::GroundMotion ground = numerics::pulse_motion(
+      asked.pulse, experiment.omega, experiment.amplitude, numerics::start_level(asked.block, asked.model));
+  const numerics::Story story = tell(asked.block, asked.model, ground, asked.initial, experiment.until);
   Motion motion;
   motion.code = story.outcome.code;
   motion.needed_friction = required_friction(asked.block, asked.model, story).required;
@@ -53,13 +53,13 @@ std::string in_words(int code) {
   return side + "after " + std::to_string(impacts) + " impacts";
 }
 
-std::vector<Window> overturning_amplitudes(const Experiment& experiment, double largest) {
-  WindowSearch search;
+std::vector<numerics::Window> overturning_amplitudes(const Experiment& experiment, double largest) {
+  numerics::WindowSearch search;
   search.largest = largest;
   return overturning_windows(case_of(experiment), search);
 }
 
-Window least_overturning(const Experiment& experiment, double largest) {
+numerics::Window least_overturning(const Experiment& experiment, double largest) {
   const auto least = least_window(overturning_amplitudes(experiment, largest));
   if (!least) throw std::runtime_error("none of the amplitudes asked overturns this block");
   return *least;
@@ -67,7 +67,7 @@ Window least_overturning(const Experiment& experiment, double largest) {
 
 double simulated_without_impact(const Experiment& experiment) {
   const double near = amplitude_without_impact(experiment.omega);
-  return edge_of_code(case_of(experiment), -1, 1.3 * near, std::max(1.02, 0.97 * near)).inside;
+  return numerics::edge_of_code(case_of(experiment), -1, 1.3 * near, std::max(1.02, 0.97 * near)).inside;
 }
 
 std::optional<double> least_by_conditions(const Experiment& experiment, double largest) {
@@ -78,13 +78,15 @@ std::optional<double> least_by_conditions(const Experiment& experiment, double l
   return least;
 }
 
-std::vector<ClosedForm> condition_roots(const Experiment& experiment) {
+std::vector<numerics::ClosedForm> condition_roots(const Experiment& experiment) {
   return closed_forms(case_of(experiment));
 }
 
-std::string conditions_of(const ClosedForm& root) { return "(" + joined(root.equations(), ") and (") + ")"; }
+std::string conditions_of(const numerics::ClosedForm& root) {
+  return "(" + joined(root.equations(), ") and (") + ")";
+}
 
-std::string is_real(const ClosedForm& root) {
+std::string is_real(const numerics::ClosedForm& root) {
   return root.admissible ? "yes" : root.why_not.substr(0, root.why_not.find(':'));
 }
 
@@ -92,12 +94,12 @@ double amplitude_without_impact(double omega) {
   Experiment experiment;
   experiment.omega = omega;
   for (const auto& root : condition_roots(experiment))
-    if (root.form == Form::eq71 && root.admissible) return root.amplitude;
+    if (root.form == numerics::Form::eq71 && root.admissible) return root.amplitude;
   throw std::runtime_error("(71) has no admissible root here");
 }
 
 double pulse_length(double omega, double amplitude) {
-  const GroundMotion motion = pulse_motion(Pulse::sine, omega, amplitude, 1);
+  const numerics::GroundMotion motion = numerics::pulse_motion(numerics::Pulse::sine, omega, amplitude, 1);
   return static_cast<double>(motion.back().to);
 }
 

@@ -4,7 +4,7 @@
 // std::invalid_argument.
 #pragma once
 
-#include <lessons/page/lesson.hpp>  // before the numerics, some of whose names are the same
+#include <lessons/page/lesson.hpp>
 #include <numerics/search/closed_form.hpp>
 #include <numerics/search/windows.hpp>
 #include <optional>
@@ -34,8 +34,8 @@ std::string in_words(int code);
 
 /// The intervals of amplitudes that overturn, each in one way, and the one that begins first:
 /// std::runtime_error if there is none up to `largest`.
-std::vector<Window> overturning_amplitudes(const Experiment& experiment, double largest = 12);
-Window least_overturning(const Experiment& experiment, double largest = 12);
+std::vector<numerics::Window> overturning_amplitudes(const Experiment& experiment, double largest = 12);
+numerics::Window least_overturning(const Experiment& experiment, double largest = 12);
 /// The smallest amplitude that overturns without impact, by simulation alone: bisected until two neighbouring
 /// numbers of the machine are left. The one way to know it for the nonlinear model.
 double simulated_without_impact(const Experiment& experiment);
@@ -44,9 +44,9 @@ std::optional<double> least_by_conditions(const Experiment& experiment, double l
 
 /// The roots of the paper's conditions for overturning; which conditions, "(86) and (88)", and whether the
 /// block moves so: "yes", or why not in short; `rocking threshold` says more.
-std::vector<ClosedForm> condition_roots(const Experiment& experiment);
-std::string conditions_of(const ClosedForm& root);
-std::string is_real(const ClosedForm& root);
+std::vector<numerics::ClosedForm> condition_roots(const Experiment& experiment);
+std::string conditions_of(const numerics::ClosedForm& root);
+std::string is_real(const numerics::ClosedForm& root);
 
 /// a_p/(αg) by (71).
 double amplitude_without_impact(double omega);

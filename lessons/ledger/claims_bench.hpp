@@ -22,53 +22,57 @@ class Bench {
   std::string say(const std::vector<std::string>& ids);
 
   /// All windows up to 12 alpha*g.
-  const std::vector<Window>& windows(const PulseCase& asked);
+  const std::vector<numerics::Window>& windows(const numerics::PulseCase& asked);
   /// The least amplitude that overturns at all, with its code.
-  Window least(const PulseCase& asked);
+  numerics::Window least(const numerics::PulseCase& asked);
   /// The least amplitude without impact, and the least and the largest after one impact, by bisection on the
   /// simulation, in alpha*g; 0 if none up to 20 alpha*g.
-  double mode_1(const PulseCase& asked) { return edge(asked, -1, false); }
-  double mode_2(const PulseCase& asked) { return edge(asked, 2, false); }
-  double mode_2_upper(const PulseCase& asked) { return edge(asked, 2, true); }
-  double mode(int impacts, const PulseCase& asked) { return impacts == 0 ? mode_1(asked) : mode_2(asked); }
+  double mode_1(const numerics::PulseCase& asked) { return edge(asked, -1, false); }
+  double mode_2(const numerics::PulseCase& asked) { return edge(asked, 2, false); }
+  double mode_2_upper(const numerics::PulseCase& asked) { return edge(asked, 2, true); }
+  double mode(int impacts, const numerics::PulseCase& asked) {
+    return impacts == 0 ? mode_1(asked) : mode_2(asked);
+  }
   /// omega_p/p at which the critical impact meets the end of the pulse, and at which mode_2 ends, 0 if at
   /// none; see claims_ratios.hpp.
-  double handover_of(const PulseCase& asked);
-  double end_of(const PulseCase& asked);
+  double handover_of(const numerics::PulseCase& asked);
+  double end_of(const numerics::PulseCase& asked);
 
  private:
-  double edge(const PulseCase& asked, int code_under_sine, bool upper);
+  double edge(const numerics::PulseCase& asked, int code_under_sine, bool upper);
 
   std::vector<Row> rows_ = read_rows(equations_file());
   std::map<std::string, Entry> entries_;
-  std::map<std::string, std::vector<Window>> windows_;
+  std::map<std::string, std::vector<numerics::Window>> windows_;
   std::map<std::string, double> edges_, ratios_;
 };
 
 /// The block of the captions: alpha = 0.25, p = 2.14; without a restitution that of (46).
-Block paper_block(std::optional<double> restitution = {});
+numerics::Block paper_block(std::optional<double> restitution = {});
 /// One-sine or one-cosine pulse on it, from rest.
-PulseCase pulse_case(double omega_ratio, Model model = Model::linear, std::optional<double> restitution = {});
-PulseCase cosine_case(double omega_ratio);
+numerics::PulseCase pulse_case(double omega_ratio, numerics::Model model = numerics::Model::linear,
+                               std::optional<double> restitution = {});
+numerics::PulseCase cosine_case(double omega_ratio);
 /// With theta_0 in rad and thetadot_0 in rad/s.
-PulseCase with_initial(PulseCase asked, double theta_0, double thetadot_0);
+numerics::PulseCase with_initial(numerics::PulseCase asked, double theta_0, double thetadot_0);
 /// The same pulse on a block of another alpha.
-PulseCase with_alpha(PulseCase asked, double alpha, std::optional<double> restitution = {});
+numerics::PulseCase with_alpha(numerics::PulseCase asked, double alpha,
+                               std::optional<double> restitution = {});
 
 /// The roots of one closed form, and the first of them.
-std::vector<ClosedForm> roots_of(Form form, const PulseCase& asked);
-ClosedForm root_of(Form form, const PulseCase& asked);
+std::vector<numerics::ClosedForm> roots_of(numerics::Form form, const numerics::PulseCase& asked);
+numerics::ClosedForm root_of(numerics::Form form, const numerics::PulseCase& asked);
 /// Amplitude in units of g*tan(alpha) instead of alpha*g.
-double in_tangent(const PulseCase& asked, double amplitude);
+double in_tangent(const numerics::PulseCase& asked, double amplitude);
 /// Before it overturns.
-int impacts_of(const Window& window);
+int impacts_of(const numerics::Window& window);
 
 /// The pulse of a case as ground motion, the motion under it, and 400 states of that until the pulse ends.
-GroundMotion ground_of(const PulseCase& asked, double amplitude);
-Response motion_at(const PulseCase& asked, double amplitude);
-std::vector<Sample> samples_at(const PulseCase& asked, double amplitude);
+numerics::GroundMotion ground_of(const numerics::PulseCase& asked, double amplitude);
+numerics::Response motion_at(const numerics::PulseCase& asked, double amplitude);
+std::vector<numerics::Sample> samples_at(const numerics::PulseCase& asked, double amplitude);
 /// When an event of that kind comes first; 0 if never.
-double first_time(const Response& motion, EventKind kind);
+double first_time(const numerics::Response& motion, numerics::EventKind kind);
 
 /// "2.3577": `digits` after the point.
 std::string fixed(double value, int digits = 4);

@@ -14,21 +14,23 @@ constexpr double short_pi = 3.14;
 
 struct Shape {
   std::string says;
-  PulseCase asked;
+  numerics::PulseCase asked;
 };
 
 /// The blocks and models that the text may mean.
 std::vector<Shape> shapes(double omega_ratio, bool with_impact) {
   std::vector<Shape> list;
-  for (const Model model : {Model::linear, Model::nonlinear})
+  for (const numerics::Model model : {numerics::Model::linear, numerics::Model::nonlinear})
     for (const bool ratio : {false, true})
       for (const std::optional<double> e :
            {std::optional<double>{}, std::optional<double>{0.9}, std::optional<double>{1.0}}) {
         if (!with_impact && e) continue;
-        if (model == Model::linear && ratio && (e || !with_impact)) continue;  // free of alpha but for e
+        if (model == numerics::Model::linear && ratio && (e || !with_impact))
+          continue;  // free of alpha but for e
         const double alpha = ratio ? std::atan(0.25) : 0.25;
-        std::string says = fmt::format("{}, alpha = {}", model == Model::linear ? "linear" : "nonlinear",
-                                       ratio ? "atan(0.25)" : "0.25");
+        std::string says =
+            fmt::format("{}, alpha = {}", model == numerics::Model::linear ? "linear" : "nonlinear",
+                        ratio ? "atan(0.25)" : "0.25");
         if (with_impact) says += e ? fmt::format(", e = {:g}", *e) : std::string(", e of (46)");
         list.push_back({says, with_alpha(pulse_case(omega_ratio, model), alpha, e)});
       }
@@ -117,7 +119,7 @@ std::vector<Reading> period_readings(Bench& bench, double omega_ratio, double pr
 std::vector<Reading> handover_readings(Bench& bench) {
   std::vector<Reading> list;
   for (const Shape& shape : shapes(1, true)) {
-    if (shape.asked.model != Model::linear || shape.asked.block.restitution == 1) continue;
+    if (shape.asked.model != numerics::Model::linear || shape.asked.block.restitution == 1) continue;
     if (const double ratio = bench.handover_of(shape.asked); ratio > 0) list.push_back({shape.says, ratio});
   }
   return list;
@@ -127,7 +129,7 @@ std::vector<Reading> end_readings(Bench& bench) {
   std::vector<Reading> list;
   for (const Shape& shape : shapes(1, true)) {
     if (shape.asked.block.restitution == 1) continue;  // without loss it never ends
-    if (shape.asked.model == Model::nonlinear && shape.asked.block.alpha != 0.25) continue;
+    if (shape.asked.model == numerics::Model::nonlinear && shape.asked.block.alpha != 0.25) continue;
     if (const double ratio = bench.end_of(shape.asked); ratio > 0) list.push_back({shape.says, ratio});
   }
   return list;

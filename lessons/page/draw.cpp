@@ -41,7 +41,7 @@ std::string in_quotes(const std::filesystem::path& path) {
 }
 
 std::optional<std::string> drawn(const Figure& figure, const std::string& kind) {
-  return drawn_by_gnuplot(terminals + terminal(kind) + figure.script + "\n");
+  return numerics::drawn_by_gnuplot(terminals + terminal(kind) + figure.script + "\n");
 }
 
 std::optional<std::filesystem::path> draw(const Figure& figure, const std::string& kind,

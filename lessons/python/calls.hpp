@@ -18,7 +18,7 @@
 #include <thread>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::python {
 
 namespace py = pybind11;
 
@@ -49,7 +49,7 @@ template <class Compute>
 auto attended(int count, std::optional<int> threads, const py::object& progress, Compute compute) {
   std::atomic<bool> stop{false};
   std::atomic<int> done{0};
-  Work work;
+  numerics::Work work;
   work.count = count, work.stop = &stop, work.progress = [&](int n) { done = n; };
   const int machine = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   work.threads = static_cast<int>(between("threads", threads.value_or(machine), 1, 1024));
@@ -84,4 +84,4 @@ py::object table(const std::vector<Row>& rows,
   return py::module_::import("numpy").attr("array")(rows, columns);
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::python

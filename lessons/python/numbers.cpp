@@ -8,8 +8,10 @@
 #include <numerics/search/spectrum.hpp>
 #include <numerics/search/story.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::python {
 namespace {
+
+using namespace numerics;
 
 Model model_of(const std::string& name) {
   if (name == "linear") return Model::linear;
@@ -292,10 +294,10 @@ array([[ 2,  2, -1],
 }
 
 }  // namespace
-}  // namespace rederive::inline numeric
+}  // namespace rederive::python
 
 PYBIND11_MODULE(_numbers, module) {
   module.attr("version") = REDERIVE_VERSION;
-  rederive::add_values(module);
-  rederive::add_functions(module);
+  rederive::python::add_values(module);
+  rederive::python::add_functions(module);
 }

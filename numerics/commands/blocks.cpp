@@ -1,7 +1,7 @@
 #include <derivations/program/toml_table.hpp>
 #include <numerics/commands/blocks.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 namespace {
 
 constexpr std::size_t most_blocks = 1000, longest_block_name = 100;
@@ -42,4 +42,4 @@ std::vector<NamedBlock> read_blocks(const std::string& file) {
   return blocks;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

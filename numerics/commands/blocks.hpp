@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 
 struct NamedBlock {
   std::string name;
@@ -17,4 +17,4 @@ struct NamedBlock {
 /// Throws BadInput with file and line for what cannot be read or is out of range.
 std::vector<NamedBlock> read_blocks(const std::string& file);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

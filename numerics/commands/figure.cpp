@@ -5,7 +5,7 @@
 #include <numerics/commands/sweep.hpp>
 #include <numerics/pictures/figures.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 namespace {
 
 struct FigureCommand {
@@ -50,4 +50,4 @@ void add_figure(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return run_figure(*options); }; });
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

@@ -12,7 +12,7 @@
 #include <numerics/pictures/plot.hpp>
 #include <numerics/search/fragility.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -274,4 +274,4 @@ void add_fragility(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return run_fragility(*options); }; });
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

@@ -9,7 +9,7 @@
 #include <numerics/pictures/plot.hpp>
 #include <numerics/search/map.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 namespace {
 
 struct MapCommand {
@@ -129,4 +129,4 @@ void add_map(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return run_map(*options); }; });
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

@@ -11,7 +11,7 @@
 #include <derivations/program/program.hpp>
 #include <numerics/commands/map_part.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -160,11 +160,11 @@ void MapFile::finish(const OutcomeMap& map) {
 
 std::filesystem::path MapFile::part() const { return open_->part.file(); }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands
 
 #else
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 
 struct MapFile::Open {};
 MapFile::MapFile(const std::filesystem::path&, const Attributes&, const std::vector<double>&,
@@ -177,6 +177,6 @@ void MapFile::keep(const OutcomeMap&, std::size_t, std::size_t) {}
 void MapFile::finish(const OutcomeMap&) {}
 std::filesystem::path MapFile::part() const { return {}; }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands
 
 #endif

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 
 /// Names and values that belong to a map: what it was computed from.
 using Attributes = std::vector<std::pair<std::string, std::variant<std::string, double>>>;
@@ -39,4 +39,4 @@ class MapFile {
   std::unique_ptr<Open> open_;
 };
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

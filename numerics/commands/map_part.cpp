@@ -11,7 +11,7 @@
 #include <numerics/commands/map_part.hpp>
 #include <system_error>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 namespace {
 
 constexpr std::string_view file_mark = "rederive map 1\n";
@@ -188,4 +188,4 @@ void MapPart::keep(std::size_t column, const std::vector<int>& codes) {
 
 void MapPart::remove() { ::unlink(file_.c_str()); }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

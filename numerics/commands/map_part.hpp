@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 
 /// The columns of a map in a file FILE.part, written one by one. A column whose checksum is wrong, because
 /// the program was killed as it wrote or because the disk has damaged it, counts as not computed.
@@ -49,4 +49,4 @@ class MapPart {
   int descriptor_ = -1;
 };
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

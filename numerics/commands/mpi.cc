@@ -4,7 +4,7 @@
 
 #include <numerics/commands/ranks.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 namespace {
 
 /// MPI ends all processes by itself where one of its calls fails.
@@ -53,6 +53,8 @@ class MpiRanks final : public Ranks {
 };
 
 }  // namespace
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands
 
-extern "C" rederive::Ranks* rederive_join_ranks() { return new rederive::MpiRanks; }
+extern "C" rederive::numerics::commands::Ranks* rederive_join_ranks() {
+  return new rederive::numerics::commands::MpiRanks;
+}

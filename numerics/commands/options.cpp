@@ -7,7 +7,7 @@
 #include <numerics/commands/options.hpp>
 #include <numerics/pictures/plot.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 
 namespace {
 
@@ -202,4 +202,4 @@ double station(const Span& span, int index) {
   return std::lerp(span.from, span.to, static_cast<double>(index) / (span.count - 1));
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 
 /// Options are kept as text, so that --digits can use every digit that was typed.
 struct CommonOptions {
@@ -85,4 +85,4 @@ void add_map(CLI::App& app, Run& run);
 void add_fragility(CLI::App& app, Run& run);
 void add_figure(CLI::App& app, Run& run);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

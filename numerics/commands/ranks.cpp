@@ -13,7 +13,7 @@
 #include <thread>
 #include <utility>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 namespace {
 
 /// What a letter to rank 0 says: its first character.
@@ -217,4 +217,4 @@ void share_among_ranks(Work& work) {
   work.deal = is_first_rank() ? deal : labour;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 
 /// Letters between the processes. MPI itself stands in a library of its own, loaded under mpirun only.
 class Ranks {
@@ -39,4 +39,4 @@ bool is_first_rank();
 /// then does not return: when nothing is left to do it leaves the command.
 void share_among_ranks(Work& work);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

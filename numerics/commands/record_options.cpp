@@ -1,7 +1,7 @@
 #include <map>
 #include <numerics/commands/record_options.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 namespace {
 
 const std::map<std::string, RecordUnit>& units() {
@@ -42,4 +42,4 @@ std::string option_of_columns(const RecordFlags& flags) {
   return flags.unit.empty() ? "" : "--unit";
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

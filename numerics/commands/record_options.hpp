@@ -5,7 +5,7 @@
 #include <numerics/motion/ground_motion.hpp>
 #include <string>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 
 /// As the user wrote them.
 struct RecordFlags {
@@ -21,4 +21,4 @@ RecordOptions options_of(const RecordFlags& flags);
 /// The option that says what the headers of files say: "--step", "--unit", or "" if none was given.
 std::string option_of_columns(const RecordFlags& flags);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

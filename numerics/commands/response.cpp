@@ -9,7 +9,7 @@
 #include <numerics/search/story.hpp>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -185,4 +185,4 @@ void add_response(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return response(*options); }; });
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

@@ -18,6 +18,7 @@ void refuse_empty_values(const CLI::App& app) {
 
 int main(int argc, char** argv) {
   using namespace rederive;
+  using namespace rederive::numerics::commands;
   open_standard_streams();
   be_silent_unless_first();
   CLI::App app{

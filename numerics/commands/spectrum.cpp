@@ -8,7 +8,7 @@
 #include <numerics/pictures/plot.hpp>
 #include <numerics/search/spectrum.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 namespace {
 
 struct SpectrumCommand {
@@ -131,4 +131,4 @@ void add_spectrum(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return run_spectrum(*options); }; });
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

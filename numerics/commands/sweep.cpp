@@ -8,7 +8,7 @@
 #include <numerics/commands/sweep.hpp>
 #include <thread>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 namespace {
 
 std::atomic<bool>& interruption() {
@@ -59,4 +59,4 @@ void SearchProgress::add(int motions) {
   std::fflush(stderr);
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

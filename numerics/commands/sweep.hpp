@@ -6,7 +6,7 @@
 #include <numerics/search/windows.hpp>
 #include <string>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 
 /// From --threads ("" = as many as the machine has, one a rank under mpirun), shared among ranks, with
 /// progress on a terminal and stopping at Ctrl-C.
@@ -33,4 +33,4 @@ class SearchProgress {
   bool is_shown_ = false;
 };
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics::commands {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -178,4 +178,4 @@ void add_threshold(CLI::App& app, Run& run) {
   command->callback([options, &run] { run = [options] { return threshold(*options); }; });
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics::commands

@@ -9,7 +9,7 @@
 #include <numerics/motion/integrator.hpp>
 #include <utility>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
@@ -172,4 +172,4 @@ Arc Mover::move(const Piece& piece, int side, const Point& start, Real until) {
   return arc;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -5,7 +5,7 @@
 #include <numerics/motion/ground_motion.hpp>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// How an arc ends: at an impact (theta = 0), at the end of the time given, or lying on the side.
 enum class ArcEnd { impact, time, lies };
@@ -62,4 +62,4 @@ class Mover {
   Advance advance_;
 };
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

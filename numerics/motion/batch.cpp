@@ -7,12 +7,11 @@
 #include <numerics/motion/parallel.hpp>
 #include <type_traits>
 
-namespace rederive {
+namespace rederive::numerics {
 
 using RunBatch = void(const BatchBlock&, const BatchStart*, BatchEnd*, int);
 RunBatch run_batch_one_lane, run_batch_baseline, run_batch_v3, run_batch_v4;
 
-inline namespace numeric {
 namespace {
 
 using Launch = PulseBatch::Launch;
@@ -298,5 +297,4 @@ std::vector<Outcome> outcomes_before_last_push(const PulseCase& asked, const std
   });
 }
 
-}  // namespace numeric
-}  // namespace rederive
+}  // namespace rederive::numerics

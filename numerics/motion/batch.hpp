@@ -6,7 +6,7 @@
 #include <numerics/motion/overturning.hpp>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// Angles in rad, times p t, accelerations over g; in the linear model, of which alpha is the only scale,
 /// angles over alpha, accelerations over alpha g.
@@ -98,4 +98,4 @@ std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<doubl
 std::vector<Outcome> outcomes_before_last_push(const PulseCase& asked, const std::vector<double>& amplitudes,
                                                int threads = 1);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -1,17 +1,21 @@
 // The kernel of every processor; numerics/CMakeLists.txt says with which flags.
 #include <numerics/motion/batch_kernel.hpp>
 
-namespace rederive {
+namespace {
 
 using Vector = std::experimental::native_simd<double>;
 
+}  // namespace
+
 template <>
-inline Vector emitted::root(Vector x, int n) {
-  return rough_root(x, n);
+inline Vector rederive::emitted::root(Vector x, int n) {
+  return rederive::numerics::rough_root(x, n);
 }
+
+namespace rederive::numerics {
 
 void run_batch_baseline(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends, int count) {
   run_batch<Vector>(block, starts, ends, count);
 }
 
-}  // namespace rederive
+}  // namespace rederive::numerics

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <experimental/simd>
 
-namespace rederive {
+namespace rederive::numerics {
 
 /// A polynomial y of the time and its rate v, as emitted::value_at has the value.
 template <class V, std::size_t size>
@@ -96,4 +96,4 @@ FirstZero<V> first_zero(const V (&series)[size], V until, V above, V below, type
   return zero;
 }
 
-}  // namespace rederive
+}  // namespace rederive::numerics

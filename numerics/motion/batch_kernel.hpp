@@ -11,7 +11,7 @@
 #include <numerics/motion/batch_events.hpp>
 #include <type_traits>
 
-namespace rederive {
+namespace rederive::numerics {
 
 /// x^(1/n) or up to 7 percent more, by a logarithm that is linear between powers of two: the same on any
 /// machine.
@@ -281,4 +281,4 @@ void run_batch(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends
   run(block, starts, ends, count);
 }
 
-}  // namespace rederive
+}  // namespace rederive::numerics

@@ -6,7 +6,7 @@
 #include <numerics/motion/block.hpp>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 Block make_block(double alpha, double p, std::optional<double> restitution) {
   if (!(alpha >= 1e-12 && alpha < std::numbers::pi / 2))
@@ -55,4 +55,4 @@ Real acceleration(const Block& block, Model model, int side, Real angle, Real gr
          alpha;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

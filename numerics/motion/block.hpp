@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// g in m/s^2, where a length or an acceleration is given in SI units.
 inline constexpr double standard_gravity = 9.81;
@@ -45,4 +45,4 @@ struct Point {
 /// (21a,b) or, for the linear model, of (56a,b).
 Real acceleration(const Block& block, Model model, int side, Real angle, Real ground);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

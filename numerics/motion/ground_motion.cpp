@@ -7,7 +7,7 @@
 #include <numerics/motion/ground_motion.hpp>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 constexpr Real pi = std::numbers::pi_v<Real>;
@@ -85,9 +85,9 @@ Real ground_at(const Piece& piece, Real time) {
   return value;
 }
 
-numeric::Range ground_range(const Piece& piece, Real from, Real to) {
+Range ground_range(const Piece& piece, Real from, Real to) {
   const Real a = ground_at(piece, from), b = ground_at(piece, to);
-  numeric::Range range{std::min(a, b), std::max(a, b)};
+  Range range{std::min(a, b), std::max(a, b)};
   if (piece.amplitude == 0) return range;
   const Real low = piece.omega * (from - piece.from) + piece.phase;
   const Real high = piece.omega * (to - piece.from) + piece.phase;
@@ -125,4 +125,4 @@ GroundMotion record_motion(const Record& record, const Block& block, double scal
   return motion;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 enum class Pulse { sine, cosine };
 
@@ -37,7 +37,7 @@ struct Range {
   Real low, high;
 };
 /// Bounds of the ground acceleration over [from, to] inside the piece.
-numeric::Range ground_range(const Piece& piece, Real from, Real to);
+Range ground_range(const Piece& piece, Real from, Real to);
 /// The greatest size of the ground acceleration over [from, to] inside the piece, in double precision.
 double most_ground(const Piece& piece, Real from, Real to);
 
@@ -80,4 +80,4 @@ inline Record read_record(const std::string& file, RecordUnit unit, double step 
 /// The record interpolated linearly, for a block with this alpha and p.
 GroundMotion record_motion(const Record& record, const Block& block, double scale = 1);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -8,7 +8,7 @@
 #include <numerics/motion/integrator.hpp>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 struct Motion {
@@ -106,4 +106,4 @@ Point RockingIntegrator::integrate(const Piece& piece, int side, const Point& fr
   return {time, state[0], state[1]};
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -6,7 +6,7 @@
 #include <memory>
 #include <numerics/motion/ground_motion.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// GSL's eighth-order Prince-Dormand method with step control (Hairer, Norsett, Wanner, Solving Ordinary
 /// Differential Equations I, 2nd ed. 1993, sections II.4-II.6); time is counted from the start of each call,
@@ -35,4 +35,4 @@ class RockingIntegrator {
   double guess_ = 0.1;  ///< the last step size that worked
 };
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

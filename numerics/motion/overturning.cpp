@@ -4,7 +4,7 @@
 #include <numerics/motion/overturning.hpp>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 /// What free motion on one side comes to: the velocity with which it just reaches theta = alpha from here,
@@ -70,4 +70,4 @@ Outcome outcome_at(const PulseCase& asked, Real amplitude) {
   return outcome_of(asked.block, asked.model, motion, asked.initial, asked.tolerance);
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

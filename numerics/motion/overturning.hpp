@@ -5,7 +5,7 @@
 
 #include <numerics/motion/response.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// How far the free motion at the end of the ground motion is from each way of overturning; positive = it
 /// does.
@@ -55,4 +55,4 @@ struct PulseCase {
 /// instant then, and std::invalid_argument is thrown.
 Outcome outcome_at(const PulseCase& asked, Real amplitude);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

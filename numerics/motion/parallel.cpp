@@ -5,7 +5,7 @@
 #include <thread>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 int for_each_index(const Work& work, const std::function<void(int)>& body) {
   std::atomic<int> next{0};
@@ -36,4 +36,4 @@ int for_each_index(const Work& work, const std::function<void(int)>& body) {
   return done;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

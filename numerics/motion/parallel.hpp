@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 template <class Value>
 struct Task;
@@ -61,4 +61,4 @@ void share(const Work& work, const Task<Value>& task) {
   });
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

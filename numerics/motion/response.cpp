@@ -7,7 +7,7 @@
 #include <numerics/motion/response.hpp>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 /// Where a history is wanted, impacts slower than this, in units of alpha p, are at the end of a chain; where
@@ -231,4 +231,4 @@ std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion&
   return samples;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// theta_0/alpha and thetadot_0/(alpha p) at tau = 0; both zero: at rest.
 struct InitialState {
@@ -79,4 +79,4 @@ struct Sample {
 std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion& motion,
                             const Response& response, Real until, int count);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

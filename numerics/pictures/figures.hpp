@@ -6,7 +6,7 @@
 #include <numerics/motion/parallel.hpp>
 #include <numerics/pictures/plot.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 struct FigureOptions {
   double ground_acceleration = 0.24;  ///< a_g/g of figure 16: the paper does not say which it used
@@ -34,4 +34,4 @@ struct HistoryCurve {
 };
 std::vector<Panel> history_panels(const std::vector<HistoryCurve>& curves);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

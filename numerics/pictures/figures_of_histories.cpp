@@ -7,7 +7,7 @@
 #include <numerics/search/windows.hpp>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 constexpr double span_of_tau = 16;
@@ -167,4 +167,4 @@ Figure history_figure(int number, const FigureOptions& options) {
   }
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

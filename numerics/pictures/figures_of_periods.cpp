@@ -8,7 +8,7 @@
 #include <numerics/records/code_spectrum.hpp>
 #include <numerics/search/closed_form.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 const char* const period_label = "T = T_{ex} (s)";
@@ -135,4 +135,4 @@ Figure code_comparison_figure(const FigureOptions& options) {
   return figure;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <tuple>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 constexpr double highest = 12;        // of the axis
@@ -242,4 +242,4 @@ Figure paper_figure(int number, const FigureOptions& options) {
   }
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -8,7 +8,7 @@
 #include <numerics/pictures/gnuplot.hpp>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 /// A file that has no name and goes with this object; behind 0, 1 and 2, which a child has for itself.
@@ -74,4 +74,4 @@ std::optional<std::string> drawn_by_gnuplot(const std::string& script) {
   return picture;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

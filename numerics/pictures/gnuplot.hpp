@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// The picture that a script draws, in the terminal that it sets: the same bytes each time, for the date that
 /// a PDF says it was made at is 1970; nothing if gnuplot is not installed. No file is written that could stay
@@ -12,4 +12,4 @@ namespace rederive::inline numeric {
 /// room for it.
 std::optional<std::string> drawn_by_gnuplot(const std::string& script);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 namespace fs = std::filesystem;
@@ -150,4 +150,4 @@ std::string figure_data(const Figure& figure) {
   return text;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// A curve, or points (`marks`), with a name for the key; a point that is not finite breaks the curve.
 struct Curve {
@@ -51,4 +51,4 @@ void draw(const Shades& shades, const std::filesystem::path& file);
 /// All curves as text: "panel,curve,x,y" lines under a header.
 std::string figure_data(const Figure& figure);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

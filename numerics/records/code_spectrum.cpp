@@ -5,7 +5,7 @@
 #include <numerics/records/code_spectrum.hpp>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 const std::vector<GroundType>& ground_types() {
   static const std::vector<GroundType> table{{'A', 1.0, 0.15, 0.4, 2.0},
@@ -44,4 +44,4 @@ double elastic_response(const GroundType& ground, double ground_acceleration, do
   return scale * plateau * ground.period_c * ground.period_d / (period * period);
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// A row of Table 3.2: soil factor and corner periods in s.
 struct GroundType {
@@ -26,4 +26,4 @@ double damping_correction(double damping_percent);
 double elastic_response(const GroundType& ground, double ground_acceleration, double damping_percent,
                         double period);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

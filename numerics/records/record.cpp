@@ -12,7 +12,7 @@
 #include <optional>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -285,4 +285,4 @@ Record read_record(const std::string& file, const RecordOptions& options) {
           .is_headed = header.has_value()};
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

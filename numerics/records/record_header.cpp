@@ -7,7 +7,7 @@
 #include <numerics/records/record_header.hpp>
 #include <regex>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 std::string head_of(const std::string& line) { return line.substr(0, 200); }
 
@@ -225,4 +225,4 @@ std::optional<RecordHeader> record_header(const Lines& lines, const std::string&
   return peer_header(lines, file);
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 struct RecordHeader {
   std::size_t first = 0;      ///< index of the first line of values
@@ -44,4 +44,4 @@ double unit_in_g(const std::string& unit, const std::string& file, std::size_t l
 /// Refuses a description of the values, such as "VELOCITY TIME SERIES", that is not of accelerations.
 void check_quantity(const std::string& description, const std::string& file, std::size_t line);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

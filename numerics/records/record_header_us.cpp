@@ -6,7 +6,7 @@
 #include <numerics/records/record_header.hpp>
 #include <regex>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -95,4 +95,4 @@ std::optional<RecordHeader> cosmos_header(const Lines& lines, const std::string&
   return std::nullopt;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

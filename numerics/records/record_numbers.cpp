@@ -7,7 +7,7 @@
 #include <numerics/records/record_numbers.hpp>
 #include <numerics/records/record_text.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 constexpr std::string_view blanks = " \t\f\v";
@@ -210,4 +210,4 @@ Comma comma_in(const std::vector<std::string>& lines, std::size_t first, const s
   return Comma::decimal_point;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// What a comma between two digits is in a file.
 enum class Comma { separator, decimal_point };
@@ -40,4 +40,4 @@ bool has_columns(const std::string& line, const NumberStyle& style);
 /// Whether nothing of the line is a number by its meaning: it is blank, or begins with # or %.
 bool is_comment(const std::string& line);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

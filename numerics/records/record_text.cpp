@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 using namespace std::string_view_literals;
@@ -111,4 +111,4 @@ std::vector<std::string> lines_of_record(const std::string& file) {
   return lines;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

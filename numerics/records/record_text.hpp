@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// Throws std::invalid_argument: "file:line: why".
 [[noreturn]] void refuse(const std::string& file, std::size_t line, std::string why);
@@ -16,4 +16,4 @@ namespace rederive::inline numeric {
 /// a million lines, is compressed or in UTF-32, or goes on behind a Ctrl-Z.
 std::vector<std::string> lines_of_record(const std::string& file);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

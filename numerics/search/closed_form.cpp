@@ -9,7 +9,7 @@
 #include <numerics/search/roots.hpp>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 /// A pulse longer than this magnifies rounding so much that an impact's roots are sought in balls.
@@ -244,4 +244,4 @@ std::vector<ClosedForm> closed_forms(const PulseCase& asked, const std::vector<F
   return closed_forms(asked.pulse, exact_case_of(asked), wanted);
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// (71), (78): without impact from rest; (86)&(88): one impact before the pulse ends; (92a)&(96): one after;
 /// (103): cosine pulse to theta>0; (104): sine pulse to theta<0, both with initial conditions.
@@ -64,7 +64,7 @@ std::vector<ClosedForm> closed_forms(const PulseCase& asked, const std::vector<F
 /// in balls.
 std::string contradiction(Form form, Pulse pulse, const ExactCase& exact, const ExactRoot& root);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics
 
 namespace rederive::emitted {
 template <>

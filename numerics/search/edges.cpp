@@ -5,7 +5,7 @@
 #include <numerics/search/edges.hpp>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 int parts_of(const std::vector<Gap>& gaps) {
@@ -147,4 +147,4 @@ Change edge_of_code(const PulseCase& asked, int code, double inside, double outs
   return {ends[0].amplitude, ends[1].amplitude};
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -5,7 +5,7 @@
 #include <numerics/search/stations.hpp>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// So many amplitudes are asked at once at least, to keep the lanes of the kernel busy.
 constexpr int together = 16;
@@ -26,4 +26,4 @@ PulseCase exactly(PulseCase asked);
 /// other; else std::invalid_argument is thrown.
 Change edge_of_code(const PulseCase& asked, int code, double inside, double outside);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

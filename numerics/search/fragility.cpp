@@ -13,7 +13,7 @@
 #include <numerics/search/fragility.hpp>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 /// ln Phi(x), also where Phi(x) is less than any double.
@@ -231,4 +231,4 @@ LognormalFit lognormal_fit(const std::vector<double>& peaks, const std::vector<s
       ""};
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// What a record is scaled by: its largest |acceleration|, in g, or |velocity|, in m/s.
 enum class Peak { acceleration, velocity };
@@ -61,4 +61,4 @@ struct LognormalFit {
 /// Miller, Biometrika 61 (1974) 1-15; S. R. Lipsitz et al., Biometrics 50 (1994) 842-846).
 LognormalFit lognormal_fit(const std::vector<double>& peaks, const std::vector<std::vector<char>>& outcomes);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

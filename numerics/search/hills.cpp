@@ -8,7 +8,7 @@
 #include <numerics/search/hills.hpp>
 #include <optional>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 /// Beside the outcome, how far the chain had come when the last push began.
@@ -188,4 +188,4 @@ std::vector<Station> stations_below(const PulseCase& asked, const WindowSearch& 
   return HillSearch(asked, search, lowest, overturns).found();
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

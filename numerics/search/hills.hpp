@@ -4,7 +4,7 @@
 #include <numerics/search/stations.hpp>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// Stations below `overturns`, which overturns, down to `lowest`: among them one in each window found there.
 ///
@@ -17,4 +17,4 @@ namespace rederive::inline numeric {
 std::vector<Station> stations_below(const PulseCase& asked, const WindowSearch& search, double lowest,
                                     const Station& overturns);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -3,7 +3,7 @@
 #include <numerics/search/map.hpp>
 #include <optional>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 OutcomeMap outcome_map(const PulseCase& asked, std::vector<double> omega_ratios,
                        std::vector<double> amplitudes, Work work, MapKeeper keeper) {
@@ -54,4 +54,4 @@ OutcomeMap outcome_map(const PulseCase& asked, std::vector<double> omega_ratios,
   return map;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

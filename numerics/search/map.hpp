@@ -5,7 +5,7 @@
 #include <numerics/motion/parallel.hpp>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 struct OutcomeMap {
   std::vector<double> omega_ratios, amplitudes;
@@ -24,4 +24,4 @@ struct MapKeeper {
 OutcomeMap outcome_map(const PulseCase& asked, std::vector<double> omega_ratios,
                        std::vector<double> amplitudes, Work work, MapKeeper keeper = {});
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

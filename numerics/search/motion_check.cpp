@@ -8,7 +8,7 @@
 #include <numerics/motion/arc.hpp>
 #include <numerics/search/closed_form.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 /// What the phase alone forbids.
@@ -127,4 +127,4 @@ std::string contradiction(Form form, Pulse pulse, const ExactCase& exact, const 
   return reason.empty() ? other_motion(form, pulse, exact, root) : reason;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 constexpr double resolution = 4 * std::numeric_limits<double>::epsilon();
@@ -120,4 +120,4 @@ std::vector<Change> sign_changes(const RealFunction& f, double low, double high,
   return changes;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 using RealFunction = std::function<double(double)>;
 
@@ -28,4 +28,4 @@ double least_between(const RealFunction& f, double low, double high);
 /// points, and those of dips of |f| that pass through zero in between.
 std::vector<Change> sign_changes(const RealFunction& f, double low, double high, int count);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -1,7 +1,7 @@
 #include <cstdlib>
 #include <numerics/search/spectrum.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 SpectrumPoint spectrum_point(const PulseCase& asked, const WindowSearch& search) {
   SpectrumPoint point;
@@ -35,4 +35,4 @@ std::vector<SpectrumPoint> spectrum(const PulseCase& asked, const std::vector<do
   return points;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

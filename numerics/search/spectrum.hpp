@@ -4,7 +4,7 @@
 #include <numerics/motion/parallel.hpp>
 #include <numerics/search/windows.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// The least amplitude that overturns and its code; the least without impact (|code| = 1); the least and the
 /// largest after one impact (|code| = 2). Empty = none up to the largest amplitude asked, or no end below it.
@@ -21,4 +21,4 @@ SpectrumPoint spectrum_point(const PulseCase& asked, const WindowSearch& search 
 std::vector<SpectrumPoint> spectrum(const PulseCase& asked, const std::vector<double>& omega_ratios,
                                     const WindowSearch& search, Work work);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

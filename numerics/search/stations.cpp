@@ -2,7 +2,7 @@
 #include <numerics/motion/batch.hpp>
 #include <numerics/search/stations.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 double squeezed(Real margin) { return static_cast<double>(margin / (1 + std::abs(margin))); }
@@ -45,4 +45,4 @@ std::vector<std::vector<Station>> parted(const PulseCase& asked, const std::vect
   return rows;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

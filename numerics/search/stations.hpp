@@ -5,7 +5,7 @@
 #include <numerics/search/window_search.hpp>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// The outcome at one amplitude, the margins squeezed into (-1, 1) so that their steep parts do not hide the
 /// rest.
@@ -31,4 +31,4 @@ struct Gap {
 std::vector<std::vector<Station>> parted(const PulseCase& asked, const std::vector<Gap>& gaps, int parts,
                                          const WindowSearch& search = {});
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -5,7 +5,7 @@
 #include <numerics/search/roots.hpp>
 #include <numerics/search/story.hpp>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 constexpr Real long_enough = 60;  ///< e^60 times any margin above zero has left |theta| = alpha behind
@@ -123,4 +123,4 @@ Friction required_friction(const Block& block, Model model, const Story& story) 
   return friction;
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -4,7 +4,7 @@
 #include <numerics/motion/overturning.hpp>
 #include <optional>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 struct Story {
   Outcome outcome;
@@ -35,4 +35,4 @@ struct Friction {
 };
 Friction required_friction(const Block& block, Model model, const Story& story);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

@@ -5,7 +5,7 @@
 #include <functional>
 #include <stdexcept>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 struct WindowSearch {
   double largest = 12;      ///< the largest amplitude asked
@@ -25,4 +25,4 @@ struct Stopped : std::runtime_error {
   Stopped() : std::runtime_error("the search was stopped") {}
 };
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

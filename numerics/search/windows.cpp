@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <tuple>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 namespace {
 
 auto itinerary(const Station& s) {
@@ -212,4 +212,4 @@ std::optional<Window> least_window(const std::vector<Window>& windows) {
   return windows.front();
 }
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

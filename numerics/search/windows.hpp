@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace rederive::inline numeric {
+namespace rederive::numerics {
 
 /// Amplitudes a_p/(alpha g) from .. to that overturn with one code; `to` is empty if it reaches the largest
 /// asked.
@@ -38,4 +38,4 @@ double narrowest_found(const WindowSearch& search);
 /// The window of the smallest amplitude, if any.
 std::optional<Window> least_window(const std::vector<Window>& windows);
 
-}  // namespace rederive::inline numeric
+}  // namespace rederive::numerics

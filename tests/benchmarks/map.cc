@@ -9,6 +9,7 @@
 #include "timing.hpp"
 
 using namespace rederive;
+using namespace rederive::numerics;
 using namespace rederive::benchmarks;
 
 namespace {

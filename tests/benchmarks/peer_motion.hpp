@@ -14,16 +14,16 @@ using State = std::array<double, 2>;  // theta, thetadot
 
 /// Equations (21a,b) or (56) under a one-sine pulse, on one side, after some impacts; p = 1.
 struct Motion {
-  Model model;
+  numerics::Model model;
   double alpha, restitution, amplitude, omega, psi;
   int side = -1, impacts = 0;
 
   void rates(double t, const double* y, double* rate) const {
     const double ground = emitted::ground_of_sine_pulse(amplitude, omega, psi, t);
     rate[0] = y[1];
-    rate[1] = model == Model::linear ? y[0] - side * alpha - ground
-              : side < 0             ? emitted::angular_acceleration_negative(alpha, 1.0, y[0], ground)
-                                     : emitted::angular_acceleration_positive(alpha, 1.0, y[0], ground);
+    rate[1] = model == numerics::Model::linear ? y[0] - side * alpha - ground
+              : side < 0 ? emitted::angular_acceleration_negative(alpha, 1.0, y[0], ground)
+                         : emitted::angular_acceleration_positive(alpha, 1.0, y[0], ground);
   }
 };
 
@@ -60,9 +60,9 @@ class Integrator {
 };
 
 /// The code of a one-sine pulse from rest.
-inline int code_by(Integrator& integrator, const PulseCase& asked, double omega, double amplitude) {
+inline int code_by(Integrator& integrator, const numerics::PulseCase& asked, double omega, double amplitude) {
   const double alpha = asked.block.alpha, restitution = asked.block.restitution;
-  const bool linear = asked.model == Model::linear;
+  const bool linear = asked.model == numerics::Model::linear;
   const double level = linear ? alpha : emitted::ground_that_starts(alpha);
   if (alpha * amplitude <= level) return 0;
   Motion motion{asked.model,       alpha, restitution,

@@ -42,7 +42,7 @@ class Gsl : public Integrator {
       const double before = t;
       const State start = y;
       gsl_odeiv2_evolve_apply(evolve_, control_, step_, &system, &t, end, &h, y.data());
-      if (motion.model == Model::nonlinear && motion.side * y[0] >= std::numbers::pi / 2) return;
+      if (motion.model == numerics::Model::nonlinear && motion.side * y[0] >= std::numbers::pi / 2) return;
       if (motion.side * y[0] > 0) {
         if (decides_early && early_code(motion, t, y, end)) return;
         continue;
@@ -83,7 +83,7 @@ class Odeint : public Integrator {
       stepper.do_step(rates);
       t = std::min(end, stepper.current_time());
       stepper.calc_state(t, y);
-      if (motion.model == Model::nonlinear && motion.side * y[0] >= std::numbers::pi / 2) return;
+      if (motion.model == numerics::Model::nonlinear && motion.side * y[0] >= std::numbers::pi / 2) return;
       if (motion.side * y[0] <= 0) break;
       if (t >= end) return;
     }
@@ -178,7 +178,8 @@ class Sundials : public Integrator {
   static int events(double, N_Vector y, double* g, void* self) {
     const double theta = N_VGetArrayPointer(y)[0];
     const Motion& motion = static_cast<Sundials*>(self)->motion_;
-    g[0] = theta, g[1] = motion.model == Model::linear ? 1 : std::numbers::pi / 2 - motion.side * theta;
+    g[0] = theta,
+    g[1] = motion.model == numerics::Model::linear ? 1 : std::numbers::pi / 2 - motion.side * theta;
     return 0;
   }
 

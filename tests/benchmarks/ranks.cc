@@ -15,6 +15,8 @@
 #include "timing.hpp"
 
 using namespace rederive;
+using namespace rederive::numerics;
+using namespace rederive::numerics::commands;
 using namespace rederive::benchmarks;
 
 namespace {

@@ -10,6 +10,7 @@
 #include <numerics/search/windows.hpp>
 
 using namespace rederive;
+using namespace rederive::numerics;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "timing.hpp"
 
 using namespace rederive;
+using namespace rederive::numerics;
 using namespace rederive::benchmarks;
 
 namespace {

@@ -6,6 +6,8 @@
 #include <tests/fuzz/fuzz.hpp>
 
 using namespace rederive;
+using namespace rederive::numerics;
+using namespace rederive::numerics::commands;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::vector<std::string> arguments = fuzz::lines_of(fuzz::text_of(data, size));

@@ -6,6 +6,7 @@
 #include <tests/fuzz/fuzz.hpp>
 
 using namespace rederive;
+using namespace rederive::numerics;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const fuzz::File file(fuzz::text_of(data, size));

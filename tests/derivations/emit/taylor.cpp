@@ -10,6 +10,7 @@
 #include <tests/run_program.hpp>
 
 using namespace rederive;
+using namespace rederive::numerics;
 using GiNaC::ex;
 
 namespace {

@@ -30,9 +30,9 @@ Result with_change(const std::string& id, const std::string& from, const std::st
 }
 
 /// The block of the captions with e = 0.9 under a one-sine pulse.
-const rederive::PulseCase statue = [] {
-  rederive::PulseCase asked;
-  asked.block = rederive::make_block(0.25, 2.14, 0.9);
+const rederive::numerics::PulseCase statue = [] {
+  rederive::numerics::PulseCase asked;
+  asked.block = rederive::numerics::make_block(0.25, 2.14, 0.9);
   return asked;
 }();
 
@@ -109,18 +109,20 @@ TEST_CASE("the claims tell the ratios at which overturning after one impact chan
   const auto found = [](const std::string& id) {
     return claim_of(run_program("ledger", {"claims", id, "--json"}))["found"].get<std::string>();
   };
-  CHECK(found("c45").find(fmt::format("{:.7g}", handover(statue)->omega_ratio)) != std::string::npos);
-  CHECK(found("c57b").find(fmt::format("{:.7g}", end_of_mode_2(statue)->omega_ratio)) != std::string::npos);
+  CHECK(found("c45").find(fmt::format("{:.7g}", rederive::handover(statue)->omega_ratio)) !=
+        std::string::npos);
+  CHECK(found("c57b").find(fmt::format("{:.7g}", rederive::end_of_mode_2(statue)->omega_ratio)) !=
+        std::string::npos);
 }
 
 TEST_CASE("the linear hand-over solves (86) and (88) with t_i = T_ex") {
-  const auto change = handover(statue);
+  const auto change = rederive::handover(statue);
   REQUIRE(change);
-  rederive::PulseCase there = statue;
+  rederive::numerics::PulseCase there = statue;
   there.omega_ratio = change->omega_ratio * (1 - 1e-10);
   const auto roots = closed_forms(there);
   const auto root = std::find_if(roots.begin(), roots.end(), [](const auto& each) {
-    return each.form == rederive::Form::eq86_88 && each.admissible;
+    return each.form == rederive::numerics::Form::eq86_88 && each.admissible;
   });
   REQUIRE(root != roots.end());
   CHECK(*root->impact_time == doctest::Approx(root->pulse_end).epsilon(1e-8));
@@ -128,16 +130,17 @@ TEST_CASE("the linear hand-over solves (86) and (88) with t_i = T_ex") {
 }
 
 TEST_CASE("the hand-over has its impact at the end of the pulse, and mode 2 ends where it should") {
-  for (rederive::Model model : {rederive::Model::linear, rederive::Model::nonlinear}) {
-    rederive::PulseCase of = statue;
+  for (rederive::numerics::Model model :
+       {rederive::numerics::Model::linear, rederive::numerics::Model::nonlinear}) {
+    rederive::numerics::PulseCase of = statue;
     of.model = model;
-    const auto change = handover(of);
+    const auto change = rederive::handover(of);
     REQUIRE(change);
-    rederive::PulseCase there = of;
+    rederive::numerics::PulseCase there = of;
     there.omega_ratio = change->omega_ratio;
     const auto windows = overturning_windows(there);
     CHECK(windows.front().from == doctest::Approx(change->amplitude).epsilon(1e-9));
-    const auto end = end_of_mode_2(of);
+    const auto end = rederive::end_of_mode_2(of);
     REQUIRE(end);
     there.omega_ratio = end->omega_ratio * (1 - 1e-6);
     CHECK(outcome_at(there, end->amplitude).code == 2);

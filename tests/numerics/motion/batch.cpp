@@ -1,6 +1,7 @@
 // The batched kernels against outcome_at, which integrates by GSL, and against each other.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -10,6 +11,7 @@
 #include <tuple>
 
 using namespace rederive;
+using namespace rederive::numerics;
 
 namespace {
 

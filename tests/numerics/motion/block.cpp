@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 using namespace rederive;
+using namespace rederive::numerics;
 
 TEST_CASE("a block is given by its stockiness or by its size") {
   const Block by_size = block_from_size(0.11, 1.0);

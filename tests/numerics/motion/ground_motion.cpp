@@ -9,6 +9,7 @@
 #include <tests/run_program.hpp>
 
 using namespace rederive;
+using namespace rederive::numerics;
 
 namespace {
 

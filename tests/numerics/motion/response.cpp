@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 using namespace rederive;
+using namespace rederive::numerics;
 
 namespace {
 

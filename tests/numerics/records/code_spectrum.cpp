@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 using namespace rederive;
+using namespace rederive::numerics;
 
 TEST_CASE("EN 1998-1 Table 3.2 has grounds A to E") {
   CHECK(ground_types().size() == 5);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 using namespace rederive;
+using namespace rederive::numerics;
 
 namespace {
 

@@ -3,6 +3,7 @@
 #include <numerics/search/map.hpp>
 
 using namespace rederive;
+using namespace rederive::numerics;
 
 TEST_CASE("a map holds the outcome of each point, whatever the number of threads") {
   PulseCase asked;

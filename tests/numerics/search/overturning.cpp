@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 using namespace rederive;
+using namespace rederive::numerics;
 
 namespace {
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 using namespace rederive;
+using namespace rederive::numerics;
 
 TEST_CASE("a spectrum is its windows, whatever the number of threads") {
   PulseCase asked;
