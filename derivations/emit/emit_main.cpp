@@ -80,8 +80,9 @@ std::vector<std::string> names_of_targets() {
 }
 
 int run(const Options& options) {
-  if (!options.list && options.target.empty()) throw BadInput("say what to write: --target cpp, or --list");
-  if (options.json && !options.list) throw BadInput("--json goes with --list");
+  if (!options.list && options.target.empty())
+    throw BadInput("nothing to write: give a language, such as --target cpp, or --list");
+  if (options.json && !options.list) throw BadInput("--json needs --list");
   const Target target = options.list ? Target::cpp : targets().at(options.target);  // cpp has all there is
   const Emission all = emission_of(options.functions, target);
   const std::string text = options.list ? listed(all, options.json)
@@ -98,18 +99,24 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app{
-      "Writes the derived functions as source code, common subexpressions shared, and, as C++ and "
-      "JavaScript, "
-      "the steppers that integrate the motion by its Taylor series."};
+      "Writes the derived functions as source code, with common subexpressions shared. In C++ and JavaScript "
+      "it also\nwrites the steppers that integrate the motion by its Taylor series."};
+  app.footer(
+      "Examples:\n"
+      "  $ emit --list\n"
+      "  $ emit --target python --function restitution\n"
+      "  $ emit --target cpp --out rocking_block.hpp\n\n");
   Options options;
-  app.add_flag("--list", options.list, "show the functions with their arguments and equations");
-  app.add_flag("--json", options.json, "with --list: one JSON document");
-  app.add_option("--target", options.target, "the language to write")
+  app.add_flag("--list", options.list, "List the functions with their arguments and equations.");
+  app.add_flag("--json", options.json, "With --list, write one JSON document.");
+  app.add_option("--target", options.target, "Choose the language to write. Required unless --list is given.")
       ->check(CLI::IsMember(names_of_targets()));
-  app.add_option("--function", options.functions, "only this function; may be given several times")
+  app.add_option("--function", options.functions,
+                 "Write only this function. May be given several times. Default: all functions.")
       ->allow_extra_args(false)
       ->option_text("NAME");
-  app.add_flag("--no-sharing", options.no_sharing, "compute every subexpression where it is used");
-  app.add_option("--out", options.out, "write to this file instead of standard output")->check(file_name);
+  app.add_flag("--no-sharing", options.no_sharing,
+               "Compute every subexpression where it is used, without sharing.");
+  app.add_option("--out", options.out, "Write to this file. Default: standard output.")->check(file_name);
   return run_command(app, argc, argv, [&] { return run(options); });
 }

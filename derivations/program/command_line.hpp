@@ -1,5 +1,5 @@
-// The command line of a program, read by CLI11: only what has a main() includes this, since CLI11 is much to
-// compile.
+// The command line of a program, read by CLI11. Include this file only where there is a main(), because CLI11
+// takes long to compile.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,8 +13,8 @@
 
 namespace rederive {
 
-/// The arguments as CLI11 takes them, the last one first. A formula may begin with a minus: "-x" is no
-/// option, and gets a space before it, so that it is not taken for one.
+/// Returns the arguments as CLI11 takes them, the last one first. A formula may begin with a minus: "-x" is
+/// not an option, so it gets a space before it. Throws BadInput for "--option=" without a value.
 inline std::vector<std::string> arguments_of(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   for (std::string& argument : arguments) {  // after "--" nothing is an option
@@ -26,16 +26,16 @@ inline std::vector<std::string> arguments_of(int argc, char** argv) {
     // of "--option=" CLI11 would take the next argument
     const std::size_t end = argument.find_first_not_of("-abcdefghijklmnopqrstuvwxyz0123456789");
     if (argument.starts_with("--") && argument.ends_with('=') && end == argument.size() - 1)
-      throw BadInput(argument + " is empty: a value is wanted");
+      throw BadInput("'" + argument + "' must have a value after the equals sign");
   }
   std::reverse(arguments.begin(), arguments.end());
   return arguments;
 }
 
-/// What a program says about standard output that takes no more.
+/// The message of a program whose standard output cannot be written.
 inline constexpr auto unwritable_output = "standard output could not be written";
 
-/// Says on standard error what CLI11 found wrong with the arguments.
+/// Writes to standard error what CLI11 found wrong with the arguments.
 inline void complain_of_arguments(const CLI::App& app, const std::string& name,
                                   const CLI::ParseError& error) {
   std::string
@@ -50,17 +50,18 @@ inline void complain_of_arguments(const CLI::App& app, const std::string& name,
                printable_line(unread).c_str(), command.c_str());
 }
 
-/// Parses the arguments and runs `body`. Returns its exit code: 2, with a message on standard error, after a
-/// usage error or BadInput, or if a file or standard output fails; 3 after anything else that is thrown.
+/// Parses the arguments, runs `body` and returns its exit code. Returns 2, with a message on standard error,
+/// after a usage error or BadInput, or if a file or standard output fails; 3 after any other exception. The
+/// footer of `app` has examples; the meaning of the exit codes follows it in --help.
 inline int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
   open_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error that is told, not the end
   app.set_version_flag("--version", "Rederive " REDERIVE_VERSION);
   app.get_formatter()->column_width(34);
-  app.footer(
-      "Exit code: 0 as expected; 1 a verdict or an answer is not as expected; 2 bad usage, bad input, or "
-      "output\n"
-      "that cannot be written; 3 undecided, or an internal failure.");
+  app.footer(app.get_footer() +
+             "Exit code: 0 if everything is as expected; 1 if a verdict or an answer is not as expected; 2 "
+             "for bad usage,\nbad input, or output that cannot be written; 3 if something is undecided or "
+             "fails internally.");
   const std::string name = printable_name(argc > 0 ? std::filesystem::path(argv[0]).filename() : "");
   app.name(name);
   const auto complain = [&](const std::string& what, int code) {
@@ -85,29 +86,29 @@ inline int run_command(CLI::App& app, int argc, char** argv, const std::function
     return complain("cannot use '" + printable_name(error.path1()) + "': " + error.code().message(),
                     bad_input);
   } catch (const std::bad_alloc&) {
-    return complain("the memory that it may use is not enough", undecided_or_failed);
+    return complain("there is not enough memory", undecided_or_failed);
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) return complain(unwritable_output, bad_input);
     return complain(std::string("internal failure: ") + error.what(), undecided_or_failed);
   }
 }
 
-/// For options that take a whole number: digits, and a minus before them. What C reads beside that (0x10, 010
-/// as eight, blanks) is refused.
+/// Checks an option that takes a whole number: digits, perhaps with a minus before them. Other forms that C
+/// would read (0x10, 010 as eight, blanks) are refused.
 inline const CLI::Validator whole_number(
     [](std::string& text) {
       const std::size_t first = text.starts_with('-') ? 1 : 0;
       const bool is_whole = text.size() > first && text.find_first_not_of("0123456789", first) == text.npos &&
                             (text[first] != '0' || text.size() == first + 1);
-      return is_whole ? "" : "'" + text + "' is no whole number, such as 12";
+      return is_whole ? "" : "'" + text + "' is not a whole number such as 12";
     },
     "");
 
-/// For options that take the name of a file to be written.
+/// Checks an option that takes the name of a file to be written.
 inline const CLI::Validator file_name(
     [](std::string& name) {
-      return name.empty()             ? "a file needs a name"
-             : name.starts_with("--") ? "'" + name + "' is an option"
+      return name.empty()             ? "the name of the file is empty"
+             : name.starts_with("--") ? "'" + name + "' is an option, not the name of a file"
                                       : "";
     },
     "");

@@ -16,7 +16,8 @@ struct FigureCommand {
 int run_figure(const FigureCommand& options) {
   const double number = number_between("figure", options.number, 8, 16);
   if (number != static_cast<int>(number))
-    throw BadInput("figure " + options.number + " must be a whole number from 8 to 16");
+    throw BadInput("the number of the figure must be a whole number from 8 to 16, but it is '" +
+                   options.number + "'");
   FigureOptions wanted;
   wanted.ground_acceleration = number_between("--ground-acceleration", options.ground_acceleration, 0, 10);
   wanted.engine = options.engine;
@@ -34,19 +35,25 @@ int run_figure(const FigureCommand& options) {
 }  // namespace
 
 void add_figure(CLI::App& app, Run& run) {
-  auto* command = app.add_subcommand("figure", "the paper's figures 8 to 16, computed");
+  auto* command = app.add_subcommand("figure", "Compute and draw a figure of the paper, 8 to 16.");
   auto options = std::make_shared<FigureCommand>();
-  command->add_option("number", options->number, "8 to 16")->required()->type_name("NUMBER");
-  command->add_option("--out", options->out, "draw to .svg, .png or .pdf")
+  command->add_option("number", options->number, "Number of the figure, from 8 to 16.")
+      ->required()
+      ->type_name("NUMBER");
+  command->add_option("--out", options->out, "Draw the figure to a file .svg, .png or .pdf.")
       ->check(plot_name())
       ->type_name("FILE");
-  command->add_option("--data", options->data, "write the curves as CSV")
+  command->add_option("--data", options->data, "Write the curves as CSV.")
       ->check(file_name)
       ->type_name("FILE");
-  command->add_option("--ground-acceleration", options->ground_acceleration, "a_g/g of figure 16 [0.24]")
+  command
+      ->add_option("--ground-acceleration", options->ground_acceleration,
+                   "Set a_g/g of figure 16, from 0 to 10. Default: 0.24.")
       ->type_name("NUMBER");
   add_engine(*command, options->engine);
-  command->add_option("--threads", options->threads, "threads [all]")->type_name("T");
+  command
+      ->add_option("--threads", options->threads, "Use T threads, from 1 to 1024. Default: all processors.")
+      ->type_name("T");
   command->callback([options, &run] { run = [options] { return run_figure(*options); }; });
 }
 

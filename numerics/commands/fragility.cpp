@@ -58,10 +58,10 @@ std::vector<std::string> files_in(const std::string& folder) {
     if (!entry->path().filename().string().starts_with('.') && !entry->is_directory(error))
       files.push_back(entry->path());
   if (error) throw BadInput("cannot read the folder '" + printable_name(folder) + "': " + error.message());
-  if (files.empty()) throw BadInput("the folder '" + printable_name(folder) + "' of records is empty");
+  if (files.empty()) throw BadInput("the folder '" + printable_name(folder) + "' contains no records");
   for (const std::string& file : files)
     if (!fs::is_regular_file(file, error))
-      throw BadInput("'" + printable_name(file) + "' is no ordinary file");
+      throw BadInput("'" + printable_name(file) + "' is not an ordinary file");
   std::ranges::sort(files);
   return files;
 }
@@ -76,16 +76,17 @@ Fragility asked_of(const FragilityCommand& options) {
   asked.model = options.common.model;
   const Span span = span_of("--amplitudes", options.amplitudes);
   if (!(span.from > 0 && span.to <= 1e6))
-    throw BadInput(fmt::format("--amplitudes {} must lie above 0, to 1e6", options.amplitudes));
+    throw BadInput(fmt::format("--amplitudes {} must lie above 0 and at most at 1e6", options.amplitudes));
   for (int i = 0; i < span.count; ++i) asked.peaks.push_back(station(span, i));
   if (asked.peaks.size() > 1 && !(asked.peaks.front() < asked.peaks.back()))
-    throw BadInput(fmt::format("--amplitudes {} are all the same", options.amplitudes));
+    throw BadInput(fmt::format(
+        "--amplitudes {} are all the same: a curve needs at least two different values", options.amplitudes));
   if (options.blocks.empty())
     asked.blocks.push_back({{"block", block_of(options.common)}, {}, {}});
   else
     for (NamedBlock& block : read_blocks(options.blocks)) asked.blocks.push_back({std::move(block), {}, {}});
   if (!options.plot.empty() && asked.blocks.size() > 20)
-    throw BadInput("--plot: more than 20 blocks are too many for one picture");
+    throw BadInput("--plot can draw at most 20 blocks in one picture");
   (void)options_of(options.reading);
   asked.records = files_in(options.records);
   return asked;
@@ -216,10 +217,12 @@ int run_fragility(const FragilityCommand& options) {
     const Record record = record_of(options, file);
     is_of_use = is_of_use || !record.is_headed;
     if (!(peak_of(record, all.peak) > 0))
-      throw BadInput(fmt::format("'{}' is still ground and cannot be scaled", printable_name(file)));
+      throw BadInput(
+          fmt::format("'{}' cannot be scaled: all of its accelerations are 0", printable_name(file)));
   }
   if (!is_of_use)
-    throw BadInput(fmt::format("{}: the headers of all records say it", option_of_columns(options.reading)));
+    throw BadInput(fmt::format("{} must be left out: the headers of all records already say it",
+                               option_of_columns(options.reading)));
   const int records = static_cast<int>(all.records.size());
   for (BlockFragility& block : all.blocks) block.outcomes.resize(all.records.size());
   Work work = sweep_work(options.threads, records * static_cast<int>(all.blocks.size()), "motions");
@@ -245,31 +248,34 @@ int run_fragility(const FragilityCommand& options) {
 }  // namespace
 
 void add_fragility(CLI::App& app, Run& run) {
-  auto* command =
-      app.add_subcommand("fragility", "the share of records that overturn, and its lognormal curve");
+  auto* command = app.add_subcommand(
+      "fragility", "Compute the share of records that overturn a block, and its lognormal curve.");
   auto options = std::make_shared<FragilityCommand>();
   const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
     return command->add_option(name, into, what)->type_name(type);
   };
   auto* records = add("--records", options->records, "DIR",
-                      "a folder of recorded accelerations, as response --record reads them")
+                      "Read the recorded accelerations in this folder, as response --record does.")
                       ->required();
   add("--amplitudes", options->amplitudes, "A1:A2:N",
-      "what the peak of each is scaled to: from, to, how many")
+      "Scale the peak of each record to N values from A1 to A2, above 0 and up to 1e6.")
       ->required();
-  add("--peak", options->peak, "NAME", "acceleration, in g, or velocity, in m/s [acceleration]")
+  add("--peak", options->peak, "NAME",
+      "Scale the peak acceleration in g, or the peak velocity in m/s. Default: acceleration.")
       ->check(CLI::IsMember({"acceleration", "velocity"}));
-  auto* blocks = add("--blocks", options->blocks, "FILE",
-                     "[[block]] tables of TOML: name; half_width, half_height or alpha, frequency_parameter; "
-                     "restitution");
+  auto* blocks =
+      add("--blocks", options->blocks, "FILE",
+          "Read the blocks from a TOML file of [[block]] tables, each with name, restitution, and either\n"
+          "half_width and half_height or alpha and frequency_parameter.");
   add_block_options(*command, options->common);
   for (const char* name : {"--alpha", "--frequency-parameter", "--half-width", "--restitution"})
     blocks->excludes(command->get_option(name));
   add_model(*command, options->common.model);
   add_record_flags(*command, options->reading, records);
-  add("--threads", options->threads, "T", "threads [all; of each rank under mpirun: 1]");
-  add("--csv", options->csv, "FILE", "write the table")->check(file_name);
-  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(plot_name());
+  add("--threads", options->threads, "T",
+      "Use T threads, from 1 to 1024. Default: all processors; under mpirun, 1 per rank.");
+  add("--csv", options->csv, "FILE", "Write the table as CSV.")->check(file_name);
+  add("--plot", options->plot, "FILE", "Draw the curves to a file .svg, .png or .pdf.")->check(plot_name());
   add_json(*command, options->common.json);
   command->callback([options, &run] { run = [options] { return run_fragility(*options); }; });
 }

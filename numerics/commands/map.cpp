@@ -71,13 +71,14 @@ int run_map(const MapCommand& options) {
   const auto ratios = stations("--omega", options.omega, 0.01, 1000);
   const auto amplitudes = stations("--amplitude", options.amplitude, 0, 1e6);
   if (ratios.size() * amplitudes.size() > 50'000'000)
-    throw BadInput("--omega and --amplitude: more than 50 million points");
+    throw BadInput("--omega and --amplitude give more than 50 million points: ask for fewer");
   PulseCase asked = case_at(options.common, ratios.front());
   asked.tolerance = number_between("--tolerance", options.tolerance, 1e-15, 1e-3);
   const Real level = start_level(asked.block, asked.model);
   if ((asked.initial.angle != 0 || asked.initial.velocity != 0) && amplitudes.front() < level)
     throw BadInput(
-        fmt::format("--amplitude: with initial conditions the pulse begins where rocking can start, from {}",
+        fmt::format("--amplitude must begin at {} or above: with initial conditions the pulse begins where "
+                    "rocking can start",
                     static_cast<double>(level)));
   const Work work = sweep_work(options.threads, static_cast<int>(ratios.size()), "frequencies");
   std::optional<MapFile> file;
@@ -92,7 +93,7 @@ int run_map(const MapCommand& options) {
   const bool stopped = was_interrupted(work);
   if (file && !stopped) file->finish(map);
   if (file && stopped)
-    std::fprintf(stderr, "the same command goes on from '%s'\n", printable_name(file->part()).c_str());
+    std::fprintf(stderr, "the same command continues from '%s'\n", printable_name(file->part()).c_str());
   if (!options.csv.empty()) write_whole(options.csv, csv_of(map));
   if (!options.plot.empty())
     draw(Shades{map.omega_ratios, map.amplitudes, map.codes, "ω_p/p (dimensionless)",
@@ -110,22 +111,29 @@ int run_map(const MapCommand& options) {
 }  // namespace
 
 void add_map(CLI::App& app, Run& run) {
-  auto* command = app.add_subcommand("map", "the code over a grid of omega_p/p and amplitude");
+  auto* command = app.add_subcommand("map", "Compute the outcome over a grid of omega_p/p and amplitude.");
   auto options = std::make_shared<MapCommand>();
   add_common_options(*command, options->common, Frequency::absent);
   const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
     return command->add_option(name, into, what)->type_name(type);
   };
-  add("--omega", options->omega, "W1:W2:N", "omega_p/p from, to, how many")->required();
-  add("--amplitude", options->amplitude, "A1:A2:M", "a_p/(alpha g) from, to, how many")->required();
-  add("--threads", options->threads, "T", "threads [all; of each rank under mpirun: 1]");
-  add("--tolerance", options->tolerance, "NUMBER", "of the motions, relative to alpha [1e-12]");
+  add("--omega", options->omega, "W1:W2:N",
+      "Set the frequencies omega_p/p: from W1 to W2 (0.01 to 1000), N values.")
+      ->required();
+  add("--amplitude", options->amplitude, "A1:A2:M",
+      "Set the amplitudes a_p/(alpha g): from A1 to A2 (0 to 1e6), M values.")
+      ->required();
+  add("--threads", options->threads, "T",
+      "Use T threads, from 1 to 1024. Default: all processors; under mpirun, 1 per rank.");
+  add("--tolerance", options->tolerance, "NUMBER",
+      "Set the error of a motion, relative to alpha, from 1e-15 to 1e-3. Default: 1e-12.");
   add_engine(*command, options->common.engine);
-  add("--csv", options->csv, "FILE", "write the grid; interrupted, the rows that are done")->check(file_name);
-  add("--hdf5", options->hdf5, "FILE",
-      "write the grid as HDF5; interrupted, the same command goes on from FILE.part")
+  add("--csv", options->csv, "FILE", "Write the grid as CSV. If interrupted, write the rows that are done.")
       ->check(file_name);
-  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(plot_name());
+  add("--hdf5", options->hdf5, "FILE",
+      "Write the grid as HDF5. If interrupted, the same command continues from FILE.part.")
+      ->check(file_name);
+  add("--plot", options->plot, "FILE", "Draw the map to a file .svg, .png or .pdf.")->check(plot_name());
   command->callback([options, &run] { run = [options] { return run_map(*options); }; });
 }
 

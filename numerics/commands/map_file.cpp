@@ -169,7 +169,8 @@ namespace rederive::numerics::commands {
 struct MapFile::Open {};
 MapFile::MapFile(const std::filesystem::path&, const Attributes&, const std::vector<double>&,
                  const std::vector<double>&) {
-  throw std::invalid_argument("--hdf5: this program was built where there is no HDF5 (Debian: libhdf5-dev)");
+  throw std::invalid_argument(
+      "--hdf5 is not available: this program was built without HDF5 (Debian: libhdf5-dev)");
 }
 MapFile::~MapFile() = default;
 std::vector<std::vector<int>> MapFile::known() const { return {}; }

@@ -35,41 +35,50 @@ auto refused_by(const char* options, const Function& make) {
 
 void add_engine(CLI::App& app, Engine& engine) {
   add_choice(app, "--engine", engine, {{"gsl", Engine::gsl}, {"taylor", Engine::taylor}},
-             "what follows the nonlinear model [taylor]");
+             "Follow the nonlinear model by Taylor steppers or, independently, by an integrator of GSL. "
+             "Default: taylor.");
 }
 
 void add_block_options(CLI::App& app, CommonOptions& options) {
   const auto text = [&](const char* name, std::string& into, const char* what) {
     return app.add_option(name, into, what)->type_name("NUMBER");
   };
-  auto* alpha = text("--alpha", options.alpha, "stockiness atan(b/h) in rad [0.25]");
-  auto* p = text("--frequency-parameter", options.frequency_parameter, "p = sqrt(3g/4R) in 1/s [2.14]");
-  auto* width = text("--half-width", options.half_width, "b in metres, with --half-height");
-  auto* height = text("--half-height", options.half_height, "h in metres");
+  auto* alpha = text("--alpha", options.alpha,
+                     "Set the stockiness atan(b/h) of the block in rad, between 0 and pi/2. Default: 0.25.");
+  auto* p = text("--frequency-parameter", options.frequency_parameter,
+                 "Set the frequency parameter p = sqrt(3g/(4R)) in 1/s, above 0. Default: 2.14.");
+  auto* width =
+      text("--half-width", options.half_width, "Set half the width of the block, b, in metres, above 0.");
+  auto* height =
+      text("--half-height", options.half_height, "Set half the height of the block, h, in metres, above 0.");
   width->needs(height)->excludes(alpha)->excludes(p);
   height->needs(width);
-  text("--restitution", options.restitution, "0 < e <= 1, or auto = 1 - 3/2 sin^2(alpha) [auto]")
+  text("--restitution", options.restitution,
+       "Set the coefficient of restitution e, 0 < e <= 1; auto is 1 - 3/2 sin^2(alpha). Default: auto.")
       ->type_name("E|auto");
 }
 
 void add_model(CLI::App& app, Model& model) {
   add_choice(app, "--model", model, {{"linear", Model::linear}, {"nonlinear", Model::nonlinear}},
-             "the equations of motion [linear]");
+             "Choose the equations of motion. Default: linear.");
 }
 
 void add_json(CLI::App& app, bool& json) {
-  app.add_flag("--json", json, "one JSON document on standard output");
+  app.add_flag("--json", json, "Write one JSON document to standard output.");
 }
 
 void add_common_options(CLI::App& app, CommonOptions& options, Frequency frequency) {
   if (frequency == Frequency::required)
-    app.add_option("--omega", options.omega, "omega_p/p of the pulse")->type_name("W");
+    app.add_option("--omega", options.omega,
+                   "Set the frequency omega_p/p of the pulse, from 0.01 to 1000. Required for a pulse.")
+        ->type_name("W");
   add_block_options(app, options);
   add_model(app, options.model);
   add_choice(app, "--pulse", options.pulse, {{"sine", Pulse::sine}, {"cosine", Pulse::cosine}},
-             "the pulse of the ground acceleration [sine]");
-  app.add_option("--theta0", options.theta0, "theta at t = 0, rad [0]")->type_name("NUMBER");
-  app.add_option("--thetadot0", options.thetadot0, "thetadot at t = 0, rad/s [0]")->type_name("NUMBER");
+             "Choose the pulse of the ground acceleration: one sine or one cosine. Default: sine.");
+  app.add_option("--theta0", options.theta0, "Set theta at t = 0 in rad. Default: 0.")->type_name("NUMBER");
+  app.add_option("--thetadot0", options.thetadot0, "Set thetadot at t = 0 in rad/s. Default: 0.")
+      ->type_name("NUMBER");
   add_json(app, options.json);
 }
 
@@ -124,7 +133,8 @@ PulseCase case_at(const CommonOptions& options, double omega_ratio) {
 }
 
 PulseCase case_of(const CommonOptions& options) {
-  if (options.omega.empty()) throw BadInput("--omega is required: omega_p/p of the pulse");
+  if (options.omega.empty())
+    throw BadInput("--omega is missing: give the frequency omega_p/p of the pulse, from 0.01 to 1000");
   return case_at(options, number_between("--omega", options.omega, 0.01, 1000));
 }
 
@@ -182,16 +192,19 @@ nlohmann::ordered_json or_null(const std::optional<double>& value) {
 }
 
 Span checked_span(const std::string& option, double from, double to, double count) {
-  if (!(from <= to)) throw BadInput(fmt::format("{}: {} is above {}", option, from, to));
+  if (!(from <= to))
+    throw BadInput(fmt::format("{}: the range begins at {}, which is above its end {}", option, from, to));
   if (!(count >= 1 && count <= 100'000 && count == std::floor(count)))
-    throw BadInput(fmt::format("{}: the number of points {} must be whole, from 1 to 100000", option, count));
+    throw BadInput(fmt::format(
+        "{}: the number of points must be a whole number from 1 to 100000, but it is {}", option, count));
   return {from, to, static_cast<int>(count)};
 }
 
 Span span_of(const std::string& option, const std::string& text) {
   const auto first = text.find(':'), second = text.find(':', first == std::string::npos ? first : first + 1);
   if (first == std::string::npos || second == std::string::npos)
-    throw BadInput(fmt::format("{} '{}' must be FROM:TO:COUNT", option, text.substr(0, 60)));
+    throw BadInput(fmt::format("{} '{}' must have the form FROM:TO:COUNT, such as 0.5:8:100", option,
+                               text.substr(0, 60)));
   return checked_span(option, number(option, text.substr(0, first)),
                       number(option, text.substr(first + 1, second - first - 1)),
                       number(option, text.substr(second + 1)));

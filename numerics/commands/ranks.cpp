@@ -161,7 +161,7 @@ std::unique_ptr<Ranks> loaded_ranks() {
     return std::unique_ptr<Ranks>(reinterpret_cast<Ranks* (*)()>(join)());
   throw std::runtime_error(std::string("MPI cannot be loaded: ") + ::dlerror());
 #else
-  throw BadInput("mpirun: this program was built where there is no MPI (Debian: libopenmpi-dev)");
+  throw BadInput("mpirun is not available: this program was built without MPI (Debian: libopenmpi-dev)");
 #endif
 }
 

@@ -18,14 +18,14 @@ void add_record_flags(CLI::App& app, RecordFlags& flags, CLI::Option* record) {
   const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
     return app.add_option(name, into, what)->type_name(type)->needs(record);
   };
-  add("--step", flags.step, "SECONDS", "time step of records of values alone, one or several a line");
-  add("--unit", flags.unit, "NAME", "unit of columns: g, gal, cm/s2 or m/s2 [g, for values up to 10]")
+  add("--step", flags.step, "SECONDS",
+      "Set the time step, from 1e-9 to 1e6 s, of records that contain values alone.");
+  add("--unit", flags.unit, "NAME", "Set the unit of columns. Default: g, if no value is above 10.")
       ->check(CLI::IsMember({"g", "gal", "cm/s2", "m/s2"}));
   add("--gaps", flags.gaps, "NAME",
-      "what is missing, values or times: refuse, or interpolate between neighbours [refuse]")
+      "Refuse a record with missing values or times, or interpolate between neighbours. Default: refuse.")
       ->check(CLI::IsMember({"refuse", "interpolate"}));
-  add("--accept", flags.accept, "VALUE",
-      "a value such as -999 that looks as if there were none, and is meant");
+  add("--accept", flags.accept, "VALUE", "Accept a value such as -999, which usually marks a missing one.");
 }
 
 RecordOptions options_of(const RecordFlags& flags) {

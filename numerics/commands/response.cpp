@@ -33,10 +33,12 @@ GroundMotion motion_of(const ResponseCommand& options, const Block& block) {
   if (!options.record.empty()) {
     const Record record = read_record(options.record, options_of(options.reading));
     if (const std::string option = option_of_columns(options.reading); record.is_headed && !option.empty())
-      throw BadInput(fmt::format("{}: the header of '{}' says it", option, printable_name(options.record)));
+      throw BadInput(fmt::format("{} must be left out: the header of '{}' already says it", option,
+                                 printable_name(options.record)));
     return record_motion(record, block, number("--scale", options.scale));
   }
-  if (options.amplitude.empty()) throw BadInput("--amplitude is required: a_p/(alpha g) of the pulse");
+  if (options.amplitude.empty())
+    throw BadInput("--amplitude is missing: give the amplitude a_p/(alpha g) of the pulse, from 0 to 1e6");
   const PulseCase asked = case_of(options.common);
   return pulse_or_none(asked, number_between("--amplitude", options.amplitude, 0, 1e6));
 }
@@ -127,7 +129,7 @@ std::string page_of(const ResponseCommand& options, const Block& block) {
   const std::string place = "data-case=\"";
   const std::size_t at = page.find(place);
   if (at == std::string::npos)
-    throw std::runtime_error("the workbench is not built: build the target 'workbench'");
+    throw std::runtime_error("the workbench is not built: run cmake --build build --target workbench");
   const CommonOptions& common = options.common;
   const std::string e =
       common.restitution == "auto" ? common.restitution : fmt::format("{}", block.restitution);
@@ -141,7 +143,8 @@ std::string page_of(const ResponseCommand& options, const Block& block) {
 }
 
 int response(const ResponseCommand& options) {
-  if (!options.page.empty() && !options.record.empty()) throw BadInput("--page shows a pulse, and no record");
+  if (!options.page.empty() && !options.record.empty())
+    throw BadInput("--page shows a pulse: leave out --record or --page");
   Told told;
   told.block = block_of(options.common);
   told.model = options.common.model;
@@ -164,24 +167,29 @@ int response(const ResponseCommand& options) {
 }  // namespace
 
 void add_response(CLI::App& app, Run& run) {
-  auto* command =
-      app.add_subcommand("response", "outcome, events and time history under one pulse or record");
+  auto* command = app.add_subcommand(
+      "response", "Compute the outcome, the events and the time history under one pulse or record.");
   auto options = std::make_shared<ResponseCommand>();
   add_common_options(*command, options->common, Frequency::required);
   const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
     return command->add_option(name, into, what)->type_name(type);
   };
-  add("--amplitude", options->amplitude, "A", "a_p/(alpha g) of the pulse");
-  add("--until", options->until, "TAU", "end of the history, in p t");
-  add("--csv", options->csv, "FILE", "write the history")->check(file_name);
-  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(plot_name());
-  add("--page", options->page, "FILE", "write a web page in which one can play with this case")
+  add("--amplitude", options->amplitude, "A",
+      "Set the amplitude a_p/(alpha g) of the pulse, from 0 to 1e6. Required for a pulse.");
+  add("--until", options->until, "TAU",
+      "End the history at tau = p t, from 0 to 1e5. Default: shortly after the block overturns or rests,\n"
+      "or 10 after the end of the ground motion.");
+  add("--csv", options->csv, "FILE", "Write the history as CSV.")->check(file_name);
+  add("--plot", options->plot, "FILE", "Draw the history to a file .svg, .png or .pdf.")->check(plot_name());
+  add("--page", options->page, "FILE", "Write a web page in which this case moves and can be changed.")
       ->check(file_name);
-  add("--friction", options->friction, "MU", "say whether this friction suffices");
-  auto* record = add("--record", options->record, "FILE",
-                     "a recorded acceleration: columns, PEER AT2, K-NET (about its mean), ESM, SMC, COSMOS");
+  add("--friction", options->friction, "MU",
+      "Say whether this coefficient of friction, from 0 to 1e9, is large enough.");
+  auto* record =
+      add("--record", options->record, "FILE",
+          "Use a recorded acceleration: columns, PEER AT2, K-NET (about its mean), ESM, SMC or COSMOS.");
   add_record_flags(*command, options->reading, record);
-  add("--scale", options->scale, "NUMBER", "multiplies the record [1]")->needs(record);
+  add("--scale", options->scale, "NUMBER", "Multiply the record by this number. Default: 1.")->needs(record);
   command->callback([options, &run] { run = [options] { return response(*options); }; });
 }
 

@@ -5,12 +5,12 @@
 
 namespace {
 
-/// Refuses an option that was given an empty value, as "$N" of an unset N gives it.
+/// Throws BadInput for an option with an empty value, such as "$N" where N is not set.
 void refuse_empty_values(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options())
     for (const std::string& value : option->results())
       if (value.empty() && !option->get_positional())
-        throw rederive::BadInput(option->get_name() + " '' is empty: a value is wanted");
+        throw rederive::BadInput(option->get_name() + " '' is empty: it must have a value");
   for (const CLI::App* part : app.get_subcommands()) refuse_empty_values(*part);
 }
 
@@ -22,8 +22,9 @@ int main(int argc, char** argv) {
   open_standard_streams();
   be_silent_unless_first();
   CLI::App app{
-      "Thresholds, histories, spectra and figures of a rigid block under ground excitation.\n"
-      "Times are p t, amplitudes a_p/(alpha g); an overturning is coded side*(impacts+1), 0 = safe."};
+      "Computes thresholds, histories, spectra, maps and figures of a rigid block under ground excitation.\n"
+      "Times are p t and amplitudes a_p/(alpha g). An overturning has the code side*(impacts + 1): -1 is to "
+      "theta < 0\nwithout impact, +2 is to theta > 0 after one impact, 0 is safe."};
   app.require_subcommand(0, 1);  // none is told below, so that an unknown one is named
   Run run;
   add_threshold(app, run);
@@ -32,11 +33,17 @@ int main(int argc, char** argv) {
   add_map(app, run);
   add_fragility(app, run);
   add_figure(app, run);
+  app.footer(
+      "Examples:\n"
+      "  $ rocking threshold --omega 3\n"
+      "  $ rocking response --omega 3 --amplitude 1.41 --model nonlinear --plot motion.svg\n"
+      "  $ rocking map --omega 0.5:8:200 --amplitude 1:12:200 --hdf5 map.h5\n\n");
   return run_command(app, argc, argv, [&] {
     try {
       refuse_empty_values(app);
       if (!run)
-        throw BadInput("one of threshold, response, spectrum, map, fragility, figure is wanted; see --help");
+        throw BadInput(
+            "no subcommand: give threshold, response, spectrum, map, fragility or figure; see --help");
       const std::string command = app.get_subcommands().front()->get_name();
       return run_in_ranks(run, command == "map" || command == "spectrum" || command == "fragility");
     } catch (const std::invalid_argument& error) {

@@ -111,23 +111,25 @@ int run_spectrum(const SpectrumCommand& options) {
 }  // namespace
 
 void add_spectrum(CLI::App& app, Run& run) {
-  auto* command = app.add_subcommand("spectrum", "thresholds against omega_p/p");
+  auto* command = app.add_subcommand("spectrum", "Compute the thresholds of overturning against omega_p/p.");
   auto options = std::make_shared<SpectrumCommand>();
   add_common_options(*command, options->common, Frequency::absent);
   const auto add = [&](const char* name, std::string& into, const char* type, const char* what) {
     return command->add_option(name, into, what)->type_name(type);
   };
-  add("--from", options->from, "W1", "first omega_p/p")->required();
-  add("--to", options->to, "W2", "last omega_p/p")->required();
-  add("--points", options->points, "N", "how many")->required();
-  add("--max-amplitude", options->max_amplitude, "NUMBER", "largest amplitude, in alpha g [12]");
+  add("--from", options->from, "W1", "Set the first omega_p/p, from 0.01 to 1000.")->required();
+  add("--to", options->to, "W2", "Set the last omega_p/p, from 0.01 to 1000.")->required();
+  add("--points", options->points, "N", "Set the number of points, from 1 to 100000.")->required();
+  add("--max-amplitude", options->max_amplitude, "NUMBER",
+      "Search up to this amplitude, in units of alpha g, from 1e-9 to 1e6. Default: 12.");
   add_engine(*command, options->common.engine);
   command->add_flag("--least", options->least,
-                    "the least amplitude alone, in windows down to a width of 1e-9");
-  add("--threads", options->threads, "T", "threads [all; of each rank under mpirun: 1]");
-  add("--csv", options->csv, "FILE", "write the table; interrupted, the rows that are done")
+                    "Find the least amplitude alone, in windows down to a width of 1e-9 alpha g.");
+  add("--threads", options->threads, "T",
+      "Use T threads, from 1 to 1024. Default: all processors; under mpirun, 1 per rank.");
+  add("--csv", options->csv, "FILE", "Write the table as CSV. If interrupted, write the rows that are done.")
       ->check(file_name);
-  add("--plot", options->plot, "FILE", "draw to .svg, .png or .pdf")->check(plot_name());
+  add("--plot", options->plot, "FILE", "Draw the spectrum to a file .svg, .png or .pdf.")->check(plot_name());
   command->callback([options, &run] { run = [options] { return run_spectrum(*options); }; });
 }
 

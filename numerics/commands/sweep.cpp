@@ -23,7 +23,8 @@ Work sweep_work(const std::string& threads, int count, const char* unit) {
   share_among_ranks(work);
   const double machine = work.processes > 1 ? 1 : std::max(1U, std::thread::hardware_concurrency());
   const double asked = threads.empty() ? machine : number_between("--threads", threads, 1, 1024);
-  if (asked != std::floor(asked)) throw BadInput(fmt::format("--threads {} must be whole", threads));
+  if (asked != std::floor(asked))
+    throw BadInput(fmt::format("--threads must be a whole number from 1 to 1024, but it is {}", threads));
   work.threads = static_cast<int>(asked);
   work.count = count;
   work.stop = &interruption();

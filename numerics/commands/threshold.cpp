@@ -23,7 +23,8 @@ struct ThresholdOptions {
 /// As text of that many digits, all of them right.
 std::string certain_text(const Ball& number, int digits) {
   if (const auto text = number.digits(digits)) return *text;
-  throw std::runtime_error(fmt::format("{} digits of {} are not certain", digits, number.to_double()));
+  throw std::runtime_error(fmt::format("{} digits of {} cannot be made certain: ask for fewer --digits",
+                                       digits, number.to_double()));
 }
 
 /// A number to `digits` digits as text, or as it is if none are asked for.
@@ -160,19 +161,22 @@ int threshold(const ThresholdOptions& options) {
 }  // namespace
 
 void add_threshold(CLI::App& app, Run& run) {
-  auto* command =
-      app.add_subcommand("threshold", "every amplitude window that overturns, and the closed forms");
+  auto* command = app.add_subcommand(
+      "threshold", "Find every window of amplitudes that overturns the block, and the closed forms.");
   auto options = std::make_shared<ThresholdOptions>();
   add_common_options(*command, options->common, Frequency::required);
   add_engine(*command, options->common.engine);
   command->add_flag("--least", options->least,
-                    "the least amplitude alone, in windows down to a width of 1e-9");
-  command->add_option("--max-amplitude", options->max_amplitude, "largest amplitude, in alpha g [12]")
+                    "Find the least amplitude alone, in windows down to a width of 1e-9 alpha g.");
+  command
+      ->add_option("--max-amplitude", options->max_amplitude,
+                   "Search up to this amplitude, in units of alpha g, from 1e-9 to 1e6. Default: 12.")
       ->type_name("NUMBER");
   command
-      ->add_option("--digits", options->digits,
-                   "amplitudes and psi as text of N right digits, at most 60; edges that no "
-                   "closed form gives as many as are right")
+      ->add_option(
+          "--digits", options->digits,
+          "Write amplitudes and psi with N correct digits, from 1 to 60. Edges that no closed form gives\n"
+          "have as many digits as are certain.")
       ->check(whole_number)
       ->type_name("N");
   command->callback([options, &run] { run = [options] { return threshold(*options); }; });

@@ -16,7 +16,8 @@ Block make_block(double alpha, double p, std::optional<double> restitution) {
   const double e = restitution.value_or(emitted::restitution(alpha));
   if (!restitution && !(e > 0))
     throw std::invalid_argument(fmt::format(
-        "restitution by eq (46) is {} for alpha = {}: so stocky a block does not rock on; give a restitution",
+        "the restitution by equation (46) is {} for alpha = {}: such a stocky block does not rock on; give a "
+        "restitution",
         e, alpha));
   if (!(e > 0 && e <= 1))
     throw std::invalid_argument(fmt::format("restitution = {} must be above 0 and at most 1", e));
@@ -27,7 +28,8 @@ Block block_from_size(double half_width, double half_height, std::optional<doubl
                       double gravity) {
   for (double length : {half_width, half_height})
     if (!(length > 0 && std::isfinite(length)))
-      throw std::invalid_argument(fmt::format("a half size of {} m must be positive", length));
+      throw std::invalid_argument(
+          fmt::format("half the width and half the height must be positive, but one is {} m", length));
   const double radius = std::hypot(half_width, half_height);
   return make_block(std::atan2(half_width, half_height), emitted::frequency_parameter(radius, gravity),
                     restitution);

@@ -150,8 +150,8 @@ InitialState initial_state(const Block& block, Model model, double theta_0, doub
     throw std::invalid_argument(
         fmt::format("initial conditions {} rad, {} rad/s must be finite", theta_0, thetadot_0));
   if (model == Model::nonlinear && !(std::abs(theta_0) < std::numbers::pi / 2))
-    throw std::invalid_argument(
-        fmt::format("theta0 = {} rad: the block already lies; |theta0| < pi/2", theta_0));
+    throw std::invalid_argument(fmt::format(
+        "theta0 = {} rad must be below pi/2 in size: the block already lies on its side", theta_0));
   constexpr Real nothing = 1e-15L, most = 1e9L;
   const Real alpha = block.alpha, angle = theta_0 / alpha, velocity = thetadot_0 / (alpha * block.p);
   if (std::abs(angle) > most || std::abs(velocity) > most)

@@ -238,7 +238,7 @@ Figure paper_figure(int number, const FigureOptions& options) {
     case 16:
       return code_comparison_figure(options);
     default:
-      throw std::invalid_argument(fmt::format("figure {}: the paper's figures 8 to 16 can be drawn", number));
+      throw std::invalid_argument(fmt::format("figure {} cannot be drawn: the figures are 8 to 16", number));
   }
 }
 

@@ -23,7 +23,7 @@ struct Unnamed {
     if (file != nullptr) std::fclose(file);
   }
   std::string name() const {
-    if (descriptor < 0) throw std::runtime_error("no temporary file can be made");
+    if (descriptor < 0) throw std::runtime_error("cannot create a temporary file");
     return fmt::format("/dev/fd/{}", descriptor);
   }
 };
@@ -33,7 +33,7 @@ std::string all_of(std::FILE* file) {
   std::string text;
   char buffer[65536];
   for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, file)) > 0;) text.append(buffer, n);
-  if (std::ferror(file) != 0) throw BadInput("what gnuplot writes cannot be read");
+  if (std::ferror(file) != 0) throw BadInput("cannot read what gnuplot wrote");
   return text;
 }
 

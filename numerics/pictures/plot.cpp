@@ -35,7 +35,7 @@ std::string terminal(const fs::path& file, double width, double height) {
   if (kind == ".pdf")
     return fmt::format("set terminal pdfcairo size {:.2f}in,{:.2f}in font 'DejaVu Sans,12'\n", width / 96,
                        height / 96);
-  throw std::invalid_argument("'" + printable_name(file) + "': a plot is written to .svg, .png or .pdf");
+  throw std::invalid_argument("'" + printable_name(file) + "' must end in .svg, .png or .pdf");
 }
 
 void write_plot(const std::string& script, const fs::path& file, double width, double height) {

@@ -63,8 +63,7 @@ std::string decoded(std::string bytes, const std::string& file) {
   if (view.starts_with("\x1F\x8B"sv) || view.starts_with("PK\x03\x04"sv))
     throw std::invalid_argument("'" + printable_name(file) + "' is compressed: unpack it first");
   if (view.starts_with("\xFF\xFE\0\0"sv) || view.starts_with("\0\0\xFE\xFF"sv))
-    throw std::invalid_argument("'" + printable_name(file) +
-                                "' is in UTF-32: UTF-8, UTF-16 and Latin-1 are read");
+    throw std::invalid_argument("'" + printable_name(file) + "' is in UTF-32: use UTF-8, UTF-16 or Latin-1");
   const bool has_mark = view.starts_with("\xFF\xFE"sv) || view.starts_with("\xFE\xFF"sv);
   if (has_mark && view.size() % 2 != 0)
     throw std::invalid_argument("'" + printable_name(file) +

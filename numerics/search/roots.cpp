@@ -51,7 +51,7 @@ std::pair<double, double> solved(const gsl_root_fsolver_type* method, const Real
   const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
       gsl_root_fsolver_alloc(method), gsl_root_fsolver_free);
   if (!called.ok(gsl_root_fsolver_set(solver.get(), &called.gsl, low, high)))
-    throw std::invalid_argument("the function has the same sign at both ends");
+    throw std::invalid_argument("the function has the same sign at both ends of the interval");
   const auto ends = [&] { return std::pair(solver->x_lower, solver->x_upper); };
   for (int i = 0; i < most_steps && !narrow(ends()); ++i)
     if (!called.ok(gsl_root_fsolver_iterate(solver.get()))) break;

@@ -41,7 +41,7 @@ const std::vector<Call> bad{
     {"ledger", {"prove", "sin(x", "x"}, "sin(x"},
     {"ledger", {"prove", "x"}, "two statements"},
     {"ledger", {"prove", "2x", "x"}, "2*x"},
-    {"emit", {"--target", "cpp", "--out", ""}, "a file needs a name"},
+    {"emit", {"--target", "cpp", "--out", ""}, "the name of the file is empty"},
     {"ledger", {"frobnicate"}, "frobnicate"},
     {"emit", {"--target", "cobol"}, "cobol"},
     {"emit", {"--target", "cpp", "--function", "no_such"}, "no_such"},

@@ -206,7 +206,7 @@ TEST_CASE("bad input: exit code 2, a message, and nothing written") {
   refused({"--gradebook", book, "--feedback", room.answers / "README"}, "it is no folder");
   refused({"--gradebook", book, "--feedback", room.answers / "pages"}, "would be taken for a student");
   refused({"--gradebook", room.answers / "anna/restitution.txt"}, "it lies in the folder of a student");
-  refused({"--feedback", ""}, "a file needs a name");
+  refused({"--feedback", ""}, "the name of the file is empty");
 }
 
 TEST_CASE("what ended by a crash is named, and is not graded: exit code 3") {

@@ -132,7 +132,7 @@ TEST_CASE("a folder with what is no record in it, or nothing, is refused by name
   check_refused(records.fragility({}), "note.md");
   fs::remove(folder / "note.md");
   REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);  // to be read it would wait for a writer
-  check_refused(records.fragility({}), "pipe' is no ordinary file");
+  check_refused(records.fragility({}), "pipe' is not an ordinary file");
   const Records none(0);
   check_refused(none.fragility({}), "is empty");
   fs::remove(none.path / "records");
@@ -153,7 +153,8 @@ TEST_CASE("bad blocks are refused with file and line, bad options by name") {
           "blocks.toml:3: 'half_width' must be a number");
   refused("[[block]]\nname = \"a\"\nhalf_width = nan\nhalf_height = 1\n",
           "blocks.toml:3: 'half_width' must be a finite number");
-  refused("[[block]]\nname = \"a\"\nhalf_width = -1\nhalf_height = 1\n", "blocks.toml:1: a half size of -1");
+  refused("[[block]]\nname = \"a\"\nhalf_width = -1\nhalf_height = 1\n",
+          "blocks.toml:1: half the width and half the height must be positive, but one is -1");
   refused("[[block]]\nname = \"a\"\ncolour = 1\n", "blocks.toml:3: there is no key 'colour' here");
   refused("[[blocks]]\nname = \"a\"\n",
           "blocks.toml:1: there is no key 'blocks' here: did you mean 'block'?");

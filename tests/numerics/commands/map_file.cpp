@@ -24,7 +24,7 @@ Result map_with(const Arguments& more, const Arguments& call = small) {
 bool has_hdf5() {
   const TemporaryFolder folder;
   const Result result = map_with({"--hdf5", folder.path / "map.h5"});
-  if (result.err.find("no HDF5") == std::string::npos) return true;
+  if (result.err.find("without HDF5") == std::string::npos) return true;
   CHECK(result.exit_code == 2);
   skip("built without HDF5");
   return false;
@@ -216,7 +216,7 @@ TEST_CASE("what another map, or something else, left is refused and kept") {
   check_refused({"--hdf5", folder.path / "no" / "map.h5"}, "no/map.h5");
   check_refused({"--hdf5", folder.path}, folder.path);
   check_refused({"--hdf5", "/dev/null"}, "/dev/null");
-  check_refused({"--hdf5", ""}, "a file needs a name");
+  check_refused({"--hdf5", ""}, "the name of the file is empty");
   write_bytes(part, bytes);
   fs::create_hard_link(part, folder.path / "of another name");
   check_refused({"--hdf5", file}, "is not an ordinary file of yours alone");

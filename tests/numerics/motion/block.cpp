@@ -25,7 +25,7 @@ TEST_CASE("values out of range are refused by name") {
     CHECK_THROWS_AS(make_block(alpha, 2.14), std::invalid_argument);
   for (double p : {0.0, -1.0, nan, infinity}) CHECK_THROWS_AS(make_block(0.25, p), std::invalid_argument);
   for (double e : {0.0, -0.5, 1.0001, nan}) CHECK_THROWS_AS(make_block(0.25, 2.14, e), std::invalid_argument);
-  CHECK_THROWS_WITH_AS(make_block(1.2, 2.14), doctest::Contains("restitution by eq (46)"),
+  CHECK_THROWS_WITH_AS(make_block(1.2, 2.14), doctest::Contains("restitution by equation (46)"),
                        std::invalid_argument);
   CHECK_NOTHROW(make_block(1.5, 2.14, 0.5));
   CHECK_THROWS_AS(block_from_size(0, 1), std::invalid_argument);
