@@ -28,14 +28,14 @@ struct Arguments {
 };
 
 CLI::App* with_json(CLI::App* command, Arguments& given) {
-  command->add_flag("--json", given.json, "one JSON document instead of text");
+  command->add_flag("--json", given.json, "Write one JSON document instead of text.");
   return command;
 }
 
 CLI::App* command_with_id(CLI::App& app, const std::string& name, const std::string& says, Arguments& given,
                           bool needed = true) {
   CLI::App* command = with_json(app.add_subcommand(name, says), given);
-  auto* option = command->add_option("ID", given.id, "an exercise, as in the list");
+  auto* option = command->add_option("ID", given.id, "Id of the exercise, as in the list.");
   if (needed) option->required();
   return command;
 }
@@ -43,70 +43,97 @@ CLI::App* command_with_id(CLI::App& app, const std::string& name, const std::str
 void declare(CLI::App& app, Arguments& given) {
   app.require_subcommand(0, 1);
   app.fallthrough();
-  app.add_option("--progress", given.progress, "your progress file [~/.local/state/rederive/exercises.txt]")
+  app.add_option("--progress", given.progress,
+                 "Keep your progress in this file. Default: ~/.local/state/rederive/exercises.txt.")
       ->type_name("FILE");
   app.add_option("--seed", given.seed,
-                 "exercises in the variant of this number or name: other numbers, another side");
-  with_json(app.add_subcommand("list", "all exercises, and the next one to do"), given);
-  command_with_id(app, "show", "the statement of an exercise (of the next one without ID)", given, false);
-  auto* check =
-      command_with_id(app, "check", "judge an answer; -- before it if it begins with a minus", given);
-  auto* answer = check->add_option("ANSWER", given.answer, "the answer, in quotes");
-  auto* file_option = check->add_option("--file", given.file, "read the answer from here");
+                 "Set the exercises in the variant of this number or name: other numbers, another side.");
+  with_json(app.add_subcommand("list", "List all exercises, and the next one to do."), given);
+  command_with_id(app, "show", "Show the statement of an exercise; without ID, of the next one.", given,
+                  false);
+  auto* check = command_with_id(app, "check",
+                                "Judge an answer. Put -- before an answer that begins with a minus.", given);
+  auto* answer = check->add_option("ANSWER", given.answer, "The answer, in quotes.");
+  auto* file_option = check->add_option("--file", given.file, "Read the answer from this file.");
   file_option->type_name("FILE")->excludes(answer);
-  check->add_option("--working", given.working, "read from here, line by line, how you came to it")
+  check
+      ->add_option("--working", given.working,
+                   "Read from this file, line by line, how you came to the answer.")
       ->type_name("FILE")
       ->excludes(answer)
       ->excludes(file_option);
   check->footer(
-      "A working is a chain of lines, each of which must follow from the one before; the last is the "
-      "answer.\n"
-      "A line is an equation, a chain a = b = c, or an expression, alone or behind a = sign; empty lines "
-      "and\n"
-      "those that begin with # are skipped. Behind a line stands what is assumed there and nowhere else:\n"
-      "[theta > 0, u_gddot = 0], or [small alpha, theta], by which a step need hold to first order only.\n"
-      "Where a number is asked for, each line is a chain a = b = c that is true with the numbers given.");
-  command_with_id(app, "hint", "one more hint", given);
-  command_with_id(app, "solution", "the answer and how it comes about", given)
-      ->add_flag("--give-up", given.give_up, "show it although the exercise is not solved");
-  command_with_id(app, "reset", "open again; the old answer is kept", given);
-  app.add_subcommand("serve", "lessons and exercises in a browser on this machine; prints the address")
-      ->add_option("--port", given.port, "listen here; 0, or none: a free port")
+      "Examples:\n"
+      "  $ exercises check barrier \"m*g*R*(1 - sin(alpha))\"\n"
+      "  $ exercises check barrier --working working.txt\n\n"
+      "A working is a chain of lines. Each line must follow from the line before, and the last line is the\n"
+      "answer. A line is an equation, a chain a = b = c, or an expression, alone or after an equals sign.\n"
+      "Empty lines and lines that begin with # are skipped. A line may end with what is assumed in this "
+      "line\n"
+      "alone: [theta > 0, u_gddot = 0], or [small alpha, theta], so that the step need hold to first order\n"
+      "only. Where a number is asked for, each line is a chain a = b = c that is true for the given "
+      "numbers.");
+  command_with_id(app, "hint", "Give one more hint. It never gives the answer away.", given);
+  command_with_id(app, "solution", "Show the answer and its derivation, once the exercise is solved.", given)
+      ->add_flag("--give-up", given.give_up, "Show the answer although the exercise is not solved.");
+  command_with_id(app, "reset", "Open an exercise again. The old answer is kept as a backup.", given);
+  app.add_subcommand("serve",
+                     "Serve lessons and exercises to a browser on this machine, and print the address.")
+      ->add_option("--port", given.port, "Listen on this port, from 0 to 65535. Default: 0, a free port.")
       ->check(whole_number)
       ->check(CLI::Range(0, 65535));
-  auto* watch = app.add_subcommand("watch", "judge the files of a folder whenever they change");
-  watch->add_option("DIR", given.folder, "where your answers are: DIR/<ID>.txt")->required();
-  watch->add_flag("--once", given.once, "look once and stop");
-  auto* grade = with_json(app.add_subcommand("grade", "judge a whole class: DIR/<student>/<ID>.txt"), given);
-  grade->add_option("DIR", given.grade.folder, "one folder a student in it")->required();
-  grade->add_option("--csv", given.grade.csv, "write the rows here")->check(file_name)->type_name("FILE");
+  auto* watch = app.add_subcommand("watch", "Judge the files of a folder whenever they change.");
+  watch->add_option("DIR", given.folder, "Folder of your answers, DIR/<ID>.txt.")->required();
+  watch->add_flag("--once", given.once, "Look once and stop.");
+  auto* grade = with_json(app.add_subcommand("grade", "Judge a whole class: DIR/<student>/<ID>.txt."), given);
+  grade->add_option("DIR", given.grade.folder, "Folder of the class, with one folder per student.")
+      ->required();
+  grade->add_option("--csv", given.grade.csv, "Write the rows to this file as CSV. Default: standard output.")
+      ->check(file_name)
+      ->type_name("FILE");
   const auto file = [&](const char* name, std::string& into, const char* says) {
     return grade->add_option(name, into, says)->check(file_name)->type_name("FILE");
   };
-  file("--gradebook", given.grade.gradebook, "write the marks: a row a student, a column an exercise");
-  file("--report", given.grade.report, "write a page: which slips are common, with typical answers");
-  file("--feedback", given.grade.feedback, "write a page a student into this folder, to hand back")
+  file("--gradebook", given.grade.gradebook,
+       "Write the marks as CSV: one row per student, one column per exercise.");
+  file("--report", given.grade.report, "Write a page about the common slips, with typical answers.");
+  file("--feedback", given.grade.feedback, "Write one page per student into this folder, to hand back.")
       ->type_name("DIR");
-  file("--weights", given.grade.weights, "the exercises that count, exercise,weight (else all count 1)");
+  file("--weights", given.grade.weights,
+       "Read the weights from a CSV file: exercise,weight. Default: every exercise has weight 1.");
   file("--deadline", given.grade.deadline,
-       "later answers have no marks: a time, or exercise,deadline in a file")
+       "Give no marks to later answers: a time, or a CSV file of exercise,deadline.")
       ->type_name("TIME|FILE");
-  file("--handed-in", given.grade.handed_in, "times instead of the files' own: student,exercise,time");
+  file("--handed-in", given.grade.handed_in,
+       "Read from a CSV file when answers were handed in: student,exercise,time. Default: the times of the "
+       "files.");
   grade->footer(
-      "Marks are weight x score; each attempt after the first costs a tenth, down to a half. Attempts are\n"
-      "known where a student handed in exercises.txt, the progress file, beside the answers. In the\n"
-      "gradebook an empty cell was not handed in; at ? the program could not decide: look yourself.\n"
-      "Lists are CSV with the header named above. Times are like 2026-12-01T12:00, in UTC or with +02:00\n"
-      "behind; a day alone ends at midnight; no exercise in --handed-in means all of that student.\n"
-      "The exit code is 3 if an answer ended by a limit or a crash; which, is said at the end.");
-  grade->add_option("--workers", given.grade.workers, "answers judged at a time")
+      "Examples:\n"
+      "  $ exercises grade class\n"
+      "  $ exercises grade class --gradebook marks.csv --deadline 2026-12-01T12:00\n"
+      "  $ exercises grade class --report slips.html --feedback pages\n\n"
+      "A mark is weight x score. Each attempt after the first costs a tenth of it, down to a half. Attempts "
+      "are\n"
+      "known if a student handed in the progress file, exercises.txt, beside the answers. In the gradebook, "
+      "an\n"
+      "empty cell means that nothing was handed in, and ? means that the program could not decide: look at "
+      "the\n"
+      "answer yourself. CSV files have the header that is named above. A time has the form 2026-12-01T12:00, "
+      "in\n"
+      "UTC or with an offset such as +02:00; a day alone ends at midnight. A row of --handed-in without an\n"
+      "exercise applies to all exercises of the student.\n"
+      "The exit code is 3 if judging an answer reached a limit or crashed; the last lines name the answers.");
+  grade
+      ->add_option("--workers", given.grade.workers,
+                   "Judge N answers at a time, from 1 to 64. Default: the number of processors.")
       ->check(whole_number)
       ->check(CLI::Range(1, 64));
   grade->add_flag(
       "--variants", given.grade.variants,
-      "to each student the variants of the folder's name; with --seed S, of S and the name: 'Sname'");
-  grade->add_flag("--missing", given.grade.missing, "a row also for each answer that was not handed in");
-  with_json(app.add_subcommand("selftest", "is the exercise set sound?"), given);
+      "Judge each student by the variants of the folder's name; with --seed S, of S and the name, 'Sname'.");
+  grade->add_flag("--missing", given.grade.missing,
+                  "Write a row also for each answer that was not handed in.");
+  with_json(app.add_subcommand("selftest", "Prove that the exercise set is sound."), given);
 }
 
 int run(const CLI::App& app, const Arguments& given) {
@@ -134,7 +161,7 @@ int run(const CLI::App& app, const Arguments& given) {
   if (!given.file.empty()) return check_file(room, given.id, given.file, false);
   if (!given.working.empty()) return check_file(room, given.id, given.working, true);
   if (check_command->get_option("ANSWER")->count() == 0)
-    throw BadInput("check: an ANSWER, --file FILE or --working FILE is wanted");
+    throw BadInput("check needs an answer: give ANSWER, --file FILE or --working FILE");
   return check(room, given.id, trimmed(given.answer));
 }
 
@@ -142,8 +169,15 @@ int run(const CLI::App& app, const Arguments& given) {
 
 int main(int argc, char** argv) {
   CLI::App app{
-      "Exercises on the rocking block: answer, be told what was read and what is wrong with it, go on."};
+      "Sets exercises on the rocking block, judges answers by proof, and says what is wrong with them. "
+      "Without "
+      "a\nsubcommand, says what comes next."};
   Arguments given;
   declare(app, given);
+  app.footer(
+      "Examples:\n"
+      "  $ exercises show barrier\n"
+      "  $ exercises check barrier \"m*g*R*(1 - sin(alpha))\"\n"
+      "  $ exercises serve\n\n");
   return run_command(app, argc, argv, [&] { return run(app, given); });
 }

@@ -192,7 +192,7 @@ void take(const OwnPaper& own, Options& options, bool has_file) {
   const std::vector<Row> rows = read_rows(options.equations);
   for (const auto& [id, derive] : own.derivations)
     if (std::ranges::find(rows, id, &Row::id) == rows.end())
-      throw BadInput("a derivation is listed for (" + id + "), which is no row of " + options.equations +
+      throw BadInput("a derivation is listed for (" + id + "), but it is not a row of " + options.equations +
                      "; its rows are " + joined(rows, ", ", [](const Row& row) { return row.id; }));
 }
 
@@ -206,95 +206,121 @@ std::string symbol_name(const std::string& text) {
 
 int run_ledger(int argc, char** argv, const std::optional<OwnPaper>& own) {
   CLI::App app{
-      "What the paper says, and what is true. Without a subcommand: every equation with its verdict."};
+      "Compares what a paper prints with what is derived. Without a subcommand, lists every equation with "
+      "its "
+      "verdict."};
   Options options;
-  app.add_flag("--json", options.json, "One JSON document on standard output");
-  auto* equations =
-      app.add_option("--equations", options.equations, "Another equations.toml than the one that ships")
-          ->check(CLI::ExistingFile);
+  app.add_flag("--json", options.json, "Write one JSON document to standard output.");
+  auto* equations = app.add_option("--equations", options.equations,
+                                   "Read the rows from this file. Default: the equations.toml of the paper.")
+                        ->check(CLI::ExistingFile);
   app.fallthrough();
   app.require_subcommand(0, 1);
 
-  auto* show = app.add_subcommand("show", "All about one equation");
-  show->add_option("id", options.id, "Its number, such as 17b")->required();
-  show->add_flag("--coq", options.coq, "Its lemma for Coq");
-  auto* certifying = app.add_subcommand("certify", "The rows as lemmas of Coq");
-  certifying->add_option("dir", options.scripts.folder, "The folder for the scripts");
-  certifying->add_option("id", options.scripts.ids, "Rows alone, such as 71 17b");
-  certifying->add_flag("--check", options.scripts.checks, "Lets coqc say, row by row, what passes");
-  auto* sheet = app.add_subcommand("errata", "The errors alone, the most consequential first");
-  sheet->add_option("--format", options.format, "text, markdown, latex or json")
+  auto* show = app.add_subcommand("show", "Show everything about one equation.");
+  show->add_option("id", options.id, "Number of the equation, such as 17b.")->required();
+  show->add_flag("--coq", options.coq, "Show the equation as a lemma of Coq.");
+  auto* certifying =
+      app.add_subcommand("certify", "Write the rows as lemmas of Coq, and let Coq check them.");
+  certifying->add_option("dir", options.scripts.folder,
+                         "Folder for the scripts. It may be left out with --check.");
+  certifying->add_option("id", options.scripts.ids, "Only these rows, such as 71 17b. Default: all rows.");
+  certifying->add_flag("--check", options.scripts.checks, "Run coqc, and say row by row what passes.");
+  auto* sheet = app.add_subcommand("errata", "List the errors of the paper, the most consequential first.");
+  sheet->add_option("--format", options.format, "Choose the format of the list. Default: text.")
       ->check(CLI::IsMember({"text", "markdown", "latex", "json"}));
   auto* text =
-      app.add_subcommand("claims", "The numbers and statements of the text, each with what was found");
-  text->add_option("id", options.id, "One claim alone");
-  text->add_option("--claims", options.claims, "Another claims.toml than the one that ships")
+      app.add_subcommand("claims", "List the numbers and statements of the text, each with what was found.");
+  text->add_option("id", options.id, "Only this claim, such as c01. Default: all claims.");
+  text->add_option("--claims", options.claims,
+                   "Read the claims from this file. Default: the claims.toml of the paper.")
       ->check(CLI::ExistingFile);
-  auto* mutation = app.add_subcommand("mutate", "Spoils every row on purpose; nothing may pass");
-  mutation->add_option("id", options.id, "One row alone");
-  mutation->add_option("--seed", options.seed, "Which slips are tried")->check(whole_number);
-  auto* dot = app.add_subcommand("graph", "What follows from what, in DOT");
-  auto* proving = app.add_subcommand(
-      "prove", "Decides any statement: LHS and RHS are expressions, equations or inequalities");
-  auto* lhs = proving->add_option("lhs", options.request.left, "\"sin(2*x)\"");
-  auto* rhs = proving->add_option("rhs", options.request.right, "\"2*sin(x)*cos(x)\"");
+  auto* mutation =
+      app.add_subcommand("mutate", "Spoil every row on purpose and judge the result; nothing may pass.");
+  mutation->add_option("id", options.id, "Only this row, such as 17b. Default: all rows.");
+  mutation
+      ->add_option("--seed", options.seed,
+                   "Choose which slips are tried, by any whole number from 0. Default: 1.")
+      ->check(whole_number);
+  auto* dot = app.add_subcommand("graph", "Write what follows from what, as a graph in DOT.");
+  auto* proving =
+      app.add_subcommand("prove", "Decide whether two expressions, equations or inequalities are the same.");
+  auto* lhs = proving->add_option("lhs", options.request.left, "First statement, such as \"sin(2*x)\".");
+  auto* rhs =
+      proving->add_option("rhs", options.request.right, "Second statement, such as \"2*sin(x)*cos(x)\".");
   auto* assume =
       proving
           ->add_option(
               "--assume", options.request.assumptions,
-              "\"x > 0\", \"0 < x < 1\", \"b < h\", \"mu > tan(alpha)\", \"x != y\", "
-              "\"h = R*cos(alpha)\", \"p^2 = 3*g/(4*R)\", \"x^2+y^2 = 1\"; more of them by more options")
+              "Assume a condition such as \"x > 0\", \"0 < x < 1\", \"b < h\", \"mu > tan(alpha)\", \"x != "
+              "y\",\n"
+              "\"h = R*cos(alpha)\", \"p^2 = 3*g/(4*R)\" or \"x^2+y^2 = 1\". May be given several times.")
           ->take_all()
           ->allow_extra_args(false)
           ->option_text("TEXT");
-  auto* small = proving->add_option("--small", options.request.small, "Compare the series in these symbols")
-                    ->delimiter(',')
-                    ->allow_extra_args(false)
-                    ->option_text("NAME[,NAME]");
-  auto* order =
-      proving->add_option("--order", options.request.order, "With --small: to which order, such as 2")
-          ->check(whole_number)
-          ->needs(small);
+  auto* small =
+      proving->add_option("--small", options.request.small, "Compare the series in these small symbols.")
+          ->delimiter(',')
+          ->allow_extra_args(false)
+          ->option_text("NAME[,NAME]");
+  auto* order = proving
+                    ->add_option("--order", options.request.order,
+                                 "With --small, compare the series up to this order, such as 2.")
+                    ->check(whole_number)
+                    ->needs(small);
 
   proving->footer(
+      "Examples:\n"
+      "  $ ledger prove \"sin(3*x)\" \"3*sin(x) - 4*sin(x)^3\"\n"
+      "  $ ledger prove \"sqrt(x^2)\" \"x\" --assume \"x > 0\"\n"
+      "  $ ledger prove \"sin(x)\" \"x - x^3/6\" --small x --order 3\n\n"
       "To ask whether an inequality holds wherever it has a value, compare it with 0 < 1.\n\n"
-      "proved holds without the equations that are assumed, proved_under needs them; approximation: with\n"
-      "--small, where the two themselves are not the same, but their series are. An identity is proved "
-      "where\n"
-      "both sides are defined; if one side is defined where the other is not, that is a side condition, and "
-      "it\n"
-      "is listed. The line by says what a verdict rests on: identity, sign, points or expansion.\n\n"
+      "The verdict proved holds without the assumed equations; proved_under needs them. The verdict\n"
+      "approximation is possible with --small: the statements differ, but their series agree. An identity "
+      "is\n"
+      "proved where both sides are defined. If one side is defined where the other is not, that is a side\n"
+      "condition, and it is listed. The line \"by\" says what the verdict rests on: identity, sign, points "
+      "or\n"
+      "expansion.\n\n"
       "A witness shows the values of two expressions, or of A and B for y = A and y = B; for other "
       "equations\n"
-      "and inequalities the differences of their sides. In JSON, at gives every symbol: as the rational "
-      "number\n"
-      "that it is, or its digits; then exactly says what it is, or between has rational bounds of a root of "
-      "the\n"
-      "equation solves. in_words says the same to a reader.\n"
-      "Exit code: 0 proved, 1 refuted, 3 undecided, 2 for input that cannot be read or output that cannot "
-      "be\nwritten.\n");
-  auto* table = proving
-                    ->add_option("--table", options.table,
-                                 "Decides every row of a table and writes a page in Markdown, or JSON")
-                    ->check(CLI::ExistingFile);
+      "and for inequalities it shows the differences of their sides. In JSON, \"at\" gives the value of "
+      "every\n"
+      "symbol: a rational number, or digits. Beside digits, \"exactly\" gives the constant that they stand "
+      "for,\n"
+      "or \"between\" gives rational bounds of a root of the equation \"solves\". \"in_words\" says the same "
+      "in\n"
+      "words.\n\n"
+      "Exit code: 0 if proved; 1 if refuted; 2 for input that cannot be read or output that cannot be\n"
+      "written; 3 if undecided.\n");
+  auto* table =
+      proving
+          ->add_option("--table", options.table,
+                       "Decide every row of a table, and write a page in Markdown or, with --json, in JSON.")
+          ->check(CLI::ExistingFile);
   for (auto* other : {lhs, rhs, assume, small, order}) table->excludes(other);
   auto* certificate =
-      proving->add_option("--certificate", options.certificate, "Writes the proof as a Coq script")
+      proving->add_option("--certificate", options.certificate, "Write the proof as a Coq script.")
           ->check(file_name)
           ->excludes(table)
           ->excludes(small)
           ->option_text("FILE.v");
 
+  app.footer(
+      "Examples:\n"
+      "  $ ledger show 17b\n"
+      "  $ ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"\n"
+      "  $ ledger errata --format markdown\n\n");
   return run_command(app, argc, argv, [&]() -> int {
     if (own) take(*own, options, equations->count() > 0);
     if (*show) return show_one(options);
-    if (*text && own) throw BadInput("claims: of this paper the equations alone are judged");
+    if (*text && own) throw BadInput("claims: this paper has no claims; only its equations are judged");
     if (*text) return show_claims(options.claims, options.id, options.json);
     if (*mutation) return show_mutation(options);
     if (*proving && *table) return show_table(options);
     if (*proving && (!*lhs || !*rhs))
       throw BadInput(
-          "prove wants two statements; right is, for example, ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
+          "prove needs two statements, for example: ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
     for (std::string* text : {&options.request.left, &options.request.right}) *text = trimmed(*text);
     for (std::string& name : options.request.small) name = symbol_name(name);
     if (*certificate)

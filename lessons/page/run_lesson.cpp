@@ -151,15 +151,21 @@ int run_lesson(const Lesson& lesson, int argc, char** argv) {
   std::erase(teaches, '*');  // which sets words in italics
   CLI::App app{fmt::format("Lesson {}. {}\n{}", lesson.number, lesson.title, teaches)};
   Flags flags;
-  app.add_flag("--list", flags.list, "the steps of this lesson");
-  app.add_option("--step", flags.step, "one step alone, to go slowly")->check(whole_number)->type_name("N");
-  app.add_option("--format", flags.format, "unicode, plain, latex, markdown, notebook or html")
+  app.add_flag("--list", flags.list, "List the steps of this lesson.");
+  app.add_option("--step", flags.step,
+                 "Show step N alone, from 1 to the number of steps. Default: all steps.")
+      ->check(whole_number)
+      ->type_name("N");
+  app.add_option("--format", flags.format, "Choose the format. Default: unicode.")
       ->check(CLI::IsMember({"unicode", "plain", "latex", "markdown", "notebook", "html"}))
       ->type_name("FORMAT");
-  app.add_flag("--quiet", flags.quiet, "the ledger's verdicts only");
-  app.add_option("--out", flags.out, "write here instead of to the terminal")
+  app.add_flag("--quiet", flags.quiet, "Show the verdicts of the ledger alone.");
+  app.add_option("--out", flags.out, "Write to this file. Default: standard output.")
       ->check(file_name)
       ->type_name("FILE");
+  const std::string program = argc > 0 ? printable_name(fs::path(argv[0]).filename()) : "lesson";
+  app.footer(
+      fmt::format("Examples:\n  $ {0} --step 2\n  $ {0} --format html --out lesson.html\n\n", program));
   return run_command(app, argc, argv, [&] { return run(lesson, flags); });
 }
 
