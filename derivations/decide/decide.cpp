@@ -29,7 +29,7 @@ Proof proved(const Comparison& setting, const Sameness& found) {
   proof.certificate = found.certificate;
   if (found.factor) proof.factor = setting.text_of(*found.factor);
   if (is_expression && found.by == "identity") proof.factor = "1";
-  proof.reason = found.by == "sign"    ? "each follows from the other one by the signs of products"
+  proof.reason = found.by == "sign"    ? "each follows from the other by the signs of products"
                  : is_expression       ? "the numerator of the difference vanishes identically"
                  : proof.factor == "1" ? "the two are the same, identically"
                  : found.factor        ? "the two differ by a factor that is neither 0 nor infinite"
@@ -91,8 +91,7 @@ Proof decide_problem(const Problem& problem, bool by_points) {
       !problem.left.operators.empty() && names_of(problem.left).empty() && names_of(problem.right).empty();
   Search tried = search(problem, is_of_numbers ? many : few);
   if (is_of_numbers && tried.agreed > 0)
-    return {
-        .verdict = Verdict::proved, .reason = "the numbers in both are told apart by balls", .by = "sign"};
+    return {.verdict = Verdict::proved, .reason = "both are decided in ball arithmetic", .by = "sign"};
   std::optional<Proof> proof;
   std::string missing =
       "the sides agree wherever they were compared, but neither the difference vanishes identically nor a "
@@ -117,7 +116,7 @@ Proof decide_problem(const Problem& problem, bool by_points) {
   if (tried.witness && !by_points) return undecided("it does not hold everywhere");
   if (tried.witness) return refuted(*tried.witness, "the two sides differ at the witness", "points");
   if (tried.agreed == 0 && tried.lacking && by_points && is_contradictory(problem))
-    return refuted(*tried.lacking, "one side has no value wherever the other one has some, as at the witness",
+    return refuted(*tried.lacking, "one side never has a value where the other one has, as at the witness",
                    "sign");
   if (tried.agreed == 0) return undecided("no point was found at which both sides have a value");
   return proof.value_or(undecided(missing));
@@ -152,11 +151,11 @@ std::string in_plain_words(const std::exception& error) {
       dynamic_cast<const SyntaxError*>(&error) != nullptr)
     return error.what();
   if (dynamic_cast<const std::domain_error*>(&error) != nullptr)  // GiNaC's pole_error among them
-    return "on the way to a decision something has no value: a division by 0, or a pole of a function";
+    return "an intermediate expression has no value: it divides by 0, or is a pole of a function";
   if (dynamic_cast<const cln::runtime_exception*>(&error) != nullptr ||
       dynamic_cast<const std::overflow_error*>(&error) != nullptr)
-    return "numbers or exponents grow too large on the way to a decision";
-  return "on the way to a decision it turns into something that is not in the class";
+    return "numbers or exponents become too large during the decision";
+  return "it turns into an expression that the procedure does not decide";
 }
 
 bool contradict(const std::vector<Relation>& assumptions, const Symbols& symbols) {

@@ -60,9 +60,9 @@ class Expansion {
 
   /// The polynomial up to a power, at size 1.
   ex polynomial(const Series& series, int order) const {
-    if (series.known <= order + 1) throw Undecidable("poles that are too deep for this order");
+    if (series.known <= order + 1) throw Undecidable("a pole is of too high an order");
     if (has_log_of_small(coefficient(series, order + 1)))
-      throw Undecidable("what is left out is larger than the next power, by a logarithm");
+      throw Undecidable("the remainder is larger than the next power, by a logarithm");
     return truncated(series.terms, order + 1).terms.subs(size_ == 1);
   }
 
@@ -73,7 +73,7 @@ class Expansion {
     std::vector<Atom> unused;
     const Fraction f = known_.translator(lowest, unused);
     const Signs known = known_.ring.signs_of(f);
-    if ((known & signs).is_none()) throw Undecidable("there is no series of what has no value");
+    if ((known & signs).is_none()) throw Undecidable("an argument has no value");
     if (!prove_signs(known_.ring, f, signs)) conditions.push_back({f, signs, lowest});
     return known;
   }
@@ -99,7 +99,7 @@ class Expansion {
       throw Undecidable("there is no series of this form");
     const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
     if (name == "tan") return of_scaled(GiNaC::sin(e.op(0)) / GiNaC::cos(e.op(0)));
-    if (name == "abs") throw Undecidable("there is no series of what stands between bars");
+    if (name == "abs") throw Undecidable("there is no series of an absolute value");
     Series inside = of_scaled(e.op(0));
     if (name == "log") {  // log(size^m (c + ...)) = m log(size) + log(c + ...), and the size is 1 in the end
       inside = from_its_lowest_term(inside);
@@ -139,10 +139,10 @@ class Expansion {
   }
   Series from_its_lowest_term(const Series& series) {
     const Series s = without_zeros(series, series.known);
-    if (s.terms.is_zero()) throw Undecidable("a divisor that is 0 to all orders that were looked at");
+    if (s.terms.is_zero()) throw Undecidable("a divisor is 0 to all orders that were tried");
     for (const std::string& name : small_)
       if (small_.size() > 1 && coefficient(s, low(s)).has(symbols_[name]))
-        throw Undecidable("a divisor whose lowest terms may be smaller than the rest");
+        throw Undecidable("the lowest terms of a divisor may be the smaller ones");
     return s;
   }
   /// Of a negative exponent: (c·sizeᵐ(1 + …))ⁿ = sizeᵐⁿ·(c + …)ⁿ.
@@ -159,9 +159,9 @@ class Expansion {
     Series delta = without_zeros(argument, 0);
     const ex a = coefficient(delta, 0);
     if (low(delta) < 0 || has_log_of_small(a))
-      throw Undecidable("there is no series of a function of what is infinite");
+      throw Undecidable("there is no series of a function at infinity");
     if (GiNaC::is_a<GiNaC::power>(f) && !f.op(1).info(GiNaC::info_flags::integer) && is_zero(a))
-      throw Undecidable("there is no series of a root of what is small");
+      throw Undecidable("there is no series of a root at 0");
     delta.terms -= a;
     Series sum{0, delta.known}, power{1, terms_};
     ex derivative = f;
@@ -223,9 +223,9 @@ std::pair<Relation, Relation> to_order(const Problem& problem, const std::vector
   };
   if (left.operators.empty()) return {{{polynomial(left.sides[0])}, {}}, {{polynomial(right.sides[0])}, {}}};
   if (left.operators.size() != 1 || right.operators.size() != 1 || is_equation(left) != is_equation(right))
-    throw Undecidable("of relations, the series of two equations or of two inequalities are compared");
+    throw Undecidable("the series of an equation and an inequality cannot be compared");
   if (is_symbol(left.sides[0]) && is_symbol(right.sides[0]) && left.sides[0]->text != right.sides[0]->text)
-    throw Undecidable("the two say what different symbols are, and the order may differ");
+    throw Undecidable("the two are about different symbols, and their orders may differ");
   for (const std::string& name : symbols_to_solve_for(left, right)) {
     if (std::ranges::find(small, name) != small.end()) continue;
     const auto a = said_of(left, symbols[name], symbols), b = said_of(right, symbols[name], symbols);
@@ -236,7 +236,7 @@ std::pair<Relation, Relation> to_order(const Problem& problem, const std::vector
       const Signs signs = expansion.require(expansion.of(said.coefficient), Signs::nonzero());
       if (op != "=" && signs == Signs::negative()) op[0] = op[0] == '<' ? '>' : '<';
       if (op != "=" && signs != Signs::positive() && signs != Signs::negative())
-        throw Undecidable("a factor of " + name + " of which the sign is not known");
+        throw Undecidable("the sign of a factor of " + name + " is not known");
       return Relation{{to_tree(symbols[name], symbols), polynomial(said.value)}, {op}};
     };
     return {says(left, *a), says(right, *b)};

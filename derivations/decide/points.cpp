@@ -108,7 +108,7 @@ Table table_of(const Problem& problem) {
   Table result;
   for (const std::string& name : names) {
     const Symbol* symbol = problem.symbols.find(name);
-    if (symbol == nullptr) throw Undecidable("the symbol " + name + ", which is not declared");
+    if (symbol == nullptr) throw Undecidable("the symbol " + name + " is not declared");
     Interval range = parse_range(symbol->range);
     for (const Relation& a : problem.assumptions) narrow(range, a, name);
     result.emplace_back(name, candidates(range, landmarks));

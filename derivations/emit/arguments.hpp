@@ -60,7 +60,7 @@ inline std::string row(Side side, const std::string& negative, const std::string
 inline ex without(const SymbolExpression& symbol, const ex& e) {
   if (!e.has(symbol)) return e;
   const bool independent = e.diff(symbol).normal().is_zero();
-  if (!independent) throw std::logic_error("what should not depend on " + name_of(symbol) + " does");
+  if (!independent) throw std::logic_error("the expression must not depend on " + name_of(symbol));
   return e.subs(symbol == 1);
 }
 inline ex with_ground(const ex& e) { return e.subs(u_gddot == numbers().ground * g); }

@@ -205,7 +205,7 @@ const std::vector<TargetLanguage>& target_languages() {
 const Dialect& dialect(Target target) {
   for (const TargetLanguage& language : target_languages())
     if (language.target == target && language.dialect != nullptr) return *language.dialect;
-  throw std::invalid_argument("LaTeX is no programming language");
+  throw std::invalid_argument("LaTeX is not a programming language");
 }
 
 std::string wrapped(const std::string& line, const std::string& indent, const std::string& separator) {

@@ -22,10 +22,11 @@ Emission emission_of(const std::vector<std::string>& names, Target target) {
   for (const EmittedFunction& function : all.functions) unknown.erase(function.name);
   for (const TaylorStepper& stepper : all.steppers)
     if (unknown.erase(stepper.name) != 0 && !has_steppers)
-      throw BadInput("'" + stepper.name + "' is a Taylor stepper: it is written in cpp and in javascript");
+      throw BadInput("'" + stepper.name +
+                     "' is a Taylor stepper: it can only be written in cpp and javascript");
   if (!unknown.empty())
     throw BadInput("there is no function '" + printable_line(*unknown.begin()) +
-                   "'; 'emit --list' shows all of them");
+                   "'; emit --list shows all functions");
   const auto is_left_out = [&](const auto& f) { return !named.empty() && !named.contains(f.name); };
   std::erase_if(all.functions, is_left_out);
   std::erase_if(all.steppers, [&](const auto& f) { return !has_steppers || is_left_out(f); });

@@ -60,7 +60,7 @@ void check_arguments(const EmittedFunction& function) {
     if (!given) {
       throw std::invalid_argument(function.name + " depends on " +
                                   print(*part, Notation::plain, emission_symbols()) +
-                                  ", which is no argument of it");
+                                  ", which is not among its arguments");
     }
   }
 }

@@ -34,7 +34,8 @@ std::size_t Operations::one_of(Kind kind, const std::string& text, std::vector<s
 std::size_t Operations::add(const Node& node) {
   switch (node.kind) {
     case Node::Kind::number: {
-      if (!is_whole(node)) throw std::invalid_argument("only integers are emitted, not " + node.text);
+      if (!is_whole(node))
+        throw std::invalid_argument("the number must be an integer, but it is " + node.text);
       return one_of(Kind::number, node.text, {});
     }
     case Node::Kind::symbol:
@@ -50,7 +51,7 @@ std::size_t Operations::add(const Node& node) {
     case Node::Kind::call:
       return one_of(Kind::call, node.text, {add(*node.children[0])});
   }
-  throw std::logic_error("a kind of node that there is not");
+  throw std::logic_error("unknown kind of node");
 }
 
 std::size_t Operations::add_sum(const Node& node) {

@@ -59,7 +59,10 @@ class Extension {
     arguments.push_back(paper::t);
     const std::string name = stepper_.name + ": the rate of " + name_of(state);
     const std::string unit = provenance({name, arguments, rate * paper::t / state, {}, "", ""}).unit;
-    if (unit != "1") throw std::invalid_argument(name + ", times the time over the state, is in " + unit);
+    if (unit != "1")
+      throw std::invalid_argument(
+          name + ", multiplied by the time and divided by the state, must be a pure number, but it is in " +
+          unit);
   }
 
   bool moves(const Node& node) const {
@@ -100,7 +103,7 @@ class Extension {
     }
     throw std::invalid_argument(stepper_.name + ": " + function + "(" +
                                 print(argument, Notation::plain, system_.symbols) +
-                                ") has no recurrence: sin, cos, sinh, cosh and exp have");
+                                ") has no recurrence; only sin, cos, sinh, cosh and exp have one");
   }
 
   const TaylorStepper& stepper_;

@@ -27,7 +27,7 @@ class Writer {
       case Node::Kind::power:
         return of_power(*tree);
       default:
-        throw std::logic_error("no rational operation: " + tree->text);
+        throw std::logic_error("not a rational operation: " + tree->text);
     }
   }
 
@@ -74,7 +74,8 @@ class Writer {
     const bool whole = exponent->kind == Node::Kind::number && exponent->text.size() < 4 &&
                        exponent->text.find_first_not_of("0123456789") == std::string::npos;
     const int power = whole ? std::stoi(exponent->text) : 0;
-    if (power < 2) throw std::invalid_argument("only whole powers of what moves have a recurrence");
+    if (power < 2)
+      throw std::invalid_argument("only whole powers of a quantity that varies have a recurrence");
     return product_of(std::vector<Tree>(static_cast<std::size_t>(power), node.children[0]));
   }
 

@@ -264,7 +264,7 @@ std::string text_of(const TaylorStepper& stepper, Target target) {
 std::string taylor_text(const std::vector<TaylorStepper>& steppers, Target target) {
   if (steppers.empty()) return "";
   if (target != Target::cpp && target != Target::javascript)
-    throw std::invalid_argument("Taylor steppers are written in C++ and JavaScript");
+    throw std::invalid_argument("Taylor steppers can only be written in C++ and JavaScript");
   std::string text = target == Target::cpp ? cpp_prologue : javascript_prologue;
   for (const TaylorStepper& stepper : steppers) text += text_of(stepper, target);
   return text;

@@ -39,7 +39,7 @@ Fraction Ring::reduced(const Polynomial& p) const {
                         power(g.value.denominator, most - i / g.degree);
     rest = Fraction(sum, rest.denominator * power(g.value.denominator, most));
   }
-  throw TooLarge("relations between roots that are too deep");
+  throw TooLarge("roots are nested too deeply");
 }
 
 Fraction Ring::normal(const Fraction& f) const {

@@ -40,7 +40,7 @@ class Ring {
   Fraction generator(const std::string& name, const Fraction& of, const Make& make) {
     if (const auto known = find(name, of)) return Polynomial::variable(*known);
     if (generators_.size() == Polynomial::variables)
-      throw TooLarge("too many independent functions in one statement");
+      throw TooLarge("the statement has too many independent functions");
     generators_.push_back(make());
     return Polynomial::variable(index_[{name, of}] = static_cast<int>(generators_.size()) - 1);
   }

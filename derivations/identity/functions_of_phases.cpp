@@ -13,7 +13,7 @@ constexpr int most_times = 64, most_parts = 180;
 int Translator::common_multiple(const std::string& name, const Fraction& of, const cln::cl_I& number) {
   const auto [place, is_new] = denominators_.try_emplace({name, of}, 1);
   const cln::cl_I before = std::exchange(place->second, cln::lcm(place->second, number));
-  if (place->second > most_parts) throw TooLarge("a root of an order above 180");
+  if (place->second > most_parts) throw TooLarge("the order of a root is above 180");
   if (!is_new && place->second != before) throw OtherBasis();
   return cln::cl_I_to_int(place->second);
 }

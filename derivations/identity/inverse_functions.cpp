@@ -44,7 +44,7 @@ Fraction Translator::root(const Fraction& value, int order) {
     if (taken % order != 0) outside = outside * power(root_generator(modulus(factor), order), taken % order);
   }
   if (inside.is_one()) return ring_.normal(outside);
-  if (inside.is_constant()) throw NoValue("the root of a negative number");
+  if (inside.is_constant()) throw NoValue("a root of a negative number");
   return ring_.normal(outside * root_generator(inside, order));
 }
 
@@ -90,7 +90,7 @@ Fraction Translator::logarithm(const Fraction& value) {
     if (signs == Signs::negative() && exponent % 2 != 0) rest = -rest;
   }
   if (rest.is_one()) return ring_.normal(sum);
-  if (rest.is_constant()) throw NoValue("the logarithm of a negative number");
+  if (rest.is_constant()) throw NoValue("a logarithm of a negative number");
   return ring_.normal(sum + logarithm_of(rest));
 }
 

@@ -73,7 +73,7 @@ Polynomial Polynomial::primitive() const {
 
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   if (a.terms() > 1 && b.terms() > 1 && a.terms() * b.terms() > 100 * Polynomial::most_terms)
-    throw TooLarge("too many terms, once it is multiplied out");
+    throw TooLarge("there are too many terms when it is expanded");
   return Polynomial::of<fmpz_mpoly_mul>(a.p_, b.p_);
 }
 
@@ -93,7 +93,7 @@ std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b) {
 Polynomial gcd(const Polynomial& a, const Polynomial& b) {
   Polynomial result;
   if (fmpz_mpoly_gcd(result.p_, a.p_, b.p_, Polynomial::context()) == 0)
-    throw TooLarge("a greatest common divisor that is too large");
+    throw TooLarge("a greatest common divisor is too large");
   return result;
 }
 
@@ -135,7 +135,7 @@ Factors factors(const Polynomial& p) {
     }
   }
   fmpz_mpoly_factor_clear(found, Polynomial::context()), fmpz_factor_clear(primes);
-  if (!is_done) throw TooLarge("a polynomial whose factors are not found");
+  if (!is_done) throw TooLarge("the factors of a polynomial were not found");
   return known[p] = std::move(result);
 }
 

@@ -85,7 +85,7 @@ class Polynomial {
   static Polynomial of(const Arguments&... arguments) {
     Polynomial result;
     function(result.p_, arguments..., context());
-    if (result.terms() > most_terms) throw TooLarge("too many terms, once it is multiplied out");
+    if (result.terms() > most_terms) throw TooLarge("there are too many terms when it is expanded");
     return result;
   }
   fmpz_mpoly_t p_;

@@ -15,7 +15,7 @@ Fraction Translator::operator()(const Tree& tree, std::vector<Atom>& conditions)
 
 void Translator::require(const Fraction& value, Signs allowed, const Tree& tree) {
   if (value.is_constant()) {
-    if (!ring_.signs_of(value).within(allowed)) throw NoValue("a part of it has no value anywhere");
+    if (!ring_.signs_of(value).within(allowed)) throw NoValue("a part of it never has a value");
     return;
   }
   conditions_->push_back({value, allowed, tree});
@@ -57,7 +57,7 @@ Fraction Translator::power_of(const Tree& tree) {
   if (!exponent.is_constant()) {
     if (ring_.signs_of(base) == Signs::positive())
       return exponential(ring_.normal(exponent * logarithm(base)));
-    if (base.is_zero()) throw Undecidable("a power of 0 with a symbolic exponent");
+    if (base.is_zero()) throw Undecidable("a power of 0 has a symbolic exponent");
     const std::string name = "to the power " + std::to_string(whole(exponent).numerator.used().at(0));
     const Fraction power = ring_.generator(name, base, [&] {
       return Generator{pow(ring_.meaning_of(base), ring_.meaning_of(exponent)), {}, "power", base};
@@ -77,8 +77,7 @@ Fraction Translator::power_of(const Tree& tree) {
 
 /// base^exponent, of a base that is not negative where the exponent is a fraction.
 Fraction Translator::raised(const Fraction& base, const cl_RA& exponent) {
-  if (cln::abs(exponent) > 64 || cln::denominator(exponent) > 180)
-    throw TooLarge("an exponent that is too large");
+  if (cln::abs(exponent) > 64 || cln::denominator(exponent) > 180) throw TooLarge("an exponent is too large");
   const int n = cln::cl_I_to_int(cln::numerator(exponent)),
             order = cln::cl_I_to_int(cln::denominator(exponent));
   const Fraction factor = order > 1 ? root(base, order) : base;
@@ -117,14 +116,14 @@ Fraction Translator::call(const Node& node) {
     if (name == "exp") return exponential(of);
     if (name == "log") return logarithm(of);
     if (name == "atan" || name == "asin") return angle(name == "asin", of);
-    throw Undecidable("the function " + name);
+    throw Undecidable("unknown function " + name);
   });
 }
 
 Fraction Translator::symbol(const std::string& name) {
   const Fraction variable = ring_.generator(name, 0, [&] {
     const Symbol* known = symbols_.find(name);
-    if (known == nullptr) throw Undecidable("the symbol " + name + ", which is not declared");
+    if (known == nullptr) throw Undecidable("the symbol " + name + " is not declared");
     return Generator{known->ginac, parse_range(known->range)};
   });
   return ring_.normal(variable);  // an equation that is assumed may say what it is

@@ -17,7 +17,7 @@ struct Atom {
 
 /// What phases, roots or values are made of has to change: all is translated in a new ring.
 struct OtherBasis : Undecidable {
-  OtherBasis() : Undecidable("functions of functions, too deep") {}
+  OtherBasis() : Undecidable("functions are nested too deeply") {}
 };
 
 class Translator {

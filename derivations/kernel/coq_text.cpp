@@ -34,7 +34,8 @@ Tree in_coq(const Tree& tree) {
   if (tree->kind == Node::Kind::call) return make_tree(Node::Kind::call, function_name(tree->text), children);
   if (tree->kind != Node::Kind::power) return make_tree(tree->kind, tree->text, children, tree->inverse);
   const auto exponent = number_in(tree->children[1]);
-  if (!exponent || cln::denominator(*exponent) > 2) throw Undecidable("a power of another kind than roots");
+  if (!exponent || cln::denominator(*exponent) > 2)
+    throw Undecidable("there is no script for this kind of power");
   const Tree base =
       cln::denominator(*exponent) == 2 ? make_tree(Node::Kind::call, "sqrt", {children[0]}) : children[0];
   const Tree size = tree_of({cln::abs(cln::numerator(*exponent))});

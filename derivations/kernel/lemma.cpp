@@ -101,7 +101,7 @@ bool holds_at(const Relation& statement, const Witness& witness, const std::map<
   Point point;
   for (const auto& [symbol, value] : at) point.emplace(symbol, Number(value));
   const Truth truth = truth_at(statement, point);
-  if (truth == Truth::undefined) throw Undecidable("there is no script for what has no value");
+  if (truth == Truth::undefined) throw Undecidable("there is no script for a side that has no value");
   return truth == Truth::holds;
 }
 
@@ -174,7 +174,7 @@ bool has_script(const Question& q) try {
 }
 
 std::string refutation(const std::string& name, const Question& question, const Proof& proof) {
-  if (proof.by == "sign") throw Undecidable("one side has no value, for which there is no script");
+  if (proof.by == "sign") throw Undecidable("there is no script for a side that has no value");
   const Statement s(question, proof);
   const Question& q = s.q;
   const std::map<std::string, Tree> at = values_at(*proof.witness, s);

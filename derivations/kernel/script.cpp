@@ -146,7 +146,7 @@ void Script::say_facts() {
       say_fact("square_root " + name + " # (" + base_of(g, index) + ")");
       meaning = declare(name).ginac;
     } else if (g.function == "sqrt" || g.function == "fabs" || g.function == "log") {
-      throw Undecidable("there is no script for roots of higher order, bars and logarithms");
+      throw Undecidable("there is no script for higher roots, absolute values and logarithms");
     }
     meanings_.push_back(meaning);
   }
@@ -215,7 +215,7 @@ std::optional<std::string> Script::factor(const Tree& left, const Tree& right) {
   ratio = Fraction(in_sines(known_.ring, ratio.numerator), in_sines(known_.ring, ratio.denominator));
   for (const auto& [factor, exponent] : factors(ratio.numerator * ratio.denominator).second)
     if (!known_.ring.signs_of(factor).is_definite())
-      throw Undecidable("there is no script for two that hold at the same points, but not by a factor");
+      throw Undecidable("there is no script for relations that differ by more than a factor");
   return text_of(ratio);
 }
 

@@ -75,16 +75,16 @@ constexpr Spelling pairs[] = {  // both, one after the other
     {U"==", slip, "write '=' instead of '=='"},
     {U"=<", slip, "write '<=' instead of '=<'"},
     {U"=>", slip, "write '>=' instead of '=>'"},
-    {U"<>", slip, "'<>' is no relation that can be read here: use =, <, <=, > or >="},
+    {U"<>", slip, "'<>' is not a relation that can be read here: use =, <, <=, > or >="},
 };
 constexpr Spelling singles[] = {
     {U"=", relation, "="}, {U"<", relation, "<"}, {U">", relation, ">"}, {U"≤", relation, "<="}, {U"≥", relation, ">="},
     {U"+", mark, "+"}, {U"-−", mark, "-"}, {U"*·⋅×", mark, "*"}, {U"/∕⁄÷", mark, "/"}, {U"^", mark, "^"},
     {U"(", mark, "("}, {U")", mark, ")"}, {U",", mark, ","}, {U"√", mark, "sqrt"},
     {U"[{", slip, "write '(' instead of '{}'"}, {U"]}", slip, "write ')' instead of '{}'"},
-    {U"≠≈", slip, "'{}' is no relation that can be read here: use =, <, <=, > or >="},
+    {U"≠≈", slip, "'{}' is not a relation that can be read here: use =, <, <=, > or >="},
     {U"½¼¾", slip, "write '{}' as a quotient"}, {U"–—", slip, "write '-' for a minus"},
-    {U"∞", slip, "infinity is no number"}, {U"|", slip, "write fabs(x) for |x|"},
+    {U"∞", slip, "infinity is not a number"}, {U"|", slip, "write fabs(x) for |x|"},
     {U"\\", slip, "LaTeX is not read here: write names without '\\'"},
     {U"±", slip, "'±' stands for two statements: write them one by one"},
     {U"'", slip, "primes are not used here: the rate of theta is thetadot"},
@@ -99,7 +99,7 @@ class Tokenizer {
     if (text.size() <= 4 * limits.characters) characters_ = decode(text);
     if (text.size() > 4 * limits.characters || characters_.codes.size() > limits.characters + 1)
       throw SyntaxError("too_long", characters_.codes.empty() ? 0 : byte(limits.characters),
-                        "this is longer than " + std::to_string(limits.characters) + " characters");
+                        "the text is longer than " + std::to_string(limits.characters) + " characters");
     const bool is_ascii = std::ranges::max(characters_.codes) < 0x80;  // then no Greek letter stands in it
     for (const auto& [name, symbol] : symbols.table()) {
       if (is_ascii && (symbol.unicode[0] & 0x80) != 0) continue;
@@ -244,7 +244,7 @@ class Tokenizer {
   std::string checked_pi(const std::string& name) const {
     if (name != "Pi" && name != "PI" && name != "pI") return name;
     if (typed(start_, at_) == "Pi") return "pi";
-    refuse("unknown_symbol", "'" + typed(start_, at_) + "' is no symbol here: the constant is written pi");
+    refuse("unknown_symbol", "'" + typed(start_, at_) + "' is not a symbol here: the constant is written pi");
   }
 
   std::string_view text_;

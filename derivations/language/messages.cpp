@@ -96,7 +96,7 @@ std::string unknown_function(std::string_view name, const std::string& quoted) {
 
 std::string unknown_symbol(std::string_view name, const std::string& quoted, const Symbols& symbols) {
   if (is_no_number(name))
-    return lower_case(name) == "nan" ? quoted + " is no number" : "infinity is no number";
+    return lower_case(name) == "nan" ? quoted + " is not a number" : "infinity is not a number";
   return "there is no symbol " + quoted + did_you_mean(nearest_symbol(name, symbols));
 }
 

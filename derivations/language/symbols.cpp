@@ -9,7 +9,7 @@ Range read_range(std::string_view text) {
   static const std::regex form(R"( *([(\[]) *([^,]*[^, ]) *, *([^,]*[^, ]) *([)\]]) *)");
   std::cmatch part;
   if (!std::regex_match(text.begin(), text.end(), part, form))
-    throw std::invalid_argument("a range is written (lower, upper), not '" + std::string(text) + "'");
+    throw std::invalid_argument("a range must be written (lower, upper), not '" + std::string(text) + "'");
   return {part[2], part[3], part[1] == "[", part[4] == "]"};
 }
 
@@ -26,7 +26,7 @@ bool is_nonnegative_end(std::string_view end) {
 const Symbol& Symbols::declare(Symbol symbol) {
   static const std::regex name_form("(?![Pp][Ii]$|inf$)[A-Za-z_][A-Za-z_0-9]*");
   if (!std::regex_match(symbol.name, name_form))
-    throw std::invalid_argument("a name is letters, digits and '_', and neither 'pi' nor 'inf', not '" +
+    throw std::invalid_argument("a name must be of letters, digits and '_', and not pi or inf, unlike '" +
                                 symbol.name + "'");
   const Range ends = read_range(symbol.range);
   if (!GiNaC::is_a<GiNaC::symbol>(symbol.ginac)) {

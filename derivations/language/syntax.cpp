@@ -44,7 +44,7 @@ class Parser {
     Relation relation = statement();
     if (relation.operators.empty()) return relation.sides[0];
     const Token& sign = *std::ranges::find(tokens_, Is::relation, &Token::kind);
-    refuse("relation", "an expression is wanted here, without '" + sign.text + "'", sign);
+    refuse("relation", "an expression is expected here, without '" + sign.text + "'", sign);
   }
 
  private:
@@ -186,15 +186,14 @@ class Parser {
 
   void close(const Token& opened) {
     if (take_if(")")) return;
-    if (now().kind == Is::relation) refuse("relation", "a relation cannot stand inside parentheses", now());
+    if (now().kind == Is::relation) refuse("relation", "a relation is not allowed inside parentheses", now());
     if (now().is(",")) refuse_comma();
     refuse("syntax", "this parenthesis is never closed", opened);
   }
 
   /// x*, (), ²: an operand should begin here, and none does.
   [[noreturn]] void refuse_operand() const {
-    if (now().kind == Is::superscript)
-      refuse("syntax", "there is nothing here that this exponent raises", now());
+    if (now().kind == Is::superscript) refuse("syntax", "this exponent has no base", now());
     if (at_ == 0) refuse("syntax", "an operand is missing before " + quoted(now()), now());
     const Token& before = tokens_[at_ - 1];
     if (before.is("(") && now().is(")")) refuse("syntax", "there is nothing in these parentheses", now());
@@ -205,7 +204,7 @@ class Parser {
   [[noreturn]] void refuse_comma() const {
     const Token &before = tokens_[at_ - 1], &after = tokens_[at_ + 1];
     if (before.kind != Is::number || after.kind != Is::number)
-      refuse("syntax", "a comma can only stand between the arguments of a function", now());
+      refuse("syntax", "a comma is only allowed between the arguments of a function", now());
     refuse("syntax", "a decimal number is written with a point: " + before.text + "." + after.text, now());
   }
 
@@ -241,7 +240,7 @@ class Parser {
       refuse("syntax", "this may mean 1/" + function.text + "(x) or a" + function.text + "(x): write which",
              now());
     if (is_raised) return superscript();
-    note("syntax", "an exponent stands behind the argument", function);
+    note("syntax", "an exponent comes after the argument", function);
     take();
     return primary();
   }
@@ -290,7 +289,7 @@ Relation parse_statement(std::string_view text, const Symbols& symbols, const Li
 Relation parse_relation(std::string_view text, const Symbols& symbols, const Limits& limits) {
   Relation relation = parse_statement(text, symbols, limits);
   if (!relation.operators.empty()) return relation;
-  throw SyntaxError("relation", text.size(), "a relation is wanted here: a = b, a < b …");
+  throw SyntaxError("relation", text.size(), "a relation is expected here: a = b, a < b …");
 }
 
 Tree parse(std::string_view text, const Symbols& symbols, const Limits& limits) {

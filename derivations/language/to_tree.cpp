@@ -216,7 +216,7 @@ struct Writer {
         result.coefficient *= GiNaC::ex_to<numeric>(part);
       else
         result.factors.push_back(factor(part, result.coefficient));
-    if (!result.coefficient.is_rational()) throw std::invalid_argument("a number that is not rational");
+    if (!result.coefficient.is_rational()) throw std::invalid_argument("a number is not rational");
     std::ranges::sort(result.factors, [&](auto& a, auto& b) { return compare(a, b, symbols) < 0; });
     return result;
   }
@@ -257,7 +257,7 @@ struct Writer {
     }
     const bool known =
         is_a<GiNaC::add>(base) || is_a<GiNaC::mul>(base) || is_a<GiNaC::power>(base) || is_a<numeric>(base);
-    if (!known) throw std::invalid_argument("an expression that our syntax cannot write");
+    if (!known) throw std::invalid_argument("our syntax cannot write this expression");
     const Tree whole = tree(base);
     const bool reciprocal = whole->kind == Kind::product && whole->children.size() == 2 &&
                             whole->children[0]->text == "1" && whole->inverse[1];

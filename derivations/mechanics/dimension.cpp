@@ -122,7 +122,7 @@ class Dimensions {
     if (!below || *below == pure) return below;
     const GiNaC::ex value = lower(exponent, symbols_);
     if (!value.info(GiNaC::info_flags::rational))
-      throw Inconsistent{shown(base) + " is " + named(*below) + ", and its exponent is no number"};
+      throw Inconsistent{shown(base) + " is " + named(*below) + ", and its exponent is not a number"};
     return scaled(*below, GiNaC::ex_to<GiNaC::numeric>(value));
   }
 
@@ -174,10 +174,10 @@ Dimension dimension_of_unit(const Tree& tree) {
     }
   } else if (tree->kind == Kind::power) {
     const GiNaC::ex exponent = lower(tree->children[1], units_as_symbols());
-    if (!exponent.info(GiNaC::info_flags::rational)) throw std::invalid_argument("no number");
+    if (!exponent.info(GiNaC::info_flags::rational)) throw std::invalid_argument("not a number");
     return scaled(dimension_of_unit(tree->children[0]), GiNaC::ex_to<GiNaC::numeric>(exponent));
   } else if (tree->text != "1") {
-    throw std::invalid_argument("no unit");
+    throw std::invalid_argument("not a unit");
   }
   return result;
 }
@@ -188,7 +188,7 @@ Dimension parse_unit(std::string_view text) try {
   return dimension_of_unit(parse(text, units_as_symbols()));
 } catch (const std::exception&) {  // SyntaxError among them
   throw std::invalid_argument(
-      "a unit is written in kg, m, s, A, K, mol and cd, like 'kg*m^2/s^2', 's^4/(kg*m^2)' or '1', not '" +
+      "a unit is written in kg, m, s, A, K, mol and cd, such as 'kg*m^2/s^2', 's^4/(kg*m^2)' or '1', not '" +
       std::string(text) + "'");
 }
 

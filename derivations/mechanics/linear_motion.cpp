@@ -36,7 +36,7 @@ void collect_functions(const ex& e, const SymbolExpression& time, Functions& fou
   }
   const ex phase = e.op(0);
   if (phase.diff(time, 2) != 0)
-    throw std::invalid_argument("particular_solution: a phase not linear in time");
+    throw std::invalid_argument("particular_solution: a phase is not linear in time");
   for (const ex& f : {ex(sin(phase)), ex(cos(phase))})
     if (!found.count(f)) found[f] = symbol("f" + std::to_string(found.size()));
 }
@@ -68,7 +68,7 @@ ex particular_solution(const LinearEquation& equation) {
   const ex with_time = residual.coeff(equation.time, 1);
   bool closed = residual.degree(equation.time) <= 1 && !with_time.has(equation.time);
   for (const auto& [function, name] : functions) closed = closed && !with_time.has(name);
-  if (!closed) throw std::invalid_argument("particular_solution: no ansatz for this forcing");
+  if (!closed) throw std::invalid_argument("particular_solution: there is no ansatz for this forcing");
   lst conditions;
   if (!with_time.is_zero()) conditions.append(with_time == 0);
   ex rest = residual.coeff(equation.time, 0);

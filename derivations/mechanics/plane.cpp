@@ -21,7 +21,7 @@ Vector time_derivative(const Vector& a, const Rates& rates) {
 
 ex integral(const ex& f, const SymbolExpression& v, const ex& from, const ex& to) {
   const ex expanded = f.expand();
-  if (!expanded.is_polynomial(v)) throw std::invalid_argument("integral: not a polynomial");
+  if (!expanded.is_polynomial(v)) throw std::invalid_argument("integral: the integrand is not a polynomial");
   ex sum = 0;
   for (int n = expanded.ldegree(v); n <= expanded.degree(v); ++n)
     sum += expanded.coeff(v, n) * (pow(to, n + 1) - pow(from, n + 1)) / (n + 1);

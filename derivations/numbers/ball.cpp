@@ -21,7 +21,7 @@ bool Ball::is_moderate() const {
 }
 
 Ball::operator cln::cl_RA() const {
-  if (!is_moderate()) throw std::domain_error("a ball too large, or too small, to be written");
+  if (!is_moderate()) throw std::domain_error("the ball is too large or too small to be written");
   Integer mantissa, exponent;
   arf_get_fmpz_2exp(mantissa.z, exponent.z, arb_midref(x_));
   return mantissa.value() * cln::expt(cln::cl_RA(2), fmpz_get_si(exponent.z));

@@ -33,8 +33,9 @@ std::vector<Relation> links_in(const std::string& domain) {
   std::istringstream parts(domain);
   for (std::string text; std::getline(parts, text, ',');) {
     const auto fail = [&] {
-      throw std::invalid_argument("cannot read the domain '" + text +
-                                  "'; right is, for example, \"theta < 0\" or \"0 < theta_0 < alpha\"");
+      throw std::invalid_argument(
+          "cannot read the domain '" + text +
+          "'; it must be a relation such as \"theta < 0\" or \"0 < theta_0 < alpha\"");
     };
     try {
       for (const Relation& link : links_of(parse_relation(text, paper_symbols()))) {
@@ -83,12 +84,13 @@ std::vector<std::string> small_symbols(const Derivation& derivation, const Symbo
   for (std::string text; std::getline(parts, text, ',');) {
     Tree tree = parse(text, symbols);
     while (tree->kind == Node::Kind::product) tree = tree->children[0];
-    if (!is_symbol(tree)) throw std::invalid_argument("'" + trimmed(text) + "' is no symbol that is small");
+    if (!is_symbol(tree))
+      throw std::invalid_argument("'" + trimmed(text) + "' must be a symbol that is small");
     small.push_back(tree->text);
   }
   if (small.empty())
     throw std::invalid_argument(
-        fmt::format("its order is {}, but it does not say in which symbols", derivation.order));
+        fmt::format("its order is {}, but it does not name the small symbols", derivation.order));
   return small;
 }
 
@@ -139,7 +141,7 @@ void check_expression(const GiNaC::ex& expression) {
       throw std::runtime_error("the symbol " + text() + " is not declared");
     if (GiNaC::is_a<GiNaC::numeric>(*part) && !part->info(GiNaC::info_flags::rational))
       throw std::runtime_error("the number " + text() +
-                               " is not rational; an exact one is written like numeric(1, 2)");
+                               " is not rational; write an exact number such as numeric(1, 2)");
   }
   (void)to_tree(expression);
 }
@@ -163,11 +165,11 @@ void check_derivation(const Derivation& derivation) {
   for (const Given& given : derivation.given) {
     check("what is given", given.name), check("what is given", given.value);
     if (paper_symbols().find(given.name) == nullptr)
-      throw std::runtime_error("what is given is no symbol: " + print(given.name));
+      throw std::runtime_error("a value is given for something that is not a symbol: " + print(given.name));
   }
   const std::set<std::string> relations{"=", "<", "<=", ">", ">="};
   if (!relations.contains(derivation.relation))
-    throw std::runtime_error("its relation '" + derivation.relation + "' is none of =, <, <=, > and >=");
+    throw std::runtime_error("its relation '" + derivation.relation + "' must be one of =, <, <=, > and >=");
   (void)parse_statement(print(derived_relation(derivation)));  // it is read again where it is shown
   if (derivation.order > 0) (void)small_symbols(derivation, paper_symbols());
   (void)assumed_by(derivation, paper_symbols());
@@ -230,7 +232,7 @@ std::optional<Derivation> checked_derivation(const std::string& id) {
   } catch (const std::exception& error) {
     throw std::runtime_error("the derivation of (" + id + ") cannot be used: " + error.what());
   } catch (...) {
-    throw std::runtime_error("the derivation of (" + id + ") throws something that says nothing of itself");
+    throw std::runtime_error("the derivation of (" + id + ") throws an exception without a message");
   }
 }
 

@@ -64,7 +64,8 @@ Relation read_assumption(const std::string& text, const Symbols& symbols) {
   const auto at = text.find("!=");
   if (at == std::string::npos) {
     Relation relation = read(text, symbols);
-    if (relation.operators.empty()) throw BadInput("the assumption '" + text + "' is no relation");
+    if (relation.operators.empty())
+      throw BadInput("the assumption '" + text + "' must be a relation such as x > 0");
     return relation;
   }
   // the right side is read where it stands, so that an error is shown there
@@ -91,33 +92,35 @@ Question read(const ProveRequest& request) {
     question.assumptions.push_back(read_assumption(text, question.symbols));
     names.merge(names_of(question.assumptions.back()));
     if (names_of(question.assumptions.back()).empty())
-      throw BadInput("the assumption '" + text + "' says nothing of a symbol");
+      throw BadInput("the assumption '" + text + "' contains no symbol");
   }
   for (const Relation& condition : declared_conditions_on(names)) question.assumptions.push_back(condition);
   if (contradict(question.assumptions, question.symbols))
     throw BadInput(
-        "no numbers in their ranges meet all assumptions: they contradict each other, or have no value");
+        "no values in the ranges satisfy all assumptions: they contradict each other, or have no value");
   return question;
 }
 
 void check_order(const ProveRequest& request, const Question& question) {
   if (request.order.has_value() == request.small.empty())
-    throw BadInput("--small and --order belong together");
+    throw BadInput("--small and --order must be given together");
   if (request.order && (*request.order < 0 || *request.order > 12))
-    throw BadInput(fmt::format("the order of an approximation is 0 to 12, not {}", *request.order));
+    throw BadInput(fmt::format("--order must be from 0 to 12, but it is {}", *request.order));
   for (const std::string& name : request.small) {
     const Symbol* symbol = question.symbols.find(name);
     if (symbol == nullptr)
-      throw BadInput("--small names '" + printable_line(name) + "', which is no symbol here");
+      throw BadInput("--small names '" + printable_line(name) + "', which is not a symbol of the statements");
     if (std::count(request.small.begin(), request.small.end(), name) > 1)
       throw BadInput("--small names '" + name + "' twice");
     Interval range = parse_range(symbol->range);
     range.low.closed = range.high.closed = true;
     if (!range.contains_zero())
-      throw BadInput("--small names '" + name + "', which is in " + symbol->range + ", away from 0");
+      throw BadInput("--small names '" + name + "', which is in " + symbol->range +
+                     ", so it cannot be small");
     for (const Relation& a : question.assumptions)
       if (a.operators[0] == "=" && (a.sides[0]->text == name || a.sides[1]->text == name))
-        throw BadInput("--small names '" + name + "', which an assumption replaces; name what stands for it");
+        throw BadInput("--small names '" + name +
+                       "', which an assumption replaces; name the symbols of its value");
   }
 }
 

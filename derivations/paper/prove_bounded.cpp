@@ -18,7 +18,7 @@ nlohmann::ordered_json decide_bounded(const ProveRequest& request, const std::fu
   if (outcome.result && outcome.result->front() == 'B') throw BadInput(outcome.result->substr(1));
   if (outcome.result) return nlohmann::ordered_json::parse(outcome.result->substr(1));
   Proof proof;
-  proof.reason = "given up: " + outcome.why;
+  proof.reason = "the decision was given up: " + outcome.why;
   return to_json(proof);
 }
 

@@ -92,7 +92,7 @@ class Ancestry {
     ++path_.back().next;
     const auto source = numbers_.find(sources[next]);
     if (source == numbers_.end())
-      tables_[row].fail(fmt::format("it follows from '{}', which is no row{}", sources[next],
+      tables_[row].fail(fmt::format("it follows from '{}', which is not a row{}", sources[next],
                                     did_you_mean(nearest(sources[next], ids()))),
                         "follows_from");
     enter(source->second);

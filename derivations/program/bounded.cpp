@@ -43,7 +43,7 @@ rlim_t mapped_bytes() {
 /// Of a child that did not say all.
 Bounded why_it_ended(int status, double taken) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGXCPU) return {std::nullopt, "it took longer than it may", taken, Ending::time};
+  if (signal == SIGXCPU) return {std::nullopt, "it took longer than it may take", taken, Ending::time};
   if (signal == SIGKILL) return {std::nullopt, "it was ended from outside", taken, Ending::killed};
   return {std::nullopt, "it ran out of memory or stack", taken, Ending::crash};
 }
@@ -98,7 +98,8 @@ Child fork_when_possible(double seconds, long megabytes, double patience) {
   const auto start = Clock::now();
   for (Child child = fork_within(seconds, megabytes);; child = fork_within(seconds, megabytes)) {
     if (child.process >= 0) return child;
-    if (seconds_since(start) > patience) throw std::runtime_error("no process or no pipe to be had");
+    if (seconds_since(start) > patience)
+      throw std::runtime_error("the system has no process or pipe to spare");
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
 }
@@ -112,7 +113,7 @@ Child fork_when_possible(double seconds, long megabytes, double patience) {
     seal(report);
     text = "+" + work();
   } catch (const std::bad_alloc&) {
-    text = "!more memory than it may have";
+    text = "!it needed more memory than it may have";
   } catch (const std::exception& error) {
     text = std::string("-") + error.what();
   }
@@ -180,7 +181,7 @@ Bounded run_bounded(const std::function<std::string()>& work, double seconds, lo
   int status = 0;
   ::wait4(child.process, &status, 0, &used);
   const double taken = in_seconds(used.ru_utime) + in_seconds(used.ru_stime);
-  if (heard.is_late) return {std::nullopt, "it took longer than it may", taken, Ending::time};
+  if (heard.is_late) return {std::nullopt, "it took longer than it may take", taken, Ending::time};
   if (heard.is_stopped) return {std::nullopt, "it was stopped", taken, Ending::stopped};
   const bool is_whole = WIFEXITED(status) && WEXITSTATUS(status) == 0 && !text.empty();
   if (!is_whole) return why_it_ended(status, taken);

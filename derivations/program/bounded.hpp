@@ -18,7 +18,7 @@ std::string to_string(Ending ending);
 /// What bounded work came to.
 struct Bounded {
   std::optional<std::string> result;  ///< what the work returned, if it ended well
-  std::string why;     ///< else: "it took longer than it may", "more memory than it may have", what it threw
+  std::string why;     ///< else: "it took longer than it may take", what it threw
   double seconds = 0;  ///< what it took, as the limit counts it
   Ending ending = Ending::well;
 };

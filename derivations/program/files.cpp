@@ -122,7 +122,7 @@ void write_in_place(const fs::path& given, const Target& target, std::string_vie
   Descriptor file(::open(target.file.c_str(), O_WRONLY | O_NOFOLLOW | O_NOCTTY | O_CLOEXEC));
   struct stat about {};
   if (file.number() < 0 || ::fstat(file.number(), &about) != 0) refuse_to_write(given, words_of(errno));
-  if (S_ISREG(about.st_mode)) refuse_to_write(given, "it was exchanged in the meantime");
+  if (S_ISREG(about.st_mode)) refuse_to_write(given, "it was replaced in the meantime");
   if (!write_bytes(file.number(), text) || !file.close()) refuse_to_write(given, words_of(errno));
 }
 
@@ -274,7 +274,7 @@ bool make_output_folder(const fs::path& folder) {
     refuse_to_write(folder, "it is a link of another user");
   std::error_code error;
   const bool is_new = fs::create_directories(name, error);
-  if (error) throw BadInput("cannot make the folder '" + printable_name(folder) + "': " + error.message());
+  if (error) throw BadInput("cannot create the folder '" + printable_name(folder) + "': " + error.message());
   return is_new;
 }
 

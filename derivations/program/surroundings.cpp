@@ -57,7 +57,7 @@ fs::path state_folder() {
 
 void make_own_folder(const fs::path& folder) {
   if (make_folders(folder)) return;
-  throw BadInput("cannot make the folder '" + printable_name(folder) +
+  throw BadInput("cannot create the folder '" + printable_name(folder) +
                  "': " + std::generic_category().message(errno));
 }
 
@@ -70,7 +70,7 @@ fs::path private_folder(const std::string& name) {
   const fs::path temporary = fs::temp_directory_path(error);
   std::string fresh = ((error ? fs::path("/tmp") : temporary) / ("rederive-" + name + "-XXXXXX")).string();
   if (::mkdtemp(fresh.data()) == nullptr)
-    throw BadInput("cannot make the folder '" + printable_name(fresh) +
+    throw BadInput("cannot create the folder '" + printable_name(fresh) +
                    "': " + std::generic_category().message(errno));
   return fresh;
 }

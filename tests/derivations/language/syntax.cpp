@@ -207,9 +207,9 @@ TEST_CASE("pi may be written Pi; other look-alikes of it are refused") {
   CHECK(value("Pi") == GiNaC::Pi);
   CHECK(value("sin(Pi/6)") == GiNaC::numeric(1, 2));
   CHECK(parse("2*Pi - ψ")->children[0]->children[1]->text == "pi");
-  check_refused({{"2*PI", "unknown_symbol", 2, "'PI' is no symbol here: the constant is written pi"},
+  check_refused({{"2*PI", "unknown_symbol", 2, "'PI' is not a symbol here: the constant is written pi"},
                  {"pI/2", "unknown_symbol", 0, "written pi"},
-                 {"sin(Π/2)", "unknown_symbol", 4, "'Π' is no symbol here: the constant is written pi"}});
+                 {"sin(Π/2)", "unknown_symbol", 4, "'Π' is not a symbol here: the constant is written pi"}});
   Symbols mine = paper_symbols();
   CHECK_THROWS_WITH(mine.declare("Pi", "P", "P", "1", all_numbers, "", ""), doctest::Contains("'Pi'"));
 }

@@ -40,7 +40,7 @@ TEST_CASE("the terms that disagree are named") {
 TEST_CASE("arguments and exponents are pure numbers") {
   CHECK(judged("sin(p)") == "the argument of sin is 1/s, not a pure number");
   CHECK(judged("2^t") == "the exponent t is s, not a pure number");
-  CHECK(judged("R^alpha") == "R is m, and its exponent is no number");
+  CHECK(judged("R^alpha") == "R is m, and its exponent is not a number");
 }
 
 TEST_CASE("units are read as they are written") {

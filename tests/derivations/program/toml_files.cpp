@@ -128,7 +128,7 @@ TEST_CASE("rows of the ledger that follow from themselves, near or far, or from 
                   {row("1", "\"2\"") + row("2", "\"3\"") + row("3", "\"2\""),
                    "11: row 2: it follows from itself: 2 from 3 from 2"},
                   {row("11") + row("2", "\"11\", \"12\""),
-                   "11: row 2: it follows from '12', which is no row: did you mean '11'?"}},
+                   "11: row 2: it follows from '12', which is not a row: did you mean '11'?"}},
                  [](const TomlFile& file) { (void)read_rows(file.path()); });
   const TomlFile file;  // ways that meet are no cycle, and long ones need no stack
   std::string text = row("0");
