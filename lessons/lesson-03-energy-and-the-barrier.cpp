@@ -37,7 +37,7 @@ void potential(Page& page) {
     moment.)");
 }
 
-Curve potential_curve(const std::string& alpha, const std::string& style) {
+StyledCurve potential_curve(const std::string& alpha, const std::string& style) {
   const GiNaC::ex left = derived("3").right, right = derived("13").right;
   const auto height = [=](double theta) {
     return number_of(theta < 0 ? left : right,

@@ -106,8 +106,8 @@ void how_good(Page& page) {
                     {second.angle, "nonlinear", "with lines ls 2"},
                     {first.ground, "ground / (α g)", "with lines ls 4"}}));
   page.say(fmt::format("Linear: the block {}. Nonlinear: it {}.",
-                       in_words(first.code) == "safe" ? "is safe" : in_words(first.code),
-                       in_words(second.code) == "safe" ? "is safe" : in_words(second.code)));
+                       first.code == 0 ? "is safe" : in_words(first.code),
+                       second.code == 0 ? "is safe" : in_words(second.code)));
   std::vector<std::vector<std::string>> rows;
   const double linear_amplitude = amplitude_without_impact(3);
   for (const double alpha : {0.05, 0.15, 0.25, 0.35}) {

@@ -73,7 +73,7 @@ std::vector<std::pair<double, double>> amplitudes(const Experiment& base, numeri
     Experiment experiment = base;
     experiment.omega = 0.5 * i;
     for (const auto& root : condition_roots(experiment))
-      if (root.form == form && root.admissible) {
+      if (root.form == form && root.admissible()) {
         curve.emplace_back(experiment.omega, root.amplitude);
         break;
       }
@@ -86,7 +86,7 @@ void in_numbers(Page& page) {
   const auto helped = amplitudes({.theta_0 = -0.01, .thetadot_0 = -0.1}, numerics::Form::eq104);
   const auto hindered =
       amplitudes({.cosine = true, .theta_0 = 0.01, .thetadot_0 = 0.1}, numerics::Form::eq103);
-  std::vector<Curve> curves{{at_rest, "sine, from rest", "with lines ls 1"}};
+  std::vector<StyledCurve> curves{{at_rest, "sine, from rest", "with lines ls 1"}};
   if (!helped.empty()) curves.push_back({helped, "sine, pushed to the left", "with lines ls 2"});
   if (!hindered.empty()) curves.push_back({hindered, "cosine, pushed to the right", "with lines ls 3"});
   page.figure(plot(

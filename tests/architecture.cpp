@@ -31,9 +31,9 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"paper", {"decide", "emit"}},
     {"kernel", {"paper"}},
     {"numerics/motion", {"program"}},
-    {"numerics/search", {"numerics/motion", "numbers"}},
+    {"numerics/search", {"numerics/records", "numbers"}},
     {"numerics/records", {"numerics/motion"}},
-    {"numerics/pictures", {"numerics/search", "numerics/records"}},
+    {"numerics/pictures", {"numerics/search"}},
     {"numerics/commands", {"numerics/pictures"}}};
 
 /// Whether `folder` may include `other`.

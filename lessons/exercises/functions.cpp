@@ -56,8 +56,8 @@ double function_value(const std::string& name, const Arguments& arguments) {
 Conditions conditions_behind(const std::string& name, const Arguments& arguments) {
   const double value = function_value(name, arguments);
   for (const numerics::ClosedForm& root : condition_roots(experiment_of(arguments)))
-    if (root.admissible && std::abs(root.amplitude - value) < 1e-6 * value)
-      return {root.equations(), root.psi, root.impact_time};
+    if (root.admissible() && std::abs(root.amplitude - value) < 1e-6 * value)
+      return {equations_of(root.form), root.psi, root.impact_time};
   throw std::runtime_error("no condition leads to the value of " + name);
 }
 

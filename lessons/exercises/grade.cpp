@@ -8,6 +8,7 @@
 #include <atomic>
 #include <derivations/language/unicode.hpp>
 #include <derivations/program/bounded.hpp>
+#include <derivations/program/csv.hpp>
 #include <derivations/program/program.hpp>
 #include <future>
 #include <lessons/exercises/answer_file.hpp>

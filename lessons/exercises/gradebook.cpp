@@ -5,6 +5,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <derivations/program/csv.hpp>
 #include <derivations/program/program.hpp>
 #include <lessons/exercises/grading.hpp>
 #include <optional>
@@ -154,14 +155,6 @@ Mark mark_of(const Rules& rules, const Student& student, const Row& row) {
 }
 
 std::string mark_text(double marks) { return fmt::format("{}", std::round(marks * 1000) / 1000); }
-
-std::string csv_cell(const std::string& text) {
-  const std::string field = text.find_first_of("=+-@\t\r\n\x1B\xEF") == 0 ? "'" + text : text;
-  if (field.find_first_of(",;\"\t\r\n") == std::string::npos) return field;
-  std::string quoted = "\"";
-  for (char c : field) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 std::string gradebook(const Classroom& room, const std::vector<Student>& students, const Rules& rules) {
   std::string text = "student";

@@ -71,9 +71,6 @@ auto by_frequency(const Map& map, Count count) {
   return list;
 }
 
-/// A cell of a CSV. What a spreadsheet would take for a formula gets an apostrophe before it, full-width ＝
-/// too.
-std::string csv_cell(const std::string& text);
 /// A row a student: student, a column an exercise, total, out_of. Empty: not handed in; ?: undecided.
 std::string gradebook(const Classroom& room, const std::vector<Student>& students, const Rules& rules);
 

@@ -184,7 +184,7 @@ std::vector<std::pair<double, double>> sampled(double first, double last, int co
 }
 
 Figure plot(const std::string& name, const std::string& caption, const std::string& settings,
-            const std::vector<Curve>& curves) {
+            const std::vector<StyledCurve>& curves) {
   std::string data, command = "plot ";
   for (std::size_t i = 0; i < curves.size(); ++i) {
     data += fmt::format("$curve{} << EOD\n", i);

@@ -22,7 +22,7 @@ Figure block_at_impact(const std::string& name);
 Figure phase_portrait_of_free_rocking(const std::string& name);
 
 /// One curve of a plot: points, a title, a gnuplot style ("with lines ls 1").
-struct Curve {
+struct StyledCurve {
   std::vector<std::pair<double, double>> points;
   std::string title, style = "with lines ls 1";
 };
@@ -31,6 +31,6 @@ std::vector<std::pair<double, double>> sampled(double first, double last, int co
                                                const std::function<double(double)>& y);
 /// Curves in one frame. `settings` are gnuplot lines: labels, ranges.
 Figure plot(const std::string& name, const std::string& caption, const std::string& settings,
-            const std::vector<Curve>& curves);
+            const std::vector<StyledCurve>& curves);
 
 }  // namespace rederive

@@ -45,13 +45,7 @@ Motion motion_of(const Experiment& experiment, int points) {
   return motion;
 }
 
-std::string in_words(int code) {
-  if (code == 0) return "safe";
-  const int impacts = std::abs(code) - 1;
-  const std::string side = code < 0 ? "overturns to the left " : "overturns to the right ";
-  if (impacts < 2) return side + (impacts == 0 ? "without impact" : "after one impact");
-  return side + "after " + std::to_string(impacts) + " impacts";
-}
+std::string in_words(int code) { return numerics::words_for(code, numerics::SideNames::directions); }
 
 std::vector<numerics::Window> overturning_amplitudes(const Experiment& experiment, double largest) {
   numerics::WindowSearch search;
@@ -73,7 +67,7 @@ double simulated_without_impact(const Experiment& experiment) {
 std::optional<double> least_by_conditions(const Experiment& experiment, double largest) {
   std::optional<double> least;
   for (const auto& root : condition_roots(experiment))
-    if (root.admissible && root.amplitude <= largest && (!least || root.amplitude < *least))
+    if (root.admissible() && root.amplitude <= largest && (!least || root.amplitude < *least))
       least = root.amplitude;
   return least;
 }
@@ -83,18 +77,18 @@ std::vector<numerics::ClosedForm> condition_roots(const Experiment& experiment) 
 }
 
 std::string conditions_of(const numerics::ClosedForm& root) {
-  return "(" + joined(root.equations(), ") and (") + ")";
+  return "(" + joined(equations_of(root.form), ") and (") + ")";
 }
 
 std::string is_real(const numerics::ClosedForm& root) {
-  return root.admissible ? "yes" : root.why_not.substr(0, root.why_not.find(':'));
+  return root.admissible() ? "yes" : words_for(*root.why_not).brief;
 }
 
 double amplitude_without_impact(double omega) {
   Experiment experiment;
   experiment.omega = omega;
   for (const auto& root : condition_roots(experiment))
-    if (root.form == numerics::Form::eq71 && root.admissible) return root.amplitude;
+    if (root.form == numerics::Form::eq71 && root.admissible()) return root.amplitude;
   throw std::runtime_error("(71) has no admissible root here");
 }
 

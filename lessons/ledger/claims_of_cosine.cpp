@@ -24,7 +24,7 @@ double eq104(double ratio) {
 /// From which omega_p/p on (103) is the threshold of a motion that occurs, on a grid of 0.05; 0 if nowhere.
 double first_admissible(double thetadot_0) {
   for (int i = 10; i <= 200; ++i)
-    if (eq103(i / 20.0, angle_at_start, thetadot_0).admissible) return i / 20.0;
+    if (eq103(i / 20.0, angle_at_start, thetadot_0).admissible()) return i / 20.0;
   return 0;
 }
 
@@ -34,7 +34,7 @@ Finding admissible_103(Bench&, const Claim&) {
   return {slow == 0 && fast == 0       ? refuted
           : slow <= 0.5 && fast <= 0.5 ? confirmed
                                        : qualified,
-          {slow, fast, at_1.why_not.empty() ? "admissible" : at_1.why_not, at_4.amplitude}};
+          {slow, fast, at_1.why_not ? words_for(*at_1.why_not).in_full() : "admissible", at_4.amplitude}};
 }
 
 Finding cosine_from_rest(Bench& bench, const Claim&) {
@@ -90,9 +90,10 @@ Finding caption_of_figure_14(Bench&, const Claim&) {
   for (const double ratio : {1.0, 2.0, 4.0})
     for (const double sign : {0.0, 1.0, -1.0}) {
       const numerics::ClosedForm root = eq103(ratio, sign * angle_at_start, sign * 0.1);
-      ++tried, fine += root.admissible;
-      if (!root.admissible && ratio == 4)
-        found += fmt::format("; with {:+g} at 4: {}", sign * angle_at_start, root.why_not);
+      ++tried, fine += root.admissible();
+      if (!root.admissible() && ratio == 4)
+        found +=
+            fmt::format("; with {:+g} at 4: {}", sign * angle_at_start, words_for(*root.why_not).in_full());
     }
   return {of_all(fine, tried), {fine, tried, found}};
 }
@@ -103,7 +104,7 @@ Finding more_unfavourable_103(Bench&, const Claim&) {
   const auto say = [&](double ratio) {
     const numerics::ClosedForm cosine = eq103(ratio, angle_at_start, 0.1);
     const double sine = eq71(ratio), pushed = eq104(ratio);
-    real += cosine.amplitude < std::min(sine, pushed) && cosine.admissible;
+    real += cosine.amplitude < std::min(sine, pushed) && cosine.admissible();
     return fmt::format("{:.4f}, {:.4f}, {:.4f}", cosine.amplitude, sine, pushed);
   };
   const std::string found = each(ratios, say, "; ");

@@ -65,7 +65,7 @@ Finding admissible_78(Bench&, const Claim&) {
   bool occurs = false;
   for (const double ratio : {0.5, 1.0, 2.0, 4.0}) {
     const numerics::ClosedForm root = root_of(numerics::Form::eq78, pulse_case(ratio));
-    occurs = occurs || root.admissible;
+    occurs = occurs || root.admissible();
     for (const double t : {0.01, 0.1})
       highest = std::max(highest, emitted::linear_response_positive(0.25, 1.0, ratio, 0.25 * root.amplitude,
                                                                     root.psi, 0.0, 0.0, t) /
@@ -141,7 +141,7 @@ Finding admissible_86_88(Bench&, const Claim& claim) {
     ++tried;
     for (const numerics::ClosedForm& root :
          roots_of(numerics::Form::eq86_88, pulse_case(ratio, numerics::Model::linear, 0.9)))
-      if (root.admissible) {
+      if (root.admissible()) {
         ++fine, add(found, fmt::format("{:g}: {:.4f}", ratio, root.amplitude));
         break;
       }
@@ -162,7 +162,7 @@ Finding beyond_handover(Bench&, const Claim&) {
   bool all_late = true;
   for (const double ratio : {5.0, 5.5, 6.0, 8.0})
     for (const numerics::ClosedForm& root : roots_of(numerics::Form::eq86_88, pulse_case(ratio))) {
-      all_late = all_late && !root.admissible && *root.impact_time > root.pulse_end;
+      all_late = all_late && !root.admissible() && *root.impact_time > root.pulse_end;
       add(found, fmt::format("{:g}: {:.4f} > {:.4f}", ratio, *root.impact_time, root.pulse_end));
     }
   return {decided(all_late && !found.empty()), {found}};
@@ -173,8 +173,10 @@ Finding two_roots_of_96(Bench& bench, const Claim&) {
   std::string found;
   int minima = 0, tried = 0;
   for (const numerics::ClosedForm& root : roots_of(numerics::Form::eq92a_96, asked)) {
-    ++tried, minima += root.admissible;
-    add(found, fmt::format("{:.4f} αg{}", root.amplitude, root.admissible ? "" : " (" + root.why_not + ")"),
+    ++tried, minima += root.admissible();
+    add(found,
+        fmt::format("{:.4f} αg{}", root.amplitude,
+                    root.why_not ? " (" + words_for(*root.why_not).in_full() + ")" : ""),
         "; ");
   }
   return {minima == 1 && tried == 1 ? confirmed

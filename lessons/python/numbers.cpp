@@ -120,7 +120,7 @@ struct Told {
   double alpha;
   std::vector<Sample> history;
 
-  std::string outcome() const { return story.outcome.code == 0 ? "safe" : "overturned"; }
+  std::string_view outcome() const { return outcome_name(story.outcome.code); }
   std::optional<double> time() const {
     if (!story.overturn_time) return std::nullopt;
     return static_cast<double>(*story.overturn_time);

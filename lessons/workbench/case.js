@@ -54,7 +54,7 @@ function wordsFor(code) {
   if (code === 0) return "safe";
   const impacts = Math.abs(code) - 1;
   return `overturns to θ ${code < 0 ? "<" : ">"} 0 ` +
-    (impacts ? `after ${impacts} impact${impacts > 1 ? "s" : ""}` : "without impact");
+    (impacts === 0 ? "without impact" : impacts === 1 ? "after one impact" : `after ${impacts} impacts`);
 }
 
 /// The case, and what becomes of it.

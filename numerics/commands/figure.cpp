@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <numerics/commands/options.hpp>
+#include <numerics/commands/subcommands.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/pictures/figures.hpp>
 
@@ -23,7 +24,7 @@ int run_figure(const FigureCommand& options) {
   wanted.engine = options.engine;
   wanted.work = sweep_work(options.threads, 1, "");
   wanted.work.progress = {};
-  const Figure figure = paper_figure(static_cast<int>(number), wanted);
+  const Plot figure = paper_figure(static_cast<int>(number), wanted);
   if (was_interrupted(wanted.work, "nothing is written")) return not_as_expected;
   if (!options.out.empty()) draw(figure, options.out);
   if (!options.data.empty()) write_whole(options.data, figure_data(figure));

@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <derivations/program/csv.hpp>
 #include <filesystem>
 #include <map>
 #include <numerics/commands/blocks.hpp>
 #include <numerics/commands/options.hpp>
 #include <numerics/commands/ranks.hpp>
 #include <numerics/commands/record_options.hpp>
+#include <numerics/commands/subcommands.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/pictures/plot.hpp>
 #include <numerics/search/fragility.hpp>
@@ -92,19 +94,13 @@ Fragility asked_of(const FragilityCommand& options) {
   return asked;
 }
 
-std::string in_csv(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string csv_of(const Fragility& all) {
   std::string text = "block,amplitude,records,overturned,share,fit,low,high\n";
   for (const BlockFragility& block : all.blocks)
     for (std::size_t j = 0; j < all.peaks.size(); ++j) {
       const int count = block.count(j);
-      text += fmt::format("{},{:.17g},{},{},{:.17g},", in_csv(block.of.name), all.peaks[j],
-                          all.records.size(), count, all.share(count));
+      text += fmt::format("{},{:.17g},{},{},{:.17g},", csv_cell(block.of.name, CsvQuotes::always),
+                          all.peaks[j], all.records.size(), count, all.share(count));
       if (block.fit.curve) {
         const Estimate at = block.fit.curve->at(all.peaks[j]);
         text += fmt::format("{:.17g},{:.17g},{:.17g}\n", at.value, at.low, at.high);
@@ -204,8 +200,8 @@ Panel panel_of(const Fragility& all, const BlockFragility& block) {
   return panel;
 }
 
-Figure figure_of(const Fragility& all) {
-  Figure figure{fmt::format("{} records, {} model", all.records.size(), name_of(all.model)), {}};
+Plot figure_of(const Fragility& all) {
+  Plot figure{fmt::format("{} records, {} model", all.records.size(), name_of(all.model)), {}};
   for (const BlockFragility& block : all.blocks) figure.panels.push_back(panel_of(all, block));
   return figure;
 }

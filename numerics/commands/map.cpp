@@ -5,6 +5,7 @@
 #include <numerics/commands/map_file.hpp>
 #include <numerics/commands/options.hpp>
 #include <numerics/commands/ranks.hpp>
+#include <numerics/commands/subcommands.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/pictures/plot.hpp>
 #include <numerics/search/map.hpp>

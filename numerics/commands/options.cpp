@@ -6,6 +6,7 @@
 #include <map>
 #include <numerics/commands/options.hpp>
 #include <numerics/pictures/plot.hpp>
+#include <numerics/search/ball_functions.hpp>
 
 namespace rederive::numerics::commands {
 
@@ -153,14 +154,6 @@ ExactCase exact_case_of(const CommonOptions& options) {
 
 std::string name_of(Model model) { return model == Model::linear ? "linear" : "nonlinear"; }
 std::string name_of(Pulse pulse) { return pulse == Pulse::sine ? "sine" : "cosine"; }
-
-std::string words_for(int code) {
-  if (code == 0) return "safe";
-  const int impacts = std::abs(code) - 1;
-  const std::string how =
-      impacts == 0 ? "without impact" : fmt::format("after {} impact{}", impacts, impacts == 1 ? "" : "s");
-  return fmt::format("overturns to theta {} 0 {}", code < 0 ? "<" : ">", how);
-}
 
 std::string missing_windows(double narrowest) {
   return fmt::format("windows narrower than {} (in units of alpha g) may be missing", narrowest);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <derivations/program/command_line.hpp>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <numerics/motion/overturning.hpp>
 #include <numerics/search/closed_form.hpp>
@@ -50,9 +49,6 @@ ExactCase exact_case_of(const CommonOptions& options);
 std::string name_of(Model model);
 std::string name_of(Pulse pulse);
 
-/// "overturns to theta < 0 without impact", "safe".
-std::string words_for(int code);
-
 /// "windows narrower than 1e-05 (in units of alpha g) may be missing".
 std::string missing_windows(double narrowest);
 
@@ -75,14 +71,5 @@ struct Span {
 Span span_of(const std::string& option, const std::string& text);
 Span checked_span(const std::string& option, double from, double to, double count);
 double station(const Span& span, int index);
-
-/// Subcommands: each adds itself to the program and sets `run` when it was chosen.
-using Run = std::function<int()>;
-void add_threshold(CLI::App& app, Run& run);
-void add_response(CLI::App& app, Run& run);
-void add_spectrum(CLI::App& app, Run& run);
-void add_map(CLI::App& app, Run& run);
-void add_fragility(CLI::App& app, Run& run);
-void add_figure(CLI::App& app, Run& run);
 
 }  // namespace rederive::numerics::commands

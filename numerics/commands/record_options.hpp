@@ -2,7 +2,7 @@
 #pragma once
 
 #include <numerics/commands/options.hpp>
-#include <numerics/motion/ground_motion.hpp>
+#include <numerics/records/record.hpp>
 #include <string>
 
 namespace rederive::numerics::commands {

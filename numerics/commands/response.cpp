@@ -5,6 +5,7 @@
 #include <derivations/program/data_folder.hpp>
 #include <numerics/commands/options.hpp>
 #include <numerics/commands/record_options.hpp>
+#include <numerics/commands/subcommands.hpp>
 #include <numerics/pictures/figures.hpp>
 #include <numerics/search/story.hpp>
 #include <stdexcept>
@@ -58,7 +59,7 @@ std::optional<double> time_of(const Story& story) {
 
 void print_as_json(const Told& told) {
   const Story& story = told.story;
-  Json document{{"outcome", story.outcome.code == 0 ? "safe" : "overturned"},
+  Json document{{"outcome", outcome_name(story.outcome.code)},
                 {"code", story.outcome.code},
                 {"impacts", impacts_of(story)},
                 {"time", or_null(time_of(story))},
@@ -112,13 +113,13 @@ std::string history_csv(const Told& told) {
   return text;
 }
 
-Figure history_plot(const Told& told, const std::string& caption) {
+Plot history_plot(const Told& told, const std::string& caption) {
   HistoryCurve curve;
   for (const Sample& at :
        sampled(told.block, told.model, told.motion, told.story.response, told.story.until, 2001))
     curve.states.push_back(
         {static_cast<double>(at.time), static_cast<double>(at.angle), static_cast<double>(at.velocity)});
-  Figure figure{caption, history_panels({curve})};
+  Plot figure{caption, history_panels({curve})};
   for (Panel& panel : figure.panels) panel.x_range = panel.y_range = {0, 0}, panel.key = "off";
   return figure;
 }

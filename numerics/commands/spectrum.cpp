@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numerics/commands/options.hpp>
+#include <numerics/commands/subcommands.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/pictures/plot.hpp>
 #include <numerics/search/spectrum.hpp>
@@ -44,8 +45,7 @@ Curve curve_of(const std::vector<SpectrumPoint>& points, std::optional<double> S
   return curve;
 }
 
-Figure figure_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked,
-                 const WindowSearch& search) {
+Plot figure_of(const std::vector<SpectrumPoint>& points, const PulseCase& asked, const WindowSearch& search) {
   Panel panel;
   panel.x_label = "ω_p/p (dimensionless)";
   panel.y_label = "amplitude a_p/(α g) (dimensionless)";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numerics/commands/options.hpp>
+#include <numerics/commands/subcommands.hpp>
 #include <numerics/commands/sweep.hpp>
 #include <numerics/search/windows.hpp>
 #include <stdexcept>
@@ -33,13 +34,13 @@ Json number_json(double value, const Ball& exact, int digits) {
 }
 
 Json closed_form_json(const ClosedForm& root, int digits) {
-  return {{"equations", root.equations()},
+  return {{"equations", equations_of(root.form)},
           {"amplitude", number_json(root.amplitude, root.exact.amplitude, digits)},
           {"psi", number_json(root.psi, root.exact.psi, digits)},
           {"impact_time", or_null(root.impact_time)},
           {"pulse_end", root.pulse_end},
-          {"admissible", root.admissible},
-          {"why_not", root.admissible ? Json() : Json(root.why_not)}};
+          {"admissible", root.admissible()},
+          {"why_not", root.why_not ? Json(words_for(*root.why_not).in_full()) : Json()}};
 }
 
 struct Answer {
@@ -57,7 +58,7 @@ std::string edge_text(const Answer& answer, double edge, int code, bool lower) {
   const bool linear = answer.asked.model == Model::linear;
   if (answer.digits == 0) return fmt::format("{:.{}g}", edge, linear ? 15 : 12);
   for (const ClosedForm& root : answer.roots)
-    if (linear && code_of(root.form) == code && root.real && root.admissible == lower &&
+    if (linear && code_of(root.form) == code && root.real() && root.admissible() == lower &&
         std::abs(root.amplitude / edge - 1) < 1e-12)
       return certain_text(root.exact.amplitude, answer.digits);
   return certain_text(Ball(edge), std::min(answer.digits, linear ? 12 : 10));
@@ -83,7 +84,7 @@ Json window_json(const Answer& answer, const Window& window) {
 
 std::string equation_names(const ClosedForm& root) {
   std::string names;
-  for (const auto& equation : root.equations()) names += (names.empty() ? "(" : "&(") + equation + ")";
+  for (const auto& equation : equations_of(root.form)) names += (names.empty() ? "(" : "&(") + equation + ")";
   return names;
 }
 
@@ -111,7 +112,7 @@ void print_answer(const Answer& answer) {
     const std::string amplitude = answer.digits == 0 ? fmt::format("{:.15g}", root.amplitude)
                                                      : certain_text(root.exact.amplitude, answer.digits);
     fmt::print("  {} {} {}\n", padded(equation_names(root), 10), padded(amplitude, width),
-               root.admissible ? "admissible" : "not admissible: " + root.why_not);
+               root.why_not ? "not admissible: " + words_for(*root.why_not).in_full() : "admissible");
   }
 }
 

@@ -111,18 +111,4 @@ std::vector<Push> pushes(const Piece& piece, Real level) {
   return piece.amplitude != 0 ? pushes_of_sine(piece, level) : pushes_of_line(piece, level);
 }
 
-GroundMotion record_motion(const Record& record, const Block& block, double scale) {
-  GroundMotion motion;
-  for (std::size_t i = 0; i + 1 < record.time.size(); ++i) {
-    Piece piece;
-    piece.from = block.p * static_cast<Real>(record.time[i] - record.time[0]);
-    piece.to = block.p * static_cast<Real>(record.time[i + 1] - record.time[0]);
-    piece.value = scale * static_cast<Real>(record.acceleration[i]) / block.alpha;
-    const Real next = scale * static_cast<Real>(record.acceleration[i + 1]) / block.alpha;
-    piece.slope = (next - piece.value) / (piece.to - piece.from);
-    motion.push_back(piece);
-  }
-  return motion;
-}
-
 }  // namespace rederive::numerics

@@ -1,9 +1,8 @@
-// Ground accelerations: one-sine and one-cosine pulses, and records; in units of alpha g against tau = p t.
+// Ground accelerations of smooth pieces, and the one-sine and one-cosine pulses made of one; in units of
+// alpha g against tau = p t.
 #pragma once
 
 #include <numerics/motion/block.hpp>
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace rederive::numerics {
@@ -48,36 +47,5 @@ struct Push {
 };
 /// The pushes in the piece, in order: a positive ground acceleration drives the block to theta < 0.
 std::vector<Push> pushes(const Piece& piece, Real level);
-
-/// A recorded acceleration: (seconds, value in g).
-struct Record {
-  std::vector<double> time, acceleration;
-  bool is_headed = false;  ///< step and unit stood in the file's header
-};
-
-enum class RecordUnit { g, metres_per_second_squared, gal };
-
-struct RecordOptions {
-  std::optional<RecordUnit> unit = {};  ///< of columns; where it is not given, g, but not above 10 g
-  double step = 0;                      ///< seconds between the values of a file without times
-  bool interpolate = false;             ///< what is missing is taken from its neighbours, and not refused
-  std::optional<double> accept = {};    ///< a value that looks like a filling, and is meant
-};
-
-/// Reads two columns "time value", values alone with a `step`, or a file whose header gives step, count and
-/// unit
-/// (`unit` and `step` then do not matter): PEER AT2 (five columns of 15 characters, which may run together),
-/// K-NET and KiK-net ASCII (the mean is taken off, for their counts stand about an unknown level), ESM ASCII,
-/// SMC, or COSMOS. Lines of columns that begin with # or % are comments. Throws std::invalid_argument with
-/// file and line for what cannot be read, among it a header of another quantity than acceleration, or with
-/// another count than the file has values, values that stand for none, and times between which samples are
-/// missing.
-Record read_record(const std::string& file, const RecordOptions& options = {});
-inline Record read_record(const std::string& file, RecordUnit unit, double step = 0) {
-  return read_record(file, RecordOptions{.unit = unit, .step = step});
-}
-
-/// The record interpolated linearly, for a block with this alpha and p.
-GroundMotion record_motion(const Record& record, const Block& block, double scale = 1);
 
 }  // namespace rederive::numerics

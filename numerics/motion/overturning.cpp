@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <emitted/rocking_block.hpp>
 #include <numerics/motion/overturning.hpp>
 #include <stdexcept>
@@ -35,6 +38,20 @@ Margins free_motion_margins(const Block& block, Model model, int side, const Poi
   const Real impact = std::sqrt(std::max<Real>(0, here.impact_squared));
   return {side * (at.velocity - here.critical), block.restitution * impact + launch};
 }
+
+std::string words_for(int code, SideNames names) {
+  if (code == 0) return "safe";
+  const int impacts = std::abs(code) - 1;
+  const bool is_named_by_sign = names == SideNames::signs;
+  const std::string_view side = code < 0 ? (is_named_by_sign ? "theta < 0" : "the left")
+                                         : (is_named_by_sign ? "theta > 0" : "the right");
+  const std::string how = impacts == 0   ? "without impact"
+                          : impacts == 1 ? "after one impact"
+                                         : fmt::format("after {} impacts", impacts);
+  return fmt::format("overturns to {} {}", side, how);
+}
+
+std::string_view outcome_name(int code) { return code == 0 ? "safe" : "overturned"; }
 
 Outcome outcome_at_end(const Block& block, Model model, const Response& response) {
   Outcome outcome;

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <numerics/motion/response.hpp>
+#include <string>
+#include <string_view>
 
 namespace rederive::numerics {
 
@@ -31,6 +33,16 @@ struct Outcome {
   Margins margins{-1,
                   -1};  ///< brought back to the last launch by the rate of the separatrix, e^-(tau - launch)
 };
+
+/// How the words for an overturning name its side: "theta < 0" and "theta > 0", or "the left" and "the
+/// right".
+enum class SideNames { signs, directions };
+
+/// Returns the words for a code side*(impacts+1): "safe", "overturns to theta < 0 after one impact".
+std::string words_for(int code, SideNames names = SideNames::signs);
+
+/// Returns the name of the outcome with this code: "safe" or "overturned".
+std::string_view outcome_name(int code);
 
 Outcome outcome_of(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
                    double tolerance = Mover::default_tolerance);

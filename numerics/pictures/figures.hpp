@@ -16,14 +16,14 @@ struct FigureOptions {
 
 /// The figure with its caption, and our correction where the paper's number is another.
 /// Throws std::invalid_argument unless 8 <= number <= 16.
-Figure paper_figure(int number, const FigureOptions& options);
+Plot paper_figure(int number, const FigureOptions& options);
 
-Figure history_figure(int number, const FigureOptions& options);  ///< 8, 9, 12, 13
-Figure threshold_figure(const FigureOptions& options);            ///< 10
-Figure model_comparison_figure(const FigureOptions& options);     ///< 11
-Figure initial_condition_figure(const FigureOptions& options);    ///< 14
-Figure period_figure(const FigureOptions& options);               ///< 15
-Figure code_comparison_figure(const FigureOptions& options);      ///< 16
+Plot history_figure(int number, const FigureOptions& options);  ///< 8, 9, 12, 13
+Plot threshold_figure(const FigureOptions& options);            ///< 10
+Plot model_comparison_figure(const FigureOptions& options);     ///< 11
+Plot initial_condition_figure(const FigureOptions& options);    ///< 14
+Plot period_figure(const FigureOptions& options);               ///< 15
+Plot code_comparison_figure(const FigureOptions& options);      ///< 16
 
 /// The three panels of figures 8, 9, 12 and 13 for one motion more; dash and grey tell the curves apart.
 struct HistoryCurve {

@@ -95,7 +95,7 @@ std::string without_impact_caption(double omega_ratio, const char* printed, Engi
       nonlinear / start_in_alpha_g());
 }
 
-Figure figure_with(std::string caption, const std::vector<Shown>& all) {
+Plot figure_with(std::string caption, const std::vector<Shown>& all) {
   std::vector<HistoryCurve> curves;
   for (const Shown& shown : all) curves.push_back(history(shown));
   return {std::move(caption), history_panels(curves)};
@@ -106,7 +106,7 @@ std::vector<Shown> joined(std::vector<Shown> a, const std::vector<Shown>& b) {
   return a;
 }
 
-Figure figure_12(Engine engine) {
+Plot figure_12(Engine engine) {
   const double edge = least_with_code(Model::nonlinear, 3, 0.9, 2, engine) / start_in_alpha_g();
   const auto caption = fmt::format(
       "After one impact during the pulse, ω_p/p = 3, α = 0.25 rad, e = 1 - 3/2 sin²α (black: linear, "
@@ -119,7 +119,7 @@ Figure figure_12(Engine engine) {
                      joined(linear_pair(3, 2), printed_pair(3, edge * (1 - 1e-5), edge * (1 + 1e-5), 0.9)));
 }
 
-Figure figure_13() {
+Plot figure_13() {
   return figure_with(
       fmt::format("After one impact that follows the pulse, ω_p/p = 5.5, α = 0.25 rad, e = 1 - 3/2 sin²α: "
                   "threshold {:.6f} α g,\neqs (92a)&(96). The paper prints no number.",
@@ -150,7 +150,7 @@ std::vector<Panel> history_panels(const std::vector<HistoryCurve>& curves) {
   return {a, b, c};
 }
 
-Figure history_figure(int number, const FigureOptions& options) {
+Plot history_figure(int number, const FigureOptions& options) {
   switch (number) {
     case 8:
       return figure_with(without_impact_caption(2, "2.35766 and 2.35771", options.engine),

@@ -32,7 +32,7 @@ std::vector<Case> paper_cases() {
 }
 
 bool belongs(const Case& shown, const ClosedForm& root) {
-  if (shown.form == Form::eq86_88) return root.admissible && root.impact_time.has_value();
+  if (shown.form == Form::eq86_88) return root.admissible() && root.impact_time.has_value();
   return root.form == shown.form;
 }
 
@@ -92,7 +92,7 @@ double largest_ground_acceleration(const std::vector<Curve>& curves, char ground
 
 }  // namespace
 
-Figure period_figure(const FigureOptions& options) {
+Plot period_figure(const FigureOptions& options) {
   Panel panel = period_panel("");
   panel.y_range = {0, 3};
   for (const Case& shown : paper_cases()) panel.curves.push_back(period_curve(shown, options.work));
@@ -108,8 +108,8 @@ Figure period_figure(const FigureOptions& options) {
       {panel}};
 }
 
-Figure code_comparison_figure(const FigureOptions& options) {
-  Figure figure;
+Plot code_comparison_figure(const FigureOptions& options) {
+  Plot figure;
   const auto cases = paper_cases();
   std::vector<Curve> curves;
   for (std::size_t i : {std::size_t(1), std::size_t(2), std::size_t(3)})

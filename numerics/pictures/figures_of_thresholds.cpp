@@ -80,18 +80,21 @@ Chosen form_is(Form form) {
 }
 
 Chosen admissible(Form form) {
-  return [form](const ClosedForm& root) { return root.form == form && root.admissible; };
+  return [form](const ClosedForm& root) { return root.form == form && root.admissible(); };
+}
+
+bool is(const ClosedForm& root, Objection::Kind objection) {
+  return root.why_not && root.why_not->kind == objection;
 }
 
 Chosen upper_edge(Form form) {
-  return [form](const ClosedForm& root) {
-    return root.form == form && root.why_not.starts_with("not a minimum");
-  };
+  return
+      [form](const ClosedForm& root) { return root.form == form && is(root, Objection::Kind::upper_edge); };
 }
 
 Chosen impact_too_late() {
   return [](const ClosedForm& root) {
-    return root.form == Form::eq86_88 && root.why_not.starts_with("the impact comes too late");
+    return root.form == Form::eq86_88 && is(root, Objection::Kind::impact_too_late);
   };
 }
 
@@ -134,7 +137,7 @@ std::string least_of(PulseCase asked) {
 
 }  // namespace
 
-Figure threshold_figure(const FigureOptions& options) {
+Plot threshold_figure(const FigureOptions& options) {
   const PulseCase asked = paper_case(Pulse::sine, 0, 0);
   const auto ratios = stations(0.2, 10, 197);
   const auto roots = roots_at(asked, ratios, options.work);
@@ -161,7 +164,7 @@ Figure threshold_figure(const FigureOptions& options) {
           {panel}};
 }
 
-Figure model_comparison_figure(const FigureOptions& options) {
+Plot model_comparison_figure(const FigureOptions& options) {
   const auto ratios = stations(0.25, 10, 118);
   PulseCase asked = paper_case(Pulse::sine, 0, 0);
   WindowSearch search;
@@ -185,7 +188,7 @@ Figure model_comparison_figure(const FigureOptions& options) {
       {panel}};
 }
 
-Figure initial_condition_figure(const FigureOptions& options) {
+Plot initial_condition_figure(const FigureOptions& options) {
   const auto ratios = stations(0.2, 10, 99);
   const auto rest = paper_case(Pulse::sine, 0, 0), pushed = paper_case(Pulse::sine, -0.01, -0.1),
              cosine = paper_case(Pulse::cosine, 0, 0), cosine_pushed = paper_case(Pulse::cosine, 0.01, 0.1),
@@ -220,7 +223,7 @@ Figure initial_condition_figure(const FigureOptions& options) {
       {panel}};
 }
 
-Figure paper_figure(int number, const FigureOptions& options) {
+Plot paper_figure(int number, const FigureOptions& options) {
   switch (number) {
     case 8:
     case 9:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <derivations/program/csv.hpp>
 #include <derivations/program/program.hpp>
 #include <numerics/pictures/gnuplot.hpp>
 #include <numerics/pictures/plot.hpp>
@@ -96,7 +97,7 @@ int lines_in(const std::string& text) {
 
 void check_plot_name(const fs::path& file) { (void)terminal(file, 0, 0); }
 
-void draw(const Figure& figure, const fs::path& file) {
+void draw(const Plot& figure, const fs::path& file) {
   const auto count = figure.panels.size();
   const double columns = count > 1 ? 2 : 1, rows = std::ceil(static_cast<double>(count) / columns);
   const double caption = 26 + 17 * lines_in(figure.caption);
@@ -140,13 +141,14 @@ void draw(const Shades& shades, const fs::path& file) {
   write_plot(script, file, 960, 640);
 }
 
-std::string figure_data(const Figure& figure) {
+std::string figure_data(const Plot& figure) {
   std::string text = "panel,curve,x,y\n";
   for (const Panel& panel : figure.panels)
     for (const Curve& curve : panel.curves)
       for (const auto& [x, y] : curve.points)
         if (std::isfinite(x) && std::isfinite(y))
-          text += fmt::format("\"{}\",\"{}\",{:.17g},{:.17g}\n", panel.title, curve.title, x, y);
+          text += fmt::format("{},{},{:.17g},{:.17g}\n", csv_cell(panel.title, CsvQuotes::always),
+                              csv_cell(curve.title, CsvQuotes::always), x, y);
   return text;
 }
 

@@ -34,7 +34,7 @@ struct Shades {
   std::string x_label, y_label;
 };
 
-struct Figure {
+struct Plot {
   std::string caption;  ///< lines separated by '\n'
   std::vector<Panel> panels;
 };
@@ -45,10 +45,10 @@ void check_plot_name(const std::filesystem::path& file);
 /// Draws to SVG, PNG or PDF by the extension, whole or not at all.
 /// Throws std::invalid_argument for another extension, BadInput for an unwritable file, or if gnuplot is
 /// missing.
-void draw(const Figure& figure, const std::filesystem::path& file);
+void draw(const Plot& figure, const std::filesystem::path& file);
 void draw(const Shades& shades, const std::filesystem::path& file);
 
 /// All curves as text: "panel,curve,x,y" lines under a header.
-std::string figure_data(const Figure& figure);
+std::string figure_data(const Plot& figure);
 
 }  // namespace rederive::numerics

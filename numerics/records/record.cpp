@@ -7,7 +7,7 @@
 #include <derivations/program/program.hpp>
 #include <limits>
 #include <numeric>
-#include <numerics/motion/ground_motion.hpp>
+#include <numerics/records/record.hpp>
 #include <numerics/records/record_header.hpp>
 #include <optional>
 #include <stdexcept>
@@ -283,6 +283,20 @@ Record read_record(const std::string& file, const RecordOptions& options) {
   return {.time = std::move(samples.time),
           .acceleration = std::move(samples.value),
           .is_headed = header.has_value()};
+}
+
+GroundMotion record_motion(const Record& record, const Block& block, double scale) {
+  GroundMotion motion;
+  for (std::size_t i = 0; i + 1 < record.time.size(); ++i) {
+    Piece piece;
+    piece.from = block.p * static_cast<Real>(record.time[i] - record.time[0]);
+    piece.to = block.p * static_cast<Real>(record.time[i + 1] - record.time[0]);
+    piece.value = scale * static_cast<Real>(record.acceleration[i]) / block.alpha;
+    const Real next = scale * static_cast<Real>(record.acceleration[i + 1]) / block.alpha;
+    piece.slope = (next - piece.value) / (piece.to - piece.from);
+    motion.push_back(piece);
+  }
+  return motion;
 }
 
 }  // namespace rederive::numerics

@@ -1,9 +1,8 @@
-// Headers of files from the United States: SMC of the USGS, and COSMOS.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numerics/motion/block.hpp>
-#include <numerics/records/record_header.hpp>
+#include <numerics/records/record_header_us.hpp>
 #include <regex>
 
 namespace rederive::numerics {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <derivations/numbers/ball.hpp>
+#include <emitted/rocking_block.hpp>
 
 namespace rederive {
 
@@ -17,3 +18,10 @@ inline Ball cosh(const Ball& x) { return x.image(arb_cosh); }
 inline Ball tanh(const Ball& x) { return x.image(arb_tanh); }
 
 }  // namespace rederive
+
+namespace rederive::emitted {
+template <>
+inline Ball pi<Ball>() {
+  return Ball::pi();
+}
+}  // namespace rederive::emitted

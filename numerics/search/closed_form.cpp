@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <functional>
 #include <numbers>
+#include <numerics/search/ball_functions.hpp>
 #include <numerics/search/closed_form.hpp>
 #include <numerics/search/roots.hpp>
 #include <stdexcept>
@@ -169,14 +170,17 @@ void add_roots(Form form, Pulse pulse, const ExactCase& exact, std::vector<Close
     const ProvenRoot found =
         proven_root([&](const Ball& x) { return residual(form, in, x); }, bracket, in.omega_ratio.bits());
     const ExactRoot root = root_at(form, in, found.x);
-    std::string why_not = contradiction(form, pulse, exact, root);
-    const bool real = why_not.empty();
-    if (real && !overturns_above(form, in, root, found.rises))
-      why_not = "not a minimum: it overturns below this amplitude and not above";
+    std::optional<Objection> why_not = objection_to(form, pulse, exact, root);
+    if (!why_not && !overturns_above(form, in, root, found.rises))
+      why_not = Objection{Objection::Kind::upper_edge};
     const bool with_impact = std::abs(code_of(form)) == 2;
-    all.push_back({form, root.amplitude.to_double(), root.psi.to_double(),
-                   with_impact ? std::optional(root.impact_time.to_double()) : std::nullopt,
-                   root.pulse_end.to_double(), root, real, why_not.empty(), why_not});
+    all.push_back({.form = form,
+                   .amplitude = root.amplitude.to_double(),
+                   .psi = root.psi.to_double(),
+                   .impact_time = with_impact ? std::optional(root.impact_time.to_double()) : std::nullopt,
+                   .pulse_end = root.pulse_end.to_double(),
+                   .exact = root,
+                   .why_not = why_not});
   }
 }
 
@@ -187,44 +191,6 @@ std::vector<Form> forms_for(Pulse pulse, const ExactCase& exact) {
 }
 
 }  // namespace
-
-int code_of(Form form) {
-  switch (form) {
-    case Form::eq71:
-    case Form::eq104:
-      return -1;
-    case Form::eq78:
-    case Form::eq103:
-      return 1;
-    case Form::eq86_88:
-    case Form::eq92a_96:
-      return 2;
-  }
-  return 0;
-}
-
-std::vector<std::string> ClosedForm::equations() const {
-  switch (form) {
-    case Form::eq71:
-      return {"71"};
-    case Form::eq78:
-      return {"78"};
-    case Form::eq86_88:
-      return {"86", "88"};
-    case Form::eq92a_96:
-      return {"92a", "96"};
-    case Form::eq103:
-      return {"103"};
-    case Form::eq104:
-      return {"104"};
-  }
-  return {};
-}
-
-ExactCase exact_case_of(const PulseCase& asked) {
-  return {Ball(asked.omega_ratio), Ball(asked.block.restitution), Ball(asked.initial.angle),
-          Ball(asked.initial.velocity)};
-}
 
 std::vector<ClosedForm> closed_forms(Pulse pulse, const ExactCase& exact, const std::vector<Form>& wanted) {
   for (long bits = first_bits(longest_pulse(exact.omega_ratio));; bits = std::min(2 * bits, Ball::most_bits))

@@ -2,7 +2,7 @@
 // fitting using dynamic structural analysis, Earthquake Spectra 31 (2015) 579-599.
 #pragma once
 
-#include <numerics/motion/ground_motion.hpp>
+#include <numerics/records/record.hpp>
 #include <optional>
 #include <string>
 #include <vector>

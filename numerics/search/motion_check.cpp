@@ -1,4 +1,3 @@
-// Does the block really move as a closed form assumes?
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,26 +5,26 @@
 #include <cstdlib>
 #include <numbers>
 #include <numerics/motion/arc.hpp>
-#include <numerics/search/closed_form.hpp>
+#include <numerics/search/ball_functions.hpp>
+#include <numerics/search/motion_check.hpp>
 
 namespace rederive::numerics {
 namespace {
 
+using Kind = Objection::Kind;
+
 /// What the phase alone forbids.
-std::string wrong_start(Form form, Pulse pulse, Real psi) {
+std::optional<Objection> wrong_start(Form form, Pulse pulse, Real psi) {
   if (pulse == Pulse::cosine)
-    return psi >= 0 ? "" : "the crest comes after the start: this phase asks for a pulse that has passed it";
-  if (psi <= std::numbers::pi / 2) return "";
-  return std::string("the pulse falls from the start: a block at rest does not move then") +
-         (form == Form::eq78 ? ", and under one that rises it turns to the left, not to the right" : "");
+    return psi >= 0 ? std::nullopt : std::optional(Objection{Kind::crest_comes_later});
+  if (psi <= std::numbers::pi / 2) return std::nullopt;
+  return Objection{form == Form::eq78 ? Kind::falls_from_start_or_goes_left : Kind::falls_from_start};
 }
 
-std::string wrong_side_of_pulse_end(Form form, Real impact, Real end) {
-  if (form == Form::eq86_88 && impact >= end)
-    return fmt::format("the impact comes too late: at {:.6g}, after the pulse ends at {:.6g}", impact, end);
-  if (form == Form::eq92a_96 && impact <= end)
-    return fmt::format("the impact comes too early: at {:.6g}, before the pulse ends at {:.6g}", impact, end);
-  return "";
+std::optional<Objection> wrong_side_of_pulse_end(Form form, Real impact, Real end) {
+  if (form == Form::eq86_88 && impact >= end) return Objection{Kind::impact_too_late, impact, end};
+  if (form == Form::eq92a_96 && impact <= end) return Objection{Kind::impact_too_early, impact, end};
+  return std::nullopt;
 }
 
 /// Where the first motion takes the block: -1, +1, or 0 if it stays at rest.
@@ -99,32 +98,67 @@ class RootMotion {
   Piece piece_;
 };
 
-std::string other_motion(Form form, Pulse pulse, const ExactCase& exact, const ExactRoot& root) {
+std::optional<Objection> other_motion(Form form, Pulse pulse, const ExactCase& exact, const ExactRoot& root) {
   const int side = side_taken(pulse, exact), code = code_of(form);
-  if (side == 0) return "from rest the block stays at rest: the ground acceleration falls at once";
-  if (side != (code == 1 ? 1 : -1))
-    return fmt::format("theta has the other sign: the motion starts with theta {} 0", side < 0 ? "<" : ">");
+  if (side == 0) return Objection{Kind::stays_at_rest};
+  if (side != (code == 1 ? 1 : -1)) return Objection{side < 0 ? Kind::starts_to_left : Kind::starts_to_right};
   const RootMotion motion(pulse, exact, root, side);
   const Real impact = root.impact_time.to_real();
   const bool during = form == Form::eq86_88;
   const Arc first = during ? motion.first_arc(impact * (1 - 1e-9L)) : motion.first_arc();
   if (first.kind == ArcEnd::impact)
-    return code == 2
-               ? fmt::format("the first impact is at {:.6g}, not at {:.6g}", first.end.time, impact)
-               : fmt::format("theta changes sign: impact at {:.6g}, before the pulse ends", first.end.time);
-  if (!during) return "";
+    return code == 2 ? Objection{Kind::other_first_impact, first.end.time, impact}
+                     : Objection{Kind::changes_sign, first.end.time};
+  if (!during) return std::nullopt;
   const Arc second = motion.arc_after_impact();
-  if (second.kind != ArcEnd::impact) return "";
-  return fmt::format("a second impact follows at {:.6g}, before the pulse ends", second.end.time);
+  if (second.kind != ArcEnd::impact) return std::nullopt;
+  return Objection{Kind::second_impact, second.end.time};
 }
 
 }  // namespace
 
-std::string contradiction(Form form, Pulse pulse, const ExactCase& exact, const ExactRoot& root) {
-  std::string reason = wrong_start(form, pulse, root.psi.to_real());
-  if (reason.empty())
-    reason = wrong_side_of_pulse_end(form, root.impact_time.to_real(), root.pulse_end.to_real());
-  return reason.empty() ? other_motion(form, pulse, exact, root) : reason;
+std::string ObjectionWords::in_full() const { return detail.empty() ? brief : brief + ": " + detail; }
+
+ObjectionWords words_for(const Objection& objection) {
+  const Real time = objection.time, other = objection.other;
+  switch (objection.kind) {
+    case Kind::crest_comes_later:
+      return {"the crest comes after the start", "this phase asks for a pulse that has passed it"};
+    case Kind::falls_from_start:
+      return {"the pulse falls from the start", "a block at rest does not move then"};
+    case Kind::falls_from_start_or_goes_left:
+      return {"the pulse falls from the start",
+              "a block at rest does not move then, and under one that rises it turns to the left, not to the "
+              "right"};
+    case Kind::impact_too_late:
+      return {"the impact comes too late",
+              fmt::format("at {:.6g}, after the pulse ends at {:.6g}", time, other)};
+    case Kind::impact_too_early:
+      return {"the impact comes too early",
+              fmt::format("at {:.6g}, before the pulse ends at {:.6g}", time, other)};
+    case Kind::stays_at_rest:
+      return {"from rest the block stays at rest", "the ground acceleration falls at once"};
+    case Kind::starts_to_left:
+      return {"theta has the other sign", "the motion starts with theta < 0"};
+    case Kind::starts_to_right:
+      return {"theta has the other sign", "the motion starts with theta > 0"};
+    case Kind::other_first_impact:
+      return {fmt::format("the first impact is at {:.6g}, not at {:.6g}", time, other), ""};
+    case Kind::changes_sign:
+      return {"theta changes sign", fmt::format("impact at {:.6g}, before the pulse ends", time)};
+    case Kind::second_impact:
+      return {fmt::format("a second impact follows at {:.6g}, before the pulse ends", time), ""};
+    case Kind::upper_edge:
+      return {"not a minimum", "it overturns below this amplitude and not above"};
+  }
+  return {};
+}
+
+std::optional<Objection> objection_to(Form form, Pulse pulse, const ExactCase& exact, const ExactRoot& root) {
+  if (const auto wrong = wrong_start(form, pulse, root.psi.to_real())) return wrong;
+  const Real impact = root.impact_time.to_real(), end = root.pulse_end.to_real();
+  if (const auto wrong = wrong_side_of_pulse_end(form, impact, end)) return wrong;
+  return other_motion(form, pulse, exact, root);
 }
 
 }  // namespace rederive::numerics

@@ -1,7 +1,7 @@
 // Ground-motion files of every format: a record that can be integrated, or a complaint that names file and
 // line.
 #include <cmath>
-#include <numerics/motion/ground_motion.hpp>
+#include <numerics/records/record.hpp>
 #include <stdexcept>
 #include <tests/fuzz/fuzz.hpp>
 

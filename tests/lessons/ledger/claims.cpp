@@ -122,7 +122,7 @@ TEST_CASE("the linear hand-over solves (86) and (88) with t_i = T_ex") {
   there.omega_ratio = change->omega_ratio * (1 - 1e-10);
   const auto roots = closed_forms(there);
   const auto root = std::find_if(roots.begin(), roots.end(), [](const auto& each) {
-    return each.form == rederive::numerics::Form::eq86_88 && each.admissible;
+    return each.form == rederive::numerics::Form::eq86_88 && each.admissible();
   });
   REQUIRE(root != roots.end());
   CHECK(*root->impact_time == doctest::Approx(root->pulse_end).epsilon(1e-8));

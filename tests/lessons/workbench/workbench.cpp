@@ -204,7 +204,7 @@ TEST_CASE("the curves are the closed forms of rocking threshold, those that are 
 TEST_CASE("a page is opened at its case, says it in words, and asks nothing of the network") {
   if (!has_tool("chromium")) return;
   CHECK(found_in_browser()["opened"] == "rocking response --omega=3 --amplitude=1.41");
-  CHECK(found_in_browser()["said"].get<std::string>().find("after 1 impact") != std::string::npos);
+  CHECK(found_in_browser()["said"].get<std::string>().find("after one impact") != std::string::npos);
   CHECK(found_in_browser()["requests"] == Json::array());
 }
 

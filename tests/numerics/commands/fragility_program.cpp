@@ -183,7 +183,7 @@ TEST_CASE("the step and the unit of columns are refused where every record has a
   };
   std::ofstream(folder.path / "a.at2") << "PEER\nA station\nACCELERATION TIME HISTORY IN UNITS OF G\n"
                                           " 3  0.5  NPTS, DT\n0.0 0.6 -0.6\n";
-  check_refused(with_unit(), "--unit: the headers of all records");
+  check_refused(with_unit(), "--unit must be left out: the headers of all records");
   std::ofstream(folder.path / "b.txt") << "0 0\n0.5 0.6\n1 0\n";
   CHECK(with_unit().exit_code == 0);
 }

@@ -227,7 +227,7 @@ TEST_CASE("a plot has the curves of a response and of a spectrum, and the cells 
   CHECK(times(cells, "<polygon fill = 'rgb(255, 255, 255)'") == 4);   // safe
   CHECK(run_program("rocking", {"map", "--omega", "1:3:4", "--amplitude", "1:5:4"}).out ==
         " -1         10 points  overturns to theta < 0 without impact\n +0          4 points  safe\n"
-        " +2          2 points  overturns to theta > 0 after 1 impact\n");
+        " +2          2 points  overturns to theta > 0 after one impact\n");
 }
 
 TEST_CASE("a record is followed from its file") {
@@ -242,7 +242,8 @@ TEST_CASE("a record is followed from its file") {
       << "PEER\nA station\nACCELERATION TIME HISTORY IN UNITS OF G\n 3  0.5  NPTS, DT\n0.0 0.6 -0.6\n";
   CHECK(json_of({"response", "--record", file, "--json"})["events"][0]["kind"] == "start");
   for (const auto& [option, value] : {std::pair("--step", "0.5"), {"--unit", "g"}})
-    check_refused({"response", "--record", file, option, value}, std::string(option) + ": the header of");
+    check_refused({"response", "--record", file, option, value},
+                  std::string(option) + " must be left out: the header of");
   check_refused({"response", "--omega", "2", "--amplitude", "2", "--unit", "m/s2"}, "--unit");
 }
 

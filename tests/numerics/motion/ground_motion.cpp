@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numerics/motion/ground_motion.hpp>
 #include <numerics/motion/response.hpp>
+#include <numerics/records/record.hpp>
 #include <stdexcept>
 #include <tests/run_program.hpp>
 

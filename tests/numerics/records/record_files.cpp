@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
-#include <numerics/motion/ground_motion.hpp>
+#include <numerics/records/record.hpp>
 #include <stdexcept>
 #include <tests/run_program.hpp>
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 #include <numerics/motion/parallel.hpp>
+#include <numerics/search/ball_functions.hpp>
 #include <numerics/search/closed_form.hpp>
 #include <numerics/search/windows.hpp>
 
@@ -20,7 +21,7 @@ PulseCase asked(double omega_ratio, double alpha = 0.25, std::optional<double> e
 
 const ClosedForm* root_of(const std::vector<ClosedForm>& roots, Form form, bool admissible = true) {
   for (const ClosedForm& root : roots)
-    if (root.form == form && root.admissible == admissible) return &root;
+    if (root.form == form && root.admissible() == admissible) return &root;
   return nullptr;
 }
 
@@ -61,10 +62,10 @@ TEST_CASE("a root is admissible only if the block moves so") {
   const auto roots = closed_forms(asked(5.5));
   CHECK(root_of(roots, Form::eq78) == nullptr);
   REQUIRE(root_of(roots, Form::eq86_88, false) != nullptr);
-  CHECK(root_of(roots, Form::eq86_88, false)->why_not.starts_with("the impact comes too late"));
+  CHECK(root_of(roots, Form::eq86_88, false)->why_not->kind == Objection::Kind::impact_too_late);
   PulseCase cosine = asked(3);
   cosine.pulse = Pulse::cosine;
-  CHECK(root_of(closed_forms(cosine), Form::eq103, false)->why_not.starts_with("from rest"));
+  CHECK(root_of(closed_forms(cosine), Form::eq103, false)->why_not->kind == Objection::Kind::stays_at_rest);
   cosine.initial = {0.04L, 0.19L};
   const auto pushed = closed_forms(cosine);
   const ClosedForm* root = root_of(pushed, Form::eq103);
@@ -98,14 +99,14 @@ TEST_CASE("an admissible root begins a window, one that is not a minimum ends on
         PulseCase of = asked(ratio);
         of.pulse = pulse, of.initial = initial;
         for (const ClosedForm& root : closed_forms(of)) {
-          if (!root.real || root.amplitude < 1 + 1e-11) continue;
+          if (!root.real() || root.amplitude < 1 + 1e-11) continue;
           const bool below = outcome_at(of, root.amplitude * (1 - 1e-12L)).code == code_of(root.form);
           const bool above = outcome_at(of, root.amplitude * (1 + 1e-12L)).code == code_of(root.form);
           CAPTURE(ratio);
-          CAPTURE(root.equations().front());
-          CHECK(above == root.admissible);
-          CHECK(below != root.admissible);
-          ++(root.admissible ? begin : end);
+          CAPTURE(equations_of(root.form).front());
+          CHECK(above == root.admissible());
+          CHECK(below != root.admissible());
+          ++(root.admissible() ? begin : end);
         }
       }
   CHECK(begin > 20);
@@ -116,7 +117,7 @@ TEST_CASE("slow pulses, whose motion no floating-point number follows, are judge
   for (double ratio : {0.01, 0.02, 0.05}) {
     const auto roots = closed_forms(asked(ratio));
     std::vector<std::string> told;
-    for (const ClosedForm& root : roots) told.push_back(root.why_not.substr(0, root.why_not.find(':')));
+    for (const ClosedForm& root : roots) told.push_back(root.why_not ? words_for(*root.why_not).brief : "");
     CHECK(told == std::vector<std::string>{"", "the pulse falls from the start", "", "not a minimum",
                                            "the impact comes too late", "the impact comes too early"});
     const ClosedForm *without = root_of(roots, Form::eq71), *with = root_of(roots, Form::eq86_88);
@@ -137,8 +138,8 @@ TEST_CASE("closed forms asked for by several threads are those that one finds") 
     std::vector<std::vector<std::string>> all(count);
     for_each_index({.count = count, .threads = threads}, [&](int i) {
       for (const ClosedForm& root : closed_forms(asked(0.5 + 0.1 * i)))
-        all[static_cast<std::size_t>(i)].push_back(root.equations()[0] + (root.admissible ? "+" : "-") +
-                                                   std::to_string(root.amplitude));
+        all[static_cast<std::size_t>(i)].push_back(
+            equations_of(root.form)[0] + (root.admissible() ? "+" : "-") + std::to_string(root.amplitude));
     });
     return all;
   };
