@@ -275,7 +275,7 @@ inline void TomlTable::check_word(const std::string& key, const std::string& tex
   constexpr std::size_t most_listed = 20;
   if (std::ranges::find(words, text) != words.end()) return;
   std::string right = did_you_mean(nearest(text, words));
-  if (words.size() <= most_listed) right += fmt::format("; right is one of {}", fmt::join(words, ", "));
+  if (words.size() <= most_listed) right += fmt::format("; it must be one of {}", fmt::join(words, ", "));
   fail(fmt::format("'{}' cannot be '{}'{}", key, text, right), key);
 }
 

@@ -58,7 +58,7 @@ Conditions conditions_behind(const std::string& name, const Arguments& arguments
   for (const numerics::ClosedForm& root : condition_roots(experiment_of(arguments)))
     if (root.admissible() && std::abs(root.amplitude - value) < 1e-6 * value)
       return {equations_of(root.form), root.psi, root.impact_time};
-  throw std::runtime_error("no condition leads to the value of " + name);
+  throw std::runtime_error("there is no condition that leads to the value of " + name);
 }
 
 }  // namespace rederive::classroom

@@ -286,10 +286,10 @@ int grade(const Classroom& room, const GradeFlags& flags) {
   if (!fs::is_directory(flags.folder, error))
     throw BadInput("there is no folder '" + printable_name(flags.folder) + "'");
   const auto students = names_in(flags.folder);
-  if (!students) throw BadInput("the folder '" + printable_name(flags.folder) + "' cannot be read");
+  if (!students) throw BadInput("cannot read the folder '" + printable_name(flags.folder) + "'");
   const bool with_marks = !flags.gradebook.empty() || !flags.feedback.empty();
   if (!with_marks && !(flags.weights + flags.deadline + flags.handed_in).empty())
-    throw BadInput("--weights, --deadline and --handed-in are for --gradebook and --feedback");
+    throw BadInput("--weights, --deadline and --handed-in need --gradebook or --feedback");
   check_outputs(flags);
   const Rules rules = read_rules(room, flags);
   std::map<std::string, Prepared> answers;

@@ -48,7 +48,7 @@ std::vector<std::pair<int, Cells>> read_table(const std::string& file, const std
   std::erase_if(lines, [](const auto& line) { return line.second == Cells(1); });
   for (const auto& [line, cells] : lines)
     if (cells.size() != wanted)
-      fail(line, fmt::format("{} cells are wanted ({}), here are {}", wanted, header, cells.size()));
+      fail(line, fmt::format("a line must have {} cells ({}), but it has {}", wanted, header, cells.size()));
   return lines;
 }
 
@@ -70,8 +70,7 @@ std::optional<std::int64_t> read_time(const std::string& text) {
   return midnight + number(4) * 3600 + number(5) * 60 + number(6) - (zone[0] == '-' ? -60 : 60) * east;
 }
 
-constexpr auto a_time =
-    "a time such as 2026-12-01T12:00 (in UTC, or with an offset such as +02:00 behind it)";
+constexpr auto a_time = "a time such as 2026-12-01T12:00 (in UTC, or with an offset such as +02:00)";
 
 /// A list whose last column is a value by exercise.
 template <class Value>
@@ -90,14 +89,14 @@ void for_each_line(const Classroom& room, const std::string& file, const std::st
 
 std::int64_t time_in(const std::string& cell) {
   if (const auto time = read_time(cell)) return *time;
-  throw BadInput(fmt::format("'{}' is no time; wanted is {}", cell, a_time));
+  throw BadInput(fmt::format("'{}' must be {}", cell, a_time));
 }
 
 double weight_in(const std::string& cell) {
   double weight = 0;
   const auto [last, error] = std::from_chars(cell.data(), cell.data() + cell.size(), weight);
   if (error != std::errc() || last != cell.data() + cell.size() || !(weight >= 0 && weight <= 1000))
-    throw BadInput(fmt::format("'{}' is no weight; wanted is a number from 0 to 1000", cell));
+    throw BadInput(fmt::format("'{}' must be a weight, a number from 0 to 1000", cell));
   return weight;
 }
 
@@ -110,9 +109,9 @@ Rules read_rules(const Classroom& room, const GradeFlags& flags) {
   else
     for_each_line(room, flags.weights, "exercise,weight", [&](const std::string& id, const Cells& cells) {
       if (!rules.weights.emplace(id, weight_in(cells[1])).second)
-        throw BadInput("a second weight for '" + id + "'");
+        throw BadInput("'" + id + "' has a second weight");
     });
-  if (rules.weights.empty()) throw BadInput(printable_name(flags.weights) + ": there is no weight in it");
+  if (rules.weights.empty()) throw BadInput(printable_name(flags.weights) + ": the file contains no weights");
   std::error_code error;
   if (const auto deadline = read_time(flags.deadline))
     for (const auto& exercise : room.exercises) rules.deadlines[exercise.id] = *deadline;
@@ -124,7 +123,7 @@ Rules read_rules(const Classroom& room, const GradeFlags& flags) {
   else if (!flags.deadline.empty())
     for_each_line(room, flags.deadline, "exercise,deadline", [&](const std::string& id, const Cells& cells) {
       if (!rules.deadlines.emplace(id, time_in(cells[1])).second)
-        throw BadInput("a second deadline for '" + id + "'");
+        throw BadInput("'" + id + "' has a second deadline");
     });
   if (!flags.handed_in.empty())
     for_each_line(room, flags.handed_in, "student,exercise,time",
@@ -133,7 +132,7 @@ Rules read_rules(const Classroom& room, const GradeFlags& flags) {
                         cells[0].starts_with("'") && csv_cell(cells[0].substr(1)) != cells[0].substr(1);
                     const std::string student = guarded ? cells[0].substr(1) : cells[0];
                     if (!rules.handed_in.emplace(std::pair(student, id), time_in(cells[2])).second)
-                      throw BadInput(fmt::format("a second time for '{}', '{}'", student, id));
+                      throw BadInput(fmt::format("there is a second time for '{}', '{}'", student, id));
                   });
   return rules;
 }

@@ -35,7 +35,7 @@ std::optional<std::size_t> end_of_head(const std::string& received, std::size_t 
     if (at >= 3 && received.compare(at - 3, 4, "\r\n\r\n") == 0) return at + 1;
   }
   if (received.size() > most_head_bytes)
-    throw HttpRefusal(431, fmt::format("The head of a request may have {} bytes at most.", most_head_bytes));
+    throw HttpRefusal(431, fmt::format("The head of a request may have at most {} bytes.", most_head_bytes));
   return std::nullopt;
 }
 
@@ -56,7 +56,8 @@ std::string path_of(std::string_view target, const HttpRequest& request) {
   if (lower(target.substr(0, scheme.size())) == scheme) {
     target.remove_prefix(scheme.size());
     const std::string_view host = target.substr(0, target.find_first_of("/?"));
-    if (host != request.only("host")) throw HttpRefusal(400, "The target names another host than Host.");
+    if (host != request.only("host"))
+      throw HttpRefusal(400, "The target and the header Host name different hosts.");
     target.remove_prefix(host.size());
   }
   if (!is_printable || !target.starts_with('/'))
@@ -68,11 +69,11 @@ void add_header(std::string_view line, HttpRequest& request) {
   const std::size_t colon = line.find(':');
   const std::string_view name = line.substr(0, colon);
   if (colon == std::string_view::npos || !is_token(name))
-    throw HttpRefusal(400, "A line of the head must be like Name: value.");
+    throw HttpRefusal(400, "A line of the head must have the form Name: value.");
   std::string_view value = line.substr(colon + 1);
   for (const char c : value)
     if ((c >= 0 && c < ' ' && c != '\t') || c == '\x7f')
-      throw HttpRefusal(400, "A header may hold no control characters.");
+      throw HttpRefusal(400, "A header must not contain control characters.");
   while (value.starts_with(' ') || value.starts_with('\t')) value.remove_prefix(1);
   while (value.ends_with(' ') || value.ends_with('\t')) value.remove_suffix(1);
   request.headers.emplace(lower(name), value);
@@ -82,7 +83,7 @@ std::size_t length_of_body(const HttpRequest& request) {
   if (request.headers.contains("transfer-encoding"))
     throw HttpRefusal(411, "A request must have a Content-Length instead of a Transfer-Encoding.");
   if (request.headers.contains("content-encoding"))
-    throw HttpRefusal(415, "The body of a request may not be encoded.");
+    throw HttpRefusal(415, "The body of a request must not be encoded.");
   const auto count = request.headers.count("content-length");
   if (count == 0) return 0;
   const std::string text = request.only("content-length");
@@ -91,7 +92,7 @@ std::size_t length_of_body(const HttpRequest& request) {
   std::size_t bytes = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), bytes);
   if (read.ec != std::errc() || bytes > most_body_bytes)
-    throw HttpRefusal(413, fmt::format("The body of a request may have {} bytes at most.", most_body_bytes));
+    throw HttpRefusal(413, fmt::format("The body of a request may have at most {} bytes.", most_body_bytes));
   return bytes;
 }
 
@@ -147,7 +148,7 @@ std::optional<HttpRequest> head_of(const std::string& received, std::size_t from
     throw HttpRefusal(400, "A request must begin with a line like GET / HTTP/1.1.");
   const std::string_view version = first.substr(last + 1);
   if (version != "HTTP/1.1" && version != "HTTP/1.0")
-    throw HttpRefusal(version.starts_with("HTTP/") ? 505 : 400, "HTTP/1.1 is spoken here.");
+    throw HttpRefusal(version.starts_with("HTTP/") ? 505 : 400, "The version must be HTTP/1.1 or HTTP/1.0.");
   HttpRequest request;
   request.method = first.substr(0, blank);
   request.head_bytes = *end;

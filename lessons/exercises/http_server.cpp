@@ -186,7 +186,8 @@ class Connections {
     handlers_.guard(request);
     if (!request.headers.contains("expect")) return;
     constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
-    if (request.only("expect") != "100-continue") throw HttpRefusal(417, "Expect: 100-continue is known.");
+    if (request.only("expect") != "100-continue")
+      throw HttpRefusal(417, "Only Expect: 100-continue is accepted.");
     if (connection.received.size() < request.head_bytes + request.body_bytes)
       (void)::send(connection.socket.get(), go_on.data(), go_on.size(), MSG_NOSIGNAL);
   }
@@ -196,7 +197,8 @@ class Connections {
     Connection& connection = entry->second;
     HttpRequest& request = *connection.request;
     if (connection.received.size() < request.head_bytes + request.body_bytes) return;
-    if (desk_.count() >= ceilings_.requests) throw HttpRefusal(503, "Too many ask at a time.");
+    if (desk_.count() >= ceilings_.requests)
+      throw HttpRefusal(503, "There are too many requests at the moment.");
     request.body = connection.received.substr(request.head_bytes, request.body_bytes);
     connection.received = std::string();
     connection.stage = Stage::answer;

@@ -206,7 +206,7 @@ Reply reply(const Classroom& room, const Exercise& exercise, const std::string& 
           "<button value=\"give_up\">give up</button></p>\n";
     }
   } else {
-    throw BadInput("an exercise knows check, hint, solution, give_up and read, not '" + what + "'");
+    throw BadInput("the button must be check, hint, solution, give_up or read, not '" + what + "'");
   }
   if (what != "read") progress = load_progress(room.progress);
   return {text, "(" + standing(record_of(progress, exercise)) + ")"};

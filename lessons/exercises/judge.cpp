@@ -32,7 +32,7 @@ std::size_t right_option(const Prepared& prepared) {
     if (holds) right.push_back(i + 1);
   }
   if (right.size() != 1)
-    throw std::runtime_error(fmt::format("{} of its options are right, one is wanted", right.size()));
+    throw std::runtime_error(fmt::format("exactly one option must be right, but {} are", right.size()));
   return right.front();
 }
 
@@ -76,7 +76,7 @@ void take_given(Prepared& prepared, const std::set<std::string>& at_hand) {
         prepared.assumed.push_back(put_in(link, prepared.answer.given));
     }
   if (contradict(prepared.assumed, prepared.symbols))
-    throw std::runtime_error("what it gives contradicts itself");
+    throw std::runtime_error("the conditions in 'given' contradict each other");
 }
 
 /// From the answer, what answers are compared with.

@@ -47,7 +47,7 @@ void refuse_unit(const Exercise& exercise, const std::string& text) {
   } catch (const SyntaxError& error) {
     if (error.note != "unknown_symbol") return;
   }
-  throw SyntaxError("unit_not_wanted", blank + 1, "no unit is wanted here: the symbols have theirs already");
+  throw SyntaxError("unit_not_wanted", blank + 1, "write no unit here: the symbols have their units already");
 }
 
 }  // namespace
@@ -70,19 +70,20 @@ Relation read_answer(const Exercise& exercise, const std::string& text) {
   if (exercise.kind == Kind::expression) {
     if (named) check_relation(exercise, read.operators[0]), read = {{read.sides[1]}, {}};
     if (!read.operators.empty())
-      throw SyntaxError("expression_wanted", 0,
-                        "an expression is wanted here, " + (exercise.name.empty()
-                                                                ? "without a relation sign"
-                                                                : "alone or behind " + exercise.name + " ="));
+      throw SyntaxError(
+          "expression_wanted", 0,
+          "an expression is expected here, " +
+              (exercise.name.empty() ? "without a relation sign" : "alone or after " + exercise.name + " ="));
   } else {
     if (read.operators.empty() && !exercise.name.empty())
       read = {{parse(exercise.name), read.sides[0]}, {"="}};
     if (read.operators.empty())
-      throw SyntaxError("equation_wanted", text.size(), "an equation is wanted here: left side = right side");
+      throw SyntaxError("equation_wanted", text.size(),
+                        "an equation is expected here: left side = right side");
     if (read.operators.size() > 1)
-      throw SyntaxError("one_relation_wanted", 0, "one relation is wanted here, not a chain of them");
+      throw SyntaxError("one_relation_wanted", 0, "one relation is expected here, not a chain");
     if (read.operators[0] != "=")
-      throw SyntaxError("equation_wanted", 0, "an equation is wanted here, with =, not an inequality");
+      throw SyntaxError("equation_wanted", 0, "an equation is expected here, with =, not an inequality");
   }
   Relation checked = read;
   if (exercise.kind == Kind::equation && named) checked.sides.erase(checked.sides.begin());

@@ -152,10 +152,11 @@ Opinion judge_number(const Prepared& prepared, const std::string& typed) {
   const Dimension wanted = parse_unit(angle ? "1" : exercise.unit);
   const bool pure = unit_text(wanted) == "1";
   if (read.dimension && *read.dimension != wanted)
-    return found(start, "wrong", near(exercise, read.value, right) ? "unit" : "dimension",
-                 fmt::format("{} You gave {}; {} is wanted.", slip_words("answer", "dimension"),
-                             unit_text(*read.dimension), unit_text(wanted)),
-                 0);
+    return found(
+        start, "wrong", near(exercise, read.value, right) ? "unit" : "dimension",
+        fmt::format("{} Your answer has the unit {}; it should have {}.", slip_words("answer", "dimension"),
+                    unit_text(*read.dimension), unit_text(wanted)),
+        0);
   if (near(exercise, read.value, right)) {
     if (!read.dimension && !pure)
       return found(start, "wrong_form", "missing_unit", slip_words("answer", "missing_unit"), 0.5);
@@ -193,7 +194,7 @@ Opinion judge_choice(const Prepared& prepared, const std::string& text) {
     const std::string letter = pointed_at(text, "[a-z]");
     if (!letter.empty()) chosen = static_cast<std::size_t>(letter[0] - 'a') + 1;
     if (chosen == 0 || chosen > exercise.options.size())
-      return invalid("choice", fmt::format("One letter is wanted, from a to {}.",
+      return invalid("choice", fmt::format("Answer with one letter, from a to {}.",
                                            static_cast<char>('a' + exercise.options.size() - 1)));
     result.read_as = letter;
   } else {

@@ -29,10 +29,10 @@ void check_file(const fs::path& file, const std::string& students, std::set<fs::
     const auto inside =
         fs::weakly_canonical(fs::absolute(folder), error).lexically_relative(fs::canonical(students, error));
     if (!inside.empty() && *inside.begin() != ".." && inside != ".")
-      throw BadInput("cannot write '" + name + "': it lies in the folder of a student");
+      throw BadInput("cannot write '" + name + "': it is in the folder of a student");
   }
   if (!others.insert(fs::weakly_canonical(fs::absolute(file), error)).second)
-    throw BadInput("'" + name + "' cannot be two of the files that are written");
+    throw BadInput("'" + name + "' is named for two outputs");
 }
 
 void check_feedback(const GradeFlags& flags, const std::set<fs::path>& files) {
@@ -42,12 +42,12 @@ void check_feedback(const GradeFlags& flags, const std::set<fs::path>& files) {
   if (!folder.has_filename()) folder = folder.parent_path();  // "pages/"
   const std::string refused = "cannot write into '" + printable_line(flags.feedback) + "': ";
   const bool is_there = fs::exists(folder, error);
-  if (is_there && !fs::is_directory(folder, error)) throw BadInput(refused + "it is no folder");
+  if (is_there && !fs::is_directory(folder, error)) throw BadInput(refused + "it is not a folder");
   const fs::path place = is_there ? folder : folder.parent_path();
   check_folder(place, refused);
   const auto inside = folder.lexically_relative(fs::canonical(flags.folder, error));
   if (!inside.empty() && *inside.begin() != "..")
-    throw BadInput(refused + "it lies in the class's folder, and would be taken for a student");
+    throw BadInput(refused + "it is in the folder of the class, and would be taken for a student");
   for (const auto& file : files)
     if (file.parent_path() == folder)
       throw BadInput(refused + "'" + printable_name(file) + "' could be one of its pages");

@@ -100,8 +100,8 @@ Progress read_progress(const std::string& text, const std::filesystem::path& fil
     if (line.empty() || line[0] == '#') continue;
     if (!take_line(line, progress))
       throw BadInput(
-          fmt::format("{}, line {}: this is not as Rederive wrote it. Mend the line, or move the file "
-                      "away to start afresh",
+          fmt::format("{}, line {}: the line does not have the form that Rederive writes. Mend it, or move "
+                      "the file away to start afresh",
                       printable_name(file), number));
   }
   return progress;

@@ -102,7 +102,7 @@ Reference read_reference(TomlTable& table) {
   check_symbol(table, "solve_for", result.solve_for);
   check_symbol(table, "differentiate", result.differentiate);
   const int given = !result.derivation.empty() + !result.row.empty() + !result.function.empty();
-  if (given != 1) table.fail("one of 'derivation', 'row' and 'function' is needed, and no other of them");
+  if (given != 1) table.fail("exactly one of 'derivation', 'row' and 'function' is needed");
   return result;
 }
 
@@ -115,7 +115,7 @@ Slip read_slip(TomlTable& table) {
   slip.digits = static_cast<int>(table.whole("digits", 1, 17).value_or(0));
   std::optional<TomlTable> road = table.table("road");
   table.done();
-  if (road.has_value() != slip.typed.empty()) table.fail("one of 'road' and 'typed' is needed, and not both");
+  if (road.has_value() != slip.typed.empty()) table.fail("exactly one of 'road' and 'typed' is needed");
   if (road) slip.road = read_reference(*road);
   return slip;
 }
@@ -176,7 +176,7 @@ Choice chosen(TomlTable& exercise, const std::string& id, const std::string& see
       const std::vector<Choice> cases = cases_of(*vary, key);
       for (const auto& [name, text] : cases[picked(seed, id + "/" + key, cases.size())])
         if (!choice.emplace(name, text).second)
-          throw std::runtime_error("another list has the name '" + name + "', too");
+          throw std::runtime_error("another list also has the name '" + name + "'");
     } catch (const BadInput&) {
       throw;
     } catch (const std::runtime_error& error) {
@@ -224,11 +224,11 @@ void check_kind(const TomlTable& table, const Exercise& exercise) {
   if ((kind == Kind::choice) == exercise.options.empty())
     table.fail("options belong to exercises of the kind 'choice', which need them", "option");
   if (exercise.options.size() > letters)
-    table.fail(fmt::format("there can be {} options", letters), "option");
+    table.fail(fmt::format("there can be at most {} options", letters), "option");
   if (kind == Kind::equation && answer.side != "whole")
     table.fail("the answer of an equation needs side = \"whole\"", "answer");
   if ((kind == Kind::expression || kind == Kind::number) && answer.side == "whole")
-    table.fail("side = \"whole\" is an equation, and no expression or number", "answer");
+    table.fail("side = \"whole\" is an equation, not an expression or a number", "answer");
   if (!exercise.bound.empty() && exercise.name.empty()) table.fail("'bound' needs a 'name'", "bound");
 }
 
@@ -256,7 +256,7 @@ void check_texts(const TomlTable& table, const Exercise& exercise) {
   check_symbol(table, "pivot", exercise.pivot);
   check_expression(table, "name", exercise.name);
   if (!exercise.unit.empty() && exercise.unit != "1" && !is_unit(exercise.unit))
-    table.fail("'" + exercise.unit + "' is no unit; right is, for example, \"m/s^2\", or \"1\"", "unit");
+    table.fail("'" + exercise.unit + "' must be a unit such as \"m/s^2\", or \"1\"", "unit");
 }
 
 Exercise read_exercise(TomlTable& table, const std::string& seed) {
@@ -264,7 +264,8 @@ Exercise read_exercise(TomlTable& table, const std::string& seed) {
   exercise.place = table.where();
   exercise.id = table.needed_line("id");
   if (!exercise.id.empty()) table.call_it("exercise " + exercise.id);
-  if (exercise.id.find('/') != std::string::npos) table.fail("an id names a file, and has no '/'", "id");
+  if (exercise.id.find('/') != std::string::npos)
+    table.fail("an id must not contain '/', because it names a file", "id");
   exercise.choice = chosen(table, exercise.id, seed);
   if (!exercise.choice.empty()) exercise.seed = seed;
   const auto fill_in = [&](const Choice& texts) {

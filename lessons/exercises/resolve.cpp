@@ -23,7 +23,8 @@ const GiNaC::symbol& symbol_named(const std::string& name) { return paper_symbol
 ex solved(const ex& left, const ex& right, const GiNaC::symbol& symbol) {
   const ex residual = (left - right).expand();
   const ex slope = residual.diff(symbol);
-  if (slope.has(symbol) || slope.is_zero()) throw std::runtime_error("not linear in " + symbol.get_name());
+  if (slope.has(symbol) || slope.is_zero())
+    throw std::runtime_error("the equation is not linear in " + symbol.get_name());
   return -residual.subs(symbol == 0) / slope;
 }
 
@@ -87,7 +88,8 @@ Answer resolve(const Reference& reference, Kind kind) {
   }
   if (kind != Kind::number) return answer;
   const ex number = (reference.side == "left" ? left : right).evalf();
-  if (!GiNaC::is_a<GiNaC::numeric>(number)) throw std::runtime_error("is no number: " + print(number));
+  if (!GiNaC::is_a<GiNaC::numeric>(number))
+    throw std::runtime_error("the value is not a number: " + print(number));
   answer.number = GiNaC::ex_to<GiNaC::numeric>(number).to_double();
   answer.relation = {{to_tree(formula)}, {}};
   Tree with_numbers = answer.relation.sides[0];
@@ -179,7 +181,8 @@ std::size_t wrong_term(const Relation& printed, const std::string& row) {
       break;
     }
   if (found.size() != 1)
-    throw std::runtime_error(fmt::format("row {} has {} terms that an edit would repair", row, found.size()));
+    throw std::runtime_error(
+        fmt::format("row {} must have one term that an edit would repair, but it has {}", row, found.size()));
   return found.front();
 }
 

@@ -73,17 +73,17 @@ HttpResponse response_to(const Classroom& room, const HttpRequest& request, cons
 /// Refuses a request by its head.
 void guard(const HttpRequest& request, const std::string& host, const std::string& root) {
   const std::string type = request.only("content-type");
-  if (request.only("host") != host) throw HttpRefusal(403, "This server answers at " + host + " only.");
+  if (request.only("host") != host) throw HttpRefusal(403, "This server answers only at " + host + ".");
   if (request.headers.contains("origin") && request.only("origin") != "http://" + host)
-    throw HttpRefusal(403, "This server answers to its own pages only.");
+    throw HttpRefusal(403, "This server answers only its own pages.");
   if (!request.path.starts_with(root))
-    throw HttpRefusal(403, "Open the address that exercises serve has printed, all of it.");
+    throw HttpRefusal(403, "Open the whole address that exercises serve printed.");
   if (request.method != "GET" && request.method != "HEAD" && request.method != "POST")
-    throw HttpRefusal(405, "GET, HEAD and POST are known here.");
+    throw HttpRefusal(405, "Only GET, HEAD and POST are accepted.");
   if (request.method != "POST") return;
   if (type.substr(0, type.find(';')) != "application/json")
-    throw HttpRefusal(415, "Content-Type: application/json is expected.");
-  if (!request.headers.contains("content-length")) throw HttpRefusal(411, "A Content-Length is expected.");
+    throw HttpRefusal(415, "The Content-Type must be application/json.");
+  if (!request.headers.contains("content-length")) throw HttpRefusal(411, "A Content-Length is required.");
 }
 
 /// A socket that listens on this machine alone, and its port, a free one for 0.
@@ -99,11 +99,11 @@ std::pair<int, int> listener_at(int port) {
   const bool is_bound = listener >= 0 && ::bind(listener, at, size) == 0;
   if (!is_bound && port != 0)
     throw BadInput(
-        fmt::format("port {} cannot be had: another program has it, or the system keeps it; without "
-                    "--port a free one is taken",
+        fmt::format("port {} cannot be used: another program uses it, or the system reserves it; without "
+                    "--port, a free port is chosen",
                     port));
   if (!is_bound || ::listen(listener, SOMAXCONN) != 0 || ::getsockname(listener, at, &size) != 0)
-    throw std::runtime_error("no port to be had");
+    throw std::runtime_error("the system has no free port");
   return {listener, ntohs(address.sin_port)};
 }
 
@@ -122,11 +122,12 @@ int end_by_signal() {
 int serve(const Classroom& room, int port) {
   const auto [listener, at_port] = listener_at(port);
   const int end = end_by_signal();
-  if (end < 0) throw std::runtime_error("no descriptor to be had");
+  if (end < 0) throw std::runtime_error("the system has no free descriptor");
   std::random_device random;
   const std::string host = fmt::format("127.0.0.1:{}", at_port),
                     root = fmt::format("/{:08x}{:08x}{:08x}{:08x}/", random(), random(), random(), random());
-  std::printf("http://%s%s\nOpen this address in a browser; Ctrl-C ends it.\n", host.c_str(), root.c_str());
+  std::printf("http://%s%s\nOpen this address in a browser. Ctrl-C ends the server.\n", host.c_str(),
+              root.c_str());
   if (std::fflush(stdout) != 0) throw BadInput("standard output could not be written");
   const HttpHandlers handlers{
       .guard = [&](const HttpRequest& request) { guard(request, host, root); },

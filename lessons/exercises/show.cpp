@@ -30,7 +30,8 @@ std::string symbol_table(const Exercise& exercise) {
   for (const auto& name : exercise.symbols) width = std::max(width, name.size());
   for (const auto& name : exercise.symbols) {
     const auto* symbol = paper_symbols().find(name);
-    if (symbol == nullptr) throw std::runtime_error("exercise " + exercise.id + ": no symbol " + name);
+    if (symbol == nullptr)
+      throw std::runtime_error("exercise " + exercise.id + ": there is no symbol " + name);
     const std::string unit = symbol->unit == "1" ? "" : ", " + symbol->unit;
     const std::string sign = symbol->unicode == name ? "" : symbol->unicode + "  ";
     text += fmt::format("  {:{}}  {}{}{}\n", name, width, sign, symbol->meaning, unit);

@@ -55,7 +55,7 @@ const Symbols& no_symbols() {
 double as_number(const Tree& tree) {
   const Value value = value_at(tree, {}, 256);
   if (value.is != Value::Is::certain)
-    throw SyntaxError("not_real", 0, "no value of this can be found: it has none, or one that is too large");
+    throw SyntaxError("not_real", 0, "this has no value, or its value is too large");
   const auto largest = cln::rational(cln::cl_DF(std::numeric_limits<double>::max()));
   const cln::cl_RA number = value.ball().lower();
   if (cln::abs(number) > largest) throw SyntaxError("not_real", 0, "this number is too large");
@@ -219,8 +219,9 @@ void complain_of_unit(const std::string& text) {
   const std::size_t at = text.find_first_not_of("0123456789.+-eE ");
   if (at == std::string::npos || at == 0 || !std::isalpha(static_cast<unsigned char>(text[at]))) return;
   if (text.find_first_of("(*", at) != std::string::npos || text.compare(at, 2, "pi") == 0) return;
-  throw SyntaxError("unknown_unit", at,
-                    "this is no unit known here; m, cm, mm, s, ms, kg, N, J, rad, deg, g (gravity) are");
+  throw SyntaxError(
+      "unknown_unit", at,
+      "this is not a known unit; the units are m, cm, mm, s, ms, kg, N, J, rad, deg, g (gravity)");
 }
 
 /// 0,25 is refused, with the same text as it is to be written.
@@ -243,7 +244,7 @@ Quantity quantity_of(const Tree& typed) {
   const Tree tree = with_unit_of_whole(typed);
   if (!has_unit(tree))
     return {.value = base_value(tree), .dimension = {}, .read_as = echo(tree), .digits = digits_of(tree)};
-  if (!has_number(tree)) throw SyntaxError("number_wanted", 0, "a number is wanted before the unit");
+  if (!has_number(tree)) throw SyntaxError("number_wanted", 0, "a number is expected before the unit");
   const DimensionReport report = dimension(tree, unit_symbols());
   if (!report.consistent)
     throw SyntaxError("unit", 0, "the units do not fit together: " + report.explanation);

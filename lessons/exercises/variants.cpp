@@ -32,7 +32,8 @@ std::vector<std::string> values_of(const std::string& text) {
 namespace {
 
 std::string without_brace(const std::string& text) {
-  if (text.find('}') != std::string::npos) throw std::runtime_error("a brace is not opened: " + text);
+  if (text.find('}') != std::string::npos)
+    throw std::runtime_error("a closing brace has no opening brace: " + text);
   return text;
 }
 
@@ -45,13 +46,13 @@ std::string value_of(const std::string& formula, const Choice& choice) {
     const Tree value = parse(found->second);
     if (!names_of(value).empty())
       throw std::runtime_error(
-          fmt::format("{{{}}}: '{}' is '{}' here, and no number", formula, name, found->second));
+          fmt::format("{{{}}}: '{}' is '{}' here, which is not a number", formula, name, found->second));
     tree = rederive::put_in(tree, name, value);
   }
   const Value value = value_at(tree, {}, 90);
   const double number = value.is == Value::Is::certain ? value.ball().to_double() : NAN;
   if (!std::isfinite(number))
-    throw std::runtime_error("{" + formula + "} has no value here, or one that is too large");
+    throw std::runtime_error("{" + formula + "} has no value here, or its value is too large");
   return fmt::format("{:.10g}", number);
 }
 
@@ -62,7 +63,8 @@ std::string filled(const std::string& text, const Choice& choice) {
   std::size_t at = 0;
   for (std::size_t open; (open = text.find('{', at)) != std::string::npos;) {
     const std::size_t close = text.find('}', open);
-    if (close == std::string::npos) throw std::runtime_error("a brace is not closed: " + text.substr(open));
+    if (close == std::string::npos)
+      throw std::runtime_error("an opening brace has no closing brace: " + text.substr(open));
     const std::string inside = text.substr(open + 1, close - open - 1);
     result += without_brace(text.substr(at, open - at));
     at = close + 1;

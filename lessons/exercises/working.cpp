@@ -30,7 +30,7 @@ std::string without_brackets(std::string text, Step& step) {
   const std::size_t from = text.find('[');
   if (from == std::string::npos) return text;
   if (text.back() != ']')
-    throw SyntaxError("syntax", from, "what is assumed ends with ], at the end of the line");
+    throw SyntaxError("syntax", from, "an assumption must end with ], at the end of the line");
   const std::string small = "small ";
   std::size_t at = text.find_first_not_of(' ', from + 1);
   const bool is_small = text.compare(at, small.size(), small) == 0;
@@ -39,7 +39,8 @@ std::string without_brackets(std::string text, Step& step) {
     const std::size_t end = text.find_first_of(",]", at);
     const Relation part = parse_statement(std::string(at, ' ') + text.substr(at, end - at));
     if (part.operators.empty() != is_small || (is_small && part.sides[0]->kind != Node::Kind::symbol))
-      throw SyntaxError("assumption", at, "assumed is a relation, [theta > 0], or [small theta, alpha]");
+      throw SyntaxError("assumption", at,
+                        "an assumption must be a relation, [theta > 0], or [small theta, alpha]");
     if (is_small)
       step.small.push_back(part.sides[0]->text);
     else
@@ -54,11 +55,11 @@ void read_line(const Exercise& exercise, int number, const std::string& typed, s
   std::string text = without_brackets(typed, step);
   const bool goes_on = text[0] == '=';
   if (goes_on) text[0] = ' ';
-  if (goes_on && steps.empty())
-    throw SyntaxError("syntax", 0, "nothing stands before the first line to equal it");
+  if (goes_on && steps.empty()) throw SyntaxError("syntax", 0, "the first line must not begin with =");
   Relation read = parse_statement(text);
   for (const auto& op : read.operators)
-    if (op != "=") throw SyntaxError("equation_wanted", 0, "a working goes by =, not by inequalities");
+    if (op != "=")
+      throw SyntaxError("equation_wanted", 0, "the lines of a working must use =, not inequalities");
   const bool is_equation = exercise.kind == Kind::equation || names_of(read).contains(exercise.name) ||
                            (read.sides.size() > 1 && is_asked_for(exercise, read.sides[0]));
   Tree left;
@@ -67,7 +68,7 @@ void read_line(const Exercise& exercise, int number, const std::string& typed, s
     if (read.sides.size() == 1 && exercise.kind == Kind::equation && !exercise.name.empty())
       read.sides.insert(read.sides.begin(), parse(exercise.name));
     if (read.sides.size() == 1)
-      throw SyntaxError("equation_wanted", 0, "an equation is wanted: left = right");
+      throw SyntaxError("equation_wanted", 0, "an equation is expected: left = right");
     left = read.sides[0];
     read.sides.erase(read.sides.begin());
   }
@@ -100,7 +101,8 @@ Opinion judge_step(const Prepared& whole, const Step& before, const Step& after)
     std::vector<Relation> assumed = step.assumed;
     assumed.insert(assumed.end(), after.assumed.begin(), after.assumed.end());
     if (contradict(assumed, step.symbols))
-      return invalid("assumption", "No numbers in their ranges meet all that is assumed here.");
+      return invalid("assumption",
+                     "No numbers in the ranges of the symbols satisfy all that is assumed here.");
     const auto& given = step.answer.given;
     const Proof proof = after.small.empty()
                             ? decide(second, first, step.symbols, given, assumed)
@@ -117,7 +119,8 @@ Opinion judge_step(const Prepared& whole, const Step& before, const Step& after)
     return invalid(error, after.text);
   }
   if (opinion.note == "small_angle" || opinion.note == "not_linear")
-    opinion.feedback = "It does for small angles only: say so behind the line, as in [small alpha, theta].";
+    opinion.feedback =
+        "It does for small angles only: say so at the end of the line, as in [small alpha, theta].";
   if (exit_code(opinion) == 1 && !opinion.witness) opinion.witness = by_hand(step, second);
   if (exit_code(opinion) == 1 && !opinion.witness && first.operators.empty())
     opinion.witness = proof_of(step, second, first).witness;
@@ -149,11 +152,11 @@ Opinion judge_chain(const std::string& text, RoughPoint& known) {
     if (is_new) unknown = print(parse(text.substr(0, end)));
     if (is_new) continue;
     if (!std::isfinite(value))
-      throw SyntaxError("not_real", from, "this has no value, or a symbol without one");
+      throw SyntaxError("not_real", from, "this has no value, or it contains a symbol without a value");
     if (!unknown.empty()) known[std::exchange(unknown, "")] = value;
     if (before && !(std::abs(value - *before) <= 0.006 * std::abs(*before)))
       return found({}, "wrong", "other",
-                   fmt::format("{} comes to {:.4g}, but what stands before it to {:.4g}, with the numbers "
+                   fmt::format("{} is {:.4g}, but the part before it is {:.4g}, with the numbers "
                                "of the exercise.",
                                trimmed(text.substr(from, end - from)), value, *before),
                    0);
@@ -194,8 +197,8 @@ Working judge_working(const Exercise& exercise, const std::vector<std::pair<int,
     }
   if (exercise.kind != Kind::expression && exercise.kind != Kind::equation)
     throw BadInput(
-        fmt::format("'{0}' asks for no formula: a working of it cannot be followed. Its answer alone is "
-                    "judged by exercises check {0} ANSWER",
+        fmt::format("'{0}' does not ask for a formula, so its working cannot be followed. Judge its answer "
+                    "alone with exercises check {0} ANSWER",
                     exercise.id));
   constexpr std::size_t most = 40;
   Working result{{}, lines.back().second, exercise};
@@ -215,7 +218,7 @@ Working judge_working(const Exercise& exercise, const std::vector<std::pair<int,
       return refused(invalid(error, text));
     }
     if (steps.size() > most)
-      return refused(invalid("too_long", fmt::format("More than {} steps are not read.", most)));
+      return refused(invalid("too_long", fmt::format("A working may have at most {} steps.", most)));
   }
   const Relation last = as_value(exercise, steps.back().says);
   result.answer = last.operators.empty() ? print(last.sides[0]) : print(last);

@@ -55,7 +55,7 @@ std::vector<numerics::Window> overturning_amplitudes(const Experiment& experimen
 
 numerics::Window least_overturning(const Experiment& experiment, double largest) {
   const auto least = least_window(overturning_amplitudes(experiment, largest));
-  if (!least) throw std::runtime_error("none of the amplitudes asked overturns this block");
+  if (!least) throw std::runtime_error("no amplitude up to the largest one overturns this block");
   return *least;
 }
 

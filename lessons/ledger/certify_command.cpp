@@ -22,7 +22,7 @@ std::vector<Lemma> lemmas_of(const std::vector<Entry>& entries, const std::vecto
   for (const std::string& id : ids)
     if (std::none_of(entries.begin(), entries.end(), [&](auto& e) { return e.row.id == id; }))
       throw BadInput("there is no equation '" + printable_line(id) +
-                     "'; without a subcommand all are listed");
+                     "'; ledger without a subcommand lists all equations");
   const auto is_wanted = [&](const std::string& id) {
     return ids.empty() || std::ranges::count(ids, id) > 0;
   };
@@ -101,12 +101,11 @@ int report(const std::vector<Lemma>& lemmas, const std::vector<Checked>& checked
 
 int certify(const std::vector<Entry>& entries, const CertifyOptions& options) {
   if (options.folder.empty() && !options.checks)
-    throw BadInput(
-        "certify wants a folder for the scripts, or --check; right is, for example, ledger certify proofs");
+    throw BadInput("certify needs a folder for the scripts, or --check; for example: ledger certify proofs");
   if (std::ranges::any_of(entries, [&](auto& e) { return e.row.id == options.folder; }))
     throw BadInput("'" + printable_name(options.folder) +
-                   "' is a row, where the folder should stand; right is, for example, " +
-                   "ledger certify proofs " + printable_name(options.folder));
+                   "' is a row, but the folder comes first; for example: " + "ledger certify proofs " +
+                   printable_name(options.folder));
   const std::vector<Lemma> lemmas = lemmas_of(entries, options.ids);
   if (!options.folder.empty()) write_all(options.folder, entries, lemmas, options.ids.empty());
   if (options.checks) {
@@ -153,7 +152,7 @@ int write_certificate(const ProveRequest& request, const std::string& file) {
       const Problem problem = problem_of(request);
       const bool is_proved = proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
       if (!is_proved) return "N" + to_string(proof.verdict) + ": there is no certificate";
-      if (proof.by != "identity") return "Nthis proof is by " + proof.by + ", for which there is no script";
+      if (proof.by != "identity") return "Nthere is no script for a proof by " + proof.by;
       const Question question{problem.left, problem.right, problem.symbols, {}, problem.assumptions};
       return "J" + library + "\n" + lemma("proved", question, proof);
     } catch (const BadInput& error) {
@@ -163,7 +162,7 @@ int write_certificate(const ProveRequest& request, const std::string& file) {
     }
   };
   const Bounded outcome = run_bounded(work, 4, 480);
-  if (!outcome.result) throw std::runtime_error("given up: " + outcome.why);
+  if (!outcome.result) throw std::runtime_error("the proof was given up: " + outcome.why);
   const std::string text = outcome.result->substr(1);
   if (outcome.result->front() == 'B') throw BadInput(text);
   if (outcome.result->front() == 'N') return std::fprintf(stderr, "%s\n", text.c_str()), undecided_or_failed;

@@ -38,7 +38,7 @@ struct Folder {
     std::string name = (std::filesystem::temp_directory_path() / "rederive-XXXXXX").string();
     const Uninterrupted whole;
     if (name.size() >= folder_to_remove.size() || ::mkdtemp(name.data()) == nullptr)
-      throw BadInput("cannot make the folder '" + printable_name(name) + "'");
+      throw BadInput("cannot create the folder '" + printable_name(name) + "'");
     path = name;
     name.copy(folder_to_remove.data(), name.size());
     for (std::size_t i = 0; i < signals.size(); ++i) {
@@ -95,7 +95,8 @@ std::vector<std::string> axioms_of(const Folder& folder, const std::vector<const
                   joined(lemmas, "", [](const Lemma* lemma) { return " let _ := " + lemma->name + " in"; }) +
                   " tt.\nPrint Assumptions all.\n");
   const Said run = compile(folder, "Assumptions.v");
-  if (run.status != 0) throw std::runtime_error("coqc does not say what the lemmas assume: " + run.text);
+  if (run.status != 0)
+    throw std::runtime_error("coqc did not list the assumptions of the lemmas: " + run.text);
   return axioms_in(run.text);
 }
 
@@ -131,8 +132,8 @@ std::vector<Checked> check(const std::vector<Lemma>& lemmas,
   for (const char* name : prelude) {
     progress(name);
     if (const Said run = compile(folder, name); run.status != 0)
-      throw std::runtime_error(std::string("coqc does not take ") + name +
-                               " (are libcoq-coquelicot and libcoq-interval there?): " + run.text);
+      throw std::runtime_error(std::string("coqc refuses ") + name +
+                               " (are libcoq-coquelicot and libcoq-interval installed?): " + run.text);
   }
   std::map<std::string, std::vector<const Lemma*>> by_file;
   std::map<const Lemma*, std::string> errors;

@@ -58,7 +58,7 @@ const std::vector<numerics::Window>& Bench::windows(const numerics::PulseCase& a
 
 numerics::Window Bench::least(const numerics::PulseCase& asked) {
   const auto window = least_window(windows(asked));
-  if (!window) throw std::runtime_error("nothing overturns up to 12 alpha*g");
+  if (!window) throw std::runtime_error("no amplitude up to 12 alpha*g overturns the block");
   return *window;
 }
 

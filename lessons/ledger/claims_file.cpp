@@ -26,7 +26,7 @@ double parameter(TomlTable& table, const std::string& key) {
   constexpr double largest = 1000;
   const auto found = table.number(key);
   if (found && !(*found > 0 && *found <= largest))
-    table.fail(fmt::format("'{}' must be more than 0, and at most {}", key, largest), key);
+    table.fail(fmt::format("'{}' must be above 0 and at most {}", key, largest), key);
   return found.value_or(0);
 }
 
@@ -110,15 +110,15 @@ JudgedClaim judge(const Claim& claim, Bench& bench) {
     const auto [verdict, values] = claim_checks().at(claim.check)(bench, claim);
     const std::string& meaning = claim.meaning.at(verdict);
     if (claim.found.empty() || meaning.empty())
-      throw BadInput(name + " is " + to_string(verdict) + ", and has no words for that");
+      throw BadInput(name + " is " + to_string(verdict) + ", but it has no words for that verdict");
     return {claim, verdict, told(claim.found, values), told(meaning, values)};
   } catch (const BadInput&) {
     throw;
   } catch (const fmt::format_error& error) {
     throw BadInput(name + ": its words do not fit its numbers: " + error.what());
   } catch (const std::exception& error) {
-    throw BadInput(fmt::format("{}: the check '{}' cannot be made with what the claim gives: {}", name,
-                               claim.check, error.what()));
+    throw BadInput(fmt::format("{}: the check '{}' cannot use the values of the claim: {}", name, claim.check,
+                               error.what()));
   }
 }
 

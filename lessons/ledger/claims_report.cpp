@@ -28,7 +28,7 @@ std::vector<Claim> asked_for(const std::string& file, const std::string& id) {
   if (id.empty()) return claims;
   std::erase_if(claims, [&](const Claim& claim) { return claim.id != id; });
   if (claims.empty())
-    throw BadInput("there is no claim '" + printable_line(id) + "'; 'ledger claims' lists them all");
+    throw BadInput("there is no claim '" + printable_line(id) + "'; ledger claims lists all claims");
   return claims;
 }
 

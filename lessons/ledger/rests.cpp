@@ -114,7 +114,7 @@ std::string summary(const std::vector<Support>& supports) {
 std::string rests_page(const std::vector<Entry>& entries, const std::vector<Support>& supports) {
   std::string page = "# What rests on what\n\n" + summary(supports) +
                      ".\n\n![Each row, to the right of the rows that it follows from](rests.svg)\n\n"
-                     "Squares are assumed; those with words are no rows of the paper. Filled rows are "
+                     "Squares are assumed; those with words are not rows of the paper. Filled rows are "
                      "theorems or steps of algebra all the way down; framed ones follow by a theorem from "
                      "a row that does not; dashed ones are derived by computer algebra, and compared with "
                      "what is printed in `Ledger.v`, but no lemma here derives them from the rows before. "

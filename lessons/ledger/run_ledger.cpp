@@ -55,8 +55,9 @@ const Row& row_of(const std::string& id, const std::vector<Row>& rows) {
     if (row.id == id) return row;
     if (!id.empty() && row.id.starts_with(id)) known += " " + row.id;
   }
-  throw BadInput("there is no equation '" + printable_line(id) + "'" +
-                 (known.empty() ? "; without a subcommand all are listed" : "; there is" + known));
+  throw BadInput(
+      "there is no equation '" + printable_line(id) + "'" +
+      (known.empty() ? "; ledger without a subcommand lists all equations" : "; there is" + known));
 }
 
 int exit_code(const std::vector<Entry>& entries) {
@@ -175,7 +176,7 @@ fs::path equations_file_of(const OwnPaper& own) {
     if (fs::exists(file)) return file;
     tried.insert("'" + file.string() + "'");
   }
-  throw BadInput("there is no file " + joined(tried, ", ") + "; --equations names another one");
+  throw BadInput("there is no file " + joined(tried, ", ") + "; give another one with --equations");
 }
 
 /// Puts a paper of one's own in the place of the one that ships. Throws BadInput for what it declares or

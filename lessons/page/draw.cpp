@@ -24,13 +24,13 @@ std::string terminal(const std::string& kind) {
 
 Said said_by(const std::string& command) {
   std::FILE* pipe = ::popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("no process to be had");
+  if (pipe == nullptr) throw std::runtime_error("cannot start a process");
   Said said;
   char buffer[65536];
   for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) said.text.append(buffer, n);
   const bool is_whole = std::ferror(pipe) == 0;
   said.status = ::pclose(pipe);
-  if (!is_whole) throw BadInput("what a program writes cannot be read");
+  if (!is_whole) throw BadInput("cannot read the output of a program");
   return said;
 }
 

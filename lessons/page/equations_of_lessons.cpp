@@ -28,7 +28,7 @@ const std::map<int, std::vector<std::string>>& covered() {
       if (!number) table.fail("'number' is missing");
       for (const std::string& id : equations) table.check_word("equations", id, ids());
       if (!lessons.emplace(static_cast<int>(*number), equations).second)
-        table.fail(fmt::format("lesson {} is here twice", *number), "number");
+        table.fail(fmt::format("lesson {} is listed twice", *number), "number");
     }
     return lessons;
   }();

@@ -169,7 +169,7 @@ class Translator {
     if (std::isalpha(static_cast<unsigned char>(c))) return std::string("<mi>") + c + "</mi>";
     if (static_cast<unsigned char>(c) >= 0x80) {
       const std::size_t bytes = first_character(std::string_view(text_).substr(at_ - 1)).bytes;
-      if (bytes == 0) fail("bytes that are no UTF-8");
+      if (bytes == 0) fail("bytes that are not UTF-8");
       at_ += bytes - 1;
       return "<mi>" + text_.substr(at_ - bytes, bytes) + "</mi>";
     }

@@ -21,7 +21,7 @@ Rule read_rule(TomlTable& table) {
   try {
     return {std::regex(from), to};
   } catch (const std::regex_error& error) {
-    table.fail(fmt::format("'from' is no regular expression: {}", error.what()), "from");
+    table.fail(fmt::format("'from' must be a regular expression: {}", error.what()), "from");
   }
 }
 

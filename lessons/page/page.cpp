@@ -57,7 +57,7 @@ std::string as_sentence(std::string words, bool fresh, bool formula, bool goes_o
 Derivation derived(const std::string& id) {
   const auto& table = derivation_table();
   const auto found = table.find(id);
-  if (found == table.end()) throw std::out_of_range("no derivation of equation (" + id + ")");
+  if (found == table.end()) throw std::out_of_range("there is no derivation of equation (" + id + ")");
   return found->second();
 }
 
@@ -89,7 +89,8 @@ Relation printed_with(const std::string& id, const Values& values) {
 
 double number_of(const GiNaC::ex& expression, const Values& values) {
   const GiNaC::ex value = with(expression, values).evalf();
-  if (!GiNaC::is_a<GiNaC::numeric>(value)) throw std::invalid_argument("no number: " + print(value));
+  if (!GiNaC::is_a<GiNaC::numeric>(value))
+    throw std::invalid_argument("the value is not a number: " + print(value));
   return GiNaC::ex_to<GiNaC::numeric>(value).to_double();
 }
 
@@ -161,7 +162,8 @@ void Page::lemma(const std::string& id) {
       return void(blocks_.push_back(CoqLemma{theorem.id, text_of(theorem),
                                              "`" + id + "` in `derivations/kernel/" + theorem.file + "`"}));
   const auto found = lemma_of(judged(id));
-  if (!found || found->text.empty()) throw std::invalid_argument("no lemma of equation (" + id + ")");
+  if (!found || found->text.empty())
+    throw std::invalid_argument("there is no lemma of equation (" + id + ")");
   blocks_.push_back(CoqLemma{id, found->text, "`build/bin/ledger show " + id + " --coq`"});
 }
 

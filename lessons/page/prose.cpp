@@ -161,7 +161,7 @@ std::vector<Span> spans(std::string_view sentence) {
     if (mark == std::string_view::npos) break;
     const std::size_t close = sentence.find(sentence[mark], mark + 1);
     if (close == std::string_view::npos)
-      throw std::invalid_argument("a mark is not closed in: " + std::string(sentence));
+      throw std::invalid_argument("a mark ($, * or `) is not closed in: " + std::string(sentence));
     result.push_back({kind_of(sentence[mark]), std::string(sentence.substr(mark + 1, close - mark - 1))});
     at = close + 1;
   }
@@ -273,7 +273,7 @@ std::string to_ascii(std::string_view text) {
       result += letter->second;
       i += letter->first.size();
     } else {
-      throw std::invalid_argument("no ASCII spelling for part of: " + std::string(text));
+      throw std::invalid_argument("there is no ASCII spelling for a part of: " + std::string(text));
     }
   }
   return result;

@@ -186,7 +186,7 @@ class HtmlRenderer : public Renderer {
     const std::string place = "data-case=\"";
     const std::size_t at = text.find(place);
     if (at == std::string::npos)
-      throw std::runtime_error("the workbench is not built: build the target 'workbench'");
+      throw std::runtime_error("the workbench is not built: run cmake --build build --target workbench");
     return text.insert(at + place.size(), escaped(options));
   }
 

@@ -91,10 +91,10 @@ void write_lesson(const Lesson& lesson, const Flags& flags, const Setting& setti
 
 int run(const Lesson& lesson, const Flags& flags) {
   if (flags.step && (flags.list || flags.quiet))
-    throw BadInput("--step shows a step; --list and --quiet are about the whole lesson");
+    throw BadInput("--step cannot be used with --list or --quiet, which are about the whole lesson");
   if (flags.step && (*flags.step < 1 || *flags.step > static_cast<int>(lesson.steps.size())))
     throw BadInput(
-        fmt::format("--step {}: this lesson has the steps 1 to {}", *flags.step, lesson.steps.size()));
+        fmt::format("--step must be from 1 to {1}, but it is {0}", *flags.step, lesson.steps.size()));
   if (!flags.out.empty() && !fs::is_directory(fs::absolute(flags.out).parent_path()))
     throw BadInput("--out " + printable_name(flags.out) + ": there is no such folder");
   const Setting setting = setting_from(flags);

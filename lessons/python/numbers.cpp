@@ -16,13 +16,13 @@ using namespace numerics;
 Model model_of(const std::string& name) {
   if (name == "linear") return Model::linear;
   if (name == "nonlinear") return Model::nonlinear;
-  throw std::invalid_argument("model '" + name + "' is neither linear nor nonlinear");
+  throw std::invalid_argument("model '" + name + "' must be linear or nonlinear");
 }
 
 Pulse pulse_of(const std::string& name) {
   if (name == "sine") return Pulse::sine;
   if (name == "cosine") return Pulse::cosine;
-  throw std::invalid_argument("pulse '" + name + "' is neither sine nor cosine");
+  throw std::invalid_argument("pulse '" + name + "' must be sine or cosine");
 }
 
 /// What Python calls a Pulse.
@@ -104,7 +104,7 @@ py::array_t<int> map_codes(const Numbers& omegas, const Numbers& amplitudes, con
   const std::vector<double> ratios = numbers_of("omegas", omegas, 0.01, 1000),
                             levels = numbers_of("amplitudes", amplitudes, 0, 1e6);
   if (ratios.size() * levels.size() > 50'000'000)
-    throw std::invalid_argument("omegas and amplitudes: more than 50 million points");
+    throw std::invalid_argument("omegas and amplitudes give more than 50 million points: ask for fewer");
   py::array_t<int> codes({ratios.size(), levels.size()});
   if (codes.size() == 0) return codes;
   const OutcomeMap map = attended(static_cast<int>(ratios.size()), threads, progress,

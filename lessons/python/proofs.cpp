@@ -52,7 +52,7 @@ std::vector<Told> ledger(const std::string& equations) {
 std::string text_of(const std::string& name, const py::handle& object) {
   if (!py::isinstance<py::str>(object))
     throw py::type_error(name + " must be text, not " + Py_TYPE(object.ptr())->tp_name +
-                         "; of a SymPy expression pass its str()");
+                         "; pass str() of a SymPy expression");
   Py_ssize_t size = 0;
   const char* text = PyUnicode_AsUTF8AndSize(object.ptr(), &size);
   if (text == nullptr) throw py::error_already_set();
@@ -99,7 +99,7 @@ std::string emit_text(const py::object& language, const py::object& functions) {
   if (found == targets().end()) {
     std::string known;
     for (const auto& [name, its] : targets()) known += (known.empty() ? "" : ", ") + name;
-    throw BadInput("there is no target '" + target + "'; right is one of " + known);
+    throw BadInput("there is no target '" + target + "'; the target must be one of " + known);
   }
   return alone(algebra(), [&] {
     const Emission all = emission_of(names, found->second);

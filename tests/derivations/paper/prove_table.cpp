@@ -94,7 +94,7 @@ TEST_CASE("a table that cannot be read says where it is wrong, and what would be
     INFO(text);
     CHECK(text.find(part) != std::string::npos);
   };
-  has(complaint(of_table(row_that_expects("maybe"))), ":5: 'expected' cannot be 'maybe'; right is one of");
+  has(complaint(of_table(row_that_expects("maybe"))), ":5: 'expected' cannot be 'maybe'; it must be one of");
   has(complaint(of_table(row_that_expects("proved", "asume = [\"x > 0\"]"))),
       ":7: there is no key 'asume' here: did you mean 'assume'?");
   has(complaint(of_table(row_that_expects("proved", "assume = \"x > 0\""))), "must be a list of strings");

@@ -110,11 +110,11 @@ TEST_CASE("rows of the ledger: tables, keys, types and words that there are not"
        {row("1\\n"), "2: 'id' must be one line of printable characters"},
        {"[[equation]]\nid = \"1\"\nkind = \"equation\"\n", "1: row 1: 'expected' is missing or empty"},
        {"[[equation]]\nid = \"1\"\nkind = \"equatoin\"\n",
-        "3: row 1: 'kind' cannot be 'equatoin': did you mean 'equation'?; right is one of equation, "
+        "3: row 1: 'kind' cannot be 'equatoin': did you mean 'equation'?; it must be one of equation, "
         "inequality"},
        {"[[equation]]\nid = \"1\"\nkind = \"equation\"\nexpected = \"true\"\n",
-        "4: row 1: 'expected' cannot be 'true'; right is one of proved"},
-       {row("1", "", "error = \"banana\"\n"), "7: row 1: 'error' cannot be 'banana'; right is one of sign"},
+        "4: row 1: 'expected' cannot be 'true'; it must be one of proved"},
+       {row("1", "", "error = \"banana\"\n"), "7: row 1: 'error' cannot be 'banana'; it must be one of sign"},
        {row("1", "", "error = \"sign and banana\"\n"), "7: row 1: 'error' cannot be 'banana'"},
        {row("1", "", "statement = \"R > 0\"\n"), "7: row 1: a row of kind 'result'"},
        {row("1") + row("1"), "8: row 1: a second row has this id; the first is at "}},
@@ -147,7 +147,7 @@ TEST_CASE("claims: keys, types, checks and numbers that there are not") {
                   {claim + "impacts = 2\n", "8: claim a: 'impacts' must be from 0 to 1"},
                   {claim + "impacts = 1.5\n", "8: claim a: 'impacts' must be a whole number"},
                   {"[[claim]]\nid = \"a\"\nexpected = \"true\"\n",
-                   "3: claim a: 'expected' cannot be 'true'; right is one of "},
+                   "3: claim a: 'expected' cannot be 'true'; it must be one of "},
                   {"[[claim]]\nid = \"a\"\ncheck = \"all_case_covered\"\n",
                    "3: claim a: 'check' cannot be 'all_case_covered': did you mean 'all_cases_covered'?"}},
                  [](const TomlFile& file) { (void)read_claims(file.path()); });
@@ -161,7 +161,7 @@ TEST_CASE("a claim whose check cannot be made, or whose words do not fit, is ref
            more;
   };
   check_refusals({{with_check("beyond_the_rows", "found = \"{}\"\nrows = [\"no such row\"]\n"),
-                   "1: claim a: the check 'beyond_the_rows' cannot be made"},
+                   "1: claim a: the check 'beyond_the_rows' cannot use"},
                   {with_check("angle_of_stockiness", "found = \"{\"\n"), "1: claim a: its words do not fit"},
                   {with_check("angle_of_stockiness", ""), "1: claim a is qualified, and has no words"}},
                  [](const TomlFile& file) {
@@ -195,7 +195,7 @@ TEST_CASE("exercises: keys, types, words, symbols, functions and derivations tha
        {exercise + exercise, "9: exercise mine: a second exercise has this id; the first is at "},
        {exercise + "digits = 100\n", "8: exercise mine: 'digits' must be from 1 to 17"},
        {exercise + "hints = \"x\"\n", "8: exercise mine: 'hints' must be a list of strings"},
-       {exercise + "unit = \"smoot\"\n", "8: exercise mine: 'smoot' is no unit"},
+       {exercise + "unit = \"smoot\"\n", "8: exercise mine: 'smoot' must be a unit"},
        {exercise + "bound = \"!=\"\nname = \"g\"\n", "8: exercise mine: 'bound' cannot be '!='"},
        {exercise + "bound = \">=\"\n", "8: exercise mine: 'bound' needs a 'name'"},
        {exercise + "name = \"2*\"\n", "8: exercise mine: '2*' in 'name': "},
@@ -205,7 +205,7 @@ TEST_CASE("exercises: keys, types, words, symbols, functions and derivations tha
        {exercise + "[exercise.slip]\n", "8: exercise mine: 'slip' must be a list of tables: [[slip]]"},
        {exercise + "[[exercise.slip]]\nnote = \"sign\"\n", "8: exercise mine: 'says' is missing or empty"},
        {exercise + "[[exercise.slip]]\nnote = \"sign\"\nsays = \"s\"\nhint = \"h\"\n",
-        "8: exercise mine: one of 'road' and 'typed' is needed"},
+        "8: exercise mine: exactly one of 'road' and 'typed' is needed"},
        {exercise + "[[exercise.option]]\ntext = \"t\"\nclaim = \"1 = 1\"\n",
         "8: exercise mine: options belong to exercises of the kind 'choice'"},
        {"[[exercise]]\nid = \"a/b\"\n", "2: exercise a/b: an id names a file"},
@@ -227,7 +227,7 @@ TEST_CASE("exercises: keys, types, words, symbols, functions and derivations tha
        {answer("derivation = \"13\", side = \"top\""), "7: exercise mine: 'side' cannot be 'top'"},
        {answer("derivation = \"13\", side = \"whole\""), "7: exercise mine: side = \"whole\" is an equation"},
        {answer("derivation = \"13\", row = \"13\""),
-        "7: exercise mine: one of 'derivation', 'row' and 'function'"},
+        "7: exercise mine: exactly one of 'derivation', 'row' and 'function'"},
        {answer("derivation = \"13\", put = { thta = \"0\" }"),
         "7: exercise mine: 'put' cannot be 'thta': did you mean 'theta'?"},
        {answer("derivation = \"13\", put = { theta = \"2*\" }"), "7: exercise mine: '2*' in 'put': "},
@@ -240,7 +240,7 @@ TEST_CASE("exercises: keys, types, words, symbols, functions and derivations tha
        {formula + right + "pivot = \"q\"\n", "8: exercise mine: 'pivot' cannot be 'q'"},
        {formula + right + "given = [\"alpha > \"]\n", "8: exercise mine: 'alpha > ' in 'given': an operand"},
        {formula + right + "given = [\"alpha\"]\n",
-        "8: exercise mine: 'alpha' in 'given': a relation is wanted"},
+        "8: exercise mine: 'alpha' in 'given': a relation is expected"},
        {formula + right + "range = { theta = \"(0, 1)\" }\n",
         "8: exercise mine: there is no key 'range' here"},
        {"[[exercise]]\nid = \"mine\"\ntitle = \"T\"\nstatement = \"S\"\nkind = \"expression\"\nsymbols = "
@@ -265,14 +265,15 @@ TEST_CASE("exercises: what varies, and what stands in braces") {
        {with("h = [{ a = \"1\" }, { b = \"1\" }]", "{a}"),
         "8: exercise mine: 'h' in 'vary': all tables of a list"},
        {with("h = [\"1\"], b = [{ h = \"2\" }]", "{h}"),
-        "8: exercise mine: 'h' in 'vary': another list has the name"},
+        "8: exercise mine: 'h' in 'vary': another list also has the name"},
        {with("b = [\"1\"]", "{h}"), "9: exercise mine: {h}: 'h' does not vary"},
        {exercise + "example = \"{h}\"\n", "8: exercise mine: {h}: 'h' does not vary"},
        {with("h = [\"{b}\"], b = [\"1\"]", "{h}"),
         "8: exercise mine: 'h' in 'vary': '{b}' must be a text without braces"},
-       {with("h = [\"1\"]", "h}"), "9: exercise mine: a brace is not opened: h}"},
-       {with("h = [\"1\"]", "{h"), "9: exercise mine: a brace is not closed: {h"},
-       {with("h = [\"r\"]", "{asin(1/h)}"), "9: exercise mine: {asin(1/h)}: 'h' is 'r' here, and no number"},
+       {with("h = [\"1\"]", "h}"), "9: exercise mine: a closing brace has no opening brace: h}"},
+       {with("h = [\"1\"]", "{h"), "9: exercise mine: an opening brace has no closing brace: {h"},
+       {with("h = [\"r\"]", "{asin(1/h)}"),
+        "9: exercise mine: {asin(1/h)}: 'h' is 'r' here, which is not a number"},
        {with("h = [\"0\"]", "{1/h}"), "9: exercise mine: {1/h} has no value here"},
        {with("h = [\"0.5\"]", "{asin(1/h)}"), "9: exercise mine: {asin(1/h)} has no value here"},
        {with("h = [\"9\"]", "{exp(exp(h))}"), "9: exercise mine: {exp(exp(h))} has no value here"}},
@@ -285,12 +286,12 @@ TEST_CASE("an exercise whose data do not hold together is refused with its line 
            answer + " }\n" + more;
   };
   const std::string slip = "[[exercise.slip]]\nnote = \"sign\"\nsays = \"s\"\nhint = \"h\"\ntyped = ";
-  check_refusals(
-      {{number("derivation = \"13\"", ""), "2: exercise mine: a number"},
-       {number("derivation = \"13\", solve_for = \"theta\"", ""), "2: exercise mine: not linear in theta"},
-       {number("derivation = \"u5\", put = { g = \"9\", R = \"1\" }", slip + "\"R\"\n"),
-        "2: exercise mine: "}},
-      prepare_all);
+  check_refusals({{number("derivation = \"13\"", ""), "2: exercise mine: a number"},
+                  {number("derivation = \"13\", solve_for = \"theta\"", ""),
+                   "2: exercise mine: the equation is not linear in theta"},
+                  {number("derivation = \"u5\", put = { g = \"9\", R = \"1\" }", slip + "\"R\"\n"),
+                   "2: exercise mine: "}},
+                 prepare_all);
 }
 
 TEST_CASE("data that ship: lessons, cells of notebooks and words of slips are read strictly, too") {

@@ -179,14 +179,14 @@ TEST_CASE("bad input: exit code 2, a message, and nothing written") {
   };
   weights("restitution,2\n", "line 1: the first line must be exercise,weight");
   weights("exercise,weight\nrestitutoin,2\n", "line 2: there is no exercise 'restitutoin'");
-  weights("exercise,weight\n\nrestitution,-2\n", "line 3: '-2' is no weight");
-  weights("exercise,weight\nrestitution,nan\n", "no weight");
+  weights("exercise,weight\n\nrestitution,-2\n", "line 3: '-2' must be a weight");
+  weights("exercise,weight\nrestitution,nan\n", "'nan' must be a weight");
   weights("exercise,weight\nrestitution,1e9\n", "from 0 to 1000");
-  weights("exercise,weight\nrestitution,\n", "no weight");
-  weights("exercise,weight\nrestitution,1,2\n", "2 cells are wanted");
-  weights("exercise,weight\nrestitution,1\nrestitution,2\n", "line 3: a second weight");
+  weights("exercise,weight\nrestitution,\n", "'' must be a weight");
+  weights("exercise,weight\nrestitution,1,2\n", "a line must have 2 cells");
+  weights("exercise,weight\nrestitution,1\nrestitution,2\n", "line 3: 'restitution' has a second weight");
   weights("exercise,weight\n\"restitution,1\n", "a quote is not closed");
-  weights("exercise,weight\n", "there is no weight in it");
+  weights("exercise,weight\n", "the file contains no weights");
   weights("", "line 1");
   refused({"--gradebook", book, "--weights", "/no/such"}, "/no/such");
   refused({"--gradebook", book, "--weights", room.answers}, "it is a folder");
@@ -195,17 +195,17 @@ TEST_CASE("bad input: exit code 2, a message, and nothing written") {
   refused({"--gradebook", book, "--deadline", list("exercise,deadline\nrestitution,soon\n")},
           "line 2: 'soon'");
   refused({"--gradebook", book, "--handed-in", list("student,exercise,time\nanna,,\n")},
-          "line 2: '' is no time");
-  refused({"--deadline", "2026-01-01"}, "are for --gradebook and --feedback");
+          "line 2: '' must be a time such as");
+  refused({"--deadline", "2026-01-01"}, "need --gradebook or --feedback");
   refused({"--gradebook", "/no/such/book.csv", "--feedback", room.pages}, "/no/such/book.csv");
   refused({"--gradebook", std::string(300, 'x'), "--feedback", room.pages}, "xxx': ");
   refused({"--gradebook", room.answers, "--feedback", room.pages}, "it is a folder");
-  refused({"--gradebook", book, "--report", book}, "cannot be two");
+  refused({"--gradebook", book, "--report", book}, "is named for two outputs");
   refused({"--gradebook", book, "--feedback", room.folder.path}, "could be one of its pages");
   refused({"--gradebook", book, "--feedback", "/no/such/folder"}, "/no/such");
-  refused({"--gradebook", book, "--feedback", room.answers / "README"}, "it is no folder");
+  refused({"--gradebook", book, "--feedback", room.answers / "README"}, "it is not a folder");
   refused({"--gradebook", book, "--feedback", room.answers / "pages"}, "would be taken for a student");
-  refused({"--gradebook", room.answers / "anna/restitution.txt"}, "it lies in the folder of a student");
+  refused({"--gradebook", room.answers / "anna/restitution.txt"}, "it is in the folder of a student");
   refused({"--feedback", ""}, "the name of the file is empty");
 }
 

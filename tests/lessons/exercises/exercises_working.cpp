@@ -190,7 +190,7 @@ TEST_CASE("on the command line: the answer counts, exit codes are those of an an
   const Result number = run("which-momentum", "c\n");
   CHECK(run("first-lift", "tan(alpha) = 0.3\na_p = g*tan(alpha) = 2.94 m/s^2\n").exit_code == 0);
   CHECK(number.exit_code == 2);
-  CHECK(number.err.find("asks for no formula") != std::string::npos);
+  CHECK(number.err.find("does not ask for a formula") != std::string::npos);
   CHECK(run("restitution", "1 - 3/2*sin(alpha)^2\n= 1 - 3/2*(1 - cos(alpha)^2)\n").exit_code == 0);
   CHECK(read_file(folder.path / "progress.txt").find("restitution\tsolved\t3") != std::string::npos);
   std::filesystem::remove(file);

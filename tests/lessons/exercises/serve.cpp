@@ -293,7 +293,7 @@ TEST_CASE("a signal ends it well, a port that is taken is named") {
     const Result second = run_program("exercises", {"serve", "--port", std::to_string(server.port)});
     CHECK(second.exit_code == 2);
     CHECK(second.out.empty());
-    CHECK(has(second.err, "port " + std::to_string(server.port) + " cannot be had"));
+    CHECK(has(second.err, "port " + std::to_string(server.port) + " cannot be used"));
     CHECK(page(server, "").status == 200);
     CHECK(server.end(signal) == 0);
   }

@@ -82,7 +82,7 @@ def test_what_cannot_be_emitted_is_said_as_the_command_says_it(command):
     with pytest.raises(ValueError) as raised:
         rederive.emit("python", "restitutoin")
     assert str(raised.value) == command("emit", "--target", "python", "--function", "restitutoin", fails=True)
-    with pytest.raises(ValueError, match="no target 'fortran'; right is one of c, cpp"):
+    with pytest.raises(ValueError, match="no target 'fortran'; the target must be one of c, cpp"):
         rederive.emit("fortran")
 
 

@@ -95,8 +95,8 @@ def test_a_block_from_its_size():
 
 @pytest.mark.parametrize("call, words", [
     (lambda: Pulse(float("nan")), "omega nan is not a finite number"),
-    (lambda: Pulse(3, "square"), "pulse 'square' is neither sine nor cosine"),
-    (lambda: rederive.threshold(Pulse(3), model="cubic"), "model 'cubic' is neither linear nor nonlinear"),
+    (lambda: Pulse(3, "square"), "pulse 'square' must be sine or cosine"),
+    (lambda: rederive.threshold(Pulse(3), model="cubic"), "model 'cubic' must be linear or nonlinear"),
     (lambda: rederive.map([1, np.inf], [1]), "omegas inf is not a finite number"),
     (lambda: rederive.map([[1]], [1]), "omegas must be a list or an array of one dimension; this one has 2"),
     (lambda: rederive.map([1], [-1]), "amplitudes -1 must lie between 0 and 1000000"),
