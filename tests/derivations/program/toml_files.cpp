@@ -163,7 +163,7 @@ TEST_CASE("a claim whose check cannot be made, or whose words do not fit, is ref
   check_refusals({{with_check("beyond_the_rows", "found = \"{}\"\nrows = [\"no such row\"]\n"),
                    "1: claim a: the check 'beyond_the_rows' cannot use"},
                   {with_check("angle_of_stockiness", "found = \"{\"\n"), "1: claim a: its words do not fit"},
-                  {with_check("angle_of_stockiness", ""), "1: claim a is qualified, and has no words"}},
+                  {with_check("angle_of_stockiness", ""), "1: claim a is qualified, but it has no words"}},
                  [](const TomlFile& file) {
                    Bench bench;
                    for (const Claim& one : read_claims(file.path())) (void)judge(one, bench);
