@@ -134,7 +134,7 @@ TEST_CASE("a folder with what is no record in it, or nothing, is refused by name
   REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);  // to be read it would wait for a writer
   check_refused(records.fragility({}), "pipe' is not an ordinary file");
   const Records none(0);
-  check_refused(none.fragility({}), "is empty");
+  check_refused(none.fragility({}), "contains no records");
   fs::remove(none.path / "records");
   check_refused(none.fragility({}), "cannot read the folder");
 }
