@@ -62,7 +62,7 @@ std::string field(const Exercise& exercise) {
       offered.emplace_back(std::to_string(offered.size() + 1), drawn({{term}, {}}));
   if (offered.empty())
     return fmt::format(
-        "<label for=\"answer-{0}\">Your answer, {1}. It looks like {2} (another thing altogether).</label>\n"
+        "<label for=\"answer-{0}\">Your answer, {1}. It looks like {2} (for a different question).</label>\n"
         "<input id=\"answer-{0}\" name=\"answer\" autocomplete=\"off\" autocapitalize=\"off\" "
         "spellcheck=\"false\" aria-describedby=\"read-{0}\">\n"
         "<output id=\"read-{0}\" for=\"answer-{0}\"></output>\n",

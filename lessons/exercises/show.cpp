@@ -66,7 +66,7 @@ std::string place_of(const Witness& witness) {
 
 std::string verdict_in_words(const std::string& verdict) {
   if (verdict == "correct") return "Correct.";
-  if (verdict == "wrong_form") return "The value is right, the form is not.";
+  if (verdict == "wrong_form") return "The value is right, but the form is not.";
   if (verdict == "correct_if") return "Correct only under a condition.";
   if (verdict == "wrong") return "Not right yet.";
   if (verdict == "invalid") return "This could not be read; it does not count as an attempt.";
@@ -100,7 +100,7 @@ std::string presentation(const Exercise& exercise) {
   if (!exercise.options.empty()) text += "\n";
   if (!exercise.symbols.empty()) text += "You may use:\n" + symbol_table(exercise) + "\n";
   text += "Form wanted: " + form_in_words(exercise) + "\n";
-  text += "An answer looks like this (another thing altogether): " + default_example(exercise) + "\n";
+  text += "An answer looks like this (for a different question): " + default_example(exercise) + "\n";
   return text + fmt::format("\nTo answer: exercises check {0} \"...\"     for help: exercises hint {0}\n",
                             id_and_seed(exercise));
 }

@@ -72,7 +72,7 @@ std::string keep(const Classroom& room, const Exercise& exercise, const Opinion&
     enter(progress, exercise, opinion, answer);
     save_progress(room.progress, progress);
   } catch (const BadInput& error) {
-    return std::string("your progress is not kept: ") + error.what();
+    return std::string("your progress could not be saved: ") + error.what();
   }
   return "";
 }
@@ -119,7 +119,7 @@ int list(const Classroom& room) {
 int what_is_next(const Classroom& room) {
   const Progress progress = load_progress(room.progress);
   put(fmt::format("{} of {} solved.  ", count_of(room, progress, "solved"), room.exercises.size()) +
-      next_line(room, progress) + "All that can be done here: exercises --help\n");
+      next_line(room, progress) + "To see all subcommands: exercises --help\n");
   return as_expected;
 }
 

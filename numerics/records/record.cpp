@@ -111,7 +111,7 @@ void cut_at_end_mark(const RecordHeader& header, Lines& lines, const std::string
   for (auto line = end; line != lines.end(); ++line)
     if (line != end && !is_comment(*line))
       refuse(file, static_cast<std::size_t>(line - lines.begin()) + 1,
-             "the file goes on behind its end mark: one channel a file is expected");
+             "the file continues after its end mark: one channel per file is expected");
   lines.erase(end, lines.end());
 }
 
@@ -208,9 +208,8 @@ bool begins_with_times(const Rows& rows) {
 Samples values_at_step(const Rows& rows, double step, const std::string& file) {
   if (begins_with_times(rows))
     refuse(file, rows.line.front(),
-           "one column is expected with a time step, or several of values: the first here rises, as "
-           "times "
-           "or numbers of samples do");
+           "with a time step, columns of values alone are expected: the first column here rises, "
+           "as times or numbers of samples do");
   Samples samples;
   for (std::size_t i = 0; i < rows.numbers.size(); ++i) {
     const std::size_t count = rows.numbers[i].size(), expected = rows.numbers.front().size();

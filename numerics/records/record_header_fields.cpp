@@ -46,7 +46,7 @@ double unit_in_g(const std::string& unit, const std::string& file, std::size_t l
     for (const std::string_view square : {"M/S**2", "M/S^2", "M/S2", "M/S/S"})
       if (name == std::string(prefix) + std::string(square)) return size / standard_gravity;
   refuse(file, line,
-         fmt::format("the unit '{}' is none of acceleration: g, cm/s^2 or m/s^2 is expected",
+         fmt::format("the unit '{}' is not a unit of acceleration: g, cm/s^2 or m/s^2 is expected",
                      unit.substr(0, 40)));
 }
 

@@ -78,9 +78,9 @@ std::vector<std::string> split(std::string_view text, const std::string& file) {
   std::vector<std::string> lines;
   while (!text.empty()) {
     const std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
-    if (lines.size() >= most_lines) refuse(file, lines.size(), "more than a million lines");
+    if (lines.size() >= most_lines) refuse(file, lines.size(), "the file has more than a million lines");
     if (length > longest_line)
-      refuse(file, lines.size() + 1, fmt::format("a line of more than {} characters", longest_line));
+      refuse(file, lines.size() + 1, fmt::format("the line has more than {} characters", longest_line));
     lines.emplace_back(text.substr(0, length));
     const std::size_t behind = std::min(text.find_first_not_of('\r', length), text.size());
     const bool has_feed = behind < text.size() && text[behind] == '\n';
@@ -106,7 +106,7 @@ std::vector<std::string> lines_of_record(const std::string& file) {
   std::vector<std::string> lines = split(text, file);
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (lines[i].find(end_of_file) != std::string::npos)
-      refuse(file, i + 1, "the file goes on behind an end mark (Ctrl-Z)");
+      refuse(file, i + 1, "the file continues after an end mark (Ctrl-Z)");
   return lines;
 }
 

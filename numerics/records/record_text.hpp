@@ -13,7 +13,7 @@ namespace rederive::numerics {
 /// The lines of a file in ASCII, UTF-8, UTF-16 or Latin-1, with or without a byte order mark, that end with
 /// LF, CR LF or CR, without the Ctrl-Z or NUL characters that may end it. A minus sign and a hard space are -
 /// and a blank. Throws std::invalid_argument for a file that cannot be read, is larger than 100 megabytes or
-/// a million lines, is compressed or in UTF-32, or goes on behind a Ctrl-Z.
+/// a million lines, is compressed or in UTF-32, or continues after a Ctrl-Z.
 std::vector<std::string> lines_of_record(const std::string& file);
 
 }  // namespace rederive::numerics

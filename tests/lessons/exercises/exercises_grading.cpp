@@ -105,7 +105,7 @@ TEST_CASE("a page a student says what was answered, what is wrong with it, a hin
                            "Correct.", "Marks: 0 of 1, after 20 attempts; handed in after the deadline"})
     CHECK_MESSAGE(has(anna, part), part);
   for (const auto* part : {"<pre>cos(2*alpha)</pre>", "You have left out the rotation about C",
-                           "A hint: Write the", "Not right yet.", "The value is right, the form is not."})
+                           "A hint: Write the", "Not right yet.", "The value is right, but the form is not."})
     CHECK_MESSAGE(has(bert, part), part);
   CHECK(!has(bert, "3/2"));  // the answer itself is not in it
   CHECK(has(read_file(room.pages / "carl.html"), "empty folder"));

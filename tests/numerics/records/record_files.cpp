@@ -74,7 +74,7 @@ TEST_CASE("a file is the same record in every encoding, with every line end and 
     CHECK(record.acceleration == four);
     CHECK(record.time == std::vector<double>{0, 0.02, 0.04, 0.06});
   }
-  CHECK(begins(refusal_of(crlf + "\x1A\r\n1.0\r\n"), "record.txt:7: the file goes on behind an end mark"));
+  CHECK(begins(refusal_of(crlf + "\x1A\r\n1.0\r\n"), "record.txt:7: the file continues after an end mark"));
   for (const std::string& text : {"\x1F\x8B\b"s, "PK\x03\x04"s, "\xFF\xFE\0\0"s,
                                   "\xFF\xFE"
                                   "0"s})
@@ -179,7 +179,7 @@ TEST_CASE(
   CHECK(begins(refusal_of("1.0 2\n4 5 6\n", step), "record.txt:1: "));
   for (const std::string times :
        {"0 1\n0.1 2\n0.2 3\n", "0 1\n0.1 2\n0.5 3\n", "1 5 6 7\n2 5 6 8\n3 5 7 7\n", "0 1\n0.1 2\n"})
-    CHECK(begins(refusal_of(times, step), "record.txt:1: one column is expected with a time step"));
+    CHECK(begins(refusal_of(times, step), "record.txt:1: with a time step, columns of values alone"));
   CHECK(begins(refusal_of("0.1\n0.2\n"), "record.txt:1: two columns are expected, time and acceleration"));
   CHECK(begins(refusal_of("0 1 2\n"), "record.txt:1: two columns are expected"));
   CHECK(begins(refusal_of("Time (s), Acc (g)\n0, 0\n1, 1\n"),
@@ -248,7 +248,7 @@ TEST_CASE("a COSMOS file is read by what announces its blocks") {
   CHECK(begins(refusal_of(text + replaced(line, "0.1 secs", "80 secs") + values + end),
                "record.txt:36: 10 points at the step"));
   CHECK(begins(refusal_of(text + line + values + end + text),
-               "record.txt:40: the file goes on behind its end mark"));
+               "record.txt:40: the file continues after its end mark"));
 }
 
 TEST_CASE("a PEER file whose numbers run together is read by its columns") {
