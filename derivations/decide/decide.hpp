@@ -1,4 +1,4 @@
-// Decides whether two statements are the same. README.md has the order of the decision.
+// Decides whether two statements are the same. README.md gives the order of the decision.
 #pragma once
 
 #include <derivations/decide/problem.hpp>
@@ -6,25 +6,25 @@
 
 namespace rederive {
 
-/// Decides left against right: two expressions, two equations or two inequalities. A chain says that all its
-/// links hold. To ask whether a statement holds wherever it has a value, compare it with 0 < 1. What is given
-/// is substituted first; assumptions are sign conditions and equations that hold. The verdict is proved,
-/// proved_under where equations that are assumed are needed, refuted or undecided. Throws std::bad_alloc
-/// alone.
+/// Compares two expressions, two equations or two inequalities. A chain says that all its links hold. To ask
+/// whether a statement holds wherever it has a value, compare it with 0 < 1. `given` is substituted first;
+/// `assumptions` are sign conditions and equations that hold. The verdict is proved, proved_under (if assumed
+/// equations are needed), refuted or undecided. Throws only std::bad_alloc.
 Proof decide(const Relation& left, const Relation& right, const Symbols& symbols,
              const std::vector<Given>& given = {}, const std::vector<Relation>& assumptions = {});
 
-/// An exception as a sentence for the user: our own messages are kept; a pole, an overflow and the rest of
-/// GiNaC and CLN get a sentence each. To be called in a handler: std::bad_alloc is thrown on.
+/// Returns an exception as a sentence for the user: our own messages as they are, and a sentence for a pole,
+/// an overflow and other errors of GiNaC and CLN. Call it in a handler: it throws std::bad_alloc on.
 std::string in_plain_words(const std::exception& error);
 
-/// Whether the assumptions contradict each other, or the ranges: then nothing follows from them.
+/// Returns whether the assumptions contradict each other or the ranges; then nothing follows from them.
 bool contradict(const std::vector<Relation>& assumptions, const Symbols& symbols);
 
-/// Compares the series of two expressions up to `order` in the small symbols, all of one size: Taylor
-/// polynomials, and at a pole negative powers before them. Of two equations, the series of what they say of a
-/// symbol that is not small, for which both are linear: one that stands alone on a side, if there is one. The
-/// verdict is approximation, refuted or undecided. By the side conditions no divisor's lowest term is 0.
+/// Compares the series of two expressions up to `order` in the small symbols, which all have the same size:
+/// Taylor polynomials, with negative powers at a pole. For two equations, compares the series of their
+/// solutions for a symbol that is not small and in which both are linear, preferably one that is alone on a
+/// side. The verdict is approximation, refuted or undecided. Side conditions exclude zeros of the lowest
+/// terms of divisors.
 Proof decide_to_order(const Relation& left, const Relation& right, const std::vector<std::string>& small,
                       int order, const Symbols& symbols, const std::vector<Given>& given = {},
                       const std::vector<Relation>& assumptions = {});

@@ -1,4 +1,4 @@
-// Points inside the declared ranges, and a witness: a point where two statements differ beyond doubt.
+// Points inside the declared ranges, and witnesses: points where two statements differ beyond doubt.
 #pragma once
 
 #include <derivations/decide/problem.hpp>
@@ -7,39 +7,39 @@
 
 namespace rederive {
 
-/// The truth of a statement at a point; unknown where no precision tells.
+/// The truth of a statement at a point; unknown if no precision decides it.
 enum class Truth { holds, fails, undefined, unknown };
 Truth truth_at(const Relation& relation, const Point& point, long bits = 1800);
 
-/// The most bits with which numbers are compared.
+/// The largest precision with which numbers are compared.
 constexpr long bits_of_numbers = 16'000;
 
-/// The constant parts that are rational and neither small nor whole, and some more: where something may turn.
+/// Collects constants at which something may change, such as rational parts that are not small or whole.
 void collect_landmarks(const Tree& tree, std::vector<cln::cl_RA>& landmarks);
 
-/// The point with other values of some symbols, such that all equations hold, each solved for one symbol that
-/// occurs linearly or has a zero between two signs, in its range. `attempt` varies which are tried first.
+/// Returns the point with other values of some symbols, so that all equations hold. Each is solved for a
+/// symbol that is linear or has a zero between two signs, in its range. `attempt` varies the order.
 std::optional<Point> solve(const std::vector<Relation>& equations, Point point, const Symbols& symbols,
                            int attempt);
 
-/// The tree with every coordinate put in but `but`; nullptr where a coordinate is a root between bounds.
+/// Returns the tree with all coordinates put in except `but`; nullptr if one is a root between bounds.
 Tree with_coordinates(Tree tree, const Point& point, const std::string& but = {});
 
-/// Both values at the point, to 30 digits, or to as many as tell them apart; nothing where these cannot be
-/// had. `of_left`: whether the point was found as one that solves the left statement, or the right one.
+/// Returns both values at the point with 30 digits, or as many as distinguish them; nothing if that fails.
+/// `of_left` says whether the point was found as a solution of the left statement, or of the right one.
 std::optional<Witness> make_witness(const Problem& problem, const Point& point, std::optional<bool> of_left);
 
-/// A point where the two statements differ beyond doubt, all assumptions hold and all values that were put in
-/// lie in the ranges of their symbols; and how many points there were at which both have values and the same.
+/// A point where the statements differ beyond doubt, all assumptions hold and all substituted values are in
+/// the ranges of their symbols; and the number of points at which both have values and agree.
 struct Search {
   std::optional<Witness> witness;
   int agreed = 0;
-  std::optional<Witness> lacking = {};  ///< where one has values, and the other one certainly has none
+  std::optional<Witness> lacking = {};  ///< where exactly one certainly has no value
 };
 struct Effort {
   int points;
-  int solutions;  ///< of relations: at so many points one is also solved for a symbol
-  long bits;      ///< up to so many, of statements with symbols
+  int solutions;  ///< for relations: at so many points one is solved for a symbol
+  long bits;      ///< largest precision, for statements with symbols
 };
 Search search(const Problem& problem, const Effort& effort);
 

@@ -1,4 +1,4 @@
-// The ring in which identities are decided; README.md names the theorems on which it rests.
+// The ring in which identities are decided. README.md names the theorems on which it rests.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -11,23 +11,23 @@
 
 namespace rederive {
 
-/// One generator of the ring, and what it stands for.
+/// One generator of the ring, and its meaning.
 struct Generator {
   GiNaC::ex meaning;          ///< in the symbols of the statement
   Interval range;             ///< the values that it takes
-  std::string function = {};  ///< its name in our syntax; empty of symbols and pi; sqrt of all roots
-  Fraction of = 0;            ///< the phase, what stands under the root, between the bars, in the logarithm
-  int degree = 0;             ///< generator^degree = value; 0: no relation
-  Fraction value = 0;         ///< in generators that came before
+  std::string function = {};  ///< its name in our syntax; empty for symbols and pi; sqrt for every root
+  Fraction of = 0;            ///< the argument: a phase, or the argument of a root, |…| or logarithm
+  int degree = 0;             ///< generator^degree = value; 0 if there is no relation
+  Fraction value = 0;         ///< in earlier generators
 
   bool is_angle() const { return function == "asin" || function == "atan"; }
 };
 
-/// The signs of the numbers in an interval; and the interval of the numbers that have one of these signs.
+/// Return the signs of the numbers in an interval, and the interval of the numbers with given signs.
 Signs signs_of(const Interval& values);
 Interval values_of(Signs signs);
 
-/// A polynomial of the ring and the signs that it has.
+/// A polynomial of the ring and its signs.
 struct Fact {
   Polynomial value;
   Signs signs;
@@ -35,7 +35,7 @@ struct Fact {
 
 class Ring {
  public:
-  /// The variable of a symbol, or of f(of), made by `make` when it is new. Throws TooLarge if too many.
+  /// Returns the variable of a symbol, or of f(of); `make` makes a new one. Throws TooLarge beyond 31.
   template <class Make>
   Fraction generator(const std::string& name, const Fraction& of, const Make& make) {
     if (const auto known = find(name, of)) return Polynomial::variable(*known);
@@ -44,38 +44,38 @@ class Ring {
     generators_.push_back(make());
     return Polynomial::variable(index_[{name, of}] = static_cast<int>(generators_.size()) - 1);
   }
-  /// The variable of f(of).
+  /// Returns the variable of f(of).
   Fraction function(const std::string& f, const Fraction& of, int degree = 0, const Fraction& value = 0);
   const std::vector<Generator>& generators() const { return generators_; }
-  /// What is assumed: the hypotheses of certificates.
+  /// The assumptions, which are the hypotheses of certificates.
   std::vector<Fact> facts = {};
   std::optional<int> find(const std::string& name, const Fraction& of = 0) const;
 
-  /// generator^degree = value from now on: what an equation that is assumed says of a symbol.
+  /// Sets generator^degree = value, as an assumed equation says about a symbol.
   void relate(int generator, int degree, const Fraction& value);
 
-  /// The remainder modulo all relations, in lowest terms. Throws NoValue where its denominator is 0.
+  /// Returns the remainder modulo all relations, in lowest terms. Throws NoValue if its denominator is 0.
   Fraction normal(const Fraction& f) const;
 
-  /// (d + e·g)(d - e·g) of a polynomial d + e·g, for a generator g with a square.
+  /// Returns (d + e·g)(d - e·g) for a polynomial d + e·g and a generator g whose square is known.
   Fraction norm(const Polynomial& p, int g) const;
 
-  /// The same fraction with a denominator in which no generator with a square in the ring is left, if it
-  /// stays short: 1/(p - √u) is (p + √u)/(p² - u).
+  /// Returns the same fraction without generators of known square in its denominator, if it stays short:
+  /// 1/(p - √u) is (p + √u)/(p² - u).
   Fraction rationalized(const Fraction& f) const;
 
-  /// The same sign condition without the factors whose sign is known.
+  /// Returns the same sign condition without factors of known sign.
   Fact essential(const Fraction& value, Signs signs) const;
 
-  /// What is known of a value: of its sign, and of the range of a generator if it is linear in one; that
-  /// narrows the ranges of what is made of it, and of what it is made of.
+  /// Takes note of the signs of a value. If the value is linear in one generator, this narrows the range of
+  /// that generator, of the generators that depend on it, and of those on which it depends.
   void learn(const Fraction& value, Signs signs);
 
   Interval range_of(const Fraction& f) const;
   Signs signs_of(const Polynomial& p) const { return signs_of(p, 2); }
   Signs signs_of(const Fraction& f) const { return signs_of(f.numerator) * signs_of(f.denominator); }
 
-  /// Back in the symbols of the statement; or with other names of the generators.
+  /// Returns the expression in the symbols of the statement, or with other names for the generators.
   GiNaC::ex meaning_of(const Fraction& f) const;
   static GiNaC::ex meaning_of(const Fraction& f, const std::vector<GiNaC::ex>& names);
 
@@ -93,8 +93,8 @@ class Ring {
 
   std::vector<Generator> generators_;
   std::map<std::pair<std::string, Fraction>, int> index_;
-  std::map<Polynomial, Signs> known_signs_;  ///< of polynomials that lead with plus, content 1
-  /// A memo table of signs_of, for what is known now.
+  std::map<Polynomial, Signs> known_signs_;  ///< of primitive polynomials
+  /// Results of signs_of under the present knowledge.
   mutable std::map<std::pair<Polynomial, int>, Signs> found_;
 };
 

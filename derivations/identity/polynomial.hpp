@@ -1,4 +1,4 @@
-// Polynomials in the generators of the ring, with whole coefficients, and fractions of them, by FLINT.
+// Polynomials in the generators of the ring, with integer coefficients, and fractions of them, by FLINT.
 #pragma once
 
 #include <cln/integer.h>
@@ -12,27 +12,27 @@
 
 namespace rederive {
 
-/// The statement is outside of the class, or too large; the message says why.
+/// The statement is outside the procedure, or too large; the message says why.
 struct Undecidable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-/// Something becomes too large on one way to a decision; there may be another way.
+/// A value becomes too large on one way to a decision; there may be another way.
 struct TooLarge : Undecidable {
   using Undecidable::Undecidable;
 };
-/// Something has no value anywhere: a division by what is identically 0, the root of a negative number.
+/// A value exists nowhere: a division by an expression that is identically 0, the root of a negative number.
 struct NoValue : Undecidable {
   using Undecidable::Undecidable;
 };
 
 class Polynomial;
-/// A sign, the content's primes below 2000 and its rest, and irreducible polynomials, with their exponents.
+/// A sign, and factors with exponents: primes below 2000, the rest of the content, irreducible polynomials.
 using Factors = std::pair<int, std::vector<std::pair<Polynomial, int>>>;
 
-/// A polynomial with whole coefficients. Throws TooLarge where a result would have too many terms.
+/// A polynomial with integer coefficients. Operations throw TooLarge if a result has too many terms.
 class Polynomial {
  public:
-  static constexpr int variables = 31;  ///< with their degree 32 exponents, in four words
+  static constexpr int variables = 31;  ///< with the degree they make 32 exponents, in four words
   static constexpr std::size_t most_terms = 4000;
 
   Polynomial(long value = 0) {
@@ -49,17 +49,16 @@ class Polynomial {
   bool is_zero() const { return fmpz_mpoly_is_zero(p_, context()); }
   bool is_one() const { return fmpz_mpoly_is_one(p_, context()); }
   bool is_constant() const { return fmpz_mpoly_is_fmpz(p_, context()); }
-  cln::cl_I constant() const { return is_zero() ? 0 : coefficient(0); }  ///< of a constant
+  cln::cl_I constant() const { return is_zero() ? 0 : coefficient(0); }  ///< requires is_constant()
   std::size_t terms() const { return fmpz_mpoly_length(p_, context()); }
   int degree(int variable) const;
-  std::vector<int> used() const;  ///< the variables that occur, sorted
-  std::vector<Polynomial> coefficients(
-      int variable) const;                        ///< of the powers of a variable, from the power 0 on
-  cln::cl_I coefficient(std::size_t term) const;  ///< terms in the order of FLINT: the leading one first
-  /// Without its coefficient.
+  std::vector<int> used() const;                             ///< the variables that occur, sorted
+  std::vector<Polynomial> coefficients(int variable) const;  ///< of the powers of a variable, from power 0
+  cln::cl_I coefficient(std::size_t term) const;             ///< in FLINT's order: term 0 is the leading one
+  /// Returns a term without its coefficient.
   Polynomial monomial(std::size_t term) const { return of<fmpz_mpoly_get_term_monomial>(p_, term); }
   std::vector<std::pair<int, int>> powers(std::size_t term) const;  ///< (variable, exponent > 0)
-  /// Divided by what its coefficients have in common; it leads with plus.
+  /// Returns it divided by the gcd of its coefficients, with a positive leading coefficient.
   Polynomial primitive() const;
   bool leads_with_minus() const { return !is_zero() && cln::minusp(coefficient(0)); }
 
@@ -68,13 +67,13 @@ class Polynomial {
   Polynomial operator-(const Polynomial& b) const { return of<fmpz_mpoly_sub>(p_, b.p_); }
   friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
   bool operator==(const Polynomial& b) const { return fmpz_mpoly_equal(p_, b.p_, context()); }
-  /// Some order, for tables.
+  /// An arbitrary order, for tables.
   bool operator<(const Polynomial& b) const { return fmpz_mpoly_cmp(p_, b.p_, context()) < 0; }
-  /// a/b, if that leaves nothing.
+  /// Returns a/b if the division has no remainder.
   friend std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b);
   friend std::vector<std::pair<cln::cl_RA, struct Fraction>> terms_of(const struct Fraction& f);
   friend Polynomial gcd(const Polynomial& a, const Polynomial& b);
-  /// Each factor leads with plus, and those that are no numbers have content 1. Kept in a memo table.
+  /// Returns the factors: leading coefficients are positive, polynomials have content 1. Results are kept.
   friend Factors factors(const Polynomial& p);
   friend Polynomial chebyshev(int variable, int k);
 
@@ -91,10 +90,10 @@ class Polynomial {
   fmpz_mpoly_t p_;
 };
 
-/// Throws TooLarge where the power has too many terms.
+/// Returns a power. Throws TooLarge if it has too many terms.
 Polynomial power(const Polynomial& base, int exponent);
 
-/// numerator/denominator in lowest terms; the denominator leads with plus.
+/// numerator/denominator in lowest terms; the leading coefficient of the denominator is positive.
 struct Fraction {
   Polynomial numerator = 0, denominator = 1;
 
@@ -114,18 +113,18 @@ struct Fraction {
 Fraction operator+(const Fraction& a, const Fraction& b);
 Fraction operator-(const Fraction& a, const Fraction& b);
 Fraction operator*(const Fraction& a, const Fraction& b);
-/// Throws NoValue where b is 0.
+/// Throws NoValue if b is 0.
 Fraction operator/(const Fraction& a, const Fraction& b);
-bool operator<(const Fraction& a, const Fraction& b);  ///< some order, for tables
-/// A negative exponent turns the fraction over.
+bool operator<(const Fraction& a, const Fraction& b);  ///< an arbitrary order, for tables
+/// Returns a power; the exponent may be negative.
 Fraction power(const Fraction& base, int exponent);
 
-/// For a variable c = cos(π/n): c^degree = value, from the minimal polynomial of 2·cos(2π/2n).
+/// Returns (degree, value) with c^degree = value for a variable c = cos(π/n), from its minimal polynomial.
 std::pair<int, Fraction> algebraic_cosine(int variable, int n);
-/// For a variable cos(x): cos(k·x), by Chebyshev's polynomial.
+/// Returns cos(k·x) for a variable cos(x), by Chebyshev's polynomial.
 Polynomial chebyshev(int variable, int k);
 
-/// The sum of coefficient · term that a fraction is: (2·x·y + 3)/(y + 1) = 2·x - 2·x/(y + 1) + 3/(y + 1).
+/// Returns the fraction as a sum of coefficient · term: (2·x·y + 3)/(y + 1) = 2·x - 2·x/(y + 1) + 3/(y + 1).
 std::vector<std::pair<cln::cl_RA, Fraction>> terms_of(const Fraction& f);
 
 }  // namespace rederive

@@ -1,4 +1,4 @@
-// Which signs a real number may have: a subset of {-, 0, +}.
+// The signs that a real number may have: a subset of {-, 0, +}.
 #pragma once
 
 namespace rederive {
@@ -15,13 +15,13 @@ class Signs {
 
   constexpr bool within(Signs other) const { return (bits_ & ~other.bits_) == 0; }
   constexpr bool is_definite() const { return within(nonzero()); }
-  /// No number at all: the facts contradict each other.
+  /// Returns whether no sign is left, because the facts contradict each other.
   constexpr bool is_none() const { return bits_ == 0; }
   friend constexpr Signs operator&(Signs a, Signs b) { return Signs(a.bits_ & b.bits_); }
   friend constexpr Signs operator|(Signs a, Signs b) { return Signs(a.bits_ | b.bits_); }
-  constexpr Signs operator~() const { return Signs(7 & ~bits_); }  ///< those that are left
+  constexpr Signs operator~() const { return Signs(7 & ~bits_); }  ///< the other signs
   constexpr Signs operator-() const { return Signs((bits_ & 2) | (bits_ & 1) << 2 | (bits_ & 4) >> 2); }
-  /// Of a product.
+  /// Returns the signs of a product.
   friend constexpr Signs operator*(Signs a, Signs b) {
     Signs result(0);
     if ((a.bits_ & 4) != 0) result = result | b;
@@ -29,7 +29,7 @@ class Signs {
     if ((a.bits_ & 2) != 0 && b.bits_ != 0) result = result | zero();
     return result;
   }
-  /// Of a sum.
+  /// Returns the signs of a sum.
   friend constexpr Signs sum_of(Signs a, Signs b) {
     if (a == zero()) return b;
     if (b == zero()) return a;
@@ -38,7 +38,7 @@ class Signs {
         return a.is_definite() || b.is_definite() ? side & nonzero() : side;
     return any();
   }
-  /// Of the power with a whole exponent above 0.
+  /// Returns the signs of the power with an integer exponent above 0.
   friend constexpr Signs power(Signs a, int exponent) {
     if (exponent % 2 != 0) return a;
     return Signs((a.bits_ & 2) | ((a.bits_ & 5) != 0 ? 4u : 0u));

@@ -1,4 +1,4 @@
-// Tree → fraction of the ring, by rewrite rules that are true wherever both sides of the rule have a value.
+// Translates trees into fractions of the ring, by rules that hold wherever both of their sides have a value.
 #pragma once
 
 #include <derivations/identity/exponential_ring.hpp>
@@ -8,24 +8,24 @@
 
 namespace rederive {
 
-/// A value and the signs that it has. What must hold for a tree to have a value stands in it as `tree`.
+/// A value and its signs. In a condition for a tree to have a value, `tree` is the value as a tree.
 struct Atom {
   Fraction value;
   Signs signs;
   Tree tree = nullptr;
 };
 
-/// What phases, roots or values are made of has to change: all is translated in a new ring.
+/// The basis of phases, roots or values has to change, so that everything is translated in a new ring.
 struct OtherBasis : Undecidable {
   OtherBasis() : Undecidable("functions are nested too deeply") {}
 };
 
 class Translator {
  public:
-  /// Keeps references to the ring and the symbols, which must outlive it.
+  /// Keeps references to the ring and the symbols, which must live longer.
   Translator(Ring& ring, const Symbols& symbols) : ring_(ring), symbols_(symbols) {}
 
-  /// The work in an empty ring, again and again until no part of it throws OtherBasis.
+  /// Returns the result of the work in an empty ring. Starts again whenever the work throws OtherBasis.
   template <class Work>
   auto with_basis(const Work& work, int rounds = 24) -> decltype(work()) {
     ring_ = Ring(), circular_.clear();
@@ -37,17 +37,17 @@ class Translator {
     return with_basis(work, rounds - 1);
   }
 
-  /// The tree in the ring, and what must hold for it to have a value. These throw Undecidable.
+  /// Returns the tree in the ring, and appends the conditions for its value. All of these throw Undecidable.
   Fraction operator()(const Tree& tree, std::vector<Atom>& conditions);
 
-  /// cos and sin of an argument in the ring, e^argument, and the logarithm of a positive value.
+  /// Return cos and sin of an argument in the ring, e^argument, and the logarithm of a positive value.
   std::pair<Fraction, Fraction> circular(const Fraction& argument);
   Fraction exponential(const Fraction& argument);
   Fraction logarithm(const Fraction& value);
 
   Fraction pi();
-  /// number · term = n · phase, of an argument of "cos" or "exp": the phase, which the multiples of the term
-  /// have in common, and the whole number n.
+  /// Returns the phase and the integer n with number · term = n · phase, for an argument of "cos" or "exp".
+  /// The multiples of a term share its phase.
   using Multiple = std::pair<Fraction, int>;
   Multiple multiple_of_phase(const std::string& function, const cln::cl_RA& number, const Fraction& term);
 
@@ -56,7 +56,7 @@ class Translator {
   Fraction power_of(const Tree& tree);
   Fraction raised(const Fraction& base, const cln::cl_RA& exponent);
   Fraction whole(const Fraction& value);
-  /// What the work makes of a value; in a new ring of the value as one unknown, where that is too large.
+  /// Returns the work's result for a value; if that is too large, for the value as one unknown in a new ring.
   template <class Work>
   Fraction of_value_or_whole(const Fraction& value, const Work& work) {
     if (too_large_.contains(value)) return work(whole(value));
@@ -84,43 +84,43 @@ class Translator {
   Fraction absolute(const Fraction& value);
   Fraction logarithm_of(const Polynomial& factor);
   Fraction angle(bool is_sine, const Fraction& value);
-  /// asin u, or atan u, of what is ± a sine or cosine, or ± a tangent or cotangent, of an argument before.
+  /// Returns asin u or atan u if u is ± a sine, cosine, tangent or cotangent of an earlier argument.
   std::optional<Fraction> known_angle(bool is_sine, const Fraction& u);
   std::optional<Fraction> moved_by_half_turns(const Fraction& a, bool is_sine);
 
   Ring& ring_;
   const Symbols& symbols_;
   std::vector<Atom>* conditions_ = nullptr;
-  std::optional<Fraction> argument_;  ///< u of the rule that is applied
-  /// The orders of roots; "turn": the common denominator of multiples of π.
+  std::optional<Fraction> argument_;  ///< u of the present rule
+  /// The orders of roots; "turn" is the common denominator of multiples of π.
   std::map<std::pair<std::string, Fraction>, cln::cl_I> denominators_{{{"turn", 0}, 2}};
-  struct Multiples {             ///< of one term, and of one phase
-    cln::cl_RA common, largest;  ///< their greatest common divisor; the largest of their sizes
+  struct Multiples {             ///< the multiples of one term that share a phase
+    cln::cl_RA common, largest;  ///< their greatest common divisor; their largest size
     cln::cl_RA unit() const;     ///< the phase, as a multiple of the term
   };
   std::map<std::pair<std::string, Fraction>, std::vector<Multiples>> multiples_;
-  std::set<Fraction> too_large_;  ///< values that are one unknown where something is made of them
-  std::map<Fraction, std::pair<Fraction, Fraction>> circular_;  ///< a memo table, by arguments
+  std::set<Fraction> too_large_;                                ///< values that count as one unknown
+  std::map<Fraction, std::pair<Fraction, Fraction>> circular_;  ///< results by argument
 };
 
-/// True if it is 0: by the relations of the ring; or as it has a factor d + e·g, with g² in the ring, such
-/// that (d + e·g)(d - e·g) is 0, and d and e·g have opposite signs. False says nothing.
+/// Returns true if f is 0: by the relations of the ring, or because of a factor d + e·g, with g² in the ring,
+/// whose norm (d + e·g)(d - e·g) is 0 while d and e·g have opposite signs. False proves nothing.
 bool vanishes(const Fraction& f, const Ring& ring);
 
-/// What is 0 at the same points as d: d itself; of angles sin d, if it lies between -π and π, and 1 - cos d,
-/// if between -2π and 2π; of logarithms e^d - 1; of d = u - v, with two positive terms, log(u/v).
+/// Returns values that are 0 at the same points as d: d itself; for angles sin d (if -π < d < π) and 1 - cos
+/// d (if -2π < d < 2π); for logarithms e^d - 1; for d = u - v with two positive terms log(u/v).
 std::vector<Fraction> zeros_like(const Fraction& d, Ring& ring, Translator& translator);
 
-/// True if one of these is 0, or of a factor; or all coefficients of the powers of a symbol are.
+/// Returns true if such a value of f or of a factor is 0, or all coefficients of a symbol's powers are.
 bool vanishes(const Fraction& f, Ring& ring, Translator& translator, int depth = 3);
 
-/// What must hold for f(u) to have a value, and what it is there.
+/// The conditions for f(u) to have a value, and the value.
 struct RewriteRule {
-  std::vector<std::pair<Tree, Signs>> domain;  ///< of values in u
-  Tree result;                                 ///< in u; null of a function that is not replaced
+  std::vector<std::pair<Tree, Signs>> domain;  ///< signs of values in u
+  Tree result;                                 ///< in u; null if the function is not replaced
 };
 
-/// The rule of a function; nullptr where it has a value everywhere and is not replaced.
+/// Returns the rule of a function; nullptr if it has a value everywhere and is not replaced.
 const RewriteRule* rewrite_rule(const std::string& function);
 
 }  // namespace rederive

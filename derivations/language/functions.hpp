@@ -1,4 +1,4 @@
-// The functions that formulas may use: one row each, for all that reads or writes them.
+// The functions that formulas may use. Everything that reads or writes formulas uses these rows.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -12,19 +12,19 @@ namespace rederive {
 /// A function of one argument.
 struct Function {
   std::string_view name;              ///< as in C, in our syntax and in GiNaC
-  std::string_view latex;             ///< the command; empty where LaTeX has a sign of its own: √, |x|, e^x
-  std::string_view aliases;           ///< what it is called elsewhere, in small letters: "arctan atan2"
-  GiNaC::ex (*of)(const GiNaC::ex&);  ///< its value; throws as GiNaC does at a pole
+  std::string_view latex;             ///< the command; empty where LaTeX has a notation: √, |x|, e^x
+  std::string_view aliases;           ///< its names elsewhere, in lower case: "arctan atan2"
+  GiNaC::ex (*of)(const GiNaC::ex&);  ///< returns its value; throws GiNaC's error at a pole
   double least = -HUGE_VAL;           ///< the ends of its domain
   double most = HUGE_VAL;
   bool is_open = false;  ///< whether these ends are outside
 };
 
-/// All of them, in the order in which they are suggested.
+/// Returns all functions, in the order in which messages suggest them.
 std::span<const Function> functions();
-/// The one of that name; "abs" is "fabs". nullptr if there is none; none is called pow, which is a^b.
+/// Returns the function of this name, or nullptr; "abs" is "fabs". It does not know pow, which is a^b.
 const Function* find_function(std::string_view name);
-/// Whether it is the name of one, or pow.
+/// Returns whether this is the name of a function, or pow.
 bool is_function(std::string_view name);
 
 }  // namespace rederive

@@ -1,4 +1,4 @@
-// Text → tokens, bounds checked on the way.
+// Splits a text into tokens and checks the bounds of what is read.
 #pragma once
 
 #include <derivations/language/symbols.hpp>
@@ -12,7 +12,7 @@ namespace rederive {
 struct Token {
   enum class Kind {
     number,       ///< digits as written
-    name,         ///< in ASCII, whether known or not
+    name,         ///< in ASCII; it need not be known
     superscript,  ///< an integer exponent: "2", "-1"
     mark,         ///< + - * / ^ ( ) , and "sqrt" for √
     relation,     ///< = < <= > >=
@@ -22,29 +22,29 @@ struct Token {
   std::string text;
   std::size_t position, end;  ///< bytes
 
-  /// Whether it is this mark: "(", or "sqrt", which is √; a name that is typed as sqrt is none.
+  /// Returns whether this is the given mark. The mark "sqrt" is √; the typed name sqrt is not a mark.
   bool is(std::string_view mark) const { return kind == Kind::mark && text == mark; }
   bool starts_operand() const { return kind == Kind::number || kind == Kind::name || is("(") || is("sqrt"); }
 };
 
-/// The last token is the end. A name that is none, and sticks together from known ones, comes as these: mgR
-/// as three. Pi is read as pi, and other look-alikes of it are refused. Throws SyntaxError.
+/// Returns the tokens of a text; the last one is the end. A name that is not known, but consists of known
+/// names, becomes these: mgR becomes three. Pi is read as pi; other look-alikes throw. Throws SyntaxError.
 std::vector<Token> tokenize(std::string_view text, const Symbols& symbols, const Limits& limits);
 
-/// The known words that a name sticks together from, at most three: {"m", "g", "R"} for mgR, {"sin", "2",
-/// "x"} for sin2x. The name alone where it is known, or more like a slip of the pen; that is none of three
-/// typed characters, such as αp, or of fewer.
+/// Returns the known words of which a name consists, at most three: {"m", "g", "R"} for mgR, {"sin", "2",
+/// "x"} for sin2x. Returns the name alone if it is known, or if it looks like a misspelt word; a name of at
+/// most three typed characters, such as αp, never does.
 std::vector<std::string> words_in(const std::string& name, std::size_t characters, const Symbols& symbols);
-/// A product that was typed without its signs; whether it is the divisor of 3/2x, which is (3/2)*x.
+/// A product that was typed without its signs, and whether it is like 3/2x, which is read as (3/2)*x.
 struct Run {
   Tree product;
   bool is_fraction;
 };
-/// The whole text as it is to be written, ": write a*b"; both readings of a/b c.
+/// Returns how the whole text should be written, ": write a*b"; both readings of a/b c.
 std::string advice(const Relation& relation, const std::vector<Run>& runs, const Symbols& symbols);
-/// arcsin, ln: whether it is a function under that name in other languages.
+/// Returns whether this is the name of a function in other languages, such as arcsin or ln.
 bool is_function_elsewhere(std::string_view name);
-/// What to say of a name that is no function, or no symbol; `quoted` is how it was typed.
+/// Returns the message for an unknown function or symbol; `quoted` is the name as it was typed.
 std::string unknown_function(std::string_view name, const std::string& quoted);
 std::string unknown_symbol(std::string_view name, const std::string& quoted, const Symbols& symbols);
 

@@ -1,4 +1,4 @@
-// Tree ⇄ the GiNaC expression that it stands for.
+// Converts trees to GiNaC expressions, and back.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -8,14 +8,14 @@
 
 namespace rederive {
 
-/// GiNaC simplifies as it builds: ask the tree about form. Throws SyntaxError "undefined" where rational
-/// arithmetic meets what has no real value (1/0, log(0), sqrt(-1), asin(2)), "too_large" where a power would
-/// make a number of more digits than anybody wants. Whether an irrational constant is in the domain of a
-/// function, as in sqrt(3 - pi), is not looked at.
+/// Returns the GiNaC expression of a tree. GiNaC simplifies as it builds, so only the tree has the form.
+/// Throws SyntaxError: "undefined" where rational arithmetic finds no real value (1/0, log(0), sqrt(-1),
+/// asin(2)), "too_large" where a power would have too many digits. It does not check whether an irrational
+/// constant is in the domain of a function, as in sqrt(3 - pi).
 GiNaC::ex lower(const Tree& tree, const Symbols& symbols, const Limits& limits = {});
 
-/// The canonical tree of an expression, as a person would write it: constants, then the symbols in the order
-/// of their table, powers descending, no negative powers. Throws std::invalid_argument where there is none.
+/// Returns the canonical tree of an expression, as a person would write it: constants, then symbols in the
+/// order of their table, powers descending, no negative powers. Throws std::invalid_argument without one.
 Tree to_tree(const GiNaC::ex& expression, const Symbols& symbols);
 
 }  // namespace rederive

@@ -1,4 +1,4 @@
-// Known words that a misspelt one is near to.
+// Finds the known word that is nearest to a misspelt one.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace rederive {
 
-constexpr std::size_t longest_name = 40;  ///< that is looked at
+constexpr std::size_t longest_name = 40;  ///< names longer than this have no nearest word
 
 inline std::string lower_case(std::string_view text) {
   std::string result(text);
@@ -17,7 +17,7 @@ inline std::string lower_case(std::string_view text) {
   return result;
 }
 
-/// The least number of edits between two words (Damerau–Levenshtein, each letter moved at most once).
+/// Returns the least number of edits between two words (Damerau–Levenshtein, each letter moved at most once).
 inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {
@@ -33,7 +33,7 @@ inline std::size_t edit_distance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
-/// The first of the nearest known words, or nothing; words that differ in case alone are the nearest.
+/// Returns the first of the nearest known words, or ""; words that differ in case alone are the nearest.
 inline std::string nearest(std::string_view name, const std::vector<std::string>& known) {
   if (name.size() > longest_name) return {};
   std::string best;
@@ -46,7 +46,7 @@ inline std::string nearest(std::string_view name, const std::vector<std::string>
   return best;
 }
 
-/// ": did you mean 'alpha'?", or nothing.
+/// Returns ": did you mean 'alpha'?", or "" if there is no name.
 inline std::string did_you_mean(const std::string& name) {
   return name.empty() ? "" : ": did you mean '" + name + "'?";
 }

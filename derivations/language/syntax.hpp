@@ -1,4 +1,4 @@
-// Reads text into a tree that keeps the form as written; README.md has the grammar.
+// Reads a text into a tree that keeps the form as written; README.md has the grammar.
 #pragma once
 
 #include <derivations/language/symbols.hpp>
@@ -7,12 +7,12 @@
 
 namespace rederive {
 
-/// Reads one expression. Names that `symbols` does not have are refused with the nearest known one, here and
-/// below. Throws SyntaxError, "relation" where the text is a relation.
+/// Returns the tree of an expression. Throws SyntaxError: for a name that `symbols` lacks, with the nearest
+/// known one; "relation" if the text is a relation.
 Tree parse(std::string_view text, const Symbols& symbols, const Limits& limits = {});
-/// Reads a relation or a chain of them ("K = a = b"). Throws SyntaxError, "relation" where there is none.
+/// Returns a relation, or a chain ("K = a = b"). Throws SyntaxError; "relation" if the text is an expression.
 Relation parse_relation(std::string_view text, const Symbols& symbols, const Limits& limits = {});
-/// Reads either: an expression comes back as a Relation with one side and no operator. Throws SyntaxError.
+/// Returns either; an expression becomes a Relation with one side and no operator. Throws SyntaxError.
 Relation parse_statement(std::string_view text, const Symbols& symbols, const Limits& limits = {});
 
 }  // namespace rederive

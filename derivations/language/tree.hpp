@@ -1,4 +1,4 @@
-// The form of an expression, as it was written.
+// The syntax tree of an expression: its form, as it was written.
 #pragma once
 
 #include <cln/integer.h>
@@ -36,21 +36,21 @@ struct Node {
   std::size_t position = 0;  ///< byte offset in the text that was parsed
 };
 
-/// A node of these parts. `inverse` has an entry for every child of a sum or a product.
+/// Returns a node with these parts. `inverse` has an entry for every child of a sum or a product.
 inline Tree make_tree(Node::Kind kind, std::string text, std::vector<Tree> children = {},
                       std::vector<bool> inverse = {}, std::size_t position = 0) {
   return std::make_shared<const Node>(
       Node{kind, std::move(text), std::move(children), std::move(inverse), position});
 }
 
-/// Whether two trees have the same form, wherever they were parsed.
+/// Returns whether two trees have the same form; their positions do not matter.
 inline bool is_same(const Tree& a, const Tree& b) {
   return a == b || (a->kind == b->kind && a->text == b->text && a->inverse == b->inverse &&
                     std::equal(a->children.begin(), a->children.end(), b->children.begin(), b->children.end(),
                                is_same));
 }
 
-/// The tree with a value in the place of every part that has the same form as `part`.
+/// Returns the tree with `value` in place of every part that has the same form as `part`.
 inline Tree put_in(const Tree& tree, const Tree& part, const Tree& value) {
   if (is_same(tree, part)) return value;
   std::vector<Tree> children;
@@ -61,15 +61,15 @@ inline Tree put_in(const Tree& tree, const Tree& part, const Tree& value) {
   }
   return is_unchanged ? tree : make_tree(tree->kind, tree->text, std::move(children), tree->inverse);
 }
-/// The tree with a value in the place of a symbol.
+/// Returns the tree with `value` in place of a symbol.
 inline Tree put_in(const Tree& tree, const std::string& symbol, const Tree& value) {
   return put_in(tree, make_tree(Node::Kind::symbol, symbol), value);
 }
 
-/// The exact value of a number as written: "0.25" is 1/4, "1e-3" is 1/1000. It must be the text of a number
-/// node: digits, perhaps with a point, perhaps with an exponent. Limits bound its size in parse(), not here.
-/// Of any other text it may give some number, or throw std::invalid_argument, std::out_of_range (both of the
-/// exponent) or cln::runtime_exception.
+/// Returns the exact value of a number as written: "0.25" is 1/4, "1e-3" is 1/1000. `number` must be the text
+/// of a number node: digits, perhaps a point, perhaps an exponent. parse() bounds its size, this does not.
+/// For any other text it returns some number, or throws std::invalid_argument or std::out_of_range (because
+/// of the exponent) or cln::runtime_exception.
 inline cln::cl_RA exact(const std::string& number) {
   const auto e = number.find_first_of("eE");
   std::string digits = number.substr(0, e);
@@ -87,17 +87,17 @@ struct Relation {
   std::vector<std::string> operators;
 };
 
-/// Bounds on what is read, checked before anything expensive is done.
+/// Bounds on what is read. They are checked before anything expensive is done.
 struct Limits {
   std::size_t characters = 10'000;
-  std::size_t depth = 200;  ///< not beyond 500, whatever is asked: the stack bears no more
-  std::size_t digits = 40;  ///< in one number, its decimal exponent included
+  std::size_t depth = 200;  ///< at most 500: the stack has no room for more
+  std::size_t digits = 40;  ///< in one number, including its decimal exponent
   long exponent = 64;       ///< the largest integer exponent
 };
 
-/// A text that could not be read: a stable word for it, where, why, and what would be right.
+/// A text that could not be read: a stable word, the place, the reason, and what would be right.
 struct SyntaxError : std::runtime_error {
-  /// `message` is a sentence that what() gives.
+  /// `message` is a sentence; what() returns it.
   SyntaxError(std::string word, std::size_t where, const std::string& message)
       : std::runtime_error(message), note(std::move(word)), position(where) {}
   /// "syntax", "character", "empty", "unknown_symbol", "unknown_function", "arguments",

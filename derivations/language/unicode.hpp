@@ -1,4 +1,4 @@
-// UTF-8 and the letters and marks of formulas: for what reads formulas and what writes messages.
+// UTF-8, and the letters and marks of formulas, for reading formulas and for writing messages.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 
 namespace rederive {
 
-/// A code point, and how many bytes it takes in UTF-8; 0 bytes where there is none.
+/// A code point and its number of bytes in UTF-8; 0 bytes if there is no code point.
 struct CodePoint {
   char32_t code = 0;
   std::size_t bytes = 0;
 };
 
-/// The one that a text begins with; none if the text is empty, or does not begin with UTF-8.
+/// Returns the first code point of a text; none if the text is empty or does not begin with UTF-8.
 inline CodePoint first_character(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   if (text.empty() || (byte(0) >= 0x80 && byte(0) < 0xC2) || byte(0) >= 0xF5) return {};
@@ -32,7 +32,7 @@ inline CodePoint first_character(std::string_view text) {
   return {code, length};
 }
 
-/// Marks that show nothing, or turn the direction of what follows: a reader would not see what is wrong.
+/// Returns whether a reader cannot see this mark, or it changes the direction of the text after it.
 inline bool is_invisible(char32_t code) {
   constexpr char32_t ranges[][2] = {{0xAD, 0xAD},     {0x200B, 0x200F}, {0x2028, 0x202E},  {0x2060, 0x206F},
                                     {0xFEFF, 0xFEFF}, {0xFFF0, 0xFFFB}, {0xE0000, 0xE0FFF}};
@@ -40,16 +40,16 @@ inline bool is_invisible(char32_t code) {
                      [&](const auto& range) { return code >= range[0] && code <= range[1]; });
 }
 
-/// Characters that move the cursor or change colours; the end of a line is one of them.
+/// Returns whether this moves the cursor or changes colours; the end of a line does.
 inline bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
-/// The blanks; the end of a line is one of them.
+/// Returns whether this is a blank; the end of a line is one.
 inline bool is_space(char32_t code) {
   return code == ' ' || code == '\t' || code == '\n' || code == '\r' || code == 0xA0 || code == 0x202F ||
          (code >= 0x2000 && code <= 0x200A);
 }
 
-/// "theta" for θ; empty if it is no Greek letter.
+/// Returns the name of a Greek letter, "theta" for θ; "" for other characters.
 inline std::string greek_name(char32_t code) {
   constexpr const char* names[] = {"alpha",   "beta", "gamma", "delta",  "epsilon", "zeta", "eta",
                                    "theta",   "iota", "kappa", "lambda", "mu",      "nu",   "xi",
@@ -60,13 +60,13 @@ inline std::string greek_name(char32_t code) {
   for (const auto& [variant, letter] : variants)
     if (code == variant) code = letter;
   if (code >= U'α' && code <= U'ω') return names[code - U'α'];
-  if (code < U'Α' || code > U'Ω' || code == 0x3A2) return {};  // where a final Σ would stand
+  if (code < U'Α' || code > U'Ω' || code == 0x3A2) return {};  // the unused place of a final Σ
   std::string name = names[code - U'Α'];
   name[0] = static_cast<char>(name[0] - 'a' + 'A');
   return name;
 }
 
-/// "²³" for "23".
+/// Returns digits as superscripts: "²³" for "23".
 inline std::string superscript(std::string_view digits) {
   constexpr const char* raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   std::string text;
@@ -74,7 +74,7 @@ inline std::string superscript(std::string_view digits) {
   return text;
 }
 
-/// The digit of a superscript or subscript, or -1.
+/// Returns the digit of a superscript or subscript, or -1.
 inline int superscript_digit(char32_t code) {
   constexpr std::u32string_view digits = U"⁰¹²³⁴⁵⁶⁷⁸⁹";
   const std::size_t digit = digits.find(code);

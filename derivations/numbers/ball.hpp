@@ -3,7 +3,7 @@
 #pragma once
 
 #include <mpfr.h>
-// Arb declares what uses MPFR only where that stands before it.
+// Arb declares its functions for MPFR only if mpfr.h is included before it.
 #include <arb.h>
 
 #include <algorithm>
@@ -18,19 +18,19 @@ class cl_RA;
 
 namespace rederive {
 
-/// A real number in [middle - radius, middle + radius]. A result holds every value that the operation has on
-/// the operands, rounded to the fewer of their bits; where it has none somewhere, it is not finite.
+/// A real number in [middle - radius, middle + radius]. A result contains every value that the operation has
+/// on the operands, with the smaller of their precisions; it is not finite if a value is missing.
 class Ball {
  public:
   using ArbFunction = void (*)(arb_t, const arb_t, slong);
-  static constexpr long most_bits = 4096;  ///< of a number that is given without
+  static constexpr long most_bits = 4096;  ///< the precision of a number that is given without one
 
   Ball() { arb_init(x_); }
   template <std::integral N>
   explicit Ball(N whole, long bits = most_bits) : bits_(bits) {
     arb_init(x_), arb_set_si(x_, static_cast<slong>(whole));
   }
-  explicit Ball(long double number, long bits = most_bits) : Ball(0, bits) {  // exactly that number
+  explicit Ball(long double number, long bits = most_bits) : Ball(0, bits) {  // exactly this number
     mpfr_t exact;
     mpfr_init2(exact, 64), mpfr_set_ld(exact, number, MPFR_RNDN);
     arf_set_mpfr(arb_midref(x_), exact), mpfr_clear(exact);
@@ -40,7 +40,7 @@ class Ball {
   Ball(Ball&& y) noexcept : bits_(y.bits_) { arb_init(x_), arb_swap(x_, y.x_); }
   Ball& operator=(Ball y) noexcept { return arb_swap(x_, y.x_), bits_ = y.bits_, *this; }
   ~Ball() { arb_clear(x_); }
-  /// A decimal number as it is written. Throws std::invalid_argument.
+  /// Returns a decimal number as it is written. Throws std::invalid_argument for other texts.
   static Ball parse(const std::string& text) {
     Ball result;
     if (arb_set_str(result.x_, text.c_str(), most_bits) == 0) return result;
@@ -50,7 +50,7 @@ class Ball {
     Ball result(0, bits);
     return arb_const_pi(result.x_, bits), result;
   }
-  /// Holds all numbers of both.
+  /// Returns a ball that contains all numbers of both.
   static Ball between(const Ball& low, const Ball& high) { return of<arb_union>(low, high); }
 
   long bits() const { return bits_; }
@@ -58,7 +58,7 @@ class Ball {
     return Ball(*this).changed([&](Ball& y) { y.bits_ = bits; });
   }
 
-  /// Of every number in the ball. What is not certain is false.
+  /// True if it holds for every number in the ball; false if that is not certain.
   bool is_positive() const { return arb_is_positive(x_); }
   bool is_negative() const { return arb_is_negative(x_); }
   bool is_nonzero() const { return is_positive() || is_negative(); }
@@ -68,22 +68,22 @@ class Ball {
   bool contains(const Ball& y) const { return arb_contains(x_, y.x_); }
   bool is_exact() const { return arb_is_exact(x_); }  ///< one number, of the form m*2^n
   bool is_finite() const { return arb_is_finite(x_); }
-  /// Finite, and of a size between 2^-100000 and 2^100000, or 0: its ends are numbers that one can write.
+  /// Returns whether it is finite, and 0 or of a size from 2^-100000 to 2^100000, so that it can be written.
   bool is_moderate() const;
 
-  /// The ends and the middle, exact.
+  /// Returns an end or the middle, exactly.
   Ball lower() const { return end(arb_get_lbound_arf); }
   Ball upper() const { return end(arb_get_ubound_arf); }
   Ball middle() const {
     return Ball(*this).changed([](Ball& y) { mag_zero(arb_radref(y.x_)); });
   }
-  /// The ball with a radius larger by 2^exponent.
+  /// Returns the ball with a radius larger by 2^exponent.
   Ball widened(long exponent) const {
     return Ball(*this).changed([&](Ball& y) { arb_add_error_2exp_si(y.x_, exponent); });
   }
-  /// The middle, exactly, as of an end. Throws std::domain_error where the ball is not moderate.
+  /// Returns the middle exactly. Throws std::domain_error if the ball is not moderate.
   operator cln::cl_RA() const;
-  /// The nearest to the middle.
+  /// Returns the double (or long double) nearest to the middle.
   double to_double() const { return arf_get_d(arb_midref(x_), ARF_RND_NEAR); }
   long double to_real() const {
     mpfr_t rounded;
@@ -91,8 +91,8 @@ class Ball {
     const long double result = mpfr_get_ld(rounded, MPFR_RNDN);
     return mpfr_clear(rounded), result;
   }
-  /// So many significant digits, rounded to nearest, as %g writes them; nothing if not all of them are
-  /// certain: both ends of the ball must round to the same.
+  /// Returns `count` significant digits, rounded to nearest, as %g writes them; nothing if they are not
+  /// certain, that is, if the ends of the ball round to different digits.
   std::optional<std::string> digits(int count) const {
     mpfr_t low, high;
     mpfr_inits2(std::max(bits_, arb_bits(x_)), low, high, nullptr);
@@ -134,7 +134,7 @@ class Ball {
     mpfr_asprintf(&text, "%#.*Rg", count, number);
     std::string result = text;
     mpfr_free_str(text);
-    const std::size_t dot = result.find('.');  // not left without a digit behind it
+    const std::size_t dot = result.find('.');  // a point without a digit after it is left out
     if (dot + 1 == result.size() || result[dot + 1] == 'e') result.erase(dot, 1);
     return result;
   }

@@ -1,4 +1,4 @@
-// Whole numbers of FLINT, beside those of CLN.
+// Conversion between the integers of FLINT and those of CLN.
 #pragma once
 
 #include <cln/integer.h>
@@ -6,7 +6,7 @@
 
 namespace rederive {
 
-/// FLINT's integer, freed at the end of its life.
+/// An integer of FLINT that frees its memory.
 struct Integer {
   Integer() { fmpz_init(z); }
   explicit Integer(const cln::cl_I& value) : Integer() {

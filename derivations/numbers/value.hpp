@@ -1,4 +1,4 @@
-// What an expression is worth: exactly a + b*pi, or a ball, or nothing.
+// The value of an expression: exactly a + b*pi, or a ball, or nothing.
 #pragma once
 
 #include <cln/rational.h>
@@ -22,41 +22,41 @@ struct Constant {
   friend Constant operator*(const cln::cl_RA& q, const Constant& x) { return {q * x.a, q * x.b}; }
 };
 
-/// The value of an expression where its symbols are given.
+/// The value of an expression with given values of its symbols.
 struct Value {
   enum class Is {
     certain,  ///< it has a value
     nowhere,  ///< it certainly has no real value: 1/0, sqrt(-1), log(0)
-    unknown   ///< these bits do not tell
+    unknown   ///< the precision does not decide it
   };
   Is is = Is::unknown;
-  std::optional<cln::cl_RA> exact = {};   ///< where only rational arithmetic led to it
-  std::optional<Constant> constant = {};  ///< where it is known to be a + b*pi
+  std::optional<cln::cl_RA> exact = {};   ///< if it was found by rational arithmetic alone
+  std::optional<Constant> constant = {};  ///< if it is known to be a + b*pi
   mutable Ball enclosure = {};
-  mutable bool is_late = false;  ///< the enclosure of a constant: computed when it is first asked for
+  mutable bool is_late = false;  ///< the enclosure of a constant is computed when it is needed
 
-  /// Where it is certain.
+  /// Returns a ball that contains the value. `is` must be certain.
   const Ball& ball() const {
     if (std::exchange(is_late, false)) enclosure = constant->ball(enclosure.bits());
     return enclosure;
   }
-  /// -1, 0 (exactly), +1, where that is certain.
+  /// Returns -1, 0 (exactly) or +1; nothing if that is not certain.
   std::optional<int> sign() const;
 };
 
-// They are exact as long as values are a + b*pi of moderate length; then come balls.
+// The operations are exact while values are a + b*pi of moderate length; then they give balls.
 Value known(const Constant& c, long bits);
-Value known(const Ball& x);  ///< exact where the ball is; unknown where it is not moderate
+Value known(const Ball& x);  ///< exact if the ball is; unknown if it is not moderate
 Value operator+(const Value& x, const Value& y);
 Value operator-(const Value& x, const Value& y);
 Value operator*(const Value& x, const Value& y);
 Value operator/(const Value& x, const Value& y);
-/// As a real function: x^n for each whole n, x^y for other y and x > 0, 0^y = 0 for y > 0; 0^0 has no value.
+/// Returns the real power: x^n for whole n, x^y for other y and x > 0, 0^y = 0 for y > 0. 0^0 has no value.
 Value pow(const Value& x, const Value& y);
-/// A function of our syntax by its name. Throws std::out_of_range for an unknown one.
+/// Returns the value of a function of our syntax. Throws std::out_of_range for an unknown function.
 Value call(const std::string& function, const Value& x);
 
-/// "cos" of "sec"; nullptr where a function is not defined as 1/f.
+/// Returns f for a function that is defined as 1/f, "cos" for "sec"; nullptr for others.
 const char* reciprocal_of(const std::string& name);
 
 }  // namespace rederive
