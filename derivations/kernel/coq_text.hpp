@@ -1,4 +1,4 @@
-// Expressions and relations as Coq writes them, over the real numbers.
+// Writes expressions and relations as Coq does, over the real numbers.
 #pragma once
 
 #include <derivations/identity/signs.hpp>
@@ -6,19 +6,20 @@
 
 namespace rederive {
 
-/// The name of a symbol: R is the real numbers, so that the length R is R'; likewise words of Coq's language.
+/// Returns the name of a symbol in Coq. Names that Coq uses get a prime: R is the real numbers, so a length
+/// is R'.
 std::string coq_name(const std::string& symbol);
-/// The text of a tree: cos(psi) - omega_p/p*sin(psi) is Coq as it stands; π is PI, log is ln, decimal numbers
-/// are fractions. Throws Undecidable for what the prelude has no word for: powers with symbolic exponents,
-/// acosh, atanh.
+/// Returns the text of a tree. cos(psi) - omega_p/p*sin(psi) stays as it is; π becomes PI, log becomes ln,
+/// and decimal numbers become fractions. Throws Undecidable for what the prelude does not have: powers with
+/// symbolic exponents, acosh, atanh.
 std::string coq_text(const Tree& tree);
-/// Its links, joined by /\; a > b is b < a.
+/// Returns the links of a relation, joined by /\; a > b becomes b < a.
 std::string coq_text(const Relation& relation);
-/// "x <> 0", "0 < x", "0 <= x".
+/// Returns a sign condition: "x <> 0", "0 < x", "0 <= x".
 std::string coq_text(const Tree& value, Signs signs);
 
-/// What trees need to have values, in the order in which they ask for it: divisors that are not 0, and what
-/// the functions need (translator.hpp). Nothing is said twice, and nothing of numbers.
+/// Returns the conditions for trees to have values, in order and each once: divisors that are not 0, and the
+/// conditions of functions (translator.hpp). Conditions on numbers are left out.
 std::vector<std::pair<Tree, Signs>> needs_of(const std::vector<Tree>& trees);
 
 }  // namespace rederive

@@ -1,4 +1,5 @@
-// The steps that turn a statement into an identity of fractions, and what its parts are in the ring.
+// The tactics that turn a statement into an identity of fractions, and the parts of the statement in the
+// ring.
 #pragma once
 
 #include <derivations/decide/comparison.hpp>
@@ -6,25 +7,25 @@
 
 namespace rederive {
 
-/// Phases and roots get names; arguments are written as sums of phases; squares of cosines and roots are
-/// facts. All texts are Coq's (coq_text.hpp).
+/// A script names phases and roots, writes arguments as sums of phases, and uses squares of cosines and roots
+/// as facts. All texts are in Coq's syntax (coq_text.hpp).
 class Script {
  public:
-  /// Of a problem with everything put in. Throws Undecidable where there is no script: roots of higher order,
-  /// bars, logarithms, parts of a right angle.
+  /// Makes the script of a problem in which everything is put in. Throws Undecidable if there is no script:
+  /// for roots of higher order, absolute values, logarithms, parts of a right angle.
   explicit Script(const Problem& problem);
 
-  /// Tactics, one a line.
+  /// Returns the tactics, one per line.
   std::string steps();
-  /// Whether the ranges and the assumptions say it.
+  /// Returns whether the ranges and the assumptions imply the signs.
   bool grants(const Tree& need, Signs signs);
-  /// The tactic that proves an identity of fractions with the facts.
+  /// Returns the tactic that proves an identity of fractions from the facts.
   std::string identity() const;
-  /// The tactic that proves that a part of the problem is not 0, positive, not negative. A sum is a multiple
-  /// of what is assumed, or of a product of that and a sum of positive terms.
+  /// Returns the tactic that proves that a part of the problem is not 0, positive or not negative. A sum must
+  /// be a multiple of an assumption, or of a product of an assumption and a sum of positive terms.
   std::string meets(const Tree& need, Signs signs);
-  /// left/right, of expressions that are 0 at the same points because this is neither 0 nor infinite; nothing
-  /// where one of them is always 0. Throws Undecidable where that is not known.
+  /// Returns left/right for two expressions that are 0 at the same points because this is neither 0 nor
+  /// infinite; nothing if one of them is always 0. Throws Undecidable if that is not known.
   std::optional<std::string> factor(const Tree& left, const Tree& right);
 
  private:

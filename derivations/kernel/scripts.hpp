@@ -1,4 +1,4 @@
-// The ledger as a folder of Coq scripts.
+// Writes the ledger as a folder of Coq scripts.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace rederive {
 
-/// A lemma with its proof, and the comment that stands before it.
+/// A lemma with its proof and the comment before it.
 struct Lemma {
   std::string id, file, name;  ///< "71", "Ledger.v", "equation_71"
   std::string kind;            ///< row, refutation, derivation, instance, threshold, claim

@@ -1,4 +1,4 @@
-// What a derivation hands over: a result, and the named steps that lead to it.
+// A derivation: a result, and the named steps that lead to it.
 #pragma once
 
 #include <derivations/language/symbols.hpp>
@@ -7,15 +7,15 @@
 
 namespace rederive {
 
-/// One line of an argument: a sentence, and (where it has one) the formula it arrives at, left = right.
+/// One line of an argument: a sentence and, if it has one, the formula at which it arrives, left = right.
 struct Step {
   std::string says;
-  GiNaC::ex left, right;  ///< both 0 where the step is words only
+  GiNaC::ex left, right;  ///< both 0 if the step has words only
   std::string relation = "=";
 };
 
-/// A result with its argument. `left relation right` is what was derived, in the symbols of the paper; it
-/// never comes from the printed page.
+/// A result with its argument. `left relation right` is the result in the symbols of the paper. It never
+/// comes from the printed page.
 struct Derivation {
   GiNaC::ex left, right;
   std::string relation = "=";  ///< "=", "<", "<=", ">", ">="

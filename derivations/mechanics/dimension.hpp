@@ -1,4 +1,4 @@
-// Is every term of this equation of one dimension?
+// Checks that all terms of an equation have the same dimension.
 #pragma once
 
 #include <array>
@@ -11,23 +11,24 @@ namespace rederive {
 
 /// The base units of the SI.
 inline constexpr std::array<const char*, 7> base_units = {"kg", "m", "s", "A", "K", "mol", "cd"};
-/// Their exponents, in this order.
+/// The exponents of the base units, in the order of `base_units`.
 using Dimension = std::array<GiNaC::numeric, base_units.size()>;
-/// Reads a product of powers of these in our syntax: "kg*m^2/s^2", "s^4/(kg*m^2)", "kg^-1", "1". Throws
-/// std::invalid_argument.
+/// Returns the dimension of a product of powers of base units in our syntax: "kg*m^2/s^2", "s^4/(kg*m^2)",
+/// "kg^-1", "1". Throws std::invalid_argument for other texts.
 Dimension parse_unit(std::string_view text);
 
-/// "kg·m²/s²"; "1" for a pure number.
+/// Returns a dimension as text: "kg·m²/s²", or "1" for a pure number.
 std::string unit_text(const Dimension& dimension);
 
 struct DimensionReport {
   bool consistent;
-  std::optional<Dimension> dimension;  ///< of the whole, where consistent; none for what fits any (a bare 0)
-  std::string explanation;  ///< "term 3 is kg·m²/s, the others kg·m²/s²"; empty where consistent
+  std::optional<Dimension> dimension;  ///< of the whole, if consistent; none if any fits (a bare 0)
+  std::string explanation;             ///< "term 3 is kg·m²/s, the others kg·m²/s²"; empty if consistent
 };
 
-/// Angles count as pure numbers; arguments of sin, exp … must be pure numbers. Throws SyntaxError for an
-/// exponent without a value, and std::invalid_argument for the unit of a symbol that cannot be read.
+/// Returns whether all terms have the same dimension. Angles are pure numbers; arguments of sin, exp … must
+/// be pure numbers. Throws SyntaxError for an exponent without a value, and std::invalid_argument for a unit
+/// of a symbol that cannot be read.
 DimensionReport dimension(const Tree& tree, const Symbols& symbols);
 DimensionReport dimension(const Relation& relation, const Symbols& symbols);
 

@@ -1,11 +1,11 @@
-// Vectors of the plane, and what a body in it adds up to: integrals over a homogeneous rectangle.
+// Vectors in the plane, and integrals over a homogeneous rectangle.
 #pragma once
 
 #include <derivations/mechanics/time_derivative.hpp>
 
 namespace rederive {
 
-/// Components to the right and upwards.
+/// A vector by its components to the right and upwards.
 struct Vector {
   GiNaC::ex right, up;
 };
@@ -13,27 +13,27 @@ Vector operator+(const Vector& a, const Vector& b);
 Vector operator-(const Vector& a, const Vector& b);
 Vector operator*(const GiNaC::ex& factor, const Vector& a);
 GiNaC::ex dot(const Vector& a, const Vector& b);
-/// a × b, counted positive when it turns from a to b clockwise, as θ is in Fig. 2.
+/// Returns a × b, positive if the turn from a to b is clockwise, as θ is in Fig. 2.
 GiNaC::ex clockwise_cross(const Vector& a, const Vector& b);
-/// `a` turned clockwise by `angle`.
+/// Returns `a` turned clockwise by `angle`, in rad.
 Vector turned_clockwise(const Vector& a, const GiNaC::ex& angle);
-/// Of each component (time_derivative.hpp).
+/// Returns the time derivative of each component (time_derivative.hpp).
 Vector time_derivative(const Vector& a, const Rates& rates);
 
-/// ∫ f dv from `from` to `to`; f must be a polynomial in v. Throws std::invalid_argument where it is not.
+/// Returns ∫ f dv from `from` to `to`. Throws std::invalid_argument if f is not a polynomial in v.
 GiNaC::ex integral(const GiNaC::ex& f, const SymbolExpression& v, const GiNaC::ex& from, const GiNaC::ex& to);
 
-/// A rectangle of uniform density; (x, y) run over its points at rest, seen from a point fixed in the body.
+/// A rectangle of uniform density. (x, y) are its points at rest, seen from a point fixed in the body.
 struct Rectangle {
   SymbolExpression x, y;
   GiNaC::ex left, right, bottom, top;  ///< x from left to right, y from bottom to top
   GiNaC::ex density;                   ///< mass per area
 };
-/// ∫∫ ρ f dx dy: the mass for f = 1, an inertia for f = x² + y², an energy for f = |v|²/2 … Throws as
-/// integral does.
+/// Returns ∫∫ ρ f dx dy: the mass for f = 1, a moment of inertia for f = x² + y², an energy for f = |v|²/2 …
+/// Throws as integral does.
 GiNaC::ex over_body(const GiNaC::ex& f, const Rectangle& body);
 
-/// sin² → 1 − cos² of every argument, expanded.
+/// Returns the expression with 1 − cos² in place of every sin², expanded.
 GiNaC::ex by_pythagoras(const GiNaC::ex& e);
 
 }  // namespace rederive

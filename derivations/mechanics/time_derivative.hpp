@@ -1,4 +1,4 @@
-// d/dt along a motion that is not solved yet: θ, θ̇, θ̈ … are symbols in their own right.
+// Time derivatives along a motion that is not solved yet: θ, θ̇, θ̈ … are independent symbols.
 #pragma once
 
 #include <derivations/language/symbols.hpp>
@@ -7,13 +7,13 @@
 
 namespace rederive {
 
-/// Which symbol is the rate of which: {θ, θ̇}, {θ̇, θ̈}, {u_g, u̇_g} …, and {t, 1} where time itself appears.
+/// Pairs of a symbol and its rate: {θ, θ̇}, {θ̇, θ̈}, {u_g, u̇_g} …, and {t, 1} if the time itself appears.
 using Rates = std::vector<std::pair<SymbolExpression, GiNaC::ex>>;
 
-/// df/dt = Σ ∂f/∂q · q̇ over the pairs of `rates`; a symbol without a pair is constant in time.
+/// Returns df/dt = Σ ∂f/∂q · q̇ over the pairs of `rates`. A symbol without a pair is constant in time.
 GiNaC::ex time_derivative(const GiNaC::ex& f, const Rates& rates);
 
-/// One coordinate with its rate and second rate.
+/// A coordinate with its first and second time derivatives.
 struct Coordinate {
   SymbolExpression position, rate, second_rate;
 };

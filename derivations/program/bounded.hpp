@@ -1,5 +1,5 @@
-// Work that may not hang, crash or starve us, and do nothing but compute: done in a child process with limits
-// on time and memory, that can open no file, start no program and talk to nobody.
+// Runs work in a child process with limits on time and memory, which can open no file, start no program and
+// open no connection. So the work can neither hang nor crash this process, nor do anything but compute.
 #pragma once
 
 #include <sys/types.h>
@@ -12,28 +12,28 @@ namespace rederive {
 
 /// How bounded work ended.
 enum class Ending { well, time, memory, crash, stopped, killed };
-/// The word for it in tables: "time".
+/// Returns the word for it in tables: "time".
 std::string to_string(Ending ending);
 
-/// What bounded work came to.
+/// The result of bounded work.
 struct Bounded {
-  std::optional<std::string> result;  ///< what the work returned, if it ended well
-  std::string why;     ///< else: "it took longer than it may take", what it threw
-  double seconds = 0;  ///< what it took, as the limit counts it
+  std::optional<std::string> result;  ///< the text that the work returned, if it ended well
+  std::string why;                    ///< else: "it took longer than it may take", what it threw
+  double seconds = 0;                 ///< the time that it used, as the limit counts it
   Ending ending = Ending::well;
 };
 
-/// The processor time of a process, in seconds; 0 where it cannot be told.
+/// Returns the processor time of a process in seconds, or 0 if it is not known.
 double processor_seconds(pid_t process);
 
-/// Runs `work` in a child process and brings its text back. At most `seconds`, and `megabytes` of address
-/// space beyond what this process has. The seconds are processor time: what is decided does not depend on how
-/// busy the machine is. It is given up after `patience` seconds of wall-clock time in which it used no
-/// processor time, for then it hangs, and as soon as `stop`, which is asked now and then, says so. `first` is
-/// done before it, in the child and within the same limits, and may read files: `work` cannot. Where a
-/// sanitizer or valgrind watches, time is thirty times as long and memory is not limited. Several threads may
-/// call it. Where the system has no process or descriptor at the moment, it asks again for `patience`
-/// seconds. Throws std::runtime_error if there is none then.
+/// Runs `work` in a child process and returns its text. The limits are `seconds` of processor time, so that
+/// the result does not depend on the load of the machine, and `megabytes` of address space beyond that of
+/// this process. The work is given up after `patience` seconds of wall-clock time without processor time,
+/// because then it hangs, and as soon as `stop`, which is called now and then, returns true. `first` runs
+/// before the work, in the child and within the same limits; it may read files, which `work` cannot. Under a
+/// sanitizer or valgrind, the time is thirty times as long and memory is not limited. Several threads may
+/// call this function. If the system has no process or descriptor to spare, it tries again for `patience`
+/// seconds, then throws std::runtime_error.
 Bounded run_bounded(const std::function<std::string()>& work, double seconds, long megabytes,
                     double patience = 60, const std::function<void()>& first = {},
                     const std::function<bool()>& stop = {});

@@ -1,4 +1,4 @@
-// What all programs share: exit codes, and texts and files from outside.
+// What all programs share: exit codes, errors, files and the surroundings of a program.
 #pragma once
 
 #include <derivations/program/bad_input.hpp>
@@ -9,10 +9,10 @@
 
 namespace rederive {
 
-/// Exit codes of every program.
+/// The exit codes of all programs.
 enum ExitCode { as_expected = 0, not_as_expected = 1, bad_input = 2, undecided_or_failed = 3 };
 
-/// Without the blanks at both ends.
+/// Returns the text without the blanks at both ends.
 inline std::string trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\n\v\f\r";
   const std::size_t first = text.find_first_not_of(blanks);

@@ -1,13 +1,13 @@
-// A process that computes and nothing else: no files, no programs, no connections, no signals to others.
+// Restricts this process to computing: no files, no programs, no connections, no signals to others.
 #pragma once
 
 namespace rederive {
 
-/// Whether a sanitizer or valgrind runs this process: they open files, take memory, and write what they find.
+/// Returns whether a sanitizer or valgrind runs this process. They open files, use memory, and write reports.
 bool is_watched();
 
-/// Nothing more to open, no file to grow, no further process; and nothing but to compute, where the system
-/// can see to it.
+/// Forbids this process to open anything, to let a file grow and to start a process and, where the system
+/// supports it, every system call except those for computing and for writing to the descriptor `report`.
 void seal(int report);
 
 }  // namespace rederive
