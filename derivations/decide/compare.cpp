@@ -1,3 +1,4 @@
+// Compares two statements in the ring: by a common factor, by their zeros, by certificates of signs.
 #include <algorithm>
 #include <derivations/decide/comparison.hpp>
 #include <derivations/identity/translator.hpp>
@@ -7,7 +8,7 @@ namespace rederive {
 
 namespace {
 
-/// "2*(x)*(y - 1) + 1*(z) = 0": combinations that contradict the negated claim.
+/// Returns the combinations that contradict the negated claim: "2*(x)*(y - 1) + 1*(z) = 0".
 std::vector<std::string> in_words(const Certificate& found, const Comparison& setting) {
   std::vector<std::string> lines;
   for (const auto& sum : found.sums) {
@@ -21,7 +22,7 @@ std::vector<std::string> in_words(const Certificate& found, const Comparison& se
   return lines;
 }
 
-/// left/right, if it has no zero or pole; positive for inequalities, which a negative factor turns round.
+/// Returns left/right if it has no zero or pole; for inequalities it must be positive.
 std::optional<Fraction> factor_between(const Comparison& setting, const Atom& left, const Atom& right,
                                        Sameness& all) {
   const Ring& ring = setting.ring;
@@ -57,8 +58,8 @@ std::optional<Sameness> same_link_by_link(Comparison& setting, const std::vector
   return all;
 }
 
-/// The irreducible factors of an equation that may be 0; of a root, |u|, a sine or a whole those of its
-/// value.
+/// Returns the irreducible factors of an equation that may be 0; for a root, |u|, a sine or a whole, those of
+/// its value.
 std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
   std::set<Polynomial> result;
   for (const auto& [factor, exponent] : factors(value.numerator).second) {
@@ -74,7 +75,7 @@ std::set<Polynomial> zero_set(const Ring& ring, const Fraction& value) {
   return result;
 }
 
-/// All claims follow from a statement. An equation of it is 0 where one of its factors is: a case each.
+/// Proves that all claims follow from a statement, in one case for each factor of an equation.
 std::optional<Sameness> all_follow(Comparison& setting, const std::vector<Atom>& from,
                                    const std::vector<Atom>& claims) {
   Sameness all{"identity"};
@@ -108,7 +109,7 @@ std::optional<Sameness> all_follow(Comparison& setting, const std::vector<Atom>&
   return all;
 }
 
-/// p times its conjugates in sines, roots and |u|: where two vanish together, their norms share a factor.
+/// Returns p times its conjugates in sines, roots and |u|: polynomials with a common zero share factors.
 Polynomial norm(const Ring& ring, const Polynomial& p) {
   Polynomial result = ring.normal(p).numerator;
   for (const int k : result.used())

@@ -10,7 +10,7 @@ Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b) {
 
 namespace {
 
-/// The links as atoms, without those that say nothing if others say something.
+/// Returns the links as atoms, without trivial ones if there are others.
 std::vector<Atom> atoms_of(const std::vector<Relation>& links, Comparison& setting,
                            std::vector<Atom>& conditions) {
   std::vector<Atom> atoms;
@@ -33,8 +33,8 @@ void learn(Comparison& setting, const Fraction& value, Signs signs) {
   setting.ring.learn(value, signs);
 }
 
-/// A polynomial equation in which the power of a symbol has a factor that is not 0, a number if there is one:
-/// a relation of the ring, g^n = rest.
+/// Makes an equation a relation of the ring, g^n = rest, if the factor of a power of a symbol is not 0.
+/// It prefers a symbol whose factor is a number.
 void relate(Ring& ring, const Fraction& value) {
   const Polynomial p = ring.essential(value, Signs::zero()).value;
   auto used = p.used();
@@ -59,7 +59,7 @@ void relate(Ring& ring, const Fraction& value) {
   }
 }
 
-/// A value is one, as its conditions say.
+/// Returns the value of a tree, and learns the conditions for it.
 Fraction defined(Comparison& setting, const Tree& tree) {
   std::vector<Atom> conditions;
   const Fraction value = setting.translator(tree, conditions);
@@ -67,7 +67,7 @@ Fraction defined(Comparison& setting, const Tree& tree) {
   return value;
 }
 
-/// What is assumed holds, and has a value.
+/// Learns an assumption, and the conditions for its value.
 void assume(Comparison& setting, const Relation& assumption) {
   const Fraction left = defined(setting, assumption.sides[0]), right = defined(setting, assumption.sides[1]);
   const std::string& op = assumption.operators[0];
@@ -77,7 +77,7 @@ void assume(Comparison& setting, const Relation& assumption) {
   learn(setting, atom.value, atom.signs);
 }
 
-/// Both statements. That two expressions are the same says that their equation holds.
+/// Translates both statements. Two expressions are the same if their equation holds.
 void translate_statements(Comparison& setting, const Problem& problem) {
   const Relation equation{{problem.left.sides[0], problem.right.sides[0]}, {"="}};
   setting.left = setting.right = {};

@@ -37,7 +37,7 @@ Proof proved(const Comparison& setting, const Sameness& found) {
   return proof;
 }
 
-/// Tries the problem; if that fails, splits on the sign of the first |u|, at most `depth` times.
+/// Tries the problem; if that fails, splits by the sign of the first |u|, at most `depth` times.
 std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& setting, int depth) {
   const auto& generators = setting.ring.generators();
   const std::size_t known = generators.size();  // those that come later may have no value
@@ -68,7 +68,7 @@ std::optional<Sameness> same_in_cases(const Problem& problem, Comparison& settin
   return both;
 }
 
-/// Whether no point in the ranges meets all assumptions and gives both statements a value, by signs.
+/// Returns whether signs prove that no point meets all assumptions and gives both statements a value.
 bool is_contradictory(const Problem& problem) try {
   Comparison setting(problem.symbols);
   return setting.translator.with_basis([&] {
@@ -85,7 +85,7 @@ bool is_contradictory(const Problem& problem) try {
   return false;
 }
 
-/// Points, identity and signs, more points. Without `by_points` nothing is refuted.
+/// Tries points, then identity and signs, then more points. Without `by_points` it refutes nothing.
 Proof decide_problem(const Problem& problem, bool by_points) {
   const bool is_of_numbers =
       !problem.left.operators.empty() && names_of(problem.left).empty() && names_of(problem.right).empty();

@@ -1,3 +1,4 @@
+// Puts the conditions under which statements have values into our syntax.
 #include <algorithm>
 #include <derivations/decide/comparison.hpp>
 #include <derivations/language/lower.hpp>
@@ -14,7 +15,7 @@ bool has_symbols_only(const Ring& ring, const Polynomial& p) {
   return std::ranges::all_of(used, [&](int k) { return ring.generators()[k].function.empty(); });
 }
 
-/// The factors of a divisor as it is written.
+/// Appends the factors of a divisor as it is written.
 void divide_up(const Tree& tree, std::vector<Tree>& parts) {
   const bool is_power = tree->kind == Node::Kind::power && tree->children[1]->kind == Node::Kind::number;
   if (tree->kind == Node::Kind::product || tree->kind == Node::Kind::negative) {
@@ -26,10 +27,10 @@ void divide_up(const Tree& tree, std::vector<Tree>& parts) {
   }
 }
 
-/// What is said of a value.
+/// Receives a condition: a value and its signs.
 using Say = std::function<void(const GiNaC::ex&, Signs)>;
 
-/// Of plain symbols: the factors that matter.
+/// Says the conditions on plain symbols, factor by factor.
 void say_factors(const Atom& c, const Ring& ring, const Say& say) {
   const Fact fact = ring.essential(c.value, c.signs);
   Polynomial rest = fact.signs == c.signs ? 1 : -1;
@@ -42,7 +43,7 @@ void say_factors(const Atom& c, const Ring& ring, const Say& say) {
   if (!rest.is_constant()) say(ring.meaning_of(Fraction(rest)).expand(), c.signs);
 }
 
-/// Of anything else: the factors of a divisor as they are written.
+/// Says the other conditions, by the factors of a divisor as they are written.
 void say_divisors(const Tree& divisor, const Symbols& symbols, const Say& say) {
   std::vector<Tree> parts;
   divide_up(divisor, parts);
@@ -59,7 +60,7 @@ void say_divisors(const Tree& divisor, const Symbols& symbols, const Say& say) {
   }
 }
 
-/// Without those that follow from the others; u >= 0 and u != 0 are u > 0.
+/// Returns the conditions without those that follow from others; u >= 0 and u != 0 become u > 0.
 std::vector<Atom> independent(const std::vector<Atom>& conditions, const Ring& ring) {
   std::vector<Atom> result;
   for (const Atom& c : conditions) {

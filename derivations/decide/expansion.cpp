@@ -1,3 +1,4 @@
+// Compares statements by their series in small symbols.
 #include <algorithm>
 #include <derivations/decide/comparison.hpp>
 #include <derivations/decide/decide.hpp>
@@ -11,13 +12,13 @@ using GiNaC::ex;
 
 namespace {
 
-/// A Laurent polynomial in the size: what is known of a series, below a power.
+/// A series as a Laurent polynomial in the size, known below a power.
 struct Series {
   ex terms;
   int known;  ///< the first power that is not known
 };
 
-/// The tree with e^{y log b} for b^y, if y has symbols.
+/// Returns the tree with e^{y log b} for b^y, if y has symbols.
 Tree with_exponentials(const Tree& tree) {
   std::vector<Tree> parts;
   for (const Tree& child : tree->children) parts.push_back(with_exponentials(child));
@@ -30,15 +31,15 @@ Tree with_exponentials(const Tree& tree) {
 
 class Expansion {
  public:
-  /// Keeps references, which must outlive it; `known` holds the assumptions.
+  /// Keeps references, which must live longer; `known` holds the assumptions.
   Expansion(const GiNaC::symbol& size, int terms, const Symbols& symbols,
             const std::vector<std::string>& small, Comparison& known)
       : size_(size), terms_(terms), symbols_(symbols), small_(small), known_(known) {
     for (const std::string& name : small) scaled_[symbols[name]] = size * symbols[name];
   }
 
-  /// In the size of the small symbols. What its parts need to have values near 0 is kept in `conditions`.
-  /// Throws Undecidable where there is no series.
+  /// Returns the series of a tree in the size of the small symbols, and adds the conditions for values near 0
+  /// to `conditions`. Throws Undecidable if there is no series.
   Series of(const Tree& tree) {
     std::vector<Atom> found;
     (void)known_.translator(with_exponentials(tree), found);
@@ -48,17 +49,17 @@ class Expansion {
   }
   Series of(const ex& e) { return of_scaled(e.subs(scaled_, GiNaC::subs_options::no_pattern)); }
 
-  /// Whether the logarithm of a small symbol stands in it: as the symbol goes to 0, it grows.
+  /// Returns whether it contains the logarithm of a small symbol, which grows as the symbol goes to 0.
   bool has_log_of_small(const ex& e) const {
     if (GiNaC::is_a<GiNaC::function>(e) && GiNaC::ex_to<GiNaC::function>(e).get_name() == "log")
       return std::ranges::any_of(small_, [&](auto& name) { return e.has(symbols_[name]); });
     return std::ranges::any_of(e, [&](const ex& part) { return has_log_of_small(part); });
   }
 
-  /// What the assumptions do not grant.
+  /// The conditions that do not follow from the assumptions.
   std::vector<Atom> conditions;
 
-  /// The polynomial up to a power, at size 1.
+  /// Returns the polynomial up to a power, at size 1.
   ex polynomial(const Series& series, int order) const {
     if (series.known <= order + 1) throw Undecidable("a pole is of too high an order");
     if (has_log_of_small(coefficient(series, order + 1)))
@@ -66,7 +67,7 @@ class Expansion {
     return truncated(series.terms, order + 1).terms.subs(size_ == 1);
   }
 
-  /// The sign that the lowest term must have, for what is near 0 to have it; and what is known of it.
+  /// Requires that the lowest term has these signs, so that values near 0 have them. Returns the known signs.
   Signs require(const Series& series, Signs signs) {
     const Series rest = from_its_lowest_term(series);
     const Tree lowest = to_tree(coefficient(rest, low(rest)), symbols_);
@@ -131,7 +132,7 @@ class Expansion {
     const Fraction f = known_.translator(to_tree(e, symbols_), unused);
     return vanishes(f, known_.ring, known_.translator);
   }
-  /// Without the lowest terms that are 0, as far as the power `most`.
+  /// Returns the series without lowest terms that are 0, up to the power `most`.
   Series without_zeros(Series s, int most) {
     while (low(s) < std::min(most, s.known) && is_zero(coefficient(s, low(s))))
       s.terms = (s.terms - coefficient(s, low(s)) * pow(size_, low(s))).expand();
@@ -145,7 +146,7 @@ class Expansion {
         throw Undecidable("the lowest terms of a divisor may be the smaller ones");
     return s;
   }
-  /// Of a negative exponent: (c·sizeᵐ(1 + …))ⁿ = sizeᵐⁿ·(c + …)ⁿ.
+  /// Returns a power; for negative exponents (c·sizeᵐ(1 + …))ⁿ = sizeᵐⁿ·(c + …)ⁿ.
   Series power(const Series& base, int n) {
     Series result{1, terms_};
     for (int k = 0; k < n; ++k) result = times(result, base);
@@ -154,7 +155,7 @@ class Expansion {
     const GiNaC::symbol x("x");
     return shifted(composed(pow(x, n), x, shifted(rest, -low(rest))), low(rest) * n);
   }
-  /// f(a + δ) = Σ f⁽ᵏ⁾(a) δᵏ/k!, where f is analytic at a.
+  /// Returns f(a + δ) = Σ f⁽ᵏ⁾(a) δᵏ/k! for an f that is analytic at a.
   Series composed(const ex& f, const GiNaC::symbol& x, const Series& argument) {
     Series delta = without_zeros(argument, 0);
     const ex a = coefficient(delta, 0);
@@ -184,7 +185,7 @@ class Expansion {
   GiNaC::exmap scaled_;
 };
 
-/// What a relation says of a symbol: y op value, from c·y + d op 0.
+/// A relation c·y + d op 0 solved for the symbol y: y op value.
 struct SolvedFor {
   ex value, coefficient;
 };
@@ -195,7 +196,7 @@ std::optional<SolvedFor> said_of(const Relation& relation, const ex& y, const Sy
   return SolvedFor{-residual.coeff(y, 0) / residual.coeff(y, 1), residual.coeff(y, 1)};
 }
 
-/// Those that stand alone on a side first.
+/// Returns the symbols for which both may be solved; those alone on a side come first.
 std::vector<std::string> symbols_to_solve_for(const Relation& left, const Relation& right) {
   std::vector<std::string> names;
   for (const Relation* relation : {&left, &right})
@@ -205,7 +206,7 @@ std::vector<std::string> symbols_to_solve_for(const Relation& left, const Relati
   return names;
 }
 
-/// An equation that could not be put in, with what is small in it.
+/// Returns whether an equation that was not substituted contains a small symbol.
 bool ties(const std::vector<Relation>& assumptions, const std::vector<std::string>& small) {
   return std::ranges::any_of(assumptions, [&](const Relation& a) {
     const auto names = names_of(a);
@@ -213,7 +214,7 @@ bool ties(const std::vector<Relation>& assumptions, const std::vector<std::strin
   });
 }
 
-/// Both statements to an order: the polynomials of expressions; of relations, what they say of one symbol.
+/// Returns both statements to an order: polynomials of expressions, or relations solved for one symbol.
 std::pair<Relation, Relation> to_order(const Problem& problem, const std::vector<std::string>& small,
                                        int order, Expansion& expansion) {
   const Relation &left = problem.left, &right = problem.right;

@@ -35,13 +35,13 @@ void collect_landmarks(const Tree& tree, std::vector<cl_RA>& landmarks) {
 
 namespace {
 
-/// Values of a symbol: small numbers first; and ends and multiples of pi, which are easily overlooked.
+/// Values of a symbol: small numbers first, and ends and multiples of pi, which are easily overlooked.
 struct Candidates {
   std::vector<cl_RA> plain;
   std::vector<Constant> special;
 };
 
-/// Rational numbers on both sides of a number, at distances of 1/10 to 1/10^8.
+/// Returns rational numbers on both sides of a number, at distances from 1/10 to 1/10^8.
 std::vector<cl_RA> beside(const cl_RA& number) {
   static const std::vector<cl_RA> units{"1/10", "1/100", "1/10000", "1/100000000"};
   std::vector<cl_RA> result;
@@ -83,7 +83,7 @@ Candidates candidates(const Interval& range, const std::vector<cl_RA>& landmarks
   return result;
 }
 
-/// The range under x > 2, an assumption with a number beside the symbol.
+/// Narrows the range by an assumption with a symbol and a number, such as x > 2.
 void narrow(Interval& range, const Relation& a, const std::string& name) {
   const std::string& op = a.operators[0];
   for (const int side : {0, 1}) {
@@ -116,9 +116,9 @@ Table table_of(const Problem& problem) {
   return result;
 }
 
-/// A fixed sequence of points: symbol k takes its candidates in a stride of its own; every third point from
-/// the tenth on has special values, and every fourth has equal values where it can. From most_mixed on
-/// all candidates come in turn.
+/// Returns a point of a fixed sequence. Symbol k takes its candidates in its own stride; from the tenth point
+/// on, every third point has special values, and every fourth has equal values if possible. From most_mixed
+/// on, all candidates come in turn.
 std::optional<Point> point_of(const Table& table, int index) {
   constexpr int most_mixed = 220;
   Point point;
@@ -150,7 +150,7 @@ bool has_value(const Tree& tree, const Point& point) {
   return value_at(tree, point, 200).is == Value::Is::certain;
 }
 
-/// Whether the assumptions hold, the equations among them by construction.
+/// Returns whether the assumptions hold; equations among them hold by construction.
 bool is_admitted(const Problem& problem, const Point& point) {
   for (const auto& [name, value] : problem.values)
     if (!has_value(value, point)) return false;
@@ -160,7 +160,7 @@ bool is_admitted(const Problem& problem, const Point& point) {
   });
 }
 
-/// What the two say at a point: +1 the same, 0 nothing, -1 they differ.
+/// Compares both at a point: +1 if they agree, 0 if that is not known, -1 if they differ.
 int compare_at(const Problem& problem, const Point& point, long bits) {
   if (problem.left.operators.empty()) {
     const Sign sign = sign_at(problem.left.sides[0], problem.right.sides[0], point, bits);
@@ -172,7 +172,7 @@ int compare_at(const Problem& problem, const Point& point, long bits) {
   return !is_known(left) || !is_known(right) ? 0 : left == right ? 1 : -1;
 }
 
-/// Whether the two differ at a point where the sides of one of them, `solved`, are equal.
+/// Returns whether they differ at a point where the sides of `solved` are equal.
 bool differ_at(const Relation& solved, const Relation& other, const Point& point) {
   const Relation equal{solved.sides, std::vector<std::string>(solved.operators.size(), "=")};
   const bool holds = solved.operators[0].find('=') != std::string::npos;
@@ -182,7 +182,7 @@ bool differ_at(const Relation& solved, const Relation& other, const Point& point
          std::ranges::all_of(solved.sides, [&](const Tree& side) { return has_value(side, point); });
 }
 
-/// Whether one has values at the point, and the other one certainly has none.
+/// Returns whether exactly one certainly has no value at the point.
 bool one_lacks_a_value(const Problem& problem, const Point& point) {
   const auto truth = [&](const Relation& r) {
     const bool is_relation = !r.operators.empty();
@@ -192,7 +192,7 @@ bool one_lacks_a_value(const Problem& problem, const Point& point) {
   return left != right && left != Truth::unknown && right != Truth::unknown;
 }
 
-/// Where the two differ beside a solution, for the symbols that were solved for.
+/// Returns a witness beside a solution, found by moving the symbols that were solved for.
 std::optional<Witness> beside_solution(const Problem& problem, const Point& point, const Point& solution) {
   for (const auto& [name, number] : solution) {
     const Value& value = number.value(128);

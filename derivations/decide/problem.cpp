@@ -76,14 +76,14 @@ bool is_within(const Tree& tree, const Interval& bounds, const Symbols& symbols)
   }
 }
 
-/// A side f(u) with u where f is monotone: in its domain, or, of a circular function, within one piece.
+/// Returns whether a side is f(u) with a monotone f: in its domain or, if circular, within one piece.
 bool is_monotone(const Tree& side, const Symbols& symbols) {
   if (side->kind != Node::Kind::call || reciprocal_of(side->text) != nullptr) return false;
   const MonotonePiece& f = monotone_piece(side->text);
   return f.inverse != nullptr && (f.half_turn == 0 || is_within(side->children[0], f.domain, symbols));
 }
 
-/// "symbol = value" of an equation that says so, the symbol not in its value.
+/// Returns the symbol and value of an equation "symbol = value", if the value does not contain the symbol.
 std::optional<std::pair<std::string, Tree>> definition(const Relation& stated, const Symbols& symbols) {
   if (stated.operators != std::vector<std::string>{"="}) return std::nullopt;
   const bool says_it = is_symbol(stated.sides[0]) || is_symbol(stated.sides[1]);
@@ -95,7 +95,7 @@ std::optional<std::pair<std::string, Tree>> definition(const Relation& stated, c
   return std::nullopt;
 }
 
-/// The declared range of the symbol becomes sign conditions on its value.
+/// Replaces a symbol by a value; the declared range of the symbol becomes sign conditions on the value.
 void replace(Problem& problem, const std::string& name, const Tree& value) {
   problem.left = put_in(problem.left, name, value), problem.right = put_in(problem.right, name, value);
   for (Relation& a : problem.assumptions) a = put_in(a, name, value);

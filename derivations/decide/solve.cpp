@@ -1,4 +1,4 @@
-// Points that solve equations.
+// Finds points that solve equations.
 #include <algorithm>
 #include <derivations/decide/points.hpp>
 #include <derivations/language/lower.hpp>
@@ -11,7 +11,7 @@ using cln::cl_RA;
 
 namespace {
 
-/// What is 0 where an equation holds: the difference of its sides; beside 0 a factor, or a power's base.
+/// Returns a value that is 0 where an equation holds: the difference of its sides, or a factor beside 0.
 Tree residual_of(const Tree& a, const Tree& b, int attempt) {
   const auto is_zero = [](const Tree& t) {
     return t->kind == Node::Kind::number && cln::zerop(exact(t->text));
@@ -32,7 +32,7 @@ bool lies_in(const Number& number, const Interval& range) {
          compare(End{{value.ball().upper()}}, range.high) < 0;
 }
 
-/// y of e = c·y + d = 0 at the point, e multiplied out.
+/// Returns y with e = c·y + d = 0 at the point; e is expanded.
 std::optional<Number> solve_linear(const Point& point, const GiNaC::ex& e, const std::string& name,
                                    const Symbols& symbols) try {
   const GiNaC::ex y = symbols[name];
@@ -47,8 +47,8 @@ std::optional<Number> solve_linear(const Point& point, const GiNaC::ex& e, const
   return std::nullopt;
 }
 
-/// Where signs are tried at first, in steps of 1/4 near 0; and then by powers of 2 around 0, and nearer
-/// around pi/2, the numbers that occur, and the ends of the range.
+/// Returns the places at which signs are tried: in steps of 1/4 near 0, then by powers of 2 around 0, and
+/// closer around pi/2, the numbers that occur, and the ends of the range.
 std::vector<cl_RA> grid_of(const Interval& range, const Tree& residual, bool is_wide) {
   std::vector<cl_RA> centres{Ball::pi(64).middle() / Ball(2)}, grid;
   for (int k = -41; k <= 40 && !is_wide; ++k) grid.push_back(cl_RA(2 * k + 1) / 8);
@@ -68,14 +68,14 @@ std::vector<cl_RA> grid_of(const Interval& range, const Tree& residual, bool is_
   return grid;
 }
 
-/// A place on a line, and what a residual is there.
+/// A place on a line, and the residual there.
 struct Place {
   cl_RA x;
   Value value;
   std::optional<int> sign = value.sign();
 };
 
-/// Two places of different signs, narrowed to a thousandth, the lower one first; or the zero itself twice.
+/// Narrows two places of different signs to a thousandth, the lower one first; or returns the zero twice.
 std::pair<cl_RA, cl_RA> narrowed(Place a, Place b, const std::function<Place(const cl_RA&)>& at) {
   const cl_RA unit = cl_RA(1) / 1000;
   while (cln::abs(b.x - a.x) > unit) {
@@ -87,7 +87,7 @@ std::pair<cl_RA, cl_RA> narrowed(Place a, Place b, const std::function<Place(con
   return std::minmax(a.x, b.x);
 }
 
-/// Places in eighths between the neighbours of the one where the value is nearest to 0.
+/// Returns places in eighths between the neighbours of the place whose value is nearest to 0.
 std::vector<cl_RA> finer(std::vector<Place> places) {
   std::erase_if(places, [](const Place& p) { return !p.sign; });
   if (places.size() < 3) return {};
@@ -98,8 +98,8 @@ std::vector<cl_RA> finer(std::vector<Place> places) {
   return grid;
 }
 
-/// The first zero between neighbours on a grid, from below or above. Of a few attempts, where there is none,
-/// also on a wider one, and where the value is nearest to 0.
+/// Returns the first zero between neighbours on a grid, from below or above. If there is none, some attempts
+/// also try a wider grid, and places near the smallest value.
 std::optional<Number> enclose(Point point, const Tree& residual, const std::string& name,
                               const Interval& range, int attempt) {
   const auto at = [&](const cl_RA& x) {
@@ -121,7 +121,7 @@ std::optional<Number> enclose(Point point, const Tree& residual, const std::stri
       if (low == high) return low;
       const Tree tree = with_coordinates(residual, point, name);
       const Number zero(tree, name, low, high);
-      // a finite ball over the whole of it: continuous there, no pole
+      // a finite ball over the whole interval: no pole, so it is continuous
       if (tree && value_at(tree, {{name, zero}}, 24).is == Value::Is::certain) return zero;
     }
   }

@@ -1,4 +1,4 @@
-// How a point is said.
+// Puts a witness into words and digits.
 #include <cln/rational_io.h>
 #include <fmt/ostream.h>
 
@@ -15,13 +15,13 @@ namespace {
 
 std::string rational_text(const cl_RA& value) { return fmt::to_string(fmt::streamed(value)); }
 
-/// So many digits of a value; "no value" where there certainly is none, empty where that cannot be told.
+/// Returns digits of a value; "no value" if there certainly is none, "" if that is not known.
 std::string text_at(const Tree& tree, const Point& point, int digits = 30) {
   if (const auto text = digits_at(tree, point, digits)) return *text;
   return value_at(tree, point, 200).is == Value::Is::nowhere ? "no value" : "";
 }
 
-/// The first difference between the sides of a link that is not 0; "0" if there is none.
+/// Returns the first difference between the sides of a link that is not 0, or "0".
 std::string residual_at(const Relation& relation, const Point& point) {
   for (const Relation& link : links_of(relation)) {
     const std::string text = text_at(difference(link.sides[0], link.sides[1]), point);
@@ -30,8 +30,8 @@ std::string residual_at(const Relation& relation, const Point& point) {
   return "0";
 }
 
-/// Both values: of expressions, of right-hand sides, with as many digits as tell them apart; or of residuals,
-/// one of which a solution makes 0.
+/// Returns both values: of expressions or right-hand sides, with as many digits as distinguish them; or of
+/// residuals, one of which is 0 at a solution.
 std::pair<std::string, std::string> values_at(const Problem& problem, const Point& point,
                                               std::optional<bool> of_left) {
   const auto& [left, right] = std::tie(problem.left, problem.right);
@@ -48,7 +48,7 @@ std::pair<std::string, std::string> values_at(const Problem& problem, const Poin
           of_left == false ? "0" : residual_at(right, point)};
 }
 
-/// A value that is put in, in our syntax; nothing where a coordinate is a root between bounds.
+/// Returns a substituted value in our syntax; nothing if a coordinate is a root between bounds.
 std::optional<std::string> closed_form(const Tree& tree, const Point& point, const Symbols& symbols) try {
   const Tree value = with_coordinates(tree, point);
   return value ? std::optional(print(lower(value, symbols), Notation::plain, symbols)) : std::nullopt;

@@ -21,7 +21,7 @@ void Ring::relate(int generator, int degree, const Fraction& value) {
   generators_[generator].degree = degree, generators_[generator].value = value;
 }
 
-/// Σ cₖ gᵏ becomes Σ cₖ g^{k mod n} value^{k div n}, generator by generator, the last one first.
+/// Returns Σ cₖ g^{k mod n} value^{k div n} for Σ cₖ gᵏ, generator by generator, the last one first.
 Fraction Ring::reduced(const Polynomial& p) const {
   Fraction rest = p;
   for (int round = 0; round < 60; ++round) {

@@ -1,4 +1,4 @@
-// Circular functions and exponentials: of whole multiples of independent phases, so by the addition theorems.
+// Circular functions and exponentials of integer multiples of independent phases, by the addition theorems.
 #include <derivations/identity/translator.hpp>
 #include <utility>
 
@@ -9,7 +9,7 @@ using cln::cl_RA;
 using Pair = std::pair<Fraction, Fraction>;
 constexpr int most_times = 64, most_parts = 180;
 
-/// The least common multiple of this number and of all that were named before, of this function and argument.
+/// Returns the least common multiple of this number and all earlier ones for this function and argument.
 int Translator::common_multiple(const std::string& name, const Fraction& of, const cln::cl_I& number) {
   const auto [place, is_new] = denominators_.try_emplace({name, of}, 1);
   const cln::cl_I before = std::exchange(place->second, cln::lcm(place->second, number));
@@ -18,14 +18,14 @@ int Translator::common_multiple(const std::string& name, const Fraction& of, con
   return cln::cl_I_to_int(place->second);
 }
 
-/// The term over the common denominator, as long as the multiples of that are small.
+/// Returns the term over the common denominator, if the multiples of that are small.
 cl_RA Translator::Multiples::unit() const {
   const cln::cl_I parts = cln::denominator(common);
   return largest * parts <= most_times ? 1 / cl_RA(parts) : common;
 }
 
-/// Terms are linearly independent over the rationals, and so are phases, but those of multiples of one term
-/// that have little in common.
+/// Returns the phase and multiple of an argument. Phases are linearly independent over the rationals, except
+/// for multiples of one term that have little in common.
 Translator::Multiple Translator::multiple_of_phase(const std::string& function, const cl_RA& number,
                                                    const Fraction& term) {
   if (function == "cos" && term == pi() &&
@@ -50,14 +50,14 @@ Translator::Multiple Translator::multiple_of_phase(const std::string& function, 
   return {Fraction(unit) * term, cln::cl_I_to_int(cln::numerator(number / unit))};
 }
 
-/// cos and sin of a phase of the basis, as generators with c² + s² = 1.
+/// Returns cos and sin of a phase of the basis, as generators with c² + s² = 1.
 Pair Translator::phase(const Fraction& phase) {
   const Fraction c = ring_.function("cos", phase), s = ring_.function("sin", phase, 2, 1 - c * c);
   const auto used = phase.numerator.used();
   const Fraction x = used.size() == 1 ? Fraction(Polynomial::variable(used[0])) : Fraction(0);
   const bool is_half = phase == x / 2;
   if ((!is_half && phase != x) || !ring_.generators()[used[0]].is_angle()) return {c, s};
-  // the angle of an inverse function: its cosine and sine are algebraic
+  // The cosine and sine of the angle of an inverse function are algebraic.
   const Generator angle = ring_.generators()[used[0]];
   const bool is_asin = angle.function == "asin";
   const Fraction u = angle.of, rest = root(is_asin ? 1 - u * u : 1 + u * u, 2),
@@ -68,7 +68,7 @@ Pair Translator::phase(const Fraction& phase) {
   return {ring_.normal(c), ring_.normal(s)};
 }
 
-/// cos and sin of times·π/n, for an even n, by cos π/n, which is algebraic; sin(k·π/n) = cos((n/2 - k)·π/n).
+/// Returns cos and sin of times·π/n for even n, by the algebraic cos π/n; sin(k·π/n) = cos((n/2 - k)·π/n).
 Pair Translator::part_of_pi(int times, int n) {
   const auto cosine = [&](int k) {
     if (n == 2) return Fraction(1 - k);  // of no, one or two right angles
@@ -106,7 +106,7 @@ Pair Translator::circular(const Fraction& argument) {
   return result;
 }
 
-/// e^argument: e^{q log u} is u^q.
+/// Returns e^argument; e^{q log u} is u^q.
 Fraction Translator::exponential(const Fraction& argument) {
   Fraction result = 1;
   for (const auto& [number, term] : terms_of(argument)) {

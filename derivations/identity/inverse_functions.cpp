@@ -1,11 +1,11 @@
 // Roots, absolute values, logarithms and the inverse circular functions. A factor that is never negative
-// comes out of a root or its bars, and one with a known sign out of a logarithm.
+// leaves a root or an absolute value, and a factor of known sign leaves a logarithm.
 #include <algorithm>
 #include <derivations/identity/translator.hpp>
 
 namespace rederive {
 
-/// y with y^order = base, y >= 0: a power of the generator whose order all roots of this base share.
+/// Returns y >= 0 with y^order = base: a power of the generator that all roots of this base share.
 Fraction Translator::root_generator(const Polynomial& base, int order) {
   const int part = base == 2 ? 4 : base == 3 ? 6 : 0;  // √2 = 2 cos π/4, √3 = 2 cos π/6
   if (order == 2 && part != 0 && cln::zerop(cln::mod(denominators_.at({"turn", 0}), part)))
@@ -22,7 +22,7 @@ Fraction Translator::root_generator(const Polynomial& base, int order) {
 Fraction Translator::root(const Fraction& value, int order) {
   const Fraction u = ring_.normal(value);
   if (u.is_zero()) return 0;
-  // (n/d)^{1/k} = (n d^{km-1})^{1/k} / |d|^m, for an m with which km is even: n d^{km-1} has the sign of n/d
+  // (n/d)^{1/k} = (n d^{km-1})^{1/k} / |d|^m for even km, because n d^{km-1} has the sign of n/d
   const int m = order % 2 == 0 ? 1 : 2;
   const auto& [sign, list] = factors(u.numerator * power(u.denominator, order * m - 1));
   Signs of_odd = sign < 0 ? Signs::negative() : Signs::positive();
@@ -35,7 +35,7 @@ Fraction Translator::root(const Fraction& value, int order) {
     const Signs signs = ring_.signs_of(factor);
     const bool is_negative = signs.within(Signs::nonpositive()),
                has_sign = is_negative || signs.within(Signs::nonnegative());
-    // beside what may be negative, what may be 0 stays: where it is 0 the rest may have no root
+    // a factor that may be 0 stays beside one that may be negative: where it is 0, the rest may have no root
     const bool comes_out = of_odd.within(Signs::nonnegative()) || signs.is_definite();
     const int taken = !comes_out ? 0 : has_sign ? exponent : exponent - exponent % 2;
     if (is_negative && taken % 2 != 0) inside = -inside;
@@ -48,7 +48,7 @@ Fraction Translator::root(const Fraction& value, int order) {
   return ring_.normal(outside * root_generator(inside, order));
 }
 
-/// base^exponent, for a fraction: (t^{2n})^q = |t|^{2nq}, before anything is multiplied out.
+/// Returns base^exponent for a fraction: (t^{2n})^q = |t|^{2nq}, before anything is multiplied out.
 Fraction Translator::root_of(const Tree& tree, const Fraction& base, const cln::cl_RA& exponent) {
   const bool is_power = tree->kind == Node::Kind::power && tree->children[1]->kind == Node::Kind::number;
   const cln::cl_RA inner = is_power ? exact(tree->children[1]->text) : cln::cl_RA(1);
@@ -56,7 +56,7 @@ Fraction Translator::root_of(const Tree& tree, const Fraction& base, const cln::
   return raised(absolute(translate(tree->children[0])), inner * exponent);
 }
 
-/// The absolute value of an irreducible polynomial: without bars where its sign is known.
+/// Returns the absolute value of an irreducible polynomial, without bars if its sign is known.
 Polynomial Translator::modulus(const Polynomial& factor) {
   const Signs signs = ring_.signs_of(factor);
   if (signs.within(Signs::nonnegative())) return factor;
@@ -64,7 +64,7 @@ Polynomial Translator::modulus(const Polynomial& factor) {
   return ring_.function("fabs", factor, 2, factor * factor).numerator;
 }
 
-/// |n/d| = |n d|/d², factor by factor.
+/// Returns |n/d| = |n d|/d², factor by factor.
 Fraction Translator::absolute(const Fraction& value) {
   const Fraction u = ring_.normal(value);
   const auto& [sign, list] = factors(u.numerator * u.denominator);
@@ -74,7 +74,7 @@ Fraction Translator::absolute(const Fraction& value) {
   return ring_.normal(Fraction(size, u.denominator * u.denominator));
 }
 
-/// log of a positive value: the sum over its factors of known sign; what is left stays in one logarithm.
+/// Returns log of a positive value: a sum over its factors of known sign, and one logarithm of the rest.
 Fraction Translator::logarithm(const Fraction& value) {
   const Fraction u = ring_.normal(value);
   const auto& [sign, list] = factors(u.numerator * u.denominator);  // n/d = n d / d²
@@ -94,7 +94,7 @@ Fraction Translator::logarithm(const Fraction& value) {
   return ring_.normal(sum + logarithm_of(rest));
 }
 
-/// log of a prime or of a positive polynomial: the one of an exponential or a root is known.
+/// Returns log of a prime or of a positive polynomial; for an exponential or a root it is known.
 Fraction Translator::logarithm_of(const Polynomial& p) {
   const auto used = p.used();
   if (used.size() == 1 && p == Polynomial::variable(used[0])) {
@@ -105,7 +105,7 @@ Fraction Translator::logarithm_of(const Polynomial& p) {
   return ring_.function("log", p);
 }
 
-/// a - k·π for the whole k with which it is provably between -π/2 and π/2; times (-1)^k for the sine.
+/// Returns a - k·π for the integer k that provably moves it between -π/2 and π/2; times (-1)^k for the sine.
 std::optional<Fraction> Translator::moved_by_half_turns(const Fraction& a, bool is_sine) {
   Interval range = point({});
   Ball twice(0, 128);  // the middle, of the terms that are bounded
@@ -142,7 +142,7 @@ std::optional<Fraction> Translator::known_angle(bool is_sine, const Fraction& u)
   return std::nullopt;
 }
 
-/// asin u, or atan u, as a generator; both are odd.
+/// Returns asin u or atan u as a generator; both are odd.
 Fraction Translator::angle(bool is_sine, const Fraction& value) {
   const Fraction u = ring_.normal(value);
   if (u.is_zero()) return 0;

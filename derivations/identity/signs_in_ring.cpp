@@ -1,4 +1,4 @@
-// Signs and ranges of polynomials in the generators: what is known of them, and what follows.
+// Signs and ranges of polynomials in the generators: known ones, and those that follow.
 #include <algorithm>
 #include <derivations/identity/exponential_ring.hpp>
 #include <derivations/language/functions.hpp>
@@ -47,7 +47,7 @@ void Ring::learn(const Fraction& value, Signs signs) {
   narrow(fact.value, values_of(fact.signs)), propagate();
 }
 
-/// c·x + d in an interval bounds x by that of (interval - d)/c, for a number c and a d without x.
+/// Narrows x by (interval - d)/c if c·x + d is in an interval, for a number c and a d without x.
 bool Ring::narrow(const Polynomial& p, const Interval& values) {
   bool has_changed = false;
   for (const int k : p.used()) {
@@ -59,7 +59,7 @@ bool Ring::narrow(const Polynomial& p, const Interval& values) {
   return has_changed;
 }
 
-/// Whether that says something new.
+/// Narrows the range of a generator. Returns whether the range changed.
 bool Ring::narrow(int generator, const Interval& range) {
   Interval& known = generators_[generator].range;
   if (is_within(known, range)) return false;
@@ -67,7 +67,7 @@ bool Ring::narrow(int generator, const Interval& range) {
   return true;
 }
 
-/// The values of u from those of f(u), where f can be inverted.
+/// Narrows u from the values of f(u), if f can be inverted.
 bool Ring::narrow_backwards(const Generator& g) {
   const MonotonePiece& f = monotone_piece(g.function);
   const bool is_root = g.function == "sqrt";
@@ -84,7 +84,7 @@ bool Ring::narrow_backwards(const Generator& g) {
   return narrow(g.of.numerator, argument * point({g.of.denominator.constant()}));
 }
 
-/// What a function makes of a narrower range, and the other way round.
+/// Narrows functions by the ranges of their arguments, and arguments by the ranges of functions.
 void Ring::propagate() {
   bool has_changed = true;
   for (int round = 0; round < 3 && has_changed; ++round) {
@@ -100,7 +100,7 @@ void Ring::propagate() {
   }
 }
 
-/// Those that were learned of ±p.
+/// Returns the signs that were learned of p or -p.
 Signs Ring::known_signs(const Polynomial& p) const {
   const auto known = p.is_constant() ? known_signs_.end() : known_signs_.find(p.primitive());
   return known == known_signs_.end() ? Signs::any() : p.leads_with_minus() ? -known->second : known->second;
@@ -140,9 +140,9 @@ Signs Ring::signs_anew(const Polynomial& p, int depth) const {
   return result & product;
 }
 
-/// As a polynomial in one generator x after another: by the signs of its terms; where x is a square root, d +
-/// e·x has the sign of d or of e·x, as d² is above (e·x)² or below; and where it is quadratic in x, or in x²,
-/// by 4a·(a x² + b x + c) = (2a x + b)² - (b² - 4ac).
+/// Returns the signs of p as a polynomial in one generator x after another: by the signs of its terms; for a
+/// square root x, d + e·x has the sign of d or of e·x, whichever square is larger; for a quadratic in x or
+/// x², by 4a·(a x² + b x + c) = (2a x + b)² - (b² - 4ac).
 Signs Ring::signs_of_irreducible(const Polynomial& p, int depth) const {
   Signs result = Signs::any();
   for (const int k : p.used()) {

@@ -42,15 +42,15 @@ Fraction Translator::translate(const Tree& tree) {
   return ring_.normal(result);
 }
 
-/// The value as one unknown, of which no more is known than its range.
+/// Returns the value as one unknown, of which only the range is known.
 Fraction Translator::whole(const Fraction& value) {
   return ring_.generator("whole", value, [&] {
     return Generator{ring_.meaning_of(value), ring_.range_of(value), "whole", value};
   });
 }
 
-/// b^e: roots where the exponent is a fraction, else e^{e log b} of a base that is positive. Of another base
-/// it is one unknown, as there are values for whole exponents only, and 0 is excluded.
+/// Returns b^e: a root if the exponent is a fraction, else e^{e log b} if the base is positive. For other
+/// bases it is one unknown, because only integer exponents have values; 0 is excluded.
 Fraction Translator::power_of(const Tree& tree) {
   const Node& node = *tree;
   const Fraction base = translate(node.children[0]), exponent = translate(node.children[1]);
@@ -75,7 +75,7 @@ Fraction Translator::power_of(const Tree& tree) {
   });
 }
 
-/// base^exponent, of a base that is not negative where the exponent is a fraction.
+/// Returns base^exponent; the base must not be negative if the exponent is a fraction.
 Fraction Translator::raised(const Fraction& base, const cl_RA& exponent) {
   if (cln::abs(exponent) > 64 || cln::denominator(exponent) > 180) throw TooLarge("an exponent is too large");
   const int n = cln::cl_I_to_int(cln::numerator(exponent)),

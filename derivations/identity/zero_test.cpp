@@ -1,3 +1,4 @@
+// Decides whether a fraction of the ring is 0.
 #include <algorithm>
 #include <derivations/identity/translator.hpp>
 
@@ -5,7 +6,7 @@ namespace rederive {
 
 namespace {
 
-/// d = -e·g, from d² = e²·g² and the signs.
+/// Returns whether d = -e·g, from d² = e²·g² and the signs.
 bool vanishes_by_conjugates(const Ring& ring, const Polynomial& p, int depth) {
   if (p.is_zero()) return true;
   if (depth == 0 || p.terms() > 60) return false;
@@ -22,7 +23,7 @@ bool vanishes_by_conjugates(const Ring& ring, const Polynomial& p, int depth) {
   return false;
 }
 
-/// A sum of a number and multiples of symbols, angles and π, between -turns·π and turns·π.
+/// Returns whether d is a sum of a number and multiples of symbols, angles and π, within ±turns·π.
 bool is_angle(const Ring& ring, const Fraction& d, int turns) {
   const Interval range = ring.range_of(d);
   if (!d.denominator.is_constant() || compare(range.low, End{{0, -turns}}) <= 0 ||
@@ -38,7 +39,7 @@ bool is_angle(const Ring& ring, const Fraction& d, int turns) {
   return true;
 }
 
-/// u/v of u - v for two terms that are positive.
+/// Returns u/v for u - v with two positive terms.
 std::optional<Fraction> ratio_of_terms(const Ring& ring, const Polynomial& p) {
   if (p.terms() != 2 || cln::signum(p.coefficient(0)) == cln::signum(p.coefficient(1))) return std::nullopt;
   for (const int k : p.used())

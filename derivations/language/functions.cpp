@@ -7,7 +7,7 @@ namespace {
 
 using GiNaC::ex;
 
-/// |x|, which is x for a root: GiNaC makes sqrt(|u|) of |sqrt(u)|, and forgets that u is not negative.
+/// Returns |x|, and x itself for a root: GiNaC turns |sqrt(u)| into sqrt(|u|) and forgets that u >= 0.
 ex absolute(const ex& x) {
   const bool is_root = GiNaC::is_a<GiNaC::power>(x) && x.op(1).info(GiNaC::info_flags::rational) &&
                        !x.op(1).info(GiNaC::info_flags::integer);

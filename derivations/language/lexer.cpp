@@ -10,7 +10,7 @@ namespace rederive {
 
 namespace {
 
-/// The code points of a text, with a 0 at the end, and the bytes at which they begin.
+/// The code points of a text, with a 0 at the end, and the byte at which each begins.
 struct Characters {
   std::u32string codes;
   std::vector<std::size_t> positions;
@@ -23,14 +23,14 @@ struct Characters {
 
 constexpr char32_t dot_above = 0x307, diaeresis = 0x308, macron = 0x304;
 
-/// The precomposed letters that a keyboard or NFC makes of a letter and a mark, each before its letter.
+/// Precomposed letters, as a keyboard or NFC makes them from a letter and a mark, each before its letter.
 constexpr std::pair<char32_t, std::u32string_view> composed[] = {
     {dot_above, U"ȧaḃbċcḋdėeḟfġgḣhṁmṅnȯoṗpṙrṡsṫtẇwẋxẏyżzĖEḢHṘR"},
     {diaeresis, U"äaëeḧhïiöoẗtüuẅwẍxÿyÄAÖOÜU"},
     {macron, U"ĀAāaĒEēeūu"}};
 
-/// Letters with dots come back as the letter and its combining mark (ü is u and U+0308), other spaces as ' '.
-/// Throws SyntaxError "character" for bytes that are not UTF-8 and for control characters.
+/// Returns the code points of a text. A letter with dots becomes the letter and its combining mark, other
+/// blanks become ' '. Throws SyntaxError "character" for invalid UTF-8 and control characters.
 Characters decode(std::string_view text) {
   Characters result;
   for (std::size_t position = 0, next = 0; position < text.size(); position = next) {
@@ -60,7 +60,7 @@ bool continues_name(char32_t c) {
   return is_letter(c) || is_digit(c) || c == '_' || is_dot(c) || subscript_digit(c) >= 0;
 }
 
-/// What a character is, and what it is called here, or what to say of it.
+/// How a character is read: its kind, and its name here or the message about it.
 struct Spelling {
   std::u32string_view characters;  ///< any of them
   Token::Kind kind;
@@ -141,7 +141,7 @@ class Tokenizer {
            (is_invisible(code()) ? unseen : "'" + typed(start_, at_ + 1) + "'") + " has no meaning here");
   }
 
-  /// As it is in the text.
+  /// Returns a part of the text as it was typed.
   std::string typed(std::size_t from, std::size_t to) const {
     return std::string(text_.substr(byte(from), byte(to) - byte(from)));
   }
@@ -181,7 +181,7 @@ class Tokenizer {
     add(Token::Kind::superscript, exponent);
   }
 
-  /// Whether the star before is one between factors: t*x, t*(x+y), t*-x, but not t* - x.
+  /// Returns whether the star before is a product sign: in t*x, t*(x+y), t*-x, but not in t* - x.
   bool is_product(std::u32string_view after) const {
     const char32_t next = after[std::min(after.find_first_not_of(U' '), after.size() - 1)];
     const bool is_sign = after[0] == '*' || after[0] == '-' || after[0] == U'−';
@@ -189,7 +189,7 @@ class Tokenizer {
            std::u32string_view(U"(._√").find(next) != after.npos;
   }
 
-  /// Whether this spelling of a symbol stands here and ends here.
+  /// Returns whether this spelling of a symbol is here and ends here.
   bool stands_here(const std::u32string& spelling) const {
     if (!rest().starts_with(spelling)) return false;
     const char32_t last = spelling.back(), next = code(spelling.size());
@@ -207,7 +207,7 @@ class Tokenizer {
     add(Token::Kind::name, best->second);
   }
 
-  /// Letters become their names, dots "dot" or "ddot" after the letter (θ̇_ex) or at the end (u̇_g).
+  /// Adds the name of a letter, and "dot" or "ddot" for dots, after the letter (θ̇_ex) or at the end (u̇_g).
   void add_transliterated() {
     std::string name, suffix;
     std::size_t after_letter = std::string::npos;
@@ -240,7 +240,7 @@ class Tokenizer {
       add(word[0] >= '0' && word[0] <= '9' ? Token::Kind::number : Token::Kind::name, word);
   }
 
-  /// The constant may be written Pi. A capital Π, PI and pI may stand for anything.
+  /// Returns the name, and pi for Pi. A capital Π, PI and pI may mean anything, so they are refused.
   std::string checked_pi(const std::string& name) const {
     if (name != "Pi" && name != "PI" && name != "pI") return name;
     if (typed(start_, at_) == "Pi") return "pi";

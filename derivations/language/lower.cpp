@@ -10,7 +10,7 @@ using GiNaC::is_a;
 using GiNaC::numeric;
 using Kind = Node::Kind;
 
-/// An expression, with bounds on the bits of its numbers and on its parts, known before it is made.
+/// An expression, with bounds on the bits of its numbers and on its size that are known before it is made.
 struct Lowered {
   ex value;
   double bits = 0, parts = 1;
@@ -120,7 +120,7 @@ struct Lowering {
   }
 };
 
-/// The same for real values of all symbols and functions: each is its own conjugate and its own real part.
+/// Simplifies for real values: each symbol and function is its own conjugate and its own real part.
 class Real : public GiNaC::map_function {
  public:
   ex operator()(const ex& e) override {

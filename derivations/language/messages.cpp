@@ -1,4 +1,4 @@
-// What to say of a text that cannot be read.
+// The messages about a text that cannot be read.
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lexer.hpp>
 #include <derivations/language/nearest.hpp>
@@ -8,7 +8,7 @@ namespace rederive {
 
 namespace {
 
-/// "asin" for "arcsin", "log" for "ln"; empty if it is no function's name elsewhere.
+/// Returns our name of a function that has another name elsewhere: "asin" for "arcsin"; "" for other words.
 std::string function_elsewhere(std::string_view name) {
   const std::string word = " " + lower_case(name) + " ";
   if (word == " log10 ") return "log(x)/log(10)";
@@ -24,7 +24,7 @@ std::string nearest_symbol(std::string_view name, const Symbols& symbols) {
   return nearest(name, known);
 }
 
-/// Into so many words at most, long ones first; a number may follow a function.
+/// Splits a name into at most `most` known words, long words first; a number may follow a function.
 std::vector<std::string> split(const std::string& name, const Symbols& symbols, int most, bool is_argument) {
   for (std::size_t length = name.size(); length > 0 && most > 0; --length) {
     const std::string word = name.substr(0, length), rest = name.substr(length);
@@ -39,7 +39,7 @@ std::vector<std::string> split(const std::string& name, const Symbols& symbols, 
   return {};
 }
 
-/// What was typed without signs joins the product that it stands in; `grouped`: below a / all of it.
+/// Returns the tree with runs joined to the products around them; `grouped` puts a whole run below a /.
 Tree with_runs(const Tree& tree, const std::vector<Run>& runs, bool grouped) {
   Node result{tree->kind, tree->text, {}, {}, tree->position};
   for (std::size_t i = 0; i < tree->children.size(); ++i) {

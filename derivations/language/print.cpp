@@ -1,5 +1,5 @@
-// One walk over the tree for all notations. Parentheses go where the grammar of syntax.hpp needs them, and
-// nowhere else, so that what is printed reads back as the same tree.
+// Prints trees in all notations by one walk. It writes parentheses only where the grammar of syntax.hpp needs
+// them, so that printed text reads back as the same tree.
 #include <derivations/language/functions.hpp>
 #include <derivations/language/print.hpp>
 #include <derivations/language/unicode.hpp>
@@ -10,7 +10,7 @@ namespace {
 
 using Kind = Node::Kind;
 
-/// What may stand somewhere without parentheses.
+/// The place of a part of a tree, which decides whether it needs parentheses.
 enum class Place {
   whole,     ///< anything: a side, an argument
   term,      ///< a term after the first, or what a leading minus stands before: products and less
@@ -18,7 +18,7 @@ enum class Place {
   exponent,  ///< numbers, names and calls
 };
 
-/// How signs and names are written.
+/// How a notation writes signs and names.
 struct Signs {
   std::string minus, pi, times, opening, closing, at_most, at_least;
   std::string Symbol::*name;
@@ -39,13 +39,13 @@ bool is_atom(const Node& node) { return node.kind == Kind::symbol || node.kind =
 
 bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
-/// Whether LaTeX writes it as a name before its argument.
+/// Returns whether LaTeX writes this as a name before its argument.
 bool is_named(const Node& node) {
   const Function* function = node.kind == Kind::call ? find_function(node.text) : nullptr;
   return function != nullptr && !function->latex.empty();
 }
 
-/// Whether LaTeX writes a function's name first: sin(x), sin(x)^2.
+/// Returns whether LaTeX begins this with the name of a function: sin(x), sin(x)^2.
 bool begins_with_name(const Node& node) {
   const bool is_raised = node.kind == Kind::power && node.children[1]->kind == Kind::number;
   return is_named(is_raised ? *node.children[0] : node);
@@ -56,7 +56,7 @@ struct Printer {
   const Symbols& symbols;
   const Signs& signs = signs_of(notation);
 
-  /// `last`: nothing follows in the same product, so that \sin\alpha needs no parentheses either.
+  /// Returns the text of a tree. If it is the `last` part of a product, \sin\alpha needs no parentheses.
   std::string print(const Tree& tree, Place place = Place::whole, bool last = true) const {
     const std::string text = bare(*tree, last);
     return needs_parentheses(*tree, place) ? bracket(text) : text;
@@ -93,7 +93,7 @@ struct Printer {
     return known == nullptr ? name : known->*signs.name;
   }
 
-  /// Terms or factors, and what stands between them.
+  /// Returns terms or factors with their operators.
   std::string chain(const Node& node, Place place, const std::string& plain,
                     const std::string& inverse) const {
     const bool leading_minus = node.kind == Kind::sum && node.children[0]->kind == Kind::negative;
@@ -103,7 +103,7 @@ struct Printer {
     return text;
   }
 
-  /// Runs of factors over runs of divisors: a*b/c*d is \frac{a b}{c} d. `last` as in print().
+  /// Returns runs of factors over runs of divisors: a*b/c*d is \frac{a b}{c} d. `last` is as in print().
   std::string fractions(const Node& node, bool last) const {
     std::string text;
     for (std::size_t i = 0; i < node.children.size();) {
@@ -124,12 +124,12 @@ struct Printer {
     text += (text.empty() ? "" : is_number || is_mixed ? " \\cdot " : signs.times) + factor;
   }
 
-  /// A numerator or a denominator: a single factor needs no parentheses there.
+  /// Returns a numerator or a denominator, in which a single factor needs no parentheses.
   std::string part(const std::vector<Tree>& factors) const {
     return factors.size() == 1 ? print(factors[0]) : row(factors, true);
   }
 
-  /// Factors side by side.
+  /// Returns factors side by side.
   std::string row(const std::vector<Tree>& factors, bool last) const {
     std::string text;
     for (std::size_t i = 0; i < factors.size(); ++i) {
@@ -149,7 +149,7 @@ struct Printer {
     return (is_latex() ? latex_base(node.children[0]) : print(node.children[0], Place::exponent)) + raised;
   }
 
-  /// ^(1/3), ², ⁻¹, ^{10}.
+  /// Returns an exponent: ^(1/3), ², ⁻¹, ^{10}.
   std::string raise(const Tree& exponent) const {
     const bool negative = exponent->kind == Kind::negative;
     const Node& digits = negative ? *exponent->children[0] : *exponent;

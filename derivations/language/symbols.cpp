@@ -30,7 +30,7 @@ const Symbol& Symbols::declare(Symbol symbol) {
                                 symbol.name + "'");
   const Range ends = read_range(symbol.range);
   if (!GiNaC::is_a<GiNaC::symbol>(symbol.ginac)) {
-    // GiNaC simplifies sqrt(x^2) to x where it knows that x is not negative.
+    // GiNaC simplifies sqrt(x^2) to x if it knows that x is not negative.
     symbol.ginac = is_nonnegative_end(ends.lower)
                        ? SymbolExpression(GiNaC::possymbol(symbol.name, symbol.latex))
                        : SymbolExpression(GiNaC::realsymbol(symbol.name, symbol.latex));

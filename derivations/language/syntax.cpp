@@ -1,5 +1,5 @@
-// Tokens → tree, by recursive descent: a function a level of the grammar.
-// Where a sign or a parenthesis is missing, it reads on as if it were there, and says so at the end.
+// Reads tokens into a tree by recursive descent, with one function per level of the grammar. Where a sign or
+// a parenthesis is missing, it continues as if it were there, and reports it at the end.
 #include <algorithm>
 #include <derivations/language/functions.hpp>
 #include <derivations/language/lexer.hpp>
@@ -55,7 +55,7 @@ class Parser {
   [[noreturn]] static void refuse(const char* note, const std::string& message, const Token& where) {
     throw SyntaxError(note, where.position, message);
   }
-  /// The same at the end of the text, with the whole of it as it was probably meant.
+  /// Reports an error at the end of the text, with the whole text as it was probably meant.
   void note(const char* note, const std::string& message, const Token& where) {
     if (!slip_) slip_ = SyntaxError(note, where.position, message);
   }
@@ -64,7 +64,7 @@ class Parser {
     return "'" + std::string(typed.size() <= longest_text ? typed : "…") + "'";
   }
 
-  /// Counts how deep the recursion is, and refuses to go deeper than asked, or than the stack can bear.
+  /// Counts the depth of the recursion. Throws beyond the limit that was given, or that the stack sets.
   void go_down() {
     constexpr std::size_t bearable = 500;
     if (++depth_ <= std::min(limits_.depth, bearable)) return;
@@ -75,7 +75,7 @@ class Parser {
     return result;
   }
 
-  /// One operand, or a sum or a product of several.
+  /// Reads one operand, or a sum or a product of several.
   Tree chain(Kind kind, Tree first, std::string_view plain, std::string_view inverse, Tree (Parser::*next)(),
              std::size_t position) {
     if (!is_either(plain, inverse)) return first;
@@ -102,7 +102,7 @@ class Parser {
     return chain(Kind::product, factor(), "*", "/", &Parser::factor, position);
   }
 
-  /// The signs before an operand.
+  /// Reads an operand with the signs before it.
   Tree with_signs(Tree (Parser::*operand)()) {
     if (!is_either("-", "+")) return (this->*operand)();
     go_down();
@@ -116,7 +116,7 @@ class Parser {
 
   Tree unsigned_factor() { return operands(true); }
 
-  /// One operand; or several side by side, without the signs between them.
+  /// Reads one operand, or several side by side without signs between them.
   Tree operands(bool with_functions) {
     const std::size_t start = at_;
     const auto is_number = [this](std::size_t at) { return tokens_[at].kind == Is::number; };
@@ -191,7 +191,7 @@ class Parser {
     refuse("syntax", "this parenthesis is never closed", opened);
   }
 
-  /// x*, (), ²: an operand should begin here, and none does.
+  /// Throws because an operand should begin here, but none does, as in x*, () or ².
   [[noreturn]] void refuse_operand() const {
     if (now().kind == Is::superscript) refuse("syntax", "this exponent has no base", now());
     if (at_ == 0) refuse("syntax", "an operand is missing before " + quoted(now()), now());
@@ -200,7 +200,7 @@ class Parser {
     refuse("syntax", "an operand is missing after " + quoted(before), now());
   }
 
-  /// 3,5: a comma that is not between the arguments of a function.
+  /// Throws because of a comma that is not between the arguments of a function, as in 3,5.
   [[noreturn]] void refuse_comma() const {
     const Token &before = tokens_[at_ - 1], &after = tokens_[at_ + 1];
     if (before.kind != Is::number || after.kind != Is::number)
@@ -232,7 +232,7 @@ class Parser {
     return exponent ? make_tree(Kind::power, "", {value, exponent}, {}, function.position) : value;
   }
 
-  /// sin²(x). Of sin^2(x) it says how that is written; sin⁻¹(x) may mean two things.
+  /// Reads the exponent of sin²(x). Throws for sin^2(x), and for sin⁻¹(x), which may mean two things.
   Tree exponent_before_argument(const Token& function) {
     const bool is_raised = now().kind == Is::superscript;
     if (!is_raised && !now().is("^")) return nullptr;
@@ -254,7 +254,7 @@ class Parser {
     return arguments;
   }
 
-  /// sin 2x cos y: it goes as far as the next function.
+  /// Reads an argument without parentheses. In sin 2x cos y it ends before the next function.
   std::vector<Tree> bare_argument(const Token& function, bool is_raised) {
     if (!now().starts_operand())
       refuse("syntax", "a function needs its argument: write " + function.text + "(x)", function);

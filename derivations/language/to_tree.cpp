@@ -1,4 +1,4 @@
-// GiNaC to tree. The symbol table decides orders and signs: those of GiNaC depend on memory addresses.
+// Converts GiNaC to trees. The symbol table decides orders and signs; GiNaC's depend on memory addresses.
 #include <algorithm>
 #include <compare>
 #include <derivations/language/functions.hpp>
@@ -20,20 +20,20 @@ using Kind = Node::Kind;
 
 struct Factor;
 
-/// coefficient * factors[0] * factors[1] …, the factors in order.
+/// The product coefficient * factors[0] * factors[1] …, with the factors in order.
 struct Term {
   numeric coefficient = 1;
   std::vector<Factor> factors;
 };
 
-/// base^exponent in a product. A power with another exponent than a number is a base.
+/// The factor base^exponent of a product. A power whose exponent is not a number is a base.
 struct Factor {
   Tree base;
   numeric exponent = 1;
   std::vector<Term> parts = {};  ///< the terms of a sum
 };
 
-/// Numbers, symbols, roots and powers, functions, sums: the simple before the complicated.
+/// Returns the class of a factor; simple factors come before complicated ones.
 int class_of(const Factor& factor) {
   const Kind kind = factor.base->kind;
   if (kind == Kind::number) return 0;
@@ -41,7 +41,7 @@ int class_of(const Factor& factor) {
   return kind == Kind::power || !factor.exponent.is_integer() ? 2 : kind == Kind::symbol ? 1 : 4;
 }
 
-/// sin before cos, as in the paper; the rest by name.
+/// Returns the key that orders functions: sin before cos, as in the paper, and others by name.
 std::string function_order(const std::string& name) {
   return name == "sin" ? "cor" : name == "sinh" ? "corh" : name;
 }
@@ -74,7 +74,7 @@ Tree integer(const numeric& value) {
   return make_tree(Kind::number, text.str());
 }
 
-/// One factor, or a product of several; one of them may be a divisor.
+/// Returns one factor, or a product of several; one of them may be a divisor.
 Tree product(const std::vector<Tree>& factors, std::optional<std::size_t> divisor = {}) {
   if (factors.size() == 1) return factors[0];
   std::vector<bool> inverse(factors.size(), false);
@@ -82,7 +82,7 @@ Tree product(const std::vector<Tree>& factors, std::optional<std::size_t> diviso
   return make_tree(Kind::product, "", factors, inverse);
 }
 
-/// A multiple of pi: 2*pi - psi is the way round that everybody writes.
+/// Returns whether a term is a multiple of pi, which comes first: people write 2*pi - psi.
 bool is_pi(const Term& part) {
   return part.factors.size() == 1 && part.factors[0].base->text == "pi" && part.factors[0].exponent == 1;
 }
@@ -99,7 +99,7 @@ void turn(std::vector<Term>& parts) {
 
 Tree sum_tree(std::vector<Term> sum);
 
-/// -x*(y - z) is x*(z - y).
+/// Returns a term as it is printed: -x*(y - z) is x*(z - y).
 Term presented(Term term) {
   if (!is_negative(term)) return term;
   const auto can_turn = [](const Factor& factor) {
@@ -124,7 +124,7 @@ Tree power(const Factor& factor) {
   return make_tree(Kind::power, "", {factor.base, raised});
 }
 
-/// Without its sign.
+/// Returns a term without its sign.
 Tree product_tree(const Term& term) {
   const numeric over = GiNaC::abs(term.coefficient.numer()), under = term.coefficient.denom();
   std::vector<Tree> above, below;
@@ -150,8 +150,8 @@ bool is_transcendental(const Term& term) {
   return std::ranges::any_of(term.factors, has_function, &Factor::base);
 }
 
-/// The order in which a person writes terms. It follows the table of symbols and nothing else. Terms without
-/// functions first; then as in a dictionary, by the powers of the symbols, the highest first.
+/// Returns whether a person writes `a` before `b`, by the table of symbols alone: terms without functions
+/// come first; then the order is that of a dictionary, by the powers of the symbols, the highest first.
 bool is_before(const Term& a, const Term& b, const Symbols& symbols) {
   if (is_transcendental(a) != is_transcendental(b)) return is_transcendental(b);
   constexpr std::size_t none = -1;
@@ -171,8 +171,8 @@ bool is_before(const Term& a, const Term& b, const Symbols& symbols) {
   return a.factors.size() - i < b.factors.size() - j;
 }
 
-/// Changes the sign of every term, and says so, if more of them have a minus than a plus sign, or as many and
-/// the first (or its pi) has a minus: of a sum and its negative, one is turned.
+/// Changes the sign of every term and returns true, if more terms have a minus than a plus sign, or as many
+/// and the first (or its pi) has a minus. So a sum and its negative end with the same terms.
 bool turn_if_negative(std::vector<Term>& sum) {
   const auto surplus = surplus_of_minus(sum);
   const auto pi = std::ranges::find_if(sum, is_pi);
@@ -181,7 +181,7 @@ bool turn_if_negative(std::vector<Term>& sum) {
   return is_asked;
 }
 
-/// 3*g/(4*R), 1/2*m*R^2, pi/2, y - x. Sums inside are turned where that saves a minus.
+/// Returns the tree of a sum: 3*g/(4*R), 1/2*m*R^2, y - x. Inner sums change signs if that saves a minus.
 Tree sum_tree(std::vector<Term> sum) {
   std::ranges::transform(sum, sum.begin(), presented);
   const auto leader = std::ranges::find_if_not(sum, is_negative);
@@ -198,7 +198,7 @@ struct Writer {
 
   Tree tree(const ex& e) const { return sum_tree(terms(e)); }
 
-  /// Those of a sum; anything else is one.
+  /// Returns the terms of a sum; any other expression is one term.
   std::vector<Term> terms(const ex& e) const {
     if (!is_a<GiNaC::add>(e)) return {term(e)};
     std::vector<Term> result;
@@ -221,7 +221,7 @@ struct Writer {
     return result;
   }
 
-  /// sqrt(3)*sqrt(g/R), as GiNaC keeps it, is sqrt(3*g/R).
+  /// Joins roots that GiNaC keeps apart: sqrt(3)*sqrt(g/R) is sqrt(3*g/R).
   void join_roots(std::vector<ex>& parts, std::vector<Factor>& factors) const {
     const auto is_root = [](const ex& e) { return is_a<GiNaC::power>(e) && e.op(1) == numeric(1, 2); };
     std::vector<ex> under;
@@ -250,7 +250,7 @@ struct Writer {
       return {make_tree(Kind::call, name, {tree(base.op(0))}), exponent};
     }
     if (is_a<GiNaC::add>(base) && exponent.is_integer()) {
-      // A sum and its negative come out as the same factor, the sign in the coefficient.
+      // A sum and its negative become the same factor; the sign goes into the coefficient.
       std::vector<Term> sum = terms(base);
       if (turn_if_negative(sum) && exponent.is_odd()) coefficient = -coefficient;
       return {sum_tree(sum), exponent, sum};
@@ -265,7 +265,7 @@ struct Writer {
     return {whole, exponent};
   }
 
-  /// |x - y| and |y - x| come out the same, and so do |1/x| and 1/|x|: GiNaC may write either.
+  /// Returns the same factor for |x - y| and |y - x|, and for |1/x| and 1/|x|: GiNaC may write either.
   Factor absolute(const ex& argument, const numeric& exponent) const {
     std::vector<Term> inside = terms(argument);
     turn_if_negative(inside);

@@ -10,8 +10,8 @@ namespace {
 using cln::cl_RA;
 using Is = Value::Is;
 
-/// Narrows the bracket by quadratic interval refinement (Abbott 2006) until so many bits are certain: the
-/// secant guesses a cell of it, signs confirm that, and cells get smaller each time; else it is halved.
+/// Narrows the bracket by quadratic interval refinement (Abbott 2006) until `bits` bits are certain: the
+/// secant guesses a cell; if signs confirm it, the next cells are smaller, else the bracket is halved.
 Value zero_between(const Tree& tree, const std::string& symbol, cl_RA& low, cl_RA& high, long bits) {
   const auto at = [&](const cl_RA& x) { return value_at(tree, {{symbol, x}}, 2 * bits + 256); };
   Value at_low = at(low), at_high = at(high);

@@ -14,27 +14,27 @@ constexpr long bits = 96;
 End infinity(int sign) { return {{}, sign}; }
 const Interval nonnegative{{{}, 0, true}, infinity(1)};
 
-/// The one further to a side; of equal ones the closed or the open one, as wanted.
+/// Returns the end that is further to a side; of equal ends, the closed one if `closed`, else the open one.
 const End& further(int side, const End& x, const End& y, bool closed) {
   const int order = side * compare(x, y);
   return order > 0 || (order == 0 && x.closed == closed) ? x : y;
 }
 
-/// The value as an interval. The margin makes sure that no end that was rounded is attained.
+/// Returns the value as an interval. A margin ensures that no rounded end is attained.
 Interval enclosing(const Value& value, bool closed) {
   if (value.constant) return {{*value.constant, 0, closed}, {*value.constant, 0, closed}};
   const cl_RA low = value.ball().lower(), high = value.ball().upper(), margin = high - low;
   return {{{low - margin}}, {{high + margin}}};
 }
 
-/// What f makes of an end; the limit where that is infinite, or has no value that can be told.
+/// Returns f of an end, or its limit if that is infinite or has no value that can be computed.
 template <class F>
 Interval image(const End& end, const End& limit, const F& f) {
   const Value value = end.infinite ? Value{} : f(known(Constant(end), bits));
   return value.is == Value::Is::certain ? enclosing(value, end.closed) : Interval{limit, limit};
 }
 
-/// Of a monotone f, with its limits at ends that have no value.
+/// Returns the values of a monotone f, with its limits at ends that have no value.
 template <class F>
 Interval image(const Interval& x, const End& at_low, const End& at_high, const F& f) {
   return hull(image(x.low, at_low, f), image(x.high, at_high, f));
@@ -55,7 +55,7 @@ Interval absolute(const Interval& x) {
   return x.is_nonpositive() ? -x : overlap(hull(x, -x), nonnegative);
 }
 
-/// An end as an interval; around an end that is not a + b*pi.
+/// Returns an end as an interval, which surrounds an end that is not a + b*pi.
 Interval read_end(const std::string& text, bool is_closed) {
   if (text == "inf") return {infinity(1), infinity(1)};
   if (text == "-inf") return {infinity(-1), infinity(-1)};

@@ -13,15 +13,15 @@ using cln::cl_I;
 using cln::cl_RA;
 using Is = Value::Is;
 
-/// The multiple of 1/2 that a number is, if it is one or irrational: then its ball tells. So are circular
-/// functions of multiples of pi/12, and 6/pi times asin, acos and atan of 0, ±1/2 and ±1 (Niven 1956).
+/// Returns the multiple of 1/2 in a ball of a number that is one or irrational, as circular functions of
+/// multiples of pi/12 are, and 6/pi times asin, acos and atan of 0, ±1/2 and ±1 (Niven 1956).
 std::optional<cl_RA> halves(const Ball& y) {
   if (!y.is_finite()) return std::nullopt;
   const Ball twice = Ball(2) * y, whole(std::lround(twice.to_double()));
   return twice.contains(whole) ? std::optional(cl_RA(whole) / 2) : std::nullopt;
 }
 
-/// Whether x is certainly outside the domain.
+/// Returns whether x is certainly outside the domain.
 bool is_outside(const Function& f, const Value& x) {
   const auto beyond = [&](double end, int side) {
     const auto sign = (x - known(Ball(end).at(x.enclosure.bits()))).sign();  // none where the end is infinite
@@ -30,7 +30,7 @@ bool is_outside(const Function& f, const Value& x) {
   return beyond(f.least, -1) || beyond(f.most, 1);
 }
 
-/// What is to be said where not both have a value.
+/// Returns whether a result of two operands is certain, exists nowhere or is unknown.
 Is both(const Value& x, const Value& y) {
   if (x.is == Is::nowhere || y.is == Is::nowhere) return Is::nowhere;
   return x.is == Is::certain ? y.is : x.is;
@@ -42,7 +42,7 @@ long length(const cl_RA& q) {
   return cln::integer_length(cln::numerator(q)) + cln::integer_length(cln::denominator(q));
 }
 
-/// A sum or a difference.
+/// Returns a sum or a difference.
 template <class Operation>
 Value by(const Operation& operation, const Value& x, const Value& y) {
   if (both(x, y) != Is::certain) return {both(x, y)};

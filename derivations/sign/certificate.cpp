@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_columns = 260, most_rows = 240, most_facts = 16;
 
-/// A product of facts: positive, not negative, or 0, and then with any coefficient.
+/// A product of facts that is positive, not negative, or 0 (then its coefficient may be negative).
 struct Column {
   std::vector<Polynomial> factors;
   Polynomial value;  ///< modulo the relations of the ring, times the multiple
@@ -18,14 +18,14 @@ struct Column {
   cl_RA multiple = 1;
 };
 
-/// The number, or one further out (side +1: below it) if it is long: products must fit into doubles.
+/// Returns the number, or a shorter one further out (below it for side +1): products must fit into doubles.
 cl_RA shortened(const cl_RA& end, int side) {
   const cl_RA unit = cl_RA(1) / 4096;
   if (cln::integer_length(cln::denominator(end)) < 24) return end;
   return (side > 0 ? cln::floor1(end / unit) : cln::ceiling1(end / unit)) * unit;
 }
 
-/// What the range of a generator says: g - low >= 0, high - g >= 0, for rational ends.
+/// Adds the facts g - low >= 0 and high - g >= 0 of the range of a generator, for rational ends.
 void add_range(const Ring& ring, int k, std::vector<Fact>& facts) {
   const Generator& g = ring.generators()[k];
   const Polynomial x = Polynomial::variable(k);
@@ -48,7 +48,7 @@ std::set<int> variables_of(const Polynomial& p) {
   return {used.begin(), used.end()};
 }
 
-/// The facts that share a generator with the claim, or with one that does, and the ranges of those.
+/// Returns the facts that share generators with the claim, directly or through others, and their ranges.
 std::vector<Fact> relevant(const Ring& ring, const std::vector<Fact>& negated) {
   std::set<int> reached;
   std::vector<Fact> result = negated, others = ring.facts;
@@ -66,7 +66,7 @@ std::vector<Fact> relevant(const Ring& ring, const std::vector<Fact>& negated) {
   return result;
 }
 
-/// What may stand in squares: 1 and the generators, and of two generators the products.
+/// Returns the terms of which squares are formed: 1, the generators, and products of two generators.
 std::vector<Polynomial> roots_of_squares(const std::set<int>& variables) {
   std::vector<Polynomial> roots{1};
   if (variables.size() > 8) return roots;
@@ -77,7 +77,7 @@ std::vector<Polynomial> roots_of_squares(const std::set<int>& variables) {
   return roots;
 }
 
-/// Products of facts in pairs, squares of generators and of their differences, equations times generators.
+/// Returns products of facts in pairs, squares of generators and differences, equations times generators.
 std::vector<Column> columns_of(const Ring& ring, const std::vector<Fact>& facts) {
   std::vector<Column> columns{{{}, 1, Signs::positive()}};
   const auto add = [&](std::vector<Polynomial> factors, Signs signs) {
@@ -109,7 +109,7 @@ std::vector<Column> columns_of(const Ring& ring, const std::vector<Fact>& facts)
   return columns;
 }
 
-/// Coefficients with which the columns add up to 0, those of strict ones to 1; of an equation any sign.
+/// Returns coefficients with which the columns add up to 0; those of strict columns add up to 1.
 std::optional<Certificate> combine(const std::vector<Column>& columns) {
   std::map<Polynomial, std::size_t> rows;  // of each monomial
   for (const Column& c : columns)
@@ -173,7 +173,7 @@ std::optional<Certificate> prove_signs(const Ring& ring, const Fraction& value, 
   if (!searches) return std::nullopt;
   if (claim.is_none()) return refute_all(ring, 0, Signs::any());
   if (claim != Signs::zero()) return refute_all(ring, value, ~claim);
-  // of what is not 0, with its numerator as it is, or without the factors that are not 0
+  // with the numerator as it is, or without the factors that are not 0
   for (const Fraction& p : {Fraction(ring.essential(value, claim).value), value}) {
     auto found = refute_all(ring, p, Signs::positive());
     const auto other = found ? refute_all(ring, p, Signs::negative()) : std::nullopt;

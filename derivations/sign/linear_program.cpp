@@ -15,8 +15,8 @@ namespace {
 
 constexpr int most_steps = 2000;
 
-/// The columns in the basis of a solution, in their order: they are independent. Those that are 0 in doubles
-/// may take up what rounding left. Nothing where doubles find no solution.
+/// Returns the independent columns in the basis of a solution, in order. Columns whose value is 0 in doubles
+/// may take up rounding errors. Returns nothing if doubles find no solution.
 std::optional<std::vector<std::size_t>> basis_of(const std::vector<std::vector<cl_RA>>& columns,
                                                  const std::vector<cl_RA>& sum) {
   const std::unique_ptr<glp_prob, decltype(&glp_delete_prob)> program(glp_create_prob(), &glp_delete_prob);
@@ -45,7 +45,7 @@ std::optional<std::vector<std::size_t>> basis_of(const std::vector<std::vector<c
   return basis;
 }
 
-/// FLINT's matrix of rational numbers, freed at the end of its life.
+/// A matrix of rational numbers of FLINT that frees its memory.
 struct Matrix {
   Matrix(std::size_t rows, std::size_t columns) { fmpq_mat_init(m, rows, columns); }
   Matrix(const Matrix&) = delete;
