@@ -11,12 +11,12 @@ namespace {
 
 Tree one() { return make_tree(Node::Kind::number, "1"); }
 
-/// The number that a tree without symbols is, if it is rational.
+/// Returns the value of a tree without symbols, if it is rational.
 std::optional<cln::cl_RA> number_in(const Tree& tree) {
   return names_of(tree).empty() ? value_at(tree, {}, 64).exact : std::nullopt;
 }
 
-/// A name of Coq's library or of the prelude.
+/// Returns the name of a function in Coq's library or in the prelude.
 std::string function_name(const std::string& name) {
   static const std::map<std::string, std::string> others{
       {"log", "ln"}, {"fabs", "Rabs"}, {"asinh", "arcsinh"}};
@@ -25,7 +25,7 @@ std::string function_name(const std::string& name) {
   return found == others.end() ? name : found->second;
 }
 
-/// Only what Coq reads as we do: natural exponents, whole numbers.
+/// Returns the tree with only what Coq reads as we do: natural exponents, integers.
 Tree in_coq(const Tree& tree) {
   if (tree->kind == Node::Kind::number) return tree_of({exact(tree->text)});
   if (tree->kind == Node::Kind::symbol) return make_tree(Node::Kind::symbol, coq_name(tree->text));

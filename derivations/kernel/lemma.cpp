@@ -10,7 +10,7 @@ namespace rederive {
 
 namespace {
 
-/// A question with the side conditions among its assumptions, and its parts in Coq.
+/// A question with its side conditions among the assumptions, and its parts in Coq.
 struct Statement {
   Statement(const Question& question, const Proof& proof) : q(question) {
     for (const std::string& c : proof.side_conditions) q.assumptions.push_back(read_assumption(c, q.symbols));
@@ -30,7 +30,7 @@ struct Statement {
     return text + ": real,";
   }
 
-  /// Ranges, what is given, what is assumed.
+  /// Returns the hypotheses: ranges, given values, assumptions.
   std::vector<std::string> hypotheses() const {
     std::vector<std::string> result;
     const auto end = [&](const std::string& text) { return coq_text(parse(text, q.symbols)); };
@@ -54,12 +54,12 @@ struct Statement {
   std::set<std::string> names;
 };
 
-/// lower - upper, as Coq writes an inequality; left - right of an equation.
+/// Returns lower - upper for an inequality, as Coq writes it, and left - right for an equation.
 Tree residual(const Relation& r) {
   return r.operators[0][0] == '>' ? difference(r.sides[1], r.sides[0]) : difference(r.sides[0], r.sides[1]);
 }
 
-/// The last step: up to a factor, or link by link.
+/// Returns the last step of a script: up to a factor, or link by link.
 std::string conclusion(const Problem& problem, Script& script) {
   const Relation &left = problem.left, &right = problem.right;
   if (left.operators.empty()) return script.identity();
@@ -72,8 +72,8 @@ std::string conclusion(const Problem& problem, Script& script) {
          script.identity() + " ]";
 }
 
-/// What the symbols are at a witness: numbers, what is given, a symbol itself where it is a root between
-/// bounds.
+/// Returns the values of the symbols at a witness: numbers, given values, and the symbol itself for a root
+/// between bounds.
 std::map<std::string, Tree> values_at(const Witness& witness, const Statement& s) {
   std::map<std::string, Tree> at;
   for (const std::string& symbol : s.names) {
@@ -93,8 +93,8 @@ std::map<std::string, Tree> values_at(const Witness& witness, const Statement& s
   return at;
 }
 
-/// Whether a statement holds at a witness; `residual` is its value there, if a root of it is only enclosed.
-/// Throws Undecidable where the statement has no value.
+/// Returns whether a statement holds at a witness; `residual` is its value there, if a root is only enclosed.
+/// Throws Undecidable if the statement has no value.
 bool holds_at(const Relation& statement, const Witness& witness, const std::map<std::string, Tree>& at,
               const std::string& residual) {
   if (!witness.between.empty()) return residual == "0";
@@ -105,8 +105,8 @@ bool holds_at(const Relation& statement, const Witness& witness, const std::map<
   return truth == Truth::holds;
 }
 
-/// The root of a rational number as a number times the root of a whole one, which has no square of a number
-/// up to 100 in it.
+/// Returns the root of a rational number as a number times the root of an integer, which has no square of a
+/// number up to 100 as a factor.
 Tree root_of(const cln::cl_RA& number) {
   cln::cl_I under = cln::numerator(number) * cln::denominator(number), outside = 1;
   for (int k = 2; k <= 100; ++k)
@@ -118,7 +118,7 @@ Tree root_of(const cln::cl_RA& number) {
   return factor == 1 ? root : make_tree(Node::Kind::product, "", {times, root}, {false, false});
 }
 
-/// The arguments of functions as the numbers that they are at a point, and roots of numbers in one form.
+/// Writes arguments of functions as their values at a point, and roots of numbers in one form.
 void say_arguments(const Tree& tree, const std::map<std::string, Tree>& at, std::string& steps) {
   for (const Tree& child : tree->children) say_arguments(child, at, steps);
   if (tree->kind != Node::Kind::call) return;

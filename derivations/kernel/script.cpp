@@ -7,7 +7,7 @@ namespace rederive {
 
 namespace {
 
-/// a - b for a > b and a != b, a for a > 0.
+/// Returns a - b for a > b and a != b, and a for a > 0.
 Tree difference_of(const Relation& a) {
   const bool is_zero = a.sides[1]->kind == Node::Kind::number && a.sides[1]->text == "0";
   return is_zero ? a.sides[0] : difference(a.sides[0], a.sides[1]);
@@ -18,7 +18,7 @@ bool has_symbols_only(const Ring& ring, const Polynomial& p) {
                              [&](int k) { return GiNaC::is_a<GiNaC::symbol>(ring.generators()[k].meaning); });
 }
 
-/// With cos² = 1 - sin².
+/// Returns the polynomial with cos² = 1 - sin².
 Polynomial in_sines(const Ring& ring, const Polynomial& p) {
   Polynomial result = p;
   for (int k = 0; k < static_cast<int>(ring.generators().size()); ++k) {
@@ -34,7 +34,7 @@ Polynomial in_sines(const Ring& ring, const Polynomial& p) {
   return result;
 }
 
-/// Without the symbols, sines and exponentials that are its factors.
+/// Returns the polynomial without its factors that are symbols, sines or exponentials.
 Polynomial without_monomials(const Polynomial& p) {
   Polynomial result = p;
   for (const auto& [factor, exponent] : factors(p).second)
@@ -68,7 +68,7 @@ const Symbol& Script::declare(const std::string& name) {
   return names_.declare(name, name, name, "1", all_numbers, "a name in a script", "");
 }
 
-/// The name of a phase: itself, if it is a symbol.
+/// Returns the name of a phase; a phase that is a symbol keeps its name.
 std::string Script::name_of(const Fraction& phase) {
   const GiNaC::ex meaning = known_.ring.meaning_of(phase);
   if (const Symbol* symbol = problem_.symbols.find(meaning)) return symbol->name;
@@ -119,7 +119,7 @@ void Script::say_argument(const Tree& argument, bool is_circular) {
     arguments_.push_back(line);
 }
 
-/// The base of a root, as the statement has it if it is there.
+/// Returns the base of a root, as the statement writes it if it occurs there.
 std::string Script::base_of(const Generator& root, int index) {
   for (const Tree& tree : roots_)
     if (value(tree) == Fraction(Polynomial::variable(index))) return coq_text(tree->children[0]);
@@ -152,7 +152,7 @@ void Script::say_facts() {
   }
 }
 
-/// A fact gets a name in the place of #.
+/// Adds a fact, with its name in place of #.
 void Script::say_fact(std::string text) {
   const std::string name = "F" + std::to_string(facts_.size() + 1);
   names_of_facts_ += (names_of_facts_.empty() ? "" : " ") + name;

@@ -10,7 +10,7 @@ namespace rederive {
 
 namespace {
 
-/// What a reader sees first. No text of ours may end the comment.
+/// Returns the comment before a lemma. No text of ours may end the comment.
 std::string comment(const Entry& entry) {
   const Row& row = entry.row;
   std::string text = "(* (" + row.id + ")" + (row.domain.empty() ? "" : " " + row.domain) + " " +

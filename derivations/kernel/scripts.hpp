@@ -12,11 +12,11 @@ namespace rederive {
 struct Lemma {
   std::string id, file, name;  ///< "71", "Ledger.v", "equation_71"
   std::string kind;            ///< row, refutation, derivation, instance, threshold, claim
-  std::string text = {};       ///< empty where there is no script, and of a theorem whose file ships
+  std::string text = {};       ///< empty if there is no script, and for a theorem whose file ships
   std::string why = {};        ///< then: why
 };
 
-/// "equation_17b"; of an id with other signs than letters and digits each of these is an underscore.
+/// Returns "equation_17b"; characters of an id other than letters and digits become underscores.
 std::string lemma_name(const std::string& kind, std::string id);
 
 /// The lemma of a row: proved, or refuted by its witness. None of a definition.
@@ -29,7 +29,7 @@ inline constexpr std::array theorem_files{"Initiation.v",    "Derivations.v", "I
                                           "ImpactInPulse.v", "AfterImpact.v", "OneImpact.v"};
 /// Whether a lemma is one of theirs.
 inline bool ships(const Lemma& lemma) { return std::ranges::count(theorem_files, lemma.file) > 0; }
-/// Whether there is no script for it, and `why` says why.
+/// Returns whether there is no script for it; then `why` gives the reason.
 inline bool is_skipped(const Lemma& lemma) { return lemma.text.empty() && !ships(lemma); }
 /// Their theorems, read off the files; derivation_8_18 is about the rows 8 and 18.
 std::vector<Lemma> shipped_theorems();

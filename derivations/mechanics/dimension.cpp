@@ -1,4 +1,4 @@
-// A dimension for every node, from the leaves up; where two disagree, the terms are named.
+// Finds the dimension of every node, from the leaves up, and names the terms where two disagree.
 #include <algorithm>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Node::Kind;
 
-/// None: 0, which is of any dimension.
+/// The dimension of a value; none for 0, which has any dimension.
 using Maybe = std::optional<Dimension>;
 
 const Dimension pure = {};
@@ -34,14 +34,14 @@ std::string named(const Dimension& dimension) {
   return dimension == pure ? "a pure number" : unit_text(dimension);
 }
 
-/// One term of a sum, and what to call it.
+/// One term of a sum, and its name in messages.
 struct LabelledTerm {
   std::string label;
   Maybe dimension;
 };
 
-/// The dimension of all terms. Else the odd ones are named, beside the one that most have, or the first of
-/// these: "term 3 is kg·m²/s, the others kg·m²/s²".
+/// Returns the dimension of all terms. If they differ, throws and names the odd ones and the dimension of
+/// most terms, or the first of these: "term 3 is kg·m²/s, the others kg·m²/s²".
 Maybe common(const std::vector<LabelledTerm>& terms, const std::string& where) {
   const auto count = [&](const Maybe& d) { return std::ranges::count(terms, d, &LabelledTerm::dimension); };
   Maybe usual;
@@ -92,7 +92,7 @@ class Dimensions {
     return std::nullopt;
   }
 
-  /// The terms of a sum, each with its label; anything else by its name.
+  /// Returns the terms of a sum, each with its label; any other tree is one term with its name.
   std::vector<LabelledTerm> terms(const Tree& tree, const std::string& name, const std::string& place) const {
     if (tree->kind != Kind::sum) return {{name, of(tree)}};
     std::vector<LabelledTerm> result;
@@ -162,7 +162,7 @@ const Symbols& units_as_symbols() {
   return units;
 }
 
-/// The dimension of a product of powers of base units. Throws std::invalid_argument for anything else.
+/// Returns the dimension of a product of powers of base units. Throws std::invalid_argument for other trees.
 Dimension dimension_of_unit(const Tree& tree) {
   Dimension result = pure;
   if (tree->kind == Kind::symbol && tree->text != "pi") {

@@ -28,7 +28,7 @@ bool is_function_of(const ex& e, const SymbolExpression& time) {
          e.has(time);
 }
 
-// sin and cos of the same phase come together: each is the derivative of the other.
+// sin and cos of the same phase come together, because each is the derivative of the other.
 void collect_functions(const ex& e, const SymbolExpression& time, Functions& found) {
   if (!is_function_of(e, time)) {
     for (const ex& part : e) collect_functions(part, time, found);
@@ -60,7 +60,7 @@ ex particular_solution(const LinearEquation& equation) {
     unknowns.append(coefficient);
     ansatz += coefficient * equation.time;
   }
-  // Equal for all t: the coefficient of every function must vanish, and what is free of them.
+  // Both sides are equal for all t: the coefficient of every function vanishes, and so does the rest.
   const ex residual = (ansatz.diff(equation.time, 2) - pow(equation.k, 2) * ansatz - equation.forcing)
                           .expand()
                           .subs(functions, GiNaC::subs_options::no_pattern)

@@ -1,4 +1,4 @@
-// What is wrong with an input, in words that a terminal can show.
+// The error for bad input, and text from outside made safe for a terminal.
 #pragma once
 
 #include <filesystem>
@@ -8,14 +8,14 @@
 
 namespace rederive {
 
-/// What the user gave cannot be used: says what was wrong, where, and what would be right. Exit code 2.
+/// Input that cannot be used. The message says what was wrong, where, and what would be right. Exit code 2.
 struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Returns text from outside, fit for a terminal: each control character (except line ends), invisible
-/// character and byte that is not UTF-8 becomes '?', so that a quoted text cannot move the cursor or change
-/// colours.
+/// Returns text from outside in a form that is safe for a terminal. Each control character (except line
+/// ends), invisible character and invalid byte becomes '?', so that a quoted text cannot move the cursor or
+/// change colours.
 std::string printable(std::string_view text);
 
 /// Returns the same on one line.

@@ -33,14 +33,14 @@ double in_seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// The address space of this process; 0 where it cannot be told.
+/// Returns the address space of this process in bytes, or 0 if it is not known.
 rlim_t mapped_bytes() {
   rlim_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
   return pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// Of a child that did not say all.
+/// Returns why a child ended that did not report its result.
 Bounded why_it_ended(int status, double taken) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU) return {std::nullopt, "it took longer than it may take", taken, Ending::time};
@@ -48,8 +48,8 @@ Bounded why_it_ended(int status, double taken) {
   return {std::nullopt, "it ran out of memory or stack", taken, Ending::crash};
 }
 
-/// A pipe whose ends are none of the standard descriptors: these may be closed, and the work may open them.
-/// False if the system has none at the moment.
+/// Makes a pipe whose ends are not standard descriptors, which may be closed, and which the work may open.
+/// Returns false if the system has none at the moment.
 bool make_pipe(int (&ends)[2]) {
   int first[2];
   if (::pipe2(first, O_CLOEXEC) != 0) return false;
@@ -68,8 +68,8 @@ struct Child {
   int ends[2] = {-1, -1};  ///< where it reports: read here, write there
 };
 
-/// Makes a child, in which the process is 0, with its limits; -1 for the process if the system has none at
-/// the moment.
+/// Makes a child with its limits. The process number is 0 in the child, and -1 if the system has no process
+/// to spare.
 Child fork_within(double seconds, long megabytes) {
   static std::mutex forking;  // or the child of another thread would keep the end that we wait for
   const std::lock_guard lock(forking);
@@ -93,7 +93,7 @@ Child fork_within(double seconds, long megabytes) {
   return child;
 }
 
-/// The same, asked again while the system has none, as other work of ours may end.
+/// Does the same, and tries again while the system has none, because other work of ours may end.
 Child fork_when_possible(double seconds, long megabytes, double patience) {
   const auto start = Clock::now();
   for (Child child = fork_within(seconds, megabytes);; child = fork_within(seconds, megabytes)) {
@@ -104,7 +104,7 @@ Child fork_when_possible(double seconds, long megabytes, double patience) {
   }
 }
 
-/// What the child does: the work, and a report of it.
+/// Runs in the child: does the work and reports it.
 [[noreturn]] void work_and_report(const std::function<std::string()>& work,
                                   const std::function<void()>& first, int report) {
   std::string text;
@@ -125,7 +125,7 @@ Child fork_when_possible(double seconds, long megabytes, double patience) {
   ::_exit(0);
 }
 
-/// What the child says until it ends.
+/// The report of the child until it ends.
 struct Heard {
   std::string text;
   bool is_late = false, is_stopped = false;  ///< or until it was given up, and why

@@ -1,4 +1,4 @@
-// Where the files stand that programs read as they run: equations, exercises, pages.
+// Finds the files that programs read as they run: equations, exercises, pages.
 #pragma once
 
 #include <dlfcn.h>
@@ -13,9 +13,9 @@
 
 namespace rederive {
 
-/// The file that this code was loaded from: a program, or a module that a program has loaded. Where no /proc
-/// is mounted, a program is the one that was called, as seen from the folder in which it runs; "/" if it is
-/// gone.
+/// Returns the file from which this code was loaded: a program, or a module that a program has loaded.
+/// Without /proc, a program is the file that was called, seen from the folder in which it runs. Returns "/"
+/// if the file is gone.
 inline std::filesystem::path loaded_from() {
   Dl_info ignored;
   link_map* loaded = nullptr;
@@ -29,13 +29,13 @@ inline std::filesystem::path loaded_from() {
   return error ? "/" : file;
 }
 
-/// PREFIX/share/rederive. PREFIX is the nearest folder above loaded_from() that has it, so that an installed
-/// tree can be moved, and so can the build's folder. Programs that stand elsewhere find it as the XDG base
-/// directory specification says, by XDG_DATA_DIRS. It is there already, or nothing of it is.
+/// Returns PREFIX/share/rederive. PREFIX is the nearest folder above loaded_from() that contains it, so an
+/// installed tree and a build folder can be moved. Programs elsewhere find it by XDG_DATA_DIRS, as the XDG
+/// base directory specification says. If there is none, returns /usr/share/rederive.
 inline std::filesystem::path data_folder() {
   namespace fs = std::filesystem;
   const fs::path place = fs::path("share") / "rederive";
-  std::error_code ignored;  // a folder that may not be entered is not the one
+  std::error_code ignored;  // skips a folder that must not be entered
   for (fs::path prefix = loaded_from().parent_path();; prefix = prefix.parent_path()) {
     if (fs::is_directory(prefix / place, ignored)) return prefix / place;
     if (prefix == prefix.root_path()) break;
@@ -44,7 +44,7 @@ inline std::filesystem::path data_folder() {
   std::istringstream folders(given != nullptr && *given != '\0' ? given : "/usr/local/share:/usr/share");
   for (std::string folder; std::getline(folders, folder, ':');)
     if (fs::is_directory(fs::path(folder) / "rederive", ignored)) return fs::path(folder) / "rederive";
-  return fs::path("/usr") / place;  // for whoever reads it to say that it is not there
+  return fs::path("/usr") / place;  // reading from it reports that it is missing
 }
 
 }  // namespace rederive

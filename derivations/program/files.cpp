@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A descriptor that is closed with its owner.
+/// A file descriptor that closes itself.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -27,7 +27,7 @@ class Descriptor {
     if (number_ >= 0) ::close(number_);
   }
   int number() const { return number_; }
-  /// Closes it now. Returns false, with errno set, if what was written could not be kept.
+  /// Closes it now. Returns false, with errno set, if the written data could not be kept.
   bool close() { return ::close(std::exchange(number_, -1)) == 0 || errno == EINTR; }
 
  private:
@@ -44,7 +44,7 @@ FileContent trouble(FileTrouble what, const fs::path& file, const std::string& w
   return {"", what, "cannot read '" + printable_name(file) + "': " + why};
 }
 
-/// What a name leads to.
+/// The place to which a name leads.
 struct Target {
   fs::path file;                          ///< symbolic links followed
   std::optional<int> descriptor = {};     ///< of this process, such as 1 for /dev/stdout
@@ -53,8 +53,8 @@ struct Target {
   bool is_ordinary() const { return !descriptor && (!there || S_ISREG(there->st_mode)); }
 };
 
-/// Returns the number of a descriptor of this process that a link in /proc stands for. Such a link cannot be
-/// followed by its text: "pipe:[123]".
+/// Returns the number of the descriptor of this process behind a link in /proc. The text of such a link
+/// cannot be followed: "pipe:[123]".
 std::optional<int> descriptor_behind(const fs::path& link) {
   std::error_code error;
   const std::string folder = fs::canonical(link.parent_path(), error), name = link.filename(),
@@ -65,7 +65,7 @@ std::optional<int> descriptor_behind(const fs::path& link) {
   return std::stoi(name);
 }
 
-/// Whether another user, who is not root, has put it there.
+/// Returns whether it belongs to another user who is not root.
 bool is_of_another(const struct stat& about) { return about.st_uid != ::geteuid() && about.st_uid != 0; }
 
 /// Follows symbolic links, but not those of other users, who could have planted them.
@@ -112,7 +112,7 @@ bool write_bytes(int descriptor, std::string_view text) {
   return true;
 }
 
-/// Writes to what is not an ordinary file, as it is.
+/// Writes directly to a place that is not an ordinary file.
 void write_in_place(const fs::path& given, const Target& target, std::string_view text) {
   if (target.descriptor) {
     if (*target.descriptor == STDOUT_FILENO) std::fflush(stdout);  // what was printed before comes before
@@ -134,8 +134,8 @@ std::string random_name() {
   return name.data();
 }
 
-/// Gives a new file the owner, group and mode of the one whose place it takes. Where the group cannot be
-/// kept, no group gets its rights.
+/// Gives a new file the owner, group and mode of the file that it replaces. If the group cannot be kept, no
+/// group gets its rights.
 bool take_over(int descriptor, const struct stat& old) {
   struct stat now {};
   if (::fstat(descriptor, &now) != 0) return false;
@@ -148,7 +148,7 @@ bool take_over(int descriptor, const struct stat& old) {
   return ::fchmod(descriptor, mode) == 0;
 }
 
-/// A file whose bytes are on the disk under a name of its own, until it takes its place or is given up.
+/// A file that is on the disk under a temporary name, until it takes its place or is given up.
 class Draft {
  public:
   Draft(fs::path given, const Target& target, std::string_view text, Access access)

@@ -1,5 +1,5 @@
-// Files: read to their end or not at all, written whole or not at all. Every file of the product is read and
-// written by these functions.
+// Reads files to their end or not at all, and writes them whole or not at all. Every file of the product is
+// read and written by these functions.
 #pragma once
 
 #include <signal.h>
@@ -15,7 +15,7 @@
 
 namespace rederive {
 
-/// While an object of this class lives, no signal interrupts its thread: a signal that would end the program
+/// While an object of this class exists, no signal interrupts its thread. A signal that would end the program
 /// takes effect afterwards.
 class Uninterrupted {
  public:
@@ -28,34 +28,34 @@ class Uninterrupted {
   sigset_t before_{};
 };
 
-/// What kept a file from being read.
+/// The reason why a file could not be read.
 enum class FileTrouble { none, missing, is_link, not_ordinary, too_large, failed };
 
-/// What a file holds, or what kept it from being read.
+/// The content of a file, or the reason why it could not be read.
 struct FileContent {
   std::string bytes;
   FileTrouble trouble = FileTrouble::none;
   std::string complaint = {};  ///< "cannot read 'FILE': Permission denied"; empty if there is no trouble
 };
 
-/// How a file is read.
+/// Options for reading a file.
 struct FileReading {
-  std::size_t most = 100'000'000;  ///< a larger file is refused
+  std::size_t most = 100'000'000;  ///< bytes; a larger file is refused
   bool follows_link = true;        ///< false: a symbolic link is refused
-  bool only_ordinary = false;      ///< true: a pipe or a device is refused, and never waited for
+  bool only_ordinary = false;      ///< true: a pipe or a device is refused without waiting
 };
 
-/// Reads a file to its end. An error on the way is never taken for the end.
+/// Reads a file to its end. An error is never taken for the end.
 FileContent content_of(const std::filesystem::path& file, const FileReading& how = {});
 
-/// Returns what a file holds. Throws BadInput if it cannot be read.
+/// Returns the content of a file. Throws BadInput if it cannot be read.
 std::string read_whole(const std::filesystem::path& file, const FileReading& how = {});
 
-/// Returns what a file holds, or nothing if there is no file of that name. Throws BadInput if there is one
-/// that cannot be read.
+/// Returns the content of a file, or nothing if there is no file of that name. Throws BadInput if there is a
+/// file that cannot be read.
 std::optional<std::string> read_if_there(const std::filesystem::path& file, const FileReading& how = {});
 
-/// Who may read a file that is new. A file that is written again keeps its mode, whatever this says.
+/// Who may read a new file. A file that is written again keeps its mode.
 enum class Access { by_umask, owner_only };
 
 /// Writes a file whole or not at all: a new file of a random name beside it takes its place once all of its
@@ -68,7 +68,7 @@ void write_whole(const std::filesystem::path& file, std::string_view text, Acces
 /// Throws as write_whole does.
 void write_together(const std::vector<std::pair<std::filesystem::path, std::string>>& files);
 
-/// Makes a folder for what is written, and those above it, where they are missing. Returns whether it was
+/// Creates a folder for output, and the folders above it, if they are missing. Returns whether it was
 /// missing. Throws BadInput if that fails, or if the name is a link of another user.
 bool make_output_folder(const std::filesystem::path& folder);
 
@@ -77,8 +77,8 @@ bool make_output_folder(const std::filesystem::path& folder);
 /// nowhere.
 bool becomes_ordinary_file(const std::filesystem::path& file);
 
-/// Returns the file that a name leads to, symbolic links followed. It need not exist. Throws BadInput unless
-/// what is written there becomes an ordinary file.
+/// Returns the file to which a name leads, by symbolic links. It need not exist. Throws BadInput unless text
+/// that is written there becomes an ordinary file.
 std::filesystem::path ordinary_target(const std::filesystem::path& file);
 
 }  // namespace rederive

@@ -23,8 +23,8 @@ namespace rederive {
 namespace {
 
 #if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
-/// From here on this thread can take and give back memory, tell the time, wait, write to `report`, and end;
-/// every other system call fails with EPERM, for good. False where the system has no such filter (seccomp).
+/// Restricts this thread to allocating memory, reading the time, waiting, writing to `report`, and ending.
+/// Every other system call fails with EPERM. Returns false if the system has no such filter (seccomp).
 bool allow_computing_only(int report) {
 #if defined(__x86_64__)
   constexpr unsigned machine = AUDIT_ARCH_X86_64;

@@ -19,7 +19,7 @@ std::string environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// Makes what is missing. Returns false, with errno set, if that fails.
+/// Creates the missing folders. Returns false, with errno set, if that fails.
 bool make_folders(const fs::path& folder) {
   if (folder.empty() || ::mkdir(folder.c_str(), 0700) == 0) return true;
   if (errno == EEXIST) return true;
@@ -64,7 +64,7 @@ void make_own_folder(const fs::path& folder) {
 fs::path private_folder(const std::string& name) {
   const fs::path state = fs::absolute(state_folder()), folder = state / name;
   std::error_code error;
-  // A home that is not there is not made: at most .local, state and the two below them.
+  // A missing home is not created: at most .local, state and the two folders below them.
   const bool has_home = fs::is_directory(state.parent_path().parent_path().parent_path(), error);
   if (has_home && make_folders(folder) && is_own(state) && is_own(folder)) return folder;
   const fs::path temporary = fs::temp_directory_path(error);

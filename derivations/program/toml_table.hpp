@@ -1,5 +1,4 @@
-// TOML files, read strictly: a key that nobody asks for, and a value that is not of the kind asked for, are
-// refused with file and line.
+// Reads TOML files strictly: an unknown key and a value of the wrong type are errors with file and line.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,57 +21,57 @@
 
 namespace rederive {
 
-/// A table of a TOML file. A key is known once it was asked for. Every complaint is a BadInput that begins
-/// with "FILE:LINE: ", the line of the key or of the value that is meant.
+/// A table of a TOML file. A key is known once it was asked for. Every error is a BadInput that begins with
+/// "FILE:LINE: ", the line of the key or value.
 class TomlTable {
  public:
-  /// What is made of every text before it is handed out; what it throws becomes a complaint with its line.
+  /// A function that is applied to every text; what it throws becomes an error with the line of the text.
   using Filling = std::function<std::string(const std::string&)>;
 
-  /// Reads a file; the table is the whole document.
+  /// Reads a file; the table is the whole document. Throws BadInput.
   explicit TomlTable(const std::filesystem::path& file);
 
-  /// The text of a key, "" if there is none; `needed_text` refuses a table without it, or with "".
+  /// Return the text of a key, "" if it is missing; `needed_text` throws if it is missing or empty.
   std::string text(const std::string& key) { return one<std::string>(key, "a string").value_or(""); }
   std::string needed_text(const std::string& key);
-  /// A text on one line, without control characters.
+  /// Return a text on one line, without control characters.
   std::string line(const std::string& key);
   std::string needed_line(const std::string& key);
-  /// One of the words; "" if the key is missing.
+  /// Return one of the words; "" if the key is missing.
   std::string word(const std::string& key, const std::vector<std::string>& words);
   std::string needed_word(const std::string& key, const std::vector<std::string>& words);
-  /// A list of texts; empty if there is none.
+  /// Returns a list of texts, empty if the key is missing.
   std::vector<std::string> texts(const std::string& key);
-  /// A list of texts on one line each, without control characters.
+  /// Returns a list of texts on one line each, without control characters.
   std::vector<std::string> lines(const std::string& key);
-  /// A finite number.
+  /// Returns a finite number.
   std::optional<double> number(const std::string& key);
   std::optional<std::int64_t> whole(const std::string& key, std::int64_t least, std::int64_t largest);
   bool flag(const std::string& key) { return one<bool>(key, "true or false").value_or(false); }
-  /// The table of a key.
+  /// Returns the table of a key.
   std::optional<TomlTable> table(const std::string& key);
-  /// The tables of a list [[key]]; none if there is no such key.
+  /// Returns the tables of a list [[key]], none if the key is missing.
   std::vector<TomlTable> tables(const std::string& key);
-  /// The names in the table of a key, with their texts. Names are filled in, too; an empty one is left out.
+  /// Returns name → text for the table of a key. Names are filled in, too; empty names are left out.
   std::map<std::string, std::string> named_texts(const std::string& key);
-  /// The items of a list, each a text or a table of texts: its texts by their names, a text alone under the
-  /// name of the key.
+  /// Returns the items of a list, each a text or a table of texts, as name → text. The name of a text alone
+  /// is the key.
   std::vector<std::map<std::string, std::string>> alternatives(const std::string& key);
-  /// All keys, in their order.
+  /// Returns all keys in their order.
   std::vector<std::string> keys() const;
   bool has(const std::string& key) const { return table_->contains(key); }
 
-  /// Refuses a key that nobody asked for, then a key that is needed and missing.
+  /// Throws for a key that nobody asked for, then for a needed key that is missing.
   void done() const;
-  /// Refuses a text that is not one of the known words.
+  /// Throws if a text is not one of the known words, and suggests the nearest one.
   void check_word(const std::string& key, const std::string& text,
                   const std::vector<std::string>& words) const;
-  /// Throws a BadInput at the line of `key`, or of the table where the key is empty or missing.
+  /// Throws BadInput at the line of `key`, or of the table if the key is empty or missing.
   [[noreturn]] void fail(const std::string& what, const std::string& key = "") const;
-  /// "FILE:LINE" of the table.
+  /// Returns "FILE:LINE" of the table.
   std::string where() const { return at(table_->source()); }
 
-  /// Complaints name this before they say what is wrong: "exercise first-lift".
+  /// Sets the name with which errors begin: "exercise first-lift".
   void call_it(const std::string& name) { name_ = name; }
   void fill_in(Filling filling) { filling_ = std::move(filling); }
 
@@ -120,7 +119,7 @@ class TomlTable {
   Filling filling_;
 };
 
-/// The tables [[name]] of a file that has nothing else in it, in their order. Throws BadInput if it has none.
+/// Returns the tables [[name]] of a file that contains nothing else. Throws BadInput if it contains none.
 std::vector<TomlTable> tables_of(const std::filesystem::path& file, const std::string& name);
 
 inline TomlTable::File TomlTable::read(const std::filesystem::path& file) {
