@@ -1,6 +1,6 @@
-# The libraries of others that the rooms in `rederive_rooms` stand on. Read by the build, and where Rederive is
-# installed by find_package(Rederive): there for the rooms asked for, so that who takes the numerics alone needs
-# neither GiNaC nor CLN. Sets Rederive_FOUND to FALSE, and says why, if one is missing.
+# Finds the external libraries that the libraries in `rederive_rooms` need. The build reads this file, and
+# so does find_package(Rederive) for an installed tree, for the requested components alone: the numerics need neither
+# GiNaC nor CLN. Sets Rederive_FOUND to FALSE, with a message, if a library is missing.
 include(CMakeFindDependencyMacro)
 
 macro(rederive_missing what)

@@ -1,16 +1,16 @@
-# What people read about the programs and the libraries: manual pages from --help, completion for bash, and the public
-# interface from the comments (cmake --build build --target docs), each where its tool is.
+# Documentation of the programs and the libraries: manual pages from --help, completion for bash, and the public interface
+# from the comments (cmake --build build --target docs). Each is made if its tool is installed.
 set(programs_of_readers ledger rocking emit exercises ${lesson_programs})
 set(about_ledger "what a paper on rocking blocks prints, and what is true")
 set(about_rocking "motion and overturning of rigid blocks under ground excitation")
 set(about_emit "derived functions of the rocking block as code")
 set(about_exercises "exercises on the rocking block, judged and graded")
-# Their subcommands have pages of their own: man rocking map.
+# Each subcommand has its own manual page: man rocking map.
 set(subcommands_of_ledger show certify errata claims mutate graph prove)
 set(subcommands_of_rocking threshold response spectrum map fragility figure)
 set(subcommands_of_exercises list show check hint solution reset serve watch grade selftest)
 find_program(HELP2MAN help2man)
-# The page of a program, or of a subcommand, which says itself what it is about.
+# Adds the manual page of a program or of a subcommand, whose --help says what it is about.
 function(manual_page program subcommand)
   set(page ${PROJECT_BINARY_DIR}/man/${program}.1)
   set(about "${about_${program}}")

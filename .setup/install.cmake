@@ -1,12 +1,12 @@
-# What `cmake --install` puts where, and what `cpack` makes of it. Programs read what stands in PREFIX/share/rederive
-# beside them, so that PREFIX can be moved; rederive_data() installs that.
+# Says what `cmake --install` puts where, and which packages `cpack` makes. Programs read their data from
+# PREFIX/share/rederive beside them, so PREFIX can be moved; rederive_data() installs these files.
 include(CMakePackageConfigHelpers)
 
 file(GLOB lesson_files RELATIVE ${PROJECT_SOURCE_DIR}/lessons CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lessons/lesson-*.cpp)
 string(REPLACE .cpp "" lesson_programs "${lesson_files}")
 install(TARGETS ledger rocking emit exercises ${lesson_programs} RUNTIME DESTINATION bin)
 
-# To build on: the rooms as libraries, found by CMake and, two of them, by pkg-config.
+# For projects that build on Rederive: the libraries, for CMake and, two of them, for pkg-config.
 list(TRANSFORM rooms PREPEND rederive_ OUTPUT_VARIABLE libraries)
 foreach(room options emitted ${rooms})
   set_target_properties(rederive_${room} PROPERTIES EXPORT_NAME ${room})
@@ -19,7 +19,7 @@ install(DIRECTORY derivations numerics lessons DESTINATION include/rederive COMP
 install(FILES ${PROJECT_BINARY_DIR}/emitted/rocking_block.hpp DESTINATION include/rederive/emitted COMPONENT development)
 
 configure_file(.setup/RederiveConfig.cmake.in RederiveConfig.cmake @ONLY)
-# The same from the build folder, for tests/fuzz.
+# The same for the build folder, for tests/fuzz.
 export(EXPORT RederiveTargets NAMESPACE rederive:: FILE RederiveTargets.cmake)
 configure_file(.setup/RederiveDependencies.cmake RederiveDependencies.cmake COPYONLY)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/RederiveConfigVersion.cmake COMPATIBILITY SameMajorVersion)
@@ -33,11 +33,11 @@ foreach(module rederive-numerics rederive-decide)
   install(FILES ${PROJECT_BINARY_DIR}/${module}.pc DESTINATION lib/pkgconfig COMPONENT development)
 endforeach()
 
-# Debian packages: what a reader runs; what needs Open MPI; and what one builds on, of which the numerics want less
-# than the proofs.
+# Debian packages: the programs; the module that needs Open MPI; and the libraries. The numerics need fewer packages than
+# the proofs.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rederive)
-# Debian wants an address; the project has none, and .invalid says so (RFC 2606).
+# Debian requires an address. The project has none, and .invalid says so (RFC 2606).
 set(CPACK_PACKAGE_CONTACT "Rederive maintainers <maintainers@rederive.invalid>")
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
     WORLD_READ WORLD_EXECUTE)
