@@ -1,4 +1,4 @@
-// The numbers for Python: arrays in, arrays out. What a user of Python is told: lessons/python/rederive.
+// Binds the numerics for Python, with NumPy arrays. The package is in lessons/python/rederive.
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
@@ -173,11 +173,22 @@ py::class_<Value> value_type(py::module_& module, const char* name, const char* 
 }
 
 void add_values(py::module_& module) {
-  value_type<Block>(module, "Block", R"(A free-standing rectangular block.
+  value_type<Block>(module, "Block", R"(A free-standing rectangular block. It cannot be changed.
 
-alpha: atan(b/h), of half width b and half height h, in rad, 1e-12 <= alpha < pi/2. p: sqrt(3g/4R), in 1/s, above 0.
-restitution: the ratio of the angular velocities after and before an impact, eq (34), 0 < e <= 1; None takes that of
-eq (46b), 1 - 3/2 sin(alpha)^2. It cannot be changed. Raises ValueError for values out of range.
+Parameters
+----------
+alpha : float
+    Stockiness atan(b/h) of the half width b and the half height h, in rad, 1e-12 <= alpha < pi/2.
+p : float
+    Frequency parameter sqrt(3g/(4R)) in 1/s, above 0.
+restitution : float or None
+    Ratio e of the angular velocities after and before an impact, eq (34), 0 < e <= 1. None uses
+    eq (46b), 1 - 3/2 sin(alpha)^2.
+
+Raises
+------
+ValueError
+    If a value is out of range.
 
 >>> Block(alpha=0.25)
 Block(alpha=0.25, p=2.14, restitution=0.9081869214...)
@@ -190,23 +201,36 @@ Block(alpha=0.25, p=2.14, restitution=0.9081869214...)
            py::arg("restitution") = py::none())
       .def_static("from_size", &block_from_size, py::arg("half_width"), py::arg("half_height"),
                   py::arg("restitution") = py::none(), py::arg("gravity") = standard_gravity,
-                  "From b and h in metres, under gravity in m/s^2.")
+                  "Returns a block from b and h in metres and gravity in m/s^2.")
       .def_readonly("alpha", &Block::alpha, "atan(b/h), rad")
       .def_readonly("p", &Block::p, "sqrt(3g/4R), 1/s")
-      .def_readonly("restitution", &Block::restitution, "velocity after an impact over that before")
+      .def_readonly("restitution", &Block::restitution,
+                    "ratio of the angular velocities after and before an impact")
       .def("__repr__", [](const Block& block) {
         return fmt::format("Block(alpha={}, p={}, restitution={})", block.alpha, block.p, block.restitution);
       });
-  value_type<Shape>(module, "Pulse", R"(A pulse of ground acceleration, eq (52), from when rocking can start.
+  value_type<Shape>(
+      module, "Pulse",
+      R"(A pulse of ground acceleration, eq (52), which begins when rocking can start. It cannot be changed.
 
-omega: omega_p/p, without unit, 0.01 to 1000. kind: "sine" or "cosine". It cannot be changed. Raises ValueError for others.
+Parameters
+----------
+omega : float
+    Frequency omega_p/p, without unit, 0.01 to 1000.
+kind : {"sine", "cosine"}
+    Form of the pulse.
+
+Raises
+------
+ValueError
+    If a value is out of range.
 
 >>> Pulse(3)
 Pulse(omega=3, kind='sine')
 )",
-                    [](const py::tuple& values) {
-                      return make_shape(values[0].cast<double>(), values[1].cast<std::string>());
-                    })
+      [](const py::tuple& values) {
+        return make_shape(values[0].cast<double>(), values[1].cast<std::string>());
+      })
       .def(py::init(&make_shape), py::arg("omega"), py::arg("kind") = "sine")
       .def_readonly("omega", &Shape::omega, "omega_p/p")
       .def_readonly("kind", &Shape::kind, "sine or cosine")
@@ -214,11 +238,23 @@ Pulse(omega=3, kind='sine')
         return fmt::format("Pulse(omega={}, kind='{}')", pulse.omega, pulse.kind);
       });
   py::class_<Told> told(module, "Response",
-                        R"(What `response` found. Velocities are thetadot/(alpha*p), times p*t.
+                        R"(The result of `response`. Times are p*t and velocities thetadot/(alpha*p).
 
-outcome: safe or overturned. time: of overturning, or None. impacts: until then, or all. events: array with the fields
-time, kind (start, impact, rest, restart, pulse_end, overturn), theta_over_alpha, velocity_before, velocity_after. The
-history: arrays of shape (samples,).)");
+Attributes
+----------
+outcome : str
+    "safe" or "overturned".
+code : int
+    side*(impacts + 1) if the block overturns, 0 if it is safe.
+time : float or None
+    Time at which the block overturns.
+impacts : int
+    Number of impacts until the block overturns, or of all impacts.
+events : structured array
+    Fields time, kind (start, impact, rest, restart, pulse_end, overturn), theta_over_alpha,
+    velocity_before, velocity_after.
+tau, theta_over_alpha, thetadot_over_alpha_p, ground_over_g : arrays of shape (samples,)
+    The history.)");
   told.attr("__module__") = "rederive";
   told.def_property_readonly("outcome", &Told::outcome)
       .def_property_readonly("code", [](const Told& it) { return it.story.outcome.code; })
@@ -240,52 +276,116 @@ void add_functions(py::module_& module) {
              thetadot0 = py::arg("thetadot0") = 0.0, largest = py::arg("largest") = 12.0,
              threads = py::arg("threads") = py::none(), progress = py::arg("progress") = py::none();
   const py::kw_only only;
-  module.def(
-      "threshold", threshold, pulse, block, only, model, theta0, thetadot0, largest,
-      R"(The least amplitude a_p/(alpha*g) that overturns the block, and how; None if none up to `largest`.
+  module.def("threshold", threshold, pulse, block, only, model, theta0, thetadot0, largest,
+             R"(Finds the least amplitude that overturns the block, and how it overturns.
 
-model: "linear", eq (56), or "nonlinear", eq (21). theta0 in rad and thetadot0 in rad/s at the start. The amplitude is
-right to 1e-12 of it (linear), 1e-10 (nonlinear); below it, windows narrower than 1e-9 may be missing. Raises ValueError
-for values out of range.
+Parameters
+----------
+pulse : Pulse
+block : Block
+model : {"linear", "nonlinear"}
+    Equations of motion: eq (56) or eq (21).
+theta0, thetadot0 : float
+    Angle in rad and angular velocity in rad/s at the start.
+largest : float
+    Largest amplitude a_p/(alpha*g) of the search, 1e-9 to 1e6.
+
+Returns
+-------
+Threshold or None
+    The amplitude a_p/(alpha*g) and the code; None if no amplitude up to `largest` overturns the block.
+    The relative error is at most 1e-12 (linear) or 1e-10 (nonlinear). Below the amplitude, windows
+    narrower than 1e-9 may be missing.
+
+Raises
+------
+ValueError
+    If a value is out of range.
 
 >>> threshold(Pulse(3))  # eqs (86) and (88)
 Threshold(amplitude=1.40009981815..., code=2)
 )");
   module.def("windows", windows, pulse, block, only, model, theta0, thetadot0, largest,
-             R"(Every window of amplitudes that overturns: array of shape (windows,), fields from, to, code.
+             R"(Finds every window of amplitudes that overturns the block.
 
-`to` is NaN where a window reaches `largest`. Windows narrower than 1e-5 may be missing. The rest as `threshold`.
+The parameters and errors are those of `threshold`.
+
+Returns
+-------
+structured array of shape (windows,)
+    Fields from, to, code. `to` is NaN if a window reaches `largest`. Windows narrower than 1e-5 may
+    be missing.
 
 >>> windows(Pulse(3))["code"]
 array([ 2, -1], dtype=int32)
 )");
   module.def("response", response, pulse, amplitude, block, only, model, theta0, thetadot0,
              py::arg("until") = py::none(), py::arg("samples") = 2001,
-             R"(Outcome, events and history under one pulse of this amplitude, a_p/(alpha*g), 0 to 1e6.
+             R"(Computes the outcome, the events and the history under one pulse.
 
-until: end of the history, p*t, at most 1e5; None: a little beyond what happens. The rest as `threshold`.
+The other parameters and the errors are those of `threshold`.
+
+Parameters
+----------
+amplitude : float
+    Amplitude a_p/(alpha*g) of the pulse, 0 to 1e6.
+until : float or None
+    End of the history, p*t, at most 1e5. None ends it shortly after the last event.
+samples : int
+    Number of samples of the history, at least 2.
+
+Returns
+-------
+Response
 
 >>> response(Pulse(3), 1.41).outcome
 'overturned'
 )");
   module.def("spectrum", spectrum_table, omegas, block, only, kind, model, theta0, thetadot0, largest,
-             threads, progress, R"(Thresholds at each omega_p/p: array of shape (len(omegas),).
+             threads, progress,
+             R"(Finds the thresholds of overturning at each frequency. Ctrl-C ends the computation.
 
-Fields: omega_ratio, minimum (the least amplitude that overturns) with its code, mode1 (the least without impact),
-mode2_lower and mode2_upper (the least and the largest after one impact); NaN where there is none up to `largest`.
-threads: None takes all. progress(done, total) is called now and then, by this thread; Ctrl-C ends it. The rest as
-`threshold`.
+The other parameters and the errors are those of `threshold`.
+
+Parameters
+----------
+omegas : array_like of shape (n,)
+    Frequencies omega_p/p, 0.01 to 1000.
+kind : {"sine", "cosine"}
+    Form of the pulse.
+threads : int or None
+    Number of threads, 1 to 1024. None uses all processors.
+progress : callable or None
+    progress(done, total) is called now and then, in the calling thread.
+
+Returns
+-------
+structured array of shape (n,)
+    Fields omega_ratio, minimum (the least amplitude that overturns), code, mode1 (the least amplitude
+    without impact), mode2_lower and mode2_upper (the least and the largest amplitude after one impact).
+    A field is NaN if there is no such amplitude up to `largest`.
 
 >>> spectrum([3])["mode1"]  # eq (71)
 array([3.63114987])
 )");
   module.def("map", map_codes, omegas, amplitudes, block, only, kind, model, theta0, thetadot0, threads,
              progress,
-             R"(The code side*(impacts + 1) at each point: integers of shape (len(omegas), len(amplitudes)).
+             R"(Computes the outcome over a grid of frequencies and amplitudes. Ctrl-C ends the computation.
 
-omegas: omega_p/p, 0.01 to 1000. amplitudes: a_p/(alpha*g), 0 to 1e6. At most 50 million points. progress counts omegas;
-with tqdm: `with tqdm(total=n) as bar: map(..., progress=lambda done, total: bar.update(done - bar.n))`. The rest as
-`spectrum`.
+The other parameters and the errors are those of `spectrum`. `progress` counts frequencies; with tqdm:
+`with tqdm(total=n) as bar: map(..., progress=lambda done, total: bar.update(done - bar.n))`.
+
+Parameters
+----------
+omegas : array_like of shape (n,)
+    Frequencies omega_p/p, 0.01 to 1000.
+amplitudes : array_like of shape (m,)
+    Amplitudes a_p/(alpha*g), 0 to 1e6. n*m is at most 50 million.
+
+Returns
+-------
+integer array of shape (n, m)
+    The code at each point: side*(impacts + 1) if the block overturns, 0 if it is safe.
 
 >>> map([1, 3], [1.2, 1.41, 4])
 array([[ 2,  2, -1],

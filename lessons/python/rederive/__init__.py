@@ -1,9 +1,11 @@
 """A paper you can run: *On the Overturning Instability of a Rectangular Rigid Block Under Ground Excitation*.
 
-What the paper prints, judged: `ledger`, `prove`. What is derived, as code: `emit`. What follows for a block:
-`threshold`, `windows`, `response`, `spectrum`, `map`, of a `Block` under a `Pulse`. Times are p*t, amplitudes a_p/(alpha*g)
-and frequencies omega_p/p, in both models; an overturning is coded side*(impacts + 1): -1 is to theta < 0 without impact, +2
-to theta > 0 after one, 0 is safe. Values that cannot be used raise ValueError, with the words of the commands.
+`ledger` and `prove` judge what the paper prints. `emit` gives the derived functions as code. `threshold`, `windows`,
+`response`, `spectrum` and `map` compute the motion of a `Block` under a `Pulse`.
+
+In both models, times are p*t, amplitudes a_p/(alpha*g) and frequencies omega_p/p. The code of an overturning is
+side*(impacts + 1): -1 is to theta < 0 without impact, +2 is to theta > 0 after one impact, 0 is safe. Values that cannot
+be used raise ValueError, with the words of the commands.
 
 >>> import rederive
 >>> rederive.prove("sin(3*x)", "3*sin(x) - 4*sin(x)^3").verdict
@@ -18,7 +20,7 @@ from ._numbers import Block, Pulse, Response, map, response, spectrum, threshold
 from ._numbers import version as __version__
 
 Threshold = namedtuple("Threshold", ["amplitude", "code"])
-Threshold.__doc__ = "The least amplitude that overturns, a_p/(alpha*g), and how: side*(impacts + 1)."
+Threshold.__doc__ = "The least amplitude a_p/(alpha*g) that overturns a block, and its code side*(impacts + 1)."
 
 __all__ = ["Block", "Emitted", "Proof", "Pulse", "Response", "Row", "Threshold", "Witness", "emit", "ledger", "map", "prove",
            "response", "spectrum", "threshold", "windows"]

@@ -11,7 +11,7 @@ from typing import Any, Callable, Iterator
 
 from . import _proofs
 
-_judged = cache(_proofs.ledger)  # its rows do not change while Python runs
+_judged = cache(_proofs.ledger)  # the rows do not change while Python runs
 
 
 def _made(cls: Any, values: dict[str, Any]) -> Any:
@@ -21,10 +21,23 @@ def _made(cls: Any, values: dict[str, Any]) -> Any:
 
 @dataclass(frozen=True)
 class Witness(Mapping[str, Fraction]):
-    """A point at which two sides differ, to check by hand: a mapping of symbols to numbers.
+    """A point at which two sides differ, to check by hand. It is a mapping of symbols to numbers.
 
-    at: the numbers; of the constants in `exactly`, and of zeros of the equation `solves`, which lie in `between`, the
-    first digits as a fraction. printed, derived: both sides there, as text of 30 digits.
+    Attributes
+    ----------
+    at : dict
+        The value of each symbol. For the constants in `exactly` and the zeros in `between`, it is the fraction of
+        the first digits.
+    printed, derived : str
+        The values of both sides there, with 30 digits.
+    in_words : list of str
+        The values in words.
+    exactly : dict
+        Symbols that are constants such as "pi/6".
+    between : dict
+        Bounds of symbols that are zeros of the equation `solves`.
+    solves : str or None
+        The equation of these zeros.
     """
 
     at: dict[str, Fraction]
@@ -56,8 +69,22 @@ def _witness(found: dict[str, Any] | None) -> Witness | None:
 
 @dataclass(frozen=True)
 class Proof:
-    """What `prove` found. verdict: proved, proved_under, approximation, refuted or undecided; by: identity, sign, points or
-    expansion. certificate: of a proof by sign, sums that are 0 identically, "2*(x)*(y - 1) + 1*(z) = 0 where u >= 0"."""
+    """The result of `prove`.
+
+    Attributes
+    ----------
+    verdict : {"proved", "proved_under", "approximation", "refuted", "undecided"}
+    factor : str or None
+        left = factor*right, for two relations.
+    side_conditions : list of str
+        Conditions under which both sides have values.
+    witness : Witness or None
+        A point at which the sides differ, if refuted.
+    reason : str or None
+    by : {"identity", "sign", "points", "expansion"} or None
+    certificate : list of str
+        For a proof by sign, sums that are identically 0, such as "2*(x)*(y - 1) + 1*(z) = 0 where u >= 0".
+    """
 
     verdict: str
     factor: str | None
@@ -70,10 +97,11 @@ class Proof:
 
 @dataclass(frozen=True)
 class Row:
-    """A row of the ledger: an equation as printed, what is derived for it, and the verdict; what does not apply is None.
+    """A row of the ledger: an equation as printed, what is derived for it, and the verdict.
 
-    Formulas are text that `prove` reads. verdict: proved, proved_under, approximation, refuted, definition or undecided.
-    follows_from, rests_on_it: ids of rows. The last two are the formulas as LaTeX; a notebook shows them.
+    Formulas are text that `prove` reads, and a field that does not apply is None. The verdict is proved, proved_under,
+    approximation, refuted, definition or undecided. `follows_from` and `rests_on_it` are ids of rows. `printed_latex` and
+    `derived_latex` are the formulas as LaTeX, which a notebook shows.
     """
 
     id: str
@@ -109,7 +137,9 @@ class Row:
 
 
 def ledger() -> list[Row]:
-    """Every numbered equation of the paper and the relations between them, derived and judged: the first time a second or two.
+    """Returns every numbered equation of the paper and the relations between them, derived and judged.
+
+    The first call takes a second or two.
 
     >>> import pandas
     >>> table = pandas.DataFrame(ledger())
@@ -122,12 +152,33 @@ def ledger() -> list[Row]:
 
 def prove(left: str, right: str, assume: str | Sequence[str] = (), *, small: str | Sequence[str] = (),
           order: int | None = None) -> Proof:
-    """Decides whether two expressions, equations or inequalities say the same; `ledger prove --help` says what it reads.
+    """Decides whether two expressions, equations or inequalities are the same.
 
-    The str() of a SymPy expression is such a text: x**2 is x^2. With `small`, symbols, and `order` the series are compared:
-    sin(x) is x to order 2 in x. Some two seconds and 480 MB at most, in a process of its own; what takes more is undecided;
-    Ctrl-C ends it. Raises TypeError for what is not text, and ValueError, with a caret under the character, for text that
-    cannot be read, and for assumptions that contradict each other.
+    The decision takes at most about two seconds and 480 MB, in a process of its own; beyond that it is undecided.
+    Ctrl-C ends it.
+
+    Parameters
+    ----------
+    left, right : str
+        The statements, as `ledger prove --help` describes them. The str() of a SymPy expression is such a text: x**2
+        is x^2.
+    assume : str or sequence of str
+        Conditions that hold, such as "x > 0".
+    small : str or sequence of str
+        Small symbols. With `order`, the series in these symbols are compared: sin(x) is x to order 2 in x.
+    order : int or None
+        Order of the series, 0 to 12.
+
+    Returns
+    -------
+    Proof
+
+    Raises
+    ------
+    TypeError
+        If an argument is not text.
+    ValueError
+        If a text cannot be read (a caret marks the character), or if the assumptions contradict each other.
 
     >>> prove("b < h", "alpha < pi/4", assume=["tan(alpha) = b/h"]).verdict
     'proved_under'
@@ -143,7 +194,7 @@ def prove(left: str, right: str, assume: str | Sequence[str] = (), *, small: str
 
 
 class Emitted:
-    """Derived functions as source code: `source`, and str(). In Python they can be called, one by one by name."""
+    """Derived functions as source code: `source`, also by str(). Functions in Python can be called by name."""
 
     def __init__(self, target: str, names: tuple[str, ...], source: str) -> None:
         self.target, self.names, self.source = target, names, source
@@ -158,22 +209,33 @@ class Emitted:
         return f"<{', '.join(self.names) or 'all functions'} in {self.target}>"
 
     def __getitem__(self, name: str) -> Callable[..., Any]:
-        """The function of this name; of restitution also restitution_with_derivatives, where there are some."""
+        """Returns the function of this name, such as restitution or restitution_with_derivatives."""
         if self.target != "python":
-            raise TypeError(f"source in {self.target} cannot be called here; emit('python', ...) can")
+            raise TypeError(f"source in {self.target} cannot be called; use emit('python', ...)")
         return self._namespace[name]
 
     def __call__(self, *arguments: float, **named: float) -> Any:
         if len(self.names) != 1:
-            raise TypeError("one function alone can be called so; of several take one by name: emitted['restitution']")
+            raise TypeError("only a single function can be called without its name; choose one, as in emitted['restitution']")
         return self[self.names[0]](*arguments, **named)
 
 
 def emit(target: str, *functions: str) -> Emitted:
-    """The derived functions as code of "cpp", "c", "python", "javascript" or "latex": those named, or all of them.
+    """Returns derived functions as source code.
 
-    Units are SI, and each function says in its source which equation it stands for, and its arguments with units. Raises
-    ValueError for a target or a function that there is not; `emit --list` shows all functions.
+    Units are SI. The source of each function names its equation, and its arguments with their units.
+
+    Parameters
+    ----------
+    target : {"cpp", "c", "python", "javascript", "latex"}
+        The language.
+    *functions : str
+        Names of functions. Default: all functions; `emit --list` shows them.
+
+    Raises
+    ------
+    ValueError
+        If there is no such target or function.
 
     >>> emit("python", "restitution")(0.25)  # eq (46)
     0.908186921417...

@@ -148,7 +148,7 @@ def test_emitted_functions_are_called_by_name():
     emitted = rederive.emit("python", "restitution", "ground_that_starts")
     assert emitted["restitution"](alpha=0.25) == Block().restitution
     assert emitted["ground_that_starts"](0.25) == pytest.approx(np.tan(0.25), rel=1e-15)
-    with pytest.raises(TypeError, match="one function alone"):
+    with pytest.raises(TypeError, match="only a single function"):
         emitted(0.25)
     with pytest.raises(TypeError, match="cannot be called"):
         rederive.emit("c", "restitution")(0.25)
