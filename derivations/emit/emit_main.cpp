@@ -117,6 +117,8 @@ int main(int argc, char** argv) {
       ->option_text("NAME");
   app.add_flag("--no-sharing", options.no_sharing,
                "Compute every subexpression where it is used, without sharing.");
-  app.add_option("--out", options.out, "Write to this file. Default: standard output.")->check(file_name);
+  app.add_option("--out", options.out, "Write to this file. Default: standard output.")
+      ->option_text("FILE")
+      ->check(file_name);
   return run_command(app, argc, argv, [&] { return run(options); });
 }

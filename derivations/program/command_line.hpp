@@ -56,7 +56,11 @@ inline void complain_of_arguments(const CLI::App& app, const std::string& name,
 inline int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& body) {
   open_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error that is told, not the end
-  app.set_version_flag("--version", "Rederive " REDERIVE_VERSION);
+  app.set_version_flag("--version", "Rederive " REDERIVE_VERSION, "Print the version and exit.");
+  const std::string help = "Print this help message and exit.";
+  app.get_help_ptr()->description(help);
+  for (CLI::App* part : app.get_subcommands([](CLI::App*) { return true; }))
+    part->get_help_ptr()->description(help);
   app.get_formatter()->column_width(34);
   app.footer(app.get_footer() +
              "Exit code: 0 if everything is as expected; 1 if a verdict or an answer is not as expected; 2 "

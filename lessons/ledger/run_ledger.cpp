@@ -266,7 +266,7 @@ int run_ledger(int argc, char** argv, const std::optional<OwnPaper>& own) {
           ->option_text("NAME[,NAME]");
   auto* order = proving
                     ->add_option("--order", options.request.order,
-                                 "With --small, compare the series up to this order, such as 2.")
+                                 "With --small, compare the series up to this order, from 0 to 12.")
                     ->check(whole_number)
                     ->needs(small);
 

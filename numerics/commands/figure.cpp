@@ -55,6 +55,7 @@ void add_figure(CLI::App& app, Run& run) {
   command
       ->add_option("--threads", options->threads, "Use T threads, from 1 to 1024. Default: all processors.")
       ->type_name("T");
+  command->footer("Example:\n  $ rocking figure 10 --out figure.svg --data figure.csv\n");
   command->callback([options, &run] { run = [options] { return run_figure(*options); }; });
 }
 

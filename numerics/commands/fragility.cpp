@@ -273,6 +273,9 @@ void add_fragility(CLI::App& app, Run& run) {
   add("--csv", options->csv, "FILE", "Write the table as CSV.")->check(file_name);
   add("--plot", options->plot, "FILE", "Draw the curves to a file .svg, .png or .pdf.")->check(plot_name());
   add_json(*command, options->common.json);
+  command->footer(
+      "Example:\n  $ rocking fragility --records quakes --amplitudes 0.1:1:10 --half-width 0.3 --half-height "
+      "1\n");
   command->callback([options, &run] { run = [options] { return run_fragility(*options); }; });
 }
 

@@ -135,6 +135,9 @@ void add_map(CLI::App& app, Run& run) {
       "Write the grid as HDF5. If interrupted, the same command continues from FILE.part.")
       ->check(file_name);
   add("--plot", options->plot, "FILE", "Draw the map to a file .svg, .png or .pdf.")->check(plot_name());
+  command->footer(
+      "Examples:\n  $ rocking map --omega 0.5:8:200 --amplitude 1:12:200 --hdf5 map.h5\n  $ mpirun -np 4 "
+      "rocking map --omega 0.5:8:200 --amplitude 1:12:200 --csv map.csv\n");
   command->callback([options, &run] { run = [options] { return run_map(*options); }; });
 }
 

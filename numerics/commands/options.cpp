@@ -36,7 +36,7 @@ auto refused_by(const char* options, const Function& make) {
 
 void add_engine(CLI::App& app, Engine& engine) {
   add_choice(app, "--engine", engine, {{"gsl", Engine::gsl}, {"taylor", Engine::taylor}},
-             "Follow the nonlinear model by Taylor steppers or, independently, by an integrator of GSL. "
+             "Follow the nonlinear model by Taylor steppers, or by an independent integrator of GSL.\n"
              "Default: taylor.");
 }
 

@@ -191,6 +191,9 @@ void add_response(CLI::App& app, Run& run) {
           "Use a recorded acceleration: columns, PEER AT2, K-NET (about its mean), ESM, SMC or COSMOS.");
   add_record_flags(*command, options->reading, record);
   add("--scale", options->scale, "NUMBER", "Multiply the record by this number. Default: 1.")->needs(record);
+  command->footer(
+      "Examples:\n  $ rocking response --omega 3 --amplitude 1.41 --page motion.html\n  $ rocking response "
+      "--record quake.at2 --half-width 0.3 --half-height 1 --plot motion.svg\n");
   command->callback([options, &run] { run = [options] { return response(*options); }; });
 }
 

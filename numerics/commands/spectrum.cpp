@@ -130,6 +130,7 @@ void add_spectrum(CLI::App& app, Run& run) {
   add("--csv", options->csv, "FILE", "Write the table as CSV. If interrupted, write the rows that are done.")
       ->check(file_name);
   add("--plot", options->plot, "FILE", "Draw the spectrum to a file .svg, .png or .pdf.")->check(plot_name());
+  command->footer("Example:\n  $ rocking spectrum --from 0.5 --to 8 --points 50 --plot spectrum.svg\n");
   command->callback([options, &run] { run = [options] { return run_spectrum(*options); }; });
 }
 

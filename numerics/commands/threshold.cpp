@@ -180,6 +180,9 @@ void add_threshold(CLI::App& app, Run& run) {
           "have as many digits as are certain.")
       ->check(whole_number)
       ->type_name("N");
+  command->footer(
+      "Examples:\n  $ rocking threshold --omega 3\n  $ rocking threshold --omega 2 --model nonlinear --least "
+      "--json\n");
   command->callback([options, &run] { run = [options] { return threshold(*options); }; });
 }
 
