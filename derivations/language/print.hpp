@@ -1,4 +1,4 @@
-// GiNaC expression or tree → text; the same bytes on every run, in the order a person would choose.
+// Prints expressions and trees: the same bytes on every run, in the order that a person would choose.
 #pragma once
 
 #include <derivations/language/lower.hpp>

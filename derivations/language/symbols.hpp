@@ -1,4 +1,4 @@
-// Every symbol once: how it is written, its unit, the range it lives in, what it means.
+// The table of symbols: how each is written, its unit, its range and its meaning.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -10,8 +10,8 @@
 
 namespace rederive {
 
-/// A GiNaC symbol that keeps what GiNaC knows about it (real, positive) when it is copied. Copying a
-/// GiNaC::symbol would cut a possymbol down to a nameless complex one; here that does not compile.
+/// A GiNaC symbol whose copies keep what GiNaC knows about it (real, positive). Copying a GiNaC::symbol would
+/// turn a possymbol into a nameless complex symbol; here that does not compile.
 class SymbolExpression : public GiNaC::ex {
  public:
   SymbolExpression() = default;
@@ -20,7 +20,7 @@ class SymbolExpression : public GiNaC::ex {
   operator GiNaC::symbol() const = delete;
 };
 
-/// A symbol that stands for an expression: J_o = 4/3*m*R^2. Put in on both sides before anything is decided.
+/// A symbol with a given value: J_o = 4/3*m*R^2. The value is substituted before anything is decided.
 struct Given {
   GiNaC::ex name;
   GiNaC::ex value;
@@ -47,9 +47,9 @@ struct Range {
   std::string lower, upper;
   bool lower_closed = false, upper_closed = false;
 };
-/// Reads "(0, pi/2]". Throws std::invalid_argument.
+/// Returns the range of a text such as "(0, pi/2]". Throws std::invalid_argument for other texts.
 Range read_range(std::string_view text);
-/// The same as text.
+/// Returns the text of a range.
 std::string in_brackets(const Range& range);
 /// Whether an end of a range is seen not to be negative: nothing is subtracted in it, and no function in it
 /// has negative values.
@@ -66,12 +66,12 @@ class Symbols {
   }
   /// The same with the GiNaC symbol of `symbol`, or with a new one where that has none.
   const Symbol& declare(Symbol symbol);
-  /// Replaces the range alone: the GiNaC symbol, and so every expression that has it, stays the same.
-  /// Throws std::out_of_range or std::invalid_argument.
+  /// Replaces the range alone, so that the GiNaC symbol and all expressions with it stay the same. Throws
+  /// std::out_of_range for an unknown name and std::invalid_argument for an unreadable range.
   void narrow(std::string_view name, std::string range);
-  const Symbol* find(std::string_view name) const;    ///< nullptr if there is none
+  const Symbol* find(std::string_view name) const;    ///< nullptr if it is not declared
   const Symbol* find(const GiNaC::ex& symbol) const;  ///< by its GiNaC symbol
-  /// The GiNaC symbol of that name; throws std::out_of_range naming it if there is none.
+  /// Returns the GiNaC symbol of a name. Throws std::out_of_range, with the name, if it is not declared.
   const SymbolExpression& operator[](std::string_view name) const;
   const std::vector<std::string>& names() const { return order_; }  ///< in the order of declaration
   const std::map<std::string, Symbol, std::less<>>& table() const { return table_; }  ///< by name
