@@ -1,7 +1,7 @@
-// A case as the command writes it, as a fragment, and in words.
+// A case: as a command writes it, as the fragment of an address, and in words.
 "use strict";
 
-/// The options of `rocking response` that the page knows, with what they are if nothing is said, and their ranges.
+/// The options of `rocking response` that the page knows, with their defaults and ranges.
 const options = {
   omega: { value: 2, low: 0.01, high: 1000 },
   amplitude: { value: 2, low: 0, high: 1e6 },
@@ -13,9 +13,9 @@ const options = {
   theta0: { value: 0, low: -1e9, high: 1e9 },
   thetadot0: { value: 0, low: -1e9, high: 1e9 }
 };
-const always = ["omega", "amplitude"];  // which the command wants
+const always = ["omega", "amplitude"];  // the command requires these
 
-/// What an option may be of a text; throws RangeError in words.
+/// Returns the value of an option from a text. Throws RangeError, with a message, for other texts.
 function valueOfOption(name, text) {
   const { low, high, open, words } = options[name];
   if (words?.includes(text)) return text;
@@ -28,7 +28,7 @@ function valueOfOption(name, text) {
   return value;
 }
 
-/// A state from a command's options or from a fragment; what is wrong is left out and said to `complain`.
+/// Returns a state from the options of a command or from a fragment. Errors are left out and given to `complain`.
 function stateFrom(text, complain = () => {}) {
   const state = Object.fromEntries(Object.entries(options).map(([name, { value }]) => [name, value]));
   for (const [, name, value] of text.matchAll(/(?:--|[#&]|^)([a-z][a-z0-9-]*)[=\s]+([^\s&]+)/g))
@@ -48,7 +48,7 @@ const fragmentOf = (state) => "#" + said(state).map((name) => `${name}=${state[n
 
 const digits = (x, n = 4) => String(Number(x.toPrecision(n))).replace("-", "−");
 
-/// The words of `rocking` for a code.
+/// Returns the words of `rocking` for a code.
 function wordsFor(code) {
   if (code === null) return "no pulse: the ground never pushes hard enough for rocking to start";
   if (code === 0) return "safe";
@@ -57,7 +57,7 @@ function wordsFor(code) {
     (impacts === 0 ? "without impact" : impacts === 1 ? "after one impact" : `after ${impacts} impacts`);
 }
 
-/// The case, and what becomes of it.
+/// Returns the case and its outcome in words.
 function wordsForCase(state, motion) {
   const impacts = motion.events.filter((event) => event.kind === "impact").length, { theta0, thetadot0 } = state;
   const parts = [state.model === "linear" ? "Linear model" : "Nonlinear model"];

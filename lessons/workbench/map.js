@@ -1,7 +1,7 @@
-// The outcome over a grid of omega_p/p and amplitude, and the paper's closed forms over it. This script and those
-// before it are also the whole program of a Web Worker.
+// The outcome over a grid of omega_p/p and amplitude, and the closed forms of the paper. This script and those before it
+// are also the whole program of a Web Worker.
 
-/// A whole case from the numbers of a command: angles in rad and rad/s become theta/alpha and thetadot/(alpha p).
+/// Returns a case from the numbers of a command; rad and rad/s become theta/alpha and thetadot/(alpha p).
 function caseOf(state) {
   const { alpha, omega, amplitude, model, pulse } = state;
   return {
@@ -14,7 +14,7 @@ function caseOf(state) {
 
 const station = ({ from, to, count }, i) => (count === 1 ? from : from + ((to - from) * i) / (count - 1));
 
-/// The code of one cell; null where the pulse has no first instant.
+/// Returns the code of one cell; null if the pulse has no instant at which rocking can start.
 function codeOf(c, omega, amplitude) {
   try {
     return motionOf({ ...c, omega, amplitude }, false).code;
@@ -23,7 +23,7 @@ function codeOf(c, omega, amplitude) {
   }
 }
 
-/// The roots of f between two numbers, at which it is small; at a jump it is not.
+/// Returns the roots of f between two numbers. f is small at a root, but not at a jump.
 function rootsOf(f, low, high, count) {
   const roots = [];
   let x = low, y = f(x);
@@ -46,13 +46,13 @@ function rootsOf(f, low, high, count) {
 const inside = 1e-7;
 const amplitudeAt = (psi) => emitted.amplitude_of_sine_pulse(1, psi);
 
-/// (86) is linear in sin(psi) and cos(psi): the phase in (0, pi) for which theta = 0 at tau.
+/// Returns the phase in (0, pi) for which theta = 0 at tau, by (86), which is linear in sin(psi) and cos(psi).
 function phaseOfImpact(omega, tau) {
   const at = emitted.impact_during_pulse_with_derivatives(omega, 0, tau), psi = Math.atan2(-at.value, at.d_psi);
   return psi > 0 ? psi : psi + Math.PI;
 }
 
-/// The paper's conditions for overturning: the code, and at one omega_p/p the amplitudes. `t` is the running time in
+/// The paper's conditions for overturning: the code, and the amplitudes at one omega_p/p. `t` is the running time in
 /// (88) as printed.
 const forms = {
   "(71)": { code: -1, amplitudes: ({ omega }) =>
@@ -79,27 +79,27 @@ const forms = {
   "(103)": { code: 1, amplitudes: ({ omega, push }) =>
     rootsOf((psi) => emitted.overturning_cosine_pulse(omega, psi, push), inside - Math.PI / 2, Math.PI / 2 - inside, 300)
       .map((psi) => emitted.amplitude_of_cosine_pulse(1, psi)) },
-  "(r15)": { code: 1, amplitudes: ({ omega }) =>  // ours: the paper has none from rest
+  "(r15)": { code: 1, amplitudes: ({ omega }) =>  // our result: the paper has no condition from rest
     rootsOf((psi) => emitted.overturning_cosine_pulse_from_rest(omega, 1, psi), inside, Math.PI / 2 - inside, 300)
       .map((psi) => emitted.amplitude_of_cosine_pulse(1, psi)) },
   "(104)": { code: -1, amplitudes: ({ omega, push }) =>
     rootsOf((psi) => emitted.overturning_sine_pulse(omega, psi, push), inside, Math.PI - inside, 300).map(amplitudeAt) }
 };
 
-/// Those that apply to a pulse and its initial conditions.
+/// Returns the conditions that apply to a pulse and its initial conditions.
 function formsFor(c) {
   const rests = !c.angle && !c.velocity;
   if (c.pulse === "cosine") return rests ? ["(103)", "(r15)"] : ["(103)"];
   return rests ? ["(71)", "(78)", "(86), (88)", "(92a), (96)"] : ["(104)"];
 }
 
-/// Whether the linear block's outcome changes there as the form says.
+/// Returns whether the outcome of the linear block changes there as the form says.
 function isReal(c, form, omega, amplitude) {
   const codes = [1e-6, -1e-6].map((d) => codeOf({ ...c, model: "linear" }, omega, amplitude * (1 + d)));
   return codes[0] !== codes[1] && codes.includes(form.code);
 }
 
-/// The curves over a span of omega_p/p: {name, points: [[omega, amplitudes, real]...]}.
+/// Returns the curves over a span of omega_p/p: {name, points: [[omega, amplitudes, real]...]}.
 function curvesOf(c, span, names = formsFor(c), t = undefined) {
   return names.map((name) => {
     const points = [];
@@ -114,7 +114,7 @@ function curvesOf(c, span, names = formsFor(c), t = undefined) {
 
 const strides = [8, 4, 2, 1];
 
-/// In a worker: the columns that are its own, coarse first; and first of all, of one worker, the curves.
+/// Runs in a worker: computes its columns, coarse ones first. One worker computes the curves before that.
 function work() {
   const pause = new MessageChannel();
   let current = 0;

@@ -1,13 +1,13 @@
-// What the page draws: the block, the history, the phase plane and the map.
+// Draws the block, the history, the phase plane and the map.
 
-/// The colours of the page, by name, as its style sheet has them now.
+/// Returns the present colours of the style sheet, by name.
 function inks(section) {
   const style = getComputedStyle(section), ink = (name) => style.getPropertyValue("--" + name).trim();
   return Object.fromEntries(["ink", "paper", "soft", "faint", "motion", "ground", "jump", "safe", "block"]
     .map((name) => [name, ink(name)]));
 }
 
-/// A canvas as sharp as the screen; gives its context, width and height.
+/// Makes a canvas as sharp as the screen. Returns its context, width and height.
 function sheet(canvas) {
   const ratio = window.devicePixelRatio || 1, { clientWidth: width, clientHeight: height } = canvas;
   const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
@@ -46,7 +46,7 @@ function write(pen, text, x, y, colour, align = "center") {
   pen.fillText(text, x, y);
 }
 
-/// About `count` round numbers between two.
+/// Returns about `count` round numbers between two numbers.
 function ticks(low, high, count) {
   const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map((k) => k * power).find((k) => k >= rough), all = [];
@@ -54,7 +54,7 @@ function ticks(low, high, count) {
   return all;
 }
 
-/// Axes with round numbers; gives where x and y lie.
+/// Draws axes with round numbers. Returns the functions that place x and y.
 function axes({ pen, width, height }, c, [x0, x1], [y0, y1], margin = { left: 38, right: 10, top: 10, bottom: 22 }) {
   const x = (v) => margin.left + ((v - x0) / (x1 - x0)) * (width - margin.left - margin.right);
   const y = (v) => height - margin.bottom - ((v - y0) / (y1 - y0)) * (height - margin.top - margin.bottom);
@@ -79,7 +79,7 @@ function axes({ pen, width, height }, c, [x0, x1], [y0, y1], margin = { left: 38
   } };
 }
 
-/// The arcs of a motion as points [tau, theta/alpha, thetadot/(alpha p)], for drawing; computed once.
+/// Returns the arcs of a motion as points [tau, theta/alpha, thetadot/(alpha p)], computed once.
 function arcsOf(motion) {
   if (motion.arcs) return motion.arcs;
   motion.arcs = [];
@@ -98,8 +98,8 @@ function arcsOf(motion) {
   return motion.arcs;
 }
 
-/// The block on the ground, turned about O (theta < 0) or O' (theta > 0); beside it, the energy of free motion over
-/// that of the barrier.
+/// Draws the block on the ground, turned about O (theta < 0) or O' (theta > 0), and beside it the energy of free motion
+/// over the energy of the barrier.
 function drawBlock(canvas, c, state, motion, at) {
   const view = sheet(canvas), { pen, width, height } = view, { alpha } = state;
   const [b, h] = [Math.sin(alpha), Math.cos(alpha)];
@@ -131,7 +131,7 @@ function drawBlock(canvas, c, state, motion, at) {
   drawEnergy(view, c, motion, at, ground);
 }
 
-/// How much of the energy that it takes to pass the barrier a free block would have here.
+/// Returns the energy of a free block here, over the energy that passes the barrier.
 function energyShare({ pulse }, { side, angle, velocity }) {
   const critical = ofFreeMotion(pulse, "critical_velocity", side, 0);
   return ofFreeMotion(pulse, "impact_velocity_squared", side, angle, velocity) / (critical * critical);
@@ -149,7 +149,7 @@ function drawEnergy({ pen }, c, motion, at, ground) {
   write(pen, "energy", 6, 12, c.ink, "left");
 }
 
-/// theta/alpha and the acceleration of the ground against tau; the latter by the axis on the right.
+/// Draws theta/alpha (left axis) and the acceleration of the ground (right axis) against tau.
 function drawHistory(canvas, c, motion, at, time) {
   const view = sheet(canvas), { pen, width } = view, { pulse } = motion, arcs = arcsOf(motion);
   let most = 1.2;
@@ -181,7 +181,7 @@ function drawHistory(canvas, c, motion, at, time) {
   });
 }
 
-/// The phase plane, with the separatrix: where free motion just reaches |theta| = alpha.
+/// Draws the phase plane with the separatrix, on which free motion just reaches |theta| = alpha.
 function drawPhase(canvas, c, motion, at, time) {
   const view = sheet(canvas), { pen } = view, arcs = arcsOf(motion);
   let [wide, high] = [1.3, 1.3];
@@ -208,7 +208,7 @@ function drawPhase(canvas, c, motion, at, time) {
   });
 }
 
-/// Colours after Okabe and Ito, and hatchings, so that outcomes differ without colour, too.
+/// Colours after Okabe and Ito, and hatchings, so that outcomes also differ without colour.
 const palette = {
   "-1": [[0, 114, 178], () => false],
   1: [[213, 94, 0], (x, y) => x % 6 < 2],
@@ -219,7 +219,7 @@ const palette = {
 };
 const kindOf = (code) => (code === null ? null : Math.sign(code) * Math.min(3, Math.abs(code)));
 
-/// One pixel of an outcome.
+/// Returns the colour of one pixel of an outcome.
 function paint(pixels, at, code, x, y, blank) {
   const [colour, hatched] = palette[kindOf(code)] ?? [blank, () => code === null && (x * y) % 7 === 0];
   const shade = hatched(x, y) ? 0.62 : 1;
@@ -229,7 +229,7 @@ function paint(pixels, at, code, x, y, blank) {
 
 const rgb = (text) => [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16));
 
-/// The cells of the map as an image of its frame, kept until it changes.
+/// Returns the cells of the map as an image, which is kept until the map changes.
 function mapImage(map, frame, ratio, c) {
   const [w, h] = [frame[2], frame[3]].map((length) => Math.max(1, Math.round(length * ratio)));
   const key = [w, h, map.version, c.safe].join();
@@ -255,7 +255,7 @@ const dashes = { "(71)": [], "(78)": [2, 3], "(86), (88)": [9, 4], "(92a), (96)"
 
 function drawCurve(pen, plot, { name, points }, only, ink, c) {
   const last = [];
-  const threads = [];  // each a line of neighbouring roots
+  const threads = [];  // each thread is a line of neighbouring roots
   for (const [omega, found, real] of points) {
     const next = [];
     found.forEach((amplitude, i) => {
@@ -275,7 +275,7 @@ function drawCurve(pen, plot, { name, points }, only, ink, c) {
   }
 }
 
-/// The map, the curves over it, and where we are. Gives the axes.
+/// Draws the map, its curves and the present point. Returns the axes.
 function drawMap(canvas, c, map, curves, printed, state) {
   const view = sheet(canvas), { pen, ratio } = view, { omegas, amplitudes } = map;
   const plot = axes(view, c, [omegas.from, omegas.to], [amplitudes.from, amplitudes.to]);
@@ -295,7 +295,7 @@ function drawMap(canvas, c, map, curves, printed, state) {
   return plot;
 }
 
-/// A small picture of one outcome, for the legend.
+/// Draws a small picture of one outcome for the legend.
 function swatch(code, c) {
   const canvas = document.createElement("canvas"), [w, h] = [canvas.width, canvas.height] = [26, 16];
   const image = new ImageData(w, h);

@@ -1,10 +1,10 @@
-// The workbench: what is typed, dragged and played, and what follows from it.
+// The workbench: reacts to what the reader types, drags and plays.
 
 const physics = () => document.querySelector("script.workbench-physics").textContent;
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 const cells = 200;
 
-/// The map of a case, computed by workers; `changed` is called as it grows.
+/// The map of a case, computed by workers. `changed` is called as the map grows.
 class OutcomeMap {
   constructor(changed) {
     this.changed = changed, this.job = 0, this.version = 0, this.curves = [];
@@ -29,11 +29,11 @@ class OutcomeMap {
     codes?.forEach((code, k) => {
       for (let i = column; code !== undefined && i < Math.min(column + stride, omegas.count); ++i)
         for (let j = k * stride; j < Math.min((k + 1) * stride, amplitudes.count); ++j) {
-          const at = i * amplitudes.count + j;  // another worker may be ahead
+          const at = i * amplitudes.count + j;  // another worker may have done it
           if (stride <= this.fineness[at]) this.cells[at] = code, this.fineness[at] = stride;
         }
     });
-    this.soon ??= setTimeout(() => {  // to draw it takes time that the workers want
+    this.soon ??= setTimeout(() => {  // drawing takes time from the workers
       this.soon = null;
       ++this.version;
       this.changed();
@@ -41,7 +41,7 @@ class OutcomeMap {
   }
 }
 
-/// Calls of a function no more often than once a while, the last of them surely.
+/// Returns a function that calls another at most once per interval, and surely the last time.
 function seldom(action, milliseconds) {
   let timer = null;
   return () => {
@@ -68,14 +68,14 @@ class Workbench {
     this.set(stateFrom(text, (words) => (this.complaint = words)));
   }
 
-  /// Changes the case, and all that follows from it.
+  /// Changes the case and everything that depends on it.
   set(changes) {
     const state = { ...this.state, ...changes };
     try {
       const c = caseOf(state);
-      if (!(c.e > 0)) throw new RangeError(`restitution: by (46) so stocky a block does not rock on; give a number`);
+      if (!(c.e > 0)) throw new RangeError(`restitution: by (46) such a stocky block does not rock on; give a number`);
       if (state.model === "nonlinear" && Math.abs(state.theta0) >= Math.PI / 2)
-        throw new RangeError("theta0: the block already lies");
+        throw new RangeError("theta0 must be below pi/2 in size: the block already lies on its side");
       this.motion = motionOf(c);
       this.state = state;
       this.find(".error").textContent = this.complaint;
@@ -153,7 +153,7 @@ class Workbench {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
     for (const event of ["beforeprint", "afterprint"])
       window.addEventListener(event, () => {
-        section.classList.toggle("printing", event === "beforeprint");  // ink on paper, though the screen be dark
+        section.classList.toggle("printing", event === "beforeprint");  // print dark on light, even if the screen is dark
         this.drawNow();
       });
     if (this.own) window.addEventListener("hashchange", () => this.open(location.hash));
@@ -167,7 +167,7 @@ class Workbench {
 
   radiosOf(name) { return [...this.section.querySelectorAll(`[type=radio][name=${name}]`)]; }
 
-  /// The point of the map, dragged; rounded to what a pixel can tell.
+  /// Moves the point of the map by dragging, rounded to the size of a pixel.
   drag(event) {
     const { left, top } = event.target.getBoundingClientRect(), { omegas, amplitudes } = this.map;
     const [x, y, w, h] = this.plot.frame;
@@ -177,7 +177,7 @@ class Workbench {
       amplitude: at(amplitudes, 1 - (event.clientY - top - y) / h) });
   }
 
-  /// An arrow key, on the map or elsewhere.
+  /// Handles an arrow key, on the map or elsewhere.
   nudge(event) {
     const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
     if (!way) return false;
@@ -229,7 +229,7 @@ class Workbench {
     button.setAttribute("aria-label", this.playing ? "pause" : "play");
   }
 
-  /// One frame of the animation; with reduced motion, a picture twice a second.
+  /// Draws one frame of the animation; with reduced motion, two pictures per second.
   frame(now) {
     if (!this.playing) return;
     this.last ??= now;
@@ -292,7 +292,7 @@ class Workbench {
   drawMap(c, map) {
     const chosen = this.radiosOf("curves").find((radio) => radio.checked).value, printed = chosen === "printed";
     let curves = chosen === "none" ? [] : map.curves.filter(({ name }) => !printed || name !== "(r15)");
-    const running = "(86), (88)";  // (88) as printed has a running t: that of the picture
+    const running = "(86), (88)";  // (88) as printed has a running t, the time of the picture
     if (printed && formsFor(caseOf(this.state)).includes(running)) {
       const key = [map.job, this.time].join();
       if (key !== this.printedKey) {
@@ -316,7 +316,7 @@ class Workbench {
     }));
   }
 
-  /// Says which curves are drawn, and what is wrong with those that are printed.
+  /// Says which curves are drawn, and what is wrong with the printed ones.
   about(chosen, curves) {
     const drawn = ({ points }) =>
       points.some(([, found, real]) => (chosen === "printed" ? found.length : real.includes(true)));
