@@ -46,7 +46,7 @@ if(NOT TARGET rederive::ginac)
   target_link_libraries(rederive::ginac INTERFACE PkgConfig::GINAC PkgConfig::CLN)
 endif()
 
-if(rederive_rooms MATCHES "paper|kernel|lessons|certify|ledger|classroom")
+if(rederive_rooms MATCHES "emit|paper|rocking_block|kernel|lessons|certify|ledger|classroom")
   find_dependency(tomlplusplus)
   find_dependency(nlohmann_json)
 endif()

@@ -8,7 +8,8 @@
 //               lesson-01-the-block-and-its-motion --format html --out lesson-01.html
 #include <fmt/format.h>
 
-#include <derivations/rocking_block/paper_symbols.hpp>
+#include <derivations/rocking_block/paper.hpp>
+#include <derivations/rocking_block/symbols.hpp>
 #include <lessons/illustrations/drawings.hpp>
 #include <lessons/page/run_lesson.hpp>
 
@@ -183,5 +184,5 @@ int main(int argc, char** argv) {
                 {"Equation (21)", equation_21},
                 {"The phase portrait", phase_portrait},
                 {"Try it", try_it}}};
-  return run_lesson(lesson, argc, argv);
+  return run_lesson(rocking_block::paper(), lesson, argc, argv);
 }

@@ -5,6 +5,7 @@
 //
 // Sample runs:  lesson-02-lagrange-twice-over
 //               lesson-02-lagrange-twice-over --step 2
+#include <derivations/rocking_block/paper.hpp>
 #include <lessons/illustrations/drawings.hpp>
 #include <lessons/page/run_lesson.hpp>
 
@@ -67,8 +68,8 @@ void mirror(Page& page) {
     becomes right: $theta$ becomes $-theta$, and the ground accelerates the other way. Physics does not
     care, so (21a) must turn into (21b). We put in the changed signs:)");
   const Values mirrored{{"theta", "-theta"}, {"thetaddot", "-thetaddot"}, {"u_gddot", "-u_gddot"}};
-  page.show(derived_with("21a", mirrored));
-  page.compare(derived_with("21a", mirrored), derived_relation(derived("21b")));
+  page.show(page.derived_with("21a", mirrored));
+  page.compare(page.derived_with("21a", mirrored), page.derived_relation("21b"));
   page.say(R"(
     The same equation, multiplied by minus one. So there is *no* difference in size. What is needed to turn
     the block to the left by an acceleration to the right is what is needed to turn it to the right by one
@@ -120,5 +121,5 @@ int main(int argc, char** argv) {
                 {"What a mirror says about (21)", mirror},
                 {"What a train says about (7)", train},
                 {"Try it", try_it}}};
-  return run_lesson(lesson, argc, argv);
+  return run_lesson(rocking_block::paper(), lesson, argc, argv);
 }

@@ -6,7 +6,8 @@
 //               lesson-03-energy-and-the-barrier --step 3
 #include <fmt/format.h>
 
-#include <derivations/rocking_block/paper_symbols.hpp>
+#include <derivations/rocking_block/paper.hpp>
+#include <derivations/rocking_block/symbols.hpp>
 #include <lessons/illustrations/drawings.hpp>
 #include <lessons/page/run_lesson.hpp>
 
@@ -20,14 +21,15 @@ void potential(Page& page) {
     it is the potential energy while the block turns about O':)");
   page.result("14");
   page.say("It is largest where C stands above the corner, at $theta = alpha$. The height of the barrier is");
-  page.show(with(derived("14").right, {{"theta", "alpha"}}));
+  page.show(page.with(page.derived("14").right, {{"theta", "alpha"}}));
   page.say(R"(
     Now think of slenderness. For a small angle the bracket is about half of $alpha^2$: a block twice as
     slender has a quarter of the barrier. And think of size: the barrier grows with $m*R$. Here it is for
     three blocks whose half diagonal is one metre, as the height that C has to rise:)");
   std::vector<std::vector<std::string>> rows;
   for (const auto* alpha : {"0.15", "0.25", "0.40"}) {
-    const double rise = number_of(derived("13").right, {{"theta", alpha}, {"alpha", alpha}, {"R", "1"}});
+    const double rise =
+        page.number_of(page.derived("13").right, {{"theta", alpha}, {"alpha", alpha}, {"R", "1"}});
     rows.push_back({alpha, fmt::format("{:.1f} mm", 1000 * rise)});
   }
   page.table({"$alpha$", "rise of C at the barrier"}, rows);
@@ -37,22 +39,23 @@ void potential(Page& page) {
     moment.)");
 }
 
-StyledCurve potential_curve(const std::string& alpha, const std::string& style) {
-  const GiNaC::ex left = derived("3").right, right = derived("13").right;
-  const auto height = [=](double theta) {
-    return number_of(theta < 0 ? left : right,
-                     {{"theta", fmt::format("{:.6f}", theta)}, {"alpha", alpha}, {"R", "1"}});
+StyledCurve potential_curve(const Page& page, const std::string& alpha, const std::string& style) {
+  const GiNaC::ex left = page.derived("3").right, right = page.derived("13").right;
+  const auto height = [&](double theta) {
+    return page.number_of(theta < 0 ? left : right,
+                          {{"theta", fmt::format("{:.6f}", theta)}, {"alpha", alpha}, {"R", "1"}});
   };
   return {sampled(-0.5, 0.5, 81, height), "α = " + alpha, style};
 }
 
 void barrier_plot(Page& page) {
-  page.figure(plot("lesson-03-barrier",
-                   "The rise of C, divided by $R$, against the rotation. The valley at upright has a "
-                   "sharp bottom, and beyond the crests the block falls.",
-                   "set xlabel 'θ (rad)'; set ylabel 'rise of C / R'; set yrange [-0.06:0.09]",
-                   {potential_curve("0.15", "with lines ls 1"), potential_curve("0.25", "with lines ls 2"),
-                    potential_curve("0.40", "with lines ls 3")}));
+  page.figure(plot(
+      "lesson-03-barrier",
+      "The rise of C, divided by $R$, against the rotation. The valley at upright has a "
+      "sharp bottom, and beyond the crests the block falls.",
+      "set xlabel 'θ (rad)'; set ylabel 'rise of C / R'; set yrange [-0.06:0.09]",
+      {potential_curve(page, "0.15", "with lines ls 1"), potential_curve(page, "0.25", "with lines ls 2"),
+       potential_curve(page, "0.40", "with lines ls 3")}));
 }
 
 void moment_rotation(Page& page) {
@@ -65,13 +68,13 @@ void moment_rotation(Page& page) {
     so nothing turns until the moment of the ground exceeds that, as if the block were infinitely stiff.
     From there it *falls* with the rotation, down to nothing at $theta = alpha$. Stiffness is the slope of
     the moment:)");
-  page.show(derived("19").right.diff(paper::theta));
+  page.show(page.derived("19").right.diff(rocking_block::theta));
   page.say(R"(
     and it is negative. Here a sentence of the paper deserves a second reading. It says that once the block
     rocks *its stiffness decreases gradually, becoming zero when* $theta = alpha$. Put $theta = alpha$ into
     the two formulas: what becomes zero there is the *moment*. The stiffness is not zero and does not
     decrease to it; it is negative all the way, and at $theta = alpha$ it is most negative:)");
-  page.show(with(derived("19").right.diff(paper::theta), {{"theta", "alpha"}}));
+  page.show(page.with(page.derived("19").right.diff(rocking_block::theta), {{"theta", "alpha"}}));
   page.say(R"(
     The difference matters. A spring that becomes soft still brings you back. A negative stiffness is why a
     block that passes the crest does not hesitate, and why free rocking has no frequency of its own: the
@@ -93,14 +96,14 @@ void the_sign(Page& page) {
     The paper adds: *clearly, replacing* $theta$ *by* $-theta$ *in (22a) we obtain (22b)*. Is it so clear?
     If $theta$ changes its sign all along a motion, then so does its rate. We put both in:)");
   const Values turned{{"theta", "-theta"}, {"thetadot", "-thetadot"}};
-  page.show(derived_with("22a", turned));
-  page.compare(derived_with("22a", turned), derived_relation(derived("22b")));
+  page.show(page.derived_with("22a", turned));
+  page.compare(page.derived_with("22a", turned), page.derived_relation("22b"));
   page.say(R"(
     Not the same: the term that couples block and ground has changed its sign. Lesson 2 tells us what is
     missing. A mirror turns the ground round as well:)");
   const Values mirrored{{"theta", "-theta"}, {"thetadot", "-thetadot"}, {"u_gdot", "-u_gdot"}};
-  page.show(derived_with("22a", mirrored));
-  page.compare(derived_with("22a", mirrored), derived_relation(derived("22b")));
+  page.show(page.derived_with("22a", mirrored));
+  page.compare(page.derived_with("22a", mirrored), page.derived_relation("22b"));
   page.say(R"(
     So the sentence is true for the letter $theta$ alone, with its rate left as it is, and true for a
     mirrored motion on mirrored ground; it is not true for a mirrored motion on the same ground. When
@@ -140,5 +143,5 @@ int main(int argc, char** argv) {
                                 {"The total energy", total_energy},
                                 {"A word about signs", the_sign},
                                 {"Try it", try_it}}};
-  return run_lesson(lesson, argc, argv);
+  return run_lesson(rocking_block::paper(), lesson, argc, argv);
 }

@@ -6,6 +6,7 @@
 //               lesson-04-when-does-it-start-to-rock --step 4
 #include <fmt/format.h>
 
+#include <derivations/rocking_block/paper.hpp>
 #include <lessons/illustrations/drawings.hpp>
 #include <lessons/page/run_lesson.hpp>
 
@@ -44,7 +45,7 @@ void the_first_instant(Page& page) {
   page.say(R"(
     Two quick checks. If $lambda*a_p$ is exactly $g*tan(alpha)$, the moments are in balance and nothing
     should happen:)");
-  page.show(derived_with("28a", {{"lambda", "g*tan(alpha)/a_p"}}));
+  page.show(page.derived_with("28a", {{"lambda", "g*tan(alpha)/a_p"}}));
   page.say(R"(
     And if it is larger, the acceleration must be negative, because an acceleration to the right turns the
     block to the left, $theta < 0$. The formula says so too.)");
@@ -67,19 +68,19 @@ void tangent_only_at_the_start(Page& page) {
     Most books give a simpler condition: the block rocks rather than slides if $mu$ exceeds $b/h$. Is that
     wrong? We put the start of a *gradual* pulse into (31), one whose acceleration grows from zero and lifts
     the edge the moment it reaches $g*tan(alpha)$:)");
-  page.show(derived_with("31", {{"lambda", "g*tan(alpha)/a_p"}}));
+  page.show(page.derived_with("31", {{"lambda", "g*tan(alpha)/a_p"}}));
   page.say("and this is the tangent again:");
-  page.compare(derived_with("31", {{"lambda", "g*tan(alpha)/a_p"}}), derived_relation(derived("32a")));
+  page.compare(page.derived_with("31", {{"lambda", "g*tan(alpha)/a_p"}}), page.derived_relation("32a"));
   page.say(fmt::format(R"(
     So the simple rule holds for gradual pulses. For a sudden one, whose acceleration is already large when
     it begins, more friction is needed. How much more? Here is the right side of (31) for $alpha = 0.25$,
     where the tangent is {:.3f}:)",
-                       number_of(derived("32a").right, {{"alpha", "0.25"}})));
+                       page.number_of(page.derived("32a").right, {{"alpha", "0.25"}})));
   std::vector<std::vector<std::string>> rows;
   for (const auto* share : {"1", "1.5", "2", "3", "4"}) {
     const Values start{{"lambda", std::string(share) + "*tan(alpha)"}, {"a_p", "g"}};
-    const double needed =
-        number_of(with(with(derived("31").right, start), {{"alpha", "0.25"}, {"g", "9.81"}}));
+    const double needed = page.number_of(
+        page.with(page.with(page.derived("31").right, start), {{"alpha", "0.25"}, {"g", "9.81"}}));
     rows.push_back({share, fmt::format("{:.3f}", needed)});
   }
   page.table({"initial acceleration / $(g*tan(alpha))$", "friction needed"}, rows);
@@ -94,7 +95,7 @@ void one_sentence(Page& page) {
   page.say(R"(
     In the introduction the paper says that under a *moderate* positive excitation the block begins to turn
     to the right, $theta > 0$. Ask equation (21b), at rest and upright:)");
-  page.show(derived_with("21b", {{"theta", "0"}}));
+  page.show(page.derived_with("21b", {{"theta", "0"}}));
   page.say(R"(
     For any positive acceleration of the ground $thetaddot$ comes out negative, and a block that is to move
     to $theta > 0$ must have a positive one. So it never does. A moderate excitation, below $g*tan(alpha)$,
@@ -128,5 +129,5 @@ int main(int argc, char** argv) {
                                 {"When the simple rule holds", tangent_only_at_the_start},
                                 {"A sentence to think about", one_sentence},
                                 {"Try it", try_it}}};
-  return run_lesson(lesson, argc, argv);
+  return run_lesson(rocking_block::paper(), lesson, argc, argv);
 }

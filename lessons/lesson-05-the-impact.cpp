@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <derivations/rocking_block/impact.hpp>
+#include <derivations/rocking_block/paper.hpp>
 #include <lessons/illustrations/drawings.hpp>
 #include <lessons/illustrations/experiments.hpp>
 #include <lessons/page/run_lesson.hpp>
@@ -75,13 +76,13 @@ void second_road(Page& page) {
     with C, plus that of the rotation about C. C moves across its radius from O; seen from O' that velocity
     has a lever arm smaller than $R$, because the two radii enclose twice the angle $alpha$. The program
     adds the two parts:)");
-  page.show(paper::HO_minus, "=", momentum_before_impact_by_centre());
+  page.show(rocking_block::HO_minus, "=", rocking_block::momentum_before_impact_by_centre());
   page.say("and divides by the moment after the impact:");
-  page.show(paper::e, "=", restitution_by_parallel_axes());
+  page.show(rocking_block::e, "=", rocking_block::restitution_by_parallel_axes());
   Derivation second;
-  second.left = paper::e;
-  second.right = restitution_by_parallel_axes();
-  page.compare(derived_relation(second), derived_relation(derived("46b")));
+  second.left = rocking_block::e;
+  second.right = rocking_block::restitution_by_parallel_axes();
+  page.compare(page.derived_relation(second), page.derived_relation("46b"));
 }
 
 void numbers(Page& page) {
@@ -92,7 +93,8 @@ void numbers(Page& page) {
     back than go on. Here is a table; the last column is the part of the energy that each impact takes.)");
   std::vector<std::vector<std::string>> rows;
   for (const auto* shape : {"0.05", "0.11", "0.25", "0.5", "1"}) {
-    const double e = number_of(derived("46b").right, {{"alpha", "atan(" + std::string(shape) + ")"}});
+    const double e =
+        page.number_of(page.derived("46b").right, {{"alpha", "atan(" + std::string(shape) + ")"}});
     rows.push_back({shape, fmt::format("{:.4f}", e), fmt::format("{:.1f} %", 100 * (1 - e * e))});
   }
   page.table({"$b/h$", "$e$", "energy lost"}, rows);
@@ -106,15 +108,16 @@ void numbers(Page& page) {
     result of our own, with $d$ the distance from the edge:)");
   page.result("r16");
   page.say("It contains the old one: with $d = 0$ it is (46b).");
-  page.compare(derived_with("r16", {{"d", "0"}}), derived_relation(derived("46b")));
+  page.compare(page.derived_with("r16", {{"d", "0"}}), page.derived_relation("46b"));
   page.say(fmt::format(
       R"(
     For $alpha = 0.25$ (46) gives {:.3f}; with the force a quarter of the half width inside, $d = b/4$, it
     would be {:.3f}. So without bouncing (46) is the *least* that one should expect, not the most: a block
     on a slightly hollow base rocks longer than the theory says. Experiments often find just that. A number
     without its assumptions is half a number.)",
-      number_of(derived("46b").right, {{"alpha", "0.25"}}),
-      number_of(with(derived("r16").right, {{"d", "R*sin(alpha)/4"}}), {{"alpha", "0.25"}, {"R", "1"}})));
+      page.number_of(page.derived("46b").right, {{"alpha", "0.25"}}),
+      page.number_of(page.with(page.derived("r16").right, {{"d", "R*sin(alpha)/4"}}),
+                     {{"alpha", "0.25"}, {"R", "1"}})));
 }
 
 void decay(Page& page) {
@@ -165,5 +168,5 @@ int main(int argc, char** argv) {
                 {"Numbers", numbers},
                 {"A rocking block comes to rest", decay},
                 {"Try it", try_it}}};
-  return run_lesson(lesson, argc, argv);
+  return run_lesson(rocking_block::paper(), lesson, argc, argv);
 }

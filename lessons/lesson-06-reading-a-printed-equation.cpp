@@ -6,6 +6,7 @@
 //               lesson-06-reading-a-printed-equation --step 3
 #include <fmt/format.h>
 
+#include <derivations/rocking_block/paper.hpp>
 #include <lessons/illustrations/drawings.hpp>
 #include <lessons/illustrations/experiments.hpp>
 #include <lessons/page/run_lesson.hpp>
@@ -66,14 +67,14 @@ void the_special_case(Page& page) {
   const Values start{{"theta", "0"}, {"thetadot", "0"}, {"u_gddot", "g*tan(alpha)"}};
   Values start_with_p = start;
   start_with_p["R"] = "3*g/(4*p^2)";
-  const Relation printed = printed_with("50", start_with_p);
+  const Relation printed = page.printed_with("50", start_with_p);
   page.show(Relation{{printed.sides[1]}, {}});
   page.say("and that should be");
-  page.show(derived("51b").right);
-  page.compare(Relation{{printed.sides[1]}, {}}, Relation{{derived_relation(derived("51b")).sides[1]}, {}});
+  page.show(page.derived("51b").right);
+  page.compare(Relation{{printed.sides[1]}, {}}, Relation{{page.derived_relation("51b").sides[1]}, {}});
   page.say("The corrected one passes the same test:");
-  const Relation right = derived_with("50", start_with_p);
-  page.compare(Relation{{right.sides[1]}, {}}, Relation{{derived_relation(derived("51b")).sides[1]}, {}});
+  const Relation right = page.derived_with("50", start_with_p);
+  page.compare(Relation{{right.sides[1]}, {}}, Relation{{page.derived_relation("51b").sides[1]}, {}});
   page.say(R"(
     Remember this as a rule. *When an author writes that a formula reduces to a known one, do the
     reduction.* It is the cheapest test there is, and authors who are sure of themselves often have not done
@@ -96,7 +97,7 @@ void in_numbers(Page& page) {
     The static rule of lesson 4 asks for $tan(alpha)$, which is {:.3f}. A block that satisfies it exactly
     would still slip in some of these motions, none of which overturns it; so *friction large enough* is an
     assumption about the whole motion, and it should be checked after the fact.)",
-                       number_of(derived("32a").right, {{"alpha", "0.25"}})));
+                       page.number_of(page.derived("32a").right, {{"alpha", "0.25"}})));
 }
 
 void leaving_the_ground(Page& page) {
@@ -137,5 +138,5 @@ int main(int argc, char** argv) {
                 {"In numbers", in_numbers},
                 {"Leaving the ground", leaving_the_ground},
                 {"Try it", try_it}}};
-  return run_lesson(lesson, argc, argv);
+  return run_lesson(rocking_block::paper(), lesson, argc, argv);
 }

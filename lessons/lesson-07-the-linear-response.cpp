@@ -6,6 +6,7 @@
 //               lesson-07-the-linear-response --step 2
 #include <fmt/format.h>
 
+#include <derivations/rocking_block/paper.hpp>
 #include <lessons/illustrations/drawings.hpp>
 #include <lessons/illustrations/experiments.hpp>
 #include <lessons/page/run_lesson.hpp>
@@ -154,5 +155,5 @@ int main(int argc, char** argv) {
                 {"The critical motion", critical},
                 {"How good is it?", how_good},
                 {"Try it", try_it}}};
-  return run_lesson(lesson, argc, argv);
+  return run_lesson(rocking_block::paper(), lesson, argc, argv);
 }

@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <derivations/rocking_block/paper_symbols.hpp>
+#include <derivations/rocking_block/paper.hpp>
+#include <derivations/rocking_block/symbols.hpp>
 #include <lessons/illustrations/drawings.hpp>
 #include <lessons/illustrations/experiments.hpp>
 #include <lessons/page/run_lesson.hpp>
@@ -91,7 +92,8 @@ void two_brackets(Page& page) {
   for (Experiment experiment : {slow, fast}) {
     experiment.nonlinear = true;
     const double amplitude = simulated_without_impact(experiment);
-    const double factor = number_of(paper::alpha / tan(paper::alpha), {{"alpha", "0.25"}});
+    const double factor =
+        page.number_of(rocking_block::alpha / tan(rocking_block::alpha), {{"alpha", "0.25"}});
     rows.push_back({fmt::format("{:.0f}", experiment.omega), fmt::format("{:.5f}", amplitude),
                     fmt::format("{:.5f}", amplitude * factor)});
   }
@@ -149,5 +151,5 @@ int main(int argc, char** argv) {
                 {"Two brackets in the paper", two_brackets},
                 {"A root that is none", a_false_root},
                 {"Try it", try_it}}};
-  return run_lesson(lesson, argc, argv);
+  return run_lesson(rocking_block::paper(), lesson, argc, argv);
 }

@@ -6,7 +6,8 @@
 //               lesson-09-overturning-after-one-impact --step 4
 #include <fmt/format.h>
 
-#include <derivations/rocking_block/paper_symbols.hpp>
+#include <derivations/rocking_block/paper.hpp>
+#include <derivations/rocking_block/symbols.hpp>
 #include <lessons/illustrations/drawings.hpp>
 #include <lessons/illustrations/experiments.hpp>
 #include <lessons/page/run_lesson.hpp>
@@ -109,7 +110,8 @@ void a_number_that_cannot_be(Page& page) {
                        least.from, in_words(least.code)));
   Experiment theirs{.omega = 3, .nonlinear = true, .restitution = 0.9};
   const double amplitude = least_overturning(theirs, 2).from;
-  const double in_tangents = amplitude * number_of(paper::alpha / tan(paper::alpha), {{"alpha", "0.25"}});
+  const double in_tangents =
+      amplitude * page.number_of(rocking_block::alpha / tan(rocking_block::alpha), {{"alpha", "0.25"}});
   page.say(fmt::format(R"(
     Where does the number come from? Lesson 8 taught us to vary what might have been meant. Take the
     nonlinear model, $e$ = 0.9 and the unit $g*tan(alpha)$: the threshold is {:.5f}, and its reciprocal is
@@ -162,5 +164,5 @@ int main(int argc, char** argv) {
                 {"A number that cannot be", a_number_that_cannot_be},
                 {"A picture", a_picture},
                 {"Try it", try_it}}};
-  return run_lesson(lesson, argc, argv);
+  return run_lesson(rocking_block::paper(), lesson, argc, argv);
 }

@@ -6,6 +6,7 @@
 //               lesson-10-initial-conditions --step 3
 #include <fmt/format.h>
 
+#include <derivations/rocking_block/paper.hpp>
 #include <lessons/illustrations/drawings.hpp>
 #include <lessons/illustrations/experiments.hpp>
 #include <lessons/page/run_lesson.hpp>
@@ -63,8 +64,8 @@ void sine_again(Page& page) {
   page.argue("104");
   page.verdict("104");
   page.say("With zero initial conditions it must be (71) again. It is:");
-  const Relation special = derived_with("104", {{"theta_0", "0"}, {"thetadot_0", "0"}});
-  page.compare(special, derived_relation(derived("71")));
+  const Relation special = page.derived_with("104", {{"theta_0", "0"}, {"thetadot_0", "0"}});
+  page.compare(special, page.derived_relation("71"));
 }
 
 std::vector<std::pair<double, double>> amplitudes(const Experiment& base, numerics::Form form) {
@@ -140,5 +141,5 @@ int main(int argc, char** argv) {
                 {"The sine once more", sine_again},
                 {"In numbers", in_numbers},
                 {"Try it", try_it}}};
-  return run_lesson(lesson, argc, argv);
+  return run_lesson(rocking_block::paper(), lesson, argc, argv);
 }

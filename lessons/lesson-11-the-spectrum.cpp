@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <derivations/rocking_block/paper.hpp>
 #include <lessons/illustrations/drawings.hpp>
 #include <lessons/illustrations/experiments.hpp>
 #include <lessons/page/run_lesson.hpp>
@@ -172,5 +173,5 @@ int main(int argc, char** argv) {
                                 {"More than two modes", more_impacts},
                                 {"What to believe", what_to_believe},
                                 {"Try it", try_it}}};
-  return run_lesson(lesson, argc, argv);
+  return run_lesson(rocking_block::paper(), lesson, argc, argv);
 }

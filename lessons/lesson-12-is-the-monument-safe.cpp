@@ -6,7 +6,8 @@
 //               lesson-12-is-the-monument-safe --step 2
 #include <fmt/format.h>
 
-#include <derivations/rocking_block/paper_symbols.hpp>
+#include <derivations/rocking_block/paper.hpp>
+#include <derivations/rocking_block/symbols.hpp>
 #include <lessons/illustrations/drawings.hpp>
 #include <lessons/illustrations/experiments.hpp>
 #include <lessons/page/run_lesson.hpp>
@@ -21,12 +22,13 @@ void back_to_seconds(Page& page) {
     The last pages of the paper leave the dimensionless world. A block with $p = 2.14$ 1/s and $alpha =
     0.25$: which size is that? Turn (28) round.)");
   const double radius =
-      number_of(derived("28b").right * paper::R / pow(paper::p, 2), {{"g", "9.81"}, {"p", "2.14"}});
+      page.number_of(page.derived("28b").right * rocking_block::R / pow(rocking_block::p, 2),
+                     {{"g", "9.81"}, {"p", "2.14"}});
   page.say(fmt::format(R"(
     $R$ is {:.2f} m, so the block is {:.2f} m high and {:.2f} m wide: a tall cupboard, not a temple. A
     figure that comes without its size invites us to think of our own monument; work out the size first.)",
-                       radius, 2 * radius * number_of(cos(paper::alpha), {{"alpha", "0.25"}}),
-                       2 * radius * number_of(sin(paper::alpha), {{"alpha", "0.25"}})));
+                       radius, 2 * radius * page.number_of(cos(rocking_block::alpha), {{"alpha", "0.25"}}),
+                       2 * radius * page.number_of(sin(rocking_block::alpha), {{"alpha", "0.25"}})));
   page.say("The length of the pulse in seconds follows from (52), divided by $p$:");
   const double slow = pulse_length(1, 1) / 2.14, fast = pulse_length(4, 2) / 2.14;
   page.table({"$omega_p/p$", "$a_p/(alpha*g)$", "length of the pulse, computed", "printed"},
@@ -175,5 +177,5 @@ int main(int argc, char** argv) {
                                 {"A fair picture", a_fair_picture},
                                 {"A checklist for readers", a_checklist},
                                 {"Try it", try_it}}};
-  return run_lesson(lesson, argc, argv);
+  return run_lesson(rocking_block::paper(), lesson, argc, argv);
 }

@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include <derivations/paper/ledger.hpp>
+#include <derivations/rocking_block/paper.hpp>
 #include <lessons/exercises/exercise.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <map>
@@ -38,9 +38,9 @@ void make_seeds() {
   fs::remove_all(build / "seeds");
   fs::create_directories(build / "seeds");
   fs::copy(source / "seeds", build / "seeds", fs::copy_options::recursive);
-  const auto rows = rederive::read_rows(rederive::equations_file());
+  const auto rows = rederive::rows_of(rederive::rocking_block::paper());
   for (std::size_t i = 0; i < rows.size(); i += 6) seed("syntax", rows[i].claim());
-  seed_tables("equations", rederive::equations_file(), "[[equation]]", 10);
+  seed_tables("equations", rederive::equations_file(rederive::rocking_block::paper()), "[[equation]]", 10);
   for (const auto& file : fs::directory_iterator(rederive::classroom::exercises_folder()))
     seed_tables("exercises", file.path(), "[[exercise]]", 2);
   const auto table = rederive::read_table(source.parent_path() / "prove_table.toml");

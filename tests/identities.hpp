@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <derivations/decide/decide.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <functional>
 #include <initializer_list>
 #include <string_view>
+#include <tests/block.hpp>
 #include <utility>
 #include <vector>
 

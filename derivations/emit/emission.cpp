@@ -14,8 +14,7 @@ const std::map<std::string, Target>& targets() {
   return all;
 }
 
-Emission emission_of(const std::vector<std::string>& names, Target target) {
-  Emission all{emitted_functions(), taylor_steppers()};
+Emission chosen_from(Emission all, const std::vector<std::string>& names, Target target) {
   const std::set<std::string> named(names.begin(), names.end());
   const bool has_steppers = target == Target::cpp || target == Target::javascript;
   std::set<std::string> unknown = named;

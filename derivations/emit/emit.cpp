@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <derivations/emit/emit.hpp>
 #include <derivations/emit/infix.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
+#include <derivations/language/print.hpp>
+#include <derivations/mechanics/dimension.hpp>
 #include <set>
 #include <stdexcept>
 
@@ -12,10 +13,10 @@ namespace {
 
 using Kind = Operation::Kind;
 
-std::vector<Tree> trees_of(const EmittedFunction& function, bool with_derivatives) {
-  std::vector<Tree> trees = {to_tree(function.value, emission_symbols())};
+std::vector<Tree> trees_of(const EmittedFunction& function, const Symbols& symbols, bool with_derivatives) {
+  std::vector<Tree> trees = {to_tree(function.value, symbols)};
   for (const SymbolExpression& symbol : function.derivatives) {
-    if (with_derivatives) trees.push_back(to_tree(function.value.diff(symbol), emission_symbols()));
+    if (with_derivatives) trees.push_back(to_tree(function.value.diff(symbol), symbols));
   }
   return trees;
 }
@@ -28,8 +29,9 @@ std::vector<std::string> argument_names(const EmittedFunction& function) {
   return names;
 }
 
-Body body_of(const EmittedFunction& function, bool with_derivatives, const Dialect& dialect, bool sharing) {
-  const Operations operations(trees_of(function, with_derivatives));
+Body body_of(const EmittedFunction& function, const Symbols& symbols, bool with_derivatives,
+             const Dialect& dialect, bool sharing) {
+  const Operations operations(trees_of(function, symbols, with_derivatives));
   const Infix infix(operations, dialect, sharing);
   Body body;
   body.shared = infix.shared();
@@ -51,15 +53,14 @@ Body body_of(const EmittedFunction& function, bool with_derivatives, const Diale
 }
 
 /// Every symbol in the value is an argument.
-void check_arguments(const EmittedFunction& function) {
+void check_arguments(const EmittedFunction& function, const Symbols& symbols) {
   for (auto part = function.value.preorder_begin(); part != function.value.preorder_end(); ++part) {
     if (!GiNaC::is_a<GiNaC::symbol>(*part)) continue;
     const bool given =
         std::any_of(function.arguments.begin(), function.arguments.end(),
                     [&](const SymbolExpression& argument) { return argument.is_equal(*part); });
     if (!given) {
-      throw std::invalid_argument(function.name + " depends on " +
-                                  print(*part, Notation::plain, emission_symbols()) +
+      throw std::invalid_argument(function.name + " depends on " + print(*part, Notation::plain, symbols) +
                                   ", which is not among its arguments");
     }
   }
@@ -72,18 +73,19 @@ std::string plain_unit(const Dimension& dimension) {
     if (power.is_zero()) continue;
     std::string& side = dimension[i].is_negative() ? below : above;
     std::string factor = base_units[i];
-    if (power != 1) factor += "^" + print(GiNaC::ex(power));
+    if (power != 1) factor += "^" + print(power, Notation::plain, {});
     side += (side.empty() ? "" : dimension[i].is_negative() ? "/" : "*") + factor;
   }
   return (above.empty() ? "1" : above) + (below.empty() ? "" : "/" + below);
 }
 
-std::vector<std::string> documentation(const EmittedFunction& function, bool with_derivatives) {
-  const Provenance facts = provenance(function);
-  const Operations operations(trees_of(function, with_derivatives));
+std::vector<std::string> documentation(const EmittedFunction& function, const Symbols& symbols,
+                                       bool with_derivatives) {
+  const Provenance facts = provenance(function, symbols);
+  const Operations operations(trees_of(function, symbols, with_derivatives));
   std::vector<std::string> lines = {function.brief + (with_derivatives ? ", with derivatives" : "") + "."};
   for (const std::string& name : argument_names(function)) {
-    lines.push_back("  " + line_about(name));
+    lines.push_back("  " + line_about(*symbols.find(name)));
   }
   lines.push_back("  returns: " + facts.unit);
   lines.push_back("Equation (" + function.equation + "); " + std::to_string(operations.count_unshared()) +
@@ -105,13 +107,13 @@ std::string latex_escaped(const std::string& text) {
   return result;
 }
 
-std::string latex(const std::vector<EmittedFunction>& functions) {
+std::string latex(const Emission& emission) {
   std::string text =
       "% " + header()[0] + "\n\\documentclass{article}\n\\usepackage{amsmath}\n\\begin{document}\n";
-  for (const EmittedFunction& function : functions) {
+  for (const EmittedFunction& function : emission.functions) {
     text += "\n\\paragraph{" + latex_escaped(function.name) + ", equation (" + function.equation + ")} ";
-    text += "% hash " + provenance(function).hash + "\n\\[\n  ";
-    text += print(function.value, Notation::latex, emission_symbols()) + "\n\\]\n";
+    text += "% hash " + provenance(function, emission.symbols).hash + "\n\\[\n  ";
+    text += print(function.value, Notation::latex, emission.symbols) + "\n\\]\n";
   }
   return text + "\n\\end{document}\n";
 }
@@ -127,37 +129,36 @@ std::string hash_of(const std::string& text) {
   return result;
 }
 
-std::string line_about(const std::string& name) {
-  const Symbol& symbol = *emission_symbols().find(name);
-  return name + ": " + symbol.meaning + "; " + symbol.unit + ", " + symbol.range;
+std::string line_about(const Symbol& symbol) {
+  return symbol.name + ": " + symbol.meaning + "; " + symbol.unit + ", " + symbol.range;
 }
 
-Provenance provenance(const EmittedFunction& function) {
-  check_arguments(function);
-  const Tree tree = to_tree(function.value, emission_symbols());
-  const DimensionReport report = dimension(tree, emission_symbols());
+Provenance provenance(const EmittedFunction& function, const Symbols& symbols) {
+  check_arguments(function, symbols);
+  const Tree tree = to_tree(function.value, symbols);
+  const DimensionReport report = dimension(tree, symbols);
   if (!report.consistent) throw std::invalid_argument(function.name + ": " + report.explanation);
-  const Operations operations(trees_of(function, true));
+  const Operations operations(trees_of(function, symbols, true));
   return {plain_unit(report.dimension.value_or(Dimension{})), operations.count_unshared(), operations.count(),
-          hash_of(function.equation + "\n" + print(tree, Notation::plain, emission_symbols()))};
+          hash_of(function.equation + "\n" + print(tree))};
 }
 
-std::string emit(const std::vector<EmittedFunction>& functions, Target target, bool sharing,
-                 const std::vector<TaylorStepper>& steppers) {
-  for (const EmittedFunction& function : functions) provenance(function);  // refuses what is unsound
-  if (target == Target::latex) return latex(functions);
+std::string emit(const Emission& emission, Target target, bool sharing) {
+  const auto& [symbols, functions, steppers] = emission;
+  for (const EmittedFunction& function : functions) provenance(function, symbols);  // refuses what is unsound
+  if (target == Target::latex) return latex(emission);
   const Dialect& language = dialect(target);
   std::string text = language.comment(header()) + language.prologue();
   for (const EmittedFunction& function : functions) {
     const std::vector<std::string> arguments = argument_names(function);
-    text += "\n" + language.function(function.name, arguments, documentation(function, false),
-                                     body_of(function, false, language, sharing));
-    if (function.derivatives.empty()) continue;
-    text +=
-        "\n" + language.function(function.name + "_with_derivatives", arguments,
-                                 documentation(function, true), body_of(function, true, language, sharing));
+    const auto write = [&](const std::string& name, bool with_derivatives) {
+      text += "\n" + language.function(name, arguments, documentation(function, symbols, with_derivatives),
+                                       body_of(function, symbols, with_derivatives, language, sharing));
+    };
+    write(function.name, false);
+    if (!function.derivatives.empty()) write(function.name + "_with_derivatives", true);
   }
-  return text + taylor_text(steppers, target) + language.epilogue();
+  return text + taylor_text(steppers, symbols, target) + language.epilogue();
 }
 
 }  // namespace rederive

@@ -1,7 +1,7 @@
 // Trees → single operations, equal ones only once.
 #pragma once
 
-#include <derivations/rocking_block/paper_symbols.hpp>
+#include <derivations/language/tree.hpp>
 #include <map>
 #include <string>
 #include <tuple>

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <derivations/emit/emit.hpp>
 #include <derivations/emit/taylor.hpp>
+#include <derivations/language/lower.hpp>
+#include <derivations/language/print.hpp>
 #include <map>
 #include <stdexcept>
 
@@ -23,19 +25,19 @@ const std::vector<Family>& families() {
 
 class Extension {
  public:
-  explicit Extension(const TaylorStepper& stepper) : stepper_(stepper) {
+  Extension(const TaylorStepper& stepper, const Symbols& symbols) : stepper_(stepper), symbols_(symbols) {
     for (const SymbolExpression& parameter : stepper.parameters) declare(parameter);
     for (const auto& [state, rate] : stepper.rates) declare(state), system_.rates.emplace_back(state, 0);
     const bool timed = std::any_of(stepper.rates.begin(), stepper.rates.end(),
-                                   [](const auto& entry) { return entry.second.has(paper::t); });
-    if (timed) declare(paper::t), system_.rates.emplace_back(paper::t, 1);
+                                   [&](const auto& entry) { return entry.second.has(stepper.time); });
+    if (timed) declare(stepper.time), system_.rates.emplace_back(stepper.time, 1);
   }
 
   RationalSystem result() {
     std::vector<Tree> trees;
     for (const auto& [state, rate] : stepper_.rates) {
       check(state, rate);
-      trees.push_back(without_functions(to_tree(rate, emission_symbols())));
+      trees.push_back(without_functions(to_tree(rate, symbols_)));
     }
     for (std::size_t i = 0; i < trees.size(); ++i) system_.rates[i].second = lowered(trees[i]);
     for (const RationalSystem::Function& f : system_.functions) {
@@ -48,7 +50,7 @@ class Extension {
  private:
   void declare(const SymbolExpression& symbol) {
     arguments_.push_back(symbol);
-    system_.symbols.declare(*emission_symbols().find(symbol));
+    system_.symbols.declare(*symbols_.find(symbol));
   }
 
   ex lowered(const Tree& tree) const { return lower(tree, system_.symbols); }
@@ -56,9 +58,10 @@ class Extension {
   void check(const SymbolExpression& state, const ex& rate) const {
     if (rate.is_zero()) return;
     std::vector<SymbolExpression> arguments = arguments_;
-    arguments.push_back(paper::t);
+    arguments.push_back(stepper_.time);
     const std::string name = stepper_.name + ": the rate of " + name_of(state);
-    const std::string unit = provenance({name, arguments, rate * paper::t / state, {}, "", ""}).unit;
+    const std::string unit =
+        provenance({name, arguments, rate * stepper_.time / state, {}, "", ""}, symbols_).unit;
     if (unit != "1")
       throw std::invalid_argument(
           name + ", multiplied by the time and divided by the state, must be a pure number, but it is in " +
@@ -95,7 +98,7 @@ class Extension {
       for (std::size_t i = 0; i < family.members.size(); ++i) {
         const std::string& member = family.members[i];
         const std::string& derivative = family.members[(i + 1) % family.members.size()];
-        system_.symbols.declare(member + number, member, member, "1", all_numbers, member, "emit");
+        system_.symbols.declare({member + number, member, member, "1", all_numbers, member, "emit"});
         system_.functions.push_back(
             {member + number, member, argument, derivative + number, family.signs[i]});
       }
@@ -107,6 +110,7 @@ class Extension {
   }
 
   const TaylorStepper& stepper_;
+  const Symbols& symbols_;
   RationalSystem system_;
   std::vector<SymbolExpression> arguments_;
   std::map<std::string, int> count_;
@@ -114,6 +118,8 @@ class Extension {
 
 }  // namespace
 
-RationalSystem rational_system(const TaylorStepper& stepper) { return Extension(stepper).result(); }
+RationalSystem rational_system(const TaylorStepper& stepper, const Symbols& symbols) {
+  return Extension(stepper, symbols).result();
+}
 
 }  // namespace rederive

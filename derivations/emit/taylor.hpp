@@ -3,8 +3,8 @@
 #pragma once
 
 #include <derivations/emit/dialect.hpp>
+#include <derivations/language/tree.hpp>
 #include <derivations/mechanics/time_derivative.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <string>
 #include <vector>
 
@@ -13,19 +13,17 @@ namespace rederive {
 /// dx/dt = f(x, t): rational operations, sin, cos, sinh, cosh, exp, and constants of any kind.
 struct TaylorStepper {
   std::string name;                          ///< "rocking_in_pulse_negative"
-  std::vector<SymbolExpression> parameters;  ///< constant in time; from emission_symbols(), like the state
+  std::vector<SymbolExpression> parameters;  ///< constant in time
   Rates rates;                               ///< the state, in order, each with its rate
   std::string equation;                      ///< the ledger row it stands for: "21a"
   std::string brief;                         ///< one line of documentation
+  SymbolExpression time;                     ///< in which the motion develops
 };
 
 /// The name that a symbol is written with: "psi".
 inline std::string name_of(const SymbolExpression& symbol) {
   return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name();
 }
-
-/// Every stepper that is emitted, built from the derivations.
-std::vector<TaylorStepper> taylor_steppers();
 
 /// The same motion without functions. A function of what moves is a further part of the state, a sine with
 /// its cosine: (sin A)' = cos(A) A', (cos A)' = -sin(A) A', and so for sinh and cosh; (exp A)' = exp(A) A'.
@@ -45,7 +43,7 @@ struct RationalSystem {
 
 /// Throws std::invalid_argument if a rate has another symbol than parameters, state and time, if it has not
 /// the dimension of its state per second, or if a function is none of those.
-RationalSystem rational_system(const TaylorStepper& stepper);
+RationalSystem rational_system(const TaylorStepper& stepper, const Symbols& symbols);
 
 /// A symbol, or another text that stands for a value.
 inline Tree leaf(const std::string& text) { return make_tree(Node::Kind::symbol, text); }
@@ -66,6 +64,6 @@ Recurrences recurrences(const RationalSystem& system);
 
 /// The steppers as classes, after the functions that they share. Throws std::invalid_argument if there are
 /// steppers and the target is neither C++ nor JavaScript.
-std::string taylor_text(const std::vector<TaylorStepper>& steppers, Target target);
+std::string taylor_text(const std::vector<TaylorStepper>& steppers, const Symbols& symbols, Target target);
 
 }  // namespace rederive

@@ -172,25 +172,24 @@ Tree integrated(const Tree& rate) {
 }
 
 std::vector<std::string> documentation(const TaylorStepper& stepper, const RationalSystem& system,
-                                       const Names& arguments) {
+                                       const Names& arguments, const Symbols& symbols) {
   const auto plain = [&](const auto& what) { return print(what, Notation::plain, system.symbols); };
   Names lines = {stepper.brief + ": Taylor coefficients of the motion.", "  Rates of change:"};
   for (const auto& [symbol, rate] : system.rates)
     lines.push_back("    " + name_of(symbol) + "' = " + plain(rate));
   for (const auto& f : system.functions)
     lines.push_back("    where " + f.name + " = " + f.function + "(" + plain(f.argument) + ")");
-  for (const std::string& name : arguments) lines.push_back("  " + line_about(name));
+  for (const std::string& name : arguments) lines.push_back("  " + line_about(*symbols.find(name)));
   std::string printed = stepper.equation;
-  for (const auto& [state, rate] : stepper.rates)
-    printed += "\n" + print(rate, Notation::plain, emission_symbols());
+  for (const auto& [state, rate] : stepper.rates) printed += "\n" + print(rate, Notation::plain, symbols);
   lines.push_back("Equation (" + stepper.equation + "); hash " + hash_of(printed) + ".");
   return lines;
 }
 
-std::string text_of(const TaylorStepper& stepper, Target target) {
+std::string text_of(const TaylorStepper& stepper, const Symbols& symbols, Target target) {
   const bool cpp = target == Target::cpp;
   const Dialect& language = dialect(target);
-  const RationalSystem system = rational_system(stepper);
+  const RationalSystem system = rational_system(stepper, symbols);
   const Recurrences derived = recurrences(system);
   Names parameters, series;
   for (const SymbolExpression& symbol : stepper.parameters) parameters.push_back(name_of(symbol));
@@ -241,7 +240,7 @@ std::string text_of(const TaylorStepper& stepper, Target target) {
   for (const std::string& line : lines) body += wrapped("      " + line, "          ") + "\n";
   if (body.find("first") != body.npos)
     body = "      " + constant("first", cpp ? "T(k == 0 ? 1 : 0)" : "k === 0 ? 1 : 0") + "\n" + body;
-  const Names about = documentation(stepper, system, arguments);
+  const Names about = documentation(stepper, system, arguments, symbols);
   const auto list = [](const Names& names, const std::string& each_of_them) {
     return each(names, ", " + each_of_them).substr(names.empty() ? 0 : 2);
   };
@@ -261,12 +260,12 @@ std::string text_of(const TaylorStepper& stepper, Target target) {
 
 }  // namespace
 
-std::string taylor_text(const std::vector<TaylorStepper>& steppers, Target target) {
+std::string taylor_text(const std::vector<TaylorStepper>& steppers, const Symbols& symbols, Target target) {
   if (steppers.empty()) return "";
   if (target != Target::cpp && target != Target::javascript)
     throw std::invalid_argument("Taylor steppers can only be written in C++ and JavaScript");
   std::string text = target == Target::cpp ? cpp_prologue : javascript_prologue;
-  for (const TaylorStepper& stepper : steppers) text += text_of(stepper, target);
+  for (const TaylorStepper& stepper : steppers) text += text_of(stepper, symbols, target);
   return text;
 }
 

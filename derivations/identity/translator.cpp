@@ -124,7 +124,7 @@ Fraction Translator::symbol(const std::string& name) {
   const Fraction variable = ring_.generator(name, 0, [&] {
     const Symbol* known = symbols_.find(name);
     if (known == nullptr) throw Undecidable("the symbol " + name + " is not declared");
-    return Generator{known->ginac, parse_range(known->range)};
+    return Generator{*known, parse_range(known->range)};
   });
   return ring_.normal(variable);  // an equation that is assumed may say what it is
 }
@@ -136,7 +136,7 @@ Fraction Translator::pi() {
 const RewriteRule* rewrite_rule(const std::string& function) {
   static const auto read = [](const char* text) {
     Symbols symbols;
-    symbols.declare("u", "u", "u", "1", all_numbers, "", "");
+    symbols.declare({"u", "u", "u", "1", all_numbers, "", ""});
     return parse(text, symbols);
   };
   static const auto rule = [](const std::vector<std::pair<const char*, Signs>>& domain,

@@ -65,7 +65,7 @@ std::string Script::text_of(const Fraction& f) const {
 }
 
 const Symbol& Script::declare(const std::string& name) {
-  return names_.declare(name, name, name, "1", all_numbers, "a name in a script", "");
+  return names_.declare({name, name, name, "1", all_numbers, "a name in a script", ""});
 }
 
 /// Returns the name of a phase; a phase that is a symbol keeps its name.
@@ -135,7 +135,7 @@ void Script::say_facts() {
       const GiNaC::ex x = names_[name];
       meaning = g.function == "cos" ? cos(x) : sin(x);
       if (g.function == "exp") {  // by a name: GiNaC writes exp(x)^2 as exp(2 x)
-        meaning = declare("exp_" + name).ginac;
+        meaning = declare("exp_" + name);
         exponentials_["exp_" + name] =
             make_tree(Node::Kind::call, "exp", {make_tree(Node::Kind::symbol, name)});
       }
@@ -144,7 +144,7 @@ void Script::say_facts() {
       const int index = static_cast<int>(meanings_.size());
       const std::string name = "root" + std::to_string(index);
       say_fact("square_root " + name + " # (" + base_of(g, index) + ")");
-      meaning = declare(name).ginac;
+      meaning = declare(name);
     } else if (g.function == "sqrt" || g.function == "fabs" || g.function == "log") {
       throw Undecidable("there is no script for higher roots, absolute values and logarithms");
     }

@@ -36,7 +36,7 @@ std::string lemma_name(const std::string& kind, std::string id) {
   return kind + "_" + id;
 }
 
-std::optional<Lemma> lemma_of(const Entry& entry) {
+std::optional<Lemma> lemma_of(const Paper& paper, const Entry& entry) {
   const bool is_error = entry.proof.verdict == Verdict::error;
   if ((!entry.derivation && !is_error) || entry.proof.verdict == Verdict::definition) return std::nullopt;
   const bool is_refuted = entry.proof.verdict == Verdict::refuted;
@@ -45,10 +45,10 @@ std::optional<Lemma> lemma_of(const Entry& entry) {
   if (is_refuted) result.name += "_refuted", result.kind = "refutation";
   try {
     if (is_error) throw Undecidable(entry.proof.reason);
-    const Symbols symbols = symbols_in(entry.row.domain);
-    const Question question{parse_statement(entry.row.claim(), symbols), derived_relation(*entry.derivation),
-                            symbols, entry.derivation->given,
-                            conditions_of(entry.row, *entry.derivation, symbols)};
+    const Symbols symbols = symbols_in(paper, entry.row.domain);
+    const Question question{parse_statement(entry.row.claim(), symbols),
+                            derived_relation(*entry.derivation, symbols), symbols, entry.derivation->given,
+                            conditions_of(paper, entry.row, *entry.derivation, symbols)};
     if (entry.proof.verdict == Verdict::undecided) throw Undecidable("the verdict is undecided");
     result.text = comment(entry) + (is_refuted ? refutation : lemma)(result.name, question, entry.proof);
   } catch (const Undecidable& error) {
@@ -63,15 +63,24 @@ std::string shipped(const std::string& name) {
                            "; XDG_DATA_DIRS may name the folder share of an installation");
 }
 
-std::vector<Lemma> shipped_theorems() {
+std::vector<std::string> prelude_of(const Paper& paper) {
+  std::vector<std::string> files{"Rederive.v", "Intervals.v", "Bounds.v"};
+  files.insert(files.end(), paper.theorems.prelude.begin(), paper.theorems.prelude.end());
+  return files;
+}
+
+std::vector<Lemma> shipped_theorems(const Paper& paper) {
   static const std::regex theorem("\nTheorem ((derivation|instance|claim)_([^_ ]+)\\w*|\\w+)");
   std::vector<Lemma> result;
-  for (const std::string file : theorem_files) {
-    const std::string text = shipped(file), threshold = file == "Thresholds.v" ? "71" : "88";
+  for (const auto& [file, row] : paper.theorems.files) {
+    const std::string text = shipped(file);
     for (std::sregex_iterator found(text.begin(), text.end(), theorem), end; found != end; ++found) {
       const bool has_id = (*found)[2].matched;
-      result.push_back({has_id ? (*found)[3].str() : threshold, file, (*found)[1],
-                        has_id ? (*found)[2].str() : "threshold", "", ""});
+      result.push_back({.id = has_id ? (*found)[3].str() : row,
+                        .file = file,
+                        .name = (*found)[1],
+                        .kind = has_id ? (*found)[2].str() : "threshold",
+                        .ships = true});
     }
   }
   return result;
@@ -84,12 +93,12 @@ std::string text_of(const Lemma& theorem) {
   return text.substr(start, text.find("Qed.\n", at) + 5 - start);
 }
 
-std::map<std::string, std::string> files_of(const std::vector<Lemma>& lemmas) {
+std::map<std::string, std::string> files_of(const Paper& paper, const std::vector<Lemma>& lemmas) {
   std::map<std::string, std::string> files;
   std::string project = "-R . Rederive\n";
-  for (const char* name : prelude) files[name] = shipped(name), project += name + std::string("\n");
+  for (const std::string& name : prelude_of(paper)) files[name] = shipped(name), project += name + "\n";
   for (const Lemma& lemma : lemmas) {
-    const auto [place, is_new] = files.try_emplace(lemma.file, ships(lemma) ? shipped(lemma.file) : imports);
+    const auto [place, is_new] = files.try_emplace(lemma.file, lemma.ships ? shipped(lemma.file) : imports);
     if (is_new) project += lemma.file + "\n";
     if (!lemma.text.empty()) place->second += "\n" + lemma.text;
   }
@@ -97,11 +106,11 @@ std::map<std::string, std::string> files_of(const std::vector<Lemma>& lemmas) {
   return files;
 }
 
-void write_scripts(const std::filesystem::path& folder, const std::vector<Lemma>& lemmas,
+void write_scripts(const Paper& paper, const std::filesystem::path& folder, const std::vector<Lemma>& lemmas,
                    const std::map<std::string, std::string>& more) {
   make_output_folder(folder);
   std::vector<std::pair<std::filesystem::path, std::string>> files;
-  for (const auto& [name, text] : files_of(lemmas)) files.emplace_back(folder / name, text);
+  for (const auto& [name, text] : files_of(paper, lemmas)) files.emplace_back(folder / name, text);
   for (const auto& [name, text] : more) files.emplace_back(folder / name, text);
   write_together(files);
 }

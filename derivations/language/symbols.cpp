@@ -18,9 +18,20 @@ std::string in_brackets(const Range& range) {
          (range.upper_closed ? "]" : ")");
 }
 
-bool is_nonnegative_end(std::string_view end) {
-  static const std::regex form("([^-A-Za-z]|pi|sqrt|exp)*");
-  return std::regex_match(end.begin(), end.end(), form);
+Symbol::Symbol(std::string its_name, std::string its_latex, std::string its_unicode, std::string its_unit,
+               std::string its_range, std::string its_meaning, std::string its_introduced)
+    : name(std::move(its_name)),
+      latex(std::move(its_latex)),
+      unicode(std::move(its_unicode)),
+      unit(std::move(its_unit)),
+      range(std::move(its_range)),
+      meaning(std::move(its_meaning)),
+      introduced(std::move(its_introduced)) {
+  static const std::regex positive(R"(.([^-A-Za-z,]|pi|sqrt|exp)*,.*)");  // nothing is subtracted
+  // GiNaC simplifies sqrt(x^2) to x where it knows that x is not negative.
+  SymbolExpression::operator=(std::regex_match(range, positive)
+                                  ? SymbolExpression(GiNaC::possymbol(name, latex))
+                                  : SymbolExpression(GiNaC::realsymbol(name, latex)));
 }
 
 const Symbol& Symbols::declare(Symbol symbol) {
@@ -28,16 +39,9 @@ const Symbol& Symbols::declare(Symbol symbol) {
   if (!std::regex_match(symbol.name, name_form))
     throw std::invalid_argument("a name must be of letters, digits and '_', and not pi or inf, unlike '" +
                                 symbol.name + "'");
-  const Range ends = read_range(symbol.range);
-  if (!GiNaC::is_a<GiNaC::symbol>(symbol.ginac)) {
-    // GiNaC simplifies sqrt(x^2) to x if it knows that x is not negative.
-    symbol.ginac = is_nonnegative_end(ends.lower)
-                       ? SymbolExpression(GiNaC::possymbol(symbol.name, symbol.latex))
-                       : SymbolExpression(GiNaC::realsymbol(symbol.name, symbol.latex));
-  }
+  (void)read_range(symbol.range);
   if (!table_.contains(symbol.name)) order_.push_back(symbol.name);
-  std::string name = symbol.name;
-  return table_.insert_or_assign(std::move(name), std::move(symbol)).first->second;
+  return table_.insert_or_assign(std::string(symbol.name), std::move(symbol)).first->second;
 }
 
 void Symbols::narrow(std::string_view name, std::string range) {
@@ -54,16 +58,17 @@ const Symbol* Symbols::find(std::string_view name) const {
 const Symbol* Symbols::find(const GiNaC::ex& symbol) const {
   if (!GiNaC::is_a<GiNaC::symbol>(symbol)) return nullptr;
   const Symbol* found = find(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name());
-  return found != nullptr && found->ginac.is_equal(symbol) ? found : nullptr;
+  return found != nullptr && found->is_equal(symbol) ? found : nullptr;
 }
 
 const SymbolExpression& Symbols::operator[](std::string_view name) const {
-  if (const Symbol* found = find(name)) return found->ginac;
+  if (const Symbol* found = find(name)) return *found;
   throw std::out_of_range("no symbol '" + std::string(name) + "' is declared");
 }
 
 std::size_t Symbols::rank(std::string_view name) const {
-  return static_cast<std::size_t>(std::find(order_.begin(), order_.end(), name) - order_.begin());
+  if (name == "pi") return 0;
+  return 1 + static_cast<std::size_t>(std::find(order_.begin(), order_.end(), name) - order_.begin());
 }
 
 }  // namespace rederive

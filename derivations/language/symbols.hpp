@@ -29,9 +29,12 @@ struct Given {
 /// The range of a symbol that may be any real number.
 inline constexpr const char* all_numbers = "(-inf, inf)";
 
-/// What is declared about one symbol. A range is an open interval in our syntax: "(0, inf)", "(0, pi/2)",
-/// "(-inf, inf)"; a closed end is written with a bracket: "(0, 1]".
-struct Symbol {
+/// A symbol with what is declared about it; in a derivation it is an expression. A range is an open interval
+/// in our syntax: "(0, inf)", "(0, pi/2)", "(-inf, inf)"; a closed end is written with a bracket: "(0, 1]".
+struct Symbol : SymbolExpression {
+  /// Makes a GiNaC symbol: a possymbol where the lower end of the range is seen not to be negative.
+  Symbol(std::string name, std::string latex, std::string unicode, std::string unit, std::string range,
+         std::string meaning, std::string introduced);
   std::string name;        ///< ASCII, as typed: "theta", "omega_p", "u_gddot"
   std::string latex;       ///< "\\ddot u_g"
   std::string unicode;     ///< "ü_g"
@@ -39,7 +42,6 @@ struct Symbol {
   std::string range;       ///< see above
   std::string meaning;     ///< one line
   std::string introduced;  ///< where the paper introduces it: "Fig. 1", "(21)"
-  SymbolExpression ginac;  ///< the one GiNaC symbol of this name (a possymbol where no value is negative)
 };
 
 /// The ends of a range, each an expression in our syntax, "inf" or "-inf".
@@ -51,20 +53,12 @@ struct Range {
 Range read_range(std::string_view text);
 /// Returns the text of a range.
 std::string in_brackets(const Range& range);
-/// Whether an end of a range is seen not to be negative: nothing is subtracted in it, and no function in it
-/// has negative values.
-bool is_nonnegative_end(std::string_view end);
 
 /// A set of declared symbols. Copies share the GiNaC symbols, except those that are declared again.
 class Symbols {
  public:
   /// Declares a symbol, or declares it anew (a user's assumption replaces the range).
   /// Throws std::invalid_argument if the name or the range cannot be read.
-  const Symbol& declare(std::string name, std::string latex, std::string unicode, std::string unit,
-                        std::string range, std::string meaning, std::string introduced) {
-    return declare({name, latex, unicode, unit, range, meaning, introduced, SymbolExpression()});
-  }
-  /// The same with the GiNaC symbol of `symbol`, or with a new one where that has none.
   const Symbol& declare(Symbol symbol);
   /// Replaces the range alone, so that the GiNaC symbol and all expressions with it stay the same. Throws
   /// std::out_of_range for an unknown name and std::invalid_argument for an unreadable range.
@@ -75,7 +69,7 @@ class Symbols {
   const SymbolExpression& operator[](std::string_view name) const;
   const std::vector<std::string>& names() const { return order_; }  ///< in the order of declaration
   const std::map<std::string, Symbol, std::less<>>& table() const { return table_; }  ///< by name
-  std::size_t rank(std::string_view name) const;  ///< place in that order: the printing order
+  std::size_t rank(std::string_view name) const;  ///< place in the printing order: π, then as declared
 
  private:
   std::vector<std::string> order_;

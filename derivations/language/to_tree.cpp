@@ -46,13 +46,9 @@ std::string function_order(const std::string& name) {
   return name == "sin" ? "cor" : name == "sinh" ? "corh" : name;
 }
 
-std::size_t rank(const std::string& name, const Symbols& symbols) {
-  return name == "pi" ? 0 : 1 + symbols.rank(name);
-}
-
 std::weak_ordering compare(const Tree& a, const Tree& b, const Symbols& symbols) {
   const auto key = [&](const Node& node) {
-    return std::tuple(node.kind, node.kind == Kind::symbol ? rank(node.text, symbols) : 0,
+    return std::tuple(node.kind, node.kind == Kind::symbol ? symbols.rank(node.text) : 0,
                       node.kind == Kind::number ? node.text.size() : 0, function_order(node.text),
                       node.children.size());
   };
@@ -157,7 +153,7 @@ bool is_before(const Term& a, const Term& b, const Symbols& symbols) {
   constexpr std::size_t none = -1;
   const auto symbol_at = [&](const Term& t, std::size_t k) {
     const bool is_one = k < t.factors.size() && class_of(t.factors[k]) == 1;
-    return is_one ? rank(t.factors[k].base->text, symbols) : none;
+    return is_one ? symbols.rank(t.factors[k].base->text) : none;
   };
   std::size_t i = 0, j = 0;
   while (symbol_at(a, i) != none || symbol_at(b, j) != none) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <derivations/language/symbols.hpp>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ struct Step {
   std::string says;
   GiNaC::ex left, right;  ///< both 0 if the step has words only
   std::string relation = "=";
+  std::string cites = {};  ///< the id of the row of the paper whose result this is, if it is one
 };
 
 /// A result with its argument. `left relation right` is the result in the symbols of the paper. It never
@@ -30,6 +32,6 @@ struct Derivation {
 };
 
 /// A derivation is a pure function.
-using Derive = Derivation (*)();
+using Derive = std::function<Derivation()>;
 
 }  // namespace rederive

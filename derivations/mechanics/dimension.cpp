@@ -156,7 +156,7 @@ namespace {
 const Symbols& units_as_symbols() {
   static const Symbols units = [] {
     Symbols table;
-    for (const char* unit : base_units) table.declare(unit, unit, unit, unit, "(0, inf)", "", "");
+    for (const char* unit : base_units) table.declare({unit, unit, unit, unit, "(0, inf)", "", ""});
     return table;
   }();
   return units;

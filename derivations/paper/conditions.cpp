@@ -1,11 +1,11 @@
 #include <algorithm>
+#include <derivations/decide/problem.hpp>
 #include <derivations/paper/conditions.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 
 namespace rederive {
 
-std::vector<Relation> declared_conditions_on(std::set<std::string> names) {
-  std::vector<Relation> result, others = declared_conditions();
+std::vector<Relation> declared_conditions_on(const Paper& paper, std::set<std::string> names) {
+  std::vector<Relation> result, others = paper.conditions;
   for (bool has_grown = true; has_grown;) {
     has_grown = false;
     std::erase_if(others, [&](const Relation& condition) {

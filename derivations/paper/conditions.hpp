@@ -1,15 +1,15 @@
 // What the declared ranges say of several symbols.
 #pragma once
 
-#include <derivations/decide/problem.hpp>
+#include <derivations/paper/paper.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace rederive {
 
-/// Those of declared_conditions() that say something of one of these names, or of a symbol in another one of
+/// Those of the paper's conditions that say something of one of these names, or of a symbol in another one of
 /// them.
-std::vector<Relation> declared_conditions_on(std::set<std::string> names);
+std::vector<Relation> declared_conditions_on(const Paper& paper, std::set<std::string> names);
 
 }  // namespace rederive

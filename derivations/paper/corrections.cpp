@@ -22,23 +22,24 @@ void collect_arguments(const Tree& tree, std::vector<Tree>& arguments) {
 
 /// What may be meant by an argument: a half of it, twice it, another argument, or this one with a slip
 /// undone.
-std::vector<Tree> instead_of(const Tree& argument, const std::vector<Tree>& others, const Symbols& symbols) {
+std::vector<Tree> instead_of(const Tree& argument, const std::vector<Tree>& others, const Paper& paper) {
+  const Symbols& symbols = paper.symbols;
   std::vector<Tree> result;
   const GiNaC::ex value = lower(argument, symbols);
   for (const GiNaC::ex& other : {value / 2, value * 2}) result.push_back(to_tree(other.expand(), symbols));
   result.insert(result.end(), others.begin(), others.end());
-  for (const Mutant& mutant : mutants({{argument}, {}}, symbols)) result.push_back(mutant.relation.sides[0]);
+  for (const Mutant& mutant : mutants({{argument}, {}}, paper)) result.push_back(mutant.relation.sides[0]);
   return result;
 }
 
 /// Calls `use` with every tree that has another argument in one place, until it returns true.
-bool with_another_argument(const Tree& tree, const std::vector<Tree>& others, const Symbols& symbols,
+bool with_another_argument(const Tree& tree, const std::vector<Tree>& others, const Paper& paper,
                            const std::function<bool(const Tree&)>& use) {
   if (tree->kind == Kind::call)
-    for (const Tree& argument : instead_of(tree->children[0], others, symbols))
+    for (const Tree& argument : instead_of(tree->children[0], others, paper))
       if (use(edits::with_child(tree, 0, argument))) return true;
   for (std::size_t k = 0; k < tree->children.size(); ++k)
-    if (with_another_argument(tree->children[k], others, symbols,
+    if (with_another_argument(tree->children[k], others, paper,
                               [&](const Tree& child) { return use(edits::with_child(tree, k, child)); }))
       return true;
   return false;
@@ -48,7 +49,8 @@ bool with_another_argument(const Tree& tree, const std::vector<Tree>& others, co
 /// found soon, or it is not an equation. A repaired form that fails there need not be compared.
 std::optional<Point> solution_of(const Relation& printed, const Derivation& derivation,
                                  const Symbols& symbols) {
-  const Problem problem = with_values({printed, derived_relation(derivation), {}, symbols}, derivation.given);
+  const Problem problem =
+      with_values({printed, derived_relation(derivation, symbols), {}, symbols}, derivation.given);
   if (problem.right.operators != std::vector<std::string>{"="}) return std::nullopt;
   std::set<std::string> names;
   for (const Tree& tree : trees_of(problem)) names.merge(names_of(tree));
@@ -71,9 +73,9 @@ bool fails_at(const Point& point, const Relation& relation, const Derivation& de
 
 }  // namespace
 
-std::string correction_of(const Relation& printed, const Derivation& derivation, const Symbols& symbols,
-                          const std::vector<Relation>& conditions) {
-  const Relation derived = derived_relation(derivation);
+std::string correction_of(const Paper& paper, const Relation& printed, const Derivation& derivation,
+                          const Symbols& symbols, const std::vector<Relation>& conditions) {
+  const Relation derived = derived_relation(derivation, symbols);
   std::string result = print(derived);
   if (11 * print(printed).size() >= 10 * result.size()) return result;  // as short as any repaired form
   std::vector<Tree> arguments;
@@ -81,7 +83,7 @@ std::string correction_of(const Relation& printed, const Derivation& derivation,
   const std::optional<Point> solution = solution_of(printed, derivation, symbols);
   for (std::size_t side = 0; side < printed.sides.size(); ++side) {
     const bool is_found =
-        with_another_argument(printed.sides[side], arguments, symbols, [&](const Tree& changed) {
+        with_another_argument(printed.sides[side], arguments, paper, [&](const Tree& changed) {
           Relation relation = printed;
           relation.sides[side] = changed;
           const std::string text = print(relation);

@@ -25,16 +25,20 @@ std::vector<std::string> downstream(const std::string& id, const std::vector<Row
 
 }  // namespace
 
-Entry judge(const Row& row, const std::vector<Row>& rows) {
+Entry judged(const Paper& paper, const std::string& id) {
+  return judge(paper, row_of(paper, id), rows_of(paper));
+}
+
+Entry judge(const Paper& paper, const Row& row, const std::vector<Row>& rows) {
   Entry entry;
   entry.row = row;
   entry.rests_on_it = downstream(row.id, rows);
-  const Symbols symbols = symbols_in(row.domain);
+  const Symbols symbols = symbols_in(paper, row.domain);
   // a result of ours stands in the place of a printed equation: it, too, must follow from the derivation
   const Relation stated = parse_statement(row.claim(), symbols);
   entry.dimension = dimension(stated, symbols);
   try {
-    entry.derivation = checked_derivation(row.id);
+    entry.derivation = checked_derivation(paper, row.id);
   } catch (const std::runtime_error& error) {
     entry.proof.verdict = Verdict::error;
     entry.proof.reason = error.what();
@@ -47,11 +51,11 @@ Entry judge(const Row& row, const std::vector<Row>& rows) {
                              : "no derivation is listed for this row";
     return entry;
   }
-  entry.derived = print(derived_relation(*entry.derivation));
-  const std::vector<Relation> conditions = conditions_of(row, *entry.derivation, symbols);
+  entry.derived = print(derived_relation(*entry.derivation, symbols));
+  const std::vector<Relation> conditions = conditions_of(paper, row, *entry.derivation, symbols);
   entry.proof = compare(stated, *entry.derivation, symbols, conditions);
   if (entry.proof.verdict == Verdict::refuted)
-    entry.correction = correction_of(stated, *entry.derivation, symbols, conditions);
+    entry.correction = correction_of(paper, stated, *entry.derivation, symbols, conditions);
   return entry;
 }
 

@@ -5,8 +5,6 @@
 #include <derivations/paper/conditions.hpp>
 #include <derivations/paper/ledger.hpp>
 #include <derivations/paper/prove.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
-#include <derivations/rocking_block/table.hpp>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -28,7 +26,7 @@ std::optional<Relation> end_of_range(const Relation& link) {
 }
 
 /// The inequalities of a domain, one by one.
-std::vector<Relation> links_in(const std::string& domain) {
+std::vector<Relation> links_in(const std::string& domain, const Symbols& symbols) {
   std::vector<Relation> links;
   std::istringstream parts(domain);
   for (std::string text; std::getline(parts, text, ',');) {
@@ -38,7 +36,7 @@ std::vector<Relation> links_in(const std::string& domain) {
           "'; it must be a relation such as \"theta < 0\" or \"0 < theta_0 < alpha\"");
     };
     try {
-      for (const Relation& link : links_of(parse_relation(text, paper_symbols()))) {
+      for (const Relation& link : links_of(parse_relation(text, symbols))) {
         if (names_of(link).empty() || is_equation(link)) fail();
         links.push_back(link);
       }
@@ -113,7 +111,7 @@ bool is_series(const Relation& relation, const std::vector<std::string>& small, 
 /// or less.
 Proof with_series(Proof proof, const Relation& printed, const Derivation& derivation, const Symbols& symbols,
                   const std::vector<Relation>& conditions) {
-  const Relation derived = derived_relation(derivation);
+  const Relation derived = derived_relation(derivation, symbols);
   const std::vector<std::string> small = small_symbols(derivation, symbols);
   const bool is_derived_series = is_series(derived, small, derivation.order, symbols);
   if (proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under) {
@@ -133,24 +131,24 @@ Proof with_series(Proof proof, const Relation& printed, const Derivation& deriva
 }
 
 /// Throws std::runtime_error if an expression cannot be judged or printed.
-void check_expression(const GiNaC::ex& expression) {
+void check_expression(const GiNaC::ex& expression, const Symbols& symbols) {
   for (auto part = expression.preorder_begin(); part != expression.preorder_end(); ++part) {
     const auto text = [&] { return fmt::to_string(fmt::streamed(*part)); };
     if (GiNaC::is_a<GiNaC::symbol>(*part) &&
-        paper_symbols().find(GiNaC::ex_to<GiNaC::symbol>(*part).get_name()) == nullptr)
+        symbols.find(GiNaC::ex_to<GiNaC::symbol>(*part).get_name()) == nullptr)
       throw std::runtime_error("the symbol " + text() + " is not declared");
     if (GiNaC::is_a<GiNaC::numeric>(*part) && !part->info(GiNaC::info_flags::rational))
       throw std::runtime_error("the number " + text() +
                                " is not rational; write an exact number such as numeric(1, 2)");
   }
-  (void)to_tree(expression);
+  (void)to_tree(expression, symbols);
 }
 
 /// Checks all expressions of a derivation, and its relation. Throws std::runtime_error, saying where.
-void check_derivation(const Derivation& derivation) {
-  const auto check = [](const std::string& place, const GiNaC::ex& expression) {
+void check_derivation(const Derivation& derivation, const Symbols& symbols) {
+  const auto check = [&](const std::string& place, const GiNaC::ex& expression) {
     try {
-      check_expression(expression);
+      check_expression(expression, symbols);
     } catch (const std::exception& error) {
       throw std::runtime_error("in " + place + ": " + error.what());
     }
@@ -164,70 +162,61 @@ void check_derivation(const Derivation& derivation) {
   }
   for (const Given& given : derivation.given) {
     check("what is given", given.name), check("what is given", given.value);
-    if (paper_symbols().find(given.name) == nullptr)
-      throw std::runtime_error("a value is given for something that is not a symbol: " + print(given.name));
+    if (symbols.find(given.name) == nullptr)
+      throw std::runtime_error("a value is given for something that is not a symbol: " +
+                               print(given.name, Notation::plain, symbols));
   }
   const std::set<std::string> relations{"=", "<", "<=", ">", ">="};
   if (!relations.contains(derivation.relation))
     throw std::runtime_error("its relation '" + derivation.relation + "' must be one of =, <, <=, > and >=");
-  (void)parse_statement(print(derived_relation(derivation)));  // it is read again where it is shown
-  if (derivation.order > 0) (void)small_symbols(derivation, paper_symbols());
-  (void)assumed_by(derivation, paper_symbols());
+  (void)parse_statement(print(derived_relation(derivation, symbols)),
+                        symbols);  // it is read again where it is shown
+  if (derivation.order > 0) (void)small_symbols(derivation, symbols);
+  (void)assumed_by(derivation, symbols);
 }
 
 }  // namespace
 
-Symbols symbols_in(const std::string& domain) {
-  Symbols symbols = paper_symbols();
-  for (const Relation& link : links_in(domain))
+Symbols symbols_in(const Paper& paper, const std::string& domain) {
+  Symbols symbols = paper.symbols;
+  for (const Relation& link : links_in(domain, paper.symbols))
     if (const auto end = end_of_range(link)) put_end(symbols, *end);
   return symbols;
 }
 
-void check_range(const Symbol& symbol) {
-  const std::string start = "the symbol " + symbol.name + ": ";
-  try {
-    if (!parse_range(symbol.range).is_empty()) return;
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(start + error.what());
-  }
-  throw std::invalid_argument(start + "the range " + symbol.range + " is empty");
-}
-
-std::vector<Relation> conditions_of(const Row& row, const Derivation& derivation, const Symbols& symbols) {
+std::vector<Relation> conditions_of(const Paper& paper, const Row& row, const Derivation& derivation,
+                                    const Symbols& symbols) {
   std::vector<Relation> stated;
-  for (const Relation& link : links_in(row.domain))
+  for (const Relation& link : links_in(row.domain, symbols))
     if (!end_of_range(link)) stated.push_back(link);
   for (Relation& relation : assumed_by(derivation, symbols)) stated.push_back(std::move(relation));
   std::set<std::string> names;
   const auto add = [&](const Relation& relation) { names.merge(names_of(relation)); };
-  add(parse_statement(row.claim(), symbols)), add(derived_relation(derivation));
-  for (const Given& given : derivation.given) names.merge(names_of(to_tree(given.value)));
+  add(parse_statement(row.claim(), symbols)), add(derived_relation(derivation, symbols));
+  for (const Given& given : derivation.given) names.merge(names_of(to_tree(given.value, symbols)));
   for (const Relation& relation : stated) add(relation);
-  std::vector<Relation> result = declared_conditions_on(names);
+  std::vector<Relation> result = declared_conditions_on(paper, names);
   result.insert(result.end(), stated.begin(), stated.end());
   return result;
 }
 
-Relation derived_relation(const Derivation& derivation) {
-  return {{to_tree(derivation.left), to_tree(derivation.right)}, {derivation.relation}};
+Relation derived_relation(const Derivation& derivation, const Symbols& symbols) {
+  return {{to_tree(derivation.left, symbols), to_tree(derivation.right, symbols)}, {derivation.relation}};
 }
 
 Proof compare(const Relation& printed, const Derivation& derivation, const Symbols& symbols,
               const std::vector<Relation>& conditions) {
-  Proof proof = decide(printed, derived_relation(derivation), symbols, derivation.given, conditions);
+  Proof proof = decide(printed, derived_relation(derivation, symbols), symbols, derivation.given, conditions);
   if (derivation.order > 0) proof = with_series(std::move(proof), printed, derivation, symbols, conditions);
   if (proof.verdict == Verdict::proved && !derivation.assumption.empty())
     proof.verdict = Verdict::proved_under;
   return proof;
 }
 
-std::optional<Derivation> checked_derivation(const std::string& id) {
-  const auto found = derivation_table().find(id);
-  if (found == derivation_table().end()) return std::nullopt;
+std::optional<Derivation> checked_derivation(const Paper& paper, const std::string& id) {
   try {
-    const Derivation derivation = Cited{id, found->second}.derivation();
-    check_derivation(derivation);
+    std::optional<Derivation> derivation = derivation_of(paper, id);
+    if (derivation) check_derivation(*derivation, paper.symbols);
     return derivation;
   } catch (const std::exception& error) {
     throw std::runtime_error("the derivation of (" + id + ") cannot be used: " + error.what());

@@ -3,7 +3,7 @@
 
 #include <derivations/decide/decide.hpp>
 #include <derivations/mechanics/derivation.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
+#include <derivations/paper/paper.hpp>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -11,21 +11,6 @@
 #include <vector>
 
 namespace rederive {
-
-/// One row of equations.toml: what is printed, and what we expect to find. No answer is stored.
-struct Row {
-  std::string id, section, kind, printed, latex, domain;
-  std::string
-      statement;  ///< a result of ours, in the form in which we state it; the paper prints nothing like it
-  /// What is compared with the derivation: what is printed, or what we state.
-  const std::string& claim() const { return kind == "result" ? statement : printed; }
-  std::vector<std::string> follows_from;
-  std::string expected;       ///< a verdict
-  std::string error;          ///< with refuted: sign, factor, argument …; rows.cpp lists them
-  std::string consequence;    ///< with refuted: what rests on it and whether that stands
-  std::string note;           ///< anything a reader should know
-  std::string scan_repaired;  ///< what scanning damaged and how it was restored; empty if nothing
-};
 
 /// A row, judged.
 struct Entry {
@@ -37,34 +22,29 @@ struct Entry {
   std::vector<std::string> rests_on_it;      ///< ids of the rows downstream, in the paper's order
 };
 
-/// Reads equations.toml. Throws BadInput naming file, line, row and what would be right.
-std::vector<Row> read_rows(const std::filesystem::path& file);
-/// The file that ships with the project.
-std::filesystem::path equations_file();
-
 /// The symbols of the paper with the row's domain put in: "theta < 0" makes 0 the upper end of the range of
 /// θ; several relations are separated by commas. Throws std::invalid_argument for a domain of another form.
-Symbols symbols_in(const std::string& domain);
-
-/// Throws std::invalid_argument, naming the symbol, if its range has an end without a value, or is empty.
-void check_range(const Symbol& symbol);
+Symbols symbols_in(const Paper& paper, const std::string& domain);
 
 /// Judges one row: derives, compares, checks dimensions. `rows` gives what rests on it. Where the derivation
 /// cannot be used the verdict is error. Throws SyntaxError where the printed text cannot be read.
-Entry judge(const Row& row, const std::vector<Row>& rows);
+Entry judge(const Paper& paper, const Row& row, const std::vector<Row>& rows);
+/// The entry of a row of the paper, judged now. Throws std::out_of_range naming the id if there is none.
+Entry judged(const Paper& paper, const std::string& id);
 
 /// The derivation of an equation by its id, nullopt if none is listed. Throws std::runtime_error, saying why
 /// and where, if it throws, or holds what cannot be judged: a symbol that is not declared, a number that is
 /// not rational.
-std::optional<Derivation> checked_derivation(const std::string& id);
+std::optional<Derivation> checked_derivation(const Paper& paper, const std::string& id);
 
 /// What was derived for a row, as a relation that can be printed and compared.
-Relation derived_relation(const Derivation& derivation);
+Relation derived_relation(const Derivation& derivation, const Symbols& symbols);
 
 /// What holds where a row is compared with its derivation, beside the numeric ranges of the symbols: what the
 /// domain and the ranges say of several symbols ("theta_0 < alpha"), and what the derivation assumes. Throws
 /// std::invalid_argument for an assumption that cannot be read.
-std::vector<Relation> conditions_of(const Row& row, const Derivation& derivation, const Symbols& symbols);
+std::vector<Relation> conditions_of(const Paper& paper, const Row& row, const Derivation& derivation,
+                                    const Symbols& symbols);
 
 /// Whether a printed relation says what was derived: the comparison that `judge` makes, for a mutant or an
 /// answer. Where a derivation has an order and the two are not the same, their series are compared.

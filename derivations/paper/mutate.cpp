@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <derivations/paper/edits.hpp>
 #include <derivations/paper/mutate.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <functional>
 #include <map>
 #include <numeric>
@@ -39,13 +38,8 @@ const std::map<std::string, std::string> other_function{
     {"sin", "cos"},   {"cos", "sin"},   {"sinh", "cosh"}, {"cosh", "sinh"}, {"tan", "cot"}, {"cot", "tan"},
     {"asin", "acos"}, {"acos", "asin"}, {"tanh", "coth"}, {"sec", "csc"},   {"csc", "sec"}};
 
-const std::map<std::string, std::string> other_symbol{
-    {"b", "h"},       {"h", "b"},       {"R", "h"},         {"J_o", "J_c"},   {"J_c", "J_o"},
-    {"p", "omega_p"}, {"omega_p", "p"}, {"alpha", "theta"}, {"psi", "alpha"}, {"T_ex", "t_i"},
-    {"t_i", "T_ex"},  {"x", "y"},       {"y", "x"}};
-
 struct Walk {
-  const Symbols& symbols;
+  const Paper& paper;
   std::function<void(const Tree&, std::string, std::string)> emit;  ///< new side, slip, what
 
   void visit(const Tree& node, const Rebuild& rebuild) {
@@ -99,10 +93,11 @@ struct Walk {
       if (name.size() > std::string(dots).size() && name.ends_with(dots)) {
         const std::string less =
             name.substr(0, name.size() - std::string(dots).size()) + (dots[1] == 'd' ? "dot" : "");
-        if (symbols.find(less) != nullptr) put(make_tree(Kind::symbol, less), "dot", "a lost dot of " + name);
+        if (paper.symbols.find(less) != nullptr)
+          put(make_tree(Kind::symbol, less), "dot", "a lost dot of " + name);
         break;
       }
-    if (const auto other = other_symbol.find(name); other != other_symbol.end())
+    if (const auto other = paper.look_alikes.find(name); other != paper.look_alikes.end())
       put(make_tree(Kind::symbol, other->second), "symbol", other->second + " for " + name);
   }
   template <class Put>
@@ -131,7 +126,7 @@ std::string turned(const std::string& op) {
 
 }  // namespace
 
-std::vector<Mutant> mutants(const Relation& printed, const Symbols& symbols) {
+std::vector<Mutant> mutants(const Relation& printed, const Paper& paper) {
   std::vector<Mutant> result;
   std::set<std::string> seen{print(printed)};
   const auto add = [&](Relation relation, std::string slip, std::string what) {
@@ -139,7 +134,7 @@ std::vector<Mutant> mutants(const Relation& printed, const Symbols& symbols) {
       result.push_back({std::move(relation), std::move(slip), std::move(what)});
   };
   for (std::size_t side = 0; side < printed.sides.size(); ++side) {
-    Walk walk{symbols, [&](const Tree& tree, std::string slip, std::string what) {
+    Walk walk{paper, [&](const Tree& tree, std::string slip, std::string what) {
                 Relation mutant = printed;
                 mutant.sides[side] = tree;
                 add(std::move(mutant), std::move(slip), std::move(what));
@@ -158,19 +153,19 @@ std::vector<Mutant> mutants(const Relation& printed, const Symbols& symbols) {
   return result;
 }
 
-Mutation mutate(const Row& row, unsigned seed, int most) {
+Mutation mutate(const Paper& paper, const Row& row, unsigned seed, int most) {
   Mutation outcome;
   outcome.id = row.id;
   std::optional<Derivation> derivation;
   try {
-    derivation = checked_derivation(row.id);
+    derivation = checked_derivation(paper, row.id);
   } catch (const std::runtime_error& error) {
     outcome.error = error.what();
   }
   if (!derivation) return outcome;
-  const Symbols symbols = symbols_in(row.domain);
-  const std::vector<Relation> conditions = conditions_of(row, *derivation, symbols);
-  std::vector<Mutant> all = mutants(parse_statement(row.claim(), symbols), symbols);
+  const Symbols symbols = symbols_in(paper, row.domain);
+  const std::vector<Relation> conditions = conditions_of(paper, row, *derivation, symbols);
+  std::vector<Mutant> all = mutants(parse_statement(row.claim(), symbols), paper);
   std::mt19937 random(std::accumulate(row.id.begin(), row.id.end(), seed, [](unsigned sum, char c) {
     return 31 * sum + static_cast<unsigned char>(c);
   }));

@@ -15,7 +15,7 @@ struct Mutant {
 
 /// Every single slip in `printed`, in a fixed order: a sign, a coefficient, sin for cos, sinh for cosh, a
 /// lost square, factor, term or dot, a swapped symbol, a turned inequality.
-std::vector<Mutant> mutants(const Relation& printed, const Symbols& symbols = paper_symbols());
+std::vector<Mutant> mutants(const Relation& printed, const Paper& paper);
 
 /// What became of the mutants of one row.
 struct Mutation {
@@ -26,6 +26,6 @@ struct Mutation {
 };
 
 /// Compares up to `most` mutants of a row (chosen by `seed`) with what was derived for it.
-Mutation mutate(const Row& row, unsigned seed, int most = 24);
+Mutation mutate(const Paper& paper, const Row& row, unsigned seed, int most = 24);
 
 }  // namespace rederive

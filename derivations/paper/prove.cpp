@@ -20,7 +20,7 @@ const std::vector<std::string> greek{
 void declare_free(Symbols& symbols, const std::string& name) {
   const auto is_written_so = [&](const auto& entry) { return entry.second.unicode == name; };
   if (symbols.find(name) == nullptr && std::ranges::none_of(symbols.table(), is_written_so))
-    symbols.declare(name, name, name, "1", all_numbers, "a real number", "");
+    symbols.declare({name, name, name, "1", all_numbers, "a real number", ""});
 }
 
 /// Letters stand for real numbers, alone or with an index or dots: x, x1, k_2, omega_0, betadot. Not so
@@ -82,8 +82,8 @@ struct Question {
   std::vector<Relation> assumptions;
 };
 
-Question read(const ProveRequest& request) {
-  Question question{declared_symbols(request), {}, {}, {}};
+Question read(const Paper& paper, const ProveRequest& request) {
+  Question question{declared_symbols(paper, request), {}, {}, {}};
   question.left = read(request.left, question.symbols),
   question.right = read(request.right, question.symbols);
   std::set<std::string> names = names_of(question.left);
@@ -94,7 +94,8 @@ Question read(const ProveRequest& request) {
     if (names_of(question.assumptions.back()).empty())
       throw BadInput("the assumption '" + text + "' contains no symbol");
   }
-  for (const Relation& condition : declared_conditions_on(names)) question.assumptions.push_back(condition);
+  for (const Relation& condition : declared_conditions_on(paper, names))
+    question.assumptions.push_back(condition);
   if (contradict(question.assumptions, question.symbols))
     throw BadInput(
         "no values in the ranges satisfy all assumptions: they contradict each other, or have no value");
@@ -198,11 +199,10 @@ std::vector<std::string> conditions_used(Question q, const ProveRequest& request
 
 }  // namespace
 
-Symbols declared_symbols(const ProveRequest& request) {
-  Symbols symbols = paper_symbols();
-  for (const char* name : {"t", "r", "d"})
-    if (!is_of_another_paper(name))
-      symbols.declare(name, name, name, symbols.find(name)->unit, all_numbers, "a real number", "");
+Symbols declared_symbols(const Paper& paper, const ProveRequest& request) {
+  Symbols symbols = paper.symbols;
+  for (const std::string& name : paper.free_letters)
+    symbols.declare({name, name, name, symbols.find(name)->unit, all_numbers, "a real number", ""});
   for (char c = 'a'; c <= 'z'; ++c) declare_free(symbols, std::string(1, c));
   for (char c = 'A'; c <= 'Z'; ++c) declare_free(symbols, std::string(1, c));
   for (const std::string& letter : greek) declare_free(symbols, letter);
@@ -212,13 +212,13 @@ Symbols declared_symbols(const ProveRequest& request) {
   return symbols;
 }
 
-Problem problem_of(const ProveRequest& request) {
-  const Question q = read(request);
+Problem problem_of(const Paper& paper, const ProveRequest& request) {
+  const Question q = read(paper, request);
   return {q.left, q.right, q.assumptions, q.symbols};
 }
 
-Proof decide(const ProveRequest& request) {
-  const Question question = read(request);
+Proof decide(const Paper& paper, const ProveRequest& request) {
+  const Question question = read(paper, request);
   check_order(request, question);
   Proof proof = decide_once(question, request);
   if (proof.verdict == Verdict::refuted || proof.verdict == Verdict::undecided) return proof;

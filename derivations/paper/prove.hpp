@@ -2,8 +2,8 @@
 #pragma once
 
 #include <derivations/decide/decide.hpp>
+#include <derivations/paper/paper.hpp>
 #include <derivations/program/program.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,21 +18,20 @@ struct ProveRequest {
   std::optional<int> order;              ///< compare the series up to this order
 };
 
-/// The symbols of the paper, and every letter and Greek letter (with an index or dots) that the texts use. t,
-/// r and d are any real numbers unless a paper declares them anew: everybody uses them for something else
-/// than the rocking block does.
-Symbols declared_symbols(const ProveRequest& request);
+/// The symbols of the paper, and every letter and Greek letter (with an index or dots) that the texts use.
+/// These, and the paper's free letters, are any real numbers.
+Symbols declared_symbols(const Paper& paper, const ProveRequest& request);
 
 /// "x > 0", "x != y" as a relation. Throws BadInput, with a caret.
 Relation read_assumption(const std::string& text, const Symbols& symbols);
 
 /// What was asked, read. Throws BadInput, as `decide` does.
-Problem problem_of(const ProveRequest& request);
+Problem problem_of(const Paper& paper, const ProveRequest& request);
 
 /// Decides. Among the side conditions are the declared ranges and the assumed inequalities without which the
 /// proof does not go through. Throws BadInput (with a caret) for what cannot be read, and for assumptions
 /// that contradict each other.
-Proof decide(const ProveRequest& request);
+Proof decide(const Paper& paper, const ProveRequest& request);
 
 /// The message, the line and a caret under the character at fault: three lines for a terminal. A long line is
 /// shown around that character.

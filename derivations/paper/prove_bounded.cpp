@@ -6,10 +6,11 @@
 namespace rederive {
 
 /// The child does everything that may be expensive; what it could not read is said here.
-nlohmann::ordered_json decide_bounded(const ProveRequest& request, const std::function<bool()>& stop) {
+nlohmann::ordered_json decide_bounded(const Paper& paper, const ProveRequest& request,
+                                      const std::function<bool()>& stop) {
   const auto work = [&]() -> std::string {
     try {
-      return "J" + to_json(decide(request)).dump();
+      return "J" + to_json(decide(paper, request)).dump();
     } catch (const BadInput& error) {
       return std::string("B") + error.what();
     }

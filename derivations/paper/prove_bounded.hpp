@@ -9,6 +9,7 @@ namespace rederive {
 
 /// Decides within two seconds of processor time and 500 MB. It is given up when `stop` says so. The proof as
 /// `ledger prove --json` has it. Throws BadInput (with a caret) for what cannot be read.
-nlohmann::ordered_json decide_bounded(const ProveRequest& request, const std::function<bool()>& stop = {});
+nlohmann::ordered_json decide_bounded(const Paper& paper, const ProveRequest& request,
+                                      const std::function<bool()>& stop = {});
 
 }  // namespace rederive

@@ -1,6 +1,5 @@
 // equations.toml → rows. Every complaint names the file, the line, the row and what would be right.
-#include <derivations/paper/ledger.hpp>
-#include <derivations/program/data_folder.hpp>
+#include <derivations/paper/rows.hpp>
 #include <derivations/program/toml_table.hpp>
 
 namespace rederive {
@@ -119,8 +118,6 @@ class Ancestry {
 };
 
 }  // namespace
-
-std::filesystem::path equations_file() { return data_folder() / "equations.toml"; }
 
 std::vector<Row> read_rows(const std::filesystem::path& file) {
   std::vector<Row> rows;

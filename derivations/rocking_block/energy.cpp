@@ -1,10 +1,9 @@
 #include <derivations/rocking_block/energy.hpp>
 #include <stdexcept>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 using GiNaC::ex;
-using namespace paper;
 
 ex energy(Side side) { return kinetic_energy(side) + weight_potential(side); }
 
@@ -26,21 +25,17 @@ Derivation total_energy() {
   return result;
 }
 
-Derivation energy_of(Side side, const Cited& kinetic, const Cited& potential) {
+Derivation energy_of(Side side, const char* kinetic, const char* potential) {
   return derived(E, energy(side),
                  {from(kinetic, "Add the kinetic energy"), from(potential, "and the potential")});
 }
 
-Derivation equation_22a() {
-  return energy_of(Side::negative, Cited{"6", equation_6}, Cited{"9", equation_9});
-}
+Derivation equation_22a() { return energy_of(Side::negative, "6", "9"); }
 
-Derivation equation_22b() {
-  return energy_of(Side::positive, Cited{"16b", equation_16b}, Cited{"14", equation_14});
-}
+Derivation equation_22b() { return energy_of(Side::positive, "16b", "14"); }
 
 // In (21) with θ̈ = 0, solved for the ground acceleration at θ = α.
-Derivation ground_at_alpha(Side side, const Cited& motion) {
+Derivation ground_at_alpha(Side side, const char* motion) {
   const ex rest = angular_acceleration(side).subs(theta == alpha);
   return derived(
       u_gddot_alpha, -rest.coeff(u_gddot, 0) / rest.coeff(u_gddot, 1),
@@ -85,8 +80,7 @@ ex root_of_square(const ex& square) {
 }
 
 Step energies_of(Side side, const std::string& says) {
-  return side == Side::negative ? from(Cited{"22a", equation_22a}, says)
-                                : from(Cited{"22b", equation_22b}, says);
+  return side == Side::negative ? from("22a", says) : from("22b", says);
 }
 
 Step as_product(const ex& a, const ex& b) {
@@ -115,18 +109,12 @@ Derivation impact_rate_squared(Side side) {
 
 Derivations derivations_of_energy() {
   return {
-      {"u6",
-       [] {
-         return ground_at_alpha(Side::negative, Cited{"21a", equation_21a});
-       }},
-      {"u7",
-       [] {
-         return ground_at_alpha(Side::positive, Cited{"21b", equation_21b});
-       }},
+      {"u6", [] { return ground_at_alpha(Side::negative, "21a"); }},
+      {"u7", [] { return ground_at_alpha(Side::positive, "21b"); }},
       {"u8", total_energy},
       {"22a", equation_22a},
       {"22b", equation_22b},
   };
 }
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

@@ -3,7 +3,7 @@
 
 #include <derivations/rocking_block/equation_of_motion.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 /// E = K + Ω on either side: (22a), (22b). Conserved while the ground rests.
 GiNaC::ex energy(Side side);
@@ -19,4 +19,4 @@ Derivation impact_rate_squared(Side side);
 /// (22), and the ground acceleration at θ = α by (21).
 Derivations derivations_of_energy();
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

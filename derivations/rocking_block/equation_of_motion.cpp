@@ -1,10 +1,9 @@
 #include <derivations/mechanics/moment_balance.hpp>
 #include <derivations/rocking_block/equation_of_motion.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 using GiNaC::ex;
-using namespace paper;
 
 Rectangle block_from_pivot(Side side) {
   const ex width = 2 * b, density = m / (4 * b * h);
@@ -115,12 +114,12 @@ Derivation equation_5() {
 }
 
 Derivation kinetic_energy_in_J_o(Side side) {
-  return derived(K, kinetic_energy(side),
-                 {from(Cited{"5", equation_5},
-                       "By König's theorem, #, add the energies of the rotation about C and of C itself"),
-                  from(horizontal_velocity(side), "with the velocity of C"),
-                  from(vertical_velocity(side), "and"),
-                  {"and what J_o is", J_o, J_c + m * pow(R, 2)}});
+  return derived(
+      K, kinetic_energy(side),
+      {from("5", "By König's theorem, #, add the energies of the rotation about C and of C itself"),
+       from(horizontal_velocity(side), "with the velocity of C"),
+       from(vertical_velocity(side), "and"),
+       {"and what J_o is", J_o, J_c + m * pow(R, 2)}});
 }
 
 Derivation weight(Side side) {
@@ -228,4 +227,4 @@ Derivations derivations_of_equation_of_motion() {
   };
 }
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

@@ -3,7 +3,7 @@
 
 #include <derivations/rocking_block/kinematics.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 /// The block seen from the pivot on that side, at rest: x in (0, 2b) from O, in (−2b, 0) from O'; y in (0,
 /// 2h).
@@ -38,4 +38,4 @@ Derivation equation_21b();
 /// (1), (5) to (11), (14), (16) to (21).
 Derivations derivations_of_equation_of_motion();
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

@@ -1,9 +1,8 @@
 #include <derivations/rocking_block/impact.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 using GiNaC::ex;
-using namespace paper;
 
 namespace {
 
@@ -128,10 +127,10 @@ Derivation distance_from_pivot() {
 }
 
 Derivation equation_39() {
-  return derived(hO_minus, element_momentum_before(),
-                 {from(Cited{"38", equation_38}, "The angular momentum of an element"),
-                  in_words("in the coordinates x and y of the block")},
-                 {{r, sqrt(pow(y, 2) + pow(2 * b - x, 2))}});
+  return derived(
+      hO_minus, element_momentum_before(),
+      {from("38", "The angular momentum of an element"), in_words("in the coordinates x and y of the block")},
+      {{r, sqrt(pow(y, 2) + pow(2 * b - x, 2))}});
 }
 
 Derivation equation_39_width() {
@@ -149,17 +148,15 @@ Derivation equation_40a() {
 
 Derivation equation_40b() {
   const ex integrand = (element_momentum_before() / thetadot_minus).expand();
-  return derived(
-      pow(r, 2) - 2 * b * (2 * b - x), integrand,
-      {from(Cited{"40a", equation_40a}, "With the distance from O"), in_words("the squares of b cancel")});
+  return derived(pow(r, 2) - 2 * b * (2 * b - x), integrand,
+                 {from("40a", "With the distance from O"), in_words("the squares of b cancel")});
 }
 
 Derivation equation_41() {
   Rectangle face = block_at_impact();
   face.density = 1;
   return derived(integral_41, over_body((element_momentum_before() / thetadot_minus).expand(), face),
-                 {from(Cited{"40b", equation_40b},
-                       "Integrate # over the face of the block, 0 < x < 2b and 0 < y < 2h")});
+                 {from("40b", "Integrate # over the face of the block, 0 < x < 2b and 0 < y < 2h")});
 }
 
 Derivation equation_42a() {
@@ -170,15 +167,13 @@ Derivation equation_42b() {
   const ex squares = pow(h, 2);
   return derived(
       equation_41().right, equation_41().right.subs(pow(h, 3) == h * (pow(R, 2) - pow(b, 2))).expand(),
-      {from(Cited{"42a", equation_42a}, "With"), {"and Pythagoras", squares, pow(R, 2) - pow(b, 2)}},
-      {{b, R * sin(alpha)}});
+      {from("42a", "With"), {"and Pythagoras", squares, pow(R, 2) - pow(b, 2)}}, {{b, R * sin(alpha)}});
 }
 
 Derivation equation_43b() {
-  return derived(
-      HO_minus, momentum_before_impact(),
-      {from(Cited{"41", equation_41}, "Multiply the integral"), from(mass_of_the_block(), "by the density"),
-       from(Cited{"42b", equation_42b}, "and write it in R and α, as in")});
+  return derived(HO_minus, momentum_before_impact(),
+                 {from("41", "Multiply the integral"), from(mass_of_the_block(), "by the density"),
+                  from("42b", "and write it in R and α, as in")});
 }
 
 Derivation equation_45a() {
@@ -189,20 +184,18 @@ Derivation equation_45a() {
 
 Derivation equation_45b() {
   return derived(HO_plus, momentum_after_impact(),
-                 {from(Cited{"45a", equation_45a}, "Integrate over the block"), in_words("which is J_o θ̇₊")});
+                 {from("45a", "Integrate over the block"), in_words("which is J_o θ̇₊")});
 }
 
 Derivation equation_46a() {
   return derived(restitution() * thetadot_minus, thetadot_plus,
-                 {from(Cited{"43b", equation_43b},
-                       "The impact acts at O' and has no moment about it: the angular momentum #"),
-                  from(Cited{"45b", equation_45b}, "stays the same, #")});
+                 {from("43b", "The impact acts at O' and has no moment about it: the angular momentum #"),
+                  from("45b", "stays the same, #")});
 }
 
 Derivation equation_46b() {
   return derived(e, restitution(),
-                 {from(Cited{"46a", equation_46a},
-                       "By # the ratio of the angular velocities is fixed by the shape alone")});
+                 {from("46a", "By # the ratio of the angular velocities is fixed by the shape alone")});
 }
 
 }  // namespace
@@ -220,8 +213,8 @@ Derivation restitution_of_spread_impact() {
       {in_words(
            "C sinks with b θ̇₋ about O and rises with b θ̇₊ about O': so much momentum the impact gives it"),
        {"which, acting at d from O', adds to the angular momentum", HO_plus - HO_minus, moment},
-       from(Cited{"43b", equation_43b}, "with"),
-       from(Cited{"45b", equation_45b}, "and")});
+       from("43b", "with"),
+       from("45b", "and")});
 }
 
 Derivations derivations_of_impact() {
@@ -254,4 +247,4 @@ Derivations derivations_of_impact() {
   };
 }
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

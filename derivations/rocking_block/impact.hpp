@@ -3,7 +3,7 @@
 
 #include <derivations/rocking_block/equation_of_motion.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 /// The angular momentum about O' of the block that still turns about O with θ̇₋, at θ = 0: by integration.
 GiNaC::ex momentum_before_impact();
@@ -25,4 +25,4 @@ Derivation restitution_of_spread_impact();
 /// (35) to (46).
 Derivations derivations_of_impact();
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

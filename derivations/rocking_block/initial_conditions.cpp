@@ -1,10 +1,9 @@
 #include <derivations/rocking_block/initial_conditions.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 using GiNaC::ex;
 using GiNaC::lst;
-using namespace paper;
 
 namespace {
 
@@ -87,7 +86,7 @@ Derivation equation_97() {
   const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
   Derivation result = derived(thetaddot - pow(equation.k, 2) * theta,
                               with_amplitude(equation.forcing, Pulse::cosine).expand(),
-                              {from(Cited{"21b", equation_21b}, "Take # to first order in α, θ and α_p/g"),
+                              {from("21b", "Take # to first order in α, θ and α_p/g"),
                                {"with", u_gddot, ground_acceleration(Pulse::cosine)},
                                from(linear_amplitude_of_cosine(), "and")});
   result.order = 1;
@@ -97,23 +96,21 @@ Derivation equation_97() {
 
 Derivation equation_98() {
   return derived(theta, cosine_motion(),
-                 {from(Cited{"97", equation_97}, "Solve"),
-                  in_words("by undetermined coefficients, with sinh p t and cosh p t")});
+                 {from("97", "Solve"), in_words("by undetermined coefficients, with sinh p t and cosh p t")});
 }
 
 Derivation equation_99() {
-  return derived(thetadot / p, (cosine_motion().diff(t) / p).expand(),
-                 {from(Cited{"98", equation_98}, "Differentiate")});
+  return derived(thetadot / p, (cosine_motion().diff(t) / p).expand(), {from("98", "Differentiate")});
 }
 
 Derivation equation_100a() {
   return derived(A_3, forced_constants(Side::positive, Pulse::cosine).C.normal(),
-                 {from(Cited{"99", equation_99}, "Set t = 0 and θ̇ = θ̇_0 in #")});
+                 {from("99", "Set t = 0 and θ̇ = θ̇_0 in #")});
 }
 
 Derivation equation_100b() {
   return derived(A_4, forced_constants(Side::positive, Pulse::cosine).D.normal(),
-                 {from(Cited{"98", equation_98}, "Set t = 0 and θ = θ_0 in")});
+                 {from("98", "Set t = 0 and θ = θ_0 in")});
 }
 
 Derivation end_of_cosine_pulse() {
@@ -124,12 +121,12 @@ Derivation end_of_cosine_pulse() {
 
 Derivation equation_101a() {
   return derived(theta_ex, angle_at_end(Side::positive, Pulse::cosine),
-                 {from(Cited{"98", equation_98}, "# at T_ex, where the cosine is 0")});
+                 {from("98", "# at T_ex, where the cosine is 0")});
 }
 
 Derivation equation_101b() {
   return derived(thetadot_ex / p, rate_at_end(Side::positive, Pulse::cosine),
-                 {from(Cited{"99", equation_99}, "# at T_ex, where the sine is −1")});
+                 {from("99", "# at T_ex, where the sine is −1")});
 }
 
 Derivation equation_102() {
@@ -138,25 +135,22 @@ Derivation equation_102() {
                               p * rate_at_end(Side::positive, Pulse::cosine));
   const ex joined = in_exponentials(sum).expand().subs(exp(-p * T_ex) == 1 / growth).expand();
   return derived(joined.coeff(growth, 1), -joined.coeff(growth, 0) / growth,
-                 {from(Cited{"75", equation_75}, "Into"), from(Cited{"101a", equation_101a}, "put"),
-                  from(Cited{"101b", equation_101b}, "and"), in_words("sinh and cosh join to e^{p T_ex}")});
+                 {from("75", "Into"), from("101a", "put"), from("101b", "and"),
+                  in_words("sinh and cosh join to e^{p T_ex}")});
 }
 
 Derivation equation_103() {
-  return threshold(
-      overturning_cosine_pulse(),
-      {from(Cited{"102", equation_102}, "Into"), from(Cited{"100a", equation_100a}, "put"),
-       from(Cited{"100b", equation_100b}, "and"), in_words("and divide by the factor of e^{−p T_ex}")},
-      {end(Pulse::cosine)});
+  return threshold(overturning_cosine_pulse(),
+                   {from("102", "Into"), from("100a", "put"), from("100b", "and"),
+                    in_words("and divide by the factor of e^{−p T_ex}")},
+                   {end(Pulse::cosine)});
 }
 
 Derivation equation_104() {
-  return threshold(
-      overturning_sine_pulse(),
-      {from(Cited{"68", equation_68}, "Into"), from(Cited{"69a", equation_69a}, "put"),
-       from(Cited{"69b", equation_69b}, "and"), from(Cited{"58a", equation_58a}, "with"),
-       from(Cited{"58b", equation_58b}, "and"), in_words("and divide by the factor of e^{−p T_ex}")},
-      {end(Pulse::sine)});
+  return threshold(overturning_sine_pulse(),
+                   {from("68", "Into"), from("69a", "put"), from("69b", "and"), from("58a", "with"),
+                    from("58b", "and"), in_words("and divide by the factor of e^{−p T_ex}")},
+                   {end(Pulse::sine)});
 }
 
 Derivation threshold_of_cosine_from_rest() {
@@ -164,7 +158,7 @@ Derivation threshold_of_cosine_from_rest() {
       overturning_cosine_pulse_from_rest(),
       {from(start_under_cosine(), "Rocking begins, from rest, at phase π − ψ, where"),
        in_words("with time counted from there the acceleration is −α_p cos(ω_p t − ψ), until phase 3π/2"),
-       from(Cited{"75", equation_75}, "The critical motion has"),
+       from("75", "The critical motion has"),
        in_words("and dividing by the factor of the exponential gives the threshold: the one of half a "
                 "sine, with π/2 − ψ for its phase")},
       {});
@@ -176,7 +170,7 @@ Derivation first_acceleration_to_the_right() {
   const LinearEquation equation = linear_equation(Side::positive, Pulse::cosine);
   return derived(
       thetaddot_0, with_amplitude(equation.forcing, Pulse::cosine).subs(t == 0).expand(),
-      {from(Cited{"97", equation_97}, "# at rest and upright, just after t = 0,"),
+      {from("97", "# at rest and upright, just after t = 0,"),
        in_words("which is negative: the block is pressed onto its base and does not turn to θ > 0. To turn "
                 "to θ < 0 it needs more than α g, and the acceleration decreases")});
 }
@@ -189,7 +183,7 @@ Derivation start_under_cosine() {
   const ex needed = -forcing.coeff(cos(phase), 0) / forcing.coeff(cos(phase), 1);
   return derived(
       cos(GiNaC::Pi - psi), needed,
-      {from(Cited{"97", equation_97}, "The block starts to θ > 0 when the right side of"),
+      {from("97", "The block starts to θ > 0 when the right side of"),
        in_words("is no longer negative at θ = 0: when the cosine has come to −cos ψ, at phase π − ψ")});
 }
 
@@ -220,4 +214,4 @@ Derivations derivations_of_initial_conditions() {
   };
 }
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

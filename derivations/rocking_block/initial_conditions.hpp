@@ -4,7 +4,7 @@
 
 #include <derivations/rocking_block/overturning_without_impact.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 /// (103) and (104): the threshold without impact from theta_0, thetadot_0, for θ > 0 under the cosine and for
 /// θ < 0 under the sine.
@@ -24,4 +24,4 @@ Derivation start_under_cosine();
 /// (97) to (104), and results of our own.
 Derivations derivations_of_initial_conditions();
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

@@ -1,10 +1,9 @@
 #include <derivations/rocking_block/initiation.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 using GiNaC::ex;
 using GiNaC::lst;
-using namespace paper;
 
 namespace {
 
@@ -67,7 +66,7 @@ Derivation equation_23() {
   const ex force = moment.coeff(u_gddot, 1) * H / m, hold = -moment.coeff(u_gddot, 0);
   return derived(
       force, hold,
-      {from(Cited{"11", equation_11}, "In"),
+      {from("11", "In"),
        in_words("the block turns about O (θ̈ < 0) as soon as the moment of H = m ü_g, which acts at the "
                 "height of C, exceeds that of the weight")},
       {}, ">=");
@@ -90,15 +89,14 @@ Derivation force_at_peak() {
 Derivation equation_24a() {
   return derived(
       a_p, acceleration_that_suffices(),
-      {from(Cited{"23", equation_23}, "The condition"), from(force_before_rocking(), "with"),
+      {from("23", "The condition"), from(force_before_rocking(), "with"),
        in_words(
            "must be met at some time, so it must be met at the peak, where ü_g = α_p; divide by m R cos α")},
       {}, ">=");
 }
 
 Derivation equation_24b() {
-  return derived(a_p_min, acceleration_that_suffices(),
-                 {from(Cited{"24a", equation_24a}, "The smallest amplitude that meets")});
+  return derived(a_p_min, acceleration_that_suffices(), {from("24a", "The smallest amplitude that meets")});
 }
 
 Derivation equation_25a() { return derived(H_0, first_horizontal_force(), {in_words(newton_right)}); }
@@ -108,16 +106,14 @@ Derivation equation_25b() {
   std::vector<Given> given = sides_of_the_block();
   given.push_back(share());
   return derived(H_0, force,
-                 {from(Cited{"25a", equation_25a}, "The force"),
-                  {"with λ, the share of the amplitude", u_gddot_0, lambda * a_p}},
+                 {from("25a", "The force"), {"with λ, the share of the amplitude", u_gddot_0, lambda * a_p}},
                  given);
 }
 
 Derivation equation_26a() { return derived(V_0, first_vertical_force(), {in_words(newton_up)}); }
 
 Derivation equation_26b() {
-  return derived(V_0, first_vertical_force(), {from(Cited{"26a", equation_26a}, "The force #, in b")},
-                 sides_of_the_block());
+  return derived(V_0, first_vertical_force(), {from("26a", "The force #, in b")}, sides_of_the_block());
 }
 
 Derivation equation_27() {
@@ -133,18 +129,16 @@ Derivation share_at_most_one() {
 }
 
 Derivation share_at_least() {
-  return derived(
-      lambda * a_p, acceleration_that_suffices(),
-      {from(Cited{"23", equation_23}, "Rocking must begin at t = 0, #"), in_words("with H = m λ α_p")}, {},
-      ">=");
+  return derived(lambda * a_p, acceleration_that_suffices(),
+                 {from("23", "Rocking must begin at t = 0, #"), in_words("with H = m λ α_p")}, {}, ">=");
 }
 
 Derivation equation_28a() {
   const ex radius = 3 * g / (4 * pow(p, 2));
   return derived(thetaddot_0, first_angular_acceleration().subs(R == radius).expand(),
-                 {from(Cited{"25b", equation_25b}, "Put"),
-                  from(Cited{"26b", equation_26b}, "and"),
-                  from(Cited{"27", equation_27}, "into"),
+                 {from("25b", "Put"),
+                  from("26b", "and"),
+                  from("27", "into"),
                   {"with", J_c, m * pow(R, 2) / 3},
                   {"and", R, radius}});
 }
@@ -161,9 +155,7 @@ Derivation equation_30() {
 
 Derivation equation_31() {
   return derived(mu, first_friction_demand(),
-                 {from(Cited{"30", equation_30}, "In"), from(Cited{"25b", equation_25b}, "put"),
-                  from(Cited{"26b", equation_26b}, "and"), from(Cited{"28a", equation_28a}, "with")},
-                 {}, ">=");
+                 {from("30", "In"), from("25b", "put"), from("26b", "and"), from("28a", "with")}, {}, ">=");
 }
 
 Derivation start_of_gradual_pulse() {
@@ -176,7 +168,7 @@ Derivation equation_32a() {
   const ex slope = sin(alpha) / cos(alpha);
   const ex gradual = first_friction_demand().subs(lambda == g * slope / a_p).normal();
   return derived(mu, gradual,
-                 {from(Cited{"31", equation_31}, "In"),
+                 {from("31", "In"),
                   {"put the acceleration that just suffices, as it does where it grows from zero",
                    lambda * a_p, g * tan(alpha)}},
                  sides_of_the_block(), ">=");
@@ -197,8 +189,7 @@ Derivation equation_33() {
 Derivation first_acceleration() {
   return derived(
       u_gddot_0, acceleration_that_suffices(),
-      {from(Cited{"23", equation_23}, "Rocking begins when the moment of the weight is reached, #"),
-       in_words("with H = m ü_g")});
+      {from("23", "Rocking begins when the moment of the weight is reached, #"), in_words("with H = m ü_g")});
 }
 
 Derivation equation_32b() {
@@ -231,4 +222,4 @@ Derivations derivations_of_initiation() {
   };
 }
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

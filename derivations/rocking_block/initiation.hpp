@@ -3,7 +3,7 @@
 
 #include <derivations/rocking_block/equation_of_motion.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 /// ü_g at which a block at rest begins to rock, (24): g tan α.
 GiNaC::ex acceleration_that_suffices();
@@ -22,4 +22,4 @@ Derivation equation_32b();
 /// (23) to (33).
 Derivations derivations_of_initiation();
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

@@ -1,9 +1,8 @@
 #include <derivations/rocking_block/kinematics.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 using GiNaC::ex;
-using namespace paper;
 
 Rates block_rates() { return {{theta, thetadot}, {thetadot, thetaddot}, {u_g, u_gdot}, {u_gdot, u_gddot}}; }
 
@@ -100,4 +99,4 @@ Derivations derivations_of_kinematics() {
   };
 }
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <derivations/mechanics/plane.hpp>
-#include <derivations/rocking_block/steps.hpp>
+#include <derivations/paper/derivations.hpp>
+#include <derivations/paper/steps.hpp>
+#include <derivations/rocking_block/symbols.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 /// On which side the block rocks: θ < 0 about O (Fig. 2a), θ > 0 about O' (Fig. 2b).
 enum class Side { negative, positive };
@@ -31,4 +33,4 @@ Derivation vertical_velocity(Side side);
 /// (2) to (4), (12), (13), (15).
 Derivations derivations_of_kinematics();
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

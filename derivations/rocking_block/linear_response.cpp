@@ -1,11 +1,10 @@
 #include <derivations/rocking_block/linear_response.hpp>
 #include <map>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 using GiNaC::ex;
 using GiNaC::lst;
-using namespace paper;
 
 LinearEquation linear_equation_under(Side side, const ex& ground) {
   const ex acceleration = angular_acceleration(side).subs(u_gddot == ground);
@@ -94,7 +93,7 @@ ex growing_part(const ex& free_motion, const ex& start) {
 
 namespace {
 
-Derivation linearised(Side side, const Cited& exact, Pulse pulse) {
+Derivation linearised(Side side, const char* exact, Pulse pulse) {
   const LinearEquation equation = linear_equation(side, pulse);
   Derivation result =
       derived(thetaddot - pow(equation.k, 2) * theta, equation.forcing,
@@ -106,20 +105,20 @@ Derivation linearised(Side side, const Cited& exact, Pulse pulse) {
   return result;
 }
 
-Derivation equation_56a() { return linearised(Side::negative, Cited{"21a", equation_21a}, Pulse::sine); }
-Derivation equation_56b() { return linearised(Side::positive, Cited{"21b", equation_21b}, Pulse::sine); }
+Derivation equation_56a() { return linearised(Side::negative, "21a", Pulse::sine); }
+Derivation equation_56b() { return linearised(Side::positive, "21b", Pulse::sine); }
 
 Derivation linear_amplitude() {
-  Derivation result = derived(
-      a_p / (g * alpha), amplitude(Pulse::sine).value / (g * alpha),
-      {from(Cited{"56a", equation_56a}, "At rest and upright, about to move at t = 0, the right side of #"),
-       in_words("vanishes; without linearisation tan α stands for α")});
+  Derivation result =
+      derived(a_p / (g * alpha), amplitude(Pulse::sine).value / (g * alpha),
+              {from("56a", "At rest and upright, about to move at t = 0, the right side of #"),
+               in_words("vanishes; without linearisation tan α stands for α")});
   result.order = 1;
   result.small = "alpha";
   return result;
 }
 
-Derivation forced(Side side, const Cited& equation) {
+Derivation forced(Side side, const char* equation) {
   const ex particular = particular_solution(linear_equation(side, Pulse::sine));
   return derived(
       theta, forced_motion(side, Pulse::sine),
@@ -129,13 +128,13 @@ Derivation forced(Side side, const Cited& equation) {
        in_words("and sinh p t, cosh p t solve the equation without its right side")});
 }
 
-Derivation forced_rate(Side side, const Cited& motion) {
+Derivation forced_rate(Side side, const char* motion) {
   const ex rate = forced_motion(side, Pulse::sine).diff(t);
   return derived(thetadot / p, (with_amplitude(rate, Pulse::sine) / p).expand(),
                  {from(motion, "Differentiate"), from(linear_amplitude(), "and put in the amplitude")});
 }
 
-Derivation constant(Side side, bool first, const Cited& motion, const Cited& rate) {
+Derivation constant(Side side, bool first, const char* motion, const char* rate) {
   const Constants name = names(side), value = forced_constants(side, Pulse::sine);
   return derived(first ? name.C : name.D, first ? value.C : value.D,
                  {from(motion, "Set t = 0 in"), from(rate, "and in"), in_words("where θ = θ_0, θ̇ = θ̇_0")});
@@ -158,25 +157,25 @@ Derivation equation_60_rate() {
                 "which it approaches without end as t_star grows")});
 }
 
-Derivation free_equation(Side side, const Cited& forced_equation) {
+Derivation free_equation(Side side, const char* forced_equation) {
   return derived(thetaddot - pow(p, 2) * theta, linear_equation(side, Pulse::none).forcing,
                  {from(forced_equation, "Let the ground rest in")});
 }
 
-Derivation equation_61a() { return free_equation(Side::negative, Cited{"56a", equation_56a}); }
+Derivation equation_61a() { return free_equation(Side::negative, "56a"); }
 
-Derivation free(Side side, const Cited& equation) {
+Derivation free(Side side, const char* equation) {
   return derived(theta, free_motion(side),
                  {from(equation, "Solve #, counting time from t_o"), in_words("sinh, cosh and a constant")});
 }
 
-Derivation free_rate(Side side, const Cited& motion) {
+Derivation free_rate(Side side, const char* motion) {
   return derived(
       thetadot / p, (free_motion(side).diff(t) / p).expand(),
       {from(motion, "Differentiate"), in_words("the left side is the angular velocity at t, not at t_o")});
 }
 
-Derivation free_constant(Side side, bool first, const Cited& motion) {
+Derivation free_constant(Side side, bool first, const char* motion) {
   const Constants name = free_names(side);
   const Constants value =
       constants_from_start(linear_equation(side, Pulse::none), t_o, theta_to, thetadot_to);
@@ -186,34 +185,26 @@ Derivation free_constant(Side side, bool first, const Cited& motion) {
 
 }  // namespace
 
-Derivation equation_57a() { return forced(Side::negative, Cited{"56a", equation_56a}); }
-Derivation equation_57b() { return forced(Side::positive, Cited{"56b", equation_56b}); }
-Derivation equation_59a() { return forced_rate(Side::negative, Cited{"57a", equation_57a}); }
-Derivation equation_59b() { return forced_rate(Side::positive, Cited{"57b", equation_57b}); }
+Derivation equation_57a() { return forced(Side::negative, "56a"); }
+Derivation equation_57b() { return forced(Side::positive, "56b"); }
+Derivation equation_59a() { return forced_rate(Side::negative, "57a"); }
+Derivation equation_59b() { return forced_rate(Side::positive, "57b"); }
 
-Derivation equation_58a() {
-  return constant(Side::negative, true, Cited{"57a", equation_57a}, Cited{"59a", equation_59a});
-}
+Derivation equation_58a() { return constant(Side::negative, true, "57a", "59a"); }
 
-Derivation equation_58b() {
-  return constant(Side::negative, false, Cited{"57a", equation_57a}, Cited{"59a", equation_59a});
-}
+Derivation equation_58b() { return constant(Side::negative, false, "57a", "59a"); }
 
-Derivation equation_58c() {
-  return constant(Side::positive, true, Cited{"57b", equation_57b}, Cited{"59b", equation_59b});
-}
+Derivation equation_58c() { return constant(Side::positive, true, "57b", "59b"); }
 
-Derivation equation_58d() {
-  return constant(Side::positive, false, Cited{"57b", equation_57b}, Cited{"59b", equation_59b});
-}
+Derivation equation_58d() { return constant(Side::positive, false, "57b", "59b"); }
 
-Derivation equation_61b() { return free_equation(Side::positive, Cited{"56b", equation_56b}); }
-Derivation equation_62a() { return free(Side::negative, Cited{"61a", equation_61a}); }
-Derivation equation_62b() { return free(Side::positive, Cited{"61b", equation_61b}); }
-Derivation equation_64a() { return free_constant(Side::negative, true, Cited{"62a", equation_62a}); }
-Derivation equation_64b() { return free_constant(Side::negative, false, Cited{"62a", equation_62a}); }
-Derivation equation_64c() { return free_constant(Side::positive, true, Cited{"62b", equation_62b}); }
-Derivation equation_64d() { return free_constant(Side::positive, false, Cited{"62b", equation_62b}); }
+Derivation equation_61b() { return free_equation(Side::positive, "56b"); }
+Derivation equation_62a() { return free(Side::negative, "61a"); }
+Derivation equation_62b() { return free(Side::positive, "61b"); }
+Derivation equation_64a() { return free_constant(Side::negative, true, "62a"); }
+Derivation equation_64b() { return free_constant(Side::negative, false, "62a"); }
+Derivation equation_64c() { return free_constant(Side::positive, true, "62b"); }
+Derivation equation_64d() { return free_constant(Side::positive, false, "62b"); }
 
 Derivations derivations_of_linear_response() {
   return {
@@ -236,14 +227,8 @@ Derivations derivations_of_linear_response() {
       {"61b", equation_61b},
       {"62a", equation_62a},
       {"62b", equation_62b},
-      {"63a",
-       [] {
-         return free_rate(Side::negative, Cited{"62a", equation_62a});
-       }},
-      {"63b",
-       [] {
-         return free_rate(Side::positive, Cited{"62b", equation_62b});
-       }},
+      {"63a", [] { return free_rate(Side::negative, "62a"); }},
+      {"63b", [] { return free_rate(Side::positive, "62b"); }},
       {"64a", equation_64a},
       {"64b", equation_64b},
       {"64c", equation_64c},
@@ -252,4 +237,4 @@ Derivations derivations_of_linear_response() {
   };
 }
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

@@ -5,7 +5,7 @@
 #include <derivations/rocking_block/equation_of_motion.hpp>
 #include <derivations/rocking_block/pulse.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 /// a_p for which the linear block, at rest and upright, is about to move at t = 0: α g/sin ψ or α g/cos ψ.
 Given amplitude(Pulse pulse);
@@ -53,4 +53,4 @@ Derivation equation_64d();
 /// (56) to (64).
 Derivations derivations_of_linear_response();
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

@@ -4,10 +4,10 @@
 
 #include <derivations/rocking_block/overturning_without_impact.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 /// A function of t at the time t_i of the impact.
-inline GiNaC::ex at_impact(const GiNaC::ex& e) { return e.subs(paper::t == paper::t_i); }
+inline GiNaC::ex at_impact(const GiNaC::ex& e) { return e.subs(t == t_i); }
 /// θ(t_i) = 0 during the pulse, times (1 + ω_p²/p²) sin ψ/α: (86) without its division. In ψ, ω_p, p, t_i.
 GiNaC::ex impact_during_pulse();
 /// Left less right of (88), with t_i where the paper prints t. In ψ, ω_p, p, t_i, e.
@@ -35,4 +35,4 @@ Derivation velocity_near_first_mode();
 Derivations derivations_of_overturning_impact_during_pulse();
 Derivations derivations_of_overturning_impact_after_pulse();
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

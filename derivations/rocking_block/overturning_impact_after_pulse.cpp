@@ -1,11 +1,10 @@
 // Overturning after one impact behind the pulse: (89) to (96), and the window of amplitudes that it leaves.
 #include <derivations/rocking_block/overturning_after_one_impact.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 using GiNaC::ex;
 using GiNaC::lst;
-using namespace paper;
 
 namespace {
 
@@ -42,38 +41,32 @@ namespace {
 
 Derivation equation_89a() {
   return derived(theta, free_from_end(),
-                 {from(Cited{"62a", equation_62a}, "Free motion # from T_ex:"),
-                  from(Cited{"66a", equation_66a}, "with"), from(Cited{"66b", equation_66b}, "and")});
+                 {from("62a", "Free motion # from T_ex:"), from("66a", "with"), from("66b", "and")});
 }
 
 Derivation equation_89b() {
-  return derived(thetadot / p, (free_from_end().diff(t) / p).expand(),
-                 {from(Cited{"89a", equation_89a}, "Differentiate")});
+  return derived(thetadot / p, (free_from_end().diff(t) / p).expand(), {from("89a", "Differentiate")});
 }
 
 Derivation equation_91a() {
   return derived(theta_ex, alpha * scaled_angle_at_end() - alpha,
-                 {from(Cited{"69a", equation_69a}, "Into"), from(Cited{"70a", equation_70a}, "put"),
-                  from(Cited{"70b", equation_70b}, "and")});
+                 {from("69a", "Into"), from("70a", "put"), from("70b", "and")});
 }
 
 Derivation equation_91b() {
   return derived(thetadot_ex / p, (alpha * scaled_rate_at_end()).expand(),
-                 {from(Cited{"69b", equation_69b}, "Into"), from(Cited{"70a", equation_70a}, "put"),
-                  from(Cited{"70b", equation_70b}, "and")});
+                 {from("69b", "Into"), from("70a", "put"), from("70b", "and")});
 }
 
 Derivation equation_92a() {
   return derived(impact_after_pulse() + 1, 1,
-                 {from(Cited{"89a", equation_89a}, "At t_i the block is upright: in #"),
-                  from(Cited{"91a", equation_91a}, "put"), from(Cited{"91b", equation_91b}, "and"),
+                 {from("89a", "At t_i the block is upright: in #"), from("91a", "put"), from("91b", "and"),
                   in_words("and divide by α")});
 }
 
 Derivation equation_92b() {
   return derived(thetadot_before, from_state_at_end(at_impact(free_from_end().diff(t))).expand(),
-                 {from(Cited{"89b", equation_89b}, "At t_i, in #"), from(Cited{"91a", equation_91a}, "put"),
-                  from(Cited{"91b", equation_91b}, "and")});
+                 {from("89b", "At t_i, in #"), from("91a", "put"), from("91b", "and")});
 }
 
 ex free_after_impact() {
@@ -96,23 +89,19 @@ ex growth_after_impact() {
 }
 
 Derivation equation_93a() {
-  return derived(theta, free_after_impact(),
-                 {from(Cited{"61b", equation_61b}, "Solve #, counting time from t_i")});
+  return derived(theta, free_after_impact(), {from("61b", "Solve #, counting time from t_i")});
 }
 
 Derivation equation_93b() {
-  return derived(thetadot / p, (free_after_impact().diff(t) / p).expand(),
-                 {from(Cited{"93a", equation_93a}, "Differentiate")});
+  return derived(thetadot / p, (free_after_impact().diff(t) / p).expand(), {from("93a", "Differentiate")});
 }
 
 Derivation second_constant_after_impact() {
-  return derived(c_2, free_constants_after_impact().D,
-                 {from(Cited{"93a", equation_93a}, "At t_i the block is upright: by #")});
+  return derived(c_2, free_constants_after_impact().D, {from("93a", "At t_i the block is upright: by #")});
 }
 
 Derivation first_constant_after_impact() {
-  return derived(c_1, free_constants_after_impact().C,
-                 {from(Cited{"93b", equation_93b}, "At t_i, just after the impact, by #")});
+  return derived(c_1, free_constants_after_impact().C, {from("93b", "At t_i, just after the impact, by #")});
 }
 
 Derivation first_constant_by_restitution() {
@@ -125,14 +114,14 @@ Derivation first_constant_by_restitution() {
 
 Derivation equation_94a() {
   return derived(at_corner(free_after_impact()) - alpha, 0,
-                 {from(Cited{"93a", equation_93a}, "At t_star the block is to stand on its corner: by #"),
+                 {from("93a", "At t_star the block is to stand on its corner: by #"),
                   from(first_constant_after_impact(), "with"), from(second_constant_after_impact(), "and"),
                   in_words("the velocity in it is the one after the impact")});
 }
 
 Derivation equation_94b() {
   return derived(at_corner(free_after_impact().diff(t) / p).expand(), 0,
-                 {from(Cited{"93b", equation_93b}, "and to be at rest there: by #"),
+                 {from("93b", "and to be at rest there: by #"),
                   in_words("the velocity in it is the one after the impact")});
 }
 
@@ -141,21 +130,19 @@ namespace {
 Derivation equation_95a() {
   return derived(
       (p * growth_after_impact()).expand(), 0,
-      {from(Cited{"94a", equation_94a}, "At no finite time do"), from(Cited{"94b", equation_94b}, "and"),
+      {from("94a", "At no finite time do"), from("94b", "and"),
        in_words("hold together: the corner is approached without end, when the part of (93a) that grows "
                 "is absent, c_1 + c_2 = 0")});
 }
 
 Derivation equation_95b() {
-  return derived(
-      (p * growth_after_impact()).expand().subs(thetadot_after == e * thetadot_before), 0,
-      {from(Cited{"95a", equation_95a}, "With the impact"), {"", thetadot_after, e * thetadot_before}});
+  return derived((p * growth_after_impact()).expand().subs(thetadot_after == e * thetadot_before), 0,
+                 {from("95a", "With the impact"), {"", thetadot_after, e * thetadot_before}});
 }
 
 Derivation equation_96() {
   return derived(overturning_impact_after_pulse() + 1, 1,
-                 {from(Cited{"95b", equation_95b}, "Into"), from(Cited{"92b", equation_92b}, "put"),
-                  in_words("and divide by p α")});
+                 {from("95b", "Into"), from("92b", "put"), in_words("and divide by p α")});
 }
 
 ex energy_at_end() { return (pow(scaled_rate_at_end(), 2) - pow(scaled_angle_at_end(), 2)); }
@@ -168,8 +155,8 @@ ex energy_at_critical_impact() {
 
 std::vector<Step> elimination() {
   return {
-      from(Cited{"92a", equation_92a}, "Between"),
-      from(Cited{"96", equation_96}, "and"),
+      from("92a", "Between"),
+      from("96", "and"),
       in_words("t_i drops out: θ̇²/p² − (θ + α)² does not change in free motion, neither from T_ex to t_i"),
       {"At the end of the pulse it is, over α²,", energy_at_end(), energy_at_end()},
       {"and at an impact after which the corner is just reached", energy_at_critical_impact(),
@@ -192,7 +179,7 @@ Derivation time_of_critical_impact() {
   const ex growth = exp(p * (t_i - T_ex));
   return derived(
       (scaled_rate_at_end() + scaled_angle_at_end()) * growth, 1 + 1 / e,
-      {from(Cited{"92a", equation_92a}, "Add"), from(Cited{"96", equation_96}, "# divided by e to"),
+      {from("92a", "Add"), from("96", "# divided by e to"),
        in_words("sinh and cosh join. The impact is behind the pulse if the factor of the exponential is "
                 "at most 1 + 1/e")},
       {sine_end()});
@@ -204,7 +191,7 @@ Derivation velocity_near_first_mode() {
   const ex critical = square.subs(thetadot_ex == -p * (theta_ex + alpha)).expand();
   return derived(
       thetadot_before, p * sqrt(critical),
-      {from(Cited{"68", equation_68}, "At the threshold without impact"),
+      {from("68", "At the threshold without impact"),
        {"the impact of free motion from there has", pow(thetadot_before / p, 2), square},
        in_words("so e θ̇ < p α after it, and by (95b) the block does not overturn: below (71) comes a "
                 "range of amplitudes that are safe")});
@@ -238,4 +225,4 @@ Derivations derivations_of_overturning_impact_after_pulse() {
   };
 }
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

@@ -1,11 +1,10 @@
 // Overturning after one impact while the pulse lasts: (79) to (88).
 #include <derivations/rocking_block/overturning_after_one_impact.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 using GiNaC::ex;
 using GiNaC::lst;
-using namespace paper;
 
 namespace {
 
@@ -82,38 +81,35 @@ ex overturning_impact_during_pulse() {
 
 Derivation equation_79a() {
   return derived(theta, motion_after_impact(),
-                 {from(Cited{"57b", equation_57b}, "As in"),
-                  in_words("with time counted from the impact in sinh and cosh")});
+                 {from("57b", "As in"), in_words("with time counted from the impact in sinh and cosh")});
 }
 
 namespace {
 
 Derivation equation_79b() {
-  return derived(thetadot / p, (motion_after_impact().diff(t) / p).expand(),
-                 {from(Cited{"79a", equation_79a}, "Differentiate")});
+  return derived(thetadot / p, (motion_after_impact().diff(t) / p).expand(), {from("79a", "Differentiate")});
 }
 
 Derivation equation_80a() {
   return derived(theta_ex, at_end_of_sine(motion_after_impact()),
-                 {from(Cited{"79a", equation_79a}, "# at T_ex, where the phase is 2π")});
+                 {from("79a", "# at T_ex, where the phase is 2π")});
 }
 
 Derivation equation_80b() {
   return derived(thetadot_ex / p, at_end_of_sine((motion_after_impact().diff(t) / p).expand()),
-                 {from(Cited{"79b", equation_79b}, "# at T_ex, where the phase is 2π")});
+                 {from("79b", "# at T_ex, where the phase is 2π")});
 }
 
 }  // namespace
 
 Derivation equation_81() {
-  return derived(A_4, constants_after_impact().D,
-                 {from(Cited{"79a", equation_79a}, "At t_i the block is upright: by #")});
+  return derived(A_4, constants_after_impact().D, {from("79a", "At t_i the block is upright: by #")});
 }
 
 Derivation equation_82() {
-  return derived(A_3, constants_after_impact().C,
-                 {from(Cited{"79b", equation_79b}, "At t_i the block leaves with"),
-                  {"by the impact", thetadot_after, e * thetadot_before}});
+  return derived(
+      A_3, constants_after_impact().C,
+      {from("79b", "At t_i the block leaves with"), {"by the impact", thetadot_after, e * thetadot_before}});
 }
 
 namespace {
@@ -121,29 +117,27 @@ namespace {
 Derivation equation_83() {
   const ex growth = exp(p * (T_ex - t_i));
   const CriticalSum sum = critical_after_impact({A_3, A_4});
-  return derived(
-      sum.grown * growth, -sum.added,
-      {from(Cited{"75", equation_75}, "Into"), from(Cited{"80a", equation_80a}, "put"),
-       from(Cited{"80b", equation_80b}, "and"), in_words("sinh and cosh join to e^{p(T_ex − t_i)}")});
+  return derived(sum.grown * growth, -sum.added,
+                 {from("75", "Into"), from("80a", "put"), from("80b", "and"),
+                  in_words("sinh and cosh join to e^{p(T_ex − t_i)}")});
 }
 
 Derivation equation_84() {
-  return derived(theta_i, at_impact(motion_before_impact()),
-                 {from(Cited{"57a", equation_57a}, "# at t_i, before the impact")});
+  return derived(theta_i, at_impact(motion_before_impact()), {from("57a", "# at t_i, before the impact")});
 }
 
 Derivation equation_85() {
   return derived(thetadot_before / p, (at_impact(rate_before_impact()) / p).expand(),
-                 {from(Cited{"59a", equation_59a}, "# at t_i, before the impact")});
+                 {from("59a", "# at t_i, before the impact")});
 }
 
 Derivation equation_86() {
   const ex vanishes = impact_during_pulse();
   const ex of_cosine = vanishes.coeff(cos(psi), 1), of_sine = vanishes.coeff(cos(psi), 0) / sin(psi);
   return derived(tan(psi), (-of_cosine / of_sine).normal(),
-                 {from(Cited{"84", equation_84}, "The block is upright, θ_i = 0, in"),
-                  from(Cited{"70a", equation_70a}, "with"),
-                  from(Cited{"70b", equation_70b}, "and"),
+                 {from("84", "The block is upright, θ_i = 0, in"),
+                  from("70a", "with"),
+                  from("70b", "and"),
                   {"With sin(ω_p t_i + ψ) taken apart, and times (1 + ω_p²/p²) sin ψ/α,", vanishes, 0},
                   in_words("which is linear in cos ψ and sin ψ")});
 }
@@ -151,22 +145,20 @@ Derivation equation_86() {
 Derivation equation_87a() {
   const Constants c = constants_after_impact();
   return sorted((critical_after_impact(c).over_growth() * scale()).expand().normal(),
-                {from(Cited{"83", equation_83}, "Into"), from(Cited{"81", equation_81}, "put"),
-                 from(Cited{"82", equation_82}, "and"),
+                {from("83", "Into"), from("81", "put"), from("82", "and"),
                  in_words("and multiply by (1 + ω_p²/p²) sin ψ/α · e^{−p(T_ex − t_i)}")});
 }
 
 Derivation equation_87b() {
   const ex rate = (at_impact(rate_before_impact()) / p).subs(constants_from_rest());
   return derived(thetadot_before / p, by_addition(rate),
-                 {from(Cited{"85", equation_85}, "In"), from(Cited{"70a", equation_70a}, "put"),
-                  from(Cited{"70b", equation_70b}, "and")});
+                 {from("85", "In"), from("70a", "put"), from("70b", "and")});
 }
 
 Derivation equation_88() {
   return sorted(overturning_impact_during_pulse(),
-                {from(Cited{"87a", equation_87a}, "Into"), from(Cited{"87b", equation_87b}, "put"),
-                 in_words("and divide by −ω_p/p"), in_words("the time in it is t_i throughout")},
+                {from("87a", "Into"), from("87b", "put"), in_words("and divide by −ω_p/p"),
+                 in_words("the time in it is t_i throughout")},
                 {{T_ex, end_of_pulse(Pulse::sine)}});
 }
 
@@ -181,4 +173,4 @@ Derivations derivations_of_overturning_impact_during_pulse() {
   };
 }
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

@@ -1,10 +1,9 @@
 #include <derivations/rocking_block/overturning_without_impact.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 using GiNaC::ex;
 using GiNaC::lst;
-using namespace paper;
 
 namespace {
 
@@ -74,25 +73,25 @@ ThresholdEquation threshold_without_impact(Side side, Pulse pulse) {
 namespace {
 
 // φ(T_ex) = corner and φ̇(T_ex) = 0 for the free motion: (65), (72).
-Derivation corner_reached(Side side, const Cited& motion) {
+Derivation corner_reached(Side side, const char* motion) {
   return derived(corner(side), free_from_end(side),
                  {from(motion, "The motion # after the pulse, t_o = T_ex,"),
                   {"reaches the corner", theta, corner(side)}});
 }
 
-Derivation corner_at_rest(Side side, const Cited& motion) {
+Derivation corner_at_rest(Side side, const char* motion) {
   return derived(
       0, (free_from_end(side).diff(t) / p).expand(),
       {from(motion, "The motion # after the pulse, t_o = T_ex,"), in_words("comes there without velocity")});
 }
 
-Derivation constant_at_end(const Cited& free_constant) {
+Derivation constant_at_end(const char* id, const Derivation& free_constant) {
   const auto at_end = lst{t_o == T_ex, theta_to == theta_ex, thetadot_to == thetadot_ex};
-  return derived(free_constant.derivation().left, free_constant.derivation().right.subs(at_end),
-                 {from(free_constant, "Free motion begins at t_o = T_ex; so by #")});
+  return derived(free_constant.left, free_constant.right.subs(at_end),
+                 {from(id, "Free motion begins at t_o = T_ex; so by #")});
 }
 
-Derivation no_growth(Side side, const Cited& motion) {
+Derivation no_growth(Side side, const char* motion) {
   const Constants c = free_names(side);
   const ex growing = growing_part(free_from_end(side), T_ex);
   return derived(
@@ -103,92 +102,67 @@ Derivation no_growth(Side side, const Cited& motion) {
                 "and (65b), or (72a) and (72b), hold: the corner is reached as t grows without end")});
 }
 
-Derivation critical(Side side, const Cited& condition, const Cited& first, const Cited& second) {
+Derivation critical(Side side, const char* condition, const char* first, const char* second) {
   return derived((p * critical_sum(side, theta_ex, thetadot_ex)).expand(), 0,
                  {from(condition, "Into"), from(first, "put"), from(second, "and")});
 }
 
-Derivation end_angle(Side side, const Cited& motion) {
+Derivation end_angle(Side side, const char* motion) {
   return derived(theta_ex, angle_at_end(side, Pulse::sine),
                  {from(motion, "At T_ex the phase of the pulse is 2π, and its sine 0: by #")});
 }
 
-Derivation end_rate(Side side, const Cited& rate) {
+Derivation end_rate(Side side, const char* rate) {
   return derived(thetadot_ex / p, rate_at_end(side, Pulse::sine),
                  {from(rate, "At T_ex the phase of the pulse is 2π, and its cosine 1: by #")});
 }
 
-Derivation from_rest(const Cited& constant) {
-  return derived(constant.derivation().left,
-                 constant.derivation().right.subs(lst{theta_0 == 0, thetadot_0 == 0}).normal(),
-                 {from(constant, "From rest, θ_0 = θ̇_0 = 0: by #")});
+Derivation from_rest(const char* id, const Derivation& constant) {
+  return derived(constant.left, constant.right.subs(lst{theta_0 == 0, thetadot_0 == 0}).normal(),
+                 {from(id, "From rest, θ_0 = θ̇_0 = 0: by #")});
 }
 
-Derivation threshold(Side side, const std::vector<Cited>& ingredients) {
+Derivation threshold(Side side, const std::vector<const char*>& ingredients) {
   const ThresholdEquation found = threshold_without_impact(side, Pulse::sine);
   std::vector<Step> steps;
-  for (const Cited& d : ingredients)
-    steps.push_back(from(d, steps.empty() ? "Into" : steps.size() == 1 ? "put" : "and"));
+  for (const char* id : ingredients)
+    steps.push_back(from(id, steps.empty() ? "Into" : steps.size() == 1 ? "put" : "and"));
   steps.push_back(from(end_of_sine_pulse(), "where"));
   steps.push_back(in_words("sinh and cosh join to exponentials; divide by the factor of e^{−p T_ex}"));
   return derived(by_phase(found.left.subs(lst{theta_0 == 0, thetadot_0 == 0})), found.right, steps);
 }
 
-Derivation equation_67() { return no_growth(Side::negative, Cited{"62a", equation_62a}); }
-Derivation equation_73a() { return constant_at_end(Cited{"64c", equation_64c}); }
-Derivation equation_73b() { return constant_at_end(Cited{"64d", equation_64d}); }
-Derivation equation_74() { return no_growth(Side::positive, Cited{"62b", equation_62b}); }
-Derivation equation_76a() { return end_angle(Side::positive, Cited{"57b", equation_57b}); }
-Derivation equation_76b() { return end_rate(Side::positive, Cited{"59b", equation_59b}); }
-Derivation equation_77a() { return from_rest(Cited{"58c", equation_58c}); }
-Derivation equation_77b() { return from_rest(Cited{"58d", equation_58d}); }
+Derivation equation_67() { return no_growth(Side::negative, "62a"); }
+Derivation equation_73a() { return constant_at_end("64c", equation_64c()); }
+Derivation equation_73b() { return constant_at_end("64d", equation_64d()); }
+Derivation equation_74() { return no_growth(Side::positive, "62b"); }
+Derivation equation_76a() { return end_angle(Side::positive, "57b"); }
+Derivation equation_76b() { return end_rate(Side::positive, "59b"); }
+Derivation equation_77a() { return from_rest("58c", equation_58c()); }
+Derivation equation_77b() { return from_rest("58d", equation_58d()); }
 
 }  // namespace
 
-Derivation equation_66a() { return constant_at_end(Cited{"64a", equation_64a}); }
-Derivation equation_66b() { return constant_at_end(Cited{"64b", equation_64b}); }
+Derivation equation_66a() { return constant_at_end("64a", equation_64a()); }
+Derivation equation_66b() { return constant_at_end("64b", equation_64b()); }
 
-Derivation equation_68() {
-  return critical(Side::negative, Cited{"67", equation_67}, Cited{"66a", equation_66a},
-                  Cited{"66b", equation_66b});
-}
+Derivation equation_68() { return critical(Side::negative, "67", "66a", "66b"); }
 
-Derivation equation_69a() { return end_angle(Side::negative, Cited{"57a", equation_57a}); }
-Derivation equation_69b() { return end_rate(Side::negative, Cited{"59a", equation_59a}); }
-Derivation equation_70a() { return from_rest(Cited{"58a", equation_58a}); }
-Derivation equation_70b() { return from_rest(Cited{"58b", equation_58b}); }
+Derivation equation_69a() { return end_angle(Side::negative, "57a"); }
+Derivation equation_69b() { return end_rate(Side::negative, "59a"); }
+Derivation equation_70a() { return from_rest("58a", equation_58a()); }
+Derivation equation_70b() { return from_rest("58b", equation_58b()); }
 
-Derivation equation_71() {
-  return threshold(Side::negative, {{"68", equation_68},
-                                    {"69a", equation_69a},
-                                    {"69b", equation_69b},
-                                    {"70a", equation_70a},
-                                    {"70b", equation_70b}});
-}
+Derivation equation_71() { return threshold(Side::negative, {"68", "69a", "69b", "70a", "70b"}); }
 
-Derivation equation_75() {
-  return critical(Side::positive, Cited{"74", equation_74}, Cited{"73a", equation_73a},
-                  Cited{"73b", equation_73b});
-}
+Derivation equation_75() { return critical(Side::positive, "74", "73a", "73b"); }
 
-Derivation equation_78() {
-  return threshold(Side::positive, {{"75", equation_75},
-                                    {"76a", equation_76a},
-                                    {"76b", equation_76b},
-                                    {"77a", equation_77a},
-                                    {"77b", equation_77b}});
-}
+Derivation equation_78() { return threshold(Side::positive, {"75", "76a", "76b", "77a", "77b"}); }
 
 Derivations derivations_of_overturning_without_impact() {
   return {
-      {"65a",
-       [] {
-         return corner_reached(Side::negative, Cited{"62a", equation_62a});
-       }},
-      {"65b",
-       [] {
-         return corner_at_rest(Side::negative, Cited{"62a", equation_62a});
-       }},
+      {"65a", [] { return corner_reached(Side::negative, "62a"); }},
+      {"65b", [] { return corner_at_rest(Side::negative, "62a"); }},
       {"66a", equation_66a},
       {"66b", equation_66b},
       {"67", equation_67},
@@ -198,14 +172,8 @@ Derivations derivations_of_overturning_without_impact() {
       {"70a", equation_70a},
       {"70b", equation_70b},
       {"71", equation_71},
-      {"72a",
-       [] {
-         return corner_reached(Side::positive, Cited{"62b", equation_62b});
-       }},
-      {"72b",
-       [] {
-         return corner_at_rest(Side::positive, Cited{"62b", equation_62b});
-       }},
+      {"72a", [] { return corner_reached(Side::positive, "62b"); }},
+      {"72b", [] { return corner_at_rest(Side::positive, "62b"); }},
       {"73a", equation_73a},
       {"73b", equation_73b},
       {"74", equation_74},
@@ -218,4 +186,4 @@ Derivations derivations_of_overturning_without_impact() {
   };
 }
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

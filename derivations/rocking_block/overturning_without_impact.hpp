@@ -3,7 +3,7 @@
 
 #include <derivations/rocking_block/linear_response.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 /// An equation of the form left = e^{−…}: the terms without an exponential, and those with one on the right.
 struct ThresholdEquation {
@@ -50,4 +50,4 @@ Derivation equation_78();
 /// (65) to (78).
 Derivations derivations_of_overturning_without_impact();
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

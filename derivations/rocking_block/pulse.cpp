@@ -1,10 +1,9 @@
 #include <derivations/rocking_block/initiation.hpp>
 #include <derivations/rocking_block/pulse.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 using GiNaC::ex;
-using namespace paper;
 
 ex ground_acceleration(Pulse pulse) {
   const ex phase = omega_p * t + psi;
@@ -35,24 +34,24 @@ Derivation equation_53a() {
 
 Derivation equation_53b() {
   return derived(ground_acceleration(Pulse::sine).subs(t == 0), lambda * a_p,
-                 {from(Cited{"53a", equation_53a}, "λ is the share of the amplitude at t = 0, and by #")});
+                 {from("53a", "λ is the share of the amplitude at t = 0, and by #")});
 }
 
 }  // namespace
 
 Derivation equation_53c() {
-  return derived(psi, asin(lambda), {from(Cited{"53b", equation_53b}, "Solve # for ψ, between 0 and π/2")});
+  return derived(psi, asin(lambda), {from("53b", "Solve # for ψ, between 0 and π/2")});
 }
 
 namespace {
 
 Derivation equation_54() {
   const ex share = g * tan(alpha) / a_p;
-  return derived(psi, asin(share), {from(Cited{"53c", equation_53c}, "Into"), {"put", lambda, share}});
+  return derived(psi, asin(share), {from("53c", "Into"), {"put", lambda, share}});
 }
 
 Derivation equation_55a() {
-  return derived(slope_of_diagonal(), b / h, {from(Cited{"32b", equation_32b}, "The shape of the block")});
+  return derived(slope_of_diagonal(), b / h, {from("32b", "The shape of the block")});
 }
 
 Derivation equation_55b() {
@@ -74,4 +73,4 @@ Derivations derivations_of_pulse() {
   };
 }
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

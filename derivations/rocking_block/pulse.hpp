@@ -1,9 +1,11 @@
 // The one-sine and the one-cosine pulse, (52) to (55), (97).
 #pragma once
 
-#include <derivations/rocking_block/steps.hpp>
+#include <derivations/paper/derivations.hpp>
+#include <derivations/paper/steps.hpp>
+#include <derivations/rocking_block/symbols.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 /// The ground acceleration: none, α_p sin(ω_p t + ψ) of (52), or α_p cos(ω_p t + ψ) of (97).
 enum class Pulse { none, sine, cosine };
@@ -17,4 +19,4 @@ Derivation end_of_sine_pulse();
 /// (52) to (55).
 Derivations derivations_of_pulse();
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

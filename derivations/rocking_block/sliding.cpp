@@ -1,11 +1,10 @@
 #include <derivations/rocking_block/initiation.hpp>
 #include <derivations/rocking_block/sliding.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 using GiNaC::ex;
 using GiNaC::lst;
-using namespace paper;
 
 namespace {
 
@@ -24,27 +23,27 @@ ex rise(int derivatives) {
   return result.expand();
 }
 
-Derivation horizontal(Side side, const Cited& motion) {
+Derivation horizontal(Side side, const char* motion) {
   return derived(H / m, horizontal_reaction(side),
                  {{"C accelerates to the right with", u_cddot, centre_acceleration(side).right},
                   {"Newton: H alone accelerates it", H, m * u_cddot},
                   from(motion, "with the angular acceleration from")});
 }
 
-Derivation vertical(Side side, const Cited& motion) {
+Derivation vertical(Side side, const char* motion) {
   return derived(V / m, vertical_reaction(side),
                  {{"C accelerates upwards with", y_cddot, centre_acceleration(side).up},
                   {"Newton: V carries the weight and accelerates it", V, m * (g + y_cddot)},
                   from(motion, "with the angular acceleration from")});
 }
 
-Derivation demand(Side side, const Cited& motion) {
+Derivation demand(Side side, const char* motion) {
   return derived(
       H / V, horizontal_reaction(side) / vertical_reaction(side),
       as_before({horizontal(side, motion), vertical(side, motion)}, {in_words("and their ratio")}));
 }
 
-Derivation contact(Side side, const Cited& motion) {
+Derivation contact(Side side, const char* motion) {
   return derived(vertical_reaction(side), 0,
                  {from(vertical(side, motion), "The ground pushes and never pulls")}, {}, ">");
 }
@@ -86,27 +85,19 @@ Derivation equation_47b() {
 
 Derivation equation_48a() { return derived(x_c, way(0), {in_words("As in (2)")}, sides_of_the_block()); }
 
-Derivation equation_48b() {
-  return derived(x_cdot, way(1), {from(Cited{"48a", equation_48a}, "Differentiate")});
-}
+Derivation equation_48b() { return derived(x_cdot, way(1), {from("48a", "Differentiate")}); }
 
-Derivation equation_48c() {
-  return derived(x_cddot, way(2), {from(Cited{"48b", equation_48b}, "Differentiate")});
-}
+Derivation equation_48c() { return derived(x_cddot, way(2), {from("48b", "Differentiate")}); }
 
 Derivation equation_49a() { return derived(y_c, rise(0), {in_words("As in (3)")}); }
 
-Derivation equation_49b() {
-  return derived(y_cdot, rise(1), {from(Cited{"49a", equation_49a}, "Differentiate")});
-}
+Derivation equation_49b() { return derived(y_cdot, rise(1), {from("49a", "Differentiate")}); }
 
-Derivation equation_49c() {
-  return derived(y_cddot, rise(2), {from(Cited{"49b", equation_49b}, "Differentiate")});
-}
+Derivation equation_49c() { return derived(y_cddot, rise(2), {from("49b", "Differentiate")}); }
 
-Derivation horizontal_reaction_negative() { return horizontal(Side::negative, Cited{"21a", equation_21a}); }
-Derivation vertical_reaction_negative() { return vertical(Side::negative, Cited{"21a", equation_21a}); }
-Derivation friction_demand_negative() { return demand(Side::negative, Cited{"21a", equation_21a}); }
+Derivation horizontal_reaction_negative() { return horizontal(Side::negative, "21a"); }
+Derivation vertical_reaction_negative() { return vertical(Side::negative, "21a"); }
+Derivation friction_demand_negative() { return demand(Side::negative, "21a"); }
 
 Derivation equation_50c() {
   Derivation result =
@@ -127,9 +118,7 @@ Derivation equation_51b() {
 }
 
 Derivation equation_51c() {
-  return derived(tan(alpha), mu,
-                 {from(Cited{"51a", equation_51a}, "Coulomb, with #"), in_words("which is positive")}, {},
-                 "<=");
+  return derived(tan(alpha), mu, {from("51a", "Coulomb, with #"), in_words("which is positive")}, {}, "<=");
 }
 
 }  // namespace
@@ -156,28 +145,13 @@ Derivations derivations_of_sliding() {
       // contact
       {"r1", horizontal_reaction_negative},
       {"r2", vertical_reaction_negative},
-      {"r3",
-       [] {
-         return horizontal(Side::positive, Cited{"21b", equation_21b});
-       }},
-      {"r4",
-       [] {
-         return vertical(Side::positive, Cited{"21b", equation_21b});
-       }},
+      {"r3", [] { return horizontal(Side::positive, "21b"); }},
+      {"r4", [] { return vertical(Side::positive, "21b"); }},
       {"r5", friction_demand_negative},
-      {"r6",
-       [] {
-         return demand(Side::positive, Cited{"21b", equation_21b});
-       }},
-      {"r7",
-       [] {
-         return contact(Side::negative, Cited{"21a", equation_21a});
-       }},
-      {"r8",
-       [] {
-         return contact(Side::positive, Cited{"21b", equation_21b});
-       }},
+      {"r6", [] { return demand(Side::positive, "21b"); }},
+      {"r7", [] { return contact(Side::negative, "21a"); }},
+      {"r8", [] { return contact(Side::positive, "21b"); }},
   };
 }
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

@@ -3,7 +3,7 @@
 
 #include <derivations/rocking_block/equation_of_motion.hpp>
 
-namespace rederive {
+namespace rederive::rocking_block {
 
 /// H/m and V/m at the pivot while rocking on that side: the acceleration of C, with θ̈ from (21).
 /// In p, R, g, α, θ, θ̇, ü_g; H to the right and V upwards, on the block.
@@ -13,4 +13,4 @@ GiNaC::ex vertical_reaction(Side side);
 /// (47) to (51), and results of our own.
 Derivations derivations_of_sliding();
 
-}  // namespace rederive
+}  // namespace rederive::rocking_block

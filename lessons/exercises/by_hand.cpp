@@ -1,7 +1,6 @@
 // A point at which a student can see that an answer is wrong, with no more than pencil and paper.
 #include <algorithm>
 #include <derivations/numbers/interval.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/trees.hpp>
 
@@ -62,7 +61,8 @@ bool solve_on_the_way(const Relation& equation, const Symbol& symbol, Point& poi
 std::optional<Witness> by_hand(const Prepared& prepared, const Relation& read) {
   const auto& given = prepared.answer.given;
   const std::string& pivot = prepared.exercise.pivot;
-  const Relation mine = put_in(read, given), right = put_in(prepared.answer.relation, given);
+  const Relation mine = put_in(read, given, prepared.symbols),
+                 right = put_in(prepared.answer.relation, given, prepared.symbols);
   std::set<std::string> names = names_of(mine), typed = names_of(read);
   names.merge(names_of(right));
   typed.merge(names_of(prepared.answer.relation));
@@ -97,7 +97,9 @@ std::optional<Witness> by_hand(const Prepared& prepared, const Relation& read) {
     if (!is_plain && tried < 30) continue;  // cosh(35) tells nobody anything
     Witness witness;
     for (const auto& name : typed)
-      if (name != pivot) witness.at[name] = digits_at(put_in(parse(name), given), point, 6).value_or("");
+      if (name != pivot)
+        witness.at[name] =
+            digits_at(put_in(parse(name, prepared.symbols), given, prepared.symbols), point, 6).value_or("");
     witness.printed = *a, witness.derived = *b;
     return witness;
   }

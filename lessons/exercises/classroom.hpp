@@ -1,4 +1,5 @@
-// The exercises program, piece by piece: what each subcommand does. See COMMANDS in exercises_main.cpp.
+// The exercises program, piece by piece: what each subcommand does. See COMMANDS in
+// lessons/rocking_block/exercises_main.cpp.
 #pragma once
 
 #include <lessons/exercises/judge.hpp>
@@ -11,6 +12,7 @@ namespace rederive::classroom {
 
 /// What the subcommands share.
 struct Classroom {
+  const Course& course;
   std::vector<Exercise> exercises;
   std::filesystem::path progress;
   bool json = false;
@@ -27,7 +29,7 @@ const Exercise& find_exercise(const Classroom& room, const std::string& id);
 const Exercise* next_exercise(const Classroom& room, const Progress& progress);
 
 /// A sentence with marks, for a terminal of 80 columns.
-std::string readable(const std::string& sentence, const std::string& indent = "");
+std::string readable(const std::string& sentence, const Symbols& symbols, const std::string& indent = "");
 /// What is asked for, and an answer to something else.
 std::string form_in_words(const Exercise& exercise);
 std::string default_example(const Exercise& exercise);

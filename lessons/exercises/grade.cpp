@@ -97,7 +97,7 @@ std::int64_t time_of(const fs::path& file) {
 }
 
 /// What one student handed in.
-void add_student(const fs::path& folder, const std::map<std::string, Prepared>& answers,
+void add_student(const fs::path& folder, const std::map<std::string, Prepared>& answers, const Course& course,
                  const GradeFlags& flags, Class& whole) {
   std::vector<Task>& tasks = whole.tasks;
   const std::string student = as_text(folder.filename().string());
@@ -111,7 +111,7 @@ void add_student(const fs::path& folder, const std::map<std::string, Prepared>& 
   if (!names) return tasks.push_back(finished(student, "", "unreadable"));
   std::map<std::string, Exercise> own;
   if (flags.variants)
-    for (auto& exercise : read_exercises(exercises_folder(), flags.seed + student))
+    for (auto& exercise : read_exercises(course, exercises_folder(), flags.seed + student))
       if (!exercise.choice.empty()) own.emplace(exercise.id, std::move(exercise));
   std::set<std::string> handed_in;
   std::vector<std::string> strange;
@@ -298,7 +298,7 @@ int grade(const Classroom& room, const GradeFlags& flags) {
   std::vector<Task>& tasks = whole.tasks;
   for (const auto& name : *students) {
     const std::size_t from = tasks.size(), before = whole.students.size();
-    add_student(fs::path(flags.folder) / name, answers, flags, whole);
+    add_student(fs::path(flags.folder) / name, answers, room.course, flags, whole);
     if (whole.students.size() > before)
       for (std::size_t i = from; i < tasks.size(); ++i) tasks[i].seat = before + 1;
   }

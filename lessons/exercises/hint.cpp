@@ -76,7 +76,7 @@ int hint(const Classroom& room, const std::string& id) {
   if (room.json) {
     const nlohmann::ordered_json slip = hint.slip.empty() ? nullptr : nlohmann::ordered_json(hint.slip);
     std::fputs((nlohmann::ordered_json{{"exercise", id},
-                                       {"hint", readable(hint.text)},
+                                       {"hint", readable(hint.text, room.course.paper.symbols)},
                                        {"slip", slip},
                                        {"number", hint.number},
                                        {"of", hint.of},
@@ -87,7 +87,7 @@ int hint(const Classroom& room, const std::string& id) {
                stdout);
     return as_expected;
   }
-  std::fputs((printable(hint.head) + "\n" + readable(hint.text)).c_str(), stdout);
+  std::fputs((printable(hint.head) + "\n" + readable(hint.text, room.course.paper.symbols)).c_str(), stdout);
   if (!hint.more)
     std::fputs(fmt::format("That was the last hint. To see the answer: exercises solution {} --give-up\n", id)
                    .c_str(),

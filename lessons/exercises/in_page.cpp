@@ -14,25 +14,26 @@ namespace {
 std::string code(const std::string& text) { return "<code>" + shown(text, 2000) + "</code>"; }
 
 /// A formula that may be a student's: where it cannot be drawn, as text.
-std::string drawn(const Relation& relation) {
+std::string drawn(const Relation& relation, const Symbols& symbols) {
   try {
-    return formula_html(relation);
+    return formula_html(relation, symbols);
   } catch (const std::exception&) {
-    return code(print_statement(relation, Notation::unicode));
+    return code(print_statement(relation, Notation::unicode, symbols));
   }
 }
 
 /// A sentence with marks; one with a formula that cannot be drawn, as text.
-std::string line_html(const std::string& sentence) {
+std::string line_html(const std::string& sentence, const Symbols& symbols) {
   try {
-    return sentence_html(sentence, [](const std::string& words) { return escaped(printable(words)); });
+    return sentence_html(sentence, symbols,
+                         [](const std::string& words) { return escaped(printable(words)); });
   } catch (const std::exception&) {
     return shown(sentence, 2000);
   }
 }
 
-std::string feedback_html(const std::string& feedback) {
-  return feedback.find('\n') == std::string::npos ? in_html(feedback)  // a caret must keep its place
+std::string feedback_html(const std::string& feedback, const Symbols& symbols) {
+  return feedback.find('\n') == std::string::npos ? in_html(feedback, symbols)  // a caret must keep its place
                                                   : "<pre>" + shown(feedback, 2000) + "</pre>\n";
 }
 
@@ -44,8 +45,9 @@ std::string standing(const Record& record) {
 std::string symbols_html(const Exercise& exercise) {
   std::string text;
   for (const auto& name : exercise.symbols)
-    if (const auto* symbol = paper_symbols().find(name))
-      text += "<tr><td>" + code(name) + "</td><td>" + drawn({{parse(name)}, {}}) + "</td><td>" +
+    if (const auto* symbol = exercise.language().find(name))
+      text += "<tr><td>" + code(name) + "</td><td>" +
+              drawn({{parse(name, exercise.language())}, {}}, exercise.language()) + "</td><td>" +
               escaped(symbol->meaning + (symbol->unit == "1" ? "" : ", " + symbol->unit)) + "</td></tr>\n";
   return text.empty() ? ""
                       : "<details><summary>You may use</summary><div class=\"wide\"><table>\n" + text +
@@ -56,10 +58,11 @@ std::string symbols_html(const Exercise& exercise) {
 std::string field(const Exercise& exercise) {
   std::vector<std::pair<std::string, std::string>> offered;
   for (const auto& option : exercise.options)
-    offered.emplace_back(std::string(1, static_cast<char>('a' + offered.size())), line_html(option.text));
+    offered.emplace_back(std::string(1, static_cast<char>('a' + offered.size())),
+                         line_html(option.text, exercise.language()));
   if (exercise.kind == Kind::wrong_term)
-    for (const auto& term : terms_to_point_at(printed_with_slip(exercise.answer)))
-      offered.emplace_back(std::to_string(offered.size() + 1), drawn({{term}, {}}));
+    for (const auto& term : terms_to_point_at(printed_with_slip(exercise.answer, exercise.paper())))
+      offered.emplace_back(std::to_string(offered.size() + 1), drawn({{term}, {}}, exercise.language()));
   if (offered.empty())
     return fmt::format(
         "<label for=\"answer-{0}\">Your answer, {1}. It looks like {2} (for a different question).</label>\n"
@@ -80,10 +83,11 @@ std::string element(const Exercise& exercise, const Progress& progress, bool ope
       "<details class=\"exercise\" id=\"{0}\" data-id=\"{0}\"{1}>\n<summary>Exercise: {2} "
       "<span class=\"standing\">({3})</span></summary>\n{4}",
       exercise.id, open ? " open" : "", escaped(exercise.title), standing(record_of(progress, exercise)),
-      in_html(exercise.statement));
+      in_html(exercise.statement, exercise.language()));
   if (exercise.kind == Kind::wrong_term)
     text += fmt::format("<div class=\"formula\"><div>{}</div><span>({})</span></div>\n",
-                        drawn(printed_with_slip(exercise.answer)), exercise.answer.row);
+                        drawn(printed_with_slip(exercise.answer, exercise.paper()), exercise.language()),
+                        exercise.answer.row);
   return text + symbols_html(exercise) + "<form>\n" + field(exercise) +
          "<p><button value=\"check\">Check</button><button value=\"hint\">Hint</button>"
          "<button value=\"solution\">Solution</button></p>\n"
@@ -100,9 +104,9 @@ std::string read_back(const Exercise& exercise, const std::string& text) {
     try {
       return "Read as: " + (exercise.kind == Kind::number
                                 ? code(parse_quantity(without_name(exercise, text)).read_as)
-                                : drawn(read_answer(exercise, text)));
+                                : drawn(read_answer(exercise, text), exercise.language()));
     } catch (const SyntaxError& error) {
-      return feedback_html(explain(error, text) + "\n");
+      return feedback_html(explain(error, text) + "\n", exercise.language());
     }
   };
   const Bounded outcome = run_bounded(work, 5, 480);
@@ -131,17 +135,19 @@ std::string shown(const std::string& text, std::size_t most) {
   return escaped(printable(text.substr(0, end))) + (end < text.size() ? " …" : "");
 }
 
-std::string in_html(const std::string& sentences) {
+std::string in_html(const std::string& sentences, const Symbols& symbols) {
   std::string text;
-  for (const auto& paragraph : paragraphs(sentences)) text += "<p>" + line_html(paragraph) + "</p>\n";
+  for (const auto& paragraph : paragraphs(sentences))
+    text += "<p>" + line_html(paragraph, symbols) + "</p>\n";
   return text;
 }
 
 std::string verdict_html(const std::string& verdict, const std::string& read_as, const std::string& feedback,
-                         const std::string& more) {
+                         const Symbols& symbols, const std::string& more) {
   return fmt::format("<div class=\"said {}\">\n{}<p><b>{}</b></p>\n{}{}</div>\n", verdict,
                      read_as.empty() ? "" : "<p>Read as: " + code(read_as) + "</p>\n",
-                     verdict_in_words(verdict), feedback == "Right." ? "" : feedback_html(feedback), more);
+                     verdict_in_words(verdict), feedback == "Right." ? "" : feedback_html(feedback, symbols),
+                     more);
 }
 
 std::string with_exercises(const Classroom& room, std::string page) {
@@ -187,14 +193,15 @@ Reply reply(const Classroom& room, const Exercise& exercise, const std::string& 
   } else if (what == "check") {
     const Opinion opinion = judge_bounded(exercise, answer);
     const std::string trouble = keep(room, exercise, opinion, answer, progress);
-    text = verdict_html(opinion.verdict, opinion.read_as, opinion.feedback,
+    text = verdict_html(opinion.verdict, opinion.read_as, opinion.feedback, exercise.language(),
                         (opinion.witness ? witness_html(exercise, *opinion.witness) : "") +
                             (trouble.empty() ? "" : "<p>But " + escaped(trouble) + "</p>\n") +
                             (opinion.verdict == "correct" ? next_html(room, progress) : ""));
   } else if (what == "hint") {
     const Hint hint = next_hint(room, exercise);
-    text = "<div class=\"said\">\n<p><b>" + shown(hint.head, 400) + "</b></p>\n" + in_html(hint.text) +
-           (hint.more ? "" : "<p>That was the last hint.</p>\n") + "</div>\n";
+    text = "<div class=\"said\">\n<p><b>" + shown(hint.head, 400) + "</b></p>\n" +
+           in_html(hint.text, exercise.language()) + (hint.more ? "" : "<p>That was the last hint.</p>\n") +
+           "</div>\n";
   } else if (what == "solution" || what == "give_up") {
     if (solution_is_due(room, exercise, what == "give_up", progress)) {
       const Prepared prepared = prepare(exercise);

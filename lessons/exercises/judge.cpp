@@ -5,8 +5,6 @@
 #include <derivations/numbers/interval.hpp>
 #include <derivations/paper/prove.hpp>
 #include <derivations/program/program.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
-#include <lessons/exercises/definitions.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/page/lesson.hpp>
 #include <map>
@@ -23,10 +21,10 @@ std::size_t right_option(const Prepared& prepared) {
     const std::string& claim = exercise.options[i].claim;
     bool holds = false;
     if (!exercise.answer.row.empty()) {
-      holds = claim == to_string(judged(exercise.answer.row).proof.verdict);
+      holds = claim == to_string(judged(exercise.paper(), exercise.answer.row).proof.verdict);
     } else {
-      const Proof proof =
-          decide(parse_statement(claim), prepared.answer.relation, prepared.symbols, prepared.answer.given);
+      const Proof proof = decide(parse_statement(claim, prepared.symbols), prepared.answer.relation,
+                                 prepared.symbols, prepared.answer.given);
       holds = proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
     }
     if (holds) right.push_back(i + 1);
@@ -38,9 +36,12 @@ std::size_t right_option(const Prepared& prepared) {
 
 /// Every symbol whose value the samples must give.
 std::set<std::string> names_to_sample(const Prepared& prepared) {
-  std::set<std::string> names = names_of(put_in(prepared.answer.relation, prepared.answer.given));
+  std::set<std::string> names =
+      names_of(put_in(prepared.answer.relation, prepared.answer.given, prepared.symbols));
   for (const auto& name : prepared.exercise.symbols)
-    for (const auto& used : names_of(put_in(parse(name), prepared.answer.given))) names.insert(used);
+    for (const auto& used :
+         names_of(put_in(parse(name, prepared.symbols), prepared.answer.given, prepared.symbols)))
+      names.insert(used);
   return names;
 }
 
@@ -69,11 +70,11 @@ bool narrow(Symbols& symbols, const Relation& relation) {
 /// What the exercise gives becomes ranges, or assumptions where they are about symbols of the answer.
 void take_given(Prepared& prepared, const std::set<std::string>& at_hand) {
   for (const auto& text : prepared.exercise.given)
-    for (const auto& link : links_of(parse_relation(text))) {
+    for (const auto& link : links_of(parse_relation(text, prepared.symbols))) {
       const auto names = names_of(link);
       if (narrow(prepared.symbols, link)) continue;
       if (std::includes(at_hand.begin(), at_hand.end(), names.begin(), names.end()))
-        prepared.assumed.push_back(put_in(link, prepared.answer.given));
+        prepared.assumed.push_back(put_in(link, prepared.answer.given, prepared.symbols));
     }
   if (contradict(prepared.assumed, prepared.symbols))
     throw std::runtime_error("the conditions in 'given' contradict each other");
@@ -84,8 +85,8 @@ void add_comparisons(Prepared& prepared) {
   const Exercise& exercise = prepared.exercise;
   if (exercise.kind != Kind::number) {
     prepared.points = sample_points(names_to_sample(prepared), 3, prepared.symbols, prepared.assumed);
-    prepared.signature =
-        signature(put_in(prepared.answer.relation, prepared.answer.given), exercise.pivot, prepared.points);
+    prepared.signature = signature(put_in(prepared.answer.relation, prepared.answer.given, prepared.symbols),
+                                   exercise.pivot, prepared.points);
   }
   add_roads(prepared);
 }
@@ -95,17 +96,19 @@ void add_comparisons(Prepared& prepared) {
 Prepared prepare(const Exercise& exercise) {
   Prepared prepared;
   prepared.exercise = exercise;
+  prepared.symbols = exercise.language();
   try {
     if (exercise.kind == Kind::wrong_term) {
-      prepared.answer.relation = printed_with_slip(exercise.answer);
-      prepared.choice = wrong_term(prepared.answer.relation, exercise.answer.row);
+      prepared.answer.relation = printed_with_slip(exercise.answer, exercise.paper());
+      prepared.choice = wrong_term(prepared.answer.relation, exercise.answer.row, exercise.paper());
       take_given(prepared, {});
       return prepared;
     }
-    if (exercise.answer.row.empty()) prepared.answer = resolve(exercise.answer, exercise.kind);
+    if (exercise.answer.row.empty())
+      prepared.answer = resolve(exercise.answer, exercise.kind, *exercise.course);
     std::set<std::string> at_hand = names_of(prepared.answer.relation);
     at_hand.insert(exercise.symbols.begin(), exercise.symbols.end());
-    add_definitions(prepared.answer.given, at_hand, exercise.name);
+    add_definitions(prepared.answer.given, at_hand, exercise.name, *exercise.course);
     take_given(prepared, at_hand);
     if (exercise.kind == Kind::choice) {
       prepared.choice = right_option(prepared);
@@ -120,6 +123,7 @@ Prepared prepare(const Exercise& exercise) {
 
 Exercise as_exercise(const Exercise& whole, const Relation& before, const Relation& after) {
   Exercise step;
+  step.course = whole.course;
   step.id = whole.id;
   step.seed = whole.seed;
   step.kind = before.operators.empty() ? Kind::expression : Kind::equation;
@@ -139,7 +143,8 @@ Prepared prepare_step(const Prepared& whole, const Relation& before, const Relat
   step.answer.relation = before;
   step.answer.given = whole.answer.given;
   const auto& names = step.exercise.symbols;
-  add_definitions(step.answer.given, {names.begin(), names.end()}, whole.exercise.name);
+  add_definitions(step.answer.given, {names.begin(), names.end()}, whole.exercise.name,
+                  *whole.exercise.course);
   add_comparisons(step);
   return step;
 }

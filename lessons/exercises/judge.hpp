@@ -1,7 +1,6 @@
 // Judges one answer: what was read, right or wrong, and what to say about it.
 #pragma once
 
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <functional>
 #include <lessons/exercises/exercise.hpp>
 #include <lessons/exercises/sieve.hpp>
@@ -38,11 +37,11 @@ struct Prepared {
   Answer answer;
   std::vector<Point> points;
   std::optional<Signature> signature;
-  Symbols symbols = paper_symbols();  ///< with the ranges that the exercise gives
-  std::vector<Relation> assumed;      ///< what else it gives: relations of several symbols
-  std::optional<Sieve> sieve;         ///< of a formula
-  std::vector<Road> roads;  ///< the catalogued slips and assumptions; of a number its other slips, too
-  std::size_t choice = 0;   ///< the right option or term, from 1
+  Symbols symbols;                ///< of the paper, with the ranges that the exercise gives
+  std::vector<Relation> assumed;  ///< what else it gives: relations of several symbols
+  std::optional<Sieve> sieve;     ///< of a formula
+  std::vector<Road> roads;        ///< the catalogued slips and assumptions; of a number its other slips, too
+  std::size_t choice = 0;         ///< the right option or term, from 1
 };
 
 /// Computes the answer. Throws BadInput naming file, line and exercise if its data do not hold together.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/exercises/units.hpp>
@@ -38,8 +37,8 @@ void refuse_unit(const Exercise& exercise, const std::string& text) {
   const std::size_t blank = text.find_last_of(' ');
   if (blank == std::string::npos || !is_unit(text.substr(blank + 1))) return;
   try {
-    (void)parse_statement(text.substr(0, blank));
-    for (const auto& name : names_of(parse(text.substr(blank + 1))))
+    (void)parse_statement(text.substr(0, blank), exercise.language());
+    for (const auto& name : names_of(parse(text.substr(blank + 1), exercise.language())))
       if (std::find(exercise.symbols.begin(), exercise.symbols.end(), name) == exercise.symbols.end())
         break;
       else
@@ -53,7 +52,9 @@ void refuse_unit(const Exercise& exercise, const std::string& text) {
 }  // namespace
 
 bool is_asked_for(const Exercise& exercise, const Tree& left) {
-  return !exercise.name.empty() && lower(left).is_equal(lower(parse(exercise.name)));
+  if (exercise.name.empty()) return false;
+  const Symbols& symbols = exercise.language();
+  return lower(left, symbols).is_equal(lower(parse(exercise.name, symbols), symbols));
 }
 
 void check_relation(const Exercise& exercise, const std::string& relation) {
@@ -65,7 +66,7 @@ void check_relation(const Exercise& exercise, const std::string& relation) {
 
 Relation read_answer(const Exercise& exercise, const std::string& text) {
   refuse_unit(exercise, text);
-  Relation read = parse_statement(text);
+  Relation read = parse_statement(text, exercise.language());
   const bool named = read.sides.size() == 2 && is_asked_for(exercise, read.sides[0]);
   if (exercise.kind == Kind::expression) {
     if (named) check_relation(exercise, read.operators[0]), read = {{read.sides[1]}, {}};
@@ -76,7 +77,7 @@ Relation read_answer(const Exercise& exercise, const std::string& text) {
               (exercise.name.empty() ? "without a relation sign" : "alone or after " + exercise.name + " ="));
   } else {
     if (read.operators.empty() && !exercise.name.empty())
-      read = {{parse(exercise.name), read.sides[0]}, {"="}};
+      read = {{parse(exercise.name, exercise.language()), read.sides[0]}, {"="}};
     if (read.operators.empty())
       throw SyntaxError("equation_wanted", text.size(),
                         "an equation is expected here: left side = right side");
@@ -94,7 +95,8 @@ Relation read_answer(const Exercise& exercise, const std::string& text) {
 namespace {
 
 std::optional<Signature> signature_of(const Prepared& prepared, const Relation& read) {
-  return signature(put_in(read, prepared.answer.given), prepared.exercise.pivot, prepared.points);
+  return signature(put_in(read, prepared.answer.given, prepared.symbols), prepared.exercise.pivot,
+                   prepared.points);
 }
 
 Road road_to(const Prepared& prepared, const Relation& relation, const std::string& note,
@@ -132,19 +134,20 @@ void add_roads(Prepared& prepared) {
   for (const auto& slip : exercise.slips) {
     if (exercise.kind == Kind::number) {
       Road road{.note = slip.note, .says = slip.says, .verdict = "wrong", .digits = slip.digits};
-      road.number = slip.road ? resolve(*slip.road, exercise.kind).number : parse_quantity(slip.typed).value;
+      road.number = slip.road ? resolve(*slip.road, exercise.kind, *exercise.course).number
+                              : parse_quantity(slip.typed).value;
       prepared.roads.push_back(road);
       continue;
     }
-    const Relation relation =
-        slip.road ? resolve(*slip.road, exercise.kind).relation : parse_statement(slip.typed);
+    const Relation relation = slip.road ? resolve(*slip.road, exercise.kind, *exercise.course).relation
+                                        : parse_statement(slip.typed, prepared.symbols);
     prepared.roads.push_back(road_to(prepared, relation, slip.note, slip.says));
   }
   if (exercise.kind == Kind::number) return add_roads_of_number(prepared);
   for (const auto& assumption : exercise.assumptions) {
     Relation relation = prepared.answer.relation;
     for (const auto& [name, value] : assumption.put)
-      relation = rederive::put_in(relation, name, parse(value));
+      relation = rederive::put_in(relation, name, parse(value, prepared.symbols));
     prepared.roads.push_back(road_to(prepared, relation, "assumption", assumption.says, "correct_if"));
   }
 }
@@ -160,7 +163,8 @@ Opinion judge_formula(const Prepared& prepared, const std::string& text) {
 Opinion judge_formula(const Prepared& prepared, const Relation& read) {
   Opinion opinion;
   opinion.read_as = as_typed(read.operators.empty() ? print(read.sides[0]) : print(read));
-  for (const auto& side : read.sides) lower(side);  // refuses what is undefined at once, such as 1/0
+  for (const auto& side : read.sides)
+    lower(side, prepared.symbols);  // refuses what is undefined at once, such as 1/0
   const auto mine = signature_of(prepared, read);
   const bool surely_different = mine && prepared.signature && !alike(*mine, *prepared.signature) &&
                                 (read.operators.empty() || !prepared.exercise.pivot.empty());

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <derivations/paper/mutate.hpp>
 #include <derivations/program/program.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/units.hpp>
 #include <lessons/page/lesson.hpp>
@@ -65,7 +64,7 @@ std::string without_name(const Exercise& exercise, const std::string& typed) {
   if (at == std::string::npos) return text;
   const std::size_t size = text.compare(at + 1, 1, "=") == 0 ? 2 : 1;
   try {
-    if (is_asked_for(exercise, parse(text.substr(0, at))))
+    if (is_asked_for(exercise, parse(text.substr(0, at), exercise.language())))
       return check_relation(exercise, text.substr(at, size)), text.substr(at + size);
   } catch (const SyntaxError& error) {
     if (error.note == "value_wanted") throw;
@@ -89,7 +88,7 @@ std::string pointed_at(const std::string& text, const char* what) {
 /// The number of the term that was typed out instead of pointed at; 0 if it is none of them.
 std::size_t term_like(const Prepared& prepared, const std::string& text) {
   const auto terms = terms_to_point_at(prepared.answer.relation);
-  const Relation read{{parse(text)}, {}};
+  const Relation read{{parse(text, prepared.symbols)}, {}};
   for (std::size_t i = 0; i < terms.size(); ++i)
     if (decide(read, Relation{{terms[i]}, {}}, prepared.symbols).verdict == Verdict::proved) return i + 1;
   return 0;
@@ -107,12 +106,12 @@ void add_roads_of_number(Prepared& prepared) {
   RoughPoint at;
   for (const auto& [name, value] : prepared.answer.values) at[name] = rough_value(value, {});
   const Tree& formula = prepared.answer.relation.sides[0];
-  const auto each_slip = [](const Tree& tree, const auto& take) {
+  const auto each_slip = [&](const Tree& tree, const auto& take) {
     static const std::map<std::string, std::string> notes{
         {"sign", "sign"},           {"coefficient", "factor"}, {"function", "sin_cos"},
         {"symbol", "wrong_symbol"}, {"square", "power"},       {"factor", "missing_factor"},
         {"term", "missing_term"},   {"dot", "missing_dot"}};
-    for (const auto& mutant : mutants({{tree}, {}})) {
+    for (const auto& mutant : mutants({{tree}, {}}, prepared.exercise.paper())) {
       take(mutant.relation.sides[0], notes.at(mutant.slip));
       if (mutant.slip == "term") take(negative(mutant.relation.sides[0]), "taken_away");  // x for 1 - x
     }

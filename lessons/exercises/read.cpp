@@ -4,11 +4,7 @@
 #include <charconv>
 #include <derivations/program/data_folder.hpp>
 #include <derivations/program/toml_table.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
-#include <derivations/rocking_block/table.hpp>
-#include <lessons/exercises/definitions.hpp>
 #include <lessons/exercises/exercise.hpp>
-#include <lessons/exercises/functions.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/exercises/units.hpp>
 
@@ -38,20 +34,23 @@ void check_text(const TomlTable& table, const std::string& key, const std::strin
   }
 }
 
-void check_expression(const TomlTable& table, const std::string& key, const std::string& text) {
-  check_text(table, key, text, [](const std::string& formula) { (void)lower(parse(formula)); });
+void check_expression(const TomlTable& table, const std::string& key, const std::string& text,
+                      const Symbols& symbols) {
+  check_text(table, key, text,
+             [&](const std::string& formula) { (void)lower(parse(formula, symbols), symbols); });
 }
 
-void check_symbol(const TomlTable& table, const std::string& key, const std::string& name) {
-  if (!name.empty()) table.check_word(key, name, paper_symbols().names());
+void check_symbol(const TomlTable& table, const std::string& key, const std::string& name,
+                  const Symbols& symbols) {
+  if (!name.empty()) table.check_word(key, name, symbols.names());
 }
 
 /// Symbols and what is put in their place.
-Texts read_put(TomlTable& table) {
+Texts read_put(TomlTable& table, const Symbols& symbols) {
   Texts put = table.named_texts("put");
   for (const auto& [name, text] : put) {
-    check_symbol(table, "put", name);
-    check_expression(table, "put", text);
+    check_symbol(table, "put", name, symbols);
+    check_expression(table, "put", text, symbols);
     if (text.empty()) table.fail("'" + name + "' in 'put' is empty", "put");
   }
   return put;
@@ -67,46 +66,53 @@ Number number_in(const TomlTable& table, const std::string& key, const std::stri
   return value;
 }
 
-void read_arguments(TomlTable& table, Reference& reference) {
+void read_arguments(TomlTable& table, Reference& reference, const Course& course) {
+  Words names;
+  for (const NumericFunction& function : course.functions)
+    for (const auto& argument : function.arguments)
+      if (std::ranges::count(names, argument.name) == 0) names.push_back(argument.name);
   for (const auto& [name, text] : table.named_texts("arguments")) {
-    table.check_word("arguments", name, arguments_of_functions());
+    table.check_word("arguments", name, names);
     reference.arguments[name] = number_in<double>(table, "arguments", text);
   }
   if (reference.function.empty()) return;
   try {
-    check_arguments(reference.function, reference.arguments);
+    check_arguments(function_named(reference.function, course), reference.arguments);
   } catch (const std::invalid_argument& error) {
     table.fail(error.what(), "function");
   }
 }
 
-Reference read_reference(TomlTable& table) {
+Reference read_reference(TomlTable& table, const Course& course) {
+  const Symbols& symbols = course.paper.symbols;
+  Words functions;
+  for (const NumericFunction& function : course.functions) functions.push_back(function.name);
   Reference result;
   result.derivation = table.text("derivation");
   result.row = table.text("row");
   const std::string slip = table.text("slip");
   if (!slip.empty()) result.slip = number_in<std::size_t>(table, "slip", slip);
-  result.function = table.word("function", function_names());
+  result.function = table.word("function", functions);
   if (table.has("side")) result.side = table.word("side", {"left", "right", "whole"});
   result.solve_for = table.text("solve_for");
   result.differentiate = table.text("differentiate");
-  result.put = read_put(table);
-  read_arguments(table, result);
+  result.put = read_put(table, symbols);
+  read_arguments(table, result, course);
   table.done();
   for (const char* key : {"derivation", "row"}) {
-    Words ids = names_in(derivation_table());
-    if (*key == 'd') std::ranges::copy(names_in(derivations_of_exercises()), std::back_inserter(ids));
+    Words ids = course.paper.derivations.ids();
+    if (*key == 'd') std::ranges::copy(course.derivations.ids(), std::back_inserter(ids));
     const std::string& id = *key == 'd' ? result.derivation : result.row;
     if (!id.empty()) table.check_word(key, id, ids);
   }
-  check_symbol(table, "solve_for", result.solve_for);
-  check_symbol(table, "differentiate", result.differentiate);
+  check_symbol(table, "solve_for", result.solve_for, symbols);
+  check_symbol(table, "differentiate", result.differentiate, symbols);
   const int given = !result.derivation.empty() + !result.row.empty() + !result.function.empty();
   if (given != 1) table.fail("exactly one of 'derivation', 'row' and 'function' is needed");
   return result;
 }
 
-Slip read_slip(TomlTable& table) {
+Slip read_slip(TomlTable& table, const Course& course) {
   Slip slip;
   slip.note = table.needed_line("note");
   slip.says = table.needed_text("says");
@@ -116,11 +122,11 @@ Slip read_slip(TomlTable& table) {
   std::optional<TomlTable> road = table.table("road");
   table.done();
   if (road.has_value() != slip.typed.empty()) table.fail("exactly one of 'road' and 'typed' is needed");
-  if (road) slip.road = read_reference(*road);
+  if (road) slip.road = read_reference(*road, course);
   return slip;
 }
 
-Option read_option(TomlTable& table, bool is_of_ledger) {
+Option read_option(TomlTable& table, bool is_of_ledger, const Symbols& symbols) {
   Option option;
   option.text = table.needed_text("text");
   option.claim = table.needed_text("claim");
@@ -132,12 +138,13 @@ Option read_option(TomlTable& table, bool is_of_ledger) {
     table.check_word("claim", option.claim,
                      {"proved", "proved_under", "approximation", "refuted", "undecided"});
   else
-    check_text(table, "claim", option.claim, [](const std::string& text) { (void)parse_statement(text); });
+    check_text(table, "claim", option.claim,
+               [&](const std::string& text) { (void)parse_statement(text, symbols); });
   return option;
 }
 
-Assumption read_assumption(TomlTable& table) {
-  Assumption assumption{read_put(table), table.needed_text("says")};
+Assumption read_assumption(TomlTable& table, const Symbols& symbols) {
+  Assumption assumption{read_put(table, symbols), table.needed_text("says")};
   table.done();
   return assumption;
 }
@@ -196,11 +203,12 @@ void turn_options(Exercise& exercise, const std::string& seed) {
 }
 
 /// What the statement gives of symbols.
-std::vector<std::string> read_given(TomlTable& table) {
+std::vector<std::string> read_given(TomlTable& table, const Symbols& symbols) {
   std::vector<std::string> given = table.texts("given");
   std::erase(given, "");
   for (const std::string& text : given)
-    check_text(table, "given", text, [](const std::string& relation) { (void)parse_relation(relation); });
+    check_text(table, "given", text,
+               [&](const std::string& relation) { (void)parse_relation(relation, symbols); });
   return given;
 }
 
@@ -252,15 +260,17 @@ void read_texts(TomlTable& table, Exercise& exercise) {
 }
 
 void check_texts(const TomlTable& table, const Exercise& exercise) {
-  for (const std::string& name : exercise.symbols) check_symbol(table, "symbols", name);
-  check_symbol(table, "pivot", exercise.pivot);
-  check_expression(table, "name", exercise.name);
+  for (const std::string& name : exercise.symbols) check_symbol(table, "symbols", name, exercise.language());
+  check_symbol(table, "pivot", exercise.pivot, exercise.language());
+  check_expression(table, "name", exercise.name, exercise.language());
   if (!exercise.unit.empty() && exercise.unit != "1" && !is_unit(exercise.unit))
     table.fail("'" + exercise.unit + "' must be a unit such as \"m/s^2\", or \"1\"", "unit");
 }
 
-Exercise read_exercise(TomlTable& table, const std::string& seed) {
+Exercise read_exercise(TomlTable& table, const std::string& seed, const Course& course) {
+  const Symbols& symbols = course.paper.symbols;
   Exercise exercise;
+  exercise.course = &course;
   exercise.place = table.where();
   exercise.id = table.needed_line("id");
   if (!exercise.id.empty()) table.call_it("exercise " + exercise.id);
@@ -269,10 +279,10 @@ Exercise read_exercise(TomlTable& table, const std::string& seed) {
   exercise.choice = chosen(table, exercise.id, seed);
   if (!exercise.choice.empty()) exercise.seed = seed;
   const auto fill_in = [&](const Choice& texts) {
-    table.fill_in([texts](const std::string& text) { return filled(text, texts); });
+    table.fill_in([texts, &symbols](const std::string& text) { return filled(text, texts, symbols); });
   };
   fill_in(exercise.choice);
-  exercise.given = read_given(table);
+  exercise.given = read_given(table, symbols);
   Choice texts = exercise.choice;
   if (table.has("given")) texts["given"] = given_in_words(exercise.given);
   fill_in(texts);
@@ -283,11 +293,12 @@ Exercise read_exercise(TomlTable& table, const std::string& seed) {
   table.done();
   check_texts(table, exercise);
   if (!answer) table.fail("'answer' is missing");
-  exercise.answer = read_reference(*answer);
-  for (TomlTable& slip : slips) exercise.slips.push_back(read_slip(slip));
-  for (TomlTable& assumption : assumptions) exercise.assumptions.push_back(read_assumption(assumption));
+  exercise.answer = read_reference(*answer, course);
+  for (TomlTable& slip : slips) exercise.slips.push_back(read_slip(slip, course));
+  for (TomlTable& assumption : assumptions)
+    exercise.assumptions.push_back(read_assumption(assumption, symbols));
   for (TomlTable& option : options)
-    exercise.options.push_back(read_option(option, !exercise.answer.row.empty()));
+    exercise.options.push_back(read_option(option, !exercise.answer.row.empty(), symbols));
   check_kind(table, exercise);
   turn_options(exercise, seed);
   return exercise;
@@ -308,12 +319,13 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
 
 }  // namespace
 
-std::vector<Exercise> read_exercises(const std::filesystem::path& folder, const std::string& seed) {
+std::vector<Exercise> read_exercises(const Course& course, const std::filesystem::path& folder,
+                                     const std::string& seed) {
   std::vector<Exercise> exercises;
   std::map<std::string, std::string> places;
   for (const auto& file : files_in(folder))
     for (TomlTable& table : tables_of(file, "exercise")) {
-      exercises.push_back(read_exercise(table, seed));
+      exercises.push_back(read_exercise(table, seed, course));
       const Exercise& last = exercises.back();
       if (const auto [place, is_new] = places.emplace(last.id, last.place); !is_new)
         table.fail("a second exercise has this id; the first is at " + place->second, "id");

@@ -3,7 +3,6 @@
 
 #include <cctype>
 #include <cmath>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/repairs.hpp>
 #include <lessons/exercises/trees.hpp>
@@ -24,7 +23,7 @@ std::optional<Tree> plain_number(double value) {
       std::string digits = fmt::format("{:.0f}", over);
       if (base != 1) digits = over == 1 ? text : digits + "*" + text;
       if (under != 1) digits += "/" + std::to_string(under);
-      const Tree size = parse(digits);
+      const Tree size = parse(digits, {});
       return value < 0 ? negative(size) : size;
     }
   return {};

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/repairs.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <numbers>
@@ -69,7 +68,7 @@ class Search {
     for (const auto& form : forms)
       for (const auto& side : form.sides) {
         parts_.collect(side);
-        const Tree expanded = to_tree(lower(side).expand());
+        const Tree expanded = to_tree(lower(side, exercise.language()).expand(), exercise.language());
         parts_.add(parts_.terms, expanded);
         if (expanded->kind == NodeKind::sum) parts_.collect(expanded);
       }
@@ -146,7 +145,7 @@ class Search {
   void sizes(const Tree& node, const Rebuild& rebuild, const Tree& around) {
     if (node->kind == NodeKind::number) {
       if (node->text.find('.') != std::string::npos) rounded(node, rebuild, around);
-      offer(rebuild(product(node, parse("pi/180"))), "degrees", node, around);
+      offer(rebuild(product(node, parse("pi/180", {}))), "degrees", node, around);
     }
     Relation relation = answer_;
     relation.sides[side_] = rebuild(product(symbol(Sieve::unknown), node));
@@ -286,8 +285,8 @@ class Search {
               },
               "exchanged", part, symbol(other));
       }
-      put(part, parse(name + "^2"), "power");
-      put(part, parse("1/" + name), "reciprocal");
+      put(part, make_tree(NodeKind::power, "", {symbol(name), number("2")}), "power");
+      put(part, product(number("1"), symbol(name), true), "reciprocal");
     }
   }
 

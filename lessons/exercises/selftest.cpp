@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <derivations/program/program.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/classroom.hpp>
 #include <lessons/page/prose.hpp>
 #include <nlohmann/json.hpp>
@@ -54,8 +53,8 @@ void check_given(const Prepared& prepared, Findings& findings) {
   for (const auto& text : texts)
     for (const auto& span : spans(text)) {
       if (span.kind != Span::Kind::math || span.text.find_first_of("<>") == std::string::npos) continue;
-      const Proof proof = decide(parse_statement(span.text), parse_relation("0 < 1"), prepared.symbols,
-                                 prepared.answer.given, prepared.assumed);
+      const Proof proof = decide(parse_statement(span.text, prepared.symbols), parse_relation("0 < 1", {}),
+                                 prepared.symbols, prepared.answer.given, prepared.assumed);
       findings.check(is_right(proof.verdict), span.text + " is said but not given");
     }
 }
@@ -102,7 +101,7 @@ void check_wrong_answers(const Prepared& prepared, Findings& findings) {
     if (slip.road)
       text = exercise.kind == Kind::number
                  ? fmt::format("{:.12g} {}", road.number, exercise.unit == "1" ? "" : exercise.unit)
-                 : print_statement(road.relation, Notation::plain);
+                 : print_statement(road.relation, Notation::plain, prepared.symbols);
     const Opinion opinion = judge_answer(prepared, text);
     findings.check(opinion.verdict == "wrong" && opinion.note == slip.note,
                    fmt::format("the slip {}, {}, is {}", slip.note, text, got(opinion)));
@@ -142,7 +141,8 @@ int selftest(const Classroom& room) {
   };
   for (const auto& exercise : room.exercises) test(exercise);
   for (int seed = 1; seed <= 20; ++seed)
-    for (const auto& exercise : read_exercises(exercises_folder(), std::to_string(seed))) test(exercise);
+    for (const auto& exercise : read_exercises(room.course, exercises_folder(), std::to_string(seed)))
+      test(exercise);
   if (is_lively(2)) std::fputs("\r", stderr);
   if (room.json) {
     std::fputs((nlohmann::ordered_json{{"exercises", room.exercises.size()},

@@ -29,7 +29,7 @@ std::string symbol_table(const Exercise& exercise) {
   std::size_t width = 0;
   for (const auto& name : exercise.symbols) width = std::max(width, name.size());
   for (const auto& name : exercise.symbols) {
-    const auto* symbol = paper_symbols().find(name);
+    const auto* symbol = exercise.language().find(name);
     if (symbol == nullptr)
       throw std::runtime_error("exercise " + exercise.id + ": there is no symbol " + name);
     const std::string unit = symbol->unit == "1" ? "" : ", " + symbol->unit;
@@ -40,11 +40,12 @@ std::string symbol_table(const Exercise& exercise) {
 }
 
 std::string numbered_terms(const Exercise& exercise) {
-  const Relation printed = printed_with_slip(exercise.answer);
-  std::string text = fmt::format("  ({})  {}\n\n", exercise.answer.row, print(printed, Notation::unicode));
+  const Relation printed = printed_with_slip(exercise.answer, exercise.paper());
+  std::string text = fmt::format("  ({})  {}\n\n", exercise.answer.row,
+                                 print(printed, Notation::unicode, exercise.language()));
   const auto terms = terms_to_point_at(printed);
   for (std::size_t i = 0; i < terms.size(); ++i)
-    text += fmt::format("  [{}]  {}\n", i + 1, print(terms[i], Notation::unicode));
+    text += fmt::format("  [{}]  {}\n", i + 1, print(terms[i], Notation::unicode, exercise.language()));
   return text + "\n";
 }
 
@@ -73,12 +74,12 @@ std::string verdict_in_words(const std::string& verdict) {
   return "Undecided.";
 }
 
-std::string readable(const std::string& sentence, const std::string& indent) {
+std::string readable(const std::string& sentence, const Symbols& symbols, const std::string& indent) {
   std::string text;
   for (const auto& paragraph : paragraphs(sentence)) {
     std::string line;
     for (const auto& span : spans(paragraph))
-      line += span.kind == Span::Kind::math   ? glued(print_inline(span.text, Notation::unicode))
+      line += span.kind == Span::Kind::math   ? glued(print_inline(span.text, Notation::unicode, symbols))
               : span.kind == Span::Kind::code ? glued(span.text)
                                               : span.text;
     text += (text.empty() ? "" : "\n") + wrap(line, 80, indent, indent);
@@ -93,10 +94,11 @@ std::string id_and_seed(const Exercise& exercise) {
 
 std::string presentation(const Exercise& exercise) {
   std::string text = fmt::format("{}  (lesson {})\n{}\n\n", exercise.id, exercise.lesson, exercise.title);
-  text += readable(exercise.statement) + "\n";
+  text += readable(exercise.statement, exercise.language()) + "\n";
   if (exercise.kind == Kind::wrong_term) text += numbered_terms(exercise);
   for (std::size_t i = 0; i < exercise.options.size(); ++i)
-    text += readable(fmt::format("{}) {}", static_cast<char>('a' + i), exercise.options[i].text), "  ");
+    text += readable(fmt::format("{}) {}", static_cast<char>('a' + i), exercise.options[i].text),
+                     exercise.language(), "  ");
   if (!exercise.options.empty()) text += "\n";
   if (!exercise.symbols.empty()) text += "You may use:\n" + symbol_table(exercise) + "\n";
   text += "Form wanted: " + form_in_words(exercise) + "\n";
@@ -114,7 +116,7 @@ std::string report(const Classroom& room, const Exercise& exercise, const Opinio
   text += colour(room, code, verdict_in_words(opinion.verdict)) + "\n";
   const bool several_lines = opinion.feedback.find('\n') != std::string::npos;  // a caret must keep its place
   if (opinion.verdict != "correct" || opinion.feedback != "Right.")
-    text += several_lines ? opinion.feedback + "\n" : readable(opinion.feedback);
+    text += several_lines ? opinion.feedback + "\n" : readable(opinion.feedback, exercise.language());
   if (text.ends_with("\n\n")) text.pop_back();
   if (opinion.witness) {
     text += wrap("at " + place_of(*opinion.witness), 80, "  ", "     ");
@@ -134,7 +136,9 @@ std::string report_json(const Exercise& exercise, const Opinion& opinion) {
   json["read_as"] =
       opinion.read_as.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(opinion.read_as);
   const bool several_lines = opinion.feedback.find('\n') != std::string::npos;
-  json["feedback"] = several_lines ? opinion.feedback : as_typed(unmarked(opinion.feedback, Notation::plain));
+  json["feedback"] = several_lines
+                         ? opinion.feedback
+                         : as_typed(unmarked(opinion.feedback, Notation::plain, exercise.language()));
   json["witness"] = nullptr;
   if (opinion.witness)
     json["witness"] = {{"at", opinion.witness->at},
@@ -159,17 +163,18 @@ int show(const Classroom& room, const std::string& id) {
   nlohmann::ordered_json json{{"id", exercise->id},
                               {"lesson", exercise->lesson},
                               {"title", exercise->title},
-                              {"statement", readable(exercise->statement)},
+                              {"statement", readable(exercise->statement, exercise->language())},
                               {"form", form_in_words(*exercise)},
                               {"example", default_example(*exercise)},
                               {"given", exercise->given},
                               {"symbols", nlohmann::ordered_json::array()},
                               {"options", nlohmann::ordered_json::array()}};
   for (const auto& name : exercise->symbols) {
-    const auto* symbol = paper_symbols().find(name);
+    const auto* symbol = exercise->language().find(name);
     json["symbols"].push_back({{"name", name}, {"unit", symbol->unit}, {"meaning", symbol->meaning}});
   }
-  for (const auto& option : exercise->options) json["options"].push_back(readable(option.text));
+  for (const auto& option : exercise->options)
+    json["options"].push_back(readable(option.text, exercise->language()));
   std::fputs((json.dump(2) + "\n").c_str(), stdout);
   return as_expected;
 }

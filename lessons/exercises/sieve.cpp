@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <derivations/numbers/interval.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/sieve.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <numbers>
@@ -141,7 +140,7 @@ bool holds(const std::vector<Relation>& relations, const RoughPoint& at) {
 Sieve::Sieve(const Relation& right, const std::vector<Given>& given, const std::string& pivot,
              const Symbols& symbols, const std::vector<Relation>& assumed) {
   const bool equation = !right.operators.empty();
-  const Relation plain = put_in(right, given);
+  const Relation plain = put_in(right, given, symbols);
   std::string unknown_name = pivot;
   for (const auto& name : symbols.names())
     if (equation && unknown_name.empty() && names_of(plain).contains(name)) unknown_name = name;
@@ -155,7 +154,8 @@ Sieve::Sieve(const Relation& right, const std::vector<Given>& given, const std::
     }
     for (int round = 0; round < 3; ++round)
       for (const auto& [name, value] : given)
-        sample.at[GiNaC::ex_to<GiNaC::symbol>(name).get_name()] = rough_value(to_tree(value), sample.at);
+        sample.at[GiNaC::ex_to<GiNaC::symbol>(name).get_name()] =
+            rough_value(to_tree(value, symbols), sample.at);
     if (!equation)
       sample.right = rough_value(right.sides[0], sample.at);
     else if (!(pivot.empty() ? solve_for(right, unknown_name, ends(*symbols.find(unknown_name)), sample.at)

@@ -47,11 +47,12 @@ std::string file_name_for(const std::string& name, std::set<std::string>& used) 
 
 std::string section(const Exercise& exercise, const Rules& rules, const Student& student, const Row& row) {
   const Mark mark = mark_of(rules, student, row);
-  std::string text =
-      fmt::format("<section>\n<h2>{}</h2>\n{}", escaped(exercise.title), in_html(row.statement));
+  std::string text = fmt::format("<section>\n<h2>{}</h2>\n{}", escaped(exercise.title),
+                                 in_html(row.statement, exercise.language()));
   text += "<pre>" + (row.answer.empty() ? "(nothing)" : shown(row.answer, 400)) + "</pre>\n";
   text += verdict_html(row.verdict, row.read_as == row.answer ? "" : row.read_as, row.feedback,
-                       row.hint.empty() ? "" : in_html("A hint: " + row.hint));
+                       exercise.language(),
+                       row.hint.empty() ? "" : in_html("A hint: " + row.hint, exercise.language()));
   if (const auto weight = rules.weights.find(exercise.id); weight != rules.weights.end())
     text += fmt::format("<p class=\"small\">Marks: {} of {}{}{}</p>\n",
                         row.verdict == "undecided" ? "?" : mark_text(mark.marks), mark_text(weight->second),

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <derivations/language/lower.hpp>
 #include <derivations/numbers/interval.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/trees.hpp>
 
 namespace rederive::classroom {
@@ -40,17 +40,18 @@ bool close(double left, double right) {
 
 }  // namespace
 
-Tree put_in(const Tree& tree, const std::vector<Given>& given) {
+Tree put_in(const Tree& tree, const std::vector<Given>& given, const Symbols& symbols) {
   Tree result = tree;
   for (int round = 0; round < 3; ++round)  // a value may hold a name that comes earlier in the list
     for (const auto& [name, value] : given)
-      result = rederive::put_in(result, GiNaC::ex_to<GiNaC::symbol>(name).get_name(), to_tree(value));
+      result =
+          rederive::put_in(result, GiNaC::ex_to<GiNaC::symbol>(name).get_name(), to_tree(value, symbols));
   return result;
 }
 
-Relation put_in(const Relation& relation, const std::vector<Given>& given) {
+Relation put_in(const Relation& relation, const std::vector<Given>& given, const Symbols& symbols) {
   Relation result = relation;
-  for (auto& side : result.sides) side = put_in(side, given);
+  for (auto& side : result.sides) side = put_in(side, given, symbols);
   return result;
 }
 

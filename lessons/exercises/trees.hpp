@@ -15,8 +15,8 @@ namespace rederive::classroom {
 using namespace edits;
 
 /// The tree with each named symbol replaced by what it stands for.
-Tree put_in(const Tree& tree, const std::vector<Given>& given);
-Relation put_in(const Relation& relation, const std::vector<Given>& given);
+Tree put_in(const Tree& tree, const std::vector<Given>& given, const Symbols& symbols);
+Relation put_in(const Relation& relation, const std::vector<Given>& given, const Symbols& symbols);
 
 /// `count` points, or fewer where they are hard to find, that give every symbol an exact value in its range,
 /// such that what is assumed holds there, no two of the named symbols alike; then the angles (or the

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <derivations/decide/problem.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/exercises/trees.hpp>
 #include <lessons/exercises/units.hpp>
@@ -40,7 +39,7 @@ const Symbols& unit_symbols() {
   static const Symbols table = [] {
     Symbols symbols;
     for (const auto& unit : units())
-      symbols.declare(unit.name, unit.name, unit.name, unit.si, "(0, inf)", "a unit", "SI");
+      symbols.declare({unit.name, unit.name, unit.name, unit.si, "(0, inf)", "a unit", "SI"});
     return symbols;
   }();
   return table;

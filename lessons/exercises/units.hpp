@@ -1,7 +1,7 @@
 // Numbers with units as students type them: "2.14 1/s", "35 cm", "14.3 deg", "1.5 m - 1.47 m".
 #pragma once
 
-#include <derivations/rocking_block/paper_symbols.hpp>
+#include <derivations/mechanics/dimension.hpp>
 #include <optional>
 #include <string>
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdint>
 #include <derivations/decide/problem.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/exercises/variants.hpp>
 #include <regex>
 
@@ -38,12 +37,12 @@ std::string without_brace(const std::string& text) {
 }
 
 /// The value, to ten digits, of a formula in which names stand for what is chosen.
-std::string value_of(const std::string& formula, const Choice& choice) {
-  Tree tree = parse(formula);
+std::string value_of(const std::string& formula, const Choice& choice, const Symbols& symbols) {
+  Tree tree = parse(formula, symbols);
   for (const auto& name : names_of(tree)) {
     const auto found = choice.find(name);
     if (found == choice.end()) throw std::runtime_error("{" + formula + "}: '" + name + "' does not vary");
-    const Tree value = parse(found->second);
+    const Tree value = parse(found->second, symbols);
     if (!names_of(value).empty())
       throw std::runtime_error(
           fmt::format("{{{}}}: '{}' is '{}' here, which is not a number", formula, name, found->second));
@@ -58,7 +57,7 @@ std::string value_of(const std::string& formula, const Choice& choice) {
 
 }  // namespace
 
-std::string filled(const std::string& text, const Choice& choice) {
+std::string filled(const std::string& text, const Choice& choice, const Symbols& symbols) {
   std::string result;
   std::size_t at = 0;
   for (std::size_t open; (open = text.find('{', at)) != std::string::npos;) {
@@ -69,7 +68,7 @@ std::string filled(const std::string& text, const Choice& choice) {
     result += without_brace(text.substr(at, open - at));
     at = close + 1;
     const auto found = choice.find(inside);
-    result += found != choice.end() ? found->second : value_of(inside, choice);
+    result += found != choice.end() ? found->second : value_of(inside, choice, symbols);
   }
   return result + without_brace(text.substr(at));
 }

@@ -1,6 +1,7 @@
 // Variants of an exercise: other numbers, the other side, another slip, by a seed.
 #pragma once
 
+#include <derivations/language/symbols.hpp>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,6 +18,6 @@ std::size_t picked(const std::string& seed, const std::string& list, std::size_t
 std::vector<std::string> values_of(const std::string& text);
 /// The text with what is chosen for {name}, and with the value, to ten digits, of {2*name}. No brace is left:
 /// throws std::runtime_error, or SyntaxError, for what cannot be filled in.
-std::string filled(const std::string& text, const Choice& choice);
+std::string filled(const std::string& text, const Choice& choice, const Symbols& symbols);
 
 }  // namespace rederive::classroom

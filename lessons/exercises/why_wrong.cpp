@@ -12,13 +12,16 @@ namespace {
 
 /// Is the dimension of the answer wrong? Says how; nothing if it is right.
 std::optional<std::string> wrong_dimension(const Prepared& prepared, const Relation& read) {
-  const auto report = read.operators.empty() ? dimension(read.sides[0]) : dimension(read);
-  if (!report.consistent) return "In your answer, " + marked(report.explanation) + ".";
+  const auto report =
+      read.operators.empty() ? dimension(read.sides[0], prepared.symbols) : dimension(read, prepared.symbols);
+  if (!report.consistent)
+    return "In your answer, " + marked(report.explanation, prepared.exercise.paper()) + ".";
   if (!read.operators.empty() || !report.dimension) return {};
-  const auto wanted = dimension(prepared.answer.relation.sides[0]);
+  const auto wanted = dimension(prepared.answer.relation.sides[0], prepared.symbols);
   if (!wanted.consistent || !wanted.dimension || *wanted.dimension == *report.dimension) return {};
-  return fmt::format("Your answer has the unit {}, but {} is wanted.", marked(unit_text(*report.dimension)),
-                     marked(unit_text(*wanted.dimension)));
+  return fmt::format("Your answer has the unit {}, but {} is wanted.",
+                     marked(unit_text(*report.dimension), prepared.exercise.paper()),
+                     marked(unit_text(*wanted.dimension), prepared.exercise.paper()));
 }
 
 /// How far apart two signatures are, in proportion to the second.
@@ -33,8 +36,8 @@ double distance(const Signature& left, const Signature& right) {
 class SmallAngles {
  public:
   SmallAngles(const Prepared& prepared, const Relation& read, bool rotations_only)
-      : mine_(put_in(read, prepared.answer.given)),
-        right_(put_in(prepared.answer.relation, prepared.answer.given)),
+      : mine_(put_in(read, prepared.answer.given, prepared.symbols)),
+        right_(put_in(prepared.answer.relation, prepared.answer.given, prepared.symbols)),
         symbols_(prepared.symbols),
         assumed_(prepared.assumed),
         pivot_(prepared.exercise.pivot),
@@ -97,8 +100,8 @@ std::optional<Opinion> by_roads(const Prepared& prepared, const Relation& read, 
 /// Which symbols that an answer may use the first statement has and the second has not.
 std::vector<std::string> symbols_missing(const Prepared& prepared, const Relation& first,
                                          const Relation& second) {
-  const auto names = names_of(put_in(first, prepared.answer.given)),
-             others = names_of(put_in(second, prepared.answer.given));
+  const auto names = names_of(put_in(first, prepared.answer.given, prepared.symbols)),
+             others = names_of(put_in(second, prepared.answer.given, prepared.symbols));
   std::vector<std::string> missing;
   std::set_difference(names.begin(), names.end(), others.begin(), others.end(), std::back_inserter(missing));
   return missing;
@@ -147,7 +150,8 @@ Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::opt
   const bool agrees =
       !differs && prepared.sieve && !prepared.sieve->is_empty() && prepared.sieve->passes(read);
   std::vector<Relation> forms{prepared.answer.relation};
-  for (const auto& text : prepared.exercise.equivalents) forms.push_back(parse_statement(text));
+  for (const auto& text : prepared.exercise.equivalents)
+    forms.push_back(parse_statement(text, prepared.symbols));
   const auto repair = prepared.sieve && !agrees
                           ? repaired(read, forms, *prepared.sieve, prepared.exercise, is_mended)
                           : std::nullopt;

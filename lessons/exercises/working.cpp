@@ -26,7 +26,7 @@ struct Step {
 };
 
 /// The line without what stands in brackets; that is read into the step, each part where it stands.
-std::string without_brackets(std::string text, Step& step) {
+std::string without_brackets(std::string text, const Symbols& symbols, Step& step) {
   const std::size_t from = text.find('[');
   if (from == std::string::npos) return text;
   if (text.back() != ']')
@@ -37,7 +37,7 @@ std::string without_brackets(std::string text, Step& step) {
   for (at = is_small ? at + small.size() : from + 1; at < text.size();
        at = text.find_first_of(",]", at) + 1) {
     const std::size_t end = text.find_first_of(",]", at);
-    const Relation part = parse_statement(std::string(at, ' ') + text.substr(at, end - at));
+    const Relation part = parse_statement(std::string(at, ' ') + text.substr(at, end - at), symbols);
     if (part.operators.empty() != is_small || (is_small && part.sides[0]->kind != Node::Kind::symbol))
       throw SyntaxError("assumption", at,
                         "an assumption must be a relation, [theta > 0], or [small theta, alpha]");
@@ -52,11 +52,11 @@ std::string without_brackets(std::string text, Step& step) {
 /// Reads a line that comes after `steps`, and adds its links.
 void read_line(const Exercise& exercise, int number, const std::string& typed, std::vector<Step>& steps) {
   Step step{number, typed, {}, {}, {}};
-  std::string text = without_brackets(typed, step);
+  std::string text = without_brackets(typed, exercise.language(), step);
   const bool goes_on = text[0] == '=';
   if (goes_on) text[0] = ' ';
   if (goes_on && steps.empty()) throw SyntaxError("syntax", 0, "the first line must not begin with =");
-  Relation read = parse_statement(text);
+  Relation read = parse_statement(text, exercise.language());
   for (const auto& op : read.operators)
     if (op != "=")
       throw SyntaxError("equation_wanted", 0, "the lines of a working must use =, not inequalities");
@@ -66,7 +66,7 @@ void read_line(const Exercise& exercise, int number, const std::string& typed, s
   if (goes_on && !steps.back().says.operators.empty()) left = steps.back().says.sides[0];
   if (!goes_on && is_equation) {
     if (read.sides.size() == 1 && exercise.kind == Kind::equation && !exercise.name.empty())
-      read.sides.insert(read.sides.begin(), parse(exercise.name));
+      read.sides.insert(read.sides.begin(), parse(exercise.name, exercise.language()));
     if (read.sides.size() == 1)
       throw SyntaxError("equation_wanted", 0, "an equation is expected: left = right");
     left = read.sides[0];
@@ -90,7 +90,7 @@ std::pair<Relation, Relation> of_one_kind(const Exercise& exercise, const Step& 
   std::pair<Relation, Relation> both{as_value(exercise, before.says), as_value(exercise, after.says)};
   if (both.first.operators == both.second.operators) return both;
   for (auto* one : {&both.first, &both.second})
-    if (one->operators.empty()) *one = {{parse(exercise.name), one->sides[0]}, {"="}};
+    if (one->operators.empty()) *one = {{parse(exercise.name, exercise.language()), one->sides[0]}, {"="}};
   return both;
 }
 
@@ -131,25 +131,26 @@ Opinion judge_step(const Prepared& whole, const Step& before, const Step& after)
 }
 
 /// What a side of a line is worth in base units: a number with a unit, or a formula of symbols with values.
-double side_value(const std::string& text, std::size_t from, std::size_t end, const RoughPoint& known) {
+double side_value(const std::string& text, std::size_t from, std::size_t end, const RoughPoint& known,
+                  const Symbols& symbols) {
   const std::string side = text.substr(from, end - from);
   try {
     return parse_quantity(side).value;
   } catch (const SyntaxError&) {
-    return rough_value(parse(std::string(from, ' ') + side), known);
+    return rough_value(parse(std::string(from, ' ') + side, symbols), known);
   }
 }
 
 /// A line of a working of a number: a chain a = b = c that is true to three digits with the values that are
 /// known. A symbol that has none before gets the value that it is first said to have.
-Opinion judge_chain(const std::string& text, RoughPoint& known) {
+Opinion judge_chain(const std::string& text, RoughPoint& known, const Symbols& symbols) {
   std::optional<double> before;
   std::string unknown;
   for (std::size_t from = 0, end; from <= text.size(); from = end + 1) {
     end = std::min(text.find('=', from), text.size());
-    const double value = side_value(text, from, end, known);
+    const double value = side_value(text, from, end, known, symbols);
     const bool is_new = std::isnan(value) && from == 0 && end < text.size();
-    if (is_new) unknown = print(parse(text.substr(0, end)));
+    if (is_new) unknown = print(parse(text.substr(0, end), symbols));
     if (is_new) continue;
     if (!std::isfinite(value))
       throw SyntaxError("not_real", from, "this has no value, or it contains a symbol without a value");
@@ -173,7 +174,7 @@ Opinion judge_chains(const Prepared& whole, const std::vector<std::pair<int, std
   for (const auto& [number, text] : lines) {
     Opinion opinion;
     try {
-      opinion = judge_chain(text, known);
+      opinion = judge_chain(text, known, whole.symbols);
     } catch (const SyntaxError& error) {
       opinion = invalid(error, text);
     }
@@ -213,7 +214,8 @@ Working judge_working(const Exercise& exercise, const std::vector<std::pair<int,
       const std::size_t before = steps.size();
       read_line(exercise, number, text, steps);
       for (std::size_t k = before; k < steps.size(); ++k)
-        for (const auto& side : steps[k].says.sides) lower(side);  // refuses what is undefined, such as R/0
+        for (const auto& side : steps[k].says.sides)
+          lower(side, exercise.language());  // refuses what is undefined, such as R/0
     } catch (const SyntaxError& error) {
       return refused(invalid(error, text));
     }

@@ -17,7 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<Lemma> lemmas_of(const std::vector<Entry>& entries, const std::vector<std::string>& ids) {
+std::vector<Lemma> lemmas_of(const Paper& paper, const std::vector<Entry>& entries,
+                             const std::vector<std::string>& ids) {
   std::vector<Lemma> lemmas;
   for (const std::string& id : ids)
     if (std::none_of(entries.begin(), entries.end(), [&](auto& e) { return e.row.id == id; }))
@@ -27,11 +28,12 @@ std::vector<Lemma> lemmas_of(const std::vector<Entry>& entries, const std::vecto
     return ids.empty() || std::ranges::count(ids, id) > 0;
   };
   for (const Entry& entry : entries)
-    if (const auto lemma = is_wanted(entry.row.id) ? lemma_of(entry) : std::nullopt) lemmas.push_back(*lemma);
+    if (const auto lemma = is_wanted(entry.row.id) ? lemma_of(paper, entry) : std::nullopt)
+      lemmas.push_back(*lemma);
   for (auto* more : {&corrections_of, &steps_of})
-    for (Lemma& lemma : more(entries, is_wanted)) lemmas.push_back(std::move(lemma));
+    for (Lemma& lemma : more(paper, entries, is_wanted)) lemmas.push_back(std::move(lemma));
   if (ids.empty())
-    for (Lemma& theorem : shipped_theorems()) lemmas.push_back(std::move(theorem));
+    for (Lemma& theorem : shipped_theorems(paper)) lemmas.push_back(std::move(theorem));
   return lemmas;
 }
 
@@ -47,11 +49,11 @@ int count(const std::vector<Lemma>& lemmas, const std::string& kind) {
 }
 
 /// The scripts, and with all rows the page of what rests on what.
-void write_all(const std::filesystem::path& folder, const std::vector<Entry>& entries,
+void write_all(const Paper& paper, const std::filesystem::path& folder, const std::vector<Entry>& entries,
                const std::vector<Lemma>& lemmas, bool has_all_rows) {
-  if (!has_all_rows) return write_scripts(folder, lemmas);
-  const auto supports = supports_of(entries, lemmas);
-  write_scripts(folder, lemmas,
+  if (!has_all_rows) return write_scripts(paper, folder, lemmas);
+  const auto supports = supports_of(paper, entries, lemmas);
+  write_scripts(paper, folder, lemmas,
                 {{"README.md", rests_page(entries, supports)}, {"rests.svg", rests_drawing(supports)}});
 }
 
@@ -99,15 +101,15 @@ int report(const std::vector<Lemma>& lemmas, const std::vector<Checked>& checked
 
 }  // namespace
 
-int certify(const std::vector<Entry>& entries, const CertifyOptions& options) {
+int certify(const Paper& paper, const std::vector<Entry>& entries, const CertifyOptions& options) {
   if (options.folder.empty() && !options.checks)
     throw BadInput("certify needs a folder for the scripts, or --check; for example: ledger certify proofs");
   if (std::ranges::any_of(entries, [&](auto& e) { return e.row.id == options.folder; }))
     throw BadInput("'" + printable_name(options.folder) +
-                   "' is a row, but the folder comes first; for example: " + "ledger certify proofs " +
+                   "' is a row, but the folder comes first; for example: ledger certify proofs " +
                    printable_name(options.folder));
-  const std::vector<Lemma> lemmas = lemmas_of(entries, options.ids);
-  if (!options.folder.empty()) write_all(options.folder, entries, lemmas, options.ids.empty());
+  const std::vector<Lemma> lemmas = lemmas_of(paper, entries, options.ids);
+  if (!options.folder.empty()) write_all(paper, options.folder, entries, lemmas, options.ids.empty());
   if (options.checks) {
     if (!has_coq()) {
       std::fputs(
@@ -119,8 +121,8 @@ int certify(const std::vector<Entry>& entries, const CertifyOptions& options) {
     const auto progress = [](const std::string& file) {
       if (is_lively(2)) fmt::print(stderr, "\rcoqc {:<20}\r", file);
     };
-    const std::vector<Checked> checked = check(lemmas, progress);
-    const auto supports = options.ids.empty() ? supports_of(entries, lemmas) : std::vector<Support>{};
+    const std::vector<Checked> checked = check(paper, lemmas, progress);
+    const auto supports = options.ids.empty() ? supports_of(paper, entries, lemmas) : std::vector<Support>{};
     return report(lemmas, checked, supports, options.json);
   }
   for (const Lemma& lemma : lemmas)
@@ -137,19 +139,19 @@ int certify(const std::vector<Entry>& entries, const CertifyOptions& options) {
   return as_expected;
 }
 
-std::string lemma_page(const Entry& entry) {
-  const auto lemma = lemma_of(entry);
+std::string lemma_page(const Paper& paper, const Entry& entry) {
+  const auto lemma = lemma_of(paper, entry);
   if (!lemma) throw BadInput("row " + entry.row.id + " is a definition: there is nothing to prove");
   if (lemma->text.empty()) throw BadInput("row " + entry.row.id + " has no script: " + lemma->why);
   return lemma->text;
 }
 
-int write_certificate(const ProveRequest& request, const std::string& file) {
+int write_certificate(const Paper& paper, const ProveRequest& request, const std::string& file) {
   const std::string library = shipped("Rederive.v");
   const auto work = [&]() -> std::string {
     try {
-      const Proof proof = decide(request);
-      const Problem problem = problem_of(request);
+      const Proof proof = decide(paper, request);
+      const Problem problem = problem_of(paper, request);
       const bool is_proved = proof.verdict == Verdict::proved || proof.verdict == Verdict::proved_under;
       if (!is_proved) return "N" + to_string(proof.verdict) + ": there is no certificate";
       if (proof.by != "identity") return "Nthere is no script for a proof by " + proof.by;

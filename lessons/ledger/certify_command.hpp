@@ -15,13 +15,13 @@ struct CertifyOptions {
 /// Writes the scripts of the rows, lets coqc check them if that is asked for, and reports on standard output.
 /// A row without a script is skipped and named. Returns the exit code: 1 where a lemma does not pass, 3 where
 /// there is no coqc. Throws BadInput.
-int certify(const std::vector<Entry>& entries, const CertifyOptions& options);
+int certify(const Paper& paper, const std::vector<Entry>& entries, const CertifyOptions& options);
 
 /// The lemma of a row, for a reader. Throws BadInput where it has none.
-std::string lemma_page(const Entry& entry);
+std::string lemma_page(const Paper& paper, const Entry& entry);
 
 /// Writes what was asked and is proved as one script that needs no other file. Returns the exit code: 3 where
 /// there is no script for the proof, and standard error says why. Throws BadInput for what cannot be read.
-int write_certificate(const ProveRequest& request, const std::string& file);
+int write_certificate(const Paper& paper, const ProveRequest& request, const std::string& file);
 
 }  // namespace rederive

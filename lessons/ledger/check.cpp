@@ -125,14 +125,14 @@ std::vector<const Lemma*> passing(const Folder& folder, const std::string& file,
 
 bool has_coq() { return said_by("command -v coqc 2>&1").status == 0; }
 
-std::vector<Checked> check(const std::vector<Lemma>& lemmas,
+std::vector<Checked> check(const Paper& paper, const std::vector<Lemma>& lemmas,
                            const std::function<void(const std::string&)>& progress) {
   const Folder folder;
-  write_scripts(folder.path, lemmas);
-  for (const char* name : prelude) {
+  write_scripts(paper, folder.path, lemmas);
+  for (const std::string& name : prelude_of(paper)) {
     progress(name);
     if (const Said run = compile(folder, name); run.status != 0)
-      throw std::runtime_error(std::string("coqc refuses ") + name +
+      throw std::runtime_error("coqc refuses " + name +
                                " (are libcoq-coquelicot and libcoq-interval installed?): " + run.text);
   }
   std::map<std::string, std::vector<const Lemma*>> by_file;
@@ -141,14 +141,15 @@ std::vector<Checked> check(const std::vector<Lemma>& lemmas,
   for (const Lemma& lemma : lemmas)
     if (!is_skipped(lemma)) by_file[lemma.file].push_back(&lemma);
   // Theorems may rest on those of the files before theirs.
-  std::vector<std::string> files(theorem_files.begin(), theorem_files.end());
+  std::vector<std::string> files;
+  for (const Theorems::File& file : paper.theorems.files) files.push_back(file.name);
   for (const auto& [file, all] : by_file)
-    if (!ships(*all.front())) files.push_back(file);
+    if (!all.front()->ships) files.push_back(file);
   for (const std::string& file : files) {
     const auto& all = by_file[file];
     if (all.empty()) continue;
     progress(file);
-    const bool is_shipped = ships(*all.front());
+    const bool is_shipped = all.front()->ships;
     const Said whole = is_shipped ? compile(folder, file) : Said{0, ""};
     if (whole.status != 0)
       for (const Lemma* lemma : all) errors[lemma] = whole.text;

@@ -19,7 +19,7 @@ bool has_coq();
 /// Compiles the scripts in a temporary folder. A lemma that does not pass is left out, and the others are
 /// tried again; so each gets its own verdict. `progress` is told the files. Throws std::runtime_error where
 /// the prelude itself does not compile.
-std::vector<Checked> check(const std::vector<Lemma>& lemmas,
+std::vector<Checked> check(const Paper& paper, const std::vector<Lemma>& lemmas,
                            const std::function<void(const std::string&)>& progress);
 
 }  // namespace rederive

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -9,8 +10,6 @@
 #include <vector>
 
 namespace rederive {
-
-class Bench;
 
 enum class ClaimVerdict { confirmed, refuted, qualified, undecided };
 using enum ClaimVerdict;
@@ -42,26 +41,19 @@ struct JudgedClaim {
   bool as_expected() const { return to_string(verdict) == claim.expected; }
 };
 
-/// A check decides a claim from computed numbers alone; `claim` gives it what is printed.
-using Check = Finding (*)(Bench&, const Claim&);
-/// The name of a check in claims.toml → the function.
-using Checks = std::map<std::string, Check>;
-Checks checks_of_symbols();       ///< decided by derivations and by the verdicts of the rows
-Checks checks_of_start();         ///< section 1: how it starts, its modes, friction
-Checks checks_of_impact();        ///< section 2: restitution and reactions
-Checks checks_of_linear_model();  ///< section 3: one-sine pulse, without and after one impact
-Checks checks_of_cosine();        ///< section 3 and Fig. 14: the cosine pulse, initial conditions
-Checks checks_of_figures();       ///< section 4: printed numbers and captions
-Checks checks_of_spectra();       ///< section 4 and conclusion 9: least amplitudes, periods, Eurocode 8
-const Checks& claim_checks();     ///< all of them
+/// A check decides a claim from computed numbers alone; the claim gives it what is printed.
+using Check = std::function<Finding(const Claim&)>;
+/// The claims of a paper, and how they are decided.
+struct Claims {
+  std::filesystem::path file;           ///< claims.toml
+  std::map<std::string, Check> checks;  ///< by their names in the file
+};
 
-/// The file that ships with the project.
-std::filesystem::path claims_file();
 /// Reads claims.toml. Throws BadInput naming file, line and what would be right.
-std::vector<Claim> read_claims(const std::filesystem::path& file);
+std::vector<Claim> read_claims(const Claims& claims);
 /// Decides one claim. Throws BadInput, with the place of the claim, if its check cannot be made with what the
 /// claim gives, or if it has no words for what the check found, or words that do not fit.
-JudgedClaim judge(const Claim& claim, Bench& bench);
+JudgedClaim judge(const Claim& claim, const Claims& claims);
 
 /// {"claims": [{"id", "where", "statement", "verdict", "printed", "found", "explanation", "expected",
 /// "method"}]}
@@ -74,6 +66,6 @@ std::string claim_page(const JudgedClaim& judged, bool colour);
 /// `ledger claims [ID] [--json]`: decides all claims, or the one with that id, and writes them to standard
 /// output. Returns the exit code: 1 if a verdict differs from the expected one. Throws BadInput for an id
 /// that does not exist, and for a file that cannot be used.
-int show_claims(const std::string& file, const std::string& id, bool json);
+int show_claims(const Claims& claims, const std::string& id, bool json);
 
 }  // namespace rederive

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <derivations/paper/ledger.hpp>
 #include <derivations/program/toml_table.hpp>
 #include <lessons/ledger/claims.hpp>
 #include <stdexcept>
@@ -15,12 +14,6 @@ namespace {
 
 constexpr std::array claim_verdicts{confirmed, refuted, qualified, undecided};
 
-std::vector<std::string> names_of_checks() {
-  std::vector<std::string> names;
-  for (const auto& [name, check] : claim_checks()) names.push_back(name);
-  return names;
-}
-
 /// A number that a check takes, 0 where it takes none.
 double parameter(TomlTable& table, const std::string& key) {
   constexpr double largest = 1000;
@@ -30,7 +23,7 @@ double parameter(TomlTable& table, const std::string& key) {
   return found.value_or(0);
 }
 
-Claim read_claim(TomlTable& table) {
+Claim read_claim(TomlTable& table, const std::vector<std::string>& checks) {
   Claim claim;
   claim.place = table.where();
   claim.id = table.needed_line("id");
@@ -41,7 +34,7 @@ Claim read_claim(TomlTable& table) {
   std::vector<std::string> words;
   for (const ClaimVerdict verdict : claim_verdicts) words.push_back(to_string(verdict));
   claim.expected = table.needed_word("expected", words);
-  claim.check = table.needed_word("check", names_of_checks());
+  claim.check = table.needed_word("check", checks);
   claim.method = table.needed_text("method");
   claim.found = table.text("found");
   for (const ClaimVerdict verdict : claim_verdicts) claim.meaning[verdict] = table.text(to_string(verdict));
@@ -75,14 +68,14 @@ std::string to_string(ClaimVerdict verdict) {
                                 : "undecided";
 }
 
-std::filesystem::path claims_file() { return equations_file().parent_path() / "claims.toml"; }
-
-std::vector<Claim> read_claims(const std::filesystem::path& file) {
+std::vector<Claim> read_claims(const Claims& from) {
+  std::vector<std::string> checks;
+  for (const auto& [name, check] : from.checks) checks.push_back(name);
   std::vector<Claim> claims;
   std::map<std::string, Claim> first;  // of each check
   std::map<std::string, std::string> places;
-  for (TomlTable& table : tables_of(file, "claim")) {
-    Claim& claim = claims.emplace_back(read_claim(table));
+  for (TomlTable& table : tables_of(from.file, "claim")) {
+    Claim& claim = claims.emplace_back(read_claim(table, checks));
     if (const auto [place, is_new] = places.emplace(claim.id, claim.place); !is_new)
       table.fail("a second claim has this id; the first is at " + place->second, "id");
     take_words(claim, first.emplace(claim.check, claim).first->second);
@@ -90,24 +83,10 @@ std::vector<Claim> read_claims(const std::filesystem::path& file) {
   return claims;
 }
 
-const Checks& claim_checks() {
-  static const Checks table = [] {
-    Checks all;
-    for (const auto& part :
-         {checks_of_symbols(), checks_of_start(), checks_of_impact(), checks_of_linear_model(),
-          checks_of_cosine(), checks_of_figures(), checks_of_spectra()})
-      for (const auto& [name, check] : part)
-        if (!all.emplace(name, check).second)
-          throw std::logic_error("the check " + name + " is listed twice");
-    return all;
-  }();
-  return table;
-}
-
-JudgedClaim judge(const Claim& claim, Bench& bench) {
+JudgedClaim judge(const Claim& claim, const Claims& claims) {
   const std::string name = claim.place + ": claim " + claim.id;
   try {
-    const auto [verdict, values] = claim_checks().at(claim.check)(bench, claim);
+    const auto [verdict, values] = claims.checks.at(claim.check)(claim);
     const std::string& meaning = claim.meaning.at(verdict);
     if (claim.found.empty() || meaning.empty())
       throw BadInput(name + " is " + to_string(verdict) + ", but it has no words for that verdict");

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <derivations/program/program.hpp>
-#include <lessons/ledger/claims_bench.hpp>
+#include <lessons/ledger/claims.hpp>
 #include <lessons/page/prose.hpp>
 #include <nlohmann/json.hpp>
 
@@ -23,8 +23,8 @@ std::string unexpected(const JudgedClaim& judged) {
   return judged.as_expected() ? "" : "   <- expected " + judged.claim.expected;
 }
 
-std::vector<Claim> asked_for(const std::string& file, const std::string& id) {
-  std::vector<Claim> claims = read_claims(file);
+std::vector<Claim> asked_for(const std::string& id, const Claims& from) {
+  std::vector<Claim> claims = read_claims(from);
   if (id.empty()) return claims;
   std::erase_if(claims, [&](const Claim& claim) { return claim.id != id; });
   if (claims.empty())
@@ -85,12 +85,11 @@ std::string claim_page(const JudgedClaim& judged, bool colour) {
   return text;
 }
 
-int show_claims(const std::string& file, const std::string& id, bool json) {
-  Bench bench;
+int show_claims(const Claims& claims, const std::string& id, bool json) {
   std::vector<JudgedClaim> judged;
-  for (const Claim& claim : asked_for(file, id)) {
+  for (const Claim& claim : asked_for(id, claims)) {
     if (is_lively(2)) fmt::print(stderr, "\r{:<8}", claim.id);
-    judged.push_back(judge(claim, bench));
+    judged.push_back(judge(claim, claims));
   }
   if (is_lively(2)) fmt::print(stderr, "\r{:<8}\r", "");
   const std::string text = json         ? claims_json(judged).dump(2) + "\n"

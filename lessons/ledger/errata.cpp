@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/report.hpp>
 #include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>
@@ -34,31 +33,34 @@ std::vector<Entry> those_refuted(const std::vector<Entry>& entries) {
   return sorted;
 }
 
-std::vector<std::string> last_steps(const Entry& entry, Notation notation, const char* open,
-                                    const char* close) {
+std::vector<std::string> last_steps(const Entry& entry, const Symbols& symbols, Notation notation,
+                                    const char* open, const char* close) {
   std::vector<std::string> lines;
   if (!entry.derivation) return lines;
   const auto& steps = entry.derivation->steps;
   for (std::size_t k = steps.size() > 3 ? steps.size() - 3 : 0; k < steps.size(); ++k) {
     const bool words = steps[k].left.is_zero() && steps[k].right.is_zero();
-    const Relation formula{{to_tree(steps[k].left), to_tree(steps[k].right)}, {steps[k].relation}};
-    const std::string says = joined(step_spans(steps[k].says), "", [&](const Span& span) {
-      if (span.kind == Span::Kind::math) return open + print_inline(span.text, notation) + close;
+    const Relation formula{{to_tree(steps[k].left, symbols), to_tree(steps[k].right, symbols)},
+                           {steps[k].relation}};
+    const std::string says = joined(step_spans(steps[k].says, symbols), "", [&](const Span& span) {
+      if (span.kind == Span::Kind::math) return open + print_inline(span.text, notation, symbols) + close;
       return notation == Notation::latex ? latex_escaped(span.text) : span.text;
     });
-    lines.push_back(says + (words ? "" : std::string(" ") + open + print(formula, notation) + close));
+    lines.push_back(says +
+                    (words ? "" : std::string(" ") + open + print(formula, notation, symbols) + close));
   }
   return lines;
 }
 
-std::string text_sheet(const std::vector<Entry>& wrong) {
+std::string text_sheet(const std::vector<Entry>& wrong, const Paper& paper) {
   std::string text;
   for (const Entry& entry : wrong) {
-    text += fmt::format("({})  {}{}{}\n  printed    {}\n  corrected  {}\n", entry.row.id, entry.row.section,
-                        entry.row.error.empty() ? "" : ": ", entry.row.error,
-                        print(parse_statement(entry.row.printed), Notation::unicode),
-                        print(parse_statement(entry.correction), Notation::unicode));
-    for (const auto& line : last_steps(entry, Notation::unicode, "", ""))
+    text += fmt::format(
+        "({})  {}{}{}\n  printed    {}\n  corrected  {}\n", entry.row.id, entry.row.section,
+        entry.row.error.empty() ? "" : ": ", entry.row.error,
+        print(parse_statement(entry.row.printed, paper.symbols), Notation::unicode, paper.symbols),
+        print(parse_statement(entry.correction, paper.symbols), Notation::unicode, paper.symbols));
+    for (const auto& line : last_steps(entry, paper.symbols, Notation::unicode, "", ""))
       text += "  why        " + line + "\n";
     if (entry.proof.witness)
       text += fmt::format("  witness    {}\n             printed {}\n             derived {}\n",
@@ -70,16 +72,17 @@ std::string text_sheet(const std::vector<Entry>& wrong) {
   return text + counted(wrong.size(), "error") + ".\n";
 }
 
-std::string markdown_sheet(const std::vector<Entry>& wrong, const std::string& paper) {
-  std::string text = "# Errata: " + paper + "\n\n";
+std::string markdown_sheet(const std::vector<Entry>& wrong, const Paper& paper) {
+  std::string text = "# Errata: " + paper.title + "\n\n";
   for (const Entry& entry : wrong) {
     text += fmt::format(
         "## Equation ({})\n\n{}. Kind of error: "
         "{}.\n\nPrinted:\n\n$$\n{}\n$$\n\nCorrect:\n\n$$\n{}\n$$\n\nDerivation:\n\n",
         entry.row.id, entry.row.section, entry.row.error,
-        print(parse_statement(entry.row.printed), Notation::latex),
-        print(parse_statement(entry.correction), Notation::latex));
-    for (const auto& line : last_steps(entry, Notation::latex, "$", "$")) text += "1. " + line + "\n";
+        print(parse_statement(entry.row.printed, paper.symbols), Notation::latex, paper.symbols),
+        print(parse_statement(entry.correction, paper.symbols), Notation::latex, paper.symbols));
+    for (const auto& line : last_steps(entry, paper.symbols, Notation::latex, "$", "$"))
+      text += "1. " + line + "\n";
     if (entry.proof.witness)
       text += fmt::format("\nWitness: at `{}` the printed side is `{}`, the derived one `{}`.\n",
                           joined(in_words(*entry.proof.witness), ", "), entry.proof.witness->printed,
@@ -89,12 +92,12 @@ std::string markdown_sheet(const std::vector<Entry>& wrong, const std::string& p
   return text;
 }
 
-std::string latex_sheet(const std::vector<Entry>& wrong, const std::string& paper) {
+std::string latex_sheet(const std::vector<Entry>& wrong, const Paper& paper) {
   std::string text =
       "\\documentclass[a4paper]{article}\n\\usepackage[T1]{fontenc}\n\\usepackage{amsmath}\n\\usepackage["
       "margin=22mm]{geometry}\n"
       "\\setlength{\\parindent}{0pt}\\sloppy\n\\title{Errata: " +
-      latex_escaped(paper) +
+      latex_escaped(paper.title) +
       "}\n"
       "\\author{}\\date{}\n\\begin{document}\n\\maketitle\n";
   const auto display = [](const std::string& formula) {
@@ -104,12 +107,12 @@ std::string latex_sheet(const std::vector<Entry>& wrong, const std::string& pape
         formula);
   };
   for (const Entry& entry : wrong) {
-    text += fmt::format("\\section*{{Equation ({})}}\n{}. Kind of error: {}.\n\nPrinted:\n{}Correct:\n{}",
-                        latex_escaped(entry.row.id), latex_escaped(entry.row.section),
-                        latex_escaped(entry.row.error),
-                        display(print(parse_statement(entry.row.printed), Notation::latex)),
-                        display(print(parse_statement(entry.correction), Notation::latex)));
-    const auto lines = last_steps(entry, Notation::latex, "$", "$");
+    text += fmt::format(
+        "\\section*{{Equation ({})}}\n{}. Kind of error: {}.\n\nPrinted:\n{}Correct:\n{}",
+        latex_escaped(entry.row.id), latex_escaped(entry.row.section), latex_escaped(entry.row.error),
+        display(print(parse_statement(entry.row.printed, paper.symbols), Notation::latex, paper.symbols)),
+        display(print(parse_statement(entry.correction, paper.symbols), Notation::latex, paper.symbols)));
+    const auto lines = last_steps(entry, paper.symbols, Notation::latex, "$", "$");
     if (!lines.empty()) {
       text += "Derivation:\n\\begin{enumerate}\n";
       for (const auto& line : lines) text += "\\item " + line + "\n";
@@ -127,15 +130,15 @@ std::string latex_sheet(const std::vector<Entry>& wrong, const std::string& pape
 
 }  // namespace
 
-std::string errata(const std::vector<Entry>& entries, const std::string& format, const std::string& paper) {
+std::string errata(const std::vector<Entry>& entries, const std::string& format, const Paper& paper) {
   const std::vector<Entry> wrong = those_refuted(entries);
   if (format == "markdown") return markdown_sheet(wrong, paper);
   if (format == "latex") return latex_sheet(wrong, paper);
-  if (format == "text") return text_sheet(wrong);
+  if (format == "text") return text_sheet(wrong, paper);
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Entry& entry : wrong) {
     nlohmann::ordered_json item = to_json(entry);
-    item["why"] = last_steps(entry, Notation::plain, "", "");
+    item["why"] = last_steps(entry, paper.symbols, Notation::plain, "", "");
     list.push_back(item);
   }
   return nlohmann::ordered_json{{"errata", list}, {"count", wrong.size()}}.dump(2) + "\n";

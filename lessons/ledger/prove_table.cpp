@@ -56,12 +56,12 @@ std::vector<TableRow> read_table(const std::filesystem::path& file) {
   return rows;
 }
 
-std::vector<DecidedRow> decide_table(const std::vector<TableRow>& rows) {
+std::vector<DecidedRow> decide_table(const Paper& paper, const std::vector<TableRow>& rows) {
   std::vector<DecidedRow> decided;
   for (const TableRow& row : rows) {
     if (is_lively(2)) fmt::print(stderr, "\r{} of {}", decided.size() + 1, rows.size());
     try {
-      const auto proof = decide_bounded(row.request);
+      const auto proof = decide_bounded(paper, row.request);
       decided.push_back({row, proof["verdict"], proof["reason"].is_string() ? proof["reason"] : ""});
     } catch (const BadInput& error) {
       decided.push_back({row, "refused", error.what()});

@@ -23,7 +23,7 @@ struct DecidedRow {
 };
 
 /// Decides every row, each within the bounds of decide_bounded(). Shows progress on a terminal.
-std::vector<DecidedRow> decide_table(const std::vector<TableRow>& rows);
+std::vector<DecidedRow> decide_table(const Paper& paper, const std::vector<TableRow>& rows);
 
 /// {"rows": [{"group", "left", "right", "assume", "small", "order", "verdict", "expected", "limit",
 /// "reason"}], "counts": {verdict: rows}}

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/ledger/report.hpp>
 #include <lessons/page/prose.hpp>
 #include <nlohmann/json.hpp>
@@ -23,9 +22,9 @@ std::string painted(const std::string& text, Verdict verdict, bool colour) {
   return fmt::format("\033[{}m{}\033[0m", code, text);
 }
 
-std::string unicode_or(const std::string& printed) {
+std::string unicode_or(const std::string& printed, const Symbols& symbols) {
   if (printed.empty()) return "";
-  return print(parse_statement(printed), Notation::unicode);
+  return print(parse_statement(printed, symbols), Notation::unicode, symbols);
 }
 
 }  // namespace
@@ -36,21 +35,21 @@ std::map<std::string, int> counts(const std::vector<Entry>& entries) {
   return result;
 }
 
-Json to_json(const std::vector<Entry>& entries, const std::string& paper) {
+Json to_json(const std::vector<Entry>& entries, const Paper& paper) {
   Json equations = Json::array();
   for (const Entry& entry : entries) equations.push_back(to_json(entry));
-  return {{"paper", paper}, {"equations", equations}, {"counts", counts(entries)}};
+  return {{"paper", paper.title}, {"equations", equations}, {"counts", counts(entries)}};
 }
 
-std::string ledger_table(const std::vector<Entry>& entries, bool colour) {
+std::string ledger_table(const std::vector<Entry>& entries, const Symbols& symbols, bool colour) {
   std::string text = fmt::format("{:<6} {:<14} {}\n", "", "verdict", "as printed");
   for (const Entry& entry : entries) {
     const std::string verdict = to_string(entry.proof.verdict);
     const bool unexpected = verdict != entry.row.expected;
     const std::string formula = entry.row.printed.empty() ? entry.row.statement : entry.row.printed;
-    text += fmt::format("{:<6} {} {}{}\n", entry.row.id,
-                        painted(fmt::format("{:<14}", verdict), entry.proof.verdict, colour),
-                        unicode_or(formula), unexpected ? "   <- expected " + entry.row.expected : "");
+    text += fmt::format(
+        "{:<6} {} {}{}\n", entry.row.id, painted(fmt::format("{:<14}", verdict), entry.proof.verdict, colour),
+        unicode_or(formula, symbols), unexpected ? "   <- expected " + entry.row.expected : "");
     if (entry.proof.verdict == Verdict::error) text += fmt::format("{:<6} {}\n", "", entry.proof.reason);
   }
   text += "\n" + counted(entries.size(), "row") + ":";
@@ -59,16 +58,16 @@ std::string ledger_table(const std::vector<Entry>& entries, bool colour) {
   return text;
 }
 
-std::string ledger_page(const Entry& entry, bool colour) {
+std::string ledger_page(const Entry& entry, const Symbols& symbols, bool colour) {
   const Row& row = entry.row;
   std::string text =
       fmt::format("({})  {}{}\n\n", row.id, row.section, row.domain.empty() ? "" : ",  " + row.domain);
   const auto line = [&](const char* name, const std::string& value) {
     if (!value.empty()) text += fmt::format("  {:<16} {}\n", name, value);
   };
-  line("printed", unicode_or(row.printed));
-  line("stated", unicode_or(row.statement));
-  line("derived", unicode_or(entry.derived));
+  line("printed", unicode_or(row.printed, symbols));
+  line("stated", unicode_or(row.statement, symbols));
+  line("derived", unicode_or(entry.derived, symbols));
   line("verdict",
        painted(to_string(entry.proof.verdict), entry.proof.verdict, colour) +
            (to_string(entry.proof.verdict) == row.expected ? "" : "   (expected: " + row.expected + ")"));
@@ -82,7 +81,7 @@ std::string ledger_page(const Entry& entry, bool colour) {
   }
   if (entry.proof.verdict == Verdict::refuted) {
     line("kind of error", row.error);
-    line("correction", unicode_or(entry.correction));
+    line("correction", unicode_or(entry.correction, symbols));
   }
   if (entry.proof.witness) {
     line("witness at", joined(in_words(*entry.proof.witness), ", "));
@@ -103,13 +102,14 @@ std::string ledger_page(const Entry& entry, bool colour) {
   text += "\n  The derivation\n\n";
   int number = 0;
   for (const Step& step : entry.derivation->steps) {
-    text += fmt::format("  {:>2}. {}\n", ++number, joined(step_spans(step.says), "", [](const Span& span) {
-                          return span.kind == Span::Kind::math ? print_inline(span.text, Notation::unicode)
-                                                               : span.text;
-                        }));
+    text += fmt::format(
+        "  {:>2}. {}\n", ++number, joined(step_spans(step.says, symbols), "", [&](const Span& span) {
+          return span.kind == Span::Kind::math ? print_inline(span.text, Notation::unicode, symbols)
+                                               : span.text;
+        }));
     if (step.left.is_zero() && step.right.is_zero()) continue;
-    const Relation formula{{to_tree(step.left), to_tree(step.right)}, {step.relation}};
-    text += fmt::format("      {}\n", print(formula, Notation::unicode));
+    const Relation formula{{to_tree(step.left, symbols), to_tree(step.right, symbols)}, {step.relation}};
+    text += fmt::format("      {}\n", print(formula, Notation::unicode, symbols));
   }
   return text;
 }

@@ -24,23 +24,13 @@ std::vector<std::string> rows_of(const Lemma& lemma) {
   return rows;
 }
 
-/// What theorems assume beside rows of the ledger.
-const std::map<std::string, std::string> assumptions{
-    {"newton", "H and V are what accelerates the centre of mass: H = m ü_c, V - m g = m ÿ_c"},
-    {"euler", "the moment of H and V about the centre of mass is J_c θ̈"},
-    {"rotation", "the block is rigid, and turns about its corner: the positions of its points"},
-    {"linearised", "(56), (97), (u21) and (u29) are taken as exact; theorems bound what that leaves out"},
-    {"criterion",
-     "overturning at the least amplitude: the motion comes to rest at the corner, after all time"},
-    {"rest", "before the pulse the block stands: θ = 0, θ̇ = 0"}};
-
 /// What stands before the theorems of our files: (* from 25b, newton *).
-std::map<std::string, std::vector<std::string>> premises() {
+std::map<std::string, std::vector<std::string>> premises(const Theorems& theorems) {
   static const std::regex theorem("\\(\\* from ([^*]*) \\*\\)\nTheorem (\\w+)"), id("[^, ]+");
   std::map<std::string, std::vector<std::string>> result;
   const std::sregex_iterator end;
-  for (const char* file : theorem_files) {
-    const std::string text = shipped(file);
+  for (const Theorems::File& file : theorems.files) {
+    const std::string text = shipped(file.name);
     for (std::sregex_iterator found(text.begin(), text.end(), theorem); found != end; ++found) {
       const std::string ids = (*found)[1];
       for (std::sregex_iterator k(ids.begin(), ids.end(), id); k != end; ++k)
@@ -58,12 +48,12 @@ std::map<std::string, std::size_t> places_of(const std::vector<Support>& support
 
 }  // namespace
 
-std::vector<Support> supports_of(const std::vector<Entry>& entries, const std::vector<Lemma>& lemmas) {
-  std::map<std::string, std::vector<std::string>> theorems, steps, before = premises();
+std::vector<Support> supports_of(const Paper& paper, const std::vector<Entry>& entries,
+                                 const std::vector<Lemma>& lemmas) {
+  std::map<std::string, std::vector<std::string>> theorems, steps, before = premises(paper.theorems);
   std::set<std::string> names;
   for (const Lemma& lemma : lemmas)
-    for (const std::string& row : rows_of(lemma))
-      (ships(lemma) ? theorems : steps)[row].push_back(lemma.name);
+    for (const std::string& row : rows_of(lemma)) (lemma.ships ? theorems : steps)[row].push_back(lemma.name);
   std::vector<Support> supports;
   for (const Entry& entry : entries) {
     const std::string& id = entry.row.id;
@@ -84,7 +74,7 @@ std::vector<Support> supports_of(const std::vector<Entry>& entries, const std::v
     supports.push_back(std::move(s));
   }
   for (const std::string& name : names)
-    supports.push_back({name, By::name, {assumptions.at(name)}, {}, false});
+    supports.push_back({name, By::name, {paper.theorems.assumptions.at(name)}, {}, false});
   // A row may stand before one that it follows from: until nothing changes.
   const auto places = places_of(supports);
   for (bool has_changed = true; has_changed;) {

@@ -24,7 +24,8 @@ struct Support {
 
 /// One for each row, in the order of the ledger, and then the names. `lemmas` are all of them. Throws
 /// std::out_of_range for a name that is none.
-std::vector<Support> supports_of(const std::vector<Entry>& entries, const std::vector<Lemma>& lemmas);
+std::vector<Support> supports_of(const Paper& paper, const std::vector<Entry>& entries,
+                                 const std::vector<Lemma>& lemmas);
 
 /// How many rows are theorems all the way down.
 int whole(const std::vector<Support>& supports);

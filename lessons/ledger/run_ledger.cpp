@@ -4,8 +4,6 @@
 #include <derivations/paper/mutate.hpp>
 #include <derivations/paper/prove.hpp>
 #include <derivations/program/command_line.hpp>
-#include <derivations/program/data_folder.hpp>
-#include <derivations/rocking_block/table.hpp>
 #include <lessons/ledger/certify_command.hpp>
 #include <lessons/ledger/claims.hpp>
 #include <lessons/ledger/prove_table.hpp>
@@ -16,15 +14,12 @@
 
 namespace rederive {
 
-namespace fs = std::filesystem;
-
 namespace {
 
 struct Options {
   bool json = false;
-  std::string paper = this_paper;
-  std::string equations = equations_file();
-  std::string claims = claims_file();
+  Paper paper;
+  std::string equations, claims;  ///< files instead of those of the paper
   std::string id, format = "text", table, certificate;
   bool coq = false;
   CertifyOptions scripts;
@@ -32,9 +27,9 @@ struct Options {
   ProveRequest request;
 };
 
-Entry judged(const Row& row, const std::vector<Row>& rows) {
+Entry judged_row(const Row& row, const Paper& paper) {
   try {
-    return judge(row, rows);
+    return judge(paper, row, rows_of(paper));
   } catch (const SyntaxError& error) {
     throw BadInput("row " + row.id + ": " + explain(error, row.printed));
   } catch (const std::invalid_argument& error) {
@@ -43,15 +38,14 @@ Entry judged(const Row& row, const std::vector<Row>& rows) {
 }
 
 std::vector<Entry> all(const Options& options) {
-  const auto rows = read_rows(options.equations);
   std::vector<Entry> entries;
-  for (const Row& row : rows) entries.push_back(judged(row, rows));
+  for (const Row& row : rows_of(options.paper)) entries.push_back(judged_row(row, options.paper));
   return entries;
 }
 
-const Row& row_of(const std::string& id, const std::vector<Row>& rows) {
+const Row& row_with(const std::string& id, const Paper& paper) {
   std::string known;
-  for (const Row& row : rows) {
+  for (const Row& row : rows_of(paper)) {
     if (row.id == id) return row;
     if (!id.empty() && row.id.starts_with(id)) known += " " + row.id;
   }
@@ -74,19 +68,19 @@ int show_all(const Options& options) {
   if (options.json)
     put(to_json(entries, options.paper));
   else
-    put(ledger_table(entries, is_lively(1)));
+    put(ledger_table(entries, options.paper.symbols, is_lively(1)));
   return exit_code(entries);
 }
 
 int show_one(const Options& options) {
-  const auto rows = read_rows(options.equations);
-  const Entry entry = judged(row_of(options.id, rows), rows);
+  const Entry entry = judged_row(row_with(options.id, options.paper), options.paper);
   if (options.coq)
-    options.json ? put({{"id", entry.row.id}, {"coq", lemma_page(entry)}}) : put(lemma_page(entry));
+    options.json ? put({{"id", entry.row.id}, {"coq", lemma_page(options.paper, entry)}})
+                 : put(lemma_page(options.paper, entry));
   else if (options.json)
     put(to_json(entry));
   else
-    put(ledger_page(entry, is_lively(1)));
+    put(ledger_page(entry, options.paper.symbols, is_lively(1)));
   return exit_code({entry});
 }
 
@@ -104,12 +98,11 @@ int show_mutation(const Options& options) {
   Mutation total;
   total.id = "all";
   bool has_errors = false;
-  const auto rows = read_rows(options.equations);
-  if (!options.id.empty()) (void)row_of(options.id, rows);
-  for (const Row& row : rows) {
+  if (!options.id.empty()) (void)row_with(options.id, options.paper);
+  for (const Row& row : rows_of(options.paper)) {
     if (!options.id.empty() && row.id != options.id) continue;
     if (is_lively(2)) fmt::print(stderr, "\r{:<8}", row.id);
-    const Mutation m = mutate(row, options.seed);
+    const Mutation m = mutate(options.paper, row, options.seed);
     list.push_back({{"id", m.id}});
     list.back().update(counts_of(m));
     if (!m.error.empty()) {
@@ -132,7 +125,7 @@ int show_mutation(const Options& options) {
 }
 
 int show_proof(const Options& options) {
-  const auto json = decide_bounded(options.request);
+  const auto json = decide_bounded(options.paper, options.request);
   const std::string verdict = json["verdict"];
   if (options.json) {
     put(json);
@@ -153,7 +146,7 @@ int show_proof(const Options& options) {
 }
 
 int show_table(const Options& options) {
-  const auto rows = decide_table(read_table(options.table));
+  const auto rows = decide_table(options.paper, read_table(options.table));
   if (options.json)
     put(to_json(rows));
   else
@@ -164,57 +157,51 @@ int show_table(const Options& options) {
   return is_expected ? as_expected : not_as_expected;
 }
 
-/// The equations of a paper of one's own: beside its source, beside the program or above it, or where the
-/// program runs. Throws BadInput.
-fs::path equations_file_of(const OwnPaper& own) {
-  std::vector<fs::path> folders{fs::path(own.source.file_name()).parent_path(), loaded_from().parent_path(),
-                                loaded_from().parent_path().parent_path(), fs::current_path()};
-  if (own.equations.is_absolute()) folders = {"/"};
-  std::set<std::string> tried;
-  for (const fs::path& folder : folders) {
-    const fs::path file = folder / own.equations;
-    if (fs::exists(file)) return file;
-    tried.insert("'" + file.string() + "'");
-  }
-  throw BadInput("there is no file " + joined(tried, ", ") + "; give another one with --equations");
-}
-
-/// Puts a paper of one's own in the place of the one that ships. Throws BadInput for what it declares or
-/// derives wrongly.
-void take(const OwnPaper& own, Options& options, bool has_file) {
+/// The paper. Throws BadInput for what it declares or derives wrongly.
+Paper made(const std::function<Paper()>& paper) {
   try {
-    derive_instead(own.derivations);
-    for (const std::string& name : paper_symbols().names()) check_range(*paper_symbols().find(name));
+    return paper();
   } catch (const std::invalid_argument& error) {
     throw BadInput(error.what());
   }
-  options.paper = own.title;
-  if (!has_file) options.equations = equations_file_of(own);
-  const std::vector<Row> rows = read_rows(options.equations);
-  for (const auto& [id, derive] : own.derivations)
+}
+
+/// Reads the rows, of the file that is named if there is one. Throws BadInput for a derivation of the paper
+/// that has no row in its own file.
+void take_rows(Options& options) {
+  Paper& paper = options.paper;
+  if (!options.equations.empty()) {
+    paper.rows = {};
+    paper.rows([&] { return read_rows(options.equations); });
+    return;
+  }
+  const std::vector<Row>& rows = rows_of(paper);
+  for (const std::string& id : paper.derivations.ids())
     if (std::ranges::find(rows, id, &Row::id) == rows.end())
-      throw BadInput("a derivation is listed for (" + id + "), but it is not a row of " + options.equations +
-                     "; its rows are " + joined(rows, ", ", [](const Row& row) { return row.id; }));
+      throw BadInput("a derivation is listed for (" + id + "), but it is not a row of " +
+                     equations_file(paper).string() + "; its rows are " +
+                     joined(rows, ", ", [](const Row& row) { return row.id; }));
 }
 
 /// θ as theta, and without blanks around it.
-std::string symbol_name(const std::string& text) {
-  const auto tokens = reading(text, [&] { return tokenize(text, paper_symbols(), {}); });
+std::string symbol_name(const std::string& text, const Symbols& symbols) {
+  const auto tokens = reading(text, [&] { return tokenize(text, symbols, {}); });
   return tokens.size() == 2 && tokens[0].kind == Token::Kind::name ? tokens[0].text : text;
 }
 
 }  // namespace
 
-int run_ledger(int argc, char** argv, const std::optional<OwnPaper>& own) {
+int run_ledger(const std::function<Paper()>& paper, int argc, char** argv,
+               const std::function<Claims()>& claims) {
   CLI::App app{
       "Compares what a paper prints with what is derived. Without a subcommand, lists every equation with "
       "its "
       "verdict."};
   Options options;
   app.add_flag("--json", options.json, "Write one JSON document to standard output.");
-  auto* equations = app.add_option("--equations", options.equations,
-                                   "Read the rows from this file. Default: the equations.toml of the paper.")
-                        ->check(CLI::ExistingFile);
+  app.add_option("--equations", options.equations,
+                 "Read the rows from this file. Default: the equations.toml of the paper.")
+      ->check(CLI::ExistingFile);
   app.fallthrough();
   app.require_subcommand(0, 1);
 
@@ -313,29 +300,39 @@ int run_ledger(int argc, char** argv, const std::optional<OwnPaper>& own) {
       "  $ ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"\n"
       "  $ ledger errata --format markdown\n\n");
   return run_command(app, argc, argv, [&]() -> int {
-    if (own) take(*own, options, equations->count() > 0);
+    if (*text) {
+      if (!claims) throw BadInput("claims: this paper has no claims; only its equations are judged");
+      Claims all = claims();
+      if (!options.claims.empty()) all.file = options.claims;
+      return show_claims(all, options.id, options.json);
+    }
+    options.paper = made(paper);
+    if (!*proving) take_rows(options);
     if (*show) return show_one(options);
-    if (*text && own) throw BadInput("claims: this paper has no claims; only its equations are judged");
-    if (*text) return show_claims(options.claims, options.id, options.json);
     if (*mutation) return show_mutation(options);
     if (*proving && *table) return show_table(options);
     if (*proving && (!*lhs || !*rhs))
       throw BadInput(
           "prove needs two statements, for example: ledger prove \"sin(2*x)\" \"2*sin(x)*cos(x)\"");
     for (std::string* text : {&options.request.left, &options.request.right}) *text = trimmed(*text);
-    for (std::string& name : options.request.small) name = symbol_name(name);
+    for (std::string& name : options.request.small) name = symbol_name(name, options.paper.symbols);
     if (*certificate)
-      return (void)show_proof(options), write_certificate(options.request, options.certificate);
+      return (void)show_proof(options),
+             write_certificate(options.paper, options.request, options.certificate);
     if (*proving) return show_proof(options);
     options.scripts.json = options.json;
-    if (*certifying && own && options.scripts.ids.empty())  // theorems that ship are about the rocking block
-      for (const Row& row : read_rows(options.equations)) options.scripts.ids.push_back(row.id);
-    if (*certifying) return certify(all(options), options.scripts);
+    if (*certifying && options.paper.theorems.files.empty() && options.scripts.ids.empty())
+      for (const Row& row : rows_of(options.paper)) options.scripts.ids.push_back(row.id);
+    if (*certifying) return certify(options.paper, all(options), options.scripts);
     if (*dot) return put(graph(all(options))), as_expected;
     if (*sheet)
       return put(errata(all(options), options.json ? "json" : options.format, options.paper)), as_expected;
     return show_all(options);
   });
+}
+
+int run_ledger(const Paper& paper, int argc, char** argv) {
+  return run_ledger([&] { return paper; }, argc, argv);
 }
 
 }  // namespace rederive

@@ -1,26 +1,20 @@
-// The program `ledger`, also for a paper of one's own.
+// The program `ledger`, for any paper.
 #pragma once
 
-#include <derivations/rocking_block/steps.hpp>
-#include <filesystem>
-#include <optional>
-#include <source_location>
-#include <string>
+#include <derivations/paper/paper.hpp>
+#include <derivations/paper/steps.hpp>
+#include <functional>
+#include <lessons/ledger/claims.hpp>
 
 namespace rederive {
 
-/// What another paper prints, and what derives it: each id of a row with its derivation.
-struct OwnPaper {
-  std::string title;
-  std::filesystem::path equations;  ///< as equations.toml; --equations still takes another file
-  Derivations derivations;
-  /// The file that says this: a relative name of the equations is looked for beside it.
-  std::source_location source = std::source_location::current();
-};
-
-/// All that `ledger --help` says, about the rocking block or about another paper. A derivation that throws,
-/// or holds what cannot be judged, makes an error of its row alone. Returns the exit code: 2, and says why,
-/// where an id is derived twice or has no row, and for symbols that are declared wrongly.
-int run_ledger(int argc, char** argv, const std::optional<OwnPaper>& own = std::nullopt);
+/// All that `ledger --help` says, about the paper that `paper` returns, and its claims if it has some. Both
+/// are called when they are needed. A derivation that throws, or holds what cannot be judged, makes an error
+/// of its row alone. Returns the exit code: 2, and says why on standard error, where symbols are declared
+/// wrongly, an id is derived twice, or a derivation has no row.
+int run_ledger(const std::function<Paper()>& paper, int argc, char** argv,
+               const std::function<Claims()>& claims = {});
+/// The same for a paper that is there already.
+int run_ledger(const Paper& paper, int argc, char** argv);
 
 }  // namespace rederive

@@ -12,7 +12,7 @@ namespace {
 
 /// What a row says: as it was derived, or as it is defined; nothing of words.
 std::optional<Relation> truth_of(const Entry& entry, const Symbols& symbols) {
-  if (entry.derivation) return derived_relation(*entry.derivation);
+  if (entry.derivation) return derived_relation(*entry.derivation, symbols);
   if (entry.proof.verdict == Verdict::error) return std::nullopt;
   Relation stated = parse_statement(entry.row.claim(), symbols);
   return stated.operators.size() == 1 ? std::optional(stated) : std::nullopt;
@@ -62,7 +62,7 @@ Question with_domain(Question q) {
 /// One of the ways in which a row may follow: its sides are equal, or it says what one of the rows before
 /// says.
 std::optional<Question> question_for(const Entry& entry, const Before& before, const Symbols& symbols) {
-  const Relation row = derived_relation(*entry.derivation);
+  const Relation row = derived_relation(*entry.derivation, symbols);
   const std::vector<Given>& given = entry.derivation->given;
   if (is_equation(row)) {
     const Question question =
@@ -78,13 +78,13 @@ std::optional<Question> question_for(const Entry& entry, const Before& before, c
 
 }  // namespace
 
-std::vector<Lemma> steps_of(const std::vector<Entry>& entries, const Wanted& wanted) {
+std::vector<Lemma> steps_of(const Paper& paper, const std::vector<Entry>& entries, const Wanted& wanted) {
   std::map<std::string, const Entry*> by_id;
   for (const Entry& entry : entries) by_id[entry.row.id] = &entry;
   std::vector<Lemma> result;
   for (const Entry& entry : entries) {
     if (!wanted(entry.row.id) || !entry.derivation || entry.derivation->order > 0) continue;
-    const Symbols symbols = symbols_in(entry.row.domain);
+    const Symbols symbols = symbols_in(paper, entry.row.domain);
     Before before;
     std::string numbers;
     for (const std::string& id : entry.row.follows_from)
@@ -108,19 +108,20 @@ std::vector<Lemma> steps_of(const std::vector<Entry>& entries, const Wanted& wan
   return result;
 }
 
-std::vector<Lemma> corrections_of(const std::vector<Entry>& entries, const Wanted& wanted) {
+std::vector<Lemma> corrections_of(const Paper& paper, const std::vector<Entry>& entries,
+                                  const Wanted& wanted) {
   std::vector<Lemma> result;
   for (const Entry& entry : entries) {
     if (!wanted(entry.row.id) || entry.correction.empty()) continue;
-    const Symbols symbols = symbols_in(entry.row.domain);
+    const Symbols symbols = symbols_in(paper, entry.row.domain);
     Lemma corrected{.id = entry.row.id,
                     .file = "Ledger.v",
                     .name = lemma_name("equation", entry.row.id) + "_corrected",
                     .kind = "derivation"};
     try {
       const Question question = with_domain(
-          {parse_statement(entry.correction, symbols), derived_relation(*entry.derivation), symbols,
-           entry.derivation->given, conditions_of(entry.row, *entry.derivation, symbols)});
+          {parse_statement(entry.correction, symbols), derived_relation(*entry.derivation, symbols), symbols,
+           entry.derivation->given, conditions_of(paper, entry.row, *entry.derivation, symbols)});
       corrected.text = "(* (" + entry.row.id + "), as it should read: " + entry.correction + ". *)\n" +
                        lemma(corrected.name, question, {});
     } catch (const Undecidable& error) {

@@ -4,47 +4,27 @@
 #include <lessons/page/lesson.hpp>
 
 namespace rederive {
-namespace {
 
-constexpr int most_lessons = 99;
-
-/// The rows of the ledger.
-const std::vector<std::string>& ids() {
-  static const auto all = [] {
-    std::vector<std::string> found;
-    for (const Row& row : read_rows(equations_file())) found.push_back(row.id);
-    return found;
-  }();
-  return all;
+Coverage read_coverage(const Paper& paper) {
+  constexpr int most_lessons = 99;
+  std::vector<std::string> ids;
+  for (const Row& row : rows_of(paper)) ids.push_back(row.id);
+  Coverage lessons;
+  for (TomlTable& table : tables_of(data_folder() / "equations_of_lessons.toml", "lesson")) {
+    const auto number = table.whole("number", 1, most_lessons);
+    const std::vector<std::string> equations = table.texts("equations");
+    table.done();
+    if (!number) table.fail("'number' is missing");
+    for (const std::string& id : equations) table.check_word("equations", id, ids);
+    if (!lessons.emplace(static_cast<int>(*number), equations).second)
+      table.fail(fmt::format("lesson {} is listed twice", *number), "number");
+  }
+  return lessons;
 }
 
-const std::map<int, std::vector<std::string>>& covered() {
-  static const auto all = [] {
-    std::map<int, std::vector<std::string>> lessons;
-    for (TomlTable& table : tables_of(data_folder() / "equations_of_lessons.toml", "lesson")) {
-      const auto number = table.whole("number", 1, most_lessons);
-      const std::vector<std::string> equations = table.texts("equations");
-      table.done();
-      if (!number) table.fail("'number' is missing");
-      for (const std::string& id : equations) table.check_word("equations", id, ids());
-      if (!lessons.emplace(static_cast<int>(*number), equations).second)
-        table.fail(fmt::format("lesson {} is listed twice", *number), "number");
-    }
-    return lessons;
-  }();
-  return all;
-}
-
-}  // namespace
-
-std::vector<std::string> equations_of(int lesson) {
-  const auto found = covered().find(lesson);
-  return found == covered().end() ? std::vector<std::string>() : found->second;
-}
-
-int lesson_with(const std::string& id) {
-  for (const auto& [lesson, ids] : covered())
-    if (std::find(ids.begin(), ids.end(), id) != ids.end()) return lesson;
+int lesson_with(const std::string& id, const Coverage& coverage) {
+  for (const auto& [lesson, ids] : coverage)
+    if (std::ranges::find(ids, id) != ids.end()) return lesson;
   return 0;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>
 
@@ -63,10 +62,10 @@ std::string headline(const Entry& entry) {
   return text;
 }
 
-std::vector<Remark> findings(const Entry& entry) {
+std::vector<Remark> findings(const Entry& entry, const Paper& paper) {
   std::vector<Remark> lines;
   const auto formula = [&](const std::string& label, const std::string& text) {
-    if (!text.empty()) lines.push_back({label, parse_statement(text), ""});
+    if (!text.empty()) lines.push_back({label, parse_statement(text, paper.symbols), ""});
   };
   const auto words = [&](const std::string& label, const std::string& text) {
     if (!text.empty()) lines.push_back({label, {}, text});
@@ -76,16 +75,16 @@ std::vector<Remark> findings(const Entry& entry) {
   const std::string& factor = entry.proof.factor;
   if (!factor.empty() && factor != "1") formula("up to the factor", factor);
   words("provided that", joined(entry.proof.side_conditions, ", ", condition_text));
-  if (entry.derivation) words("assuming that", marked(entry.derivation->assumption));
+  if (entry.derivation) words("assuming that", marked(entry.derivation->assumption, paper));
   if (entry.derivation && entry.proof.verdict == Verdict::approximation)
     words("approximation",
-          marked(fmt::format("to order {} in {}", entry.derivation->order, entry.derivation->small)));
+          marked(fmt::format("to order {} in {}", entry.derivation->order, entry.derivation->small), paper));
   if (entry.proof.witness) words("witness", witness_sentence(*entry.proof.witness));
   if (entry.dimension && !entry.dimension->consistent)
-    words("dimensions", marked(entry.dimension->explanation));
-  if (entry.proof.verdict == Verdict::undecided) words("why", marked(entry.proof.reason));
-  words("consequence", entry.proof.verdict == Verdict::refuted ? marked(entry.row.consequence) : "");
-  words("text repaired", marked(entry.row.scan_repaired));
+    words("dimensions", marked(entry.dimension->explanation, paper));
+  if (entry.proof.verdict == Verdict::undecided) words("why", marked(entry.proof.reason, paper));
+  words("consequence", entry.proof.verdict == Verdict::refuted ? marked(entry.row.consequence, paper) : "");
+  words("text repaired", marked(entry.row.scan_repaired, paper));
   return lines;
 }
 

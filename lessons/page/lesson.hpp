@@ -56,9 +56,30 @@ struct CoqLemma {
 
 using Passage = std::variant<Paragraph, Formula, Judgement, Table, Figure, Commands, BulletList, CoqLemma>;
 
-/// What a step writes on. An id that the ledger does not have throws std::out_of_range that names it.
+/// What a step writes on, about a paper. An id that the ledger does not have throws std::out_of_range that
+/// names it. Values in our syntax may be put in for symbols: {{"theta", "0"}, {"u_gddot", "g*tan(alpha)"}};
+/// one that cannot be read throws SyntaxError, and a name that is no symbol std::out_of_range.
+using Values = std::map<std::string, std::string>;
 class Page {
  public:
+  explicit Page(const Paper& paper) : paper_(paper) {}
+  const Paper& paper() const { return paper_; }
+
+  /// The derivation of an equation of the paper, and what a derivation says.
+  Derivation derived(const std::string& id) const;
+  Relation derived_relation(const Derivation& derivation) const {
+    return rederive::derived_relation(derivation, paper_.symbols);
+  }
+  Relation derived_relation(const std::string& id) const { return derived_relation(derived(id)); }
+  /// What the paper prints.
+  Relation printed(const std::string& id) const;
+  GiNaC::ex with(const GiNaC::ex& expression, const Values& values) const;
+  /// A special case of what was derived, or of what is printed (the last two sides of its chain).
+  Relation derived_with(const std::string& id, const Values& values) const;
+  Relation printed_with(const std::string& id, const Values& values) const;
+  /// The number that an expression comes to. Throws std::invalid_argument if a symbol is left.
+  double number_of(const GiNaC::ex& expression, const Values& values = {}) const;
+
   /// Sentences; a blank line begins a new paragraph.
   void say(const std::string& text);
   /// A relation or an expression that a derivation holds, never one typed into a lesson.
@@ -94,6 +115,7 @@ class Page {
   const std::vector<Passage>& blocks() const { return blocks_; }
 
  private:
+  const Paper& paper_;
   std::vector<Passage> blocks_;
   std::set<std::string> told_;  ///< the steps of derivations on this page
 };
@@ -109,23 +131,11 @@ struct Lesson {
   std::vector<LessonStep> steps;
 };
 
-/// The ids of the rows that a lesson covers, and the first lesson that covers a row, 0 if none does.
-std::vector<std::string> equations_of(int lesson);
-int lesson_with(const std::string& id);
-
-/// The derivation of an equation of the paper. Throws std::out_of_range naming the id if there is none.
-Derivation derived(const std::string& id);
-/// The ledger's entry of a row, judged now. Throws std::out_of_range naming the id.
-Entry judged(const std::string& id);
-
-/// Values in our syntax to put in for symbols: {{"theta", "0"}, {"u_gddot", "g*tan(alpha)"}}. A value that
-/// cannot be read throws SyntaxError; a name that is no symbol, or an id without a row, std::out_of_range.
-using Values = std::map<std::string, std::string>;
-GiNaC::ex with(const GiNaC::ex& expression, const Values& values);
-/// A special case of what was derived, or of what is printed (the last two sides of its chain).
-Relation derived_with(const std::string& id, const Values& values);
-Relation printed_with(const std::string& id, const Values& values);
-/// The number that an expression comes to. Throws std::invalid_argument if a symbol is left.
-double number_of(const GiNaC::ex& expression, const Values& values = {});
+/// Which rows the lessons cover: number of a lesson → ids.
+using Coverage = std::map<int, std::vector<std::string>>;
+/// Reads equations_of_lessons.toml. Throws BadInput for a row that the paper does not have.
+Coverage read_coverage(const Paper& paper);
+/// The first lesson that covers a row, 0 if none does.
+int lesson_with(const std::string& id, const Coverage& coverage);
 
 }  // namespace rederive

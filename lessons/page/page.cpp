@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cctype>
 #include <derivations/kernel/scripts.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
-#include <derivations/rocking_block/table.hpp>
 #include <lessons/page/lesson.hpp>
 #include <lessons/page/prose.hpp>
 #include <stdexcept>
@@ -11,19 +9,15 @@
 namespace rederive {
 namespace {
 
-const std::vector<Row>& all_rows() {
-  static const std::vector<Row> rows = read_rows(equations_file());
-  return rows;
-}
-
 /// Tangents as quotients, double angles halved, and what cancels cancelled, where that makes the expression
 /// shorter.
-GiNaC::ex simplified(const GiNaC::ex& expression) {
+GiNaC::ex simplified(const GiNaC::ex& expression, const Symbols& symbols) {
   const GiNaC::ex any = GiNaC::wild();
   const GiNaC::lst rules{GiNaC::tan(any) == GiNaC::sin(any) / GiNaC::cos(any),
                          GiNaC::sin(2 * any) == 2 * GiNaC::sin(any) * GiNaC::cos(any)};
   const GiNaC::ex shorter = expression.subs(rules).normal();
-  return print(shorter).size() < print(expression).size() ? shorter : expression;
+  const auto size = [&](const GiNaC::ex& e) { return print(e, Notation::plain, symbols).size(); };
+  return size(shorter) < size(expression) ? shorter : expression;
 }
 
 /// Whether a step's words begin a sentence: they are written with a capital letter then. Small letters go on
@@ -54,43 +48,45 @@ std::string as_sentence(std::string words, bool fresh, bool formula, bool goes_o
 
 }  // namespace
 
-Derivation derived(const std::string& id) {
-  const auto& table = derivation_table();
-  const auto found = table.find(id);
-  if (found == table.end()) throw std::out_of_range("there is no derivation of equation (" + id + ")");
-  return found->second();
+Derivation Page::derived(const std::string& id) const {
+  if (auto derivation = derivation_of(paper_, id)) return *std::move(derivation);
+  throw std::out_of_range("there is no derivation of equation (" + id + ")");
 }
 
-Entry judged(const std::string& id) {
-  const auto& rows = all_rows();
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.id == id; });
-  if (found == rows.end()) throw std::out_of_range("the ledger has no row (" + id + ")");
-  return judge(*found, rows);
+Relation Page::printed(const std::string& id) const {
+  return parse_relation(row_of(paper_, id).printed, paper_.symbols);
 }
 
-GiNaC::ex with(const GiNaC::ex& expression, const Values& values) {
+GiNaC::ex Page::with(const GiNaC::ex& expression, const Values& values) const {
   GiNaC::exmap map;
-  for (const auto& [name, value] : values) map[paper_symbols()[name]] = lower(parse(value));
+  for (const auto& [name, value] : values)
+    map[paper_.symbols[name]] = lower(parse(value, paper_.symbols), paper_.symbols);
   return expression.subs(map);
 }
 
-Relation derived_with(const std::string& id, const Values& values) {
+Relation Page::derived_with(const std::string& id, const Values& values) const {
   const Derivation derivation = derived(id);
-  const auto side = [&](const GiNaC::ex& value) { return to_tree(simplified(with(value, values))); };
+  const auto side = [&](const GiNaC::ex& value) {
+    return to_tree(simplified(with(value, values), paper_.symbols), paper_.symbols);
+  };
   return {{side(derivation.left), side(derivation.right)}, {derivation.relation}};
 }
 
-Relation printed_with(const std::string& id, const Values& values) {
-  const Relation printed = parse_relation(judged(id).row.printed);
-  const std::size_t last = printed.sides.size() - 1;
-  const auto side = [&](std::size_t i) { return to_tree(simplified(with(lower(printed.sides[i]), values))); };
-  return {{side(last - 1), side(last)}, {printed.operators.back()}};
+Relation Page::printed_with(const std::string& id, const Values& values) const {
+  const Relation relation = printed(id);
+  const std::size_t last = relation.sides.size() - 1;
+  const auto side = [&](std::size_t i) {
+    const GiNaC::ex value = with(lower(relation.sides[i], paper_.symbols), values);
+    return to_tree(simplified(value, paper_.symbols), paper_.symbols);
+  };
+  return {{side(last - 1), side(last)}, {relation.operators.back()}};
 }
 
-double number_of(const GiNaC::ex& expression, const Values& values) {
+double Page::number_of(const GiNaC::ex& expression, const Values& values) const {
   const GiNaC::ex value = with(expression, values).evalf();
   if (!GiNaC::is_a<GiNaC::numeric>(value))
-    throw std::invalid_argument("the value is not a number: " + print(value));
+    throw std::invalid_argument("the value is not a number: " +
+                                print(value, Notation::plain, paper_.symbols));
   return GiNaC::ex_to<GiNaC::numeric>(value).to_double();
 }
 
@@ -102,19 +98,24 @@ void Page::show(const Relation& relation, const std::string& number, const std::
   blocks_.push_back(Formula{relation, number, mark});
 }
 
-void Page::show(const GiNaC::ex& expression) { show(Relation{{to_tree(expression)}, {}}); }
+void Page::show(const GiNaC::ex& expression) { show(Relation{{to_tree(expression, paper_.symbols)}, {}}); }
 
 void Page::show(const GiNaC::ex& left, const std::string& relation, const GiNaC::ex& right,
                 const std::string& number) {
-  show(Relation{{to_tree(left), to_tree(right)}, {relation}}, number);
+  show(Relation{{to_tree(left, paper_.symbols), to_tree(right, paper_.symbols)}, {relation}}, number);
 }
 
-void Page::result(const std::string& id) { show(derived_relation(derived(id)), id); }
+void Page::result(const std::string& id) { show(derived_relation(id), id); }
 
 void Page::argue(const std::string& id, const std::string& known) { argue(derived(id), id, known); }
 
-void Page::argue(const Derivation& derivation, const std::string& id, const std::string& known) {
-  const auto text_of = [](const Step& step) { return print(step.left) + step.relation + print(step.right); };
+void Page::argue(const Derivation& with_ids, const std::string& id, const std::string& known) {
+  const Derivation derivation = with_citations(paper_, with_ids);
+  const Symbols& symbols = paper_.symbols;
+  const auto text_of = [&](const Step& step) {
+    return print(step.left, Notation::plain, symbols) + step.relation +
+           print(step.right, Notation::plain, symbols);
+  };
   std::size_t first = 0;
   if (!known.empty()) {
     const Derivation shown = derived(known);
@@ -136,19 +137,19 @@ void Page::argue(const Derivation& derivation, const std::string& id, const std:
     const bool formula = !step.left.is_zero() || !step.right.is_zero(), last = i + 1 == steps.size();
     const bool goes_on = !last && !begins_sentence(steps[i + 1].says);
     const bool fresh = i == 0 || begins_sentence(step.says);
-    words += (words.empty() ? "" : " ") + as_sentence(marked(step.says), fresh, formula, goes_on);
+    words += (words.empty() ? "" : " ") + as_sentence(marked(step.says, paper_), fresh, formula, goes_on);
     if (!formula && !last) continue;
     say(std::exchange(words, ""));
     if (formula)
-      show(Relation{{to_tree(step.left), to_tree(step.right)}, {step.relation}}, last ? id : "",
-           goes_on ? "," : ".");
+      show(Relation{{to_tree(step.left, symbols), to_tree(step.right, symbols)}, {step.relation}},
+           last ? id : "", goes_on ? "," : ".");
   }
 }
 
-void Page::verdict(const std::string& id) { blocks_.push_back(Judgement{judged(id)}); }
+void Page::verdict(const std::string& id) { blocks_.push_back(Judgement{judged(paper_, id)}); }
 
 void Page::compare(const Relation& left, const Relation& right) {
-  const Proof proof = decide(left, right, paper_symbols());
+  const Proof proof = decide(left, right, paper_.symbols);
   std::string verdict = to_string(proof.verdict);
   std::replace(verdict.begin(), verdict.end(), '_', ' ');
   std::string text = "The decision procedure says: *" + verdict + "*";
@@ -157,11 +158,11 @@ void Page::compare(const Relation& left, const Relation& right) {
 }
 
 void Page::lemma(const std::string& id) {
-  for (const Lemma& theorem : shipped_theorems())
+  for (const Lemma& theorem : shipped_theorems(paper_))
     if (theorem.name == id)
       return void(blocks_.push_back(CoqLemma{theorem.id, text_of(theorem),
                                              "`" + id + "` in `derivations/kernel/" + theorem.file + "`"}));
-  const auto found = lemma_of(judged(id));
+  const auto found = lemma_of(paper_, judged(paper_, id));
   if (!found || found->text.empty())
     throw std::invalid_argument("there is no lemma of equation (" + id + ")");
   blocks_.push_back(CoqLemma{id, found->text, "`build/bin/ledger show " + id + " --coq`"});

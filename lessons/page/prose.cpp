@@ -22,8 +22,8 @@ std::string sign_text(const std::string& sign, Notation notation) {
 }
 
 /// The terms of a side, each with its sign; one piece if the side is no sum.
-std::vector<std::string> terms(const Tree& side, Notation notation) {
-  if (side->kind != Node::Kind::sum) return {print(side, notation)};
+std::vector<std::string> terms(const Tree& side, Notation notation, const Symbols& symbols) {
+  if (side->kind != Node::Kind::sum) return {print(side, notation, symbols)};
   std::vector<std::string> result;
   const std::string minus = notation == Notation::unicode ? "−" : "-";
   const auto enclosed = [&](const std::string& text) {
@@ -32,7 +32,7 @@ std::vector<std::string> terms(const Tree& side, Notation notation) {
   for (std::size_t i = 0; i < side->children.size(); ++i) {
     const Tree& term = side->children[i];
     const bool is_sum = term->kind == Node::Kind::sum, is_negative = term->kind == Node::Kind::negative;
-    std::string text = print(term, notation);
+    std::string text = print(term, notation, symbols);
     if (is_sum || (is_negative && i > 0)) text = enclosed(text);
     result.push_back(i == 0 ? text : (side->inverse[i] ? minus : "+") + (" " + text));
   }
@@ -54,18 +54,17 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 65> ascii_na
      {"₃", "_3"},       {"₄", "_4"},        {"ä", "ae"},     {"ü", "ue"},     {"σ", "sigma"},
      {"γ", "gamma"},    {"δ", "delta"},     {"ℓ", "l"},      {"∈", "in"},     {"⇒", "=>"}}};
 
-/// The symbols of the paper as they are written in Unicode, and typed; the longest first.
-const std::vector<std::pair<std::string, std::string>>& typed_symbols() {
-  static const auto list = [] {
-    std::vector<std::pair<std::string, std::string>> pairs;
-    for (const auto& name : paper_symbols().names())
-      if (const std::string& sign = paper_symbols().find(name)->unicode; sign != name)
-        pairs.emplace_back(sign, name);
-    std::stable_sort(pairs.begin(), pairs.end(),
-                     [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
-    return pairs;
-  }();
-  return list;
+/// Symbols as they are written in Unicode, and typed; the longest first.
+using Spellings = std::vector<std::pair<std::string_view, std::string_view>>;
+
+Spellings spellings_of(const Symbols& symbols) {
+  Spellings pairs;
+  for (const std::string& name : symbols.names())
+    if (const Symbol& symbol = *symbols.find(name); symbol.unicode != name)
+      pairs.emplace_back(symbol.unicode, symbol.name);
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
+  return pairs;
 }
 
 /// The first of a list that the text begins with; nullptr if there is none.
@@ -79,11 +78,37 @@ auto spelling_in(const List& list, std::string_view text) {
 bool ends_operand(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == ')'; }
 bool begins_operand(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '('; }
 
+std::string in_ascii(std::string_view text, const Spellings& spellings) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::string_view rest = text.substr(i);
+    const auto* symbol = spelling_in(spellings, rest);
+    if (symbol != nullptr && symbol->first.back() == '*') {  // t*, not the end of thetadot*cos(alpha)
+      const std::size_t end = i + symbol->first.size();
+      const bool is_within =
+          (i > 0 && ends_operand(text[i - 1])) || (end < text.size() && begins_operand(text[end]));
+      if (is_within) symbol = nullptr;
+    }
+    if (symbol != nullptr) {
+      result += symbol->second;
+      i += symbol->first.size();
+    } else if (static_cast<unsigned char>(text[i]) < 0x80) {
+      result += text[i++];
+    } else if (const auto* letter = spelling_in(ascii_names, rest)) {
+      result += letter->second;
+      i += letter->first.size();
+    } else {
+      throw std::invalid_argument("there is no ASCII spelling for a part of: " + std::string(text));
+    }
+  }
+  return result;
+}
+
 /// A formula as it is written in prose, "2b cos ψ" or "e^{−p T_ex}", in our syntax.
-std::string in_our_syntax(const std::string& written) {
+std::string in_our_syntax(const std::string& written, const Spellings& spellings) {
   static const std::regex power_of_e(R"(\be\^\{([^{}]*)\})"),
       function(R"(\b((?:sin|cos|tan)h?|ln)((?: (?!sin|cos|tan|ln)[A-Za-z_0-9]+)+))");
-  std::string text = std::regex_replace(to_ascii(written), power_of_e, "exp($1)"), result;
+  std::string text = std::regex_replace(in_ascii(written, spellings), power_of_e, "exp($1)"), result;
   text = std::regex_replace(text, function, "$1($2)");
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char before = result.empty() ? ' ' : result.back();
@@ -105,7 +130,7 @@ std::string in_our_syntax(const std::string& written) {
 /// Tokens that are a formula with a symbol in it, marked; what encloses it or ends the sentence stays
 /// outside.
 std::optional<std::string> formula_in(const std::vector<std::string>& tokens, std::size_t first,
-                                      std::size_t end) {
+                                      std::size_t end, const Symbols& symbols, const Spellings& spellings) {
   std::string text, before, behind;
   for (std::size_t i = first; i < end; ++i) text += (i == first ? "" : " ") + tokens[i];
   while (!text.empty() && std::string_view(".,;:?").find(text.back()) != std::string_view::npos) {
@@ -119,11 +144,8 @@ std::optional<std::string> formula_in(const std::vector<std::string>& tokens, st
   static const std::regex reference(R"(\([0-9]+[a-z]?\))");
   if (std::regex_search(before + text + behind, reference)) return {};
   try {
-    const std::string formula = in_our_syntax(text);
-    const Relation statement = parse_statement(formula);
-    const std::set<std::string> names = names_of(statement);
-    if (!names.empty() && std::ranges::none_of(names, is_of_another_paper))
-      return before + "$" + formula + "$" + behind;
+    const std::string formula = in_our_syntax(text, spellings);
+    if (!names_of(parse_statement(formula, symbols)).empty()) return before + "$" + formula + "$" + behind;
   } catch (const std::exception&) {  // words, or what has no ASCII spelling
   }
   return {};
@@ -168,25 +190,26 @@ std::vector<Span> spans(std::string_view sentence) {
   return result;
 }
 
-std::string print_statement(const Relation& relation, Notation notation) {
-  return relation.operators.empty() ? print(relation.sides.at(0), notation) : print(relation, notation);
+std::string print_statement(const Relation& relation, Notation notation, const Symbols& symbols) {
+  return relation.operators.empty() ? print(relation.sides.at(0), notation, symbols)
+                                    : print(relation, notation, symbols);
 }
 
-std::string print_inline(const std::string& text, Notation notation) {
-  return print_statement(parse_statement(text), notation);
+std::string print_inline(const std::string& text, Notation notation, const Symbols& symbols) {
+  return print_statement(parse_statement(text, symbols), notation, symbols);
 }
 
-std::string unmarked(const std::string& sentence, Notation notation) {
+std::string unmarked(const std::string& sentence, Notation notation, const Symbols& symbols) {
   std::string text;
   for (const auto& span : spans(sentence))
-    text += span.kind == Span::Kind::math ? print_inline(span.text, notation) : span.text;
+    text += span.kind == Span::Kind::math ? print_inline(span.text, notation, symbols) : span.text;
   return text;
 }
 
 namespace {
 
 /// Words without marks, with marks put in.
-std::string marked_words(std::string words) {
+std::string marked_words(std::string words, const Paper& paper, const Spellings& spellings) {
   std::replace(words.begin(), words.end(), '`', '\'');
   std::vector<std::string> tokens(1);
   for (const char c : words)
@@ -197,9 +220,9 @@ std::string marked_words(std::string words) {
   std::string result;
   for (std::size_t i = 0; i < tokens.size();) {
     constexpr std::size_t longest = 14;
-    std::size_t end = std::min(tokens.size(), i + longest);
+    std::size_t end = paper.has_names_in_words ? std::min(tokens.size(), i + longest) : i;
     std::optional<std::string> formula;
-    for (; end > i && !formula; --end) formula = formula_in(tokens, i, end);
+    for (; end > i && !formula; --end) formula = formula_in(tokens, i, end, paper.symbols, spellings);
     std::string plain = tokens[i];
     for (std::size_t at = 0; (at = plain.find('*', at)) != std::string::npos; ++at) plain.replace(at, 1, "·");
     result += (i == 0 ? "" : " ") + formula.value_or(plain);
@@ -210,7 +233,7 @@ std::string marked_words(std::string words) {
 
 }  // namespace
 
-std::vector<Span> step_spans(const std::string& words) {
+std::vector<Span> step_spans(const std::string& words, const Symbols& symbols) {
   if (std::ranges::count(words, '$') % 2 != 0) {
     std::string text = words;
     std::replace(text.begin(), text.end(), '$', '\'');
@@ -221,7 +244,7 @@ std::vector<Span> step_spans(const std::string& words) {
     const std::size_t mark = std::min(words.find('$', at), words.size());
     Span span{Span::Kind::text, words.substr(at, mark - at)};
     if (k % 2 != 0) try {
-        (void)parse_statement(span.text);
+        (void)parse_statement(span.text, symbols);
         span.kind = Span::Kind::math;
       } catch (const SyntaxError&) {  // stays text
       }
@@ -231,16 +254,17 @@ std::vector<Span> step_spans(const std::string& words) {
   return result;
 }
 
-std::string marked(const std::string& words) {
-  return joined(step_spans(words), "", [](const Span& span) {
-    return span.kind == Span::Kind::math ? "$" + span.text + "$" : marked_words(span.text);
+std::string marked(const std::string& words, const Paper& paper) {
+  const Spellings spellings = spellings_of(paper.symbols);
+  return joined(step_spans(words, paper.symbols), "", [&](const Span& span) {
+    return span.kind == Span::Kind::math ? "$" + span.text + "$" : marked_words(span.text, paper, spellings);
   });
 }
 
-std::vector<std::string> pieces(const Relation& relation, Notation notation) {
+std::vector<std::string> pieces(const Relation& relation, Notation notation, const Symbols& symbols) {
   std::vector<std::string> result;
   for (std::size_t i = 0; i < relation.sides.size(); ++i) {
-    auto side = terms(relation.sides[i], notation);
+    auto side = terms(relation.sides[i], notation, symbols);
     if (i > 0) side.front() = sign_text(relation.operators[i - 1], notation) + " " + side.front();
     result.insert(result.end(), side.begin(), side.end());
   }
@@ -253,30 +277,8 @@ std::string glued(const std::string& text) {
   return result;
 }
 
-std::string to_ascii(std::string_view text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::string_view rest = text.substr(i);
-    const auto* symbol = spelling_in(typed_symbols(), rest);
-    if (symbol != nullptr && symbol->first.back() == '*') {  // t*, not the end of thetadot*cos(alpha)
-      const std::size_t end = i + symbol->first.size();
-      const bool is_within =
-          (i > 0 && ends_operand(text[i - 1])) || (end < text.size() && begins_operand(text[end]));
-      if (is_within) symbol = nullptr;
-    }
-    if (symbol != nullptr) {
-      result += symbol->second;
-      i += symbol->first.size();
-    } else if (static_cast<unsigned char>(text[i]) < 0x80) {
-      result += text[i++];
-    } else if (const auto* letter = spelling_in(ascii_names, rest)) {
-      result += letter->second;
-      i += letter->first.size();
-    } else {
-      throw std::invalid_argument("there is no ASCII spelling for a part of: " + std::string(text));
-    }
-  }
-  return result;
+std::string to_ascii(std::string_view text, const Symbols& symbols) {
+  return in_ascii(text, spellings_of(symbols));
 }
 
 std::size_t columns(std::string_view text) {

@@ -1,7 +1,7 @@
 // Sentences with mathematics in them: taken apart here, once for all output formats.
 #pragma once
 
-#include <derivations/rocking_block/paper_symbols.hpp>
+#include <derivations/paper/paper.hpp>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -23,28 +23,28 @@ std::vector<std::string> paragraphs(std::string_view text);
 std::vector<Span> spans(std::string_view sentence);
 
 /// A relation or expression in one of the notations of print.
-std::string print_statement(const Relation& relation, Notation notation);
+std::string print_statement(const Relation& relation, Notation notation, const Symbols& symbols);
 /// The same for mathematics inside a sentence, `$...$` without the dollars.
-std::string print_inline(const std::string& text, Notation notation);
+std::string print_inline(const std::string& text, Notation notation, const Symbols& symbols);
 
 /// A sentence without its marks, mathematics in that notation.
-std::string unmarked(const std::string& sentence, Notation notation);
+std::string unmarked(const std::string& sentence, Notation notation, const Symbols& symbols);
 
 /// The places where a long formula may be broken: before a relation sign and before a term of a sum. Joined
 /// with blanks, the pieces are the whole formula.
-std::vector<std::string> pieces(const Relation& relation, Notation notation);
+std::vector<std::string> pieces(const Relation& relation, Notation notation, const Symbols& symbols);
 
 /// Words of a derivation's step taken apart: what stands between $…$ and can be read is mathematics, all else
 /// is text.
-std::vector<Span> step_spans(const std::string& words);
+std::vector<Span> step_spans(const std::string& words, const Symbols& symbols);
 
 /// The words of a step, or of the ledger's notes, with marks put in. What stands between $…$ is mathematics;
-/// so are names and calls such as cos(alpha - theta), as long as all their symbols are of the rocking block:
+/// so are names and calls such as cos(alpha - theta) where the paper says so (Paper::has_names_in_words):
 /// those of other papers may be English words.
-std::string marked(const std::string& words);
+std::string marked(const std::string& words, const Paper& paper);
 
-/// Letters and signs beyond ASCII written out: "θ" → "theta", "–" → "-".
-std::string to_ascii(std::string_view text);
+/// Letters and signs beyond ASCII written out, symbols by their names: "θ" → "theta", "–" → "-".
+std::string to_ascii(std::string_view text, const Symbols& symbols);
 /// Blanks made no-break spaces, so that wrap keeps the text in one piece.
 std::string glued(const std::string& text);
 /// Texts as one, with the same between them; `say` makes a text of an item.

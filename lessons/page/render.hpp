@@ -13,15 +13,20 @@ namespace rederive {
 enum class Format { unicode, plain, latex, markdown, notebook, html };
 
 struct Setting {
+  const Paper& paper;
   Format format = Format::unicode;
   std::size_t width = 80;  ///< of the terminal
   bool lively = false;     ///< bold and colour allowed
   /// The folder that pictures are written into. Empty: the first picture sets it to a private folder.
   std::shared_ptr<std::filesystem::path> figures = std::make_shared<std::filesystem::path>();
-  bool beside = false;               ///< the text is written into that folder, too, and names them without it
-  std::string previous, next;        ///< programs of the neighbouring lessons; empty if there is none
-  std::vector<std::string> lessons;  ///< all programs, in order
-  bool module = false;               ///< a notebook may call the Python module
+  bool beside = false;  ///< the text is written into that folder, too, and names them without it
+  std::string previous = {}, next = {};   ///< programs of the neighbouring lessons; empty if there is none
+  std::vector<std::string> lessons = {};  ///< all programs, in order
+  bool module = false;                    ///< a notebook may call the Python module
+  Coverage coverage = {};                 ///< which lesson has which row
+
+  /// The ids of the rows that a lesson covers.
+  std::vector<std::string> equations_of(const Lesson& lesson) const;
 };
 
 /// One format. Steps are rendered one by one, so that a class sees each as it is computed.
@@ -54,7 +59,7 @@ struct Remark {
 /// "(17b): refuted (argument)".
 std::string headline(const Entry& entry);
 /// What the ledger found, line by line: printed, correct, factor, conditions, witness, dimension, notes.
-std::vector<Remark> findings(const Entry& entry);
+std::vector<Remark> findings(const Entry& entry, const Paper& paper);
 
 /// Draws a figure with gnuplot. `kind` is "svg" or "pdf". Returns the picture, or nothing if gnuplot is not
 /// there. Throws std::runtime_error with gnuplot's own words if the script is wrong.
@@ -87,10 +92,10 @@ std::string in_quotes(const std::filesystem::path& path);
 /// The beginning of a web page, with its style, up to the body. The title is HTML.
 std::string page_head(const std::string& title);
 /// A sentence with marks; what stands between the marks by `words`.
-std::string sentence_html(const std::string& sentence,
+std::string sentence_html(const std::string& sentence, const Symbols& symbols,
                           const std::function<std::string(const std::string&)>& words = escaped);
 /// Each piece is a formula of its own, so that a narrow screen may break the line between them.
-std::string formula_html(const Relation& relation);
+std::string formula_html(const Relation& relation, const Symbols& symbols);
 /// All that stands on a page of a lesson, without links.
 std::string page_html(const Page& page);
 

@@ -3,7 +3,6 @@
 
 #include <derivations/program/data_folder.hpp>
 #include <derivations/program/files.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>
 #include <regex>
@@ -33,8 +32,8 @@ class HtmlRenderer : public Renderer {
   std::string begin(const Lesson& lesson) override {
     number_ = lesson.number;
     const std::string title = fmt::format("Lesson {}. {}", lesson.number, escaped(lesson.title));
-    const std::string ids =
-        joined(equations_of(lesson.number), " ", [this](const std::string& id) { return equation_link(id); });
+    const std::string ids = joined(setting_.equations_of(lesson), " ",
+                                   [this](const std::string& id) { return equation_link(id); });
     return page_head(title) + navigation() + "<h1>" + title +
            "</h1>\n<div class=\"about\">\n<p><b>Teaches:</b> " + flat(lesson.teaches) +
            "</p>\n<p><b>Builds on:</b> " + flat(lesson.builds_on) + "</p>\n" +
@@ -70,18 +69,20 @@ class HtmlRenderer : public Renderer {
   }
 
   std::string flat(const std::string& sentence) {
-    return sentence_html(sentence, [this](const std::string& words) { return linked(words); });
+    return sentence_html(sentence, setting_.paper.symbols,
+                         [this](const std::string& words) { return linked(words); });
   }
 
   /// The rows that the lesson covers and does not show: what was derived, or what is printed of a definition,
   /// so that every link to them leads somewhere.
   std::string rest(const Lesson& lesson) {
     std::string text;
-    for (const std::string& id : equations_of(lesson.number)) {
-      if (lesson_with(id) != number_ || placed_.contains(id)) continue;
-      const Entry entry = judged(id);
-      text += render(Formula{
-          entry.derivation ? derived_relation(*entry.derivation) : parse_relation(entry.row.claim()), id});
+    for (const std::string& id : setting_.equations_of(lesson)) {
+      if (lesson_with(id, setting_.coverage) != number_ || placed_.contains(id)) continue;
+      const Entry entry = judged(setting_.paper, id);
+      text += render(Formula{entry.derivation ? derived_relation(*entry.derivation, setting_.paper.symbols)
+                                              : parse_relation(entry.row.claim(), setting_.paper.symbols),
+                             id});
     }
     return text.empty()
                ? text
@@ -92,20 +93,22 @@ class HtmlRenderer : public Renderer {
   /// A number of an equation as a link to where it is derived, with the verdict on hover and focus. A number
   /// that stands for several rows, "(21)", leads to the first of them.
   std::string equation_link(const std::string& number) const {
-    const std::string id = lesson_with(number) == 0 ? number + "a" : number;
-    const auto lesson = static_cast<std::size_t>(lesson_with(id));
+    const std::string id = lesson_with(number, setting_.coverage) == 0 ? number + "a" : number;
+    const auto lesson = static_cast<std::size_t>(lesson_with(id, setting_.coverage));
     const std::string words = "(" + number + ")";
     if (lesson == 0 || lesson > setting_.lessons.size()) return words;
     const std::string page =
         static_cast<int>(lesson) == number_ ? "" : setting_.lessons[lesson - 1] + ".html";
-    const std::string says = escaped(headline(judged(id)));
+    const std::string says = escaped(headline(judged(setting_.paper, id)));
     return "<a class=\"eq\" href=\"" + page + "#eq-" + id + "\" aria-label=\"" + says + "\" data-says=\"" +
            says + "\">" + words + "</a>";
   }
 
   /// Where a row is derived, on its first appearance in the lesson that covers it.
   std::string anchor(const std::string& id) {
-    return lesson_with(id) == number_ && placed_.insert(id).second ? " id=\"eq-" + id + "\"" : "";
+    return number_ != 0 && lesson_with(id, setting_.coverage) == number_ && placed_.insert(id).second
+               ? " id=\"eq-" + id + "\""
+               : "";
   }
 
   /// Words with numbers of equations, "(71)", and exercises, "Exercise half-sine", as links.
@@ -145,7 +148,8 @@ class HtmlRenderer : public Renderer {
   }
 
   std::string render(const Formula& part) {
-    return "<div class=\"formula\"" + anchor(part.number) + "><div>" + formula_html(part.relation) +
+    return "<div class=\"formula\"" + anchor(part.number) + "><div>" +
+           formula_html(part.relation, setting_.paper.symbols) +
            (part.mark.empty() ? "" : "<span>\u2009" + part.mark + "</span>") + "</div>" +
            (part.number.empty() ? "" : "<span>" + equation_link(part.number) + "</span>") + "</div>\n";
   }
@@ -154,9 +158,10 @@ class HtmlRenderer : public Renderer {
     std::string text = "<div class=\"ledger " + to_string(part.entry.proof.verdict) + "\"" +
                        anchor(part.entry.row.id) + "><p><b>The ledger on " + escaped(headline(part.entry)) +
                        "</b></p>\n";
-    for (const auto& line : findings(part.entry))
+    for (const auto& line : findings(part.entry, setting_.paper))
       text += "<p><i>" + line.label + ":</i> " +
-              (line.formula ? formula_html(*line.formula) : flat(line.words)) + "</p>\n";
+              (line.formula ? formula_html(*line.formula, setting_.paper.symbols) : flat(line.words)) +
+              "</p>\n";
     return text + "</div>\n";
   }
 
@@ -174,9 +179,10 @@ class HtmlRenderer : public Renderer {
 
   std::string render(const Figure& part) {
     const auto picture = drawn(part, "svg");
-    const std::string image = picture ? "<img alt=\"" + escaped(unmarked(part.caption, Notation::unicode)) +
-                                            "\" src=\"data:image/svg+xml;base64," + base64(*picture) + "\">"
-                                      : std::string();
+    const std::string image =
+        picture ? "<img alt=\"" + escaped(unmarked(part.caption, Notation::unicode, setting_.paper.symbols)) +
+                      "\" src=\"data:image/svg+xml;base64," + base64(*picture) + "\">"
+                : std::string();
     return "<figure>" + image + "<figcaption>" + flat(part.caption) + "</figcaption></figure>\n";
   }
 
@@ -225,12 +231,12 @@ std::string page_head(const std::string& title) {
          math_font_style() + "</head>\n<body>\n";
 }
 
-std::string sentence_html(const std::string& sentence,
+std::string sentence_html(const std::string& sentence, const Symbols& symbols,
                           const std::function<std::string(const std::string&)>& words) {
   std::string text;
   for (const auto& span : spans(sentence)) {
     if (span.kind == Span::Kind::math)
-      text += mathml(print_inline(span.text, Notation::latex));
+      text += mathml(print_inline(span.text, Notation::latex, symbols));
     else if (span.kind == Span::Kind::code)
       text += "<code>" + escaped(span.text) + "</code>";
     else if (span.kind == Span::Kind::emphasis)
@@ -241,9 +247,9 @@ std::string sentence_html(const std::string& sentence,
   return text;
 }
 
-std::string formula_html(const Relation& relation) {
+std::string formula_html(const Relation& relation, const Symbols& symbols) {
   std::string text;
-  for (const auto& piece : pieces(relation, Notation::latex)) {
+  for (const auto& piece : pieces(relation, Notation::latex, symbols)) {
     std::string formula = mathml(piece);
     constexpr std::size_t head = std::string_view("<math>").size();
     if (!text.empty() && formula.compare(head, 3, "<mo") == 0)  // it stands between two pieces
@@ -254,7 +260,7 @@ std::string formula_html(const Relation& relation) {
   return text;
 }
 
-std::string page_html(const Page& page) { return HtmlRenderer({}).blocks(page); }
+std::string page_html(const Page& page) { return HtmlRenderer({.paper = page.paper()}).blocks(page); }
 
 std::string math_font_style() {
   const std::string font = read_if_there(data_folder() / "math.woff2").value_or("");

@@ -42,7 +42,7 @@ class LatexRenderer : public Renderer {
   explicit LatexRenderer(const Setting& setting) : setting_(setting) {}
 
   std::string begin(const Lesson& lesson) override {
-    const std::string ids = numbers_of(equations_of(lesson.number));
+    const std::string ids = numbers_of(setting_.equations_of(lesson));
     return preamble +
            fmt::format("\\title{{Lesson {}. {}}}\n\\author{{}}\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
                        lesson.number, latex_escaped(lesson.title)) +
@@ -60,11 +60,11 @@ class LatexRenderer : public Renderer {
   std::string end(const Lesson&) override { return "\n\\end{document}\n"; }
 
  private:
-  static std::string flat(const std::string& sentence) {
+  std::string flat(const std::string& sentence) const {
     std::string text;
     for (const auto& span : spans(sentence)) {
       if (span.kind == Span::Kind::math)
-        text += "$" + print_inline(span.text, Notation::latex) + "$";
+        text += "$" + print_inline(span.text, Notation::latex, setting_.paper.symbols) + "$";
       else if (span.kind == Span::Kind::code)
         text += "\\texttt{" + latex_escaped(span.text) + "}";
       else if (span.kind == Span::Kind::emphasis)
@@ -75,30 +75,33 @@ class LatexRenderer : public Renderer {
     return text;
   }
 
-  static std::string render(const Paragraph& part) { return flat(part.text) + "\n"; }
+  std::string render(const Paragraph& part) const { return flat(part.text) + "\n"; }
 
-  static std::string render(const Formula& part) {
-    const std::string formula = print_statement(part.relation, Notation::latex) + part.mark;
+  std::string render(const Formula& part) const {
+    const std::string formula =
+        print_statement(part.relation, Notation::latex, setting_.paper.symbols) + part.mark;
     return part.number.empty() ? "\\shown{" + formula + "}\n"
                                : "\\numbered{" + formula + "}{(" + part.number + ")}\n";
   }
 
-  static std::string render(const Judgement& part) {
+  std::string render(const Judgement& part) const {
     std::string text =
         "\\begin{quote}\\small\\textbf{The ledger on " + latex_escaped(headline(part.entry)) + "}\n";
-    for (const auto& line : findings(part.entry))
-      text += "\\\\\\emph{" + line.label + ":} {\\raggedright " +
-              (line.formula ? "$\\displaystyle " + print_statement(*line.formula, Notation::latex) + "$"
-                            : flat(line.words)) +
-              "}\n";
+    for (const auto& line : findings(part.entry, setting_.paper))
+      text +=
+          "\\\\\\emph{" + line.label + ":} {\\raggedright " +
+          (line.formula ? "$\\displaystyle " +
+                              print_statement(*line.formula, Notation::latex, setting_.paper.symbols) + "$"
+                        : flat(line.words)) +
+          "}\n";
     return text + "\\end{quote}\n";
   }
 
-  static std::string row(const std::vector<std::string>& cells) {
-    return joined(cells, " & ", flat) + " \\\\\n";
+  std::string row(const std::vector<std::string>& cells) const {
+    return joined(cells, " & ", [this](const std::string& cell) { return flat(cell); }) + " \\\\\n";
   }
 
-  static std::string render(const Table& part) {
+  std::string render(const Table& part) const {
     const std::string align(part.header.size(), 'l');
     std::string text =
         "\\begin{center}\\small\\begin{tabular}{" + align + "}\\hline\n" + row(part.header) + "\\hline\n";
@@ -121,11 +124,11 @@ class LatexRenderer : public Renderer {
     return text + "\\end{verbatim}\n";
   }
 
-  static std::string render(const CoqLemma& part) {
+  std::string render(const CoqLemma& part) const {
     return flat("(" + part.id + ") as a lemma of Coq: " + part.where) + "\n\n";
   }
 
-  static std::string render(const BulletList& part) {
+  std::string render(const BulletList& part) const {
     std::string text = "\\begin{itemize}\n";
     for (const auto& item : part.items) text += "\\item " + flat(item) + "\n";
     return text + "\\end{itemize}\n";

@@ -17,7 +17,7 @@ class MarkdownRenderer : public Renderer {
   explicit MarkdownRenderer(const Setting& setting) : setting_(setting) {}
 
   std::string begin(const Lesson& lesson) override {
-    const std::string ids = numbers_of(equations_of(lesson.number));
+    const std::string ids = numbers_of(setting_.equations_of(lesson));
     std::string text = fmt::format("# Lesson {}. {}\n\n", lesson.number, lesson.title);
     text += "**Teaches:** " + flat(lesson.teaches) + "\n\n**Builds on:** " + flat(lesson.builds_on) + "\n";
     return ids.empty() ? text : text + "\n**Equations:** " + ids + "\n";
@@ -47,7 +47,7 @@ class MarkdownRenderer : public Renderer {
     std::string text;
     for (const auto& span : spans(sentence)) {
       if (span.kind == Span::Kind::math)
-        text += inline_math(print_inline(span.text, Notation::latex));
+        text += inline_math(print_inline(span.text, Notation::latex, setting_.paper.symbols));
       else if (span.kind == Span::Kind::code)
         text += "`" + span.text + "`";
       else if (span.kind == Span::Kind::emphasis)
@@ -63,16 +63,18 @@ class MarkdownRenderer : public Renderer {
   std::string render(const Formula& part) const {
     const std::string tag = part.number.empty() ? "" : " \\tag{" + part.number + "}";
     const std::string mark = part.mark.empty() ? "" : "\\," + part.mark;
-    const std::string formula = print_statement(part.relation, Notation::latex) + mark + tag;
+    const std::string formula =
+        print_statement(part.relation, Notation::latex, setting_.paper.symbols) + mark + tag;
     return is_notebook() ? "$$" + formula + "$$\n" : "```math\n" + formula + "\n```\n";
   }
 
   std::string render(const Judgement& part) const {
     std::string text = "> **The ledger on " + headline(part.entry) + "**\n";
-    for (const auto& line : findings(part.entry))
+    for (const auto& line : findings(part.entry, setting_.paper))
       text += fmt::format(
           ">\n> *{}:* {}\n", line.label,
-          line.formula ? inline_math(print_statement(*line.formula, Notation::latex)) : flat(line.words));
+          line.formula ? inline_math(print_statement(*line.formula, Notation::latex, setting_.paper.symbols))
+                       : flat(line.words));
     return text;
   }
 
@@ -91,7 +93,8 @@ class MarkdownRenderer : public Renderer {
   std::string render(const Figure& part) const {
     const auto picture = draw(part, "svg", *setting_.figures);
     const std::string caption = flat(part.caption);
-    return (picture ? fmt::format("![{}]({})\n\n", unmarked(part.caption, Notation::unicode),
+    return (picture ? fmt::format("![{}]({})\n\n",
+                                  unmarked(part.caption, Notation::unicode, setting_.paper.symbols),
                                   printable_name(setting_.beside ? picture->filename() : *picture))
                     : std::string()) +
            caption + "\n";
@@ -133,7 +136,7 @@ class NotebookRenderer : public MarkdownRenderer {
   }
 
   std::string step(std::size_t number, const std::string& heading, const Page& page) override {
-    std::string text = MarkdownRenderer::step(number, heading, {});
+    std::string text = MarkdownRenderer::step(number, heading, Page(page.paper()));
     for (const auto& block : page.blocks()) {
       const auto* commands = std::get_if<Commands>(&block);
       if (commands == nullptr || commands->lines.empty()) {

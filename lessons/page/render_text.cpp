@@ -20,7 +20,7 @@ class TextRenderer : public Renderer {
     std::string text = strong(title) + "\n" + rule(title, plain_ ? "=" : "═") + "\n\n";
     text += wrap(flat("Teaches: " + lesson.teaches), setting_.width, "", "  ");
     text += wrap(flat("Builds on: " + lesson.builds_on), setting_.width, "", "  ");
-    const std::string ids = numbers_of(equations_of(lesson.number));
+    const std::string ids = numbers_of(setting_.equations_of(lesson));
     if (!ids.empty()) text += wrap("Equations: " + ids, setting_.width, "", "  ");
     return ascii(text);
   }
@@ -38,7 +38,9 @@ class TextRenderer : public Renderer {
   }
 
  private:
-  std::string ascii(const std::string& text) const { return plain_ ? to_ascii(text) : text; }
+  std::string ascii(const std::string& text) const {
+    return plain_ ? to_ascii(text, setting_.paper.symbols) : text;
+  }
   std::string strong(const std::string& text) const {
     return setting_.lively ? "\033[1m" + text + "\033[0m" : text;
   }
@@ -53,7 +55,7 @@ class TextRenderer : public Renderer {
     std::string text;
     for (const auto& span : spans(sentence)) {
       if (span.kind == Span::Kind::math) {
-        const std::string formula = print_inline(span.text, notation_);
+        const std::string formula = print_inline(span.text, notation_, setting_.paper.symbols);
         text += columns(formula) > 30 ? formula : glued(formula);
       } else if (span.kind == Span::Kind::emphasis && setting_.lively) {
         text += "\033[3m" + span.text + "\033[0m";
@@ -68,7 +70,7 @@ class TextRenderer : public Renderer {
 
   std::string broken(const Relation& relation, const std::string& first, const std::string& rest) const {
     std::string text;
-    for (const auto& piece : pieces(relation, notation_)) {
+    for (const auto& piece : pieces(relation, notation_, setting_.paper.symbols)) {
       const bool fits = columns(piece) + columns(rest) <= setting_.width;
       text += (text.empty() ? "" : " ") + (fits ? glued(piece) : piece);
     }
@@ -93,7 +95,7 @@ class TextRenderer : public Renderer {
   std::string render(const Judgement& part) const {
     const std::string bar = plain_ ? "  | " : "  │ ";
     std::string text = bar + strong("The ledger on " + headline(part.entry)) + "\n";
-    for (const auto& line : findings(part.entry)) {
+    for (const auto& line : findings(part.entry, setting_.paper)) {
       const std::string label = fmt::format("{}{}: ", bar, line.label);
       const std::string rest = bar + "    ";
       text += line.formula ? broken(*line.formula, label, rest)

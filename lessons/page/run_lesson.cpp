@@ -42,8 +42,8 @@ std::size_t terminal_width() {
   return std::clamp<std::size_t>(size.ws_col, 40, 100);
 }
 
-Setting setting_from(const Flags& flags) {
-  Setting setting;
+Setting setting_from(const Paper& paper, const Flags& flags) {
+  Setting setting{.paper = paper};
   setting.format = formats.at(flags.format);
   setting.width = terminal_width();
   setting.lively = flags.out.empty() && is_lively(1) && setting.format == Format::unicode;
@@ -53,14 +53,15 @@ Setting setting_from(const Flags& flags) {
   setting.previous = neighbour(setting.lessons, -1);
   setting.next = neighbour(setting.lessons, +1);
   setting.module = is_module_there();
+  if (!flags.list) setting.coverage = read_coverage(paper);
   return setting;
 }
 
 /// The verdict on each equation of the lesson, one a line; 1 if one is not as expected.
-int verdicts(const Lesson& lesson, std::string& text) {
+int verdicts(const Lesson& lesson, const Setting& setting, std::string& text) {
   int code = as_expected;
-  for (const auto& id : equations_of(lesson.number)) {
-    const Entry entry = judged(id);
+  for (const auto& id : setting.equations_of(lesson)) {
+    const Entry entry = judged(setting.paper, id);
     const bool expected = entry.row.expected == to_string(entry.proof.verdict);
     if (!expected) code = not_as_expected;
     text += headline(entry) + (expected ? "" : "   not as expected: " + entry.row.expected) + "\n";
@@ -82,14 +83,14 @@ void write_lesson(const Lesson& lesson, const Flags& flags, const Setting& setti
   if (!flags.step) put(renderer->begin(lesson));
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     if (flags.step && *flags.step != static_cast<int>(i + 1)) continue;
-    Page page;
+    Page page(setting.paper);
     lesson.steps[i].write(page);
     put(renderer->step(i + 1, lesson.steps[i].heading, page));
   }
   if (!flags.step || flags.format == "notebook") put(renderer->end(lesson));
 }
 
-int run(const Lesson& lesson, const Flags& flags) {
+int run(const Paper& paper, const Lesson& lesson, const Flags& flags) {
   if (flags.step && (flags.list || flags.quiet))
     throw BadInput("--step cannot be used with --list or --quiet, which are about the whole lesson");
   if (flags.step && (*flags.step < 1 || *flags.step > static_cast<int>(lesson.steps.size())))
@@ -97,7 +98,7 @@ int run(const Lesson& lesson, const Flags& flags) {
         fmt::format("--step must be from 1 to {1}, but it is {0}", *flags.step, lesson.steps.size()));
   if (!flags.out.empty() && !fs::is_directory(fs::absolute(flags.out).parent_path()))
     throw BadInput("--out " + printable_name(flags.out) + ": there is no such folder");
-  const Setting setting = setting_from(flags);
+  const Setting setting = setting_from(paper, flags);
   std::string text;
   int code = as_expected;
   const auto put = [&](const std::string& part) {
@@ -110,7 +111,7 @@ int run(const Lesson& lesson, const Flags& flags) {
     put(contents(lesson));
   } else if (flags.quiet) {
     std::string lines;
-    code = verdicts(lesson, lines);
+    code = verdicts(lesson, setting, lines);
     put(lines);
   } else {
     write_lesson(lesson, flags, setting, put);
@@ -132,6 +133,11 @@ std::vector<std::string> all_lessons() {
   return names;
 }
 
+std::vector<std::string> Setting::equations_of(const Lesson& lesson) const {
+  const auto found = coverage.find(lesson.number);
+  return found == coverage.end() ? std::vector<std::string>() : found->second;
+}
+
 std::unique_ptr<Renderer> make_renderer(const Setting& setting) {
   switch (setting.format) {
     case Format::latex:
@@ -146,7 +152,7 @@ std::unique_ptr<Renderer> make_renderer(const Setting& setting) {
   }
 }
 
-int run_lesson(const Lesson& lesson, int argc, char** argv) {
+int run_lesson(const Paper& paper, const Lesson& lesson, int argc, char** argv) {
   std::string teaches = lesson.teaches;
   std::erase(teaches, '*');  // which sets words in italics
   CLI::App app{fmt::format("Lesson {}. {}\n{}", lesson.number, lesson.title, teaches)};
@@ -166,7 +172,7 @@ int run_lesson(const Lesson& lesson, int argc, char** argv) {
   const std::string program = argc > 0 ? printable_name(fs::path(argv[0]).filename()) : "lesson";
   app.footer(
       fmt::format("Examples:\n  $ {0} --step 2\n  $ {0} --format html --out lesson.html\n\n", program));
-  return run_command(app, argc, argv, [&] { return run(lesson, flags); });
+  return run_command(app, argc, argv, [&] { return run(paper, lesson, flags); });
 }
 
 }  // namespace rederive

@@ -5,8 +5,9 @@
 
 namespace rederive {
 
-/// Parses the flags that all lessons share, and prints what they ask for. Gives the exit code.
-int run_lesson(const Lesson& lesson, int argc, char** argv);
+/// Parses the flags that all lessons share, and prints what they ask for of a lesson on `paper`. Returns the
+/// exit code.
+int run_lesson(const Paper& paper, const Lesson& lesson, int argc, char** argv);
 /// The programs of all lessons, in order: they stand beside the one that runs.
 std::vector<std::string> all_lessons();
 

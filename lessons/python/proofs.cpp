@@ -3,9 +3,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <derivations/emit/emit.hpp>
 #include <derivations/paper/json.hpp>
 #include <derivations/paper/prove_bounded.hpp>
+#include <derivations/rocking_block/paper.hpp>
 #include <mutex>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +13,8 @@ namespace py = pybind11;
 
 namespace rederive {
 namespace {
+
+using rocking_block::paper;
 
 /// Without Python's lock, but one at a time: GiNaC counts references, and remembers, without locks.
 template <class Work>
@@ -28,7 +30,9 @@ std::mutex& algebra() {
 }
 
 std::string latex(const std::string& statement) {
-  return statement.empty() ? "" : print(parse_statement(statement), Notation::latex);
+  return statement.empty()
+             ? ""
+             : print(parse_statement(statement, paper().symbols), Notation::latex, paper().symbols);
 }
 
 /// What Python is told of a row: its JSON, what is printed (or stated) and what is derived as LaTeX.
@@ -39,7 +43,7 @@ std::vector<Told> ledger(const std::string& equations) {
   std::vector<Told> told;
   for (const Row& row : rows) {
     told.push_back(alone(algebra(), [&] {
-      const Entry entry = judge(row, rows);
+      const Entry entry = judge(paper(), row, rows);
       return Told{to_json(entry).dump(), latex(row.claim()), latex(entry.derived)};
     }));
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -86,7 +90,7 @@ std::string prove(const py::object& left_side, const py::object& right_side, con
     return is_interrupted = PyErr_CheckSignals() != 0;
   };
   std::string found = alone(algebra(), [&] {
-    return decide_bounded({trimmed(left), trimmed(right), assume, small, order}, stop).dump();
+    return decide_bounded(paper(), {trimmed(left), trimmed(right), assume, small, order}, stop).dump();
   });
   if (is_interrupted) throw py::error_already_set();
   return found;
@@ -101,10 +105,8 @@ std::string emit_text(const py::object& language, const py::object& functions) {
     for (const auto& [name, its] : targets()) known += (known.empty() ? "" : ", ") + name;
     throw BadInput("there is no target '" + target + "'; the target must be one of " + known);
   }
-  return alone(algebra(), [&] {
-    const Emission all = emission_of(names, found->second);
-    return emit(all.functions, found->second, true, all.steppers);
-  });
+  return alone(algebra(),
+               [&] { return emit(chosen_from(paper().emission(), names, found->second), found->second); });
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // Writes the workbench at build time: the element that lessons hold, and the page of its own.
 // Usage: workbench_page FOLDER SOURCES
-#include <derivations/emit/emit.hpp>
 #include <derivations/program/program.hpp>
+#include <derivations/rocking_block/emission.hpp>
+#include <derivations/rocking_block/paper.hpp>
 #include <derivations/rocking_block/pulse.hpp>
 #include <iostream>
 #include <lessons/page/prose.hpp>
@@ -9,18 +10,22 @@
 #include <stdexcept>
 
 using namespace rederive;
+using namespace rederive::rocking_block;
 
 namespace {
 
-Relation printed(const std::string& id) { return parse_relation(judged(id).row.printed); }
+const Symbols& symbols() { return paper().symbols; }
+
+Relation printed(const std::string& id) { return parse_relation(row_of(paper(), id).printed, symbols()); }
 
 /// (88) as printed, left less right, to be drawn beside what is derived.
 EmittedFunction printed_88() {
   const Relation relation = printed("88");
-  const GiNaC::ex residual = lower(relation.sides.front()) - lower(relation.sides.back());
+  const GiNaC::ex residual =
+      lower(relation.sides.front(), symbols()) - lower(relation.sides.back(), symbols());
   return {"overturning_impact_during_pulse_as_printed",
-          {paper::omega_p, paper::p, paper::psi, paper::t_i, paper::t, paper::e},
-          residual.subs(paper::T_ex == end_of_pulse(Pulse::sine)),
+          {omega_p, p, psi, t_i, t, e},
+          residual.subs(T_ex == end_of_pulse(Pulse::sine)),
           {},
           "88",
           "As printed, with a running t: vanishes where an impact leads to the threshold"};
@@ -29,8 +34,8 @@ EmittedFunction printed_88() {
 /// The definition of e.
 EmittedFunction impact() {
   return {"velocity_after_impact",
-          {paper::e, paper::thetadot_before},
-          lower(printed("u23").sides.back()),
+          {e, thetadot_before},
+          lower(printed("u23").sides.back(), symbols()),
           {},
           "u23",
           "Angular velocity after an impact"};
@@ -38,9 +43,9 @@ EmittedFunction impact() {
 
 /// The threshold of the cosine pulse from rest, of which the paper has no equation.
 EmittedFunction cosine_from_rest() {
-  const Derivation derivation = derived("r15");
+  const Derivation& derivation = paper().derivations.at("r15");
   return {"overturning_cosine_pulse_from_rest",
-          {paper::omega_p, paper::p, paper::psi},
+          {omega_p, p, psi},
           derivation.left - derivation.right,
           {},
           "r15",
@@ -65,7 +70,7 @@ std::string physics(const std::string& script) {
   };
   std::erase_if(functions, is_unused);
   std::erase_if(steppers, is_unused);
-  std::string text = emit(functions, Target::javascript, true, steppers), names;
+  std::string text = emit({emission_symbols(), functions, steppers}, Target::javascript), names;
   // "export function NAME(", "export class NAME {"
   for (std::size_t at = 0; (at = text.find("\nexport ", at)) != std::string::npos;) {
     text.erase(++at, std::string("export ").size());
@@ -89,7 +94,8 @@ void write_all(const std::filesystem::path& folder, const std::filesystem::path&
   std::string controls = read_whole(sources / "element.html");
   const std::string law = "<!-- (46b) -->";
   controls.replace(controls.find(law), law.size(),
-                   mathml(print_statement(derived_relation(derived("46b")), Notation::latex)));
+                   mathml(print_statement(derived_relation(paper().derivations.at("46b"), symbols()),
+                                          Notation::latex, symbols())));
   const auto element = [&](const std::string& emitted) {
     return "<style>\n" + read_whole(sources / "workbench.css") + "</style>\n" + controls +
            "<script class=\"workbench-physics\">\n" + emitted + motion + "</script>\n<script>\n" + scripts +

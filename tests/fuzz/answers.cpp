@@ -1,6 +1,7 @@
 // Answer files of students: a letter for the exercise, then the file as it was handed in.
 #include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/judge.hpp>
+#include <lessons/rocking_block/course.hpp>
 #include <tests/fuzz/fuzz.hpp>
 
 using namespace rederive;
@@ -13,7 +14,7 @@ std::vector<Prepared> exercises;  // the first of each kind
 }  // namespace
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
-  for (const Exercise& exercise : read_exercises(exercises_folder()))
+  for (const Exercise& exercise : read_exercises(rocking_block::course(), exercises_folder()))
     if (exercises.size() == static_cast<std::size_t>(exercise.kind)) exercises.push_back(prepare(exercise));
   return 0;
 }

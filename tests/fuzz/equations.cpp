@@ -2,6 +2,7 @@
 #include <derivations/language/syntax.hpp>
 #include <derivations/paper/ledger.hpp>
 #include <derivations/program/program.hpp>
+#include <derivations/rocking_block/paper.hpp>
 #include <tests/fuzz/fuzz.hpp>
 
 using namespace rederive;
@@ -10,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const fuzz::File file(fuzz::text_of(data, size));
   try {
     for (const Row& row : read_rows(file.name())) try {
-        (void)parse_statement(row.claim(), symbols_in(row.domain));
+        (void)parse_statement(row.claim(), symbols_in(rocking_block::paper(), row.domain));
       } catch (const std::invalid_argument&) {
       } catch (const SyntaxError&) {
       }

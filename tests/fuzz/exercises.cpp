@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <lessons/exercises/judge.hpp>
+#include <lessons/rocking_block/course.hpp>
 #include <tests/fuzz/fuzz.hpp>
 
 using namespace rederive;
@@ -17,7 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::filesystem::path file = folder / "lesson.toml";
   std::ofstream(file, std::ios::binary) << fuzz::text_of(data, size);
   for (const char* seed : {"", "7"}) try {
-      for (const Exercise& exercise : read_exercises(folder, seed)) (void)prepare(exercise);
+      for (const Exercise& exercise : read_exercises(rocking_block::course(), folder, seed))
+        (void)prepare(exercise);
     } catch (const BadInput& error) {
       fuzz::must(fuzz::names_line_of(error.what(), file), error.what());
     }

@@ -11,6 +11,7 @@
 #include <derivations/program/program.hpp>
 #include <iostream>
 #include <random>
+#include <tests/block.hpp>
 
 using namespace rederive;
 

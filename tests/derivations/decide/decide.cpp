@@ -5,6 +5,7 @@
 #include <derivations/language/syntax.hpp>
 #include <derivations/paper/prove.hpp>
 #include <optional>
+#include <tests/block.hpp>
 
 using namespace rederive;
 
@@ -14,9 +15,10 @@ namespace {
 const Symbols& symbols() {
   static const Symbols table = [] {
     Symbols result;
-    for (const char* name : {"x", "y", "z", "t"}) result.declare(name, name, name, "1", all_numbers, "", "");
-    for (const char* name : {"p", "q", "m"}) result.declare(name, name, name, "1", "(0, inf)", "", "");
-    result.declare("s", "s", "s", "1", "(0, 1)", "", "");
+    for (const char* name : {"x", "y", "z", "t"})
+      result.declare({name, name, name, "1", all_numbers, "", ""});
+    for (const char* name : {"p", "q", "m"}) result.declare({name, name, name, "1", "(0, inf)", "", ""});
+    result.declare({"s", "s", "s", "1", "(0, 1)", "", ""});
     return result;
   }();
   return table;

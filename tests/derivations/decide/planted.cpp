@@ -32,7 +32,7 @@ class Planter {
  public:
   explicit Planter(unsigned seed) : random_(seed) {
     for (const char* name : {"x", "y", "z", "v", "w"})
-      symbols.declare(name, name, name, "1", all_numbers, "", "");
+      symbols.declare({name, name, name, "1", all_numbers, "", ""});
   }
 
   Planted next() {

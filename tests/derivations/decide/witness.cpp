@@ -10,6 +10,7 @@
 #include <derivations/paper/prove_bounded.hpp>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
 using namespace rederive;

@@ -2,9 +2,11 @@
 
 #include <derivations/emit/emit.hpp>
 #include <nlohmann/json.hpp>
+#include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
 using namespace rederive;
+using namespace rederive::rocking_block;
 
 TEST_CASE("the program writes the same bytes every time, to a file or not, whole or a part") {
   for (const std::string target : {"cpp", "c", "python", "javascript", "latex"}) {

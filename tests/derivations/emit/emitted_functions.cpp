@@ -5,14 +5,15 @@
 #include <cmath>
 #include <derivations/emit/emit.hpp>
 #include <derivations/numbers/evaluate.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <emitted/rocking_block.hpp>
 #include <random>
+#include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
 #include "running_error.hpp"
 
 using namespace rederive;
+using namespace rederive::rocking_block;
 
 namespace {
 

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <derivations/emit/emit.hpp>
 #include <emitted/rocking_block.hpp>
+#include <tests/block.hpp>
 
 using namespace rederive;
+using namespace rederive::rocking_block;
 
 namespace {
 

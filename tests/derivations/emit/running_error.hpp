@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cmath>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <tests/block.hpp>
 
 /// A value computed in double, and a bound on its error.
 struct Rounded {

@@ -13,8 +13,9 @@ namespace {
 /// Expressions in some real symbols, and p, q > 0.
 struct Expressions {
   Expressions() {
-    for (const char* name : {"x", "y", "z", "t"}) symbols.declare(name, name, name, "1", all_numbers, "", "");
-    for (const char* name : {"p", "q"}) symbols.declare(name, name, name, "1", "(0, inf)", "", "");
+    for (const char* name : {"x", "y", "z", "t"})
+      symbols.declare({name, name, name, "1", all_numbers, "", ""});
+    for (const char* name : {"p", "q"}) symbols.declare({name, name, name, "1", "(0, inf)", "", ""});
   }
   /// The difference of two sides in one ring.
   Fraction difference(const std::string& left, const std::string& right) {

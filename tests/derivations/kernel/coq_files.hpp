@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <derivations/kernel/scripts.hpp>
+#include <tests/block.hpp>
 #include <tests/derivations/kernel/coq_text.hpp>
 
 namespace rederive::coq {
@@ -90,7 +91,7 @@ class File {
       if (is_theorem_) theorems.back().proof = end + 1;
     } else if (head == "From" && tokens[1].text == "Rederive") {
       for (const Token& token : tokens) {
-        if (std::ranges::count(theorem_files, token.text + ".v") == 0) continue;
+        if (std::ranges::count(theorem_files(), token.text + ".v") == 0) continue;
         const File imported(token.text + ".v");
         items_.insert(items_.end(), imported.items_.begin(), imported.items_.end());
       }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sstream>
+#include <tests/block.hpp>
 #include <tests/derivations/kernel/coq_values.hpp>
 
 namespace rederive::coq {

@@ -1,6 +1,7 @@
 // Theorems spoiled on purpose, proofs as one tactic, and whether what is left is false.
 #pragma once
 
+#include <tests/block.hpp>
 #include <tests/derivations/kernel/coq_points.hpp>
 
 namespace rederive::coq {

@@ -11,6 +11,7 @@
 #include <future>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
 using namespace rederive;
@@ -149,7 +150,7 @@ std::string statement_and_proof(const Lemma& lemma) { return lemma.text.substr(l
 std::optional<std::string> with_a_slip(const Entry& entry, std::size_t k) {
   const Symbols symbols = symbols_in(entry.row.domain);
   const Relation printed = parse_statement(entry.row.claim(), symbols);
-  const auto slips = mutants(printed, symbols);
+  const auto slips = mutants(printed);
   for (std::size_t tried = 0; tried < std::min<std::size_t>(slips.size(), 4); ++tried) {
     const Relation& slip = slips[(k + tried) % slips.size()].relation;
     std::set<std::string> known = names_of(printed), names = names_of(slip);

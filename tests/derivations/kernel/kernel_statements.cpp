@@ -6,9 +6,10 @@
 #include <derivations/kernel/lemma.hpp>
 #include <derivations/kernel/scripts.hpp>
 #include <derivations/language/print.hpp>
-#include <lessons/ledger/claims.hpp>
 #include <lessons/ledger/steps.hpp>
+#include <lessons/rocking_block/claims.hpp>
 #include <regex>
+#include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
 using namespace rederive;
@@ -161,7 +162,8 @@ std::optional<std::string> point_of(const std::vector<Relation>& hypotheses) {
 }  // namespace
 
 TEST_CASE("the hypotheses of each lemma hold at some point") {
-  std::vector<Lemma> lemmas = steps_of(entries(), [](const std::string&) { return true; });
+  std::vector<Lemma> lemmas =
+      steps_of(rocking_block::paper(), entries(), [](const std::string&) { return true; });
   for (const Entry& entry : entries())
     if (const auto lemma = lemma_of(entry)) lemmas.push_back(*lemma);
   int named = 0;
@@ -183,7 +185,7 @@ TEST_CASE("before each derivation stands from what: rows, and what is assumed") 
   static const std::regex theorem("\n(\\(\\* from ([^*]*) \\*\\)\n)?Theorem (derivation_\\w+)"),
       word("[^, ]+");
   int found = 0;
-  for (const std::string file : theorem_files) {
+  for (const std::string& file : theorem_files()) {
     const std::string text = shipped(file);
     for (std::sregex_iterator at(text.begin(), text.end(), theorem), end; at != end; ++at, ++found) {
       CHECK_MESSAGE((*at)[1].matched, (*at)[3].str());
@@ -200,7 +202,7 @@ TEST_CASE("the theorems that claims quote are there, and about the claim that qu
   for (const Lemma& theorem : shipped_theorems()) names.insert(theorem.name);
   static const std::regex quoted_name("claim_c\\w+");
   int found = 0;
-  for (const Claim& claim : read_claims(claims_file()))
+  for (const Claim& claim : read_claims(rocking_block::claims()))
     for (const auto& [verdict, words] : claim.meaning)  // with those taken over from other claims
       for (std::sregex_iterator at(words.begin(), words.end(), quoted_name), end; at != end; ++at, ++found) {
         CHECK_MESSAGE(names.contains(at->str()), at->str());

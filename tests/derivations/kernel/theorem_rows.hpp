@@ -2,6 +2,7 @@
 #pragma once
 
 #include <derivations/numbers/evaluate.hpp>
+#include <tests/block.hpp>
 #include <tests/derivations/kernel/coq_points.hpp>
 #include <tests/derivations/kernel/theorem_tables.hpp>
 

@@ -3,6 +3,7 @@
 
 #include <derivations/paper/ledger.hpp>
 #include <sstream>
+#include <tests/block.hpp>
 #include <tests/derivations/kernel/coq_files.hpp>
 
 namespace rederive::coq {
@@ -11,7 +12,7 @@ namespace rederive::coq {
 inline const std::vector<Theorem>& theorems() {
   static const std::vector<Theorem> all = [] {
     std::vector<Theorem> result;
-    for (const char* name : theorem_files)
+    for (const std::string& name : theorem_files())
       for (Theorem& theorem : File(name).theorems) result.push_back(std::move(theorem));
     return result;
   }();

@@ -1,7 +1,7 @@
 // What a text is worth: from the tree to GiNaC.
 #include <doctest/doctest.h>
 
-#include <derivations/rocking_block/paper_symbols.hpp>
+#include <tests/block.hpp>
 
 using namespace rederive;
 

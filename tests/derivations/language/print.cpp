@@ -3,9 +3,8 @@
 #include <cstdio>
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/paper/ledger.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
-#include <derivations/rocking_block/table.hpp>
 #include <random>
+#include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
 using namespace rederive;
@@ -252,10 +251,10 @@ TEST_CASE("every printed row of the ledger reads back as it is printed, and so d
       CHECK(print(lower(tree)) == print(tree));
     }
   }
-  for (const auto& [its_id, derive] : derivation_table()) {
+  for (const std::string& its_id : rocking_block::paper().derivations.ids()) {
     const auto& id = its_id;
     CAPTURE(id);
-    const Derivation derivation = derive();
+    const Derivation derivation = derivation_of(its_id);
     for (const ex& side : {derivation.left, derivation.right}) {
       const std::string text = print(side);
       CHECK(same(parse(text), to_tree(side)));

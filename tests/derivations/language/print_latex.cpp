@@ -4,6 +4,7 @@
 
 #include <lessons/page/prose.hpp>
 #include <random>
+#include <tests/block.hpp>
 #include <tests/lessons/page/latex_reader.hpp>
 
 using namespace rederive;
@@ -108,6 +109,6 @@ TEST_CASE("the pieces of a long formula are the whole formula: 10 000 random tre
   for (int k = 0; k < 10'000; ++k) {
     const Tree tree = random.next();
     for (const Notation notation : {Notation::plain, Notation::unicode, Notation::latex})
-      REQUIRE(joined(pieces({{tree}, {}}, notation), " ") == print(tree, notation));
+      REQUIRE(joined(pieces({{tree}, {}}, notation, paper_symbols()), " ") == print(tree, notation));
   }
 }

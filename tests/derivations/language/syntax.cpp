@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <derivations/paper/prove.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <random>
+#include <tests/block.hpp>
 
 using namespace rederive;
 
@@ -211,7 +211,7 @@ TEST_CASE("pi may be written Pi; other look-alikes of it are refused") {
                  {"pI/2", "unknown_symbol", 0, "written pi"},
                  {"sin(Π/2)", "unknown_symbol", 4, "'Π' is not a symbol here: the constant is written pi"}});
   Symbols mine = paper_symbols();
-  CHECK_THROWS_WITH(mine.declare("Pi", "P", "P", "1", all_numbers, "", ""), doctest::Contains("'Pi'"));
+  CHECK_THROWS_WITH(mine.declare({"Pi", "P", "P", "1", all_numbers, "", ""}), doctest::Contains("'Pi'"));
 }
 
 TEST_CASE("undefined values are refused where they arise") {

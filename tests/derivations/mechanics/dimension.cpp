@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <derivations/rocking_block/paper_symbols.hpp>
+#include <tests/block.hpp>
 
 using namespace rederive;
 

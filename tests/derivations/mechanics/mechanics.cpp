@@ -2,11 +2,10 @@
 
 #include <derivations/mechanics/linear_motion.hpp>
 #include <derivations/mechanics/moment_balance.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <tests/identities.hpp>
 
 using namespace rederive;
-using namespace rederive::paper;
+using namespace rederive::rocking_block;
 using GiNaC::ex;
 
 namespace {

@@ -17,7 +17,7 @@ namespace {
 
 Tree tree(const std::string& text, const Limits& limits = {}) {
   Symbols symbols;
-  for (const char* name : {"x", "y", "g"}) symbols.declare(name, name, name, "1", all_numbers, "", "");
+  for (const char* name : {"x", "y", "g"}) symbols.declare({name, name, name, "1", all_numbers, "", ""});
   return parse(text, symbols, limits);
 }
 

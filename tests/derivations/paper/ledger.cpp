@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/paper/mutate.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
-#include <derivations/rocking_block/table.hpp>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
 using namespace rederive;

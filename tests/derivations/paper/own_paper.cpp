@@ -12,13 +12,6 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// A symbol by its name, in a derivation.
-ex symbol(const char* name) { return paper_symbols()[name]; }
-
-void declare(const char* name, const char* range = "(-inf, inf)", const char* unit = "1") {
-  paper::declared(name, name, name, unit, range, "a symbol of the paper", "(1)");
-}
-
 Json judged(const PaperOfATest& paper, int exit_code = 0) {
   const Result r = run_paper(paper, {"--json"});
   CHECK_MESSAGE(r.exit_code == exit_code, r.err);
@@ -40,12 +33,13 @@ bool contains(const std::string& text, const std::string& part) {
 TEST_CASE("two symbols that are written alike are refused, both named") {
   for (const char* first : {"L", "ℒ"}) {
     CAPTURE(first);
-    const PaperOfATest paper{[&] {
-                               paper::declared("L", "L", first, "m", "(0, inf)", "length", "(1)");
-                               paper::declared("L_c", "L", "L", "m", "(0, inf)", "another length", "(1)");
-                             },
-                             row("1", "x = L"),
-                             {{"1", [] { return derived(symbol("x"), symbol("L"), {}); }}}};
+    const PaperOfATest paper{
+        [&] {
+          own_paper().declare({{"L", "L", first, "m", "(0, inf)", "length", "(1)"}});
+          own_paper().declare({{"L_c", "L", "L", "m", "(0, inf)", "another length", "(1)"}});
+        },
+        row("1", "x = L"),
+        {{"1", [] { return derived(symbol("x"), symbol("L"), {}); }}}};
     const Result r = run_paper(paper, {});
     CHECK(r.exit_code == 2);
     for (const char* part : {"the symbols L", " L_c ", "are both written 'L'"})
@@ -53,8 +47,8 @@ TEST_CASE("two symbols that are written alike are refused, both named") {
   }
   // a name is read as the symbol of that name
   Symbols symbols;
-  symbols.declare("L_c", "L", "L", "m", "(0, inf)", "", "");
-  symbols.declare("L", "L", "L", "m", "(0, inf)", "", "");
+  symbols.declare({"L_c", "L", "L", "m", "(0, inf)", "", ""});
+  symbols.declare({"L", "L", "L", "m", "(0, inf)", "", ""});
   CHECK(parse("L", symbols)->text == "L");
 }
 
@@ -196,12 +190,8 @@ TEST_CASE("a derivation that cannot be used makes an error of its row alone") {
 
 TEST_CASE("what is derived from itself is an error that says so") {
   struct Circle {
-    static Derivation first() {
-      return derived(symbol("x"), symbol("y"), {from(Cited{"2", second}, "Take")});
-    }
-    static Derivation second() {
-      return derived(symbol("x"), symbol("y"), {from(Cited{"1", first}, "Take")});
-    }
+    static Derivation first() { return derived(symbol("x"), symbol("y"), {from("2", "Take")}); }
+    static Derivation second() { return derived(symbol("x"), symbol("y"), {from("1", "Take")}); }
   };
   const Json rows = judged(
       {[] {}, row("1", "x = y") + row("2", "x = y"), {{"1", Circle::first}, {"2", Circle::second}}}, 1);
@@ -235,7 +225,7 @@ TEST_CASE("prove knows the symbols of the paper and their ranges") {
   CHECK(prove(positive, "fabs(d)", "-d") == "proved");
   CHECK(prove(positive, "fabs(alpha - theta_0)", "alpha - theta_0") == "proved");
   CHECK(prove([] {}, "sqrt(r^2)", "r") == "refuted");
-  const auto written = [] { paper::declared("L_c", "L", "L", "m", "(0, inf)", "length", "(1)"); };
+  const auto written = [] { own_paper().declare({{"L_c", "L", "L", "m", "(0, inf)", "length", "(1)"}}); };
   CHECK(prove(written, "sqrt(L^2)", "L_c") == "proved");
 }
 
@@ -298,20 +288,19 @@ TEST_CASE("a slip in one argument is corrected in its place") {
 
 TEST_CASE("the equations are found beside the source or the program, wherever it runs") {
   const TemporaryFolder elsewhere;
-  const fs::path beside = fs::path(__FILE__).parent_path();
-  REQUIRE(fs::exists(beside / "prove_table.toml"));
-  const Result r = in_a_child(elsewhere.path, [] {
+  const fs::path beside = fs::path(__FILE__).parent_path(), name_of_a_table = "../../prove_table.toml";
+  REQUIRE(fs::exists(beside / name_of_a_table));
+  const Result r = in_a_child(elsewhere.path, [&] {
     std::string name = "paper";
     char* argv[] = {name.data(), nullptr};
-    return run_ledger(1, argv,
-                      OwnPaper{.title = "A paper", .equations = "prove_table.toml", .derivations = {}});
+    return run_ledger(Paper{.title = "A paper", .equations = name_of_a_table}, 1, argv);
   });
   CHECK(r.exit_code == 2);  // it is another kind of table
-  CHECK_MESSAGE(contains(r.err, (beside / "prove_table.toml").string()), r.err);
+  CHECK_MESSAGE(contains(r.err, (beside / name_of_a_table).string()), r.err);
   const Result missing = in_a_child(elsewhere.path, [] {
     std::string name = "paper";
     char* argv[] = {name.data(), nullptr};
-    return run_ledger(1, argv, OwnPaper{.title = "A paper", .equations = "nowhere.toml", .derivations = {}});
+    return run_ledger(Paper{.title = "A paper", .equations = "nowhere.toml"}, 1, argv);
   });
   CHECK(missing.exit_code == 2);
   CHECK(contains(missing.err, "nowhere.toml"));
@@ -347,15 +336,17 @@ TEST_CASE("only what stands between dollars is mathematics in the words of a ste
   const TemporaryFolder folder;
   const Result marked_by_us = in_a_child(folder.path, [&] {
     symbols();
-    std::fputs((marked("Of a body is taken") + "\n" + marked("is taken $a*x^2$ of a") + "\n" +
-                marked("where R is $R$, for 5$") + "\n" + marked("at $no formula$ of α = 0") + "\n")
-                   .c_str(),
-               stdout);
+    std::fputs(
+        (marked("Of a body is taken", own_paper()) + "\n" + marked("is taken $a*x^2$ of a", own_paper()) +
+         "\n" + marked("where R is $R$, for 5$", own_paper()) + "\n" +
+         marked("at $no formula$ of α = 0", own_paper()) + "\n")
+            .c_str(),
+        stdout);
     return 0;
   });
   CHECK(marked_by_us.out ==
-        "Of a body is taken\nis taken $a*x^2$ of a\nwhere $R$ is 'R', for 5'\n"
-        "at no formula of $alpha = 0$\n");
+        "Of a body is taken\nis taken $a*x^2$ of a\nwhere R is 'R', for 5'\n"
+        "at no formula of α = 0\n");
   const auto two = [] {
     return derived(symbol("x"), symbol("a"), {in_words("Of a body is taken $a*x^2$ at once")});
   };

@@ -1,11 +1,12 @@
-// Papers of one's own as values, each judged in a child process: the symbols of a process are those of one
-// paper.
+// Papers of one's own, each judged by the program in a child process.
 #pragma once
 
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <derivations/rocking_block/paper.hpp>
+#include <derivations/rocking_block/symbols.hpp>
 #include <functional>
 #include <lessons/ledger/run_ledger.hpp>
 #include <string>
@@ -19,10 +20,27 @@ inline std::string row(const std::string& id, const std::string& printed, const 
          printed + "\"\nfollows_from = []\nexpected = \"" + expected + "\"\n" + more + "\n";
 }
 
+/// The paper of this process. It borrows the letters of the rocking block; a test declares what else it
+/// needs.
+inline rederive::Paper& own_paper() {
+  static rederive::Paper paper = [] {
+    rederive::Paper made{.title = "A paper", .equations = "paper.toml"};
+    made.declare(rederive::rocking_block::all_symbols());
+    made.free_letters = {"t", "r", "d"};
+    return made;
+  }();
+  return paper;
+}
+/// A symbol of it, in a derivation.
+inline GiNaC::ex symbol(const char* name) { return own_paper().symbols[name]; }
+inline void declare(const char* name, const char* range = "(-inf, inf)", const char* unit = "1") {
+  own_paper().declare({{name, name, name, unit, range, "a symbol of the paper", "(1)"}});
+}
+
 struct PaperOfATest {
   std::function<void()> declare;  ///< declares its symbols
   std::string toml;
-  rederive::Derivations derivations;
+  std::vector<std::pair<std::string, rederive::Derive>> derivations;
 };
 
 /// Runs `body` in a child process, in a folder of its own, and brings back what it writes and its exit code.
@@ -49,13 +67,15 @@ inline Result run_paper(const PaperOfATest& paper, std::vector<std::string> argu
                         const std::filesystem::path& folder) {
   std::ofstream(folder / "paper.toml") << paper.toml;
   return in_a_child(folder, [&] {
-    paper.declare();
     arguments.insert(arguments.begin(), "paper");
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
-    return rederive::run_ledger(
-        static_cast<int>(argv.size()), argv.data(),
-        rederive::OwnPaper{.title = "A paper", .equations = "paper.toml", .derivations = paper.derivations});
+    const auto declared = [&] {
+      paper.declare();
+      for (const auto& one : paper.derivations) own_paper().derivations.add({one});
+      return own_paper();
+    };
+    return rederive::run_ledger(declared, static_cast<int>(argv.size()), argv.data());
   });
 }
 inline Result run_paper(const PaperOfATest& paper, const std::vector<std::string>& arguments) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <derivations/paper/prove_bounded.hpp>
 #include <nlohmann/json.hpp>
+#include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
 using namespace rederive;

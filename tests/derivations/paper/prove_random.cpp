@@ -11,6 +11,7 @@
 #include <derivations/paper/prove_bounded.hpp>
 #include <iostream>
 #include <random>
+#include <tests/block.hpp>
 
 using namespace rederive;
 

@@ -4,6 +4,7 @@
 #include <derivations/program/program.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <nlohmann/json.hpp>
+#include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
 using namespace rederive;
@@ -17,7 +18,7 @@ std::vector<TableRow> rows_of_the_table() {
 }  // namespace
 
 TEST_CASE("every row of the table has the verdict that it should have") {
-  const auto decided = decide_table(rows_of_the_table());
+  const auto decided = decide_table(rocking_block::paper(), rows_of_the_table());
   CHECK(decided.size() >= 800);
   for (const auto& [its_row, verdict, its_reason] : decided) {
     const auto& row = its_row;

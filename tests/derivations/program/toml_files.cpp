@@ -6,8 +6,10 @@
 #include <lessons/exercises/exercise.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/ledger/claims.hpp>
-#include <lessons/ledger/claims_bench.hpp>
 #include <lessons/ledger/prove_table.hpp>
+#include <lessons/rocking_block/claims.hpp>
+#include <lessons/rocking_block/course.hpp>
+#include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
 using namespace rederive;
@@ -68,8 +70,13 @@ const std::string formula =
     "[[exercise]]\nid = \"mine\"\ntitle = \"T\"\nstatement = \"S\"\nkind = \"expression\"\n"
     "symbols = [\"R\", \"alpha\"]\n";
 
+std::vector<Claim> claims_in(const TomlFile& file) {
+  return read_claims({.file = file.path(), .checks = rocking_block::claims().checks});
+}
+
 void prepare_all(const TomlFile& file) {
-  for (const auto& one : classroom::read_exercises(file.folder())) (void)classroom::prepare(one);
+  for (const auto& one : classroom::read_exercises(rocking_block::course(), file.folder()))
+    (void)classroom::prepare(one);
 }
 
 }  // namespace
@@ -150,7 +157,7 @@ TEST_CASE("claims: keys, types, checks and numbers that there are not") {
                    "3: claim a: 'expected' cannot be 'true'; it must be one of "},
                   {"[[claim]]\nid = \"a\"\ncheck = \"all_case_covered\"\n",
                    "3: claim a: 'check' cannot be 'all_case_covered': did you mean 'all_cases_covered'?"}},
-                 [](const TomlFile& file) { (void)read_claims(file.path()); });
+                 [](const TomlFile& file) { (void)claims_in(file); });
 }
 
 TEST_CASE("a claim whose check cannot be made, or whose words do not fit, is refused with its line") {
@@ -165,8 +172,7 @@ TEST_CASE("a claim whose check cannot be made, or whose words do not fit, is ref
                   {with_check("angle_of_stockiness", "found = \"{\"\n"), "1: claim a: its words do not fit"},
                   {with_check("angle_of_stockiness", ""), "1: claim a is qualified, but it has no words"}},
                  [](const TomlFile& file) {
-                   Bench bench;
-                   for (const Claim& one : read_claims(file.path())) (void)judge(one, bench);
+                   for (const Claim& one : claims_in(file)) (void)judge(one, rocking_block::claims());
                  });
 }
 
@@ -247,7 +253,7 @@ TEST_CASE("exercises: keys, types, words, symbols, functions and derivations tha
         "[\"Q\"]\n" +
             right,
         "6: exercise mine: 'symbols' cannot be 'Q'"}},
-      [](const TomlFile& file) { (void)classroom::read_exercises(file.folder()); });
+      [](const TomlFile& file) { (void)classroom::read_exercises(rocking_block::course(), file.folder()); });
 }
 
 TEST_CASE("exercises: what varies, and what stands in braces") {
@@ -277,7 +283,7 @@ TEST_CASE("exercises: what varies, and what stands in braces") {
        {with("h = [\"0\"]", "{1/h}"), "9: exercise mine: {1/h} has no value here"},
        {with("h = [\"0.5\"]", "{asin(1/h)}"), "9: exercise mine: {asin(1/h)} has no value here"},
        {with("h = [\"9\"]", "{exp(exp(h))}"), "9: exercise mine: {exp(exp(h))} has no value here"}},
-      [](const TomlFile& file) { (void)classroom::read_exercises(file.folder()); });
+      [](const TomlFile& file) { (void)classroom::read_exercises(rocking_block::course(), file.folder()); });
 }
 
 TEST_CASE("an exercise whose data do not hold together is refused with its line once it is made ready") {

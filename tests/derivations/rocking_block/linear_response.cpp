@@ -4,7 +4,8 @@
 #include <tests/identities.hpp>
 
 using namespace rederive;
-using namespace rederive::paper;
+using namespace rederive::rocking_block;
+using namespace rederive::rocking_block;
 using GiNaC::ex;
 using GiNaC::lst;
 

@@ -14,7 +14,7 @@ namespace {
 /// Polynomials in x, y, z, and what is known of them.
 struct System {
   System() {
-    for (const char* name : {"x", "y", "z"}) symbols.declare(name, name, name, "1", all_numbers, "", "");
+    for (const char* name : {"x", "y", "z"}) symbols.declare({name, name, name, "1", all_numbers, "", ""});
   }
 
   Fraction operator()(const std::string& text) {

@@ -7,6 +7,7 @@
 #include <lessons/exercises/in_page.hpp>
 #include <lessons/exercises/units.hpp>
 #include <lessons/page/prose.hpp>
+#include <lessons/rocking_block/course.hpp>
 #include <regex>
 
 using namespace rederive;
@@ -19,7 +20,8 @@ const std::vector<Prepared>& prepared(const std::string& seed = "") {
   static std::map<std::string, std::vector<Prepared>> all;
   auto& list = all[seed];
   if (list.empty())
-    for (const auto& exercise : read_exercises(exercises_folder(), seed)) list.push_back(prepare(exercise));
+    for (const auto& exercise : read_exercises(rocking_block::course(), exercises_folder(), seed))
+      list.push_back(prepare(exercise));
   return list;
 }
 
@@ -34,7 +36,8 @@ Opinion judged(const std::string& id, const std::string& answer, const std::stri
 /// A seed of the exercise in which this is given.
 std::string seed_with(const std::string& id, const std::string& given) {
   for (int seed = 1; seed < 100; ++seed)
-    for (const auto& exercise : read_exercises(exercises_folder(), std::to_string(seed)))
+    for (const auto& exercise :
+         read_exercises(rocking_block::course(), exercises_folder(), std::to_string(seed)))
       if (exercise.id == id && std::ranges::find(exercise.given, given) != exercise.given.end())
         return std::to_string(seed);
   return "";
@@ -183,7 +186,7 @@ TEST_CASE("what is given holds on the other side, too, and at every witness") {
         RoughPoint at;
         for (const auto& [name, value] : opinion.witness->at) at[name] = std::stod(value);
         for (const auto& text : exercise.given)
-          for (const auto& link : links_of(parse_relation(text))) {
+          for (const auto& link : links_of(parse_relation(text, exercise.language()))) {
             const auto names = names_of(link);
             if (!std::ranges::all_of(names, [&](const auto& name) { return at.contains(name); })) continue;
             CHECK_MESSAGE(holds({link}, at), exercise.id, ": ", text, " at ", place_of(*opinion.witness));
@@ -278,7 +281,9 @@ TEST_CASE("no brace of a template, and no right answer, is in what a student is 
   const std::filesystem::path nowhere =
       std::filesystem::temp_directory_path() / "no-such-progress-of-exercises";
   for (const std::string seed : {"", "1", "2", "3", "4"}) {
-    const Classroom room{read_exercises(exercises_folder(), seed), nowhere, false, false};
+    const Classroom room{rocking_block::course(),
+                         read_exercises(rocking_block::course(), exercises_folder(), seed), nowhere, false,
+                         false};
     std::string page = page_of_exercises(room, {{"lesson-01", "One\n"}});
     page.erase(page.rfind("<script"));
     for (std::size_t at; (at = page.find("<style>")) != std::string::npos;)

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <derivations/paper/mutate.hpp>
 #include <lessons/exercises/classroom.hpp>
+#include <lessons/rocking_block/course.hpp>
+#include <tests/block.hpp>
 
 using namespace rederive;
 using namespace rederive::classroom;
@@ -15,7 +17,7 @@ namespace {
 const Prepared& prepared(const std::string& id) {
   static std::map<std::string, Prepared> all = [] {
     std::map<std::string, Prepared> result;
-    for (const auto& exercise : read_exercises(exercises_folder()))
+    for (const auto& exercise : read_exercises(rocking_block::course(), exercises_folder()))
       result.emplace(exercise.id, prepare(exercise));
     return result;
   }();
@@ -58,7 +60,7 @@ std::string note(const std::string& id, const std::string& answer) {
 TEST_CASE("of wrong answers one edit away at most one in twenty is unnamed") {
   int wrong = 0, unnamed = 0;
   const bool verbose = std::getenv("REDERIVE_SAY_UNNAMED") != nullptr;
-  for (const auto& exercise : read_exercises(exercises_folder())) {
+  for (const auto& exercise : read_exercises(rocking_block::course(), exercises_folder())) {
     if (exercise.kind == Kind::choice || exercise.kind == Kind::wrong_term) continue;
     for (const auto& answer : one_edit_away(prepared(exercise.id))) {
       const Opinion opinion = judge_answer(prepared(exercise.id), answer);
@@ -186,7 +188,7 @@ TEST_CASE("an answer may stand behind the name of what is asked for, and behind 
 }
 
 TEST_CASE("the last line of every solution is judged right, and numbers are put in") {
-  for (const auto& exercise : read_exercises(exercises_folder())) {
+  for (const auto& exercise : read_exercises(rocking_block::course(), exercises_folder())) {
     CAPTURE(exercise.id);
     const Prepared& one = prepared(exercise.id);
     std::string text = solution_text(one);

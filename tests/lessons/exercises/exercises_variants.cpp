@@ -2,7 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <derivations/program/program.hpp>
+#include <derivations/rocking_block/paper.hpp>
 #include <lessons/exercises/classroom.hpp>
+#include <lessons/rocking_block/course.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tests/run_program.hpp>
@@ -14,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 Exercise exercise(const std::string& id, const std::string& seed = "") {
-  for (const auto& one : read_exercises(exercises_folder(), seed))
+  for (const auto& one : read_exercises(rocking_block::course(), exercises_folder(), seed))
     if (one.id == id) return one;
   throw std::out_of_range(id);
 }
@@ -42,18 +44,19 @@ TEST_CASE("a range beside other names in a table gives all its values") {
 
 TEST_CASE("texts are filled in, and what cannot be is refused") {
   const Choice choice{{"b", "0.35"}, {"what", "a wall"}};
-  CHECK(filled("{what}, {200*b} cm: {b}^2", choice) == "a wall, 70 cm: 0.35^2");
-  CHECK_THROWS(filled("{b}", {}));
-  CHECK_THROWS(filled("b}", choice));
+  CHECK(filled("{what}, {200*b} cm: {b}^2", choice, rocking_block::paper().symbols) ==
+        "a wall, 70 cm: 0.35^2");
+  CHECK_THROWS(filled("{b}", {}, rocking_block::paper().symbols));
+  CHECK_THROWS(filled("b}", choice, rocking_block::paper().symbols));
   CHECK(values_of("0.6:0.9:0.1") == std::vector<std::string>{"0.6", "0.7", "0.8", "0.9"});
   CHECK(values_of("1:3:1") == std::vector<std::string>{"1", "2", "3"});
   CHECK(values_of("a ratio of 1:2") == std::vector<std::string>{"a ratio of 1:2"});
   CHECK(values_of(".:.:.") == std::vector<std::string>{".:.:."});
   for (const char* range : {"1.08:0.2:0.01", "1:2:0", "0:1000000:0.001"})
     CHECK_THROWS_WITH_AS(values_of(range), doctest::Contains("must be FROM:TO:STEP"), std::runtime_error);
-  CHECK_THROWS(filled("{b", choice));
-  CHECK_THROWS(filled("{h}", choice));
-  CHECK_THROWS(filled("{b +}", choice));
+  CHECK_THROWS(filled("{b", choice, rocking_block::paper().symbols));
+  CHECK_THROWS(filled("{h}", choice, rocking_block::paper().symbols));
+  CHECK_THROWS(filled("{b +}", choice, rocking_block::paper().symbols));
 }
 
 TEST_CASE(
@@ -62,7 +65,7 @@ TEST_CASE(
   CHECK(exercise("frequency-of-a-bookcase").statement.find("is 2 m high and 0.4 m wide") !=
         std::string::npos);
   int varying = 0;
-  for (const auto& one : read_exercises(exercises_folder())) {
+  for (const auto& one : read_exercises(rocking_block::course(), exercises_folder())) {
     if (one.choice.empty()) continue;
     ++varying;
     std::set<std::string> statements, answers;
@@ -79,7 +82,7 @@ TEST_CASE(
 
 TEST_CASE("a variant is judged by its own answer, and its solution ends at it") {
   for (const std::string seed : {"anna", "bert", "3"})
-    for (const auto& one : read_exercises(exercises_folder(), seed)) {
+    for (const auto& one : read_exercises(rocking_block::course(), exercises_folder(), seed)) {
       if (one.choice.empty()) continue;
       CAPTURE(one.id);
       const Prepared prepared = prepare(one);

@@ -3,8 +3,10 @@
 
 #include <derivations/paper/mutate.hpp>
 #include <lessons/exercises/classroom.hpp>
+#include <lessons/rocking_block/course.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
 using namespace rederive;
@@ -13,7 +15,7 @@ using namespace rederive::classroom;
 namespace {
 
 const Exercise& exercise(const std::string& id) {
-  static const auto all = read_exercises(exercises_folder());
+  static const auto all = read_exercises(rocking_block::course(), exercises_folder());
   return *std::find_if(all.begin(), all.end(), [&](const Exercise& one) { return one.id == id; });
 }
 
@@ -36,7 +38,7 @@ std::string joined(const std::vector<std::string>& lines) {
 TEST_CASE(
     "in every exercise about a formula, right answers follow from each other, and a slip is pointed at") {
   int workings = 0, slips = 0, pointed_at = 0, named = 0;
-  for (const auto& one : read_exercises(exercises_folder())) {
+  for (const auto& one : read_exercises(rocking_block::course(), exercises_folder())) {
     if (one.kind != Kind::expression && one.kind != Kind::equation) continue;
     std::vector<std::string> lines = one.equivalents;
     lines.insert(lines.begin(), model_answer(prepare(one)));

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <lessons/ledger/claims_ratios.hpp>
+#include <lessons/rocking_block/claims_ratios.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numerics/search/closed_form.hpp>

@@ -12,19 +12,13 @@ using Json = nlohmann::json;
 
 namespace {
 
-ex symbol(const char* name) { return paper_symbols()[name]; }
-
-void declare(const char* name, const char* range = "(-inf, inf)", const char* unit = "1") {
-  paper::declared(name, name, name, unit, range, "a symbol of the paper", "(1)");
-}
-
 ex inertia() {
   const ex L = symbol("L");
-  return integral(pow(paper::x, 2) * paper::m / L, paper::x, 0, L);
+  return integral(pow(rocking_block::x, 2) * rocking_block::m / L, rocking_block::x, 0, L);
 }
 
 ex acceleration() {
-  using namespace rederive::paper;
+  using namespace rederive::rocking_block;
   const ex kinetic = inertia() / 2 * pow(thetadot, 2), potential = m * g * symbol("L") / 2 * (1 - cos(theta));
   const Rates rates{{theta, thetadot}, {thetadot, thetaddot}};
   const ex motion = lagrange_terms(kinetic, potential, {theta, thetadot, thetaddot}, rates).sum().expand();
@@ -34,8 +28,8 @@ ex acceleration() {
 /// The rod of the guide, with more rows.
 PaperOfATest rod() {
   const auto frequency = []() -> Derivation {
-    const ex linear = taylor(acceleration(), {paper::theta}, 1);
-    return derived(symbol("omega_0"), sqrt(-linear.coeff(paper::theta, 1)), {});
+    const ex linear = taylor(acceleration(), {rocking_block::theta}, 1);
+    return derived(symbol("omega_0"), sqrt(-linear.coeff(rocking_block::theta, 1)), {});
   };
   return {[] {
             declare("L", "(0, inf)", "m"), declare("J", "(0, inf)", "kg*m^2");

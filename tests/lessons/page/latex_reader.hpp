@@ -4,8 +4,8 @@
 
 #include <cctype>
 #include <derivations/language/functions.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <stdexcept>
+#include <tests/block.hpp>
 
 namespace rederive {
 

@@ -2,9 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <derivations/language/functions.hpp>
-#include <derivations/rocking_block/paper_symbols.hpp>
 #include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>
+#include <tests/block.hpp>
 
 using namespace rederive;
 
@@ -24,23 +24,25 @@ TEST_CASE("a sentence is taken apart at its marks") {
 }
 
 TEST_CASE("mathematics in a sentence is printed in each notation") {
-  CHECK(print_inline("theta < 0", Notation::unicode) == "θ < 0");
-  CHECK(print_inline("u_gddot", Notation::latex) == "\\ddot u_g");
-  CHECK_THROWS_AS(print_inline("theta < ", Notation::plain), SyntaxError);
+  CHECK(print_inline("theta < 0", Notation::unicode, paper_symbols()) == "θ < 0");
+  CHECK(print_inline("u_gddot", Notation::latex, paper_symbols()) == "\\ddot u_g");
+  CHECK_THROWS_AS(print_inline("theta < ", Notation::plain, paper_symbols()), SyntaxError);
 }
 
 TEST_CASE("the pieces of a formula, joined, are the formula") {
   const Relation relation = parse_relation("K = 1/2*J_o*thetadot^2 - m*g*R*(sin(alpha) - 1) + m*u_gdot");
   std::string joined;
-  for (const auto& piece : pieces(relation, Notation::plain)) joined += (joined.empty() ? "" : " ") + piece;
+  for (const auto& piece : pieces(relation, Notation::plain, paper_symbols()))
+    joined += (joined.empty() ? "" : " ") + piece;
   CHECK(joined == print(relation));
-  CHECK(pieces(relation, Notation::plain).size() == 4);
+  CHECK(pieces(relation, Notation::plain, paper_symbols()).size() == 4);
 }
 
 TEST_CASE("words without marks get them where a name can be nothing else") {
-  CHECK(marked("the dots over u_g are lost") == "the dots over $u_g$ are lost");
-  CHECK(marked("cos(alpha - theta) is a cosine") == "$cos(alpha - theta)$ is a cosine");
-  CHECK(marked("a*b `c` and a_word") == "a·b 'c' and a_word");
+  CHECK(marked("the dots over u_g are lost", rocking_block::paper()) == "the dots over $u_g$ are lost");
+  CHECK(marked("cos(alpha - theta) is a cosine", rocking_block::paper()) ==
+        "$cos(alpha - theta)$ is a cosine");
+  CHECK(marked("a*b `c` and a_word", rocking_block::paper()) == "a·b 'c' and a_word");
 }
 
 TEST_CASE("lines are wrapped by columns, not by bytes") {
@@ -51,9 +53,9 @@ TEST_CASE("lines are wrapped by columns, not by bytes") {
 }
 
 TEST_CASE("plain text is ASCII") {
-  CHECK(to_ascii("α − θ ≤ π") == "alpha - theta <= pi");
-  CHECK(to_ascii("θ̈ and ü_g, θ̇₊") == "thetaddot and u_gddot, thetadot_plus");
-  CHECK_THROWS_AS(to_ascii("漢"), std::invalid_argument);
+  CHECK(to_ascii("α − θ ≤ π", paper_symbols()) == "alpha - theta <= pi");
+  CHECK(to_ascii("θ̈ and ü_g, θ̇₊", paper_symbols()) == "thetaddot and u_gddot, thetadot_plus");
+  CHECK_THROWS_AS(to_ascii("漢", paper_symbols()), std::invalid_argument);
 }
 
 TEST_CASE("LaTeX becomes MathML with the same structure") {
@@ -82,7 +84,7 @@ TEST_CASE("all that the LaTeX of formulas may contain becomes MathML") {
     CAPTURE(function.name);
     const std::string call = std::string(function.name) + "(x)";
     for (const std::string& text : {call, call + "^2", "2^" + call, "1e-3*" + call + "/y"})
-      CHECK_NOTHROW(mathml(print_inline(text, Notation::latex)));
+      CHECK_NOTHROW(mathml(print_inline(text, Notation::latex, paper_symbols())));
   }
   for (const char* latex :
        {"\\vec{v}", "\\hat x", "\\tilde\\omega", "\\mathbf{F}_1", "\\mathcal{L}", "x'", "x^{\\prime}",
@@ -97,7 +99,7 @@ TEST_CASE("every symbol of the paper has MathML and ASCII") {
   for (const auto& name : paper_symbols().names()) {
     CAPTURE(name);
     CHECK(mathml(paper_symbols().find(name)->latex).size() > 20);
-    CHECK_NOTHROW(print_inline(name, Notation::unicode));
+    CHECK_NOTHROW(print_inline(name, Notation::unicode, paper_symbols()));
   }
 }
 
@@ -105,14 +107,15 @@ TEST_CASE("every printed row of the ledger has MathML") {
   for (const auto& row : read_rows(equations_file())) {
     if (row.printed.empty()) continue;
     CAPTURE(row.id);
-    CHECK_NOTHROW(mathml(print_statement(parse_statement(row.printed), Notation::latex)));
+    CHECK_NOTHROW(mathml(print_statement(parse_statement(row.printed), Notation::latex, paper_symbols())));
   }
 }
 
 TEST_CASE("special cases are put into derived and printed equations alike") {
-  CHECK(print(derived_with("13", {{"theta", "0"}})) == "y_c = 0");
-  CHECK(number_of(derived("46b").right, {{"alpha", "pi/2"}}) == doctest::Approx(-0.5));
-  CHECK_THROWS_AS(number_of(derived("46b").right), std::invalid_argument);
-  CHECK_THROWS_AS(derived("999"), std::out_of_range);
-  CHECK_THROWS_AS(judged("999"), std::out_of_range);
+  const Page page(rocking_block::paper());
+  CHECK(print(page.derived_with("13", {{"theta", "0"}})) == "y_c = 0");
+  CHECK(page.number_of(page.derived("46b").right, {{"alpha", "pi/2"}}) == doctest::Approx(-0.5));
+  CHECK_THROWS_AS(page.number_of(page.derived("46b").right), std::invalid_argument);
+  CHECK_THROWS_AS(page.derived("999"), std::out_of_range);
+  CHECK_THROWS_AS(judged(page.paper(), "999"), std::out_of_range);
 }

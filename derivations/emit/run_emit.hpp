@@ -1,0 +1,13 @@
+// The program `emit`: the derived results of a paper as source code.
+#pragma once
+
+#include <derivations/emit/emit.hpp>
+#include <functional>
+
+namespace rederive {
+
+/// All that `emit --help` says, about the functions of `emission`, which is called when they are needed.
+/// Returns the exit code.
+int run_emit(const std::function<Emission()>& emission, int argc, char** argv);
+
+}  // namespace rederive

@@ -1,0 +1,31 @@
+// Which function derives which row of a paper.
+#pragma once
+
+#include <derivations/mechanics/derivation.hpp>
+#include <derivations/paper/once.hpp>
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace rederive {
+
+/// Ids of rows ("21a", "u3a", "r1") with their derivations, of a section or of a paper. A derivation is run
+/// when its result is first asked for; copies share the result.
+class Derivations {
+ public:
+  Derivations() = default;
+  /// Throws std::invalid_argument if two derive the same row.
+  Derivations(std::initializer_list<std::pair<std::string, Derive>> list);
+  /// Throws std::invalid_argument if one of `others` derives a row that is derived already.
+  void add(const Derivations& others);
+  bool contains(const std::string& id) const { return all_.contains(id); }
+  std::vector<std::string> ids() const;  ///< sorted
+  /// What the function of a row returns. Throws std::out_of_range if there is none, and what it throws.
+  const Derivation& at(const std::string& id) const;
+
+ private:
+  std::map<std::string, std::pair<Derive, Once<Derivation>>> all_;
+};
+
+}  // namespace rederive

@@ -1,0 +1,12 @@
+// The claims of the text of the built-in paper, and how each is decided.
+#pragma once
+
+#include <lessons/ledger/claims.hpp>
+
+namespace rederive::rocking_block {
+
+/// claims.toml beside the rows, with its checks (claims_bench.hpp). These share a bench, which keeps what is
+/// expensive.
+Claims claims();
+
+}  // namespace rederive::rocking_block

@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <derivations/rocking_block/overturning_without_impact.hpp>
+#include <derivations/rocking_block/paper.hpp>
+#include <lessons/illustrations/experiments.hpp>
+#include <lessons/page/prose.hpp>
+#include <lessons/rocking_block/course.hpp>
+#include <stdexcept>
+
+namespace rederive::rocking_block {
+
+using classroom::Arguments;
+
+Derivation mass_at_the_top() {
+  const GiNaC::ex before = thetadot_minus, after = thetadot_plus, top = 2 * h;
+  const GiNaC::ex right = top * before,
+                  up = -b * before;  // velocity while it still turns clockwise about O, at (b, 2h)
+  const GiNaC::ex momentum = top * right - (-b) * up;  // moment about O', from which the mass is at (-b, 2h)
+  Derivation result;
+  result.left = e;
+  result.right = (momentum / (before * (b * b + top * top))).normal();
+  result.steps = {
+      {"Per unit of mass the moment about the new corner is, before the impact", hO_minus, momentum, "="},
+      {"and afterwards", hO_plus, (b * b + top * top) * after, "="},
+      {"They are equal, hence", result.left, result.right, "="}};
+  return result;
+}
+
+Derivation half_sine() {
+  const GiNaC::ex end = (GiNaC::Pi - psi) / omega_p;
+  const Given lifts = amplitude(Pulse::sine);
+  const auto found = threshold_without_impact(Side::negative, ground_acceleration(Pulse::sine), lifts, end);
+  const GiNaC::lst rest{theta_0 == 0, thetadot_0 == 0};
+  const Derivation critical = equation_68();
+  Derivation result;
+  result.left = by_phase(found.left.subs(rest));
+  result.right = found.right;
+  result.steps = {
+      {"From rest the block moves, by (57a) with the constants (70), as", theta,
+       forced_motion(Side::negative, Pulse::sine).subs(constants_from_rest())},
+      {"It lifts when the ground acceleration is alpha*g, so that", lifts.name, lifts.value},
+      {"Now the pulse ends when its argument is pi, at", T_ex, end},
+      {"The block just reaches the balance if its angle and rate at that time satisfy (68)", critical.left,
+       critical.right},
+      {"Put the motion and its rate at T_ex into that, join sinh and cosh to exponentials, and divide by "
+       "the factor of the decaying one",
+       result.left, result.right}};
+  return result;
+}
+
+namespace {
+
+Experiment experiment_of(const Arguments& arguments) {
+  Experiment experiment{.omega = arguments.at("omega")};
+  if (arguments.contains("alpha")) experiment.alpha = arguments.at("alpha");
+  return experiment;
+}
+
+double value_without_impact(const Arguments& arguments) {
+  return amplitude_without_impact(arguments.at("omega"));
+}
+
+double least_value(const Arguments& arguments) { return least_overturning(experiment_of(arguments)).from; }
+
+/// Writes the derived conditions whose solution `value` is, and what solves them. Throws std::runtime_error
+/// where no condition leads to the value.
+void explain(double value, const Arguments& arguments, Page& page) {
+  for (const numerics::ClosedForm& root : condition_roots(experiment_of(arguments))) {
+    if (!root.admissible() || std::abs(root.amplitude - value) >= 1e-6 * value) continue;
+    const std::vector<std::string> rows = equations_of(root.form);
+    for (const std::string& id : rows) {
+      page.say(fmt::format("Derived is ({}):", id));
+      page.result(id);
+    }
+    const std::string with = joined(arguments, ", ", [](const auto& given) {
+      return fmt::format("${} = {:.10g}$", given.first == "omega" ? "omega_p/p" : given.first, given.second);
+    });
+    std::string loss;
+    if (const auto given = arguments.find("alpha"); given != arguments.end())
+      loss =
+          fmt::format(" and $e = {:.8g}$ from (46)",
+                      page.number_of(page.derived("46b").right, {{"alpha", std::to_string(given->second)}}));
+    page.say(fmt::format(
+        "With {}{}, {} by $psi = {:.8g}${}.", with, loss,
+        rows.size() == 1 ? "it is solved" : "they are solved", root.psi,
+        root.impact_time ? fmt::format(" and an impact at $p*t = {:.8g}$", *root.impact_time) : ""));
+    page.say("The block lifts when $a_p*sin(psi) = alpha*g$. So the amplitude in units of $alpha*g$ is");
+    page.show(parse_relation(fmt::format("1/sin({:.8g}) = {:.8g}", root.psi, 1 / std::sin(root.psi)),
+                             page.paper().symbols));
+    return;
+  }
+  throw std::runtime_error("there is no condition that leads to the value");
+}
+
+}  // namespace
+
+const classroom::Course& course() {
+  static const classroom::Course all = [] {
+    std::vector<Given> definitions = sides_of_the_block();
+    definitions.push_back({J_c, m * pow(R, 2) / 3});
+    definitions.push_back({J_o, 4 * m * pow(R, 2) / 3});
+    definitions.push_back({R, 3 * g / (4 * pow(p, 2))});
+    const classroom::NumericFunction::Argument omega{"omega", 0.01, 1000},
+        slenderness{"alpha", 0.01, 1.5, /*is_needed=*/false};
+    return classroom::Course{
+        .paper = paper(),
+        .definitions = definitions,
+        .derivations = {{"mass_at_the_top", mass_at_the_top}, {"half_sine", half_sine}},
+        .functions = {
+            {"amplitude_without_impact",
+             {omega},
+             value_without_impact,
+             [](const Arguments& given, Page& page) { explain(value_without_impact(given), given, page); }},
+            {"least_amplitude", {omega, slenderness}, least_value, [](const Arguments& given, Page& page) {
+               explain(least_value(given), given, page);
+             }}}};
+  }();
+  return all;
+}
+
+}  // namespace rederive::rocking_block

@@ -1,0 +1,186 @@
+// exercises: the classroom on the command line.
+//
+//   exercises                          what comes next
+//   exercises list                     what there is, what is done, what comes next
+//   exercises show [ID]                the statement; without ID, of the next exercise
+//   exercises check ID "ANSWER"        or --file FILE, or --working FILE
+//   exercises hint ID · solution ID [--give-up] · reset ID
+//   exercises serve [--port N]         the lessons and their exercises in a browser
+//   exercises watch DIR                judges DIR/<ID>.txt again whenever it changes
+//   exercises grade DIR [--csv FILE]   DIR/<student>/<ID>.txt, a whole class; gradebook, feedback, report
+//   exercises selftest                 is the exercise set sound?
+//   … --seed S                         the same for the variant of that seed
+#include <algorithm>
+#include <derivations/program/command_line.hpp>
+#include <lessons/exercises/classroom.hpp>
+#include <lessons/rocking_block/course.hpp>
+
+using namespace rederive;
+using namespace rederive::classroom;
+
+namespace {
+
+/// What the user typed.
+struct Typed {
+  std::string id, answer, file, working, folder, progress, seed;
+  bool json = false, give_up = false, once = false;
+  int port = 0;
+  GradeFlags grade;
+};
+
+CLI::App* with_json(CLI::App* command, Typed& given) {
+  command->add_flag("--json", given.json, "Write one JSON document instead of text.");
+  return command;
+}
+
+CLI::App* command_with_id(CLI::App& app, const std::string& name, const std::string& says, Typed& given,
+                          bool needed = true) {
+  CLI::App* command = with_json(app.add_subcommand(name, says), given);
+  auto* option = command->add_option("ID", given.id, "Id of the exercise, as in the list.");
+  if (needed) option->required();
+  return command;
+}
+
+void declare(CLI::App& app, Typed& given) {
+  app.require_subcommand(0, 1);
+  app.fallthrough();
+  app.add_option("--progress", given.progress,
+                 "Keep your progress in this file. Default: ~/.local/state/rederive/exercises.txt.")
+      ->type_name("FILE");
+  app.add_option("--seed", given.seed,
+                 "Set the exercises in the variant of this number or name: other numbers, another side.");
+  with_json(app.add_subcommand("list", "List all exercises, and the next one to do."), given);
+  command_with_id(app, "show", "Show the statement of an exercise; without ID, of the next one.", given,
+                  false);
+  auto* check = command_with_id(app, "check",
+                                "Judge an answer. Put -- before an answer that begins with a minus.", given);
+  auto* answer = check->add_option("ANSWER", given.answer, "The answer, in quotes.");
+  auto* file_option = check->add_option("--file", given.file, "Read the answer from this file.");
+  file_option->type_name("FILE")->excludes(answer);
+  check
+      ->add_option("--working", given.working,
+                   "Read from this file, line by line, how you came to the answer.")
+      ->type_name("FILE")
+      ->excludes(answer)
+      ->excludes(file_option);
+  check->footer(
+      "Examples:\n"
+      "  $ exercises check barrier \"m*g*R*(1 - sin(alpha))\"\n"
+      "  $ exercises check barrier --working working.txt\n\n"
+      "A working is a chain of lines. Each line must follow from the line before, and the last line is the\n"
+      "answer. A line is an equation, a chain a = b = c, or an expression, alone or after an equals sign.\n"
+      "Empty lines and lines that begin with # are skipped. A line may end with what is assumed in this "
+      "line\n"
+      "alone: [theta > 0, u_gddot = 0], or [small alpha, theta], so that the step need hold to first order\n"
+      "only. Where a number is asked for, each line is a chain a = b = c that is true for the given "
+      "numbers.");
+  command_with_id(app, "hint", "Give one more hint. It never gives the answer away.", given);
+  command_with_id(app, "solution", "Show the answer and its derivation, once the exercise is solved.", given)
+      ->add_flag("--give-up", given.give_up, "Show the answer although the exercise is not solved.");
+  command_with_id(app, "reset", "Open an exercise again. The old answer is kept as a backup.", given);
+  app.add_subcommand("serve",
+                     "Serve lessons and exercises to a browser on this machine, and print the address.")
+      ->add_option("--port", given.port, "Listen on this port, from 0 to 65535. Default: 0, a free port.")
+      ->check(whole_number)
+      ->check(CLI::Range(0, 65535));
+  auto* watch = app.add_subcommand("watch", "Judge the files of a folder whenever they change.");
+  watch->add_option("DIR", given.folder, "Folder of your answers, DIR/<ID>.txt.")->required();
+  watch->add_flag("--once", given.once, "Look once and stop.");
+  auto* grade = with_json(app.add_subcommand("grade", "Judge a whole class: DIR/<student>/<ID>.txt."), given);
+  grade->add_option("DIR", given.grade.folder, "Folder of the class, with one folder per student.")
+      ->required();
+  grade->add_option("--csv", given.grade.csv, "Write the rows to this file as CSV. Default: standard output.")
+      ->check(file_name)
+      ->type_name("FILE");
+  const auto file = [&](const char* name, std::string& into, const char* says) {
+    return grade->add_option(name, into, says)->check(file_name)->type_name("FILE");
+  };
+  file("--gradebook", given.grade.gradebook,
+       "Write the marks as CSV: one row per student, one column per exercise.");
+  file("--report", given.grade.report, "Write a page about the common slips, with typical answers.");
+  file("--feedback", given.grade.feedback, "Write one page per student into this folder, to hand back.")
+      ->type_name("DIR");
+  file("--weights", given.grade.weights,
+       "Read the weights from a CSV file: exercise,weight. Default: every exercise has weight 1.");
+  file("--deadline", given.grade.deadline,
+       "Give no marks to later answers: a time, or a CSV file of exercise,deadline.")
+      ->type_name("TIME|FILE");
+  file("--handed-in", given.grade.handed_in,
+       "Read from a CSV file when answers were handed in: student,exercise,time. Default: the times of the "
+       "files.");
+  grade->footer(
+      "Examples:\n"
+      "  $ exercises grade class\n"
+      "  $ exercises grade class --gradebook marks.csv --deadline 2026-12-01T12:00\n"
+      "  $ exercises grade class --report slips.html --feedback pages\n\n"
+      "A mark is weight x score. Each attempt after the first costs a tenth of it, down to a half. Attempts "
+      "are\n"
+      "known if a student handed in the progress file, exercises.txt, beside the answers. In the gradebook, "
+      "an\n"
+      "empty cell means that nothing was handed in, and ? means that the program could not decide: look at "
+      "the\n"
+      "answer yourself. CSV files have the header that is named above. A time has the form 2026-12-01T12:00, "
+      "in\n"
+      "UTC or with an offset such as +02:00; a day alone ends at midnight. A row of --handed-in without an\n"
+      "exercise applies to all exercises of the student.\n"
+      "The exit code is 3 if judging an answer reached a limit or crashed; the last lines name the answers.");
+  grade
+      ->add_option("--workers", given.grade.workers,
+                   "Judge N answers at a time, from 1 to 64. Default: the number of processors.")
+      ->check(whole_number)
+      ->check(CLI::Range(1, 64));
+  grade->add_flag(
+      "--variants", given.grade.variants,
+      "Judge each student by the variants of the folder's name; with --seed S, of S and the name, 'Sname'.");
+  grade->add_flag("--missing", given.grade.missing,
+                  "Write a row also for each answer that was not handed in.");
+  with_json(app.add_subcommand("selftest", "Prove that the exercise set is sound."), given);
+}
+
+int run(const CLI::App& app, const Typed& given) {
+  const auto progress = progress_file(given.progress);
+  std::string seed = given.seed;  // help without one is for the variant that was tried last
+  if (app.get_option("--seed")->empty() && (app.got_subcommand("hint") || app.got_subcommand("solution")))
+    seed = load_progress(progress).records[given.id].seed;
+  const Course& course = rocking_block::course();
+  const Classroom room{course, read_exercises(course, exercises_folder(), seed), progress, given.json,
+                       is_lively(1)};
+  (void)slip_words("answer", "");  // what is wrong with their file is said at once
+  if (app.got_subcommand("list")) return list(room);
+  if (app.got_subcommand("show")) return show(room, given.id);
+  if (app.got_subcommand("hint")) return hint(room, given.id);
+  if (app.got_subcommand("solution")) return solution(room, given.id, given.give_up);
+  if (app.got_subcommand("reset")) return reset(room, given.id);
+  if (app.got_subcommand("serve")) return serve(room, given.port);
+  if (app.got_subcommand("watch")) return watch(room, given.folder, given.once);
+  if (app.got_subcommand("grade")) {
+    GradeFlags flags = given.grade;
+    flags.seed = given.seed;
+    return grade(room, flags);
+  }
+  if (app.got_subcommand("selftest")) return selftest(room);
+  if (app.get_subcommands().empty()) return what_is_next(room);
+  const auto* check_command = app.get_subcommand("check");
+  if (!given.file.empty()) return check_file(room, given.id, given.file, false);
+  if (!given.working.empty()) return check_file(room, given.id, given.working, true);
+  if (check_command->get_option("ANSWER")->count() == 0)
+    throw BadInput("check needs an answer: give ANSWER, --file FILE or --working FILE");
+  return check(room, given.id, trimmed(given.answer));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Sets exercises on the rocking block, judges answers by proof, and says what is wrong with them. "
+      "Without "
+      "a\nsubcommand, says what comes next."};
+  Typed given;
+  declare(app, given);
+  app.footer(
+      "Examples:\n"
+      "  $ exercises show barrier\n"
+      "  $ exercises check barrier \"m*g*R*(1 - sin(alpha))\"\n"
+      "  $ exercises serve\n\n");
+  return run_command(app, argc, argv, [&] { return run(app, given); });
+}

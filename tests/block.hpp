@@ -1,0 +1,92 @@
+// The functions of the language, the ledger and the kernel for the built-in paper, so that tests about it
+// read well.
+#pragma once
+
+#include <derivations/kernel/scripts.hpp>
+#include <derivations/paper/mutate.hpp>
+#include <derivations/paper/prove_bounded.hpp>
+#include <derivations/rocking_block/emission.hpp>
+#include <derivations/rocking_block/paper.hpp>
+#include <derivations/rocking_block/symbols.hpp>
+#include <nlohmann/json.hpp>
+
+namespace rederive {
+
+inline const Symbols& paper_symbols() { return rocking_block::paper().symbols; }
+inline Tree parse(std::string_view text) { return parse(text, paper_symbols()); }
+inline Relation parse_relation(std::string_view text) { return parse_relation(text, paper_symbols()); }
+inline Relation parse_statement(std::string_view text) { return parse_statement(text, paper_symbols()); }
+inline GiNaC::ex lower(const Tree& tree) { return lower(tree, paper_symbols()); }
+inline Tree to_tree(const GiNaC::ex& expression) { return to_tree(expression, paper_symbols()); }
+inline std::string print(const GiNaC::ex& expression, Notation notation = Notation::plain) {
+  return print(expression, notation, paper_symbols());
+}
+inline std::string print(const Tree& tree, Notation notation) {
+  return print(tree, notation, paper_symbols());
+}
+inline std::string print(const Relation& relation, Notation notation) {
+  return print(relation, notation, paper_symbols());
+}
+inline DimensionReport dimension(const Tree& tree) { return dimension(tree, paper_symbols()); }
+inline DimensionReport dimension(const Relation& relation) { return dimension(relation, paper_symbols()); }
+
+inline std::filesystem::path equations_file() { return equations_file(rocking_block::paper()); }
+inline Symbols symbols_in(const std::string& domain) { return symbols_in(rocking_block::paper(), domain); }
+inline Entry judge(const Row& row, const std::vector<Row>& rows) {
+  return judge(rocking_block::paper(), row, rows);
+}
+inline Derivation derivation_of(const std::string& id) {
+  return derivation_of(rocking_block::paper(), id).value();
+}
+inline std::optional<Derivation> checked_derivation(const std::string& id) {
+  return checked_derivation(rocking_block::paper(), id);
+}
+inline Relation derived_relation(const Derivation& derivation) {
+  return derived_relation(derivation, paper_symbols());
+}
+inline std::vector<Relation> conditions_of(const Row& row, const Derivation& derivation,
+                                           const Symbols& symbols) {
+  return conditions_of(rocking_block::paper(), row, derivation, symbols);
+}
+inline std::vector<Mutant> mutants(const Relation& printed) {
+  return mutants(printed, rocking_block::paper());
+}
+inline Mutation mutate(const Row& row, unsigned seed, int most = 24) {
+  return mutate(rocking_block::paper(), row, seed, most);
+}
+inline Symbols declared_symbols(const ProveRequest& request) {
+  return declared_symbols(rocking_block::paper(), request);
+}
+inline Problem problem_of(const ProveRequest& request) { return problem_of(rocking_block::paper(), request); }
+inline Proof decide(const ProveRequest& request) { return decide(rocking_block::paper(), request); }
+inline nlohmann::ordered_json decide_bounded(const ProveRequest& request,
+                                             const std::function<bool()>& stop = {}) {
+  return decide_bounded(rocking_block::paper(), request, stop);
+}
+inline Provenance provenance(const EmittedFunction& function) {
+  return provenance(function, rocking_block::emission_symbols());
+}
+inline RationalSystem rational_system(const TaylorStepper& stepper) {
+  return rational_system(stepper, rocking_block::emission_symbols());
+}
+inline std::string emit(const std::vector<EmittedFunction>& functions, Target target, bool sharing = true,
+                        const std::vector<TaylorStepper>& steppers = {}) {
+  return emit({rocking_block::emission_symbols(), functions, steppers}, target, sharing);
+}
+inline std::optional<Lemma> lemma_of(const Entry& entry) { return lemma_of(rocking_block::paper(), entry); }
+/// "Thresholds.v" and the other files of theorems about the paper.
+inline const std::vector<std::string>& theorem_files() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> result;
+    for (const Theorems::File& file : rocking_block::paper().theorems.files) result.push_back(file.name);
+    return result;
+  }();
+  return names;
+}
+inline std::vector<Lemma> shipped_theorems() { return shipped_theorems(rocking_block::paper()); }
+inline void write_scripts(const std::filesystem::path& folder, const std::vector<Lemma>& lemmas,
+                          const std::map<std::string, std::string>& more = {}) {
+  write_scripts(rocking_block::paper(), folder, lemmas, more);
+}
+
+}  // namespace rederive
