@@ -19,7 +19,7 @@ std::optional<std::string> wrong_dimension(const Prepared& prepared, const Relat
   if (!read.operators.empty() || !report.dimension) return {};
   const auto wanted = dimension(prepared.answer.relation.sides[0], prepared.symbols);
   if (!wanted.consistent || !wanted.dimension || *wanted.dimension == *report.dimension) return {};
-  return fmt::format("Your answer has the unit {}, but {} is wanted.",
+  return fmt::format("Your answer has the unit {}, but it should have {}.",
                      marked(unit_text(*report.dimension), prepared.exercise.paper()),
                      marked(unit_text(*wanted.dimension), prepared.exercise.paper()));
 }
