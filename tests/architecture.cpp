@@ -35,9 +35,9 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"paper", {"decide", "emit"}},
     {"rocking_block", {"paper"}},
     {"kernel", {"paper"}},
-    {"numerics/motion", {"program"}},
+    {"numerics/motion", {}},
     {"numerics/search", {"numerics/records", "numbers"}},
-    {"numerics/records", {"numerics/motion"}},
+    {"numerics/records", {"numerics/motion", "program"}},
     {"numerics/pictures", {"numerics/search"}},
     {"numerics/commands", {"numerics/pictures"}}};
 

@@ -1,4 +1,5 @@
 // The list of the steppers. Every rate comes from a derivation.
+#include <array>
 #include <derivations/rocking_block/arguments.hpp>
 #include <derivations/rocking_block/emission.hpp>
 #include <derivations/rocking_block/equation_of_motion.hpp>
@@ -23,7 +24,7 @@ Rates pulse_rates(const SymbolExpression& ground, const SymbolExpression& quadra
 std::string name_of(Side side) { return side == Side::negative ? "negative" : "positive"; }
 std::string range_of(Side side) { return side == Side::negative ? ", theta < 0" : ", theta > 0"; }
 
-TaylorStepper free_motion(Side side) {
+TaylorStepper without_ground(Side side) {
   const ex acceleration = angular_acceleration(side).subs(u_gddot == 0);
   return {"free_motion_" + name_of(side),
           {alpha, p},
@@ -33,43 +34,65 @@ TaylorStepper free_motion(Side side) {
           t};
 }
 
-/// The acceleration under a ground acceleration that is part of the state, over g.
-TaylorStepper in_pulse(TaylorStepper stepper, ex acceleration, const ex& ground_acceleration) {
-  const SymbolExpression ground = numeric::ground;
-  acceleration = GiNaC::collect_common_factors(acceleration.subs(ground_acceleration == ground * g).expand());
-  stepper.parameters = {alpha, p, omega_p};
+/// Motion under a ground acceleration that is part of the state, over g, beside what its rates need.
+TaylorStepper with_ground(TaylorStepper stepper, ex acceleration, const ex& ground_acceleration,
+                          const Rates& rates) {
+  acceleration =
+      GiNaC::collect_common_factors(acceleration.subs(ground_acceleration == numeric::ground * g).expand());
   stepper.rates = {{theta, thetadot}, {thetadot, acceleration}};
-  for (const auto& rate : pulse_rates(ground, numeric::quadrature)) stepper.rates.push_back(rate);
+  stepper.rates.insert(stepper.rates.end(), rates.begin(), rates.end());
   return stepper;
 }
 
-TaylorStepper motion_in_pulse(Side side) {
-  return in_pulse({"motion_in_pulse_" + name_of(side),
-                   {},
-                   {},
-                   side == Side::negative ? "21a" : "21b",
-                   "Rocking under a one-sine or one-cosine pulse" + range_of(side),
-                   t},
-                  angular_acceleration(side), u_gddot);
+/// The ground motions that have steppers: a pulse, and a straight line between two samples of a record.
+enum class Ground { pulse, line };
+
+std::string name_of(Ground ground) { return ground == Ground::pulse ? "in_pulse_" : "on_line_"; }
+std::string brief_of(Ground ground) {
+  return ground == Ground::pulse ? "under a one-sine or one-cosine pulse" : "under (ground + slope*t)*g";
 }
 
-TaylorStepper linear_motion_in_pulse(Side side) {
+Rates rates_of(Ground ground) {
+  const SymbolExpression acceleration = numeric::ground;
+  if (ground == Ground::pulse) return pulse_rates(acceleration, numeric::quadrature);
+  return {{acceleration, numeric::slope}};
+}
+
+std::vector<SymbolExpression> parameters_of(Ground ground) {
+  return {alpha, p, ground == Ground::pulse ? omega_p : numeric::slope};
+}
+
+TaylorStepper motion(Ground ground, Side side) {
+  return with_ground({"motion_" + name_of(ground) + name_of(side),
+                      parameters_of(ground),
+                      {},
+                      side == Side::negative ? "21a" : "21b",
+                      "Rocking " + brief_of(ground) + range_of(side),
+                      t},
+                     angular_acceleration(side), u_gddot, rates_of(ground));
+}
+
+TaylorStepper linear_motion(Ground ground, Side side) {
   const LinearEquation equation = linear_equation_under(side, a_p);
-  return in_pulse({"linear_motion_in_pulse_" + name_of(side),
-                   {},
-                   {},
-                   side == Side::negative ? "56a" : "56b",
-                   "Linear rocking under a one-sine or one-cosine pulse" + range_of(side),
-                   t},
-                  pow(equation.k, 2) * theta + equation.forcing, a_p);
+  return with_ground({"linear_motion_" + name_of(ground) + name_of(side),
+                      parameters_of(ground),
+                      {},
+                      side == Side::negative ? "56a" : "56b",
+                      "Linear rocking " + brief_of(ground) + range_of(side),
+                      t},
+                     pow(equation.k, 2) * theta + equation.forcing, a_p, rates_of(ground));
 }
 
 }  // namespace
 
 std::vector<TaylorStepper> taylor_steppers() {
   std::vector<TaylorStepper> list;
-  for (const auto make : {motion_in_pulse, free_motion, linear_motion_in_pulse})
-    for (const Side side : {Side::negative, Side::positive}) list.push_back(make(side));
+  const std::array sides{Side::negative, Side::positive};
+  for (const Side side : sides) list.push_back(motion(Ground::pulse, side));
+  for (const Side side : sides) list.push_back(without_ground(side));
+  for (const Side side : sides) list.push_back(linear_motion(Ground::pulse, side));
+  for (const Side side : sides) list.push_back(motion(Ground::line, side));
+  for (const Side side : sides) list.push_back(linear_motion(Ground::line, side));
   return list;
 }
 

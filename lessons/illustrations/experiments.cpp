@@ -31,9 +31,8 @@ Motion motion_of(const Experiment& experiment, int points) {
   const numerics::Story story = tell(asked.block, asked.model, ground, asked.initial, experiment.until);
   Motion motion;
   motion.code = story.outcome.code;
-  motion.needed_friction = required_friction(asked.block, asked.model, story).required;
-  for (const auto& sample :
-       sampled(asked.block, asked.model, ground, story.response, experiment.until, points)) {
+  motion.needed_friction = required_friction(asked.block, story).required;
+  for (const auto& sample : sampled(ground, story.response, experiment.until, points)) {
     const double time = static_cast<double>(sample.time), angle = static_cast<double>(sample.angle);
     const double velocity = static_cast<double>(sample.velocity);
     if (std::abs(angle) > 3) break;  // it is falling: nothing more to see

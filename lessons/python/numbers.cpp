@@ -154,7 +154,7 @@ Told response(const Shape& pulse, double amplitude, const Block& block, const st
   return attended(1, {}, py::none(), [&](const Work&) {
     const GroundMotion motion = pulse_or_none(asked, amplitude);
     Story story = tell(block, asked.model, motion, asked.initial, static_cast<Real>(end));
-    auto history = sampled(block, asked.model, motion, story.response, story.until, samples);
+    auto history = sampled(motion, story.response, story.until, samples);
     return Told{std::move(story), block.alpha, std::move(history)};
   });
 }

@@ -137,7 +137,7 @@ numerics::Response motion_at(const numerics::PulseCase& asked, double amplitude)
 
 std::vector<numerics::Sample> samples_at(const numerics::PulseCase& asked, double amplitude) {
   const numerics::GroundMotion ground = ground_of(asked, amplitude);
-  return sampled(asked.block, asked.model, ground, motion_at(asked, amplitude), ground.back().to, 400);
+  return sampled(ground, motion_at(asked, amplitude), ground.back().to, 400);
 }
 
 double first_time(const numerics::Response& motion, numerics::EventKind kind) {

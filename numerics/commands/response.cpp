@@ -105,8 +105,7 @@ void print_told(const Told& told) {
 
 std::string history_csv(const Told& told) {
   std::string text = "tau,theta_over_alpha,thetadot_over_alpha_p,ground_over_g\n";
-  for (const Sample& at :
-       sampled(told.block, told.model, told.motion, told.story.response, told.story.until, 2001))
+  for (const Sample& at : sampled(told.motion, told.story.response, told.story.until, 2001))
     text += fmt::format("{:.17g},{:.17g},{:.17g},{:.17g}\n", static_cast<double>(at.time),
                         static_cast<double>(at.angle), static_cast<double>(at.velocity),
                         static_cast<double>(at.ground * told.block.alpha));
@@ -115,8 +114,7 @@ std::string history_csv(const Told& told) {
 
 Plot history_plot(const Told& told, const std::string& caption) {
   HistoryCurve curve;
-  for (const Sample& at :
-       sampled(told.block, told.model, told.motion, told.story.response, told.story.until, 2001))
+  for (const Sample& at : sampled(told.motion, told.story.response, told.story.until, 2001))
     curve.states.push_back(
         {static_cast<double>(at.time), static_cast<double>(at.angle), static_cast<double>(at.velocity)});
   Plot figure{caption, history_panels({curve})};
@@ -154,7 +152,7 @@ int response(const ResponseCommand& options) {
   const double until = options.until.empty() ? -1 : number_between("--until", options.until, 0, 1e5);
   if (!options.friction.empty()) told.limit = number_between("--friction", options.friction, 0, 1e9);
   told.story = tell(told.block, told.model, told.motion, initial, until);
-  told.friction = required_friction(told.block, told.model, told.story);
+  told.friction = required_friction(told.block, told.story);
   if (!options.csv.empty()) write_whole(options.csv, history_csv(told));
   if (!options.plot.empty())
     draw(history_plot(told,

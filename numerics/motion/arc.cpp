@@ -143,7 +143,7 @@ Point Mover::impact_between(const Arc& arc, const Point& above, const Point& bel
 Point Mover::along(const Arc& arc, Real time) { return advance_(arc, arc.start, time); }
 
 Arc Mover::move(const Piece& piece, int side, const Point& start, Real until) {
-  Arc arc{piece, side, start, start, ArcEnd::time};
+  Arc arc{.piece = piece, .side = side, .start = start, .end = start};
   if (pushes_from_ != piece.from) pushes_ = pushes(piece, level_), pushes_from_ = piece.from;
   const Real lying = model_ == Model::linear ? infinity : std::numbers::pi_v<Real> / 2 / block_.alpha;
   Point at = start;
@@ -169,7 +169,17 @@ Arc Mover::move(const Piece& piece, int side, const Point& start, Real until) {
     if (side * at.angle < 0) at.angle = 0;  // rounding, on leaving upright
   }
   arc.end = at;
+  if (arc.kind == ArcEnd::impact) arc.rebound = block_.restitution * at.velocity;
   return arc;
+}
+
+Follow reference_follower(const Block& block, Model model, const ResponseOptions& options) {
+  return [mover = std::make_shared<Mover>(block, model, options.tolerance), keeps = options.history](
+             const Piece& piece, int side, const Point& start) {
+    Arc arc = mover->move(piece, side, start, piece.to);
+    if (keeps) arc.at = [mover, along = arc](Real time) { return mover->along(along, time); };
+    return arc;
+  };
 }
 
 }  // namespace rederive::numerics

@@ -1,22 +1,12 @@
-// The motion between two events: one side, one smooth stretch of ground acceleration.
+// The second method: the motion between two events by closed forms (linear) or by GSL's integrator
+// (nonlinear). It is independent of the kernel.
 #pragma once
 
 #include <functional>
-#include <numerics/motion/ground_motion.hpp>
+#include <numerics/motion/history.hpp>
 #include <vector>
 
 namespace rederive::numerics {
-
-/// How an arc ends: at an impact (theta = 0), at the end of the time given, or lying on the side.
-enum class ArcEnd { impact, time, lies };
-
-/// One arc: from `start` on `side` (-1: theta<0, +1: theta>0) to `end`.
-struct Arc {
-  Piece piece;
-  int side = -1;
-  Point start, end;
-  ArcEnd kind = ArcEnd::time;
-};
 
 /// Moves the block along arcs: linear by the closed forms (57), (59), (62), (63); nonlinear by integrating
 /// (21) with an eighth-order Runge-Kutta method and a step chosen to keep the error below `tolerance`.
@@ -24,15 +14,13 @@ class Mover {
  public:
   Mover(const Block& block, Model model, double tolerance = default_tolerance);
 
-  /// The state at a time on the arc that went through a point before.
+  /// Returns the state at a time on the arc that went through a point before.
   using Advance = std::function<Point(const Arc& arc, const Point& from, Real time)>;
-  /// A linear motion that the caller knows better than in Real.
+  /// A linear motion that the caller computes with more digits than Real has.
   explicit Mover(Advance advance);
-  Mover(Mover&&) noexcept = default;
 
-  static constexpr double default_tolerance = 1e-12;
-
-  /// From `start` until the first impact, `until` (inside the piece), or |theta| = pi/2 (nonlinear).
+  /// Returns the arc from `start` until the first impact, `until` (inside the piece), or |theta| = pi/2
+  /// (nonlinear).
   ///
   /// The first impact cannot be missed. A bound of the acceleration towards upright gives a time in which the
   /// block cannot come back, and a step goes no further; until, by a bound of the acceleration away from
@@ -40,7 +28,7 @@ class Mover {
   /// upright, the impact is found on it by Newton's iteration in a bracket, to the last bit.
   Arc move(const Piece& piece, int side, const Point& start, Real until);
 
-  /// The state at `time` on an arc known not to end before.
+  /// Returns the state at `time` on an arc that does not end before.
   Point along(const Arc& arc, Real time);
 
  private:
@@ -61,5 +49,8 @@ class Mover {
   Real pushes_from_ = -1;
   Advance advance_;
 };
+
+/// Returns what follows a block by a Mover.
+Follow reference_follower(const Block& block, Model model, const ResponseOptions& options);
 
 }  // namespace rederive::numerics

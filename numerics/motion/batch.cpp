@@ -4,28 +4,16 @@
 #include <iterator>
 #include <numbers>
 #include <numerics/motion/batch.hpp>
+#include <numerics/motion/instruction_sets.hpp>
+#include <numerics/motion/kernel_start.hpp>
 #include <numerics/motion/parallel.hpp>
 #include <type_traits>
 
 namespace rederive::numerics {
 
-using RunBatch = void(const BatchBlock&, const BatchStart*, BatchEnd*, int);
-RunBatch run_batch_one_lane, run_batch_baseline, run_batch_v3, run_batch_v4;
-
 namespace {
 
 using Launch = PulseBatch::Launch;
-
-/// The pulse at a time, mirrored to the side theta > 0, over g.
-struct Mirrored {
-  double ground, quadrature;
-};
-Mirrored mirrored(double scale, const Piece& piece, int side, Real time) {
-  const double amplitude = side * scale * static_cast<double>(piece.amplitude),
-               phase = static_cast<double>(piece.omega * time + piece.phase);
-  return {emitted::ground_of_sine_pulse(amplitude, 0.0, phase, 0.0),
-          emitted::quadrature_of_sine_pulse(amplitude, 0.0, phase, 0.0)};
-}
 
 /// After an impact that leaves less than this velocity, over alpha p, a block may be about to rest.
 constexpr double slow = 1e-2;
@@ -42,7 +30,7 @@ struct Motions {
     int rests = 0;  ///< so far
   };
   std::vector<Owner> owners;
-  std::vector<BatchStart> starts;
+  std::vector<KernelStart<double>> starts;
 };
 
 /// A motion that the pulse leaves, on the side theta > 0 of its last impact; `launch` just lifts the block
@@ -50,7 +38,7 @@ struct Motions {
 struct Left {
   const PulseCase& asked;
   double scale;
-  const BatchEnd& end;
+  const KernelEnd<double>& end;
   const Motions::Owner& owner;
   double launch;
 
@@ -76,12 +64,12 @@ int code_of(const Margins& margins, int side, int impacts) {
 int code_after(const Left& left) {
   const int side = left.owner.side, impacts = left.end.impacts;
   switch (left.end.how) {
-    case BatchEnd::How::safe:
+    case KernelEnd<double>::How::safe:
       return 0;
-    case BatchEnd::How::returns:
+    case KernelEnd<double>::How::returns:
       return -side * (impacts + 2);
-    case BatchEnd::How::lies:
-    case BatchEnd::How::overturns:
+    case KernelEnd<double>::How::lies:
+    case KernelEnd<double>::How::overturns:
       return side * (impacts + 1);
     default:
       return code_of(left.margins(), side, impacts);
@@ -89,9 +77,9 @@ int code_after(const Left& left) {
 }
 
 Outcome outcome_after(const Left& left) {
-  const BatchEnd& end = left.end;
+  const KernelEnd<double>& end = left.end;
   const int side = left.owner.side;
-  const bool lies = end.how == BatchEnd::How::lies;
+  const bool lies = end.how == KernelEnd<double>::How::lies;
   const Margins margins = left.margins();
   const int code = lies ? side * (end.impacts + 1) : code_of(margins, side, end.impacts);
   return {code,
@@ -104,25 +92,25 @@ Outcome outcome_after(const Left& left) {
 
 /// Goes on after an impact that left the block slow: from the push that starts it again, if it comes to rest;
 /// false if it rests for good.
-bool resume(const AtUpright& upright, double scale, const Launch& from, const BatchEnd& end,
-            const BatchStart& start, Motions::Owner owner, Motions& next) {
+bool resume(const AtUpright& upright, double scale, const Launch& from, const KernelEnd<double>& end,
+            const KernelStart<double>& start, Motions::Owner owner, Motions& next) {
   Piece piece = from.piece;
-  piece.omega = start.omega, piece.to /= start.omega;
+  piece.omega = start.rate, piece.to /= start.rate;
   const Real time = piece.to - end.left, velocity = owner.side * end.thetadot / scale;
   if (const auto rest = time_of_rest(upright, piece, {time, 0, velocity})) {
     std::vector<Push> pushes = from.pushes;
-    for (Push& push : pushes) push.from /= start.omega, push.to /= start.omega;
+    for (Push& push : pushes) push.from /= start.rate, push.to /= start.rate;
     const auto push = push_that_starts(pushes, upright.level, piece, *rest);
     if (!push) return false;
     owner.side = push->side, ++owner.rests;
-    const Mirrored pulse = mirrored(scale, piece, owner.side, push->from);
-    next.starts.push_back({start.omega, 0, 0, pulse.ground, pulse.quadrature,
-                           static_cast<double>(push->to - push->from),
-                           static_cast<double>(piece.to - push->from), start.fading, slow * scale});
+    KernelStart<double>& restart =
+        next.starts.emplace_back(kernel_start<double>(piece, owner.side, push->from, scale));
+    restart.push = static_cast<double>(push->to - push->from);
+    restart.fading = start.fading, restart.slow = slow * scale;
   } else {
-    const Mirrored pulse = mirrored(scale, piece, owner.side, time);
-    next.starts.push_back({start.omega, 0, end.thetadot, pulse.ground, pulse.quadrature, 0, end.left,
-                           start.fading, end.thetadot / 4, end.impacts});
+    KernelStart<double>& hop = next.starts.emplace_back(kernel_start<double>(piece, owner.side, time, scale));
+    hop.thetadot = end.thetadot, hop.left = end.left, hop.impacts = end.impacts;
+    hop.fading = start.fading, hop.slow = end.thetadot / 4;
   }
   next.owners.push_back(owner);
   return true;
@@ -169,7 +157,7 @@ PulseBatch::Launch PulseBatch::launch_at(double amplitude) const {
   launch.left = static_cast<double>(launch.piece.to - start);
   launch.theta = static_cast<double>(launch.side * asked_.initial.angle * scale_);
   launch.thetadot = static_cast<double>(launch.side * asked_.initial.velocity * scale_);
-  const Mirrored pulse = mirrored(scale_, launch.piece, launch.side, start);
+  const auto pulse = kernel_start<double>(launch.piece, launch.side, start, scale_);
   launch.ground = pulse.ground, launch.quadrature = pulse.quadrature;
   launch.fading = asked_.pulse == Pulse::sine ? std::numbers::pi : 0;
   return launch;
@@ -178,7 +166,7 @@ PulseBatch::Launch PulseBatch::launch_at(double amplitude) const {
 PulseBatch::PulseBatch(const PulseCase& asked, const std::vector<double>& amplitudes,
                        const BatchKernel& kernel)
     : asked_(asked),
-      scale_(asked.model == Model::linear ? 1 : asked.block.alpha),
+      scale_(kernel_scale(asked.block, asked.model)),
       upright_(at_upright(asked.block, asked.model)),
       amplitudes_(amplitudes),
       kernel_(kernel) {
@@ -216,28 +204,35 @@ std::vector<std::vector<Result>> PulseBatch::followed(const std::vector<double>&
       const double omega = omega_ratios[static_cast<std::size_t>(column)];
       if (from.side == 0) continue;
       motions.owners.push_back({column, row, from.side});
-      motions.starts.push_back({omega, from.theta, from.thetadot, from.ground, from.quadrature,
-                                from.push / omega, from.left / omega, from.fading / omega, slow * scale_});
+      motions.starts.push_back({.rate = omega,
+                                .theta = from.theta,
+                                .thetadot = from.thetadot,
+                                .ground = from.ground,
+                                .quadrature = from.quadrature,
+                                .push = from.push / omega,
+                                .left = from.left / omega,
+                                .fading = from.fading / omega,
+                                .slow = slow * scale_});
     }
   for (int round = 0; !motions.starts.empty(); ++round) {
-    std::vector<BatchEnd> ends(motions.starts.size());
+    std::vector<KernelEnd<double>> ends(motions.starts.size());
     kernel_.run({asked_.model == Model::linear, scale_, asked_.block.restitution, scale_ * asked_.tolerance,
                  std::is_same_v<Result, int>},
                 motions.starts.data(), ends.data(), static_cast<int>(ends.size()));
     Motions next;
     for (std::size_t k = 0; k < ends.size(); ++k) {
-      const BatchEnd& end = ends[k];
-      const BatchStart& start = motions.starts[k];
+      const KernelEnd<double>& end = ends[k];
+      const KernelStart<double>& start = motions.starts[k];
       Motions::Owner owner = motions.owners[k];
       const auto row = static_cast<std::size_t>(owner.row);
       Result& result = all[static_cast<std::size_t>(owner.column)][row];
       if ((end.impacts - start.impacts) % 2 != 0) owner.side = -owner.side;
-      const bool weak = round == 0 && start.push > 0 && launches_[row].gain < weak_push * start.omega;
-      if (weak || end.how == BatchEnd::How::unclear || round == most_rounds) {
+      const bool weak = round == 0 && start.push > 0 && launches_[row].gain < weak_push * start.rate;
+      if (weak || end.how == KernelEnd<double>::How::unclear || round == most_rounds) {
         PulseCase here = asked_;
-        here.omega_ratio = start.omega;
+        here.omega_ratio = start.rate;
         result = of_outcome(outcome_at(here, amplitudes_[row]));
-      } else if (end.how == BatchEnd::How::slow) {
+      } else if (end.how == KernelEnd<double>::How::slow) {
         if (!resume(upright_, scale_, launches_[row], end, start, owner, next))
           result = of_outcome({0, 0, owner.rests + 1});
       } else {

@@ -1,49 +1,19 @@
-// Many simulations at once, in the lanes of a vector: A. Jorba and M. Zou,
-// Experimental Mathematics 14 (2005) 99-117, for the steps; each instruction set has a kernel of its own,
-// chosen at run time, and all give the same motions to rounding.
+// Many motions at once, in the lanes of vectors. The kernel is compiled for several instruction sets, one of
+// which is chosen at run time; all give the same motions, up to rounding.
 #pragma once
 
+#include <numerics/motion/kernel_case.hpp>
 #include <numerics/motion/overturning.hpp>
+#include <numerics/motion/rest.hpp>
 #include <vector>
 
 namespace rederive::numerics {
 
-/// Angles in rad, times p t, accelerations over g; in the linear model, of which alpha is the only scale,
-/// angles over alpha, accelerations over alpha g.
-struct BatchBlock {
-  bool is_linear;
-  double alpha, restitution;  ///< linear: alpha = 1
-  double tolerance;           ///< of the last two terms of each series
-  bool codes_only = false;    ///< a motion may end as soon as its code is certain
-};
-
-/// Where a motion starts under the pulse, on the side theta > 0: one on the other side is mirrored with its
-/// ground.
-struct BatchStart {
-  double omega;               ///< omega_p/p
-  double theta, thetadot;     ///< of the block
-  double ground, quadrature;  ///< of the pulse, the latter over omega_p
-  double push;                ///< from rest: how long the ground pushes at least as hard as at the start
-  double left;                ///< until the pulse ends
-  double fading;              ///< so long before it ends the ground keeps its sign, to come to 0 at last
-  double slow;                ///< an impact that leaves less than this velocity ends the motion
-  int impacts = 0;            ///< before the start
-};
-
-/// Where it ends: with the pulse, on the side theta > 0 of the last impact; lying; certain to overturn to
-/// that side, to come back and overturn to the other, or never to overturn; after an impact that leaves it
-/// slow; or in a graze that the kernel cannot tell from an impact.
-struct BatchEnd {
-  enum class How { pulse_over, lies, overturns, returns, safe, slow, unclear } how;
-  double theta, thetadot, left;
-  double launched;  ///< what was left when the block last started or came to upright
-  int impacts;
-};
-
 /// The kernel of one instruction set.
 struct BatchKernel {
   const char* name;
-  void (*run)(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends, int count);
+  void (*run)(const KernelBlock<double>& block, const KernelStart<double>* starts, KernelEnd<double>* ends,
+              int count);
 };
 
 /// Those that this processor can run, the fastest last.
@@ -71,7 +41,7 @@ class PulseBatch {
     int side = 0;               ///< 0: it does not start
     double push = 0, gain = 0;  ///< from rest: how long and, above start_level, how much the ground pushes
     double left = 0;            ///< until the pulse ends
-    double fading = 0;          ///< as in BatchStart
+    double fading = 0;          ///< as in KernelStart
     double theta = 0, thetadot = 0, ground = 0, quadrature = 0;  ///< mirrored to theta > 0
   };
 

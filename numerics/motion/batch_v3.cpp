@@ -1,5 +1,6 @@
 // The kernel with AVX2; numerics/CMakeLists.txt says with which flags.
-#include <numerics/motion/batch_kernel.hpp>
+#include <numerics/motion/instruction_sets.hpp>
+#include <numerics/motion/kernel.hpp>
 
 namespace {
 
@@ -14,7 +15,8 @@ inline Vector rederive::emitted::root(Vector x, int n) {
 
 namespace rederive::numerics {
 
-void run_batch_v3(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends, int count) {
+void run_batch_v3(const KernelBlock<double>& block, const KernelStart<double>* starts,
+                  KernelEnd<double>* ends, int count) {
   run_batch<Vector>(block, starts, ends, count);
 }
 

@@ -72,11 +72,8 @@ Outcome outcome_at_end(const Block& block, Model model, const Response& response
   return outcome;
 }
 
-Outcome outcome_of(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
-                   double tolerance) {
-  ResponseOptions options;
-  options.tolerance = tolerance;
-  return outcome_at_end(block, model, respond(block, model, motion, initial, options));
+Outcome outcome_of(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial) {
+  return outcome_at_end(block, model, respond(block, model, motion, initial));
 }
 
 Outcome outcome_at(const PulseCase& asked, Real amplitude) {
@@ -84,7 +81,9 @@ Outcome outcome_at(const PulseCase& asked, Real amplitude) {
   const bool rests = asked.initial.angle == 0 && asked.initial.velocity == 0;
   if (rests && amplitude < level && amplitude >= 0) return {};
   const GroundMotion motion = pulse_motion(asked.pulse, asked.omega_ratio, amplitude, level);
-  return outcome_of(asked.block, asked.model, motion, asked.initial, asked.tolerance);
+  const ResponseOptions options{.engine = Engine::gsl, .tolerance = asked.tolerance};
+  return outcome_at_end(asked.block, asked.model,
+                        respond(asked.block, asked.model, motion, asked.initial, options));
 }
 
 }  // namespace rederive::numerics

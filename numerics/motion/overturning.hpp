@@ -44,13 +44,11 @@ std::string words_for(int code, SideNames names = SideNames::signs);
 /// Returns the name of the outcome with this code: "safe" or "overturned".
 std::string_view outcome_name(int code);
 
-Outcome outcome_of(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
-                   double tolerance = Mover::default_tolerance);
-Outcome outcome_at_end(const Block& block, Model model, const Response& response);
+/// Returns the outcome of a ground motion, followed by the kernel.
+Outcome outcome_of(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial);
 
-/// What follows many motions: outcome_at, which integrates the nonlinear model by GSL and has closed forms of
-/// the linear one, or PulseBatch.
-enum class Engine { gsl, taylor };
+/// Returns the outcome of a response that stops with the ground motion: after it, energy decides.
+Outcome outcome_at_end(const Block& block, Model model, const Response& response);
 
 /// What is asked of a pulse: everything but its amplitude.
 struct PulseCase {
@@ -59,12 +57,14 @@ struct PulseCase {
   Pulse pulse = Pulse::sine;
   double omega_ratio = 1;
   InitialState initial;
-  double tolerance = Mover::default_tolerance;
+  double tolerance = default_tolerance;
   Engine engine = Engine::taylor;
 };
 
-/// Below start_level a pulse moves nothing that rests: safe. With initial conditions the pulse has no first
-/// instant then, and std::invalid_argument is thrown.
+/// Returns the outcome of a pulse of this amplitude in units of alpha g by the second method, whatever
+/// `asked.engine` is: closed forms of the linear model, GSL's integrator for the nonlinear one. Below
+/// start_level a block at rest is safe; with initial conditions the pulse has no first instant there, and
+/// std::invalid_argument is thrown.
 Outcome outcome_at(const PulseCase& asked, Real amplitude);
 
 }  // namespace rederive::numerics

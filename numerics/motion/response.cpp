@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
+#include <numerics/motion/arc.hpp>
+#include <numerics/motion/kernel_arc.hpp>
 #include <numerics/motion/response.hpp>
+#include <numerics/motion/rest.hpp>
 #include <stdexcept>
 
 namespace rederive::numerics {
 namespace {
 
-/// Where a history is wanted, impacts slower than this, in units of alpha p, are at the end of a chain; where
-/// only the outcome is, any chain that is sure to be over in time may be cut short sooner.
-constexpr Real rest_speed = 1e-9L;
+/// Where only the outcome is asked for, any chain that is certain to be over in time may be cut short sooner.
 constexpr Real soon_at_rest = 1e-3L;
 /// Impacts that are followed, in all and for each piece of a record.
 constexpr long most_impacts = 500'000, most_a_piece = 1'000;
@@ -23,12 +22,8 @@ constexpr Real slow = 1e-4L;
 
 class Walk {
  public:
-  Walk(const Block& block, Model model, const InitialState& initial, const ResponseOptions& options)
-      : block_(block),
-        model_(model),
-        upright_(at_upright(block, model)),
-        keep_(options.history),
-        mover_(block, model, options.tolerance) {
+  Walk(const AtUpright& upright, Follow follow, const InitialState& initial, bool keeps_history)
+      : upright_(upright), follow_(std::move(follow)), keep_(keeps_history) {
     response_.end = {0, initial.angle, initial.velocity};
     const Real leads = initial.angle != 0 ? initial.angle : initial.velocity;
     response_.side = leads > 0 ? 1 : leads < 0 ? -1 : 0;
@@ -72,21 +67,20 @@ class Walk {
 
   void swing(const Piece& piece) {
     moved_ = true;
-    const Arc arc = mover_.move(piece, response_.side, response_.end, piece.to);
+    const Arc arc = follow_(piece, response_.side, response_.end);
     if (keep_) response_.arcs.push_back(arc);
     response_.end = arc.end;
     response_.lies = arc.kind == ArcEnd::lies;
     instants_ = arc.end.time > arc.start.time ? 0 : instants_ + 1;
-    if (arc.kind == ArcEnd::impact) impact(piece);
+    if (arc.kind == ArcEnd::impact) impact(piece, arc.rebound);
     if (instants_ >= 2)
       rest_at(response_.end.time);  // pressed down on either side, by less than time can tell
   }
 
-  void impact(const Piece& piece) {
+  void impact(const Piece& piece, Real after) {
     if (++total_ > allowed_)
       throw std::runtime_error(
           fmt::format("more than {} impacts by tau = {}", allowed_, static_cast<double>(response_.end.time)));
-    const Real after = block_.restitution * response_.end.velocity;
     note(EventKind::impact, after);
     ++response_.impacts;
     response_.side = -response_.side;
@@ -115,89 +109,20 @@ class Walk {
     note(EventKind::rest, 0);
   }
 
-  Block block_;
-  Model model_;
   AtUpright upright_;
+  Follow follow_;
   bool keep_, moved_ = false;
   long total_ = 0, allowed_ = most_impacts;
   int instants_ = 0;  ///< hops one after the other that took no time at all
-  Mover mover_;
   Response response_;
 };
 
 }  // namespace
 
-std::string_view name_of(EventKind kind) {
-  switch (kind) {
-    case EventKind::start:
-      return "start";
-    case EventKind::impact:
-      return "impact";
-    case EventKind::rest:
-      return "rest";
-    case EventKind::restart:
-      return "restart";
-    case EventKind::pulse_end:
-      return "pulse_end";
-    case EventKind::overturn:
-      return "overturn";
-  }
-  return "";
-}
-
-InitialState initial_state(const Block& block, Model model, double theta_0, double thetadot_0) {
-  if (!std::isfinite(theta_0) || !std::isfinite(thetadot_0))
-    throw std::invalid_argument(
-        fmt::format("initial conditions {} rad, {} rad/s must be finite", theta_0, thetadot_0));
-  if (model == Model::nonlinear && !(std::abs(theta_0) < std::numbers::pi / 2))
-    throw std::invalid_argument(fmt::format(
-        "theta0 = {} rad must be below pi/2 in size: the block already lies on its side", theta_0));
-  constexpr Real nothing = 1e-15L, most = 1e9L;
-  const Real alpha = block.alpha, angle = theta_0 / alpha, velocity = thetadot_0 / (alpha * block.p);
-  if (std::abs(angle) > most || std::abs(velocity) > most)
-    throw std::invalid_argument(fmt::format(
-        "initial conditions {} rad, {} rad/s: theta0/alpha and thetadot0/(alpha p) must lie between "
-        "-1e9 and 1e9",
-        theta_0, thetadot_0));
-  return {std::abs(angle) < nothing ? 0 : angle, std::abs(velocity) < nothing ? 0 : velocity};
-}
-
-AtUpright at_upright(const Block& block, Model model) {
-  const Real level = start_level(block, model);
-  // The acceleration at upright is linear in that of the ground, and 0 at start_level.
-  return {level, acceleration(block, model, -1, 0, 0) / level,
-          4 / std::max<Real>(1 - block.restitution, 1e-4L)};
-}
-
-std::optional<Real> time_of_rest(const AtUpright& upright, const Piece& piece, const Point& after_impact) {
-  const Real speed = std::abs(after_impact.velocity), begin = after_impact.time;
-  // An upper bound, with a factor of two to spare, of how long the chain lasts while the ground is slower
-  // than this: each hop takes 2 v/slowing, each e times the one before. Infinite if hops are not short beside
-  // it.
-  const auto chain_under = [&](Real ground) {
-    const Real slowed = upright.slowing * (upright.level - ground);
-    return slowed > 4 * speed ? upright.hops * speed / slowed : std::numeric_limits<Real>::infinity();
-  };
-  const Real first = chain_under(most_ground(piece, begin, begin));
-  if (!(begin + first <= piece.to)) return std::nullopt;  // and longer under a stronger ground
-  const Real over = std::min(piece.to, begin + 2 * first);
-  if (!(begin + chain_under(most_ground(piece, begin, over)) <= over)) return std::nullopt;
-  return std::min(over, begin + first / 2);
-}
-
-std::optional<Push> push_that_starts(const std::vector<Push>& all, Real level, const Piece& piece,
-                                     Real time) {
-  for (Push push : all) {
-    if (!(time < push.to)) continue;
-    push.from = std::max(push.from, time);
-    if ((most_ground(piece, push.from, push.to) - level) * (push.to - push.from) >= rest_speed) return push;
-  }
-  return std::nullopt;
-}
-
 Response respond(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
                  const ResponseOptions& options) {
-  Walk walk(block, model, initial, options);
+  const auto follower = options.engine == Engine::gsl ? reference_follower : kernel_follower;
+  Walk walk(at_upright(block, model), follower(block, model, options), initial, options.history);
   for (const Piece& piece : motion) walk.through(piece);
   walk.pulse_over();
   const Real end = motion.empty() ? 0 : motion.back().to;
@@ -210,10 +135,8 @@ Response respond(const Block& block, Model model, const GroundMotion& motion, co
   return std::move(walk).result();
 }
 
-std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion& motion,
-                            const Response& response, Real until, int count) {
+std::vector<Sample> sampled(const GroundMotion& motion, const Response& response, Real until, int count) {
   std::vector<Sample> samples;
-  Mover mover(block, model);
   std::size_t arc = 0, piece = 0;
   for (int i = 0; i < count; ++i) {
     const Real time = std::lerp(Real{0}, until, static_cast<Real>(i) / (count - 1));  // exact at the end
@@ -225,7 +148,7 @@ std::vector<Sample> sampled(const Block& block, Model model, const GroundMotion&
       samples.push_back({time, 0, 0, ground});
       continue;
     }
-    const Point at = mover.along(response.arcs[arc], time);
+    const Point at = response.arcs[arc].at(time);
     samples.push_back({time, at.angle, at.velocity, ground});
   }
   return samples;

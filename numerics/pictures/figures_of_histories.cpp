@@ -28,7 +28,7 @@ HistoryCurve history(const Shown& shown) {
       pulse_motion(Pulse::sine, shown.omega_ratio, shown.amplitude, start_level(block, shown.model));
   const Story story = tell(block, shown.model, motion, {}, span_of_tau);
   HistoryCurve curve{shown.title, shown.dash, shown.grey, {}};
-  for (const Sample& at : sampled(block, shown.model, motion, story.response, span_of_tau, 1601)) {
+  for (const Sample& at : sampled(motion, story.response, span_of_tau, 1601)) {
     curve.states.push_back(
         {static_cast<double>(at.time), static_cast<double>(at.angle), static_cast<double>(at.velocity)});
     if (std::abs(at.angle) > 3) break;

@@ -286,6 +286,7 @@ Record read_record(const std::string& file, const RecordOptions& options) {
 
 GroundMotion record_motion(const Record& record, const Block& block, double scale) {
   GroundMotion motion;
+  motion.reserve(record.time.size());
   for (std::size_t i = 0; i + 1 < record.time.size(); ++i) {
     Piece piece;
     piece.from = block.p * static_cast<Real>(record.time[i] - record.time[0]);

@@ -186,8 +186,11 @@ std::vector<char> overturned_at(const Block& block, Model model, const Record& r
   if (!(own > 0 && std::isfinite(1 / own)))
     throw std::invalid_argument(fmt::format("a record whose peak is {} cannot be scaled", own));
   std::vector<char> all;
-  for (const double wanted : peaks)
-    all.push_back(outcome_of(block, model, record_motion(record, block, wanted / own), {}).code != 0);
+  for (const double wanted : peaks) {
+    const Response response =
+        respond(block, model, record_motion(record, block, wanted / own), {}, {.in_double = true});
+    all.push_back(outcome_at_end(block, model, response).code != 0);
+  }
   return all;
 }
 

@@ -13,18 +13,16 @@ constexpr Real a_while = 10;
 
 /// The last passage of |theta| = alpha outward on the side to which the block overturns; the start, if it
 /// began beyond and stayed there.
-Event overturn_event(Mover& mover, const Response& response, int side) {
+Event overturn_event(const Response& response, int side) {
   Point at = response.arcs.front().start;
   for (auto arc = response.arcs.rbegin(); arc != response.arcs.rend(); ++arc) {
     if (arc->side != side || side * arc->end.angle < 1) continue;
-    const auto beyond = [&](double time) {
-      return static_cast<double>(side * mover.along(*arc, time).angle - 1);
-    };
+    const auto beyond = [&](double time) { return static_cast<double>(side * arc->at(time).angle - 1); };
     const double start = static_cast<double>(arc->start.time), end = static_cast<double>(arc->end.time);
     const int points = std::clamp(static_cast<int>((end - start) / 0.005), 4, 512);
     const auto passages = sign_changes(beyond, start, end, points);
     if (passages.empty()) continue;
-    at = mover.along(*arc, passages.back().outside);
+    at = arc->at(passages.back().outside);
     break;
   }
   return {EventKind::overturn, at.time, at.angle, at.velocity, at.velocity};
@@ -56,13 +54,13 @@ Reactions reactions(const Block& block, const Arc& arc, const Point& at) {
 }
 
 /// The largest ratio on one arc: the best of a few points, and the greatest beside it.
-void friction_on(const Block& block, Mover& mover, const Arc& arc, Real until, Friction& friction) {
+void friction_on(const Block& block, const Arc& arc, Real until, Friction& friction) {
   const double start = static_cast<double>(arc.start.time),
                end = static_cast<double>(std::min(arc.end.time, until));
   const int count = std::clamp(static_cast<int>((end - start) / 0.02), 2, 64);
   double best = start, most = 0;
   const auto ratio = [&](double time) {
-    const Reactions force = reactions(block, arc, mover.along(arc, time));
+    const Reactions force = reactions(block, arc, arc.at(time));
     if (force.vertical <= 0 && !friction.uplift) friction.uplift = true, friction.uplift_time = time;
     const double value = force.vertical > 0 ? static_cast<double>(std::abs(force.horizontal) / force.vertical)
                                             : std::numeric_limits<double>::infinity();
@@ -87,19 +85,17 @@ GroundMotion pulse_or_none(const PulseCase& asked, double amplitude) {
 }
 
 Story tell(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
-           Real until, double tolerance) {
+           Real until) {
   Story story;
-  story.outcome = outcome_of(block, model, motion, initial, tolerance);
+  story.outcome = outcome_of(block, model, motion, initial);
   ResponseOptions options;
   options.history = true;
-  options.tolerance = tolerance;
   const bool over = story.outcome.code != 0;
   options.until = std::max(until, end_of(motion) + (over ? long_enough : until < 0 ? a_while : 0));
   story.response = respond(block, model, motion, initial, options);
   auto& events = story.response.events;
   if (over) {
-    Mover mover(block, model, tolerance);
-    events.push_back(overturn_event(mover, story.response, story.outcome.code > 0 ? 1 : -1));
+    events.push_back(overturn_event(story.response, story.outcome.code > 0 ? 1 : -1));
     story.overturn_time = events.back().time;
   }
   std::stable_sort(events.begin(), events.end(),
@@ -115,11 +111,10 @@ int impacts_of(const Story& story) {
   return static_cast<int>(std::ranges::count_if(story.response.events, is_impact));
 }
 
-Friction required_friction(const Block& block, Model model, const Story& story) {
+Friction required_friction(const Block& block, const Story& story) {
   Friction friction;
-  Mover mover(block, model);
   for (const Arc& arc : story.response.arcs)
-    if (arc.start.time < story.until) friction_on(block, mover, arc, story.until, friction);
+    if (arc.start.time < story.until) friction_on(block, arc, story.until, friction);
   return friction;
 }
 

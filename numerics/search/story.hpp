@@ -20,7 +20,7 @@ GroundMotion pulse_or_none(const PulseCase& asked, double amplitude);
 /// Follows the block until tau = `until`; if negative, until shortly after it overturns, or comes to rest, or
 /// ten units of p t after the ground.
 Story tell(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
-           Real until = -1, double tolerance = Mover::default_tolerance);
+           Real until = -1);
 
 /// Impacts until it overturns, or all that there were.
 int impacts_of(const Story& story);
@@ -33,6 +33,6 @@ struct Friction {
   bool uplift = false;     ///< V <= 0 somewhere: the block would leave the ground
   double uplift_time = 0;  ///< when first found
 };
-Friction required_friction(const Block& block, Model model, const Story& story);
+Friction required_friction(const Block& block, const Story& story);
 
 }  // namespace rederive::numerics

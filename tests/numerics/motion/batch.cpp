@@ -126,23 +126,28 @@ TEST_CASE("a code that is certain before the pulse is over is that of the whole 
 TEST_CASE("every kernel gives the same motions, and the same bits in whatever lane") {
   for (const bool is_linear : {false, true}) {
     const double alpha = 0.25, ground = -std::tan(alpha);
-    std::vector<BatchStart> starts;
+    std::vector<KernelStart<double>> starts;
     for (int i = 0; i < 74; ++i) {
       const double omega = 1 + 0.1 * (i % 37), amplitude = (i < 37 ? 1.5 : 3) * alpha;
       const double quadrature = -std::sqrt(amplitude * amplitude - ground * ground),
                    psi = std::asin(-ground / amplitude);
-      starts.push_back({omega, 0, 0, ground, quadrature, (std::numbers::pi - 2 * psi) / omega,
-                        (2 * std::numbers::pi - psi) / omega, std::numbers::pi / omega, 1e-4});
+      starts.push_back({.rate = omega,
+                        .ground = ground,
+                        .quadrature = quadrature,
+                        .push = (std::numbers::pi - 2 * psi) / omega,
+                        .left = (2 * std::numbers::pi - psi) / omega,
+                        .fading = std::numbers::pi / omega,
+                        .slow = 1e-4});
     }
-    std::vector<BatchEnd> first;
+    std::vector<KernelEnd<double>> first;
     int with_impacts = 0;
     for (const BatchKernel& kernel : batch_kernels()) {
       CAPTURE(kernel.name);
-      std::vector<BatchEnd> ends(starts.size());
+      std::vector<KernelEnd<double>> ends(starts.size());
       kernel.run({is_linear, alpha, 0.9, 1e-12}, starts.data(), ends.data(), static_cast<int>(starts.size()));
       if (first.empty()) first = ends;
       for (std::size_t i = 0; i < starts.size(); ++i) {
-        BatchEnd alone{};
+        KernelEnd<double> alone{};
         kernel.run({is_linear, alpha, 0.9, 1e-12}, &starts[i], &alone, 1);
         CHECK(ends[i].theta == alone.theta);
         CHECK(ends[i].thetadot == alone.thetadot);
@@ -154,12 +159,13 @@ TEST_CASE("every kernel gives the same motions, and the same bits in whatever la
       }
     }
     CHECK(with_impacts >= 20);  // and went on after them
-    std::map<BatchEnd::How, int> early;
-    std::vector<BatchEnd> ends(starts.size());
+    std::map<KernelEnd<double>::How, int> early;
+    std::vector<KernelEnd<double>> ends(starts.size());
     batch_kernels().back().run({is_linear, alpha, 0.9, 1e-12, true}, starts.data(), ends.data(),
                                static_cast<int>(starts.size()));
-    for (const BatchEnd& end : ends) early[end.how] += end.left > 0 ? 1 : 0;
-    for (const auto how : {BatchEnd::How::overturns, BatchEnd::How::returns, BatchEnd::How::safe})
+    for (const KernelEnd<double>& end : ends) early[end.how] += end.left > 0 ? 1 : 0;
+    for (const auto how :
+         {KernelEnd<double>::How::overturns, KernelEnd<double>::How::returns, KernelEnd<double>::How::safe})
       CHECK(early[how] > 0);
   }
 }

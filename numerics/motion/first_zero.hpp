@@ -1,5 +1,5 @@
-// Events in the lanes of a vector: the first zero of a polynomial, by bounds of its second derivative and
-// Newton's iteration. As in batch_kernel.hpp, all depends on the type of the vector V.
+// Events in the lanes of a vector V: the first zero of a polynomial, by bounds of its second derivative and
+// Newton's iteration. As in kernel.hpp, everything depends on the type V.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ void sample(const V (&series)[size], V time, V& y, V& v) {
 #pragma GCC unroll 32
   for (std::size_t k = last_odd; k > 1; k -= 2)
     odd_rate = odd_rate * square + odd, odd = odd * square + series[k - 2];
-  y = even + time * odd, v = odd + 2 * time * (even_rate + time * odd_rate);
+  y = even + time * odd, v = odd + V(2) * time * (even_rate + time * odd_rate);
 }
 
 /// The zero of y in each of the lanes `open`, between `low` and `high`, where y falls all along: Newton's
@@ -29,7 +29,7 @@ V falling_zero(const V (&series)[size], V low, V y_low, V v_low, V high, V v_hig
                typename V::mask_type open) {
   const V bend = (v_low - v_high) / (high - low);
   V time = high, y = y_low, v = v_high;
-  V next = low + 2 * y_low / (sqrt(max(V(0), v_low * v_low + 2 * bend * y_low)) - v_low);
+  V next = low + V(2) * y_low / (sqrt(max(V(0), v_low * v_low + V(2) * bend * y_low)) - v_low);
   for (int i = 0; i < 100 && any_of(open); ++i) {
     where(!(next > low && next < high), next) = low + (high - low) / 2;
     V y_next, v_next;
@@ -71,7 +71,7 @@ FirstZero<V> first_zero(const V (&series)[size], V until, V above, V below, type
     falls = falls || (open && crosses && falling);
     open = open && !falling && (crosses || !(v >= below * length || sqrt(y) + at_end >= length * dip));
     if (i == 3 || none_of(open)) break;
-    const V next = low + (v + sqrt(v * v + 2 * below * y)) / below, there = min(next, until);
+    const V next = low + (v + sqrt(v * v + V(2) * below * y)) / below, there = min(next, until);
     V y_there, v_there;
     sample(series, there, y_there, v_there);
     where(open, low) = there;

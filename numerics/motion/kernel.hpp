@@ -1,5 +1,10 @@
-// The kernel: step, decision, lane. Compiled once for each instruction set; only what depends on the type of
-// the vector V may be defined here, so that no code of one set is taken for another's.
+// The kernel of the motion: Taylor steps, events, impacts, and the outcome as soon as it is certain.
+//
+// It follows one motion in each lane of a vector V = std::experimental::simd<T>: many motions of a map in
+// lanes of double, one motion in a single lane of long double. The steps are those of A. Jorba and M. Zou, A
+// software package for the numerical integration of ODEs by means of high-order Taylor methods, Experimental
+// Mathematics 14 (2005) 99-117. This header is compiled once for each instruction set: it may define only
+// what depends on V, so that the linker cannot take code of one set for another's.
 #pragma once
 
 #include <cmath>
@@ -7,8 +12,8 @@
 #include <emitted/rocking_block.hpp>
 #include <experimental/simd>
 #include <numbers>
-#include <numerics/motion/batch.hpp>
-#include <numerics/motion/batch_events.hpp>
+#include <numerics/motion/first_zero.hpp>
+#include <numerics/motion/kernel_case.hpp>
 #include <type_traits>
 
 namespace rederive::numerics {
@@ -25,38 +30,42 @@ V rough_root(V x, int n) {
   return __builtin_bit_cast(V, __builtin_bit_cast(Bits, of_root) << 20);
 }
 
-/// The motions that wait for a lane, and how many are on their way.
-struct BatchQueue {
-  const BatchStart* starts;
-  BatchEnd* ends;
+/// The motions that wait for a lane, and how many are in lanes.
+template <class T>
+struct KernelQueue {
+  const KernelStart<T>* starts;
+  KernelEnd<T>* ends;
   int count, next, running;
 };
 
 /// The motions in the lanes of V, each on the side theta > 0: at an impact the ground is mirrored instead.
-/// Motion is an emitted stepper, of (21b) or (56b).
+/// Motion is an emitted stepper of (21b) or (56b), under a pulse or under a straight line.
 template <class V, class Motion>
-class BatchPack {
+class LanePack {
+  using T = typename V::value_type;
   using Mask = typename V::mask_type;
+  using Start = KernelStart<T>;
+  using End = KernelEnd<T>;
 
  public:
-  BatchPack(const BatchBlock& block, BatchQueue& queue)
+  LanePack(const KernelBlock<T>& block, KernelQueue<T>& queue)
       : block_(block),
         queue_(queue),
-        sin_(std::sin(block.alpha)),
-        cos_(std::cos(block.alpha)),
+        sin_(is_nonlinear ? std::sin(block.alpha) : T(0)),
+        cos_(is_nonlinear ? std::cos(block.alpha) : T(1)),
         weight_(is_nonlinear ? sin_ : block.alpha),
         barrier_(2 * (is_nonlinear ? std::sin(block.alpha / 2) : block.alpha / 2)) {
     motion_.alpha = block.alpha, motion_.p = 1;
     for (int lane = 0; lane < lanes; ++lane) fill(lane);
   }
 
-  // The parts of a step. What is rare stands in functions of its own, without vectors as arguments: such
-  // would leave the upper halves of registers in use, and slow down all that is no vector.
+  // The parts of a step. Rare work is in separate functions that take no vectors as arguments: those would
+  // leave the upper halves of registers in use and slow down all scalar code.
 
   [[gnu::flatten]] void expand() { motion_.expand(); }
 
-  /// The step of each lane: by the last terms; no longer than the pulse; from rest, than the first push; and
-  /// after an impact, by little, than the hop that is to be expected.
+  /// Chooses the step of each lane by the last terms of its series. It is no longer than the ground motion,
+  /// from rest no longer than the first push, and after an impact little longer than the expected hop.
   [[gnu::flatten]] void choose_step() {
     const V velocity = motion_.thetadot[0], bend = motion_.theta[2];
     const Mask upright = motion_.theta[0] == 0;
@@ -65,11 +74,11 @@ class BatchPack {
     h_ = min(motion_.step_size(V(block_.tolerance) * size), left_);
     if (none_of(upright)) return;
     where(launched_, h_) = min(h_, push_);
-    where(upright && velocity > 0 && bend < 0, h_) = min(h_, -1.25 * velocity / bend);
+    where(upright && velocity > 0 && bend < 0, h_) = min(h_, V(-1.25) * velocity / bend);
   }
 
-  /// What happens on it: most lanes certainly neither come to upright nor lie, and some lie. An event, and
-  /// what cannot be told so soon, makes the step shorter.
+  /// Finds what happens on the step. Most lanes certainly neither come to upright nor lie, and some certainly
+  /// lie. An event, and a doubt that cannot be settled at once, makes the step shorter.
   [[gnu::flatten]] void look_ahead() {
     const V after = emitted::value_at(motion_.theta, h_);
     stands_ = launched_ || stays_above(after);
@@ -79,25 +88,32 @@ class BatchPack {
     if (!all_of(stands_) || any_of(leans_)) find_events();
   }
 
-  /// To the end of the step, and in a lane whose motion is over to the next one.
+  /// Moves to the end of the step, and in a lane whose motion is over to the next motion.
   [[gnu::flatten]] void advance() {
     move();
-    if (block_.codes_only) foresee();
+    if constexpr (is_pulse)
+      if (block_.codes_only) foresee();
     over_ =
         left_ <= 0 || lies_ || overturns_ || returns_ || safe_ || slow_hit_ || unclear_ || steps_ > 10'000;
     if (any_of(over_)) retire();
   }
 
+  /// The series of theta on the step of a lane, and its length, as look_ahead leaves them.
+  using Series = std::remove_reference_t<decltype(std::declval<Motion&>().theta)>;
+  const Series& series() const { return motion_.theta; }
+  V length() const { return h_; }
+
  private:
   static constexpr int lanes = static_cast<int>(V::size());
   static constexpr int order = static_cast<int>(std::extent_v<decltype(Motion::theta)>) - 1;
   static constexpr bool is_nonlinear = requires(Motion motion) { motion.sin_1; };
-  static constexpr double lying = is_nonlinear ? std::numbers::pi / 2 : 1e300;
+  static constexpr bool is_pulse = requires(Motion motion) { motion.quadrature; };
+  static constexpr T lying = is_nonlinear ? std::numbers::pi_v<T> / 2 : T(1e300);
 
   [[gnu::noinline]] void find_events() {
     V change = V(0), power = V(1);  // of theta'' on the step, by its series
-    for (int k = 3; k <= order; ++k) power *= h_, change += k * (k - 1) * fabs(motion_.theta[k]) * power;
-    const V bend = 2 * motion_.theta[2], tiny = V(1e-30), most = amplitude_ + V(is_nonlinear ? 1 : 1e300),
+    for (int k = 3; k <= order; ++k) power *= h_, change += T(k * (k - 1)) * fabs(motion_.theta[k]) * power;
+    const V bend = T(2) * motion_.theta[2], tiny = V(1e-30), most = amplitude_ + V(is_nonlinear ? 1 : 1e300),
             above = min(most, max(change + bend, tiny)),
             below = min(amplitude_ + weight_, max(change - bend, tiny));
     const FirstZero<V> impact = first_zero(motion_.theta, h_, above, below, !stands_);
@@ -113,7 +129,7 @@ class BatchPack {
     h_ = fall.time;
   }
 
-  /// To the end of the step; at an impact (34), seen from the other side.
+  /// Moves to the end of the step; an impact (34) is seen from the other side.
   void move() {
     motion_.advance(h_);
     left_ -= h_;
@@ -123,7 +139,10 @@ class BatchPack {
     where(hits_, motion_.theta[0]) = 0;
     where(hits_, motion_.thetadot[0]) = rebound;
     where(hits_, motion_.ground[0]) = -motion_.ground[0];
-    where(hits_, motion_.quadrature[0]) = -motion_.quadrature[0];
+    if constexpr (is_pulse)
+      where(hits_, motion_.quadrature[0]) = -motion_.quadrature[0];
+    else
+      where(hits_, motion_.slope) = -motion_.slope;
     if constexpr (is_nonlinear) {
       where(hits_, motion_.sin_1[0]) = sin_;
       where(hits_, motion_.cos_1[0]) = cos_;
@@ -182,13 +201,13 @@ class BatchPack {
   [[gnu::noinline]] void retire() {
     for (int lane = 0; lane < lanes; ++lane)
       if (over_[at(lane)])
-        finish(lane, lies_[at(lane)]        ? BatchEnd::How::lies
-                     : overturns_[at(lane)] ? BatchEnd::How::overturns
-                     : returns_[at(lane)]   ? BatchEnd::How::returns
-                     : safe_[at(lane)]      ? BatchEnd::How::safe
-                     : slow_hit_[at(lane)]  ? BatchEnd::How::slow
-                     : left_[at(lane)] <= 0 ? BatchEnd::How::pulse_over
-                                            : BatchEnd::How::unclear);
+        finish(lane, lies_[at(lane)]        ? End::How::lies
+                     : overturns_[at(lane)] ? End::How::overturns
+                     : returns_[at(lane)]   ? End::How::returns
+                     : safe_[at(lane)]      ? End::How::safe
+                     : slow_hit_[at(lane)]  ? End::How::slow
+                     : left_[at(lane)] <= 0 ? End::How::pulse_over
+                                            : End::How::unclear);
   }
 
   /// No acceleration outwards exceeds this, as far as theta.
@@ -218,24 +237,30 @@ class BatchPack {
   /// The next motion, or, for want of one, a block at rest on its corner.
   void fill(int lane) {
     const bool waits = queue_.next < queue_.count;
-    const BatchStart start =
-        waits ? queue_.starts[queue_.next] : BatchStart{1, block_.alpha, 0, 0, 0, 1, 1, 0, 0};
+    const Start start =
+        waits ? queue_.starts[queue_.next] : Start{.rate = 1, .theta = block_.alpha, .left = 1};
     index_[lane] = waits ? queue_.next++ : -1;
     queue_.running += waits ? 1 : 0;
-    const auto set = [&](V& of, double value) { of[at(lane)] = value; };
-    set(motion_.omega_p, start.omega), set(motion_.theta[0], start.theta);
-    set(motion_.thetadot[0], start.thetadot);
-    set(motion_.ground[0], start.ground), set(motion_.quadrature[0], start.quadrature);
+    const auto set = [&](V& of, T value) { of[at(lane)] = value; };
+    set(motion_.theta[0], start.theta), set(motion_.thetadot[0], start.thetadot);
+    set(motion_.ground[0], start.ground);
+    if constexpr (is_pulse) {
+      set(motion_.omega_p, start.rate), set(motion_.quadrature[0], start.quadrature);
+      set(amplitude_, std::sqrt(start.ground * start.ground + start.quadrature * start.quadrature));
+    } else {
+      set(motion_.slope, start.rate);
+      const T end = start.ground + start.rate * start.left;
+      set(amplitude_, std::fabs(start.ground) > std::fabs(end) ? std::fabs(start.ground) : std::fabs(end));
+    }
     if constexpr (is_nonlinear) {
       set(motion_.sin_1[0], start.theta == 0 ? sin_ : std::sin(block_.alpha - start.theta));
       set(motion_.cos_1[0], start.theta == 0 ? cos_ : std::cos(block_.alpha - start.theta));
     }
-    set(amplitude_, std::sqrt(start.ground * start.ground + start.quadrature * start.quadrature));
     set(left_, start.left), set(launched_left_, start.left), set(push_, start.push), set(steps_, 0);
     set(impacts_, start.impacts), set(fading_, start.fading), set(slow_, start.slow);
   }
 
-  void finish(int lane, BatchEnd::How how) {
+  void finish(int lane, typename End::How how) {
     if (index_[lane] < 0) return;
     queue_.ends[index_[lane]] = {how,
                                  motion_.theta[0][at(lane)],
@@ -249,9 +274,9 @@ class BatchPack {
 
   static std::size_t at(int lane) { return static_cast<std::size_t>(lane); }
 
-  BatchBlock block_;
-  BatchQueue& queue_;
-  double sin_, cos_, weight_, barrier_;
+  KernelBlock<T> block_;
+  KernelQueue<T>& queue_;
+  T sin_, cos_, weight_, barrier_;
   Motion motion_;
   V left_, fading_, launched_left_, push_, amplitude_, steps_, impacts_, slow_, h_;
   Mask launched_, stands_, leans_, hits_, lies_, unclear_, slow_hit_, over_, overturns_{false},
@@ -259,26 +284,48 @@ class BatchPack {
   int index_[lanes];
 };
 
-/// Three packs in flight, each a part of a step after the other: while one waits for its last operation, the
-/// others go on.
+/// Follows motions in three packs of lanes, each a part of a step after the other: while one waits for its
+/// last operation, the others go on.
 template <class V, class Motion>
-void run_packs(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends, int count) {
-  using Pack = BatchPack<V, Motion>;
-  BatchQueue queue{starts, ends, count, 0, 0};
+void run_packs(const KernelBlock<double>& block, const KernelStart<double>* starts, KernelEnd<double>* ends,
+               int count) {
+  using Pack = LanePack<V, Motion>;
+  KernelQueue<double> queue{starts, ends, count, 0, 0};
   Pack packs[] = {{block, queue}, {block, queue}, {block, queue}};
   while (queue.running > 0)
     for (const auto part : {&Pack::expand, &Pack::choose_step, &Pack::look_ahead, &Pack::advance})
       for (Pack& pack : packs) (pack.*part)();
 }
 
-/// The orders that cost least: a step takes operations as the square of the order, a linear one as the order.
+/// Follows many motions under pulses, in the order that costs least: a step takes operations as the square of
+/// the order, a linear one as the order.
 template <class V>
-void run_batch(const BatchBlock& block, const BatchStart* starts, BatchEnd* ends, int count) {
+void run_batch(const KernelBlock<double>& block, const KernelStart<double>* starts, KernelEnd<double>* ends,
+               int count) {
   const auto run = block.is_linear ? run_packs<V, emitted::linear_motion_in_pulse_positive<V, 24>>
                    : block.tolerance >= 1e-10 * block.alpha
                        ? run_packs<V, emitted::motion_in_pulse_positive<V, 13>>
                        : run_packs<V, emitted::motion_in_pulse_positive<V, 18>>;
   run(block, starts, ends, count);
+}
+
+/// Follows one motion in the one lane of V, and calls `step(series of theta, length)` for each step.
+template <class V, class Motion, class Step>
+KernelEnd<typename V::value_type> run_one(const KernelBlock<typename V::value_type>& block,
+                                          const KernelStart<typename V::value_type>& start,
+                                          const Step& step) {
+  using T = typename V::value_type;
+  KernelEnd<T> end{};
+  KernelQueue<T> queue{&start, &end, 1, 0, 0};
+  LanePack<V, Motion> pack(block, queue);
+  while (queue.running > 0) {
+    pack.expand();
+    pack.choose_step();
+    pack.look_ahead();
+    step(pack.series(), static_cast<T>(pack.length()[0]));
+    pack.advance();
+  }
+  return end;
 }
 
 }  // namespace rederive::numerics

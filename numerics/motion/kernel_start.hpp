@@ -1,0 +1,39 @@
+// Where a motion starts, in the terms of the kernel.
+#pragma once
+
+#include <emitted/rocking_block.hpp>
+#include <numerics/motion/ground_motion.hpp>
+#include <numerics/motion/kernel_case.hpp>
+
+namespace rederive::numerics {
+
+/// The unit of the kernel's angles and accelerations, in alpha: alpha, or 1 in the linear model.
+inline double kernel_scale(const Block& block, Model model) {
+  return model == Model::linear ? 1 : block.alpha;
+}
+
+/// Whether the kernel takes the ground motion of the piece as a straight line. It takes everything else as a
+/// pulse, ground at rest as one of amplitude 0.
+inline bool is_line(const Piece& piece) { return piece.value != 0 || piece.slope != 0; }
+
+/// Returns the start of a motion on `side` at `time` in the piece, with the ground there and without a state
+/// of the block; `scale` is kernel_scale.
+template <class T>
+KernelStart<T> kernel_start(const Piece& piece, int side, Real time, double scale) {
+  KernelStart<T> start;
+  start.left = static_cast<T>(piece.to - time);
+  const Real since = time - piece.from;
+  if (!is_line(piece)) {
+    const T amplitude = side * scale * static_cast<T>(piece.amplitude),
+            phase = static_cast<T>(piece.omega * since + piece.phase), zero = 0;
+    start.rate = static_cast<T>(piece.omega);
+    start.ground = emitted::ground_of_sine_pulse(amplitude, zero, phase, zero);
+    start.quadrature = emitted::quadrature_of_sine_pulse(amplitude, zero, phase, zero);
+  } else {
+    start.rate = static_cast<T>(side * scale * piece.slope);
+    start.ground = static_cast<T>(side * scale * (piece.value + piece.slope * since));
+  }
+  return start;
+}
+
+}  // namespace rederive::numerics
