@@ -16,7 +16,7 @@ struct BatchKernel {
               int count);
 };
 
-/// Those that this processor can run, the fastest last.
+/// Returns the kernels that this processor can run, the fastest last.
 const std::vector<BatchKernel>& batch_kernels();
 
 /// One pulse at many amplitudes.
@@ -26,12 +26,13 @@ class PulseBatch {
   PulseBatch(const PulseCase& asked, const std::vector<double>& amplitudes,
              const BatchKernel& kernel = batch_kernels().back());
 
-  /// For each omega_p/p outcome_at(asked, amplitude) of each amplitude. A graze is followed by outcome_at.
+  /// Returns, for each omega_p/p, the outcome of each amplitude. A graze is followed by outcome_at.
   std::vector<std::vector<Outcome>> outcomes(const std::vector<double>& omega_ratios) const;
-  /// Their codes: each motion ends as soon as its code is certain.
+  /// Returns the codes of these outcomes: each motion ends as soon as its code is certain.
   std::vector<std::vector<int>> codes(const std::vector<double>& omega_ratios) const;
 
-  /// The same motions, until the last push of the pulse begins; one that this push starts does not start.
+  /// Returns the same motions, stopped when the last push of the pulse begins. A motion that this push would
+  /// start does not start.
   PulseBatch until_last_push() const;
 
   /// When and with what the block starts. Times are phases: they do not depend on omega_p.
@@ -60,11 +61,12 @@ class PulseBatch {
   std::vector<Launch> launches_;
 };
 
-/// outcome_at of each amplitude, by the engine asked for. Several threads share them if there are many.
+/// Returns the outcome of each amplitude by the engine of `asked`. Several threads share them if there are
+/// many. Throws std::invalid_argument like outcome_at.
 std::vector<Outcome> outcomes_at(const PulseCase& asked, const std::vector<double>& amplitudes,
                                  int threads = 1);
 
-/// Impacts and rests of each amplitude before the last push of the pulse begins, followed by the kernel.
+/// Returns impacts and rests of each amplitude before the last push of the pulse begins, by the kernel.
 std::vector<Outcome> outcomes_before_last_push(const PulseCase& asked, const std::vector<double>& amplitudes,
                                                int threads = 1);
 

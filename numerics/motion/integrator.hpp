@@ -8,16 +8,16 @@
 
 namespace rederive::numerics {
 
-/// GSL's eighth-order Prince-Dormand method with step control (Hairer, Norsett, Wanner, Solving Ordinary
-/// Differential Equations I, 2nd ed. 1993, sections II.4-II.6); time is counted from the start of each call,
-/// so that very short stretches lose no digits. Throws std::runtime_error if no step keeps the error small
-/// enough.
+/// Integrates by GSL's eighth-order Prince-Dormand method with step control (Hairer, Norsett, Wanner, Solving
+/// Ordinary Differential Equations I, 2nd ed. 1993, sections II.4-II.6). Each call counts time from its
+/// start, so that very short stretches lose no digits.
 class RockingIntegrator {
  public:
   RockingIntegrator(const Block& block, double tolerance);
 
-  /// The state at `time`, or, if |theta| reaches pi/2 before, where that is found: at the end of a step or,
-  /// if the block turns back inside it, at the turning point.
+  /// Returns the state at `time`. If |theta| reaches pi/2 before, returns the state where that is found: at
+  /// the end of a step or, if the block turns back inside it, at the turning point. Throws std::runtime_error
+  /// if no step keeps the error small enough.
   Point integrate(const Piece& piece, int side, const Point& from, Real time);
 
  private:

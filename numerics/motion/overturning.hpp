@@ -9,8 +9,7 @@
 
 namespace rederive::numerics {
 
-/// How far the free motion at the end of the ground motion is from each way of overturning; positive = it
-/// does.
+/// How far the free motion behind the ground motion is from each way of overturning; positive: it overturns.
 struct Margins {
   Real outward;    ///< without a further impact: velocity above that which just reaches theta = alpha, (68),
                    ///< (75)
@@ -18,12 +17,13 @@ struct Margins {
                    ///< alpha, (94)
 };
 
-/// Free motion from `at` on `side`, energy being conserved between impacts (22) and multiplied by e^2 at
-/// each. A block that has come back below the barrier once can never pass it, so one more impact is all there
-/// is to ask.
+/// Returns the margins of the free motion from `at` on `side`. Energy is conserved between impacts, (22), and
+/// multiplied by e^2 at each. A block that has once come back below the barrier can never pass it, so one
+/// more impact decides.
 Margins free_motion_margins(const Block& block, Model model, int side, const Point& at);
 
-/// side*(impacts+1), or 0 = safe; impacts are counted since the block last left rest.
+/// What becomes of the block. The code is side*(impacts+1), or 0 = safe; impacts are counted since the block
+/// last left rest.
 struct Outcome {
   int code = 0;
   int impacts = 0;  ///< until it overturns, or during the ground motion if safe; 0 if that leaves it at rest
@@ -50,7 +50,7 @@ Outcome outcome_of(const Block& block, Model model, const GroundMotion& motion, 
 /// Returns the outcome of a response that stops with the ground motion: after it, energy decides.
 Outcome outcome_at_end(const Block& block, Model model, const Response& response);
 
-/// What is asked of a pulse: everything but its amplitude.
+/// A pulse and a block: everything that an outcome depends on except the amplitude.
 struct PulseCase {
   Block block;
   Model model = Model::linear;

@@ -23,8 +23,8 @@ struct Work {
   std::function<void(const Work&, const Task<char>&)> deal = {};
 };
 
-/// Calls body(index) for each index, in no particular order; the first exception thrown is thrown again here.
-/// Returns how many were done.
+/// Calls body(index) for each index below work.count, in no particular order, and returns how many calls were
+/// made. Throws the first exception that a call throws.
 int for_each_index(const Work& work, const std::function<void(int)>& body);
 
 /// Work whose results come together in one place.

@@ -34,6 +34,7 @@ struct Shades {
   std::string x_label, y_label;
 };
 
+/// One or several pairs of axes with a caption.
 struct Plot {
   std::string caption;  ///< lines separated by '\n'
   std::vector<Panel> panels;

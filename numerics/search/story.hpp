@@ -13,16 +13,17 @@ struct Story {
   Real until = 0;
 };
 
-/// The ground motion of a pulse of this amplitude: none if it is too weak to move a block at rest, or 0.
+/// Returns the ground motion of a pulse of this amplitude, in units of alpha g: none if the amplitude is 0 or
+/// too weak to move a block at rest.
 /// Throws std::invalid_argument for values out of range.
 GroundMotion pulse_or_none(const PulseCase& asked, double amplitude);
 
-/// Follows the block until tau = `until`; if negative, until shortly after it overturns, or comes to rest, or
-/// ten units of p t after the ground.
+/// Returns the story of the block until tau = `until`; if that is negative, until 1 after it overturns, or
+/// until it comes to rest after the ground motion, or 10 after the ground motion.
 Story tell(const Block& block, Model model, const GroundMotion& motion, const InitialState& initial,
            Real until = -1);
 
-/// Impacts until it overturns, or all that there were.
+/// Returns the number of impacts until the block overturns, or of all if it does not.
 int impacts_of(const Story& story);
 
 /// The friction that the motion needs at the pivot: the largest |H|/V, from the reactions of the corrected

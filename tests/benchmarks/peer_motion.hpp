@@ -27,7 +27,7 @@ struct Motion {
   }
 };
 
-/// The code, where it is certain before the pulse is over, by what stands at BatchPack::foresee; nonlinear.
+/// The code, where it is certain before the pulse is over, by the bounds of LanePack::foresee; nonlinear.
 inline std::optional<int> early_code(const Motion& motion, double t, const State& y, double end) {
   const double x = motion.side * y[0] - motion.alpha, v = motion.side * y[1], left = end - t,
                g = motion.side * emitted::ground_of_sine_pulse(motion.amplitude, motion.omega, motion.psi, t),
