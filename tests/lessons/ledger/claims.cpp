@@ -109,14 +109,14 @@ TEST_CASE("the claims tell the ratios at which overturning after one impact chan
   const auto found = [](const std::string& id) {
     return claim_of(run_program("ledger", {"claims", id, "--json"}))["found"].get<std::string>();
   };
-  CHECK(found("c45").find(fmt::format("{:.7g}", rederive::handover(statue)->omega_ratio)) !=
+  CHECK(found("c45").find(fmt::format("{:.7g}", rederive::rocking_block::handover(statue)->omega_ratio)) !=
         std::string::npos);
-  CHECK(found("c57b").find(fmt::format("{:.7g}", rederive::end_of_mode_2(statue)->omega_ratio)) !=
-        std::string::npos);
+  CHECK(found("c57b").find(fmt::format(
+            "{:.7g}", rederive::rocking_block::end_of_mode_2(statue)->omega_ratio)) != std::string::npos);
 }
 
 TEST_CASE("the linear hand-over solves (86) and (88) with t_i = T_ex") {
-  const auto change = rederive::handover(statue);
+  const auto change = rederive::rocking_block::handover(statue);
   REQUIRE(change);
   rederive::numerics::PulseCase there = statue;
   there.omega_ratio = change->omega_ratio * (1 - 1e-10);
@@ -134,13 +134,13 @@ TEST_CASE("the hand-over has its impact at the end of the pulse, and mode 2 ends
        {rederive::numerics::Model::linear, rederive::numerics::Model::nonlinear}) {
     rederive::numerics::PulseCase of = statue;
     of.model = model;
-    const auto change = rederive::handover(of);
+    const auto change = rederive::rocking_block::handover(of);
     REQUIRE(change);
     rederive::numerics::PulseCase there = of;
     there.omega_ratio = change->omega_ratio;
     const auto windows = overturning_windows(there);
     CHECK(windows.front().from == doctest::Approx(change->amplitude).epsilon(1e-9));
-    const auto end = rederive::end_of_mode_2(of);
+    const auto end = rederive::rocking_block::end_of_mode_2(of);
     REQUIRE(end);
     there.omega_ratio = end->omega_ratio * (1 - 1e-6);
     CHECK(outcome_at(there, end->amplitude).code == 2);
