@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <derivations/decide/comparison.hpp>
 #include <derivations/identity/translator.hpp>
-#include <set>
 
 namespace rederive {
 

@@ -46,9 +46,10 @@ std::optional<Lemma> lemma_of(const Paper& paper, const Entry& entry) {
   try {
     if (is_error) throw Undecidable(entry.proof.reason);
     const Symbols symbols = symbols_in(paper, entry.row.domain);
-    const Question question{parse_statement(entry.row.claim(), symbols),
-                            derived_relation(*entry.derivation, symbols), symbols, entry.derivation->given,
-                            conditions_of(paper, entry.row, *entry.derivation, symbols)};
+    const Relation claim = parse_statement(entry.row.claim(), symbols);
+    const Question question{claim, derived_relation(*entry.derivation, symbols), symbols,
+                            entry.derivation->given,
+                            conditions_of(paper, entry.row, claim, *entry.derivation, symbols)};
     if (entry.proof.verdict == Verdict::undecided) throw Undecidable("the verdict is undecided");
     result.text = comment(entry) + (is_refuted ? refutation : lemma)(result.name, question, entry.proof);
   } catch (const Undecidable& error) {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <derivations/language/lexer.hpp>
 #include <derivations/language/unicode.hpp>

@@ -40,19 +40,19 @@ const Symbol& Symbols::declare(Symbol symbol) {
     throw std::invalid_argument("a name must be of letters, digits and '_', and not pi or inf, unlike '" +
                                 symbol.name + "'");
   (void)read_range(symbol.range);
-  if (!table_.contains(symbol.name)) order_.push_back(symbol.name);
-  return table_.insert_or_assign(std::string(symbol.name), std::move(symbol)).first->second;
+  if (!table_->contains(symbol.name)) order_.push_back(symbol.name);
+  return own_table().insert_or_assign(std::string(symbol.name), std::move(symbol)).first->second;
 }
 
 void Symbols::narrow(std::string_view name, std::string range) {
   (void)(*this)[name];
   (void)read_range(range);
-  table_.find(name)->second.range = std::move(range);
+  own_table().find(name)->second.range = std::move(range);
 }
 
 const Symbol* Symbols::find(std::string_view name) const {
-  const auto found = table_.find(name);
-  return found == table_.end() ? nullptr : &found->second;
+  const auto found = table_->find(name);
+  return found == table_->end() ? nullptr : &found->second;
 }
 
 const Symbol* Symbols::find(const GiNaC::ex& symbol) const {

@@ -4,6 +4,7 @@
 #include <ginac/ginac.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,12 +69,17 @@ class Symbols {
   /// Returns the GiNaC symbol of a name. Throws std::out_of_range, with the name, if it is not declared.
   const SymbolExpression& operator[](std::string_view name) const;
   const std::vector<std::string>& names() const { return order_; }  ///< in the order of declaration
-  const std::map<std::string, Symbol, std::less<>>& table() const { return table_; }  ///< by name
+  const std::map<std::string, Symbol, std::less<>>& table() const { return *table_; }  ///< by name
   std::size_t rank(std::string_view name) const;  ///< place in the printing order: π, then as declared
 
  private:
   std::vector<std::string> order_;
-  std::map<std::string, Symbol, std::less<>> table_;
+  using Table = std::map<std::string, Symbol, std::less<>>;
+  Table& own_table() {  // for a change: copies of this set keep the table as it was
+    if (table_.use_count() > 1) table_ = std::make_shared<Table>(*table_);
+    return *table_;
+  }
+  std::shared_ptr<Table> table_ = std::make_shared<Table>();
 };
 
 }  // namespace rederive

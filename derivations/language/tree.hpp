@@ -66,11 +66,11 @@ inline Tree put_in(const Tree& tree, const std::string& symbol, const Tree& valu
   return put_in(tree, make_tree(Node::Kind::symbol, symbol), value);
 }
 
-/// Returns the exact value of a number as written: "0.25" is 1/4, "1e-3" is 1/1000. `number` must be the text
-/// of a number node: digits, perhaps a point, perhaps an exponent. parse() bounds its size, this does not.
-/// For any other text it returns some number, or throws std::invalid_argument or std::out_of_range (because
-/// of the exponent) or cln::runtime_exception.
+/// Returns the exact value of the text of a number node, which has digits, perhaps a point, perhaps an
+/// exponent: 1/4 for "0.25". For any other text it returns some number, or throws std::invalid_argument or
+/// std::out_of_range (because of the exponent) or cln::runtime_exception. The caller bounds the size.
 inline cln::cl_RA exact(const std::string& number) {
+  if (number.size() == 1 && number != ".") return number[0] - '0';
   const auto e = number.find_first_of("eE");
   std::string digits = number.substr(0, e);
   long power = e == std::string::npos ? 0 : std::stol(number.substr(e + 1));

@@ -1,7 +1,6 @@
 #include <derivations/language/syntax.hpp>
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/numbers/interval.hpp>
-#include <map>
 
 namespace rederive {
 

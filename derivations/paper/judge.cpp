@@ -1,7 +1,7 @@
-#include <algorithm>
 #include <derivations/paper/corrections.hpp>
 #include <derivations/paper/ledger.hpp>
-#include <set>
+#include <string_view>
+#include <unordered_map>
 
 namespace rederive {
 
@@ -9,17 +9,22 @@ namespace {
 
 /// Everything downstream of `id`: what follows from it, and what follows from that.
 std::vector<std::string> downstream(const std::string& id, const std::vector<Row>& rows) {
-  std::set<std::string> reached{id};
+  std::unordered_map<std::string_view, bool> is_reached;
+  for (const Row& row : rows) is_reached[row.id] = row.id == id;
+  std::vector<std::string> ids;
   for (bool grown = true; grown;) {
     grown = false;
-    for (const Row& row : rows)
-      if (!reached.contains(row.id) && std::any_of(row.follows_from.begin(), row.follows_from.end(),
-                                                   [&](auto& from) { return reached.contains(from); }))
-        grown = reached.insert(row.id).second;
+    ids.clear();
+    for (const Row& row : rows) {
+      bool& is_row_reached = is_reached[row.id];
+      for (const std::string& from : row.follows_from) {
+        if (is_row_reached || !is_reached[from]) continue;
+        is_row_reached = true;
+        grown = true;
+      }
+      if (is_row_reached && row.id != id) ids.push_back(row.id);
+    }
   }
-  std::vector<std::string> ids;
-  for (const Row& row : rows)
-    if (row.id != id && reached.contains(row.id)) ids.push_back(row.id);
   return ids;
 }
 
@@ -52,7 +57,7 @@ Entry judge(const Paper& paper, const Row& row, const std::vector<Row>& rows) {
     return entry;
   }
   entry.derived = print(derived_relation(*entry.derivation, symbols));
-  const std::vector<Relation> conditions = conditions_of(paper, row, *entry.derivation, symbols);
+  const std::vector<Relation> conditions = conditions_of(paper, row, stated, *entry.derivation, symbols);
   entry.proof = compare(stated, *entry.derivation, symbols, conditions);
   if (entry.proof.verdict == Verdict::refuted)
     entry.correction = correction_of(paper, stated, *entry.derivation, symbols, conditions);

@@ -41,10 +41,11 @@ std::optional<Derivation> checked_derivation(const Paper& paper, const std::stri
 Relation derived_relation(const Derivation& derivation, const Symbols& symbols);
 
 /// What holds where a row is compared with its derivation, beside the numeric ranges of the symbols: what the
-/// domain and the ranges say of several symbols ("theta_0 < alpha"), and what the derivation assumes. Throws
-/// std::invalid_argument for an assumption that cannot be read.
-std::vector<Relation> conditions_of(const Paper& paper, const Row& row, const Derivation& derivation,
-                                    const Symbols& symbols);
+/// domain and the ranges say of several symbols ("theta_0 < alpha"), and what the derivation assumes. `claim`
+/// is what the row claims, read with `symbols`. Throws std::invalid_argument for an assumption that cannot be
+/// read.
+std::vector<Relation> conditions_of(const Paper& paper, const Row& row, const Relation& claim,
+                                    const Derivation& derivation, const Symbols& symbols);
 
 /// Whether a printed relation says what was derived: the comparison that `judge` makes, for a mutant or an
 /// answer. Where a derivation has an order and the two are not the same, their series are compared.

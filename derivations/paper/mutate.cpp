@@ -164,8 +164,9 @@ Mutation mutate(const Paper& paper, const Row& row, unsigned seed, int most) {
   }
   if (!derivation) return outcome;
   const Symbols symbols = symbols_in(paper, row.domain);
-  const std::vector<Relation> conditions = conditions_of(paper, row, *derivation, symbols);
-  std::vector<Mutant> all = mutants(parse_statement(row.claim(), symbols), paper);
+  const Relation claim = parse_statement(row.claim(), symbols);
+  const std::vector<Relation> conditions = conditions_of(paper, row, claim, *derivation, symbols);
+  std::vector<Mutant> all = mutants(claim, paper);
   std::mt19937 random(std::accumulate(row.id.begin(), row.id.end(), seed, [](unsigned sum, char c) {
     return 31 * sum + static_cast<unsigned char>(c);
   }));

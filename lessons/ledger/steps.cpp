@@ -119,9 +119,11 @@ std::vector<Lemma> corrections_of(const Paper& paper, const std::vector<Entry>& 
                     .name = lemma_name("equation", entry.row.id) + "_corrected",
                     .kind = "derivation"};
     try {
-      const Question question = with_domain(
-          {parse_statement(entry.correction, symbols), derived_relation(*entry.derivation, symbols), symbols,
-           entry.derivation->given, conditions_of(paper, entry.row, *entry.derivation, symbols)});
+      const Question question =
+          with_domain({parse_statement(entry.correction, symbols),
+                       derived_relation(*entry.derivation, symbols), symbols, entry.derivation->given,
+                       conditions_of(paper, entry.row, parse_statement(entry.row.claim(), symbols),
+                                     *entry.derivation, symbols)});
       corrected.text = "(* (" + entry.row.id + "), as it should read: " + entry.correction + ". *)\n" +
                        lemma(corrected.name, question, {});
     } catch (const Undecidable& error) {
