@@ -44,10 +44,6 @@ inline std::optional<Derivation> checked_derivation(const std::string& id) {
 inline Relation derived_relation(const Derivation& derivation) {
   return derived_relation(derivation, paper_symbols());
 }
-inline std::vector<Relation> conditions_of(const Row& row, const Derivation& derivation,
-                                           const Symbols& symbols) {
-  return conditions_of(rocking_block::paper(), row, derivation, symbols);
-}
 inline std::vector<Mutant> mutants(const Relation& printed) {
   return mutants(printed, rocking_block::paper());
 }

@@ -22,13 +22,19 @@ Arguments ranks(int count, const Arguments& arguments, const Arguments& options 
   return all;
 }
 
-/// Begins what mpirun is asked to start: it waits more than it works, so several may run at a time.
+/// Starts mpirun; several may run at a time. Each has a folder of its own for Open MPI's session, because one
+/// that ends removes the common folder while another one makes its own in it.
 std::future<Result> begin(const Arguments& part, const Arguments& other = {}) {
   Arguments all{"mpirun", "--oversubscribe", "--allow-run-as-root"};
   all.insert(all.end(), part.begin(), part.end());
   if (!other.empty()) all.push_back(":");
   all.insert(all.end(), other.begin(), other.end());
-  return std::async(std::launch::async, [all] { return run_program("/usr/bin/env", all); });
+  return std::async(std::launch::async, [all] {
+    const TemporaryFolder session;
+    Arguments call{"TMPDIR=" + session.path.string()};
+    call.insert(call.end(), all.begin(), all.end());
+    return run_program("/usr/bin/env", call);
+  });
 }
 
 Result mpirun(const Arguments& part, const Arguments& other = {}) { return begin(part, other).get(); }
