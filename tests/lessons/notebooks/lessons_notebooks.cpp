@@ -2,6 +2,7 @@
 // from the Python module is what the commands say.
 #include <doctest/doctest.h>
 
+#include <derivations/rocking_block/paper.hpp>
 #include <lessons/page/render.hpp>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -130,10 +131,9 @@ TEST_CASE(
 }
 
 TEST_CASE("without the module the cells run the commands, and the first cell says so") {
-  Page page;
+  Page page(rocking_block::paper());
   page.commands({"build/bin/rocking threshold --omega 2", "build/bin/exercises show barrier"});
-  Setting setting;
-  setting.format = Format::notebook;
+  Setting setting{.paper = rocking_block::paper(), .format = Format::notebook};
   const auto notebook = [&] {
     const auto renderer = make_renderer(setting);
     renderer->begin({1, "T", "t", "b", {}});
