@@ -105,9 +105,8 @@ std::filesystem::path equations_file(const Paper& paper) {
   namespace fs = std::filesystem;
   if (paper.equations.is_absolute()) return paper.equations;
   std::set<std::string> tried;
-  for (const fs::path& folder :
-       {fs::path(paper.source.file_name()).parent_path(), loaded_from().parent_path(),
-        loaded_from().parent_path().parent_path(), fs::current_path()}) {
+  for (const fs::path& folder : {fs::path(paper.source).parent_path(), loaded_from().parent_path(),
+                                 loaded_from().parent_path().parent_path(), fs::current_path()}) {
     const fs::path file = folder / paper.equations;
     if (fs::exists(file)) return file;
     tried.insert("'" + file.string() + "'");

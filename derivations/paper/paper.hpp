@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <source_location>
 #include <string>
 #include <vector>
 
@@ -43,8 +42,9 @@ struct Paper {
   /// Whether names of symbols are mathematics in the words of its steps and rows, without $…$ around them.
   bool has_names_in_words = false;
   Theorems theorems = {};
-  Emission (*emission)() = nullptr;                               ///< its numeric functions; nullptr: none
-  std::source_location source = std::source_location::current();  ///< the file that makes this value
+  Emission (*emission)() = nullptr;  ///< its numeric functions; nullptr: none
+  /// The file that makes this value, by `Paper{…}` with braces; its rows are looked for beside it.
+  const char* source = __builtin_FILE();  // Clang 14 has no std::source_location
 
   /// Declares symbols, or declares them anew. A range may have other symbols at its ends, such as
   /// "(0, alpha)": what it says of them goes to `conditions`. Throws std::invalid_argument, naming the

@@ -67,7 +67,8 @@ Paper make_paper() {
                               {"y", "x"}},
               .has_names_in_words = true,
               .theorems = theorems(),
-              .emission = emission};
+              .emission = emission,
+              .source = ""};  // its rows are in the data folder; a path here would name the building machine
   paper.declare(all_symbols());
   paper.free_letters = {"t", "r", "d"};
   return paper;

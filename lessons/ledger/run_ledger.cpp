@@ -18,7 +18,7 @@ namespace {
 
 struct Options {
   bool json = false;
-  Paper paper;
+  Paper paper{.source = ""};
   std::string equations, claims;  ///< files instead of those of the paper
   std::string id, format = "text", table, certificate;
   bool coq = false;

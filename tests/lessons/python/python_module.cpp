@@ -46,7 +46,7 @@ Tally run_pytest(const fs::path& folder) {
 
 TEST_CASE("the module does what its tests in Python say") {
   if (!can_import("pytest, numpy, pandas, tqdm, matplotlib, nbclient, pip")) return;
-  const Tally tally = run_pytest(source / "tests/python");
+  const Tally tally = run_pytest(source / "tests/lessons/python");
   CHECK(tally.collected > 100);
   CHECK_MESSAGE(tally.passed == tally.collected, tally.said);
 }

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-SOURCE, BUILD = Path(__file__).parents[2], Path(os.environ["REDERIVE_PROGRAMS"]).parent
+SOURCE, BUILD = Path(__file__).parents[3], Path(os.environ["REDERIVE_PROGRAMS"]).parent
 LIBRARY = f"lib/python{sys.version_info[0]}.{sys.version_info[1]}/dist-packages"
 
 
