@@ -154,13 +154,15 @@ void check_expression(const GiNaC::ex& expression, const Symbols& symbols) {
   }
 }
 
-/// Whether an expression is far from all limits of the reader (`Limits`): at most 150 parts, and no number
-/// above 64.
+/// Returns whether an expression is far from all limits of the reader (`Limits`): it has at most 150 parts,
+/// no number above 64, and no long names.
 bool is_far_from_limits(const GiNaC::ex& expression) {
-  constexpr int most_parts = 150, most = 64;
-  int parts = 0;
+  constexpr std::size_t most_parts = 150, most_letters = 2000;
+  constexpr int most = 64;
+  std::size_t parts = 0, letters = 0;
   for (auto part = expression.preorder_begin(); part != expression.preorder_end(); ++part) {
-    if (++parts > most_parts) return false;
+    if (GiNaC::is_a<GiNaC::symbol>(*part)) letters += GiNaC::ex_to<GiNaC::symbol>(*part).get_name().size();
+    if (++parts > most_parts || letters > most_letters) return false;
     if (!GiNaC::is_a<GiNaC::numeric>(*part)) continue;
     const GiNaC::numeric& number = GiNaC::ex_to<GiNaC::numeric>(*part);
     if (abs(number.numer()) > most || number.denom() > most) return false;

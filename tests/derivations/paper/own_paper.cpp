@@ -363,3 +363,31 @@ TEST_CASE("one is not called several") {
   CHECK(contains(run_paper(paper, {}).out, "\n1 row: 1 refuted\n"));
   CHECK(contains(run_paper(paper, {"errata"}).out, "\n1 error.\n"));
 }
+
+TEST_CASE("a derivation that our syntax cannot write, or read again, makes an error of its row") {
+  static const std::string long_name = "q_" + std::string(258, '1');
+  const auto function = [] { return derived(symbol("x"), tgamma(symbol("y")), {}); };
+  const auto constant = [] {
+    return derived(symbol("x"), symbol("y"), {{"Take", symbol("x"), GiNaC::Euler}});
+  };
+  const auto relational = [] {
+    return derived(symbol("x"), symbol("y"), {{"Take", symbol("x"), symbol("x") == symbol("y")}});
+  };
+  const auto long_names = [] {
+    ex sum;
+    for (int k = 1; k <= 40; ++k) sum += pow(symbol(long_name.c_str()), k);
+    return derived(symbol("x"), sum, {});
+  };
+  const PaperOfATest paper{[] { declare(long_name.c_str()); },
+                           row("1", "x = y") + row("2", "x = y") + row("3", "x = y") + row("4", "x = y"),
+                           {{"1", function}, {"2", constant}, {"3", relational}, {"4", long_names}}};
+  const Json rows = judged(paper, 1);
+  const char* reasons[] = {"the right side of its result: our syntax has no function 'tgamma'",
+                           "step 1 (Take): our syntax cannot write Euler",
+                           "step 1 (Take): our syntax cannot write x==y", "characters"};
+  for (std::size_t k = 0; k < 4; ++k) {
+    CAPTURE(k);
+    CHECK(rows[k]["verdict"] == "error");
+    CHECK_MESSAGE(contains(rows[k]["reason"], reasons[k]), rows[k]["reason"]);
+  }
+}
