@@ -7,7 +7,7 @@ namespace rederive {
 
 namespace {
 
-/// Everything downstream of `id`: what follows from it, and what follows from that.
+/// Returns the ids of all rows that follow from `id`, directly or through other rows.
 std::vector<std::string> downstream(const std::string& id, const std::vector<Row>& rows) {
   std::unordered_map<std::string_view, bool> is_reached;
   for (const Row& row : rows) is_reached[row.id] = row.id == id;
@@ -39,7 +39,7 @@ Entry judge(const Paper& paper, const Row& row, const std::vector<Row>& rows) {
   entry.row = row;
   entry.rests_on_it = downstream(row.id, rows);
   const Symbols symbols = symbols_in(paper, row.domain);
-  // a result of ours stands in the place of a printed equation: it, too, must follow from the derivation
+  // A result of ours takes the place of a printed equation: it must follow from the derivation, too.
   const Relation stated = parse_statement(row.claim(), symbols);
   entry.dimension = dimension(stated, symbols);
   try {

@@ -12,7 +12,7 @@
 
 namespace rederive {
 
-/// A row, judged.
+/// A row with its verdict.
 struct Entry {
   Row row;
   std::optional<Derivation> derivation;  ///< none for definitions
@@ -22,33 +22,35 @@ struct Entry {
   std::vector<std::string> rests_on_it;      ///< ids of the rows downstream, in the paper's order
 };
 
-/// The symbols of the paper with the row's domain put in: "theta < 0" makes 0 the upper end of the range of
-/// θ; several relations are separated by commas. Throws std::invalid_argument for a domain of another form.
+/// Returns the symbols of the paper, with the ranges that the domain of a row narrows: "theta < 0" makes 0
+/// the upper end of the range of θ. Commas separate several relations. Throws std::invalid_argument for a
+/// domain of another form.
 Symbols symbols_in(const Paper& paper, const std::string& domain);
 
-/// Judges one row: derives, compares, checks dimensions. `rows` gives what rests on it. Where the derivation
-/// cannot be used the verdict is error. Throws SyntaxError where the printed text cannot be read.
+/// Returns the entry of a row: derives it, compares it with the printed form and checks the dimensions.
+/// `rows` are all rows of the paper, among which it finds those that rest on this one. The verdict is `error`
+/// if the derivation cannot be used. Throws SyntaxError if the printed text cannot be read.
 Entry judge(const Paper& paper, const Row& row, const std::vector<Row>& rows);
-/// The entry of a row of the paper, judged now. Throws std::out_of_range naming the id if there is none.
+/// Returns the entry of the row with the given id. Throws std::out_of_range, with the id, if there is none.
 Entry judged(const Paper& paper, const std::string& id);
 
-/// The derivation of an equation by its id, nullopt if none is listed. Throws std::runtime_error, saying why
-/// and where, if it throws, or holds what cannot be judged: a symbol that is not declared, a number that is
-/// not rational.
+/// Returns the derivation of the row with the given id, or std::nullopt if none is listed. Throws
+/// std::runtime_error, with the place and the reason, if the derivation throws or contains something that
+/// cannot be judged: an undeclared symbol, a number that is not rational, or a form that our syntax lacks.
 std::optional<Derivation> checked_derivation(const Paper& paper, const std::string& id);
 
-/// What was derived for a row, as a relation that can be printed and compared.
+/// Returns the result of a derivation as a relation that can be printed and compared.
 Relation derived_relation(const Derivation& derivation, const Symbols& symbols);
 
-/// What holds where a row is compared with its derivation, beside the numeric ranges of the symbols: what the
-/// domain and the ranges say of several symbols ("theta_0 < alpha"), and what the derivation assumes. `claim`
-/// is what the row claims, read with `symbols`. Throws std::invalid_argument for an assumption that cannot be
-/// read.
+/// Returns the conditions under which a row is compared with its derivation, beside the numeric ranges of the
+/// symbols: the relations between symbols that the domain and the ranges state ("theta_0 < alpha"), and the
+/// assumptions of the derivation. `claim` is the claim of the row, read with `symbols`. Throws
+/// std::invalid_argument for an assumption that cannot be read.
 std::vector<Relation> conditions_of(const Paper& paper, const Row& row, const Relation& claim,
                                     const Derivation& derivation, const Symbols& symbols);
 
-/// Whether a printed relation says what was derived: the comparison that `judge` makes, for a mutant or an
-/// answer. Where a derivation has an order and the two are not the same, their series are compared.
+/// Compares a printed relation with a derivation, as `judge` does, also for a mutant or an answer. If the
+/// derivation has an order and the two differ, it compares their series to that order.
 Proof compare(const Relation& printed, const Derivation& derivation, const Symbols& symbols,
               const std::vector<Relation>& conditions = {});
 

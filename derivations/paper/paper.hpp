@@ -16,58 +16,62 @@
 
 namespace rederive {
 
-/// Theorems of Coq about a paper, in files that ship with the project.
+/// The Coq theorems about a paper, in files that ship with the project.
 struct Theorems {
   struct File {
     std::string name;      ///< "Thresholds.v"
-    std::string row = {};  ///< the row that its theorems are about whose names do not say one
+    std::string row = {};  ///< the row of those theorems whose names do not name one
   };
-  std::vector<std::string> prelude = {};  ///< files that they need beside those of the kernel
+  std::vector<std::string> prelude = {};  ///< files that the theorems need beside those of the kernel
   std::vector<File> files = {};           ///< in the order in which they compile
-  /// What theorems assume beside rows of the ledger: a name, and what it says.
+  /// The assumptions of theorems that are not rows of the ledger: a name and a sentence for each.
   std::map<std::string, std::string> assumptions = {};
 };
 
+/// One paper: its symbols, its printed rows and its derivations. A `Paper` is a value, and a program may hold
+/// several.
 struct Paper {
   std::string title = {};
-  std::filesystem::path equations = {};   ///< the file with what it prints; see equations_file
+  std::filesystem::path equations = {};   ///< the file with the printed rows; see equations_file
   Once<std::vector<Row>> rows = {};       ///< see rows_of
   Symbols symbols = {};                   ///< the ends of all ranges are numbers
-  std::vector<Relation> conditions = {};  ///< what the declared ranges say beside numbers: theta_0 < alpha
+  std::vector<Relation> conditions = {};  ///< the ranges that compare symbols: theta_0 < alpha
   Derivations derivations = {};
-  /// Symbols that `prove` takes for any real number, because everybody uses them for other things.
+  /// Symbols that `prove` reads as arbitrary real numbers, because users give them other meanings.
   std::vector<std::string> free_letters = {};
-  /// Symbols that a typesetter may take for each other; mutate.hpp puts the second in the place of the first.
+  /// Symbols that a typesetter may confuse: mutate.hpp replaces the first by the second.
   std::map<std::string, std::string> look_alikes = {};
-  /// Whether names of symbols are mathematics in the words of its steps and rows, without $…$ around them.
+  /// Whether the sentences of its steps and rows typeset names of symbols as mathematics without $…$.
   bool has_names_in_words = false;
   Theorems theorems = {};
-  Emission (*emission)() = nullptr;  ///< its numeric functions; nullptr: none
-  /// The file that makes this value, by `Paper{…}` with braces; its rows are looked for beside it.
+  Emission (*emission)() = nullptr;  ///< its numeric functions; nullptr if it has none
+  /// The source file in which `Paper{…}` is written, with braces. A relative `equations` is searched beside
+  /// it.
   const char* source = __builtin_FILE();  // Clang 14 has no std::source_location
 
-  /// Declares symbols, or declares them anew. A range may have other symbols at its ends, such as
-  /// "(0, alpha)": what it says of them goes to `conditions`. Throws std::invalid_argument, naming the
-  /// symbol, for a unit or a range that cannot be read, a range that is empty, and two symbols that are
-  /// written alike.
+  /// Declares the symbols in `all`; a name that is declared already is declared anew. If a range has another
+  /// symbol at an end, as in "(0, alpha)", the comparison with that symbol is added to `conditions`. Throws
+  /// std::invalid_argument, with the name of the symbol, for a unit or a range that cannot be read, for an
+  /// empty range, and for two symbols that are written alike.
   void declare(const std::vector<Symbol>& all);
 };
 
-/// The file with the rows of a paper. A relative name is looked for beside the source that makes the paper,
-/// beside the program, in the folder above that, and where the program runs. Throws BadInput if there is
-/// none.
+/// Returns the path of the file with the rows of a paper. A relative path is searched beside the source file
+/// of the paper, beside the program, in the folder above the program, and in the current folder, in this
+/// order. Throws BadInput, with the places searched, if no such file exists.
 std::filesystem::path equations_file(const Paper& paper);
-/// Its rows, read when they are first asked for. Throws BadInput naming file, line, row and what would be
-/// right.
+/// Returns the rows of a paper; the first call reads them. Throws BadInput, with file, line and row, for a
+/// file that cannot be read.
 const std::vector<Row>& rows_of(const Paper& paper);
-/// One of them. Throws std::out_of_range naming the id if there is none.
+/// Returns the row with the given id. Throws std::out_of_range, with the id, if the paper has no such row.
 const Row& row_of(const Paper& paper, const std::string& id);
 
-/// The derivation of a row, with the results that its steps cite; std::nullopt if none is listed. Throws
-/// std::logic_error if it is derived from itself or cites a row without derivation, and what it throws
-/// itself.
+/// Returns the derivation of a row, in which each citation is replaced by the cited result, or std::nullopt
+/// if the paper lists no derivation for the row. Throws std::logic_error if the row is derived from itself or
+/// cites a row without derivation; exceptions of the derivation pass through.
 std::optional<Derivation> derivation_of(const Paper& paper, const std::string& id);
-/// The same with the results that the steps of `derivation` cite. Throws as well.
+/// Returns `derivation` with each citation in its steps replaced by the cited result. Throws as
+/// derivation_of.
 Derivation with_citations(const Paper& paper, Derivation derivation);
 
 }  // namespace rederive

@@ -17,7 +17,7 @@ struct Row {
   std::vector<std::string> follows_from;
   std::string expected;       ///< a verdict
   std::string error;          ///< with refuted: sign, factor, argument …; rows.cpp lists them
-  std::string consequence;    ///< with refuted: what rests on it and whether that stands
+  std::string consequence;    ///< with refuted: what rests on it, and whether that is still right
   std::string note;           ///< anything a reader should know
   std::string scan_repaired;  ///< what scanning damaged and how it was restored; empty if nothing
 };

@@ -58,7 +58,7 @@ using Passage = std::variant<Paragraph, Formula, Judgement, Table, Figure, Comma
 
 /// What a step writes on, about a paper. An id that the ledger does not have throws std::out_of_range that
 /// names it. Values in our syntax may be put in for symbols: {{"theta", "0"}, {"u_gddot", "g*tan(alpha)"}};
-/// one that cannot be read throws SyntaxError, and a name that is no symbol std::out_of_range.
+/// one that cannot be read throws SyntaxError, and an undeclared name throws std::out_of_range.
 using Values = std::map<std::string, std::string>;
 class Page {
  public:

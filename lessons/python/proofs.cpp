@@ -1,5 +1,5 @@
-// The ledger, the prover and the emission for Python: text in, text out. What is said to a user of Python
-// stands in lessons/python/rederive.
+// Binds the ledger, the prover and the emission to Python; all arguments and results are text. The messages
+// for users of Python are in lessons/python/rederive.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
