@@ -29,9 +29,6 @@ struct Comparison {
   std::vector<std::string> in_words;  ///< the same: "x - 1 > 0", "cos(theta) != 0"
 };
 
-/// Returns the relation a op b as a sign condition: a - b = 0, b - a > 0, …
-Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b);
-
 /// Translates both statements into the ring, which must be empty. Then learns the conditions for their
 /// values, and translates both again with these. Throws OtherBasis, Undecidable and NoValue.
 void translate(Comparison& setting, const Problem& problem);

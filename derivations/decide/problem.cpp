@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/decide/problem.hpp>
 #include <derivations/identity/translator.hpp>
+#include <derivations/language/functions.hpp>
 #include <derivations/language/print.hpp>
 #include <functional>
 
@@ -78,9 +79,9 @@ bool is_within(const Tree& tree, const Interval& bounds, const Symbols& symbols)
 
 /// Returns whether a side is f(u) with a monotone f: in its domain or, if circular, within one piece.
 bool is_monotone(const Tree& side, const Symbols& symbols) {
-  if (side->kind != Node::Kind::call || reciprocal_of(side->text) != nullptr) return false;
+  if (side->kind != Node::Kind::call || function_named(side->text).inverse.empty()) return false;
   const MonotonePiece& f = monotone_piece(side->text);
-  return f.inverse != nullptr && (f.half_turn == 0 || is_within(side->children[0], f.domain, symbols));
+  return f.half_turn == 0 || is_within(side->children[0], f.domain, symbols);
 }
 
 /// Returns the symbol and value of an equation "symbol = value", if the value does not contain the symbol.

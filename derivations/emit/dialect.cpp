@@ -1,4 +1,5 @@
 #include <derivations/emit/dialect.hpp>
+#include <derivations/language/functions.hpp>
 #include <stdexcept>
 
 namespace rederive {
@@ -164,7 +165,9 @@ class JavaScript : public Dialect {
   std::string number(const std::string& digits) const override { return digits; }
   std::string pi() const override { return "Math.PI"; }
   std::string call(const std::string& function, const std::string& arguments) const override {
-    return "Math." + (function == "fabs" ? "abs" : function) + "(" + arguments + ")";
+    const Function* known = find_function(function);  // none for pow and max
+    const bool is_renamed = known != nullptr && !known->javascript.empty();
+    return "Math." + (is_renamed ? std::string(known->javascript) : function) + "(" + arguments + ")";
   }
   std::string comment(const std::vector<std::string>& lines) const override { return prefixed(lines, "// "); }
   std::string prologue() const override { return "\"use strict\";\n"; }

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <derivations/emit/emit.hpp>
 #include <derivations/emit/taylor.hpp>
+#include <derivations/language/functions.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/print.hpp>
+#include <derivations/language/syntax.hpp>
 #include <map>
 #include <stdexcept>
 
@@ -12,15 +14,29 @@ namespace {
 
 using GiNaC::ex;
 
-/// Functions that are each other's derivatives, with the sign of each.
-struct Family {
-  std::vector<std::string> members;
-  std::vector<int> signs;  ///< member i has the derivative signs[i] * the member after it
+/// A function whose derivative is sign times another function of the same argument.
+struct Member {
+  std::string name, derivative;
+  int sign;
 };
-const std::vector<Family>& families() {
-  static const std::vector<Family> all = {
-      {{"sin", "cos"}, {1, -1}}, {{"sinh", "cosh"}, {1, 1}}, {{"exp"}, {1}}};
-  return all;
+
+/// Returns the functions to which the derivatives of a function lead, in the order of the table; none if one
+/// of these derivatives is not plus or minus a function of the same argument.
+std::vector<Member> family_of(const std::string& function) {
+  Symbols symbols;
+  symbols.declare({"u", "u", "u", "1", all_numbers, "", ""});
+  std::vector<Member> family;
+  std::string name = function;
+  while (std::ranges::find(family, name, &Member::name) == family.end()) {
+    Tree derivative = parse(function_named(name).derivative, symbols);
+    const bool is_negative = derivative->kind == Node::Kind::negative;
+    if (is_negative) derivative = derivative->children[0];
+    if (derivative->kind != Node::Kind::call || derivative->children[0]->text != "u") return {};
+    family.push_back({name, derivative->text, is_negative ? -1 : 1});
+    name = derivative->text;
+  }
+  std::ranges::sort(family, {}, [](const Member& member) { return find_function(member.name); });
+  return family;
 }
 
 class Extension {
@@ -91,16 +107,11 @@ class Extension {
   Tree state_for(const std::string& function, const Tree& argument) {
     for (const RationalSystem::Function& known : system_.functions)
       if (known.function == function && is_same(known.argument, argument)) return leaf(known.name);
-    for (const Family& family : families()) {
-      const auto found = std::find(family.members.begin(), family.members.end(), function);
-      if (found == family.members.end()) continue;
-      const std::string number = "_" + std::to_string(++count_[family.members[0]]);
-      for (std::size_t i = 0; i < family.members.size(); ++i) {
-        const std::string& member = family.members[i];
-        const std::string& derivative = family.members[(i + 1) % family.members.size()];
-        system_.symbols.declare({member + number, member, member, "1", all_numbers, member, "emit"});
-        system_.functions.push_back(
-            {member + number, member, argument, derivative + number, family.signs[i]});
+    if (const std::vector<Member> family = family_of(function); !family.empty()) {
+      const std::string number = "_" + std::to_string(++count_[family[0].name]);
+      for (const auto& [name, derivative, sign] : family) {
+        system_.symbols.declare({name + number, name, name, "1", all_numbers, name, "emit"});
+        system_.functions.push_back({name + number, name, argument, derivative + number, sign});
       }
       return leaf(function + number);
     }

@@ -1,10 +1,11 @@
+#include <flint/fmpz.h>
 #include <flint/fmpz_factor.h>
 #include <flint/fmpz_mpoly_factor.h>
 #include <flint/fmpz_poly.h>
 #include <flint/fmpz_vec.h>
 
 #include <derivations/identity/polynomial.hpp>
-#include <derivations/numbers/integer.hpp>
+#include <derivations/numbers/ball.hpp>
 #include <map>
 #include <tuple>
 

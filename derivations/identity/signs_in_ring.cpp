@@ -71,15 +71,16 @@ bool Ring::narrow(int generator, const Interval& range) {
 bool Ring::narrow_backwards(const Generator& g) {
   const MonotonePiece& f = monotone_piece(g.function);
   const bool is_root = g.function == "sqrt";
-  if ((!is_root && f.inverse == nullptr) || !g.of.denominator.is_constant()) return false;
+  if ((!is_root && f.inverse.empty()) || !g.of.denominator.is_constant()) return false;
   const Interval inside = range_of(g.of);
   Interval argument = is_root ? power(g.range, g.degree) : call(f.inverse, g.range);
   if (f.half_turn == 0) {  // an end that f always has says no more than that f has a value
     if (compare(g.range.low, f.range.low) == 0) argument.low = Interval{}.low;
     if (compare(g.range.high, f.range.high) == 0) argument.high = Interval{}.high;
   } else if (!is_within(inside, f.domain)) {
-    if (g.function != "cos" || !is_within(inside, monotone_piece("sin").domain)) return false;
-    argument = hull(argument, -argument);  // even
+    const bool is_even = function_named(g.function).parity == Function::Parity::even;
+    if (!is_even || !is_within(inside, monotone_piece("sin").domain)) return false;
+    argument = hull(argument, -argument);
   }
   return narrow(g.of.numerator, argument * point({g.of.denominator.constant()}));
 }

@@ -14,6 +14,8 @@ struct Atom {
   Signs signs;
   Tree tree = nullptr;
 };
+/// Returns the relation a op b as a sign condition: a - b = 0, b - a > 0, …
+Atom atom_of(const Fraction& a, const std::string& op, const Fraction& b);
 
 /// The basis of phases, roots or values has to change, so that everything is translated in a new ring.
 struct OtherBasis : Undecidable {
@@ -120,7 +122,7 @@ struct RewriteRule {
   Tree result;                                 ///< in u; null if the function is not replaced
 };
 
-/// Returns the rule of a function; nullptr if it has a value everywhere and is not replaced.
-const RewriteRule* rewrite_rule(const std::string& function);
+/// Returns the rule of a function. Throws std::out_of_range for an unknown function.
+const RewriteRule& rewrite_rule(const std::string& function);
 
 }  // namespace rederive

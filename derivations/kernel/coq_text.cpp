@@ -2,6 +2,7 @@
 #include <derivations/identity/polynomial.hpp>
 #include <derivations/identity/translator.hpp>
 #include <derivations/kernel/coq_text.hpp>
+#include <derivations/language/functions.hpp>
 #include <derivations/language/print.hpp>
 #include <set>
 
@@ -18,11 +19,9 @@ std::optional<cln::cl_RA> number_in(const Tree& tree) {
 
 /// Returns the name of a function in Coq's library or in the prelude.
 std::string function_name(const std::string& name) {
-  static const std::map<std::string, std::string> others{
-      {"log", "ln"}, {"fabs", "Rabs"}, {"asinh", "arcsinh"}};
-  if (name == "acosh" || name == "atanh") throw Undecidable("the prelude has no " + name);
-  const auto found = others.find(name);
-  return found == others.end() ? name : found->second;
+  const Function& f = function_named(name);
+  if (!f.has_coq) throw Undecidable("the prelude has no " + name);
+  return f.coq.empty() ? name : std::string(f.coq);
 }
 
 /// Returns the tree with only what Coq reads as we do: natural exponents, integers.
@@ -89,9 +88,9 @@ std::vector<std::pair<Tree, Signs>> needs_of(const std::vector<Tree>& trees) {
       if (!is_whole)
         need(tree->children[0], cln::minusp(exponent) ? Signs::positive() : Signs::nonnegative());
     }
-    const RewriteRule* rule = tree->kind == Node::Kind::call ? rewrite_rule(tree->text) : nullptr;
-    if (rule == nullptr) continue;
-    for (const auto& [value, signs] : rule->domain) need(put_in(value, "u", tree->children[0]), signs);
+    if (tree->kind != Node::Kind::call) continue;
+    for (const auto& [value, signs] : rewrite_rule(tree->text).domain)
+      need(put_in(value, "u", tree->children[0]), signs);
   }
   return result;
 }

@@ -3,6 +3,7 @@
 #include <derivations/kernel/coq_text.hpp>
 #include <derivations/kernel/lemma.hpp>
 #include <derivations/kernel/script.hpp>
+#include <derivations/language/functions.hpp>
 #include <derivations/language/lower.hpp>
 #include <derivations/paper/prove.hpp>
 
@@ -137,7 +138,7 @@ void say_arguments(const Tree& tree, const std::map<std::string, Tree>& at, std:
     if (coq_text(root) != "sqrt(" + text + ")") say("root", text, coq_text(root), " by square_of_numbers");
     return;
   }
-  const bool is_circular = tree->text == "sin" || tree->text == "cos" || tree->text == "tan";
+  const bool is_circular = function_named(tree->text).kind == Function::Kind::circular;
   say(is_circular ? "angle" : "exponent", text, cln::minusp(*number) ? "- (" + size + ")" : size, "");
 }
 

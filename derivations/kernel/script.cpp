@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <derivations/kernel/coq_text.hpp>
 #include <derivations/kernel/script.hpp>
+#include <derivations/language/functions.hpp>
 #include <derivations/language/lower.hpp>
 
 namespace rederive {
@@ -80,15 +81,13 @@ std::string Script::name_of(const Fraction& phase) {
 }
 
 void Script::say_arguments(const Tree& tree) {
-  static const std::set<std::string> circular{"sin", "cos", "tan", "cot", "sec", "csc"};
-  static const std::set<std::string> real{"exp", "sinh", "cosh", "tanh", "coth", "sech", "csch"};
-  static const std::set<std::string> inverse{"log", "asin", "acos", "atan", "asinh"};
   for (const Tree& child : tree->children) say_arguments(child);
   if (tree->kind != Node::Kind::call) return;
-  if (tree->text == "sqrt") roots_.push_back(tree);
-  if (inverse.contains(tree->text)) inverse_.insert(coq_text(tree));
-  if (circular.contains(tree->text) || real.contains(tree->text))
-    say_argument(tree->children[0], circular.contains(tree->text));
+  const Function& f = function_named(tree->text);
+  if (f.name == "sqrt") roots_.push_back(tree);
+  if (f.kind == Function::Kind::inverse && f.has_coq) inverse_.insert(coq_text(tree));
+  const bool is_circular = f.kind == Function::Kind::circular;
+  if (is_circular || f.kind == Function::Kind::exponential) say_argument(tree->children[0], is_circular);
 }
 
 void Script::say_argument(const Tree& argument, bool is_circular) {

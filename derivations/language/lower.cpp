@@ -28,15 +28,6 @@ void check_size(const Node& node, double bits, double parts) {
   if (parts > most_parts) refuse(node, "too_large", "this would be too large when written out");
 }
 
-bool is_outside(const Function& function, const ex& x) {
-  const auto is_beyond = [&](double end, int side) {
-    if (!is_a<numeric>(x) || std::isinf(end)) return false;
-    const ex past = side * (x - static_cast<long>(end));
-    return past.info(GiNaC::info_flags::positive) || (past.is_zero() && function.is_open);
-  };
-  return is_beyond(function.least, -1) || is_beyond(function.most, 1);
-}
-
 struct Lowering {
   const Symbols& symbols;
   const Limits& limits;
@@ -112,7 +103,11 @@ struct Lowering {
     const Function* function = find_function(node.text);
     if (function == nullptr) refuse(node, "unknown_function", "there is no function '" + node.text + "'");
     const Lowered argument = lower(node.children[0]);
-    if (is_outside(*function, argument.value)) refuse(node, "undefined", "this has no real value");
+    const auto sign_beyond = [&](long end) -> std::optional<int> {
+      return GiNaC::ex_to<numeric>(argument.value - end).csgn();
+    };
+    if (is_a<numeric>(argument.value) && function->domain.excludes(sign_beyond))
+      refuse(node, "undefined", "this has no real value");
     const double copies = node.text == "cot" || node.text == "coth" ? 2 : 1;  // cos(x)/sin(x)
     const double bits = copies * argument.bits + 1, parts = copies * argument.parts + 1;
     check_size(node, bits, parts);

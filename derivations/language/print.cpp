@@ -170,12 +170,12 @@ struct Printer {
     const std::string inside = print(node.children[0]);
     const Function* function = find_function(node.text);
     if (notation == Notation::plain || function == nullptr) return node.text + exponent + bracket(inside);
-    const std::string typed = node.text == "sqrt" ? "√" : node.text == "fabs" ? "abs" : node.text;
-    if (notation == Notation::unicode) return typed + exponent + bracket(inside);
+    if (notation == Notation::unicode)
+      return (function->unicode.empty() ? node.text : std::string(function->unicode)) + exponent +
+             bracket(inside);
+    std::string frame(function->latex_frame);
+    if (!frame.empty()) return frame.replace(frame.find('#'), 1, inside);
     const std::string name = std::string(function->latex) + exponent;
-    if (node.text == "sqrt") return "\\sqrt{" + inside + "}";
-    if (node.text == "fabs") return "\\left|" + inside + "\\right|";
-    if (node.text == "exp") return "\\mathrm{e}^{" + inside + "}";
     if (!last || !is_atom(*node.children[0]) || has(inside, "\\cdot")) return name + bracket(inside);
     return name + (inside[0] == '\\' ? "" : " ") + inside;
   }

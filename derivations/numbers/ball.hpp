@@ -1,10 +1,12 @@
 // Real numbers with a proven bound, by Arb: Johansson, "Arb: efficient arbitrary-precision midpoint-radius
-// interval arithmetic", IEEE Trans. Comput. 66 (2017).
+// interval arithmetic", IEEE Trans. Comput. 66 (2017). Conversion between the integers of FLINT and of CLN.
 #pragma once
 
 #include <mpfr.h>
 // Arb declares its functions for MPFR only if mpfr.h is included before it.
 #include <arb.h>
+#include <cln/integer.h>
+#include <cln/rational.h>
 
 #include <algorithm>
 #include <concepts>
@@ -12,11 +14,32 @@
 #include <stdexcept>
 #include <string>
 
-namespace cln {
-class cl_RA;
-}
-
 namespace rederive {
+
+/// An integer of FLINT that frees its memory.
+struct Integer {
+  Integer() { fmpz_init(z); }
+  explicit Integer(const cln::cl_I& value) : Integer() {
+    if (const auto length = cln::integer_length(value); length < 60) {
+      fmpz_set_si(z, cln::cl_I_to_long(value));
+    } else {
+      const Integer high(cln::ash(value, -static_cast<long>(length / 2)));
+      fmpz_mul_2exp(z, high.z, length / 2);
+      fmpz_add(z, z, Integer(cln::ldb(value, cln::cl_byte(length / 2, 0))).z);
+    }
+  }
+  Integer(const Integer&) = delete;
+  Integer& operator=(const Integer&) = delete;
+  ~Integer() { fmpz_clear(z); }
+  cln::cl_I value() const {
+    if (fmpz_fits_si(z)) return cln::cl_I(fmpz_get_si(z));
+    const auto half = fmpz_bits(z) / 2;
+    Integer high, low;
+    fmpz_fdiv_q_2exp(high.z, z, half), fmpz_fdiv_r_2exp(low.z, z, half);
+    return cln::ash(high.value(), static_cast<long>(half)) + low.value();
+  }
+  fmpz_t z;
+};
 
 /// A real number in [middle - radius, middle + radius]. A result contains every value that the operation has
 /// on the operands, with the smaller of their precisions; it is not finite if a value is missing.
@@ -35,7 +58,9 @@ class Ball {
     mpfr_init2(exact, 64), mpfr_set_ld(exact, number, MPFR_RNDN);
     arf_set_mpfr(arb_midref(x_), exact), mpfr_clear(exact);
   }
-  Ball(const cln::cl_RA& q, long bits);
+  Ball(const cln::cl_RA& q, long bits) : Ball(0, bits) {
+    arb_fmpz_div_fmpz(x_, Integer(cln::numerator(q)).z, Integer(cln::denominator(q)).z, bits);
+  }
   Ball(const Ball& y) : bits_(y.bits_) { arb_init(x_), arb_set(x_, y.x_); }
   Ball(Ball&& y) noexcept : bits_(y.bits_) { arb_init(x_), arb_swap(x_, y.x_); }
   Ball& operator=(Ball y) noexcept { return arb_swap(x_, y.x_), bits_ = y.bits_, *this; }
@@ -69,7 +94,14 @@ class Ball {
   bool is_exact() const { return arb_is_exact(x_); }  ///< one number, of the form m*2^n
   bool is_finite() const { return arb_is_finite(x_); }
   /// Returns whether it is finite, and 0 or of a size from 2^-100000 to 2^100000, so that it can be written.
-  bool is_moderate() const;
+  bool is_moderate() const {
+    constexpr long most = 100'000;
+    const auto is_between = [](const auto* x, auto is_zero, auto compare, long least) {
+      return is_zero(x) || (compare(x, most) < 0 && compare(x, least) > 0);
+    };
+    return is_finite() && is_between(arb_midref(x_), arf_is_zero, arf_cmpabs_2exp_si, -most) &&
+           is_between(arb_radref(x_), mag_is_zero, mag_cmp_2exp_si, -2 * most);
+  }
 
   /// Returns an end or the middle, exactly.
   Ball lower() const { return end(arb_get_lbound_arf); }
@@ -82,7 +114,12 @@ class Ball {
     return Ball(*this).changed([&](Ball& y) { arb_add_error_2exp_si(y.x_, exponent); });
   }
   /// Returns the middle exactly. Throws std::domain_error if the ball is not moderate.
-  operator cln::cl_RA() const;
+  operator cln::cl_RA() const {
+    if (!is_moderate()) throw std::domain_error("the ball is too large or too small to be written");
+    Integer mantissa, exponent;
+    arf_get_fmpz_2exp(mantissa.z, exponent.z, arb_midref(x_));
+    return mantissa.value() * cln::expt(cln::cl_RA(2), fmpz_get_si(exponent.z));
+  }
   /// Returns the double (or long double) nearest to the middle.
   double to_double() const { return arf_get_d(arb_midref(x_), ARF_RND_NEAR); }
   long double to_real() const {

@@ -1,3 +1,4 @@
+#include <derivations/language/functions.hpp>
 #include <derivations/language/syntax.hpp>
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/numbers/interval.hpp>
@@ -63,31 +64,25 @@ Interval read_end(const std::string& text, bool is_closed) {
   return enclosing(value, is_closed);
 }
 
+Interval interval_of(const Function::Domain& domain) {
+  const auto end = [&](double at) {
+    return std::isinf(at) ? infinity(at < 0 ? -1 : 1) : End{{static_cast<long>(at)}, 0, !domain.is_open};
+  };
+  return {end(domain.least), end(domain.most)};
+}
+
 }  // namespace
 
 const MonotonePiece& monotone_piece(const std::string& name) {
-  static const auto piece = [](const char* domain, const char* values, const char* inverse = nullptr,
-                               int half_turn = 0) {
-    return MonotonePiece{parse_range(domain), parse_range(values), inverse, half_turn};
-  };
-  static const std::map<std::string, MonotonePiece> table = {
-      {"sin", piece("[-pi/2, pi/2]", "[-1, 1]", "asin", -1)},
-      {"cos", piece("[0, pi]", "[1, -1]", "acos", -1)},
-      {"tan", piece("(-pi/2, pi/2)", all_numbers, "atan", +1)},
-      {"cot", piece("(0, pi)", "(inf, -inf)", nullptr, +1)},
-      {"asin", piece("[-1, 1]", "[-pi/2, pi/2]", "sin")},
-      {"acos", piece("[-1, 1]", "[pi, 0]", "cos")},
-      {"atan", piece(all_numbers, "(-pi/2, pi/2)", "tan")},
-      {"sinh", piece(all_numbers, all_numbers, "asinh")},
-      {"cosh", piece("[0, inf)", "[1, inf)")},
-      {"tanh", piece(all_numbers, "(-1, 1)", "atanh")},
-      {"asinh", piece(all_numbers, all_numbers, "sinh")},
-      {"acosh", piece("[1, inf)", "[0, inf)", "cosh")},
-      {"atanh", piece("(-1, 1)", all_numbers, "tanh")},
-      {"exp", piece(all_numbers, "(0, inf)", "log")},
-      {"log", piece("(0, inf)", all_numbers, "exp")},
-      {"sqrt", piece("[0, inf)", "[0, inf)")},
-      {"fabs", piece("[0, inf)", "[0, inf)")}};
+  static const auto table = [] {
+    std::map<std::string, MonotonePiece> made;
+    for (const Function& f : functions()) {
+      if (f.values.empty()) continue;
+      const Interval domain = f.piece.empty() ? interval_of(f.domain) : parse_range(f.piece);
+      made.emplace(f.name, MonotonePiece{domain, parse_range(f.values), std::string(f.inverse), f.half_turn});
+    }
+    return made;
+  }();
   return table.at(name);
 }
 
@@ -172,14 +167,15 @@ Interval power(const Interval& x, const cl_RA& exponent) {
 }
 
 Interval call(const std::string& name, const Interval& x) {
-  if (const char* other = reciprocal_of(name)) return reciprocal(call(other, x));
+  const Function& f = function_named(name);
+  if (!f.reciprocal.empty()) return reciprocal(call(std::string(f.reciprocal), x));
   const auto& [domain, values, inverse, half_turn, range] = monotone_piece(name);
   const auto on_piece = [&, &domain = domain, &values = values, &range = range](const Interval& y) {
     const Interval given = overlap(y, domain);
     const auto value = [&](const Value& v) { return call(name, v); };
     return given.is_empty() ? given : overlap(range, image(given, values.low, values.high, value));
   };
-  if (half_turn == 0) return on_piece(name == "cosh" || name == "fabs" ? absolute(x) : x);
+  if (half_turn == 0) return on_piece(f.parity == Function::Parity::even ? absolute(x) : x);
   constexpr int most = 8;  // half turns from 0
   if (compare(x.low, {{0, -most}}) < 0 || compare(x.high, {{0, most}}) > 0) return range;
   std::optional<Interval> result;  // the hull of what the pieces give, each moved to the one around 0

@@ -54,7 +54,7 @@ Interval call(const std::string& function, const Interval& x);
 /// domain, except for circular functions and even functions.
 struct MonotonePiece {
   Interval domain, values;
-  const char* inverse;  ///< null if the piece is not the whole domain and the function not circular
+  std::string inverse;  ///< empty if the piece is not the whole domain and the function not circular
   int half_turn = 0;    ///< f(x + pi)/f(x) of a circular function, else 0
   Interval range = hull({values.low, values.low}, {values.high, values.high});
 };

@@ -21,15 +21,6 @@ std::optional<cl_RA> halves(const Ball& y) {
   return twice.contains(whole) ? std::optional(cl_RA(whole) / 2) : std::nullopt;
 }
 
-/// Returns whether x is certainly outside the domain.
-bool is_outside(const Function& f, const Value& x) {
-  const auto beyond = [&](double end, int side) {
-    const auto sign = (x - known(Ball(end).at(x.enclosure.bits()))).sign();  // none where the end is infinite
-    return sign && (*sign == side || (*sign == 0 && f.is_open));
-  };
-  return beyond(f.least, -1) || beyond(f.most, 1);
-}
-
 /// Returns whether a result of two operands is certain, exists nowhere or is unknown.
 Is both(const Value& x, const Value& y) {
   if (x.is == Is::nowhere || y.is == Is::nowhere) return Is::nowhere;
@@ -139,14 +130,15 @@ Value pow(const Value& x, const Value& y) {
 }
 
 Value call(const std::string& name, const Value& x) {
-  if (const char* other = reciprocal_of(name)) return known(Ball(1)) / call(other, x);
+  const Function& f = function_named(name);
+  if (!f.reciprocal.empty()) return known(Ball(1)) / call(std::string(f.reciprocal), x);
   if (x.is != Is::certain) return x;
   const long bits = x.enclosure.bits();
   if (name == "sqrt") return pow(x, known(Ball(1) / Ball(2)));
   if (name == "fabs" && x.constant) return x.constant->sign() < 0 ? known(Ball(-1)) * x : x;
-  const bool is_circular = name == "sin" || name == "cos" || name == "tan" || name == "cot",
-             is_angle = name == "asin" || name == "acos" || name == "atan";
-  if (is_circular && x.constant && cln::zerop(x.constant->a) && cln::denominator(12 * x.constant->b) == 1) {
+  const bool is_angle = !f.inverse.empty() && function_named(f.inverse).half_turn != 0;
+  if (f.half_turn != 0 && x.constant && cln::zerop(x.constant->a) &&
+      cln::denominator(12 * x.constant->b) == 1) {
     const cl_RA turn = x.constant->b - 2 * cln::floor1(x.constant->b / 2);
     const Ball value = image(name, Constant{0, turn}.ball(bits));
     if (!value.is_finite()) return {Is::nowhere};  // a pole
@@ -156,14 +148,8 @@ Value call(const std::string& name, const Value& x) {
   if (is_angle && x.exact && cln::denominator(2 * *x.exact) == 1 && cln::abs(*x.exact) <= 1)
     if (const auto sixths = halves(Ball(6) * result / Ball::pi(bits)))
       return known(Constant{0, *sixths / 6}, bits);
-  return !result.is_finite() && is_outside(*find_function(name), x) ? Value{Is::nowhere} : known(result);
-}
-
-const char* reciprocal_of(const std::string& name) {
-  static const std::map<std::string, const char*> table = {
-      {"sec", "cos"}, {"csc", "sin"}, {"sech", "cosh"}, {"csch", "sinh"}, {"coth", "tanh"}};
-  const auto found = table.find(name);
-  return found == table.end() ? nullptr : found->second;
+  const auto sign_beyond = [&](long end) { return (x - known(Ball(end).at(bits))).sign(); };
+  return !result.is_finite() && f.domain.excludes(sign_beyond) ? Value{Is::nowhere} : known(result);
 }
 
 }  // namespace rederive

@@ -56,7 +56,4 @@ Value pow(const Value& x, const Value& y);
 /// Returns the value of a function of our syntax. Throws std::out_of_range for an unknown function.
 Value call(const std::string& function, const Value& x);
 
-/// Returns f for a function that is defined as 1/f, "cos" for "sec"; nullptr for others.
-const char* reciprocal_of(const std::string& name);
-
 }  // namespace rederive

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <derivations/language/functions.hpp>
 #include <derivations/numbers/interval.hpp>
 #include <lessons/exercises/sieve.hpp>
 #include <lessons/exercises/trees.hpp>
@@ -20,8 +21,8 @@ double called(const std::string& name, double x) {
       {"sqrt", std::sqrt}, {"acosh", std::acosh}, {"atanh", std::atanh}, {"fabs", std::fabs},
       {"abs", std::fabs}};
   if (const auto found = table.find(name); found != table.end()) return found->second(x);
-  const char* other = reciprocal_of(name);
-  return other == nullptr ? nowhere : 1 / called(other, x);
+  const Function* f = find_function(name);
+  return f == nullptr || f->reciprocal.empty() ? nowhere : 1 / called(std::string(f->reciprocal), x);
 }
 
 /// How large the terms are that a value is the sum of: what cancels in them is known to so many digits only.
