@@ -1,15 +1,15 @@
-// Runs one of our programs as a user would, and gives back all that it said.
+// What most tests share: programs, files, and folders that are removed at the end.
 #pragma once
 
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <tests/skip.hpp>
 #include <vector>
@@ -32,6 +32,21 @@ inline std::string read_file(const std::filesystem::path& path) {
   return text.str();
 }
 
+inline void write_file(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Returns the names of the files and folders directly in a folder.
+inline std::set<std::string> files_in(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename());
+  return names;
+}
+
 /// A folder for one test, removed with it.
 struct TemporaryFolder {
   std::filesystem::path path;
@@ -45,7 +60,8 @@ struct TemporaryFolder {
   }
 };
 
-/// Runs build/bin/`program`, or any command if the name has a slash. `input` goes to its standard input.
+/// Runs build/bin/`program` as a user would, or any command if the name has a slash. `input` goes to its
+/// standard input.
 inline Result run_program(const std::string& program, const std::vector<std::string>& arguments,
                           const std::string& input = "") {
   TemporaryFolder folder;
@@ -61,14 +77,26 @@ inline Result run_program(const std::string& program, const std::vector<std::str
           read_file(folder.path / "err")};
 }
 
-/// Whether a tool that only some tests want is there; if not, the test is skipped.
+/// Runs a script of bash in a folder, with our programs on its path.
+inline Result run_script(const std::filesystem::path& folder, const std::string& script) {
+  return run_program("/bin/bash",
+                     {"-c", "cd " + quoted(folder) + " && PATH='" REDERIVE_PROGRAMS "':$PATH && " + script});
+}
+
+/// Returns the JSON document that a program writes; an empty object if it writes none.
+inline nlohmann::json json_from(const std::string& program, const std::vector<std::string>& arguments) {
+  const std::string text = run_program(program, arguments).out;
+  return text.empty() ? nlohmann::json::object() : nlohmann::json::parse(text);
+}
+
+/// Returns whether a tool that only some tests need is installed; if it is not, the test is skipped.
 inline bool has_tool(const std::string& name) {
   if (std::system(("command -v " + quoted(name) + " >/dev/null 2>&1").c_str()) == 0) return true;
   skip(name + " is not installed");
   return false;
 }
 
-/// The programs of all lessons, in order.
+/// Returns the names of the programs of all lessons, in order.
 inline std::vector<std::string> lesson_programs() {
   std::vector<std::string> names;
   for (const auto& file : std::filesystem::directory_iterator(REDERIVE_PROGRAMS))

@@ -4,7 +4,9 @@
 #include <derivations/identity/translator.hpp>
 #include <derivations/language/syntax.hpp>
 #include <derivations/sign/certificate.hpp>
+#include <map>
 #include <random>
+#include <tests/cases.hpp>
 
 using namespace rederive;
 using cln::cl_RA;
@@ -59,58 +61,37 @@ Fraction multiplied_out(const Certificate& certificate, const Ring& ring) {
   for (const auto& parts : certificate.sums) squares = squares + power(multiplied_out(parts, ring), 2);
   return squares;
 }
-struct Row {
-  std::vector<std::string> facts;
-  std::string value;
-  Signs claim;
-};
+
+const std::map<std::string, Signs> claims{{"positive", Signs::positive()},
+                                          {"negative", Signs::negative()},
+                                          {"nonnegative", Signs::nonnegative()},
+                                          {"impossible", Signs::positive() & Signs::negative()}};
+
+/// Proves a row of the table: a value, its sign, and the facts.
+std::optional<Certificate> prove(System& system, const Cells& row) {
+  for (const std::string& fact : rest(row, 2)) system.know(fact);
+  return system.prove(row[0], claims.at(row[1]));
+}
 
 }  // namespace
 
 TEST_CASE("signs that follow are proved, and every certificate multiplies out to 0") {
-  const std::vector<Row> rows{{{}, "x^2+y^2-2*x*y", Signs::nonnegative()},
-                              {{}, "x^2+1", Signs::positive()},
-                              {{"x > 0", "y > 0"}, "x*y", Signs::positive()},
-                              {{"x - y > 0", "y - z > 0"}, "x-z", Signs::positive()},
-                              {{"x - 1 >= 0", "y - 1 >= 0"}, "x*y-1", Signs::nonnegative()},
-                              {{"x*y > 0", "x + y > 0"}, "x", Signs::positive()},
-                              {{"x^2 + y^2 - 1 = 0"}, "1-x*y", Signs::positive()},
-                              {{"x > 0"}, "-x", Signs::negative()}};
-  for (const Row& row : rows) {
+  each_case("follows", [](const Cells& row) {
     System system;
-    for (const std::string& fact : row.facts) system.know(fact);
-    INFO(row.value);
-    const auto certificate = system.prove(row.value, row.claim);
+    const auto certificate = prove(system, row);
     REQUIRE(certificate);
     CHECK(multiplied_out(*certificate, system.ring).is_zero());
-  }
+  });
 }
 
-TEST_CASE("nothing is proved of what does not follow") {
-  const std::vector<Row> rows{
-      {{}, "x^2+y^2-2*x*y", Signs::positive()}, {{}, "x", Signs::nonnegative()},
-      {{"x > 0"}, "x-1", Signs::positive()},    {{"x - y > 0"}, "x^2-y^2", Signs::positive()},
-      {{"x*y > 0"}, "x+y", Signs::positive()},  {{"x^2 + y^2 - 1 = 0"}, "x+y-1", Signs::nonnegative()}};
-  for (const Row& row : rows) {
+TEST_CASE("nothing is proved of what does not follow, and no system with a solution is a contradiction") {
+  each_case("does_not_follow", [](const Cells& row) {
     System system;
-    for (const std::string& fact : row.facts) system.know(fact);
-    INFO(row.value);
-    CHECK_FALSE(system.prove(row.value, row.claim));
-  }
+    CHECK_FALSE(prove(system, row));
+  });
 }
 
-TEST_CASE("a system with a solution is no contradiction, one without is") {
-  const Signs none = Signs::positive() & Signs::negative();
-  System with, without;
-  for (const char* fact : {"x^2 + y^2 - 2 = 0", "x - 1 >= 0", "y - 1 >= 0"}) with.know(fact);
-  CHECK_FALSE(prove_signs(with.ring, 0, none));
-  for (const char* fact : {"x^2 + y^2 - 1 = 0", "x - 1 >= 0", "y - 1 >= 0"}) without.know(fact);
-  const auto certificate = prove_signs(without.ring, 0, none);
-  REQUIRE(certificate);
-  CHECK(multiplied_out(*certificate, without.ring).is_zero());
-}
-
-TEST_CASE("so it multiplies out where a relation of the ring has a number below its bar") {
+TEST_CASE("a certificate multiplies out where a relation of the ring has a number in its denominator") {
   System system;
   const Fraction x = system("x"), y = system("y"), z = system("z");
   system.ring.relate(x.numerator.used()[0], 2, Fraction(cl_RA(1) / 3) * (y + 1));
