@@ -1,14 +1,14 @@
-// What includes what: one straight line, no cycle, small files.
+// What includes what, in which namespace: a straight line of folders, no cycle, small files.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <regex>
 #include <set>
-#include <vector>
+#include <sstream>
+#include <tests/run_program.hpp>
 
 namespace fs = std::filesystem;
 
@@ -55,20 +55,18 @@ using Graph = std::map<std::string, std::set<std::string>>;
 const Graph& includes() {
   static const Graph graph = [] {
     Graph result;
-    const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+    const std::regex include(R"(\n\s*#\s*include\s*[<"]([^>"]+)[>"])");
     for (const char* top : {"derivations", "numerics", "lessons"})
       for (const auto& entry : fs::recursive_directory_iterator(fs::path(REDERIVE_SOURCE) / top)) {
         const std::string extension = entry.path().extension();
         if (extension != ".hpp" && extension != ".cpp") continue;
         const fs::path name = fs::relative(entry.path(), REDERIVE_SOURCE);
         std::set<std::string>& found = result[name];
-        std::ifstream file(entry.path());
-        std::smatch match;
-        for (std::string line; std::getline(file, line);)
-          if (std::regex_search(line, match, include)) {
-            const std::string beside = name.parent_path() / match[1].str();  // #include "beside.hpp"
-            found.insert(fs::exists(fs::path(REDERIVE_SOURCE) / beside) ? beside : match[1].str());
-          }
+        const std::string text = read_file(entry.path());
+        for (std::sregex_iterator match(text.begin(), text.end(), include), end; match != end; ++match) {
+          const std::string beside = name.parent_path() / (*match)[1].str();  // #include "beside.hpp"
+          found.insert(fs::exists(fs::path(REDERIVE_SOURCE) / beside) ? beside : (*match)[1].str());
+        }
       }
     return result;
   }();
@@ -79,6 +77,12 @@ const Graph& includes() {
 std::string folder_of(const std::string& file) {
   const std::string folder = fs::path(file).parent_path();
   return folder.starts_with("derivations/") ? folder.substr(std::string("derivations/").size()) : folder;
+}
+
+std::vector<std::string> files() {
+  std::vector<std::string> names;
+  for (const auto& [file, included] : includes()) names.push_back(file);
+  return names;
 }
 
 /// A header and its source are one file.
@@ -121,15 +125,15 @@ void collect(const std::string& file, std::set<std::string>& reached) {
   for (const std::string& other : includes().at(file)) collect(other, reached);
 }
 
-int lines_of(const std::string& file) {
-  std::ifstream text(fs::path(REDERIVE_SOURCE) / file);
-  return static_cast<int>(std::count(std::istreambuf_iterator<char>(text), {}, '\n'));
-}
+std::string text_of(const std::string& file) { return read_file(fs::path(REDERIVE_SOURCE) / file); }
 
-int lines_in(const std::function<bool(const std::string&)>& counts) {
-  int lines = 0;
-  for (const auto& [file, included] : includes()) lines += counts(file) ? lines_of(file) : 0;
-  return lines;
+long lines_of(const std::string& file) { return std::ranges::count(text_of(file), '\n'); }
+
+/// Everything that a file reaches by its includes, itself among it.
+std::set<std::string> reached_by(const std::string& file) {
+  std::set<std::string> reached;
+  collect(file, reached);
+  return reached;
 }
 
 }  // namespace
@@ -146,13 +150,12 @@ TEST_CASE("no cycle of files, none of folders") {
 }
 
 TEST_CASE("a folder includes only those that the design allows") {
-  for (const auto& [its_file, included] : includes()) {
-    const auto& file = its_file;
-    const std::string folder = folder_of(file);
+  for (const auto& [its_name, included] : includes()) {
+    const std::string file = its_name, folder = folder_of(file);
     if (folder.starts_with("lessons")) continue;
     REQUIRE_MESSAGE(allowed.contains(folder), file);
     for (const std::string& other : included)
-      if (includes().contains(other) && folder_of(other) != folder)
+      if (includes().contains(other))
         CHECK_MESSAGE(may_include(folder, folder_of(other)), file, " -> ", other);
   }
 }
@@ -161,52 +164,44 @@ TEST_CASE("the README of each folder says what it includes") {
   Graph folders = arrows(folder_of);
   folders["language"];  // which includes none
   for (const auto& [folder, others] : folders) {
-    const fs::path source = REDERIVE_SOURCE;
     const bool is_derivations = allowed.contains(folder) && !folder.starts_with("numerics");
-    const fs::path readme = source / (is_derivations ? "derivations" : "") / folder / "README.md";
-    if (!fs::exists(readme)) continue;  // described by the README of the folder above
-    std::ifstream file(readme);
-    std::string line, expected;
+    const std::string readme = (is_derivations ? "derivations/" : "") + folder + "/README.md";
+    const std::string text = text_of(readme);
+    if (text.empty()) continue;  // described by the README of the folder above
+    std::string expected;
     for (const std::string& other : others) expected += (expected.empty() ? "" : ", ") + other;
-    while (std::getline(file, line) && !line.starts_with("Includes: ")) continue;
-    CHECK_MESSAGE(line.starts_with("Includes: " + (others.empty() ? "nothing" : expected)), readme.string(),
-                  ": ", line);
+    CHECK_MESSAGE(contains(text, "\nIncludes: " + (others.empty() ? "nothing" : expected)), readme);
   }
 }
 
 TEST_CASE("the product includes no tests, numerics no GiNaC, derivations no GSL") {
-  for (const auto& [its_file, included] : includes()) {
-    const auto& file = its_file;
-    std::set<std::string> reached;
-    collect(file, reached);
-    for (const std::string& other : reached) {
-      CHECK_MESSAGE(!other.starts_with("tests/"), file, " -> ", other);
-      if (file.starts_with("numerics/")) CHECK_MESSAGE(!other.starts_with("ginac/"), file, " -> ", other);
-      if (file.starts_with("derivations/")) CHECK_MESSAGE(!other.starts_with("gsl/"), file, " -> ", other);
+  for (const std::string& file : files())
+    for (const std::string& other : reached_by(file)) {
+      INFO(file << " -> " << other);
+      CHECK_FALSE(other.starts_with("tests/"));
+      CHECK_FALSE((file.starts_with("numerics/") && other.starts_with("ginac/")));
+      CHECK_FALSE((file.starts_with("derivations/") && other.starts_with("gsl/")));
+    }
+}
+
+TEST_CASE("what is written for any paper never reaches the built-in one") {
+  for (const std::string& file : files()) {
+    if (!knows_no_paper.contains(folder_of(file))) continue;
+    for (const std::string& other : reached_by(file)) {
+      INFO(file << " -> " << other);
+      CHECK_FALSE(folder_of(other).ends_with("rocking_block"));
     }
   }
 }
 
-TEST_CASE("what is written for any paper never reaches the built-in one") {
-  for (const auto& [its_file, included] : includes()) {
-    const auto& file = its_file;
-    if (!knows_no_paper.contains(folder_of(file))) continue;
-    std::set<std::string> reached;
-    collect(file, reached);
-    for (const std::string& other : reached)
-      CHECK_MESSAGE(!folder_of(other).ends_with("rocking_block"), file, " -> ", other);
+TEST_CASE("the folders of the engine have at most 6,300 lines together, and no file more than 300") {
+  long lines = 0;
+  for (const std::string& file : files()) {
+    if (!engine.contains(folder_of(file))) continue;
+    INFO(file << " has " << lines_of(file) << " lines");
+    CHECK(lines_of(file) <= 300);
+    lines += lines_of(file);
   }
-}
-
-TEST_CASE("no file of the engine has more than 300 lines") {
-  for (const auto& [its_file, included] : includes()) {
-    const auto& file = its_file;
-    if (engine.contains(folder_of(file))) CHECK_MESSAGE(lines_of(file) <= 300, file, " has ", lines_of(file));
-  }
-}
-
-TEST_CASE("the folders of the engine have at most 6,300 lines together") {
-  const int lines = lines_in([](const std::string& file) { return engine.contains(folder_of(file)); });
   MESSAGE("the engine has ", lines, " lines");
   CHECK(lines <= 6300);
 }

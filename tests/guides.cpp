@@ -1,9 +1,8 @@
-// How to add an equation, a target of emission, a lesson, an exercise, and a paper of one's own: the READMEs'
-// examples, followed to the letter.
+// How to add an equation, a target of emission, a lesson, an exercise, and a paper of your own: the examples
+// in the READMEs, followed to the letter.
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <tests/installed.hpp>
 
 namespace {
@@ -39,21 +38,21 @@ const fs::path& changed_programs() {
     const TemporaryFolder folder;
     const std::string listed =
         with(kinematics, "Derivations derivations_of_kinematics() {", "  };\n", equation("cpp", 1));
-    write(folder.path / "kinematics.cpp",
-          replaced(listed, "Derivations derivations_of_kinematics() {",
-                   equation("cpp", 0) + "\nDerivations derivations_of_kinematics() {"));
+    write_file(folder.path / "kinematics.cpp",
+               replaced(listed, "Derivations derivations_of_kinematics() {",
+                        equation("cpp", 0) + "\nDerivations derivations_of_kinematics() {"));
     fs::create_directories(folder.path / "derivations/emit");
     const std::string header = read_file(source + "/" + dialect + ".hpp");
     const auto names = header.find("enum class Target {");
     REQUIRE(names != std::string::npos);
-    write(folder.path / "derivations/emit/dialect.hpp",
-          replaced(header, header.substr(names, header.find('\n', names) + 1 - names), target(0)));
+    write_file(folder.path / "derivations/emit/dialect.hpp",
+               replaced(header, header.substr(names, header.find('\n', names) + 1 - names), target(0)));
     const std::string class_of = "/// The one of its kind.";
-    write(folder.path / "dialect.cpp",
-          replaced(with(dialect + ".cpp", "target_languages() {", "  };\n", target(2)), class_of,
-                   target(1) + "\n" + class_of));
-    write(folder.path / "lesson-13-the-size-of-the-block.cpp",
-          block("lessons/README.md", "## Add a lesson", "cpp", 0));
+    write_file(folder.path / "dialect.cpp",
+               replaced(with(dialect + ".cpp", "target_languages() {", "  };\n", target(2)), class_of,
+                        target(1) + "\n" + class_of));
+    write_file(folder.path / "lesson-13-the-size-of-the-block.cpp",
+               block("lessons/README.md", "## Add a lesson", "cpp"));
     make_project(folder.path,
                  "find_package(Rederive 1.0 REQUIRED COMPONENTS rocking_block_lessons)\n"
                  "add_executable(ledger kinematics.cpp " REDERIVE_LEDGER_MAIN
@@ -81,15 +80,15 @@ void append(const fs::path& file, const std::string& text) {
 TEST_CASE("an equation is added to the ledger as the README of the paper says") {
   const TemporaryFolder folder;
   const fs::path equations = folder.path / "equations.toml";
-  write(equations, read_file(prefix() / "share/rederive/equations.toml"));
-  append(equations, block("derivations/paper/README.md", "## Add an equation", "toml", 0));
+  write_file(equations, read_file(prefix() / "share/rederive/equations.toml"));
+  append(equations, block("derivations/paper/README.md", "## Add an equation", "toml"));
   const std::vector<std::string> show{"--equations", equations, "show", "w1", "--json"};
   const Result shown = run_program(changed_programs() / "ledger", show);
   CHECK(shown.exit_code == 0);
   CHECK(nlohmann::json::parse(shown.out)["verdict"] == "proved");
 
   // and the new row can turn red like any other
-  write(equations, replaced(read_file(equations), "R*(1 - cos(alpha))", "R*(1 - sin(alpha))"));
+  write_file(equations, replaced(read_file(equations), "R*(1 - cos(alpha))", "R*(1 - sin(alpha))"));
   const Result spoiled = run_program(changed_programs() / "ledger", show);
   CHECK(spoiled.exit_code == 1);
   CHECK(nlohmann::json::parse(spoiled.out)["verdict"] == "refuted");
@@ -99,7 +98,7 @@ TEST_CASE("a target of emission is added as the README of emit says, and compute
   const TemporaryFolder folder;
   const std::string path = "export PATH=" + quoted(changed_programs()) + ":$PATH; ";
   const std::string value =
-      said(folder.path, path + replaced(block("derivations/emit/README.md", "## Add a target", "sh", 0),
+      said(folder.path, path + replaced(block("derivations/emit/README.md", "## Add a target", "sh"),
                                         "gnuplot -e", "gnuplot 2>&1 -e"));
   CHECK(contains(read_file(source + "/derivations/emit/README.md"), value.substr(0, value.find('\n'))));
   CHECK(contains(said(folder.path, path + "emit --help"), "gnuplot"));
@@ -107,7 +106,7 @@ TEST_CASE("a target of emission is added as the README of emit says, and compute
   said(
       folder.path,
       path + "emit --list --json >list && emit --target python >emitted.py && emit --target gnuplot >all.gp");
-  write(folder.path / "driver.py", R"py(
+  write_file(folder.path / "driver.py", R"py(
 import emitted, json
 def both(text, value):
     print(f'print sprintf("%.17g {value!r}", {text})')
@@ -134,7 +133,7 @@ for function in json.load(open("list"))["functions"]:
 
 TEST_CASE("a lesson is added as the README of the lessons says, and is there in every format") {
   append(prefix() / "share/rederive/equations_of_lessons.toml",
-         block("lessons/README.md", "## Add a lesson", "toml", 0));
+         block("lessons/README.md", "## Add a lesson", "toml"));
   const std::string lesson = changed_programs() / "lesson-13-the-size-of-the-block";
   CHECK(run_program(lesson, {"--quiet"}).out == "(13): proved\n");
   for (const char* format : {"unicode", "plain", "latex", "markdown", "notebook", "html"}) {
@@ -156,7 +155,7 @@ TEST_CASE("an exercise is added as the README of the classroom says") {
     return run_program(prefix() / "bin/exercises", arguments);
   };
   CHECK(run({"show", "worked-example"}).exit_code == 2);
-  append(exercises, block("lessons/exercises/README.md", "## Add an exercise", "toml", 0));
+  append(exercises, block("lessons/exercises/README.md", "## Add an exercise", "toml"));
   CHECK(run({"check", "worked-example", "y_c = R*(1 - cos(alpha))"}).exit_code == 0);
   const Result slip = run({"check", "worked-example", "R*(1 - sin(alpha))"});
   CHECK(slip.exit_code == 1);
@@ -166,11 +165,11 @@ TEST_CASE("an exercise is added as the README of the classroom says") {
 TEST_CASE("a paper of one's own is judged as the README of the paper says") {
   const TemporaryFolder folder;
   const auto part = [](const char* language) {
-    return block("derivations/paper/README.md", "## A paper of your own", language, 0);
+    return block("derivations/paper/README.md", "## A paper of your own", language);
   };
-  write(folder.path / "rod.toml", part("toml"));
-  write(folder.path / "rod.cpp", part("cpp"));
-  write(folder.path / "CMakeLists.txt", part("cmake"));
+  write_file(folder.path / "rod.toml", part("toml"));
+  write_file(folder.path / "rod.cpp", part("cpp"));
+  write_file(folder.path / "CMakeLists.txt", part("cmake"));
   const std::string found =
       said(folder.path, "P=" + quoted(prefix()) + "; " + part("sh") + "build/rod mutate");
   CHECK(contains(found, "refuted"));
@@ -186,7 +185,7 @@ TEST_CASE("a paper of one's own is judged as the README of the paper says") {
   CHECK_FALSE(std::filesystem::exists(folder.path / "proofs/Critical.v"));  // of the rocking block
 
   // the slip mended is a verdict that was not expected
-  write(folder.path / "rod.toml", replaced(part("toml"), "sqrt(2*g/(3*L))", "sqrt(3*g/(2*L))"));
+  write_file(folder.path / "rod.toml", replaced(part("toml"), "sqrt(2*g/(3*L))", "sqrt(3*g/(2*L))"));
   const Result mended =
       run_program("/bin/bash", {"-c", "cd " + quoted(folder.path) + " && build/rod show 3"});
   CHECK(mended.exit_code == 1);

@@ -9,13 +9,12 @@ namespace fs = std::filesystem;
 
 inline const std::string source = REDERIVE_SOURCE, build = REDERIVE_BINARY;
 
-/// The n-th block fenced as ```language after `heading` in a README.
+/// Returns the n-th block fenced as ```language after `heading` in a README.
 inline std::string block(const std::string& readme, const std::string& heading, const std::string& language,
-                         int n) {
-  const std::string text = read_file(source + "/" + readme);
+                         int n = 0) {
+  const std::string text = read_file(source + "/" + readme), fence = "```" + language + "\n";
   std::size_t place = text.find(heading);
   REQUIRE(place != std::string::npos);
-  const std::string fence = "```" + language + "\n";
   for (int k = 0; k <= n; ++k) {
     place = text.find(fence, place);
     REQUIRE(place != std::string::npos);
@@ -24,20 +23,14 @@ inline std::string block(const std::string& readme, const std::string& heading, 
   return text.substr(place, text.find("```", place) - place);
 }
 
-inline void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
-
-/// What a script of bash prints. It must succeed.
+/// Returns what a script of bash prints. It must succeed.
 inline std::string said(const fs::path& folder, const std::string& script) {
   const Result run = run_program("/bin/bash", {"-c", "cd " + quoted(folder) + " && " + script});
   REQUIRE_MESSAGE(run.exit_code == 0, script, "\n", run.out, run.err);
   return run.out;
 }
 
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-/// The installed tree, which has been moved since.
+/// Returns the installed tree, which has been moved since.
 inline const fs::path& prefix() {
   static const TemporaryFolder folder;
   static const fs::path moved = [] {
@@ -47,9 +40,9 @@ inline const fs::path& prefix() {
   return moved;
 }
 
-/// A project of one's own, made in `folder`, with what `lists` says after find_package.
+/// Builds a project of a user in `folder`, with what `lists` says after find_package.
 inline void make_project(const fs::path& folder, const std::string& lists) {
-  write(folder / "CMakeLists.txt", "cmake_minimum_required(VERSION 3.22)\nproject(mine CXX)\n" + lists);
+  write_file(folder / "CMakeLists.txt", "cmake_minimum_required(VERSION 3.22)\nproject(mine CXX)\n" + lists);
   said(folder, "cmake -G Ninja -DCMAKE_PREFIX_PATH=" + quoted(prefix()) +
                    " -DCMAKE_CXX_FLAGS='-Wall -Wextra -Werror' -B b . && cmake --build b -j1");
 }

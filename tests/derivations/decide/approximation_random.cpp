@@ -1,47 +1,38 @@
-// Random expressions, and the same with something small put to them: what `ledger prove --small x` says of
-// the two, or of two equations that say that z is one of them, is held against their values, to 1000 bits,
+// Random expressions, and the same with something small added to them: what `ledger prove --small x` says of
+// the two, or of two equations that say that z is one of them, is compared with their values, to 1000 bits,
 // where x is as small as 10^-24 and all side conditions hold. REDERIVE_SEED and REDERIVE_PAIRS choose
 // another run.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <derivations/language/syntax.hpp>
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/paper/prove_bounded.hpp>
 #include <derivations/program/program.hpp>
-#include <iostream>
-#include <random>
 #include <tests/block.hpp>
+#include <tests/cases.hpp>
+#include <tests/random.hpp>
 
 using namespace rederive;
 
 namespace {
 
-class Generator {
+class Generator : public Choices {
  public:
-  explicit Generator(unsigned seed) : random_(seed) {}
-
-  std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
-  template <class T>
-  const T& pick(const std::vector<T>& items) {
-    return items[below(items.size())];
-  }
+  using Choices::Choices;
+  using Choices::pick;
+  std::string pick(const char* section) { return pick(words_.at(section)); }
 
   std::string expression(int depth) {
-    static const std::vector<std::string> atoms{"x", "x", "x", "a", "a", "y", "1", "2", "1/2"};
-    static const std::vector<std::string> exponents{"2", "2", "3", "(1/2)", "(-1)", "(1/3)"};
-    static const std::vector<std::string> functions{"sin",  "cos",  "tan",  "exp",  "log",  "sqrt",
-                                                    "fabs", "atan", "asin", "sinh", "cosh", "tanh"};
-    if (depth == 0) return pick(atoms);
+    if (depth == 0) return pick("atoms");
     const std::size_t kind = below(25);
     const std::string one = expression(depth - 1);
     if (kind < 7) return "(" + one + "+" + expression(depth - 1) + ")";
     if (kind < 9) return "(" + one + "-" + expression(depth - 1) + ")";
     if (kind < 14) return one + "*" + expression(depth - 1);
     if (kind < 18) return one + "/(" + expression(depth - 1) + ")";
-    if (kind < 20) return "(" + one + ")^" + pick(exponents);
+    if (kind < 20) return "(" + one + ")^" + pick("exponents");
     if (kind < 21) return "(" + one + ")^(" + expression(depth - 1) + ")";
-    return pick(functions) + "(" + one + ")";
+    return pick("functions") + "(" + one + ")";
   }
 
   /// The same with something of a higher order than `order`, or just not.
@@ -50,19 +41,11 @@ class Generator {
     std::vector<std::size_t> places;
     for (std::size_t k = text.find('x'); k != std::string::npos; k = text.find('x', k + 1))
       if (text.compare(k, 2, "xp") != 0) places.push_back(k);
-    switch (below(4)) {
-      case 0:
-        if (places.empty()) break;
-        return std::string(text).replace(
-            pick(places), 1, pick(std::vector<std::string>{"0", "sin(x)", "(x+" + little + "*a)"}));
-      case 1:
-        return "(" + text + ")*(1+" + little + ")";
-      case 2:
-        return text + "+" + little + "*" + expression(2);
-      default:
-        break;
-    }
-    return text + "+" + little;
+    const std::size_t kind = below(4);
+    if (kind == 0 && !places.empty())
+      return std::string(text).replace(pick(places), 1, pick(Cells{"0", "sin(x)", "(x+" + little + "*a)"}));
+    if (kind == 1) return "(" + text + ")*(1+" + little + ")";
+    return text + "+" + little + (kind == 2 ? "*" + expression(2) : "");
   }
 
   /// Of a and y, with those among them where something may vanish.
@@ -72,7 +55,7 @@ class Generator {
   }
 
  private:
-  std::mt19937 random_;
+  std::map<std::string, Cells> words_ = named_cases("words");
 };
 
 constexpr long bits = 1000;
@@ -146,17 +129,11 @@ Seen look(const Tree& left, const Tree& right, int order, const nlohmann::ordere
   return seen;
 }
 
-long from_environment(const char* name, long otherwise) {
-  const char* text = std::getenv(name);
-  return text != nullptr ? std::strtol(text, nullptr, 10) : otherwise;
-}
-
 }  // namespace
 
 TEST_CASE("random approximations hold where x is small, and what is refuted does not") {
   const auto seed = static_cast<unsigned>(from_environment("REDERIVE_SEED", 20261124));
   const long pairs = from_environment("REDERIVE_PAIRS", 1'000);
-  std::cout << "seed " << seed << ", " << pairs << " pairs\n";
   Generator generator(seed);
   std::map<std::string, long> verdicts;
   long held_against = 0;
@@ -170,9 +147,7 @@ TEST_CASE("random approximations hold where x is small, and what is refuted does
     request.order = order;
     if (generator.below(2) == 0) request.assumptions = {"x > 0"};
     if (!request.assumptions.empty() && generator.below(3) == 0) {  // z as one and as the other
-      static const std::vector<std::string> factors{"x",          "x^2",        "sin(x)",
-                                                    "(1-cos(x))", "(exp(x)-1)", "(2+x)"};
-      const std::string& factor = generator.pick(factors);
+      const std::string factor = generator.pick("factors");
       request.left = factor + "*z = " + factor + "*(" + one + ")", request.right = "z = " + other;
     }
     try {

@@ -1,276 +1,205 @@
+// The emitted functions compute, in every language and with every number type, what was derived.
 #include <cln/float.h>
 #include <cln/real.h>
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <derivations/emit/emit.hpp>
 #include <derivations/numbers/evaluate.hpp>
 #include <emitted/rocking_block.hpp>
-#include <random>
 #include <tests/block.hpp>
-#include <tests/run_program.hpp>
-
-#include "running_error.hpp"
+#include <tests/cases.hpp>
+#include <tests/derivations/emit/compiled.hpp>
+#include <tests/random.hpp>
 
 using namespace rederive;
 using namespace rederive::rocking_block;
 
 namespace {
 
-constexpr unsigned seed = 4'711;
-constexpr int points_each = 20;
-
-// ---- points: rational numbers with few binary digits, exact as double, inside the declared ranges
-
-double end_of(const std::string& end, double instead) {
-  if (end.ends_with("inf")) return instead;
-  return std::stod(digits_at(parse(end), {}, 17).value());
-}
-
-std::vector<double> random_point(const EmittedFunction& function, std::mt19937& random) {
-  std::vector<double> point;
-  for (const SymbolExpression& argument : function.arguments) {
-    const Range range = read_range(emission_symbols().find(name_of(argument))->range);
-    const double upper = end_of(range.upper, 4), lower = end_of(range.lower, -4);
-    const double part = 0.05 + 0.9 * static_cast<double>(random() % 1000) / 1000;
-    point.push_back(std::round((lower + part * (upper - lower)) * 256) / 256);
-  }
-  return point;
-}
-
-Point exact_point(const EmittedFunction& function, const std::vector<double>& values) {
-  Point point;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    point.emplace(name_of(function.arguments[i]), cln::rational(cln::cl_DF(values[i])));
-  }
-  return point;
-}
-
-/// |computed - exact| over the condition estimate.
-double error_in_units(const EmittedFunction& function, const GiNaC::ex& value,
-                      const std::vector<double>& point, double computed) {
-  const Tree tree = to_tree(value, emission_symbols());
-  std::map<std::string, double> values;
-  for (std::size_t i = 0; i < point.size(); ++i) values[name_of(function.arguments[i])] = point[i];
-  const Value exact = value_at(tree, exact_point(function, point), 200);
-  REQUIRE_MESSAGE(exact.is == Value::Is::certain, function.name);
-  const double difference =
-      cln::double_approx(cln::rational(cln::cl_DF(computed)) - cln::cl_RA(exact.ball()));
-  return std::fabs(difference) / (running_error(*tree, values).error + 0x1p-1060);
-}
-
-// ---- what each language computes: a program that prints every function at every point
-
-struct Language {
-  Target target;
-  std::string program, file, begin, end;
-  std::string print_before, print_after;  // around a number
-  std::vector<std::string> compile;       // arguments of the program; empty: it interprets the file
+/// A value computed in double, and a bound on its error.
+struct Rounded {
+  double value, error;
 };
 
-std::vector<Language> languages() {
-  const std::vector<std::string> strict = {"-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1"};
-  Language cpp{Target::cpp,
-               "g++",
-               "emitted.hpp",
-               "#include <cstdio>\n#include \"emitted.hpp\"\n"
-               "using namespace rederive::emitted;\nint main() {\n",
-               "}\n",
-               "std::printf(\"%.17g\\n\", ",
-               ");",
-               strict};
-  Language c{Target::c,
-             "gcc",
-             "emitted.h",
-             "#include <stdio.h>\n#include \"emitted.h\"\nint main(void) {\n",
-             "return 0;\n}\n",
-             "printf(\"%.17g\\n\", ",
-             ");",
-             strict};
-  cpp.compile.push_back("-std=c++20");
-  c.compile.push_back("-std=c11");
-  return {cpp,
-          c,
-          {Target::python, "python3", "emitted.py", "from emitted import *\n", "", "print(repr(", "))", {}},
-          {Target::javascript,
-           "node",
-           "emitted.mjs",
-           "import * as emitted from \"./emitted.mjs\";\n",
-           "",
-           "console.log(String(emitted.",
-           "));",
-           {}}};
-}
+constexpr double unit = 0x1p-53;
 
-bool there_is(const std::string& program) {
-  return run_program("/usr/bin/env", {"sh", "-c", "command -v " + program}).exit_code == 0;
-}
+Rounded rounded(double value, double error) { return {value, error + unit * std::fabs(value)}; }
 
-std::string call_of(const std::string& name, const std::vector<double>& point) {
-  std::string text = name + "(";
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    char number[64];
-    std::snprintf(number, sizeof number, "%s%.8f", i == 0 ? "" : ", ", point[i]);
-    text += number;
+Rounded running_error(const Tree& tree, const std::map<std::string, double>& point);
+
+Rounded error_of_call(const std::string& function, Rounded x) {
+  const double cosh = std::cosh(x.value), sinh = std::sinh(x.value), exp = std::exp(x.value);
+  if (function == "sin") return rounded(std::sin(x.value), x.error + unit);
+  if (function == "cos") return rounded(std::cos(x.value), x.error + unit);
+  if (function == "sinh") return rounded(sinh, cosh * x.error + unit * cosh);
+  if (function == "cosh") return rounded(cosh, std::fabs(sinh) * x.error + unit * cosh);
+  if (function == "exp") return rounded(exp, exp * x.error + unit * exp);
+  if (function == "asin" || function == "acos") {
+    const double value = function == "asin" ? std::asin(x.value) : std::acos(x.value);
+    return rounded(value, x.error / std::sqrt(1 - x.value * x.value) + unit);
   }
-  return text + ")";
+  if (function == "sqrt") return rounded(std::sqrt(x.value), x.error / (2 * std::sqrt(x.value)));
+  throw std::invalid_argument("no error bound for " + function);
 }
 
-using Points = std::vector<std::vector<std::vector<double>>>;  // function, point, argument
+Rounded error_of_product(Rounded total, Rounded part, bool is_inverse) {
+  const double x = std::fabs(total.value), y = std::fabs(part.value);
+  return is_inverse ? rounded(total.value / part.value, total.error / y + x * part.error / (y * y))
+                    : rounded(total.value * part.value, total.error * y + x * part.error);
+}
 
-Points random_points(const std::vector<EmittedFunction>& functions) {
-  std::mt19937 random(seed);
-  Points points;
-  for (const EmittedFunction& function : functions) {
-    auto& some = points.emplace_back();
-    for (int i = 0; i < points_each; ++i) some.push_back(random_point(function, random));
+/// Returns the condition estimate: what rounding every operation of an expression to double can do to its
+/// value. Powers must have whole positive exponents.
+Rounded running_error(const Tree& tree, const std::map<std::string, double>& point) {
+  const auto child = [&](std::size_t i) { return running_error(tree->children[i], point); };
+  switch (tree->kind) {
+    case Node::Kind::number:
+      return {std::stod(tree->text), 0};
+    case Node::Kind::symbol:
+      return tree->text == "pi" ? rounded(M_PI, 0) : Rounded{point.at(tree->text), 0};
+    case Node::Kind::negative:
+      return {-child(0).value, child(0).error};
+    case Node::Kind::call:
+      return error_of_call(tree->text, child(0));
+    case Node::Kind::power: {
+      const Rounded base = child(0);
+      const double n = child(1).value, value = std::pow(base.value, n);
+      return {value, n * (std::pow(std::fabs(base.value), n - 1) * base.error + unit * std::fabs(value))};
+    }
+    default:
+      break;
   }
-  return points;
+  Rounded total = child(0);
+  for (std::size_t i = 1; i < tree->children.size(); ++i) {
+    const Rounded part = child(i);
+    total =
+        tree->kind == Node::Kind::product
+            ? error_of_product(total, part, tree->inverse[i])
+            : rounded(total.value + (tree->inverse[i] ? -part.value : part.value), total.error + part.error);
+  }
+  return total;
 }
 
-/// A line for each value and each derivative, in the order of functions and points.
-std::string driver(const Language& language, const std::vector<EmittedFunction>& functions,
-                   const Points& points) {
-  std::string text = language.begin;
-  const auto line = [&](const std::string& call) {
-    text += language.print_before + call + language.print_after + "\n";
+using Values = std::map<std::string, double>;
+
+/// Returns numbers with few binary digits, exact as double, inside the declared ranges.
+Values random_point(const EmittedFunction& function, Choices& choices) {
+  const auto end_of = [](const std::string& end, double instead) {
+    return end.ends_with("inf") ? instead : std::stod(digits_at(parse(end), {}, 17).value());
   };
-  for (std::size_t f = 0; f < functions.size(); ++f) {
-    for (const auto& point : points[f]) {
-      line(call_of(functions[f].name, point));
-      for (const SymbolExpression& symbol : functions[f].derivatives) {
-        line(call_of(functions[f].name + "_with_derivatives", point) + ".d_" + name_of(symbol));
-      }
+  Values point;
+  for (const SymbolExpression& argument : function.arguments) {
+    const Range range = read_range(emission_symbols().find(name_of(argument))->range);
+    const double lower = end_of(range.lower, -4), upper = end_of(range.upper, 4),
+                 part = 0.05 + 0.9 * static_cast<double>(choices.below(1000)) / 1000;
+    point[name_of(argument)] = std::round((lower + part * (upper - lower)) * 256) / 256;
+  }
+  return point;
+}
+
+/// Returns |computed - exact| over the condition estimate.
+double error_in_units(const GiNaC::ex& value, const Values& values, double computed) {
+  Point point;
+  for (const auto& [name, number] : values) point.emplace(name, cln::rational(cln::cl_DF(number)));
+  const Tree tree = to_tree(value, emission_symbols());
+  const Value exact = value_at(tree, point, 200);
+  REQUIRE(exact.is == Value::Is::certain);
+  const double difference =
+      cln::double_approx(cln::rational(cln::cl_DF(computed)) - cln::cl_RA(exact.ball()));
+  return std::fabs(difference) / (running_error(tree, values).error + 0x1p-1060);
+}
+
+struct Call {
+  std::string text;  ///< "restitution(0.25000000)", or ".d_alpha" of the one with derivatives
+  GiNaC::ex value;
+  Values at;
+};
+
+/// Returns the calls of every function and of all its derivatives, at random points.
+std::vector<Call> random_calls() {
+  Choices choices(4'711);
+  std::vector<Call> calls;
+  for (const EmittedFunction& function : emitted_functions())
+    for (int i = 0; i < 20; ++i) {
+      const Values point = random_point(function, choices);
+      std::string arguments;
+      for (const SymbolExpression& argument : function.arguments)
+        arguments += (arguments.empty() ? "(" : ", ") + fmt::format("{:.8f}", point.at(name_of(argument)));
+      calls.push_back({function.name + arguments + ")", function.value, point});
+      for (const SymbolExpression& symbol : function.derivatives)
+        calls.push_back({function.name + "_with_derivatives" + arguments + ").d_" + name_of(symbol),
+                         function.value.diff(symbol), point});
     }
-  }
-  return text + language.end;
+  return calls;
 }
 
-void write(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
-
-/// Runs a command in a folder; its output, after a check that it succeeds in silence.
-std::string in_folder(const std::filesystem::path& folder, const std::string& command) {
-  const Result result =
-      run_program("/usr/bin/env", {"sh", "-c", "cd '" + folder.string() + "' && " + command});
-  CHECK_MESSAGE(result.exit_code == 0, result.err.substr(0, 2000));
-  CHECK(result.err == "");
-  return result.out;
-}
-
-std::vector<double> computed_by(const Language& language, const std::vector<EmittedFunction>& functions,
-                                const Points& points, bool sharing) {
-  const TemporaryFolder folder;
-  write(folder.path / language.file, emit(functions, language.target, sharing));
-  const bool compiled = !language.compile.empty();
-  const std::string suffix = language.file.substr(language.file.find('.'));
-  const std::string main = compiled ? (suffix == ".h" ? "main.c" : "main.cpp") : "main" + suffix;
-  write(folder.path / main, driver(language, functions, points));
-  if (compiled) {
-    std::string flags;
-    for (const std::string& flag : language.compile) flags += " " + flag;
-    // Alone first: the text must not lean on what a user includes before it.
-    write(folder.path / ("alone" + main.substr(4)), "#include \"" + language.file + "\"\n");
-    in_folder(folder.path, language.program + flags + " -c alone" + main.substr(4));
-    in_folder(folder.path, language.program + flags + " " + main + " -o program -lm");
-  }
-  std::istringstream lines(in_folder(folder.path, compiled ? "./program" : language.program + " " + main));
-  std::vector<double> numbers;
-  for (std::string number; lines >> number;) numbers.push_back(std::stod(number));
-  return numbers;
-}
-
-/// Compares all that a language computes with 50 digits; the largest error in units of the condition
-/// estimate.
-double worst_error(const Language& language, bool sharing) {
-  const std::vector<EmittedFunction> functions = emitted_functions();
-  const Points points = random_points(functions);
-  const std::vector<double> numbers = computed_by(language, functions, points, sharing);
-  std::size_t next = 0;
-  double worst = 0;
-  for (std::size_t f = 0; f < functions.size(); ++f) {
-    const EmittedFunction& function = functions[f];
-    std::vector<GiNaC::ex> values = {function.value};
-    for (const SymbolExpression& symbol : function.derivatives) values.push_back(function.value.diff(symbol));
-    for (const auto& point : points[f]) {
-      for (const GiNaC::ex& value : values) {
-        REQUIRE(next < numbers.size());
-        const double error = error_in_units(function, value, point, numbers[next++]);
-        CHECK_MESSAGE(error < 1, function.name);
-        worst = std::max(worst, error);
-      }
-    }
-  }
-  CHECK(next == numbers.size());
-  return worst;
-}
+/// A number type that counts what is done with it, found by argument-dependent lookup alone.
+namespace counting {
+std::size_t operations = 0;
+struct Number {
+  template <class T>
+  explicit Number(T v) : value(static_cast<double>(v)) {}
+  double value = 0;
+};
+Number counted(double value) { return ++operations, Number(value); }
+Number operator+(Number a, Number b) { return counted(a.value + b.value); }
+Number operator-(Number a, Number b) { return counted(a.value - b.value); }
+Number operator*(Number a, Number b) { return counted(a.value * b.value); }
+Number operator/(Number a, Number b) { return counted(a.value / b.value); }
+Number operator-(Number a) { return counted(-a.value); }
+Number sin(Number a) { return counted(std::sin(a.value)); }
+Number cos(Number a) { return counted(std::cos(a.value)); }
+Number exp(Number a) { return counted(std::exp(a.value)); }
+}  // namespace counting
 
 }  // namespace
 
-TEST_CASE("every language computes what was derived, to the digits that its rounding allows") {
-  MESSAGE("seed " << seed);
-  for (const Language& language : languages()) {
-    CAPTURE(language.program);
-    if (!there_is(language.program)) {
-      skip("there is no " + language.program);
-      continue;
-    }
+TEST_CASE(
+    "every language computes what was derived, and its derivatives, to the digits that rounding allows") {
+  const std::vector<Call> calls = random_calls();
+  each_case("languages", [&](const Cells& language) {
+    if (!has_tool(language[1])) return;
     for (const bool sharing : {true, false}) {
-      const double worst = worst_error(language, sharing);
-      MESSAGE(language.program << std::string(sharing ? ", shared" : ", not shared") << ": worst error "
-                               << worst << " of the condition estimate");
+      std::string program = language[4];
+      for (const Call& call : calls) program += language[6] + call.text + language[7] + "\n";
+      const Target target = targets().at(language[0]);
+      const std::vector<std::string> numbers = printed_by(
+          {{language[2], emit(emitted_functions(), target, sharing)}, {language[3], program + language[5]}},
+          language[8]);
+      REQUIRE(numbers.size() == calls.size());
+      double worst = 0;
+      for (std::size_t k = 0; k < calls.size(); ++k) {
+        const double error = error_in_units(calls[k].value, calls[k].at, std::stod(numbers[k]));
+        CHECK_MESSAGE(error < 1, calls[k].text);
+        worst = std::max(worst, error);
+      }
+      MESSAGE(language[0], sharing ? ", shared" : "", ": worst error ", worst, " of the condition estimate");
     }
-  }
+  });
 }
 
-TEST_CASE("derivatives pass the Taylor test: the remainder is of second order") {
-  using namespace rederive::emitted;
-  const auto order = [](const auto& f, double x) {  // f gives value and derivative
-    const auto [value, slope] = f(x);
-    const auto remainder = [&, v = value, s = slope](double h) {
-      return std::fabs(f(x + h).first - v - h * s);
-    };
-    return std::log2(remainder(0x1p-8) / remainder(0x1p-9));
+TEST_CASE("any number type will do, and the operations are as many as announced") {
+  using counting::Number;
+  const auto announced = [](const std::string& name) {
+    for (const EmittedFunction& function : emitted_functions())
+      if (function.name == name) return provenance(function).shared_operations;
+    return std::size_t{0};
   };
-  const auto pair = [](auto result, auto member) { return std::pair{result.value, result.*member}; };
-  std::mt19937 random(seed);
-  for (int i = 0; i < 10; ++i) {
-    const double w = 0.5 + static_cast<double>(random() % 1000) / 250,
-                 x = 0.3 + static_cast<double>(random() % 1000) / 1500;
-    CAPTURE(w);
-    CAPTURE(x);
-    using Negative = angular_acceleration_negative_with_derivatives_result<double>;
-    using Threshold = overturning_without_impact_negative_with_derivatives_result<double>;
-    using Impact = impact_during_pulse_with_derivatives_result<double>;
-    using Critical = overturning_impact_after_pulse_with_derivatives_result<double>;
-    using Response = linear_response_positive_with_derivatives_result<double>;
-    CHECK(order(
-              [&](double v) {
-                return pair(angular_acceleration_negative_with_derivatives(0.25, w, v, 0.3),
-                            &Negative::d_theta);
-              },
-              x) == doctest::Approx(2).epsilon(0.1));
-    CHECK(order(
-              [&](double v) {
-                return pair(overturning_without_impact_negative_with_derivatives(w, v), &Threshold::d_psi);
-              },
-              x) == doctest::Approx(2).epsilon(0.1));
-    CHECK(
-        order(
-            [&](double v) { return pair(impact_during_pulse_with_derivatives(w, 0.4, v), &Impact::d_tau_i); },
-            x) == doctest::Approx(2).epsilon(0.1));
-    CHECK(order(
-              [&](double v) {
-                return pair(overturning_impact_after_pulse_with_derivatives(w, v, 2.0, 0.9),
-                            &Critical::d_psi);
-              },
-              x) == doctest::Approx(2).epsilon(0.1));
-    CHECK(order(
-              [&](double v) {
-                return pair(linear_response_positive_with_derivatives(0.25, 2.0, w, 0.5, 0.4, 0.01, -0.2, v),
-                            &Response::d_t);
-              },
-              x) == doctest::Approx(2).epsilon(0.1));
-  }
+  counting::operations = 0;
+  const auto motion = rederive::emitted::angular_acceleration_negative_with_derivatives(
+      Number(0.25), Number(2.14), Number(-0.1), Number(0.3));
+  CHECK(counting::operations == announced("angular_acceleration_negative"));
+  CHECK(motion.value.value == rederive::emitted::angular_acceleration_negative(0.25, 2.14, -0.1, 0.3));
+  counting::operations = 0;
+  rederive::emitted::overturning_without_impact_negative_with_derivatives(Number(2), Number(0.4));
+  CHECK(counting::operations == announced("overturning_without_impact_negative"));
+}
+
+TEST_CASE("long double carries its own digits") {
+  const long double narrow = rederive::emitted::restitution(0.25),
+                    wide = rederive::emitted::restitution(0.25L);
+  CHECK(narrow != wide);
+  CHECK(std::fabs(static_cast<double>(narrow - wide)) < 1e-15);
 }

@@ -8,7 +8,7 @@
 #include <numerics/motion/integrator.hpp>
 #include <sstream>
 #include <tests/block.hpp>
-#include <tests/run_program.hpp>
+#include <tests/derivations/emit/compiled.hpp>
 
 using namespace rederive;
 using rocking_block::emission_symbols;
@@ -110,22 +110,13 @@ std::string program(const Language& language) {
   return text + language.end;
 }
 
-/// What the program in that language prints, line by line.
+/// Returns what the program in that language prints.
 std::vector<std::string> printed(const Language& language, const std::string& main,
                                  const std::string& command) {
-  const TemporaryFolder folder;
   std::vector<TaylorStepper> steppers;
   for (const Trial& trial : trials()) steppers.push_back(trial.stepper);
-  std::ofstream(folder.path / language.file) << emit({}, language.target, true, steppers);
-  std::ofstream(folder.path / main) << program(language);
-  const Result result =
-      run_program("/usr/bin/env", {"sh", "-c", "cd '" + folder.path.string() + "' && " + command});
-  CHECK_MESSAGE(result.exit_code == 0, result.err.substr(0, 2000));
-  CHECK(result.err == "");
-  std::istringstream stream(result.out);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
+  return printed_by({{language.file, emit({}, language.target, true, steppers)}, {main, program(language)}},
+                    command);
 }
 
 std::vector<GiNaC::numeric> all_by_differentiation() {
@@ -169,9 +160,8 @@ TEST_CASE("the coefficients are those of symbolic differentiation, exactly") {
                      "NAME<cln::cl_RA, ORDER> s;",
                      "cln::cl_RA",
                      "std::cout << '\\n' << "};
-  std::vector<std::string> lines = printed(
+  const std::vector<std::string> lines = printed(
       cpp, "main.cpp", "g++ -std=c++20 -Wall -Wextra -Wpedantic -Werror main.cpp -o main -lcln && ./main");
-  lines.erase(lines.begin());
   const std::vector<GiNaC::numeric> exact = all_by_differentiation();
   REQUIRE(lines.size() == exact.size());
   for (std::size_t i = 0; i < exact.size(); ++i) {

@@ -3,15 +3,14 @@
 // REDERIVE_SEED and REDERIVE_PAIRS choose another run, of 10000 pairs, say.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <derivations/language/lower.hpp>
 #include <derivations/language/syntax.hpp>
 #include <derivations/numbers/evaluate.hpp>
 #include <derivations/numbers/interval.hpp>
 #include <derivations/paper/prove_bounded.hpp>
-#include <iostream>
-#include <random>
 #include <tests/block.hpp>
+#include <tests/cases.hpp>
+#include <tests/random.hpp>
 
 using namespace rederive;
 
@@ -22,85 +21,29 @@ struct Twin {
   std::string left, right;
 };
 
-class Generator {
+class Generator : public Choices {
  public:
-  explicit Generator(unsigned seed) : random_(seed) {}
+  using Choices::Choices;
+  using Choices::pick;
+  std::string pick(const char* section) { return pick(words_.at(section)); }
 
-  std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
-  template <class T>
-  const T& pick(const std::vector<T>& items) {
-    return items[below(items.size())];
-  }
-
-  /// A rational-linear combination of products of symbols and π.
   std::string argument() {
-    static const std::vector<std::string> phases{"x",     "y",     "z",   "x*y",          "omega_p*t", "psi",
-                                                 "alpha", "theta", "x/w", "(2*pi-psi)/w", "p*t"};
-    static const std::vector<std::string> numbers{"", "", "", "2*", "3*", "1/2*", "-", "2/3*"};
-    static const std::vector<std::string> turns{"",      "",      "",      "+pi/2",   "-pi",
-                                                "+pi/3", "-pi/4", "+pi/6", "+2*pi/3", "+pi/12"};
-    std::string text = pick(numbers) + pick(phases);
-    if (below(3) == 0) text += (below(2) == 0 ? "+" : "-") + pick(phases);
-    return text + (below(4) == 0 ? pick(turns) : "");
+    std::string text = pick("numbers") + pick("phases");
+    if (one_in(3)) text += (one_in(2) ? "+" : "-") + pick("phases");
+    return text + (one_in(4) ? pick("turns") : "");
   }
 
   std::string real_argument() {
-    static const std::vector<std::string> phases{"x",         "y",   "x*y",   "p*t",
-                                                 "p*(t-t_o)", "x/w", "alpha", "-(2*pi-psi)/w"};
-    static const std::vector<std::string> numbers{"", "", "2*", "1/2*", "-", "3*"};
-    return pick(numbers) + pick(phases) + (below(3) == 0 ? "+" + pick(phases) : "");
+    return pick("real numbers") + pick("real phases") + (one_in(3) ? "+" + pick("real phases") : "");
   }
 
   Twin identity() {
-    // $a, $b: arguments of circular functions; $r, $s: real ones; both sides written side by side
-    static const std::vector<Twin> identities{{"sin($a+$b)", "(sin($a)*cos($b)+cos($a)*sin($b))"},
-                                              {"cos($a-($b))", "(cos($a)*cos($b)+sin($a)*sin($b))"},
-                                              {"sin(2*($a))", "2*sin($a)*cos($a)"},
-                                              {"cos(2*($a))", "(1-2*sin($a)^2)"},
-                                              {"cos(2*($a))", "(2*cos($a)^2-1)"},
-                                              {"sin($a)^2", "(1-cos($a)^2)"},
-                                              {"sin(3*($a))", "(3*sin($a)-4*sin($a)^3)"},
-                                              {"1", "(sin($a)^2+cos($a)^2)"},
-                                              {"tan($a)", "sin($a)/cos($a)"},
-                                              {"(1+tan($a)^2)", "sec($a)^2"},
-                                              {"cot($a)", "1/tan($a)"},
-                                              {"csc($a)*sin($a)", "1"},
-                                              {"sin($a)*sin($b)", "(cos($a-($b))-cos($a+$b))/2"},
-                                              {"sin($a+pi/2)", "cos($a)"},
-                                              {"cos($a+pi)", "(-cos($a))"},
-                                              {"sin($a)+sin($b)", "2*sin(($a+$b)/2)*cos(($a-($b))/2)"},
-                                              {"cosh($r)^2", "(1+sinh($r)^2)"},
-                                              {"sinh($r+$s)", "(sinh($r)*cosh($s)+cosh($r)*sinh($s))"},
-                                              {"exp($r+$s)", "exp($r)*exp($s)"},
-                                              {"exp(-($r))", "1/exp($r)"},
-                                              {"cosh($r)", "(exp($r)+exp(-($r)))/2"},
-                                              {"sinh(2*($r))", "2*sinh($r)*cosh($r)"},
-                                              {"tanh($r)", "sinh($r)/cosh($r)"},
-                                              {"(1-tanh($r)^2)", "sech($r)^2"},
-                                              {"coth($r)*sinh($r)", "cosh($r)"},
-                                              {"tan($a/2)", "(1-cos($a))/sin($a)"},
-                                              {"exp($r)^2", "(cosh(2*($r))+sinh(2*($r)))"},
-                                              {"sin(asin(x)/2)^2", "(1-sqrt(1-x^2))/2"},
-                                              {"sqrt(h^2)", "h"},
-                                              {"sqrt(1-sin(alpha)^2)", "cos(alpha)"},
-                                              {"sin(atan(b/h))", "b/sqrt(b^2+h^2)"},
-                                              {"sqrt(x^2)", "fabs(x)"},
-                                              {"cos(2*asin(x))", "(1-2*x^2)"},
-                                              {"log(m*g)", "(log(m)+log(g))"},
-                                              {"m^(x+y)", "m^x*m^y"},
-                                              {"sqrt(6)", "sqrt(2)*sqrt(3)"},
-                                              {"(x+y)^2", "(x^2+2*x*y+y^2)"},
-                                              {"1/(x+1)", "(1-x/(x+1))"},
-                                              {"x", "x"},
-                                              {"2/3", "4/6"},
-                                              {"g*h", "h*g"}};
-    Twin twin = pick(identities);
-    const std::string a = argument(), b = argument(), r = real_argument(), s = real_argument();
-    for (const auto& [key, value] : {std::pair{"$a", a}, {"$b", b}, {"$r", r}, {"$s", s}})
-      for (std::string* text : {&twin.left, &twin.right})
-        for (std::size_t k; (k = text->find(key)) != std::string::npos;)
-          text->replace(k, 2, "(" + value + ")");
-    if (below(2) == 0) std::swap(twin.left, twin.right);
+    const Cells& row = pick(identities_);
+    std::map<std::string, std::string> values;
+    for (const char* name : {"$a", "$b", "$r", "$s"})
+      values[name] = "(" + (name[1] < 'r' ? argument() : real_argument()) + ")";
+    Twin twin{filled(row[0], values), filled(row[1], values)};
+    if (one_in(2)) std::swap(twin.left, twin.right);
     return twin;
   }
 
@@ -123,34 +66,27 @@ class Generator {
     }
   }
 
-  /// One slip: a sign, a digit, a function or a symbol.
+  /// Returns the text with one slip.
   std::string spoiled(const std::string& text) {
-    static const std::vector<Twin> slips{
-        {"+", "-"},         {"-", "+"},       {"sin(", "cos("}, {"cos(", "sin("}, {"sinh(", "cosh("},
-        {"cosh(", "sinh("}, {"2", "3"},       {"3", "2"},       {"4", "5"},       {"x", "y"},
-        {"y", "x"},         {"*", "+"},       {"tan(", "sin("}, {"/", "*"},       {"^2", "^3"},
-        {"exp(", "cosh("},  {"psi", "alpha"}, {"w", "z"},       {"h", "b"}};
+    const auto goes_on = [&](std::size_t k) {
+      return k < text.size() && (std::isalnum(static_cast<unsigned char>(text[k])) != 0 || text[k] == '_');
+    };
     for (int tries = 0; tries < 100; ++tries) {
-      const Twin& slip = pick(slips);
+      const Cells& slip = pick(slips_);
+      const std::string& from = slip[0];
+      const bool is_word = std::isalpha(static_cast<unsigned char>(from[0])) != 0;
       std::vector<std::size_t> places;
-      for (std::size_t k = text.find(slip.left); k != std::string::npos; k = text.find(slip.left, k + 1)) {
-        const bool inside_a_word =
-            std::isalpha(static_cast<unsigned char>(slip.left[0])) != 0 &&
-            ((k > 0 && (std::isalnum(static_cast<unsigned char>(text[k - 1])) != 0 || text[k - 1] == '_')) ||
-             (slip.left.back() != '(' && k + slip.left.size() < text.size() &&
-              (std::isalnum(static_cast<unsigned char>(text[k + slip.left.size()])) != 0 ||
-               text[k + slip.left.size()] == '_')));
-        if (!inside_a_word) places.push_back(k);
-      }
-      if (places.empty()) continue;
-      std::string result = text;
-      return result.replace(pick(places), slip.left.size(), slip.right);
+      for (std::size_t k = text.find(from); k != std::string::npos; k = text.find(from, k + 1))
+        if (!is_word || !(goes_on(k - 1) || (from.back() != '(' && goes_on(k + from.size()))))
+          places.push_back(k);
+      if (!places.empty()) return std::string(text).replace(pick(places), from.size(), slip[1]);
     }
     return text + "+1";
   }
 
  private:
-  std::mt19937 random_;
+  std::map<std::string, Cells> words_ = named_cases("words");
+  std::vector<Cells> identities_ = cases("identities"), slips_ = cases("slips");
 };
 
 /// Rational points inside the declared ranges.
@@ -192,17 +128,11 @@ bool differ_at(const Witness& witness, const Tree& a, const Tree& b, const Symbo
   return sign == Sign::negative || sign == Sign::positive;
 }
 
-long from_environment(const char* name, long otherwise) {
-  const char* text = std::getenv(name);
-  return text != nullptr ? std::strtol(text, nullptr, 10) : otherwise;
-}
-
 }  // namespace
 
 TEST_CASE("random identities are proved, and random slips are refuted") {
   const auto seed = static_cast<unsigned>(from_environment("REDERIVE_SEED", 20261120));
   const long pairs = from_environment("REDERIVE_PAIRS", 3'000);
-  std::cout << "seed " << seed << ", " << pairs << " pairs\n";
   Generator generator(seed);
   const Symbols symbols = declared_symbols({"x", "y", {}, {}, {}});
   long done = 0, undecided_true = 0, undecided_false = 0, equal_after_all = 0, wrong = 0;
