@@ -1,12 +1,14 @@
-// A thread that answers requests, one after another, while another waits for more.
+// What the thread of http_server.cpp that owns the connections shares with the one that answers.
 #pragma once
 
+#include <sys/eventfd.h>
 #include <unistd.h>
 
+#include <condition_variable>
+#include <deque>
 #include <functional>
 #include <lessons/exercises/http_message.hpp>
-#include <memory>
-#include <thread>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -30,31 +32,49 @@ class OwnedDescriptor {
   int descriptor_;
 };
 
-/// The response that says in a line of text why there is no other.
-HttpResponse refusal(int status, const std::string& why);
+/// Returns the response that says in a line of text why there is no other.
+inline HttpResponse refusal(const HttpRefusal& refused) {
+  return {refused.status, "text/plain; charset=utf-8", refused.what() + std::string("\n")};
+}
 
-class HttpDesk {
- public:
-  /// Starts the thread, in which `answer` is called; what it throws becomes a refusal. Throws
-  /// std::system_error if the system has no thread or no descriptor.
-  explicit HttpDesk(std::function<HttpResponse(const HttpRequest&)> answer);
-  ~HttpDesk();
+/// Requests that wait for their answer, and the answers. Shared by the thread that owns the connections and
+/// by the one that answers, which may outlive it.
+struct HttpDesk {
+  std::function<HttpResponse(const HttpRequest&)> answer;
+  OwnedDescriptor answered{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)};  ///< can be read if there are responses
+  std::mutex mutex;
+  std::condition_variable asked;
+  std::deque<std::pair<unsigned long, HttpRequest>> requests;
+  std::vector<std::pair<unsigned long, HttpResponse>> responses;
+  bool is_busy = false;    ///< a request is at work
+  bool is_closed = false;  ///< no request is taken any more
 
-  /// Requests that wait for their responses, the one at work included.
-  std::size_t count() const { return count_; }
-  void ask(unsigned long number, HttpRequest request);
-  /// Can be read when there are responses.
-  int descriptor() const;
-  /// The responses that are there, each with the number of its request.
-  std::vector<std::pair<unsigned long, HttpResponse>> responses();
-  /// Ends the thread. False if it is at work: it goes on, and ends with the program.
-  bool end();
+  HttpResponse response_to(const HttpRequest& request) const {
+    try {
+      return answer(request);
+    } catch (const HttpRefusal& refused) {
+      return refusal(refused);
+    } catch (const std::exception& error) {
+      return refusal({500, error.what()});
+    }
+  }
 
- private:
-  struct Shared;  // with the thread, which may outlive this
-  std::shared_ptr<Shared> shared_;
-  std::thread thread_;
-  std::size_t count_ = 0;
+  void answer_all() {
+    std::unique_lock lock(mutex);
+    for (;;) {
+      asked.wait(lock, [&] { return is_closed || !requests.empty(); });
+      if (is_closed) return;
+      const auto [number, request] = std::move(requests.front());
+      requests.pop_front();
+      is_busy = true;
+      lock.unlock();
+      HttpResponse response = response_to(request);
+      lock.lock();
+      is_busy = false;
+      responses.emplace_back(number, std::move(response));
+      ::eventfd_write(answered.get(), 1);
+    }
+  }
 };
 
 }  // namespace rederive::classroom

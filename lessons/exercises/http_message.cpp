@@ -9,7 +9,7 @@
 namespace rederive::classroom {
 namespace {
 
-/// A character of the name of a method or a header (RFC 9110, 5.6.2).
+/// Returns whether a character may be in the name of a method or a header (RFC 9110, 5.6.2).
 bool is_token_character(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
          std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
@@ -26,7 +26,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-/// Where the head ends, behind its empty line; nothing as long as it does not.
+/// Returns the end of the head, after its empty line; nothing if that has not come yet.
 std::optional<std::size_t> end_of_head(const std::string& received, std::size_t from) {
   for (std::size_t at = received.find('\n', from); at != std::string::npos;
        at = received.find('\n', at + 1)) {
@@ -47,8 +47,8 @@ std::vector<std::string_view> lines_of_head(std::string_view head) {
   return lines;
 }
 
-/// The path of a target as servers get it, "/a?b", or as proxies do, "http://host/a?b"; that host must be the
-/// header's, which the server compares with its own.
+/// Returns the path of a target as servers get it, "/a?b", or as proxies do, "http://host/a?b". That host
+/// must be the one in the header, which the guard compares with its own.
 std::string path_of(std::string_view target, const HttpRequest& request) {
   constexpr std::string_view scheme = "http://";
   const bool is_printable =
@@ -97,38 +97,22 @@ std::size_t length_of_body(const HttpRequest& request) {
 }
 
 const char* reason_of(int status) {
-  switch (status) {
-    case 200:
-      return "OK";
-    case 400:
-      return "Bad Request";
-    case 403:
-      return "Forbidden";
-    case 404:
-      return "Not Found";
-    case 405:
-      return "Method Not Allowed";
-    case 408:
-      return "Request Timeout";
-    case 411:
-      return "Length Required";
-    case 413:
-      return "Content Too Large";
-    case 415:
-      return "Unsupported Media Type";
-    case 417:
-      return "Expectation Failed";
-    case 431:
-      return "Request Header Fields Too Large";
-    case 500:
-      return "Internal Server Error";
-    case 503:
-      return "Service Unavailable";
-    case 505:
-      return "HTTP Version Not Supported";
-    default:
-      return "";
-  }
+  static const std::map<int, const char*> reasons{{200, "OK"},
+                                                  {400, "Bad Request"},
+                                                  {403, "Forbidden"},
+                                                  {404, "Not Found"},
+                                                  {405, "Method Not Allowed"},
+                                                  {408, "Request Timeout"},
+                                                  {411, "Length Required"},
+                                                  {413, "Content Too Large"},
+                                                  {415, "Unsupported Media Type"},
+                                                  {417, "Expectation Failed"},
+                                                  {431, "Request Header Fields Too Large"},
+                                                  {500, "Internal Server Error"},
+                                                  {503, "Service Unavailable"},
+                                                  {505, "HTTP Version Not Supported"}};
+  const auto found = reasons.find(status);
+  return found == reasons.end() ? "" : found->second;
 }
 
 }  // namespace

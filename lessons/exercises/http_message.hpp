@@ -1,4 +1,4 @@
-// A request of HTTP/1.1 and a response, as text. Nothing here knows of a connection.
+// Requests and responses of HTTP/1.1 as text, without a connection.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct HttpRequest {
   std::size_t body_bytes = 0;                       ///< by Content-Length
   std::string body;
 
-  /// The value of a header that occurs once, else "".
+  /// Returns the value of a header that occurs once, else "".
   std::string only(const std::string& name) const;
 };
 
@@ -30,19 +30,18 @@ struct HttpResponse {
   std::string body;
 };
 
-/// The request cannot be served: `status` is that of the response, the message its text.
+/// A request that is refused: the status of the response, and its text as the message.
 struct HttpRefusal : std::runtime_error {
   HttpRefusal(int status_of, const std::string& why) : std::runtime_error(why), status(status_of) {}
   int status;
 };
 
-/// Reads the head of the request with which `received` begins, once it is complete, without its body.
-/// `from` is how many bytes of `received` earlier calls have seen. Throws HttpRefusal as soon as it is not
-/// HTTP/1.x, the head is longer than most_head_bytes or the body than most_body_bytes, or the body is encoded
-/// (RFC 9112).
+/// Reads the head of the request with which `received` begins, once it is complete, but not its body. Earlier
+/// calls have seen the first `from` bytes. Throws HttpRefusal as soon as it is not HTTP/1.x, the head is
+/// longer than most_head_bytes or the body than most_body_bytes, or the body is encoded (RFC 9112).
 std::optional<HttpRequest> head_of(const std::string& received, std::size_t from);
 
-/// The response to a request of `method` as it is sent; the connection ends with it.
+/// Returns the text of a response to a request of `method`. The connection ends with it.
 std::string text_of(const HttpResponse& response, const std::string& method);
 
 }  // namespace rederive::classroom

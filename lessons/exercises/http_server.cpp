@@ -7,6 +7,9 @@
 #include <cerrno>
 #include <lessons/exercises/http_desk.hpp>
 #include <lessons/exercises/http_server.hpp>
+#include <memory>
+#include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -37,14 +40,31 @@ struct Connection {
 class Connections {
  public:
   Connections(int listener, int end, const HttpHandlers& handlers, const HttpCeilings& ceilings)
-      : listener_(listener), end_(end), handlers_(handlers), ceilings_(ceilings), desk_(handlers.answer) {}
+      : listener_(listener), end_(end), handlers_(handlers), ceilings_(ceilings) {
+    desk_->answer = handlers.answer;
+    if (desk_->answered.get() < 0) throw std::system_error(errno, std::generic_category(), "eventfd");
+    thread_ = std::thread([desk = desk_] { desk->answer_all(); });
+  }
+  ~Connections() { (void)close_desk(); }
 
   bool serve() {
     while (!is_over()) wait_and_go_on();
-    return desk_.end();
+    return close_desk();
   }
 
  private:
+  /// Ends the thread that answers. Returns false if it is at work: then it goes on, and ends with the
+  /// program.
+  bool close_desk() {
+    std::unique_lock lock(desk_->mutex);
+    desk_->is_closed = true;
+    desk_->asked.notify_all();
+    const bool is_busy = desk_->is_busy;
+    lock.unlock();
+    if (thread_.joinable()) is_busy ? thread_.detach() : thread_.join();
+    return !is_busy;
+  }
+
   using Entry = std::map<ConnectionNumber, Connection>::iterator;
 
   bool is_ending() const { return last_.has_value(); }
@@ -54,7 +74,7 @@ class Connections {
   void wait_and_go_on() {
     constexpr short in = POLLIN, out = POLLOUT;
     std::vector<pollfd> descriptors{{is_ending() ? -1 : end_, in, 0},
-                                    {desk_.descriptor(), in, 0},
+                                    {desk_->answered.get(), in, 0},
                                     {Clock::now() < accept_from_ ? -1 : listener_.get(), in, 0}};
     std::vector<ConnectionNumber> numbers;
     for (const auto& [number, connection] : connections_) {
@@ -88,7 +108,7 @@ class Connections {
     std::erase_if(connections_, [](const auto& entry) { return entry.second.stage == Stage::request; });
   }
 
-  /// Takes a few of those who wait to be connected: between two calls those who came before are read.
+  /// Accepts a few connections. Between two calls, those that were accepted before are read.
   void accept_some() {
     for (int i = 0; i < 16; ++i) {
       sockaddr_in from{};
@@ -123,8 +143,8 @@ class Connections {
     return most == counts.end() ? 0 : most->first;
   }
 
-  /// Ends the oldest connection of a client whose request is not complete, else one that has had, or has,
-  /// its response. False if all wait for their answers.
+  /// Ends the oldest connection of a client that has not sent its request, else one that has, or is getting,
+  /// its response. Returns false if all wait for their answers.
   bool end_one_of(in_addr_t client) {
     for (const Stage stage : {Stage::request, Stage::rest, Stage::response})
       for (auto entry = connections_.begin(); entry != connections_.end(); ++entry)
@@ -144,7 +164,7 @@ class Connections {
       const Connection& connection = entry->second;
       if (connection.stage == Stage::answer || now < connection.deadline) continue;
       if (connection.stage == Stage::request && !connection.received.empty())
-        respond(entry, refusal(408, "The request took too long."));
+        respond(entry, refusal({408, "The request took too long."}));
       else
         drop(entry);
     }
@@ -175,7 +195,7 @@ class Connections {
       if (!connection.request) read_head(connection, before);
       if (connection.request) ask_when_complete(entry);
     } catch (const HttpRefusal& refused) {
-      respond(entry, refusal(refused.status, refused.what()));
+      respond(entry, refusal(refused));
     }
   }
 
@@ -192,21 +212,29 @@ class Connections {
       (void)::send(connection.socket.get(), go_on.data(), go_on.size(), MSG_NOSIGNAL);
   }
 
-  /// What comes behind the body is not read.
+  /// Passes the request on once its body is there. What follows the body is not read.
   void ask_when_complete(Entry entry) {
     Connection& connection = entry->second;
     HttpRequest& request = *connection.request;
     if (connection.received.size() < request.head_bytes + request.body_bytes) return;
-    if (desk_.count() >= ceilings_.requests)
-      throw HttpRefusal(503, "There are too many requests at the moment.");
+    if (waiting_ >= ceilings_.requests) throw HttpRefusal(503, "There are too many requests at the moment.");
     request.body = connection.received.substr(request.head_bytes, request.body_bytes);
     connection.received = std::string();
     connection.stage = Stage::answer;
-    desk_.ask(entry->first, request);
+    ++waiting_;
+    const std::lock_guard lock(desk_->mutex);
+    desk_->requests.emplace_back(entry->first, request);
+    desk_->asked.notify_one();
   }
 
   void take_responses() {
-    for (const auto& [number, response] : desk_.responses())
+    eventfd_t ignored = 0;
+    ::eventfd_read(desk_->answered.get(), &ignored);
+    std::unique_lock lock(desk_->mutex);
+    const auto responses = std::exchange(desk_->responses, {});
+    lock.unlock();
+    waiting_ -= responses.size();
+    for (const auto& [number, response] : responses)
       if (const Entry entry = connections_.find(number); entry != connections_.end())
         respond(entry, response);
   }
@@ -246,7 +274,9 @@ class Connections {
   int end_;
   const HttpHandlers& handlers_;
   HttpCeilings ceilings_;
-  HttpDesk desk_;
+  std::shared_ptr<HttpDesk> desk_ = std::make_shared<HttpDesk>();
+  std::thread thread_;
+  std::size_t waiting_ = 0;  // requests without an answer, the one at work included
   std::map<ConnectionNumber, Connection> connections_;  // the oldest first
   ConnectionNumber newest_ = 0;
   Clock::time_point accept_from_{};

@@ -1,5 +1,5 @@
-// Requests of HTTP/1.1 within ceilings that no client can pass: one thread owns all connections and waits for
-// none, another answers. A connection has one request.
+// Serves requests of HTTP/1.1 within limits that no client can pass. One thread owns all connections and
+// waits for none; another one answers. A connection has one request.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 
 namespace rederive::classroom {
 
-/// What clients can take of the server beside the sizes of a request.
+/// The limits of time and number. Those of size are in http_message.hpp.
 struct HttpCeilings {
   std::chrono::milliseconds request{5000};    ///< from the connection to the last byte of the request
   std::chrono::milliseconds response{10000};  ///< until the client has taken the response
@@ -20,18 +20,17 @@ struct HttpCeilings {
 };
 
 struct HttpHandlers {
-  /// Looks at the head of a request before its body is read; throws HttpRefusal if nothing is to come of it.
-  /// It must not wait: it is called by the thread that owns the connections.
+  /// Looks at the head of a request before its body is read, and may throw HttpRefusal. The thread that owns
+  /// the connections calls it, so it must not wait.
   std::function<void(const HttpRequest&)> guard;
-  /// Answers a request; called by one other thread, one request at a time. It may throw HttpRefusal.
+  /// Answers a request, and may throw HttpRefusal. The other thread calls it, one request at a time.
   std::function<HttpResponse(const HttpRequest&)> answer;
 };
 
-/// Serves those who connect to `listener`, which it closes, until the descriptor `end` can be read; both must
-/// not block. Where there are too many connections, the oldest of those whose request is not complete ends,
-/// of the client that has most. False if `answer` was still at work after the time of grace: its thread goes
-/// on, and the caller must end the program. Throws std::system_error if the system gives no thread, no
-/// descriptor or no memory to begin with.
+/// Serves the connections to `listener`, which it closes, until the descriptor `end` can be read. Neither may
+/// block. If there are too many connections, the client that has most loses its oldest one that has not sent
+/// its request. Returns false if `answer` is still at work after the time of grace: its thread goes on, and
+/// the caller must end the program. Throws std::system_error if the system has no thread or no descriptor.
 bool serve_http(int listener, int end, const HttpHandlers& handlers, const HttpCeilings& ceilings = {});
 
 }  // namespace rederive::classroom
