@@ -1,14 +1,15 @@
-// What exercises are about: a paper, and what they take from elsewhere.
+// What exercises are about: a paper, what they take from elsewhere, and right answers computed from both.
 #pragma once
 
 #include <lessons/page/lesson.hpp>
+#include <set>
 
 namespace rederive::classroom {
 
 /// The arguments of a numeric function by their names.
 using Arguments = std::map<std::string, double>;
 
-/// A number that exercises ask for and that only numerics can give.
+/// A number that exercises ask for and that only numerics can compute.
 struct NumericFunction {
   struct Argument {
     std::string name;
@@ -26,19 +27,53 @@ struct Course {
   const Paper& paper;
   /// What names stand for wherever they are used: an answer may use either.
   std::vector<Given> definitions = {};
-  /// Derivations that exercises name and the paper does not have.
+  /// Derivations that exercises name and that the paper does not have.
   Derivations derivations = {};
   std::vector<NumericFunction> functions = {};
 };
 
-/// The function of that name. Throws std::out_of_range naming it if there is none.
+/// Returns the function of that name. Throws std::out_of_range, with the name, if there is none.
 const NumericFunction& function_named(const std::string& name, const Course& course);
 /// Throws std::invalid_argument unless the function has the arguments that it needs, each in its range, and
 /// no others.
 void check_arguments(const NumericFunction& function, const Arguments& arguments);
-/// Adds to `given` those definitions that can be said in the symbols at hand; never the name that is being
-/// asked for.
+/// Adds to `given` the definitions whose names and values use only the symbols in `at_hand`, but never that
+/// of `asked_for`, the name of the answer.
 void add_definitions(std::vector<Given>& given, const std::set<std::string>& at_hand,
                      const std::string& asked_for, const Course& course);
+
+/// What an exercise asks for.
+enum class Kind { expression, equation, number, choice, wrong_term };
+
+/// Where an answer comes from: a derivation, worked on a little. It is never a formula typed into the
+/// exercise.
+struct Reference {
+  enum class Side { left, right, whole };
+  std::string derivation;                  ///< an equation of the paper, as derived: "13"
+  std::string row;                         ///< a row of the ledger, for its verdict or its wrong term: "17b"
+  std::size_t slip = 0;                    ///< the row gets another wrong term, a slip of this number
+  std::string function;                    ///< a number from numerics: "amplitude_without_impact"
+  Side side = Side::right;                 ///< of the derivation
+  std::string solve_for;                   ///< a symbol in which the equation is linear
+  std::map<std::string, std::string> put;  ///< symbol → expression, substituted after solving
+  std::string differentiate;               ///< by this symbol, after substituting
+  Arguments arguments;                     ///< of the function
+};
+
+/// What a reference comes to: a relation (one side alone for an expression), or a number.
+struct Answer {
+  Relation relation;
+  std::vector<Given> given;
+  double number = 0;
+  /// What was done from the derivation on, with what came of it.
+  std::vector<std::pair<std::string, Relation>> way;
+  /// What is substituted into the relation, an expression, to get the number.
+  std::vector<std::pair<std::string, Tree>> values;
+};
+
+/// Returns the derivation that a reference names. Throws std::out_of_range if there is none.
+Derivation derivation_for(const Reference& reference, const Course& course);
+/// Computes the answer to an exercise of that kind. Throws std::runtime_error if the reference gives none.
+Answer resolve(const Reference& reference, Kind kind, const Course& course);
 
 }  // namespace rederive::classroom

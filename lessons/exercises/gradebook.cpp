@@ -1,4 +1,3 @@
-// Marks by score, attempts, weight and deadline, as a table for a spreadsheet.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +6,7 @@
 #include <cmath>
 #include <derivations/program/csv.hpp>
 #include <derivations/program/program.hpp>
-#include <lessons/exercises/grading.hpp>
+#include <lessons/exercises/gradebook.hpp>
 #include <optional>
 #include <regex>
 
@@ -16,7 +15,8 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-/// The lines of a CSV below its header; a cell may stand in quotes. Throws BadInput naming file and line.
+/// Returns the lines of a CSV file below its header, with their numbers; cells may be in quotes. Throws
+/// BadInput.
 std::vector<std::pair<int, Cells>> read_table(const std::string& file, const std::string& header) {
   std::string text = read_whole(file);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
@@ -52,7 +52,8 @@ std::vector<std::pair<int, Cells>> read_table(const std::string& file, const std
   return lines;
 }
 
-/// Seconds since 1970 of "2026-12-01T12:00", in UTC unless an offset follows; a day alone ends at its end.
+/// Returns the seconds since 1970 of "2026-12-01T12:00", in UTC unless an offset follows; of a day, those of
+/// its end.
 std::optional<std::int64_t> read_time(const std::string& text) {
   static const std::regex form(
       R"((\d{4})-(\d\d)-(\d\d)(?:[T ]([01]\d|2[0-3]):([0-5]\d)(?::([0-5]\d))?(Z|[+-]\d\d:[0-5]\d)?)?)");
@@ -72,21 +73,6 @@ std::optional<std::int64_t> read_time(const std::string& text) {
 
 constexpr auto a_time = "a time such as 2026-12-01T12:00 (in UTC, or with an offset such as +02:00)";
 
-/// A list whose last column is a value by exercise.
-template <class Value>
-void for_each_line(const Classroom& room, const std::string& file, const std::string& header, Value&& take) {
-  for (const auto& [line, cells] : read_table(file, header)) {
-    const std::string at = fmt::format("{}, line {}: ", printable_name(file), line);
-    try {
-      const std::string& id = cells[cells.size() - 2];
-      if (!(cells.size() == 3 && id.empty())) find_exercise(room, id);
-      take(id, cells);
-    } catch (const BadInput& error) {
-      throw BadInput(at + error.what());
-    }
-  }
-}
-
 std::int64_t time_in(const std::string& cell) {
   if (const auto time = read_time(cell)) return *time;
   throw BadInput(fmt::format("'{}' must be {}", cell, a_time));
@@ -100,40 +86,59 @@ double weight_in(const std::string& cell) {
   return weight;
 }
 
+/// Reads a table whose last two columns are an exercise and a value. `take` gets the cells of each line, and
+/// returns whether the value is the first of its kind; `second` says what is wrong otherwise.
+template <class Take>
+void read_values(const Classroom& room, const std::string& file, const std::string& header,
+                 const std::string& second, const Take& take) {
+  for (const auto& [line, cells] : read_table(file, header)) try {
+      const std::string& id = cells[cells.size() - 2];
+      if (!(cells.size() == 3 && id.empty())) find_exercise(room, id);
+      if (!take(cells))
+        throw BadInput(
+            fmt::format("'{}' has a second {}", fmt::join(cells.begin(), cells.end() - 1, "', '"), second));
+    } catch (const BadInput& error) {
+      throw BadInput(fmt::format("{}, line {}: {}", printable_name(file), line, error.what()));
+    }
+}
+
+/// Returns a name without the apostrophe with which csv_cell guards what looks like a formula.
+std::string unguarded(const std::string& cell) {
+  const bool is_guarded = cell.starts_with("'") && csv_cell(cell.substr(1)) != cell.substr(1);
+  return is_guarded ? cell.substr(1) : cell;
+}
+
 }  // namespace
 
-Rules read_rules(const Classroom& room, const GradeFlags& flags) {
+Rules read_rules(const Classroom& room, const std::string& weights, const std::string& deadline,
+                 const std::string& handed_in) {
   Rules rules;
-  if (flags.weights.empty())
-    for (const auto& exercise : room.exercises) rules.weights[exercise.id] = 1;
-  else
-    for_each_line(room, flags.weights, "exercise,weight", [&](const std::string& id, const Cells& cells) {
-      if (!rules.weights.emplace(id, weight_in(cells[1])).second)
-        throw BadInput("'" + id + "' has a second weight");
-    });
-  if (rules.weights.empty()) throw BadInput(printable_name(flags.weights) + ": the file contains no weights");
   std::error_code error;
-  if (const auto deadline = read_time(flags.deadline))
-    for (const auto& exercise : room.exercises) rules.deadlines[exercise.id] = *deadline;
-  else if (!flags.deadline.empty() && !std::filesystem::exists(flags.deadline, error))
+  const auto for_all = [&](auto& values, auto value) {
+    for (const auto& exercise : room.exercises) values[exercise.id] = value;
+  };
+  if (weights.empty())
+    for_all(rules.weights, 1);
+  else
+    read_values(room, weights, "exercise,weight", "weight", [&](const Cells& cells) {
+      return rules.weights.emplace(cells[0], weight_in(cells[1])).second;
+    });
+  if (rules.weights.empty()) throw BadInput(printable_name(weights) + ": the file contains no weights");
+  if (const auto time = read_time(deadline))
+    for_all(rules.deadlines, *time);
+  else if (!deadline.empty() && !std::filesystem::exists(deadline, error))
     throw BadInput(
         fmt::format("--deadline '{}' is neither {} nor a file with such times, its first line "
                     "exercise,deadline",
-                    printable_line(flags.deadline), a_time));
-  else if (!flags.deadline.empty())
-    for_each_line(room, flags.deadline, "exercise,deadline", [&](const std::string& id, const Cells& cells) {
-      if (!rules.deadlines.emplace(id, time_in(cells[1])).second)
-        throw BadInput("'" + id + "' has a second deadline");
+                    printable_line(deadline), a_time));
+  else if (!deadline.empty())
+    read_values(room, deadline, "exercise,deadline", "deadline", [&](const Cells& cells) {
+      return rules.deadlines.emplace(cells[0], time_in(cells[1])).second;
     });
-  if (!flags.handed_in.empty())
-    for_each_line(room, flags.handed_in, "student,exercise,time",
-                  [&](const std::string& id, const Cells& cells) {
-                    const bool guarded =
-                        cells[0].starts_with("'") && csv_cell(cells[0].substr(1)) != cells[0].substr(1);
-                    const std::string student = guarded ? cells[0].substr(1) : cells[0];
-                    if (!rules.handed_in.emplace(std::pair(student, id), time_in(cells[2])).second)
-                      throw BadInput(fmt::format("there is a second time for '{}', '{}'", student, id));
-                  });
+  if (!handed_in.empty())
+    read_values(room, handed_in, "student,exercise,time", "time", [&](const Cells& cells) {
+      return rules.handed_in.emplace(std::pair(unguarded(cells[0]), cells[1]), time_in(cells[2])).second;
+    });
   return rules;
 }
 
@@ -146,10 +151,10 @@ Mark mark_of(const Rules& rules, const Student& student, const Row& row) {
     if (const auto listed = rules.handed_in.find({student.name, id}); listed != rules.handed_in.end())
       time = listed->second;
   const auto deadline = rules.deadlines.find(row.exercise);
-  mark.late = deadline != rules.deadlines.end() && time > deadline->second;
+  mark.is_late = deadline != rules.deadlines.end() && time > deadline->second;
   const auto weight = rules.weights.find(row.exercise);
-  if (!mark.late && weight != rules.weights.end())
-    mark.marks = weight->second * row.score * std::max(0.5, 1 - 0.1 * (mark.attempts - 1.0));
+  if (!mark.is_late && weight != rules.weights.end())
+    mark.marks = weight->second * row.opinion.score * std::max(0.5, 1 - 0.1 * (mark.attempts - 1.0));
   return mark;
 }
 
@@ -172,11 +177,11 @@ std::string gradebook(const Classroom& room, const std::vector<Student>& student
       if (!rules.weights.contains(exercise.id)) continue;
       text += ",";
       for (const auto& row : student.rows) {
-        if (!row.judged || row.exercise != exercise.id) continue;
+        if (!row.is_judged() || row.exercise != exercise.id) continue;
         const Mark mark = mark_of(rules, student, row);
         total += mark.marks;
-        text += row.verdict == "undecided" ? "?" : mark_text(mark.marks);
-        if (mark.late) late += (late.empty() ? "" : " ") + exercise.id;
+        text += row.opinion.outcome == Outcome::undecided ? "?" : mark_text(mark.marks);
+        if (mark.is_late) late += (late.empty() ? "" : " ") + exercise.id;
       }
     }
     text += fmt::format(",{},{}{}\n", mark_text(total), mark_text(out_of),

@@ -4,6 +4,11 @@
 #include <derivations/program/bounded.hpp>
 #include <derivations/program/program.hpp>
 #include <lessons/exercises/in_page.hpp>
+#include <lessons/exercises/judge.hpp>
+#include <lessons/exercises/judge_formula.hpp>
+#include <lessons/exercises/judge_number.hpp>
+#include <lessons/exercises/show.hpp>
+#include <lessons/exercises/terms.hpp>
 #include <lessons/exercises/units.hpp>
 #include <lessons/page/prose.hpp>
 #include <lessons/page/render.hpp>
@@ -32,13 +37,11 @@ std::string line_html(const std::string& sentence, const Symbols& symbols) {
   }
 }
 
-std::string feedback_html(const std::string& feedback, const Symbols& symbols) {
-  return feedback.find('\n') == std::string::npos ? in_html(feedback, symbols)  // a caret must keep its place
-                                                  : "<pre>" + shown(feedback, 2000) + "</pre>\n";
-}
+/// Text whose caret must keep its place.
+std::string lines_html(const std::string& text) { return "<pre>" + shown(text, 2000) + "</pre>\n"; }
 
 std::string standing(const Record& record) {
-  const std::string status = record.status == "given_up" ? "given up" : record.status;
+  const std::string status = record.status == Status::given_up ? "given up" : to_string(record.status);
   return fmt::format("{}, {} attempt{}", status, record.attempts, record.attempts == 1 ? "" : "s");
 }
 
@@ -106,7 +109,7 @@ std::string read_back(const Exercise& exercise, const std::string& text) {
                                 ? code(parse_quantity(without_name(exercise, text)).read_as)
                                 : drawn(read_answer(exercise, text), exercise.language()));
     } catch (const SyntaxError& error) {
-      return feedback_html(explain(error, text) + "\n", exercise.language());
+      return lines_html(explain(error, text) + "\n");
     }
   };
   const Bounded outcome = run_bounded(work, 5, 480);
@@ -122,7 +125,7 @@ std::string witness_html(const Exercise& exercise, const Witness& witness) {
 std::string next_html(const Classroom& room, const Progress& progress) {
   const Exercise* next = next_exercise(room, progress);
   return fmt::format(
-      "<p>{} of {} solved. {}</p>\n", count_of(room, progress, "solved"), room.exercises.size(),
+      "<p>{} of {} solved. {}</p>\n", count_of(room, progress, Status::solved), room.exercises.size(),
       next == nullptr ? "That was the last one."
                       : "Next: <a href=\"exercises.html#" + next->id + "\">" + escaped(next->title) + "</a>");
 }
@@ -142,11 +145,11 @@ std::string in_html(const std::string& sentences, const Symbols& symbols) {
   return text;
 }
 
-std::string verdict_html(const std::string& verdict, const std::string& read_as, const std::string& feedback,
-                         const Symbols& symbols, const std::string& more) {
-  return fmt::format("<div class=\"said {}\">\n{}<p><b>{}</b></p>\n{}{}</div>\n", verdict,
-                     read_as.empty() ? "" : "<p>Read as: " + code(read_as) + "</p>\n",
-                     verdict_in_words(verdict), feedback == "Right." ? "" : feedback_html(feedback, symbols),
+std::string verdict_html(const Opinion& opinion, const Symbols& symbols, const std::string& more) {
+  return fmt::format("<div class=\"said {}\">\n{}<p><b>{}</b></p>\n{}{}</div>\n", to_string(opinion.outcome),
+                     opinion.read_as.empty() ? "" : "<p>Read as: " + code(opinion.read_as) + "</p>\n",
+                     in_words(opinion.outcome),
+                     opinion.shows_place ? lines_html(opinion.feedback) : in_html(opinion.feedback, symbols),
                      more);
 }
 
@@ -193,14 +196,14 @@ Reply reply(const Classroom& room, const Exercise& exercise, const std::string& 
   } else if (what == "check") {
     const Opinion opinion = judge_bounded(exercise, answer);
     const std::string trouble = keep(room, exercise, opinion, answer, progress);
-    text = verdict_html(opinion.verdict, opinion.read_as, opinion.feedback, exercise.language(),
+    text = verdict_html(opinion, exercise.language(),
                         (opinion.witness ? witness_html(exercise, *opinion.witness) : "") +
                             (trouble.empty() ? "" : "<p>But " + escaped(trouble) + "</p>\n") +
-                            (opinion.verdict == "correct" ? next_html(room, progress) : ""));
+                            (opinion.outcome == Outcome::correct ? next_html(room, progress) : ""));
   } else if (what == "hint") {
     const Hint hint = next_hint(room, exercise);
     text = "<div class=\"said\">\n<p><b>" + shown(hint.head, 400) + "</b></p>\n" +
-           in_html(hint.text, exercise.language()) + (hint.more ? "" : "<p>That was the last hint.</p>\n") +
+           in_html(hint.text, exercise.language()) + (hint.is_new ? "" : "<p>That was the last hint.</p>\n") +
            "</div>\n";
   } else if (what == "solution" || what == "give_up") {
     if (solution_is_due(room, exercise, what == "give_up", progress)) {

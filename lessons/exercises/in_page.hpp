@@ -13,8 +13,7 @@ std::string shown(const std::string& text, std::size_t most);
 /// Sentences with marks.
 std::string in_html(const std::string& sentences, const Symbols& symbols);
 /// What the judge says; `more` is HTML.
-std::string verdict_html(const std::string& verdict, const std::string& read_as, const std::string& feedback,
-                         const Symbols& symbols, const std::string& more);
+std::string verdict_html(const Opinion& opinion, const Symbols& symbols, const std::string& more);
 
 /// The page of a lesson, its exercises in their places, with a form each.
 std::string with_exercises(const Classroom& room, std::string page);

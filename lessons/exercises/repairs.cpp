@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <lessons/exercises/repairs.hpp>
 #include <lessons/exercises/trees.hpp>
@@ -33,7 +36,7 @@ bool takes_angles(const Tree& call) {
   return call->text != "exp" && call->text != "sqrt" && call->text != "log" && call->text != "fabs";
 }
 
-/// What one answer is made of: its terms and its factors, at every depth, each once.
+/// The terms and the factors of right answers, at every depth, each once.
 struct Parts {
   std::vector<Tree> terms, factors;
 
@@ -56,6 +59,13 @@ struct Parts {
   }
 };
 
+/// A part of the answer.
+struct Place {
+  const Tree& node;
+  const Rebuild& rebuild;
+  const Tree& around;  ///< the innermost function in whose argument it is, or nullptr
+};
+
 class Search {
  public:
   Search(const Relation& answer, const std::vector<Relation>& forms, const Sieve& sieve,
@@ -74,8 +84,9 @@ class Search {
       }
   }
 
-  /// A term is looked for before a factor: what an answer lacks of a sum is seldom meant as a factor of it.
-  /// The pivot's own terms come last: what is wrong beside them is put down to what stands there.
+  /// Makes all passes until a change is accepted. A missing term comes before a missing factor, because what
+  /// is missing in a sum is seldom meant as its factor. The terms of the pivot come last, so that a mistake
+  /// is attributed to the other terms.
   std::optional<Repair> run() {
     for (const auto pass : {&Search::sizes, &Search::functions, &Search::powers, &Search::terms,
                             &Search::factors<false>, &Search::factors<true>}) {
@@ -90,20 +101,19 @@ class Search {
   }
 
  private:
-  using Pass = void (Search::*)(const Tree&, const Rebuild&, const Tree&);
+  using Pass = void (Search::*)(const Place&);
 
-  /// Whether a part is the pivot with what belongs to it: no number of the student's own.
+  /// Returns whether a part is the pivot with its factors, but without a number that the student added.
   bool is_of_pivot(const Tree& node) const {
     const bool numbered = node->kind == NodeKind::product && std::ranges::any_of(node->children, is_number);
     return !pivot_.empty() && !numbered && names_of(node).contains(pivot_);
   }
 
-  /// `around` is the innermost function that this is an argument of, or nullptr; `beside_pivot`: in a term
-  /// with it.
+  /// Makes a pass over a part and what is in it; `beside_pivot`: the part is in a term with the pivot.
   void visit(const Tree& node, const Rebuild& rebuild, const Tree& around, Pass pass, bool beside_pivot) {
     if (found_) return;
     const bool of_pivot = beside_pivot || is_of_pivot(node);
-    if (of_pivot == of_pivot_) (this->*pass)(node, rebuild, around);
+    if (of_pivot == of_pivot_) (this->*pass)({node, rebuild, around});
     const Tree& inside = node->kind == NodeKind::call ? node : around;
     const bool is_exponent_next =
         node->kind == NodeKind::power && (pass == &Search::sizes || pass == &Search::terms);
@@ -117,23 +127,28 @@ class Search {
     }
   }
 
-  void offer(const Tree& side, const std::string& note, const Tree& part, const Tree& around) {
-    if (found_) return;
+  /// Returns the answer with another tree at that place.
+  Relation with(const Place& at, const Tree& fresh) const {
     Relation relation = answer_;
-    relation.sides[side_] = side;
-    offer({.relation = relation, .note = note, .part = part, .term = term_}, around);
+    relation.sides[side_] = at.rebuild(fresh);
+    return relation;
+  }
+  void offer(const Place& at, const Tree& fresh, Slip slip, const Tree& part = nullptr) {
+    if (found_) return;
+    const Tree& changed = part == nullptr ? at.node : part;
+    offer({.relation = with(at, fresh), .slip = slip, .part = changed, .term = term_}, at.around);
   }
   void offer(Repair repair, const Tree& around) {
     if (found_ || proofs_ >= most_proofs || !sieve_.passes(repair.relation)) return;
-    if (around != nullptr && repair.note != "degrees" && repair.note != "rounding")
-      repair.note = takes_angles(around) ? "wrong_angle" : "wrong_argument", repair.part = around;
+    if (around != nullptr && repair.slip != Slip::degrees && repair.slip != Slip::rounding)
+      repair.slip = takes_angles(around) ? Slip::wrong_angle : Slip::wrong_argument, repair.part = around;
     if (answer_.operators.empty() && repair.part == answer_.sides[0]) repair.part = nullptr;
     if (!needs_term(repair)) repair.term = nullptr;
     ++proofs_;
     if (accept_(repair)) found_ = repair;
   }
 
-  /// Whether the part alone does not say where it is.
+  /// Returns whether the part alone does not tell where it is.
   bool needs_term(const Repair& repair) const {
     if (repair.part == nullptr || repair.term == nullptr || is_same(repair.part, repair.term)) return false;
     std::size_t count = 0;
@@ -141,28 +156,28 @@ class Search {
     return count > 1 && occurrences(repair.term, repair.part) == 1 && size_of(repair.term) < 30;
   }
 
-  /// Each part times a number: the one that makes the whole right, where the whole is linear in the part.
-  void sizes(const Tree& node, const Rebuild& rebuild, const Tree& around) {
-    if (node->kind == NodeKind::number) {
-      if (node->text.find('.') != std::string::npos) rounded(node, rebuild, around);
-      offer(rebuild(product(node, parse("pi/180", {}))), "degrees", node, around);
+  /// Offers the part times a number: the one that makes the answer right, if that is linear in the part, or a
+  /// usual one.
+  void sizes(const Place& at) {
+    if (at.node->kind == NodeKind::number) {
+      if (at.node->text.find('.') != std::string::npos) rounded(at);
+      offer(at, product(at.node, parse("pi/180", {})), Slip::degrees);
     }
-    Relation relation = answer_;
-    relation.sides[side_] = rebuild(product(symbol(Sieve::unknown), node));
-    const auto factor = around == nullptr ? sieve_.solved(relation) : std::nullopt;
+    const auto factor = at.around == nullptr
+                            ? sieve_.solved(with(at, product(symbol(Sieve::unknown), at.node)))
+                            : std::nullopt;
     std::vector<double> sizes{factor.value_or(-1), -1, 2, 0.5};
-    for (int digit = 1; node->kind == NodeKind::number && digit < 10; ++digit)
-      sizes.push_back(digit / rough_value(node, {}));
+    for (int digit = 1; at.node->kind == NodeKind::number && digit < 10; ++digit)
+      sizes.push_back(digit / rough_value(at.node, {}));
     for (const double k : sizes) {
       const auto plain = plain_number(k);
       if (std::abs(k) < 1e-9)
-        offer(rebuild(number("0")), "extra_term", node, around);
+        offer(at, number("0"), Slip::extra_term);
       else if (plain && std::abs(k - 1) > 1e-9 && plain_number(1 / k))
-        offer(rebuild(product(*plain, node)),
-              std::abs(k + 1) < 1e-9 ? "sign"
-              : is_degree(k)         ? "degrees"
-                                     : "factor",
-              node, around);
+        offer(at, product(*plain, at.node),
+              std::abs(k + 1) < 1e-9 ? Slip::sign
+              : is_degree(k)         ? Slip::degrees
+                                     : Slip::factor);
     }
   }
   static bool is_degree(double k) {
@@ -170,89 +185,87 @@ class Search {
     return std::abs(ratio - 1) < 1e-9 || std::abs(1 / std::abs(k) * 180 / std::numbers::pi - 1) < 1e-9;
   }
 
-  /// A decimal number that stands for a fraction or for one of π.
-  void rounded(const Tree& node, const Rebuild& rebuild, const Tree& around) {
-    const double typed = rough_value(node, {});
-    const double unit = std::pow(10.0, -static_cast<double>(node->text.size() - node->text.find('.') - 1));
+  /// Offers the fraction, or the fraction of π, to which a decimal number is close.
+  void rounded(const Place& at) {
+    const double typed = rough_value(at.node, {});
+    const double unit =
+        std::pow(10.0, -static_cast<double>(at.node->text.size() - at.node->text.find('.') - 1));
     for (const double base : {1.0, std::numbers::pi})
       for (int under = 1; under <= 12; ++under) {
         const double over = std::round(typed / base * under), exact = over / under * base;
         if (over != 0 && exact != typed && std::abs(exact - typed) <= 1.01 * unit)
-          if (const auto plain = plain_number(exact)) offer(rebuild(*plain), "rounding", node, around);
+          if (const auto plain = plain_number(exact)) offer(at, *plain, Slip::rounding);
       }
   }
 
-  void functions(const Tree& node, const Rebuild& rebuild, const Tree& around) {
-    if (node->kind == NodeKind::symbol)
+  void functions(const Place& at) {
+    if (at.node->kind == NodeKind::symbol)
       for (const auto& name : symbols_)
-        if (name != node->text) offer(rebuild(symbol(name)), "wrong_symbol", node, around);
-    if (node->kind != NodeKind::call || node->children.size() != 1) return;
+        if (name != at.node->text) offer(at, symbol(name), Slip::wrong_symbol);
+    if (at.node->kind != NodeKind::call || at.node->children.size() != 1) return;
     for (const auto& family : families)
-      if (std::find(family.begin(), family.end(), node->text) != family.end())
+      if (std::find(family.begin(), family.end(), at.node->text) != family.end())
         for (const auto& other : family)
-          if (other != node->text)
-            offer(rebuild(call(other, node->children[0])),
-                  are_exchanged(node->text, other) ? "sin_cos" : "wrong_function", node, around);
-    if (node->text != "sqrt")
-      offer(rebuild(node->children[0]), node->text == "fabs" ? "absolute_value" : "extra_function", node,
-            around);
+          if (other != at.node->text)
+            offer(at, call(other, at.node->children[0]),
+                  are_exchanged(at.node->text, other) ? Slip::sin_cos : Slip::wrong_function);
+    if (at.node->text != "sqrt")
+      offer(at, at.node->children[0], at.node->text == "fabs" ? Slip::absolute_value : Slip::extra_function);
   }
 
-  void powers(const Tree& node, const Rebuild& rebuild, const Tree& around) {
-    const Tree base = node->kind == NodeKind::power ? node->children[0] : node;
+  void powers(const Place& at) {
+    const Tree base = at.node->kind == NodeKind::power ? at.node->children[0] : at.node;
     for (const char* exponent : {"1", "2", "3", "4"})
-      offer(rebuild(make_tree(NodeKind::power, "", {base, number(exponent)})), "power", node, around);
-    offer(rebuild(call("sqrt", node)), "power", node, around);
-    if (node->kind == NodeKind::call && node->text == "sqrt")
-      offer(rebuild(node->children[0]), "power", node, around);
-    offer(rebuild(product(number("1"), node, true)), "reciprocal", node, around);
-    for (const auto& [first, last] : runs_of(node))
-      offer(rebuild(with_flipped(node, first, last)), "reciprocal", part_of(node, first, last), around);
+      offer(at, make_tree(NodeKind::power, "", {base, number(exponent)}), Slip::power);
+    offer(at, call("sqrt", at.node), Slip::power);
+    if (at.node->kind == NodeKind::call && at.node->text == "sqrt")
+      offer(at, at.node->children[0], Slip::power);
+    offer(at, product(number("1"), at.node, true), Slip::reciprocal);
+    for (const auto& [first, last] : runs_of(at.node))
+      offer(at, with_flipped(at.node, first, last), Slip::reciprocal, part_of(at.node, first, last));
   }
 
   template <bool divide>
-  void factors(const Tree& node, const Rebuild& rebuild, const Tree& around) {
+  void factors(const Place& at) {
     if (divide && of_pivot_) return;  // it is the other terms that lack a factor
-    for (std::size_t k = 0; node->kind == NodeKind::product && k < node->children.size(); ++k)
-      offer(rebuild(without_child(node, k)), "extra_factor", part_of(node, k, k), around);
+    for (std::size_t k = 0; at.node->kind == NodeKind::product && k < at.node->children.size(); ++k)
+      offer(at, without_child(at.node, k), Slip::extra_factor, part_of(at.node, k, k));
     for (const auto& factor : parts_.factors)
-      offer(rebuild(product(node, factor, divide)), "missing_factor", node, around);
+      offer(at, product(at.node, factor, divide), Slip::missing_factor);
   }
 
-  /// A term that is missing or too much; a number that is missing; what is to be taken away, for what is left
-  /// then, and the other way round.
-  void terms(const Tree& node, const Rebuild& rebuild, const Tree& around) {
-    if (node->kind == NodeKind::number) return;
-    const std::size_t largest = node->kind == NodeKind::symbol ? 6 : 150;  // a factor lacks no long term
+  /// Offers the part with a term more or less, or with a number added; and the rest for a part that must be
+  /// subtracted, or the other way round.
+  void terms(const Place& at) {
+    if (at.node->kind == NodeKind::number) return;
+    const std::size_t largest = at.node->kind == NodeKind::symbol ? 6 : 150;  // a factor lacks no long term
     for (const auto& term : parts_.terms)
       for (const bool minus : {false, true})
-        if (size_of(term) <= largest) offer(rebuild(sum(node, term, minus)), "missing_term", node, around);
-    for (const auto& term : parts_.terms) offer(rebuild(sum(term, node, true)), "taken_away", node, around);
-    if (around == nullptr) {
-      Relation relation = answer_;
-      relation.sides[side_] = rebuild(sum(node, symbol(Sieve::unknown)));
-      if (const auto number = plain_number(sieve_.solved(relation).value_or(0)))
-        offer(rebuild(sum(node, *number)), "missing_term", node, around);
-    }
-    if (node->kind != NodeKind::sum) return;
-    for (std::size_t k = 0; k < node->children.size(); ++k) {
-      const Tree rest = without_child(node, k);
-      offer(rebuild(rest), "extra_term", node->children[k], around);
-      offer(rebuild(negative(rest)), "left_over", node, around);
+        if (size_of(term) <= largest) offer(at, sum(at.node, term, minus), Slip::missing_term);
+    for (const auto& term : parts_.terms) offer(at, sum(term, at.node, true), Slip::taken_away);
+    if (at.around == nullptr)
+      if (const auto number =
+              plain_number(sieve_.solved(with(at, sum(at.node, symbol(Sieve::unknown)))).value_or(0)))
+        offer(at, sum(at.node, *number), Slip::missing_term);
+    if (at.node->kind != NodeKind::sum) return;
+    for (std::size_t k = 0; k < at.node->children.size(); ++k) {
+      const Tree rest = without_child(at.node, k);
+      offer(at, rest, Slip::extra_term, at.node->children[k]);
+      offer(at, negative(rest), Slip::left_over);
     }
   }
 
-  /// The same change wherever a part stands.
+  /// Offers the same change at all places of a part.
   void everywhere() {
     side_ = answer_.sides.size();
-    const auto all = [&](const std::function<Tree(const Tree&)>& change, const char* note, const Tree& part,
+    const auto all = [&](const std::function<Tree(const Tree&)>& change, Slip slip, const Tree& part,
                          const Tree& other = nullptr) {
       Relation relation = answer_;
       for (auto& side : relation.sides) side = change(side);
-      offer({.relation = relation, .note = note, .part = part, .other = other}, nullptr);
+      offer({.relation = relation, .slip = slip, .part = part, .other = other}, nullptr);
     };
-    const auto put = [&](const Tree& part, const Tree& value, const char* note) {
-      all([&](const Tree& side) { return rederive::put_in(side, part, value); }, note, part);
+    const auto put = [&](const Tree& part, const Tree& value, Slip slip) {
+      all([&](const Tree& side) { return rederive::put_in(side, part, value); }, slip, part);
     };
     const auto functions = [](const std::function<Tree(const Tree&)>& change) {
       return [change](const Tree& side) { return with_functions(side, change); };
@@ -263,30 +276,30 @@ class Search {
           const auto found = other.find(node->text);
           return found == other.end() ? node : call(found->second, node->children[0]);
         }),
-        "sin_cos", nullptr);
+        Slip::sin_cos, nullptr);
     for (const bool divide : {false, true})
       all(functions([divide](const Tree& node) {
             const Tree degree = product(symbol("pi"), number("180"), true);
             return takes_angles(node) ? call(node->text, product(node->children[0], degree, divide)) : node;
           }),
-          "degrees", nullptr);
+          Slip::degrees, nullptr);
     const auto names = names_of(answer_);
     for (const auto& name : names) {
       const Tree part = symbol(name);
-      put(part, negative(part), "sign");
+      put(part, negative(part), Slip::sign);
       for (const auto& other : symbols_) {
         if (other == name) continue;
-        put(part, symbol(other), "wrong_symbol");
+        put(part, symbol(other), Slip::wrong_symbol);
         if (other > name && names.contains(other))
           all(
               [&](const Tree& side) {
                 const Tree apart = rederive::put_in(side, part, symbol(Sieve::unknown));
                 return put_in(put_in(apart, other, part), Sieve::unknown, symbol(other));
               },
-              "exchanged", part, symbol(other));
+              Slip::exchanged, part, symbol(other));
       }
-      put(part, make_tree(NodeKind::power, "", {symbol(name), number("2")}), "power");
-      put(part, product(number("1"), symbol(name), true), "reciprocal");
+      put(part, make_tree(NodeKind::power, "", {symbol(name), number("2")}), Slip::power);
+      put(part, product(number("1"), symbol(name), true), Slip::reciprocal);
     }
   }
 
@@ -313,6 +326,20 @@ std::optional<Repair> repaired(const Relation& answer, const std::vector<Relatio
   for (const auto& side : answer.sides) size += size_of(side);
   if (size > 150 || sieve.is_empty() || names_of(answer).empty()) return {};
   return Search(answer, forms, sieve, exercise, accept).run();
+}
+
+std::string in_words(const Repair& repair) {
+  const auto quoted = [](const Tree& part) { return "$" + print(part) + "$"; };
+  std::string part = repair.part == nullptr ? "your answer" : quoted(repair.part);
+  if (repair.other != nullptr) part += " and " + quoted(repair.other);
+  if (repair.term != nullptr) part += " (in the term " + quoted(repair.term) + ")";
+  std::string text = repair.part == nullptr ? slip_words(SlipTable::whole, repair.slip) : "";
+  if (text.empty()) text = fmt::format(fmt::runtime(slip_words(SlipTable::part, repair.slip)), part);
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  if (repair.slip == Slip::wrong_angle && repair.part != nullptr &&
+      (names_of(repair.part).contains("theta") || names_of(repair.part).contains("alpha")))
+    text += " Which angle is it in the drawing?";
+  return text + (repair.part == nullptr ? "" : " Everything else is right.");
 }
 
 }  // namespace rederive::classroom

@@ -3,29 +3,28 @@
 #pragma once
 
 #include <functional>
+#include <lessons/exercises/exercise.hpp>
 #include <lessons/exercises/sieve.hpp>
+#include <lessons/exercises/slips.hpp>
 
 namespace rederive::classroom {
 
-/// One part of a student's answer changed.
+/// A wrong answer with one part changed.
 struct Repair {
   Relation relation;     ///< the answer after the change
-  std::string note;      ///< the slip that it undoes
-  Tree part;             ///< what was changed, as typed; nullptr where it is all of it
-  Tree other = nullptr;  ///< exchanged with the part
-  Tree term = nullptr;   ///< in which it is, where the same part is in others, too
+  Slip slip;             ///< that the change undoes
+  Tree part;             ///< what was changed, as typed; nullptr if it is the whole answer
+  Tree other = nullptr;  ///< what was exchanged with the part
+  Tree term = nullptr;   ///< that contains the part, if the same part is in others, too
 };
 
-/// Tries every single change, the plainest first, and hands those to `accept` that pass the sieve, until it
-/// takes one. `forms` of the right answer lend their terms and factors for what is missing. Gives up on an
-/// answer of more than 150 parts.
+/// Tries every single change, the plainest first, and passes those that the sieve lets through to `accept`,
+/// until it returns true. `forms` of the right answer lend their terms and factors for what is missing.
+/// Returns nothing for an answer of more than 150 parts.
 std::optional<Repair> repaired(const Relation& answer, const std::vector<Relation>& forms, const Sieve& sieve,
                                const Exercise& exercise, const std::function<bool(const Repair&)>& accept);
 
-/// What to say to the student: the part, and what is wrong with it.
+/// Returns what to say to the student: the part, and what is wrong with it.
 std::string in_words(const Repair& repair);
-
-/// The number as a small fraction, or as one of π; nothing where it is neither.
-std::optional<Tree> plain_number(double value);
 
 }  // namespace rederive::classroom

@@ -1,12 +1,11 @@
-// Proves the exercise set sound: every stub fails, every model answer passes, every slip gets its note, and
-// no hint gives the answer away.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <derivations/program/program.hpp>
-#include <lessons/exercises/classroom.hpp>
+#include <lessons/exercises/judge.hpp>
+#include <lessons/exercises/selftest.hpp>
+#include <lessons/exercises/show.hpp>
 #include <lessons/page/prose.hpp>
-#include <nlohmann/json.hpp>
 #include <set>
 
 namespace rederive::classroom {
@@ -23,17 +22,15 @@ struct Findings {
   }
 };
 
-std::string got(const Opinion& opinion) { return fmt::format("{} ({})", opinion.verdict, opinion.note); }
-
-bool is_formula(const Exercise& exercise) {
-  return exercise.kind == Kind::expression || exercise.kind == Kind::equation;
+std::string got(const Opinion& opinion) {
+  return fmt::format("{} ({})", to_string(opinion.outcome), opinion.note.word);
 }
 
-/// Does a formula in this sentence equal the answer?
+/// Returns whether a formula in the sentence equals the answer.
 bool gives_away(const Prepared& prepared, const std::string& sentence) {
   for (const auto& span : spans(sentence)) {
     if (span.kind == Span::Kind::text) continue;
-    if (is_formula(prepared.exercise) && span.kind == Span::Kind::math &&
+    if (prepared.exercise.asks_for_formula() && span.kind == Span::Kind::math &&
         judge_answer(prepared, span.text).score > 0.9)
       return true;
   }
@@ -41,8 +38,8 @@ bool gives_away(const Prepared& prepared, const std::string& sentence) {
   return sentence.find(fmt::format("{:.3g}", prepared.answer.number)) != std::string::npos;
 }
 
-/// The statement says what is given, and neither it nor a hint says more: for each inequality there follows
-/// from it.
+/// Checks that the statement says what is given, and that each inequality in it and in the hints follows from
+/// that.
 void check_given(const Prepared& prepared, Findings& findings) {
   const Exercise& exercise = prepared.exercise;
   for (const auto& text : exercise.given)
@@ -75,27 +72,29 @@ void check_texts(const Prepared& prepared, Findings& findings) {
   findings.check(!exercise.statement.empty(), "no statement");
   findings.check(!presentation(exercise).empty(), "cannot be shown");
   if (exercise.kind != Kind::choice && exercise.kind != Kind::wrong_term)
-    findings.check(!exercise.example.empty() && judge_answer(prepared, exercise.example).verdict != "correct",
-                   "no example of syntax, or one that is right");
+    findings.check(
+        !exercise.example.empty() && judge_answer(prepared, exercise.example).outcome != Outcome::correct,
+        "no example of syntax, or one that is right");
 }
 
 void check_right_answers(const Prepared& prepared, Findings& findings) {
   const Exercise& exercise = prepared.exercise;
   const Opinion own = judge_answer(prepared, model_answer(prepared));
-  findings.check(own.verdict == "correct", "its own answer " + model_answer(prepared) + " is " + got(own));
+  findings.check(own.outcome == Outcome::correct,
+                 "its own answer " + model_answer(prepared) + " is " + got(own));
   for (const auto& text : exercise.equivalents) {
     const Opinion opinion = judge_answer(prepared, text);
-    findings.check(opinion.verdict == "correct", text + " is " + got(opinion));
+    findings.check(opinion.outcome == Outcome::correct, text + " is " + got(opinion));
   }
 }
 
 void check_wrong_answers(const Prepared& prepared, Findings& findings) {
   const Exercise& exercise = prepared.exercise;
   for (const std::string stub : {"", "# answer here", "?"})
-    findings.check(judge_answer(prepared, stub).verdict == "invalid",
+    findings.check(judge_answer(prepared, stub).outcome == Outcome::invalid,
                    "the stub '" + stub + "' is not refused");
   for (std::size_t i = 0; i < exercise.slips.size(); ++i) {
-    const Slip& slip = exercise.slips[i];
+    const ListedSlip& slip = exercise.slips[i];
     const Road& road = prepared.roads.at(i);
     std::string text = slip.typed;
     if (slip.road)
@@ -103,17 +102,17 @@ void check_wrong_answers(const Prepared& prepared, Findings& findings) {
                  ? fmt::format("{:.12g} {}", road.number, exercise.unit == "1" ? "" : exercise.unit)
                  : print_statement(road.relation, Notation::plain, prepared.symbols);
     const Opinion opinion = judge_answer(prepared, text);
-    findings.check(opinion.verdict == "wrong" && opinion.note == slip.note,
+    findings.check(opinion.outcome == Outcome::wrong && opinion.note.word == slip.note,
                    fmt::format("the slip {}, {}, is {}", slip.note, text, got(opinion)));
   }
   for (std::size_t i = 0; i < exercise.options.size(); ++i) {
     const Opinion opinion = judge_answer(prepared, std::string(1, static_cast<char>('a' + i)));
-    findings.check((opinion.verdict == "correct") == (i + 1 == prepared.choice),
+    findings.check((opinion.outcome == Outcome::correct) == (i + 1 == prepared.choice),
                    "option " + std::to_string(i + 1) + " is " + got(opinion));
   }
-  if (is_formula(exercise) && !exercise.slips.empty() && !exercise.hints.empty())
+  if (exercise.asks_for_formula() && !exercise.slips.empty() && !exercise.hints.empty())
     findings.check(
-        judge_answer(prepared, exercise.kind == Kind::equation ? "1 = 0" : "0").verdict != "correct",
+        judge_answer(prepared, exercise.kind == Kind::equation ? "1 = 0" : "0").outcome != Outcome::correct,
         "0 passes");
 }
 
@@ -145,20 +144,14 @@ int selftest(const Classroom& room) {
       test(exercise);
   if (is_lively(2)) std::fputs("\r", stderr);
   if (room.json) {
-    std::fputs((nlohmann::ordered_json{{"exercises", room.exercises.size()},
-                                       {"variants", variants},
-                                       {"checks", checks},
-                                       {"complaints", complaints}}
-                    .dump(2) +
-                "\n")
-                   .c_str(),
-               stdout);
+    say_json(Json{{"exercises", room.exercises.size()},
+                  {"variants", variants},
+                  {"checks", checks},
+                  {"complaints", complaints}});
   } else {
-    for (const auto& complaint : complaints) std::fputs((complaint + "\n").c_str(), stdout);
-    std::fputs(fmt::format("{} exercises, {} variants, {} checks, {} complaints\n", room.exercises.size(),
-                           variants, checks, complaints.size())
-                   .c_str(),
-               stdout);
+    for (const auto& complaint : complaints) say(complaint + "\n");
+    say(fmt::format("{} exercises, {} variants, {} checks, {} complaints\n", room.exercises.size(), variants,
+                    checks, complaints.size()));
   }
   return complaints.empty() ? as_expected : not_as_expected;
 }

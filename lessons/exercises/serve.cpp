@@ -1,6 +1,3 @@
-// exercises serve: the lessons with their exercises in a browser on this machine, and for nobody else.
-// Whoever asks must know the token, must have come by our own address (no other name may lead here), and from
-// no page but ours.
 #include <arpa/inet.h>
 #include <fmt/format.h>
 #include <netinet/in.h>
@@ -12,7 +9,7 @@
 #include <derivations/program/program.hpp>
 #include <lessons/exercises/http_server.hpp>
 #include <lessons/exercises/in_page.hpp>
-#include <lessons/exercises/progress.hpp>
+#include <lessons/exercises/serve.hpp>
 #include <lessons/page/render.hpp>
 #include <lessons/page/run_lesson.hpp>
 #include <nlohmann/json.hpp>
@@ -21,14 +18,14 @@
 namespace rederive::classroom {
 namespace {
 
-/// What a lesson's program writes.
+/// Returns what the program of a lesson writes.
 std::string written_by(const std::string& lesson, const std::string& options) {
   const Said said = said_by(in_quotes(loaded_from().parent_path() / lesson) + options);
   if (said.status != 0) throw std::runtime_error(lesson + " failed");
   return said.text;
 }
 
-/// The page of a name. What lessons write is kept.
+/// Returns the page of that name. What lessons write is kept. Throws BadInput if there is no such page.
 std::string page_named(const Classroom& room, const std::string& name) {
   static std::map<std::string, std::string> pages, contents;
   const bool is_index = name.empty() || name == "index.html" || name == "exercises.html";
@@ -43,7 +40,7 @@ std::string page_named(const Classroom& room, const std::string& name) {
   throw BadInput("there is no such page");
 }
 
-/// The reply to a button of an exercise's form, as exercise.js reads it. `place` is "ID/BUTTON".
+/// Returns the reply to a button of the form of an exercise, as exercise.js reads it. `place` is "ID/BUTTON".
 std::string reply_to_button(const Classroom& room, const std::string& place, const std::string& body) {
   const std::size_t slash = place.find('/');
   const Exercise& exercise = find_exercise(room, place.substr(0, slash));
@@ -54,7 +51,7 @@ std::string reply_to_button(const Classroom& room, const std::string& place, con
       -1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// The response to a request that the guard has let pass; `root` is what its path begins with.
+/// Returns the response to a request that the guard accepted; its path begins with `root`.
 HttpResponse response_to(const Classroom& room, const HttpRequest& request, const std::string& root) {
   const std::string path = request.path.substr(root.size()), exercise = "exercise/";
   try {
@@ -70,7 +67,8 @@ HttpResponse response_to(const Classroom& room, const HttpRequest& request, cons
   }
 }
 
-/// Refuses a request by its head.
+/// Refuses a request by its head, unless it knows the token, comes by our own address (no other name may lead
+/// here) and from none but our own pages.
 void guard(const HttpRequest& request, const std::string& host, const std::string& root) {
   const std::string type = request.only("content-type");
   if (request.only("host") != host) throw HttpRefusal(403, "This server answers only at " + host + ".");
@@ -86,7 +84,7 @@ void guard(const HttpRequest& request, const std::string& host, const std::strin
   if (!request.headers.contains("content-length")) throw HttpRefusal(411, "A Content-Length is required.");
 }
 
-/// A socket that listens on this machine alone, and its port, a free one for 0.
+/// Returns a socket that listens on this machine alone, and its port: a free one if `port` is 0.
 std::pair<int, int> listener_at(int port) {
   const int listener = ::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0), yes = 1;
   sockaddr_in address{};
@@ -107,8 +105,8 @@ std::pair<int, int> listener_at(int port) {
   return {listener, ntohs(address.sin_port)};
 }
 
-/// A descriptor that can be read once the program is told to end. The signals are blocked in this thread and
-/// in those that it starts.
+/// Returns a descriptor that can be read once a signal tells the program to end. The signals are blocked in
+/// this thread and in those that it starts.
 int end_by_signal() {
   sigset_t endings;
   ::sigemptyset(&endings);

@@ -1,27 +1,15 @@
-// What the classroom says to a student.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <derivations/program/program.hpp>
-#include <lessons/exercises/classroom.hpp>
-#include <lessons/page/lesson.hpp>
+#include <lessons/exercises/judge_formula.hpp>
+#include <lessons/exercises/show.hpp>
+#include <lessons/exercises/terms.hpp>
 #include <lessons/page/prose.hpp>
-#include <nlohmann/json.hpp>
 
 namespace rederive::classroom {
-
-std::string form_in_words(const Exercise& exercise) {
-  constexpr std::array forms{"any equivalent expression", "any equivalent equation",
-                             "to {} significant digits", "one letter",
-                             "the number of the wrong term, or the term as printed"};
-  return fmt::format(fmt::runtime(forms.at(static_cast<std::size_t>(exercise.kind))), exercise.digits);
-}
-
-std::string default_example(const Exercise& exercise) {
-  return !exercise.example.empty() ? exercise.example : exercise.kind == Kind::choice ? "b" : "2";
-}
-
 namespace {
 
 std::string symbol_table(const Exercise& exercise) {
@@ -40,43 +28,40 @@ std::string symbol_table(const Exercise& exercise) {
 }
 
 std::string numbered_terms(const Exercise& exercise) {
+  const auto in_unicode = [&](const auto& formula) {
+    return print(formula, Notation::unicode, exercise.language());
+  };
   const Relation printed = printed_with_slip(exercise.answer, exercise.paper());
-  std::string text = fmt::format("  ({})  {}\n\n", exercise.answer.row,
-                                 print(printed, Notation::unicode, exercise.language()));
+  std::string text = fmt::format("  ({})  {}\n\n", exercise.answer.row, in_unicode(printed));
   const auto terms = terms_to_point_at(printed);
   for (std::size_t i = 0; i < terms.size(); ++i)
-    text += fmt::format("  [{}]  {}\n", i + 1, print(terms[i], Notation::unicode, exercise.language()));
+    text += fmt::format("  [{}]  {}\n", i + 1, in_unicode(terms[i]));
   return text + "\n";
 }
 
-std::string colour(const Classroom& room, const std::string& code, const std::string& text) {
-  return room.lively ? "\033[" + code + "m" + text + "\033[0m" : text;
+/// Returns a page as lines for a terminal.
+std::string lines_of(const Page& page) {
+  const Symbols& symbols = page.paper().symbols;
+  std::string text;
+  for (const auto& block : page.blocks()) {
+    if (const auto* words = std::get_if<Paragraph>(&block)) text += readable(words->text, symbols, "  ");
+    if (const auto* formula = std::get_if<Formula>(&block))
+      text += wrap(joined(pieces(formula->relation, Notation::unicode, symbols), " ", glued) + formula->mark,
+                   80, "      ", "        ");
+  }
+  return text;
 }
 
 }  // namespace
 
-std::string pivot_in_words(const Exercise& exercise) {
-  return exercise.kind != Kind::equation ? ""
-         : exercise.pivot.empty()        ? "left side - right side = "
-                                         : exercise.pivot + " = ";
+void say(const std::string& text) { std::fputs(text.c_str(), stdout); }
+void say_json(const Json& document) {
+  say(document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-std::string place_of(const Witness& witness) {
-  return joined(witness.at, ", ", [](const auto& one) { return one.first + " = " + one.second; });
-}
-
-std::string verdict_in_words(const std::string& verdict) {
-  if (verdict == "correct") return "Correct.";
-  if (verdict == "wrong_form") return "The value is right, but the form is not.";
-  if (verdict == "correct_if") return "Correct only under a condition.";
-  if (verdict == "wrong") return "Not right yet.";
-  if (verdict == "invalid") return "This could not be read; it does not count as an attempt.";
-  return "Undecided.";
-}
-
-std::string readable(const std::string& sentence, const Symbols& symbols, const std::string& indent) {
+std::string readable(const std::string& sentences, const Symbols& symbols, const std::string& indent) {
   std::string text;
-  for (const auto& paragraph : paragraphs(sentence)) {
+  for (const auto& paragraph : paragraphs(sentences)) {
     std::string line;
     for (const auto& span : spans(paragraph))
       line += span.kind == Span::Kind::math   ? glued(print_inline(span.text, Notation::unicode, symbols))
@@ -87,9 +72,30 @@ std::string readable(const std::string& sentence, const Symbols& symbols, const 
   return text;
 }
 
+std::string form_in_words(const Exercise& exercise) {
+  constexpr std::array forms{"any equivalent expression", "any equivalent equation",
+                             "to {} significant digits", "one letter",
+                             "the number of the wrong term, or the term as printed"};
+  return fmt::format(fmt::runtime(forms.at(static_cast<std::size_t>(exercise.kind))), exercise.digits);
+}
+
+std::string default_example(const Exercise& exercise) {
+  if (!exercise.example.empty()) return exercise.example;
+  return exercise.kind == Kind::choice ? "b" : "2";
+}
+
+std::string pivot_in_words(const Exercise& exercise) {
+  if (exercise.kind != Kind::equation) return "";
+  return exercise.pivot.empty() ? "left side - right side = " : exercise.pivot + " = ";
+}
+
 std::string id_and_seed(const Exercise& exercise) {
   return exercise.seed.empty() ? exercise.id
                                : fmt::format("{} --seed \"{}\"", exercise.id, printable_line(exercise.seed));
+}
+
+std::string place_of(const Witness& witness) {
+  return joined(witness.at, ", ", [](const auto& one) { return one.first + " = " + one.second; });
 }
 
 std::string presentation(const Exercise& exercise) {
@@ -107,76 +113,88 @@ std::string presentation(const Exercise& exercise) {
                             id_and_seed(exercise));
 }
 
-std::string report(const Classroom& room, const Exercise& exercise, const Opinion& opinion) {
+Json presentation_json(const Exercise& exercise) {
+  Json symbols = Json::array(), options = Json::array();
+  for (const auto& name : exercise.symbols) {
+    const auto* symbol = exercise.language().find(name);
+    symbols.push_back({{"name", name}, {"unit", symbol->unit}, {"meaning", symbol->meaning}});
+  }
+  for (const auto& option : exercise.options) options.push_back(readable(option.text, exercise.language()));
+  return {{"id", exercise.id},
+          {"lesson", exercise.lesson},
+          {"title", exercise.title},
+          {"statement", readable(exercise.statement, exercise.language())},
+          {"form", form_in_words(exercise)},
+          {"example", default_example(exercise)},
+          {"given", exercise.given},
+          {"symbols", symbols},
+          {"options", options}};
+}
+
+std::string report(const Exercise& exercise, const Opinion& opinion, bool lively) {
   std::string text = opinion.line == 0 ? "" : fmt::format("Line {}\n", opinion.line);
   if (!opinion.read_as.empty()) text += wrap(glued(opinion.read_as), 80, "Read as: ", "         ");
-  const std::string code = opinion.verdict == "correct" ? "1;32"
-                           : opinion.verdict == "wrong" ? "1;31"
-                                                        : "1;33";
-  text += colour(room, code, verdict_in_words(opinion.verdict)) + "\n";
-  const bool several_lines = opinion.feedback.find('\n') != std::string::npos;  // a caret must keep its place
-  if (opinion.verdict != "correct" || opinion.feedback != "Right.")
-    text += several_lines ? opinion.feedback + "\n" : readable(opinion.feedback, exercise.language());
+  const char* colour = opinion.outcome == Outcome::correct ? "1;32" : "1;33";
+  if (opinion.outcome == Outcome::wrong) colour = "1;31";
+  const std::string verdict = in_words(opinion.outcome);
+  text += (lively ? fmt::format("\033[{}m{}\033[0m", colour, verdict) : verdict) + "\n";
+  text += opinion.shows_place ? opinion.feedback + "\n" : readable(opinion.feedback, exercise.language());
   if (text.ends_with("\n\n")) text.pop_back();
   if (opinion.witness) {
-    text += wrap("at " + place_of(*opinion.witness), 80, "  ", "     ");
     const std::string what = pivot_in_words(exercise);
     const bool is_step = opinion.line != 0;
-    text +=
-        fmt::format("  {}{}{}\n  {}{}{}\n", is_step ? "here:   " : "yours: ", what, opinion.witness->printed,
-                    is_step ? "before: " : "right: ", what, opinion.witness->derived);
+    text += wrap("at " + place_of(*opinion.witness), 80, "  ", "     ");
+    text += fmt::format("  {}{}{}\n", is_step ? "here:   " : "yours: ", what, opinion.witness->printed);
+    text += fmt::format("  {}{}{}\n", is_step ? "before: " : "right: ", what, opinion.witness->derived);
   }
   if (exit_code(opinion) == 1) text += "Stuck? exercises hint " + id_and_seed(exercise) + "\n";
   return text;
 }
 
-std::string report_json(const Exercise& exercise, const Opinion& opinion) {
-  nlohmann::ordered_json json{
-      {"exercise", exercise.id}, {"verdict", opinion.verdict}, {"note", opinion.note}};
-  json["read_as"] =
-      opinion.read_as.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(opinion.read_as);
-  const bool several_lines = opinion.feedback.find('\n') != std::string::npos;
-  json["feedback"] = several_lines
-                         ? opinion.feedback
-                         : as_typed(unmarked(opinion.feedback, Notation::plain, exercise.language()));
-  json["witness"] = nullptr;
-  if (opinion.witness)
-    json["witness"] = {{"at", opinion.witness->at},
-                       {"answer", opinion.witness->printed},
-                       {"right", opinion.witness->derived}};
-  json["score"] = opinion.score;
+Json report_json(const Exercise& exercise, const Opinion& opinion) {
+  const std::string feedback = feedback_of(opinion);
+  Json json{
+      {"exercise", exercise.id},
+      {"verdict", to_string(opinion.outcome)},
+      {"note", opinion.note.word},
+      {"read_as", opinion.read_as.empty() ? Json() : Json(opinion.read_as)},
+      {"feedback",
+       opinion.shows_place ? feedback : as_typed(unmarked(feedback, Notation::plain, exercise.language()))},
+      {"witness", nullptr},
+      {"score", opinion.score}};
+  if (const auto& witness = opinion.witness)
+    json["witness"] = {{"at", witness->at}, {"answer", witness->printed}, {"right", witness->derived}};
   if (opinion.line != 0) json["line"] = opinion.line;
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json;
 }
 
-int show(const Classroom& room, const std::string& id) {
-  const Exercise* exercise =
-      id.empty() ? next_exercise(room, load_progress(room.progress)) : &find_exercise(room, id);
-  if (exercise == nullptr) {
-    std::fputs("All exercises are done. Read one again with: exercises show ID\n", stdout);
-    return as_expected;
+Page way_to_answer(const Prepared& prepared) {
+  const auto& reference = prepared.exercise.answer;
+  const Course& course = *prepared.exercise.course;
+  Page page(prepared.exercise.paper());
+  if (!reference.function.empty()) {
+    function_named(reference.function, course).explain(reference.arguments, page);
+    return page;
   }
-  if (!room.json) {
-    std::fputs(presentation(*exercise).c_str(), stdout);
-    return as_expected;
+  page.argue(derivation_for(reference, course));
+  for (const auto& [words, relation] : prepared.answer.way) {
+    page.say(words);
+    page.show(relation);
   }
-  nlohmann::ordered_json json{{"id", exercise->id},
-                              {"lesson", exercise->lesson},
-                              {"title", exercise->title},
-                              {"statement", readable(exercise->statement, exercise->language())},
-                              {"form", form_in_words(*exercise)},
-                              {"example", default_example(*exercise)},
-                              {"given", exercise->given},
-                              {"symbols", nlohmann::ordered_json::array()},
-                              {"options", nlohmann::ordered_json::array()}};
-  for (const auto& name : exercise->symbols) {
-    const auto* symbol = exercise->language().find(name);
-    json["symbols"].push_back({{"name", name}, {"unit", symbol->unit}, {"meaning", symbol->meaning}});
+  if (prepared.exercise.kind == Kind::wrong_term) {
+    page.say(fmt::format("Of the printed terms, number {} is the wrong one:", prepared.choice));
+    page.show(Relation{{terms_to_point_at(prepared.answer.relation).at(prepared.choice - 1)}, {}});
   }
-  for (const auto& option : exercise->options)
-    json["options"].push_back(readable(option.text, exercise->language()));
-  std::fputs((json.dump(2) + "\n").c_str(), stdout);
-  return as_expected;
+  return page;
+}
+
+std::string solution_text(const Prepared& prepared) {
+  const auto& exercise = prepared.exercise;
+  std::string text = exercise.title + "\n\nHow it comes about:\n" + lines_of(way_to_answer(prepared)) +
+                     "\nSo the answer is\n\n";
+  if (exercise.kind == Kind::choice)
+    text += readable(exercise.options.at(prepared.choice - 1).text, exercise.language(), "  ") + "\n";
+  return text + model_answer(prepared) + "\n";
 }
 
 }  // namespace rederive::classroom

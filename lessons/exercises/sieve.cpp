@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <derivations/language/functions.hpp>
@@ -25,7 +27,8 @@ double called(const std::string& name, double x) {
   return f == nullptr || f->reciprocal.empty() ? nowhere : 1 / called(std::string(f->reciprocal), x);
 }
 
-/// How large the terms are that a value is the sum of: what cancels in them is known to so many digits only.
+/// Returns the size of the terms whose sum is the value: it limits the digits that are known after
+/// cancellation.
 double size_of(const Tree& tree, const RoughPoint& at) {
   double result = tree->kind == NodeKind::product ? 1 : 0;
   if (tree->kind == NodeKind::negative) return size_of(tree->children[0], at);
@@ -40,7 +43,7 @@ double size_of(const Tree& tree, const RoughPoint& at) {
   return result;
 }
 
-/// left - right, or the value less the right one; and how large its parts are.
+/// Returns left - right, or the value minus the right one, and the size of its parts.
 std::pair<double, double> residual(const Relation& statement, const RoughPoint& at, double right) {
   const bool equation = !statement.operators.empty();
   const double left = rough_value(statement.sides[0], at),
@@ -53,7 +56,7 @@ bool vanishes(const std::pair<double, double>& residual) {
   return std::isfinite(residual.second) && std::abs(residual.first) <= 1e-9 * residual.second + 1e-300;
 }
 
-/// The ends of a range, cut to where values are of moderate size.
+/// Returns the ends of a range, cut to values of moderate size.
 std::pair<double, double> ends(const Symbol& symbol) {
   const Interval range = parse_range(symbol.range);
   const auto value = [](const End& end, double far) { return end.infinite ? far : end.ball(64).to_double(); };
@@ -61,7 +64,8 @@ std::pair<double, double> ends(const Symbol& symbol) {
   return {low, high};
 }
 
-/// Gives the symbol a value for which the equation holds: the zero between two points where signs differ.
+/// Gives the symbol a value that solves the equation, between two points at which signs differ. Returns false
+/// if there are none.
 bool solve_for(const Relation& equation, const std::string& name, std::pair<double, double> ends,
                RoughPoint& at) {
   const auto side = [&](double x) {
@@ -82,7 +86,8 @@ bool solve_for(const Relation& equation, const std::string& name, std::pair<doub
   return false;
 }
 
-/// Gives the symbol, in which the equation is linear, the value for which it holds.
+/// Gives the symbol, in which the equation is linear, the value that solves it. Returns false if it is not
+/// linear.
 bool solve_linear(const Relation& equation, const std::string& name, RoughPoint& at) {
   at[name] = 0;
   const double before = residual(equation, at, 0).first;
@@ -120,6 +125,23 @@ double rough_value(const Tree& tree, const RoughPoint& at) {
       return tree->text == "pow" ? std::pow(child(0), child(1)) : called(tree->text, child(0));
   }
   return nowhere;
+}
+
+std::optional<Tree> plain_number(double value) {
+  constexpr double pi = std::numbers::pi;
+  const std::pair<double, const char*> bases[] = {
+      {1, "1"}, {pi, "pi"}, {pi / 180, "pi/180"}, {180 / pi, "180/pi"}};
+  for (const auto& [base, text] : bases)
+    for (int under = 1; under <= 24; ++under) {
+      const double parts = std::abs(value) / base * under, over = std::round(parts);
+      if (over < 1 || over > 24 || (over > 1 && under > 12) || std::abs(parts - over) > 1e-8 * over) continue;
+      std::string digits = fmt::format("{:.0f}", over);
+      if (base != 1) digits = over == 1 ? text : digits + "*" + text;
+      if (under != 1) digits += "/" + std::to_string(under);
+      const Tree size = parse(digits, {});
+      return value < 0 ? negative(size) : size;
+    }
+  return {};
 }
 
 bool lies_in(const Symbol& symbol, double value) {

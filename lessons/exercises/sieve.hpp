@@ -1,4 +1,4 @@
-// Sifts many candidates for the right answer, in plain doubles: what passes is still to be proved.
+// Sifts many candidates for the right answer, in doubles. What passes must still be proved.
 #pragma once
 
 #include <lessons/exercises/exercise.hpp>
@@ -11,24 +11,25 @@ namespace rederive::classroom {
 
 using RoughPoint = std::map<std::string, double, std::less<>>;
 
-/// The value of a tree in doubles; not a number where it has none, or where a symbol is not given.
+/// Returns the value of a tree; NaN if it has none, or if a symbol is missing in `at`.
 double rough_value(const Tree& tree, const RoughPoint& at);
-/// Whether a value lies inside the range of a symbol.
+/// Returns a number as a small fraction, of 1, π, π/180 or 180/π; nothing if it is not one.
+std::optional<Tree> plain_number(double value);
+/// Returns whether a value is inside the range of a symbol.
 bool lies_in(const Symbol& symbol, double value);
-/// Whether relations of two sides hold there; an inequality, strictly.
+/// Returns whether relations of two sides hold at a point, inequalities strictly.
 bool holds(const std::vector<Relation>& relations, const RoughPoint& at);
 
-/// A few points inside the ranges of the symbols, where what is assumed holds: with what the right expression
-/// is worth there, or such that the right equation holds there. The symbols of `given` have the values that
-/// they stand for.
+/// A few points inside the ranges of the symbols, at which `assumed` holds, each with the value of the right
+/// expression; or points at which the right equation holds. The symbols of `given` have their values there.
 class Sieve {
  public:
   Sieve(const Relation& right, const std::vector<Given>& given, const std::string& pivot,
         const Symbols& symbols, const std::vector<Relation>& assumed);
   bool is_empty() const { return points_.empty(); }
-  /// Whether a candidate agrees with the right answer at all points, to nine digits.
+  /// Returns whether a candidate agrees with the right answer at all points, to nine digits.
   bool passes(const Relation& candidate) const;
-  /// The number for the symbol `unknown` with which it does, where the answer is linear in it.
+  /// Returns the number for the symbol `unknown` with which it does, if the answer is linear in that symbol.
   std::optional<double> solved(const Relation& candidate) const;
   static constexpr const char* unknown = "?";
 

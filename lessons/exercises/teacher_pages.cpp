@@ -6,8 +6,8 @@
 #include <derivations/language/unicode.hpp>
 #include <derivations/program/program.hpp>
 #include <functional>
-#include <lessons/exercises/grading.hpp>
 #include <lessons/exercises/in_page.hpp>
+#include <lessons/exercises/teacher_pages.hpp>
 #include <lessons/page/render.hpp>
 #include <set>
 
@@ -50,14 +50,16 @@ std::string section(const Exercise& exercise, const Rules& rules, const Student&
   std::string text = fmt::format("<section>\n<h2>{}</h2>\n{}", escaped(exercise.title),
                                  in_html(row.statement, exercise.language()));
   text += "<pre>" + (row.answer.empty() ? "(nothing)" : shown(row.answer, 400)) + "</pre>\n";
-  text += verdict_html(row.verdict, row.read_as == row.answer ? "" : row.read_as, row.feedback,
-                       exercise.language(),
-                       row.hint.empty() ? "" : in_html("A hint: " + row.hint, exercise.language()));
+  Opinion opinion = row.opinion;
+  if (opinion.read_as == row.answer) opinion.read_as.clear();
+  text += verdict_html(opinion, exercise.language(),
+                       opinion.hint.empty() ? "" : in_html("A hint: " + opinion.hint, exercise.language()));
   if (const auto weight = rules.weights.find(exercise.id); weight != rules.weights.end())
     text += fmt::format("<p class=\"small\">Marks: {} of {}{}{}</p>\n",
-                        row.verdict == "undecided" ? "?" : mark_text(mark.marks), mark_text(weight->second),
+                        row.opinion.outcome == Outcome::undecided ? "?" : mark_text(mark.marks),
+                        mark_text(weight->second),
                         mark.attempts > 1 ? fmt::format(", after {} attempts", mark.attempts) : "",
-                        mark.late ? "; handed in after the deadline" : "");
+                        mark.is_late ? "; handed in after the deadline" : "");
   return text + "</section>\n";
 }
 
@@ -67,7 +69,7 @@ std::string feedback_page(const Classroom& room, const Student& student, const R
   for (const auto& exercise : room.exercises) {
     bool there = false;
     for (const auto& row : student.rows)
-      if (row.judged && row.exercise == exercise.id) {
+      if (row.is_judged() && row.exercise == exercise.id) {
         body += section(exercise, rules, student, row);
         total += mark_of(rules, student, row).marks;
         there = true;
@@ -78,9 +80,9 @@ std::string feedback_page(const Classroom& room, const Student& student, const R
     if (!there) missing += (missing.empty() ? "" : ", ") + escaped(exercise.title);
   }
   for (const auto& row : student.rows)
-    if (!row.judged && row.note != "not_handed_in")
+    if (!row.is_judged() && row.trouble != Trouble::not_handed_in)
       others += "<li>" + (row.exercise.empty() ? "" : "<code>" + shown(row.exercise, 100) + "</code>: ") +
-                words_of(row.note) + "</li>\n";
+                words_of(row.opinion.note.word) + "</li>\n";
   if (!others.empty()) body += "<h2>Not judged</h2>\n<ul>\n" + others + "</ul>\n";
   if (!missing.empty()) body += "<h2>Not handed in</h2>\n<p>" + missing + "</p>\n";
   return page(shown(student.name, 200),
@@ -125,14 +127,14 @@ std::map<std::string, Tally> tallies_of(const std::vector<Student>& students) {
   std::map<std::string, Tally> tallies;
   for (const auto& student : students)
     for (const auto& row : student.rows) {
-      if (!row.judged) continue;
+      if (!row.is_judged()) continue;
       Tally& tally = tallies[row.exercise];
       ++tally.answers;
-      tally.correct += row.verdict == "correct";
-      if (row.verdict == "correct") continue;
-      Seen& seen = tally.slips[row.note];
+      tally.correct += row.opinion.outcome == Outcome::correct;
+      if (row.opinion.outcome == Outcome::correct) continue;
+      Seen& seen = tally.slips[row.opinion.note.word];
       ++seen.times;
-      ++seen.answers[row.read_as.empty() ? row.answer : row.read_as];
+      ++seen.answers[row.opinion.read_as.empty() ? row.answer : row.opinion.read_as];
     }
   return tallies;
 }

@@ -19,7 +19,7 @@ std::optional<double> value(const Tree& tree, const Point& point) {
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-/// Where the residual, linear in the pivot, vanishes.
+/// Returns the value of the pivot at which the residual is 0; nothing if it is not linear in the pivot.
 std::optional<double> root(const Tree& residual, const std::string& pivot, Point point) {
   std::vector<double> at;
   for (int k = 0; k < 3; ++k) {

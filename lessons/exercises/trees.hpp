@@ -1,5 +1,4 @@
-// What the classroom does with a formula: changes a part of it (derivations/paper/edits.hpp), asks what it is
-// worth at a few points.
+// Compares formulas by their values at a few points. Changes of formulas are in derivations/paper/edits.hpp.
 #pragma once
 
 #include <derivations/decide/decide.hpp>
@@ -14,24 +13,24 @@ namespace rederive::classroom {
 
 using namespace edits;
 
-/// The tree with each named symbol replaced by what it stands for.
+/// Returns the tree or relation with each symbol of `given` replaced by its value.
 Tree put_in(const Tree& tree, const std::vector<Given>& given, const Symbols& symbols);
 Relation put_in(const Relation& relation, const std::vector<Given>& given, const Symbols& symbols);
 
-/// `count` points, or fewer where they are hard to find, that give every symbol an exact value in its range,
-/// such that what is assumed holds there, no two of the named symbols alike; then the angles (or the
-/// rotations θ alone, the shape α staying) are multiplied by `angles`.
+/// Returns `count` points, or fewer if they are hard to find, that give every symbol an exact value in its
+/// range, different values to the symbols in `names`, and at which `assumed` holds. Then the angles are
+/// multiplied by `angles`: the rotations θ, and the shape α unless `rotations_only`.
 std::vector<Point> sample_points(const std::set<std::string>& names, std::size_t count,
                                  const Symbols& symbols, const std::vector<Relation>& assumed,
                                  const cln::cl_RA& angles = 1, bool rotations_only = false);
-/// Whether all of these, of two sides each, certainly hold at a point.
+/// Returns whether all relations, of two sides each, certainly hold at a point.
 bool hold_at(const std::vector<Relation>& relations, const Point& point);
 
-/// What stands for a statement when two are compared by their values: those of an expression, or those of the
-/// symbol `pivot` that solve an equation linear in it; an equation without a pivot gives ratios of its
-/// residuals. Nothing where that is undefined. Equal values are a reason to try a proof, never one
-/// themselves.
+/// The values by which two statements are compared: those of an expression; or those of the symbol `pivot`
+/// that solve an equation, which must be linear in it; or, without a pivot, ratios of the residuals of an
+/// equation. Equal values are a reason to try a proof, and no proof.
 using Signature = std::vector<double>;
+/// Returns nothing if a value is undefined.
 std::optional<Signature> signature(const Relation& statement, const std::string& pivot,
                                    const std::vector<Point>& points);
 bool alike(const Signature& left, const Signature& right);

@@ -14,7 +14,7 @@
 namespace rederive::classroom {
 namespace {
 
-/// A unit, what it measures in base units, and its size in those.
+/// A unit: its name, its dimension in base units, and its size in those.
 struct Unit {
   std::string name, si, factor;
 };
@@ -50,7 +50,7 @@ const Symbols& no_symbols() {
   return table;
 }
 
-/// A constant, to all the digits of a double.
+/// Returns a constant to all the digits of a double. Throws SyntaxError if it has no value.
 double as_number(const Tree& tree) {
   const Value value = value_at(tree, {}, 256);
   if (value.is != Value::Is::certain)
@@ -61,7 +61,7 @@ double as_number(const Tree& tree) {
   return cln::double_approx(number);
 }
 
-/// The value of a tree of numbers and units, in base units.
+/// Returns the value of a tree of numbers and units, in base units.
 double base_value(const Tree& tree) {
   Tree sizes = tree;
   for (const auto& unit : units())
@@ -72,7 +72,7 @@ double base_value(const Tree& tree) {
 
 bool has_unit(const Tree& tree) { return !names_of(tree).empty(); }
 
-/// Whether it is units alone, with their powers: m, s^2, (kg*m).
+/// Returns whether a tree consists of units and their powers: m, s^2, (kg*m).
 bool is_of_units(const Tree& tree) {
   if (tree->kind == Node::Kind::power) return is_of_units(tree->children[0]) && !has_unit(tree->children[1]);
   if (tree->kind != Node::Kind::product) return tree->kind == Node::Kind::symbol && has_unit(tree);
@@ -80,7 +80,7 @@ bool is_of_units(const Tree& tree) {
   return std::all_of(tree->children.begin() + (starts_with_one ? 1 : 0), tree->children.end(), is_of_units);
 }
 
-/// The significant digits of a plain decimal number; 0 of anything else.
+/// Returns the number of significant digits of a decimal number; 0 for anything else.
 int digits_of(const Tree& tree) {
   if (tree->kind == Node::Kind::negative) return digits_of(tree->children[0]);
   if (tree->kind != Node::Kind::number) return 0;
@@ -92,8 +92,8 @@ int digits_of(const Tree& tree) {
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-/// What was typed, in our syntax: units are factors without a sign; with the places of its bytes in what was
-/// typed.
+/// What was typed, translated into our syntax, where units need a sign of multiplication; for each byte, its
+/// place in what was typed.
 class Typed {
  public:
   explicit Typed(const std::string& typed) : typed_(typed) {
@@ -108,7 +108,7 @@ class Typed {
     places_.insert(places_.end(), more.size(), at_);
   }
 
-  /// Whether an operand ends here: then a unit that comes next is a factor.
+  /// Returns whether an operand ends here. Then a unit that comes next is a factor.
   bool ends_operand() const {
     const std::size_t last = text_.find_last_not_of(' ');
     return last != std::string::npos &&
@@ -143,7 +143,7 @@ class Typed {
     if (digit(at_) && !digit(at_ + 1) && typed_[at_] > '1') add("^");  // m/s2
   }
 
-  /// 2.69 1/s: the 1 of it.
+  /// Returns whether the 1 here begins a unit, as in 2.69 1/s.
   bool is_reciprocal() const {
     const std::size_t name = typed_.find_first_not_of(' ', at_ + 2);
     return ends_operand() && typed_.compare(at_ + 1, 1, "/") == 0 && name != std::string::npos &&
@@ -161,7 +161,7 @@ class Typed {
   std::size_t at_ = 0;
 };
 
-/// The factors from one to another, as they are in the product.
+/// Returns the factors from `from` up to, but not including, `to` of a product.
 Tree factors(const Tree& whole, std::size_t from, std::size_t to) {
   Node node{Node::Kind::product, "", {}, {}, whole->children[from]->position};
   if (whole->inverse[from]) node.children.push_back(number("1")), node.inverse.push_back(false);
@@ -172,7 +172,8 @@ Tree factors(const Tree& whole, std::size_t from, std::size_t to) {
   return node.children.size() == 1 ? node.children[0] : std::make_shared<const Node>(std::move(node));
 }
 
-/// The factors of a product without units, and behind them those with units; nothing where they are mixed.
+/// Returns the factors of a product without units and those with units, which must follow; nothing if they
+/// are mixed.
 std::optional<std::pair<Tree, Tree>> number_and_unit(const Tree& tree) {
   if (tree->kind != Node::Kind::product) return {};
   const auto first = std::ranges::find_if(tree->children, has_unit), end = tree->children.end();
@@ -181,7 +182,7 @@ std::optional<std::pair<Tree, Tree>> number_and_unit(const Tree& tree) {
   return std::pair(factors(tree, 0, at), factors(tree, at, tree->children.size()));
 }
 
-/// a - b*m as (a - b)*m: a unit behind a sum without others is that of the whole.
+/// Returns (a - b)*m for a - b*m: the only unit, at the end of a sum, is that of the whole sum.
 Tree with_unit_of_whole(const Tree& tree) {
   if (tree->kind != Node::Kind::sum) return tree;
   const auto& terms = tree->children;
@@ -196,7 +197,7 @@ Tree with_unit_of_whole(const Tree& tree) {
   return product(with_child(tree, terms.size() - 1, last->first), last->second);
 }
 
-/// The tree as text, units behind blanks: "(1.5 - 1.47) m", "2.69 1/s".
+/// Returns the tree as text, with units after blanks: "(1.5 - 1.47) m", "2.69 1/s".
 std::string echo(const Tree& tree, bool is_first = true) {
   const std::string text = as_typed(print(tree, Notation::plain, unit_symbols()));
   const bool is_sum = tree->kind == Node::Kind::sum || tree->kind == Node::Kind::negative;
@@ -213,7 +214,7 @@ std::string echo(const Tree& tree, bool is_first = true) {
                : text;
 }
 
-/// A number with something behind it that is no unit: "5 apples".
+/// Refuses a number that is followed by something other than a unit: "5 apples".
 void complain_of_unit(const std::string& text) {
   const std::size_t at = text.find_first_not_of("0123456789.+-eE ");
   if (at == std::string::npos || at == 0 || !std::isalpha(static_cast<unsigned char>(text[at]))) return;
@@ -223,7 +224,7 @@ void complain_of_unit(const std::string& text) {
       "this is not a known unit; the units are m, cm, mm, s, ms, kg, N, J, rad, deg, g (gravity)");
 }
 
-/// 0,25 is refused, with the same text as it is to be written.
+/// Refuses 0,25, and says how to write it.
 void refuse_comma(const std::string& text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) return;

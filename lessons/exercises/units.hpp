@@ -15,11 +15,11 @@ struct Quantity {
   bool in_turns = false;  ///< the unit is Hz, which counts whole turns
 };
 
-/// Reads a number and a unit. Each term of a sum has its own unit, or the last term has the one of the whole
-/// sum: 1.5 - 1.47 m is 0.03 m. Throws SyntaxError where a number or a unit cannot be read, where terms have
+/// Reads a number with a unit. Each term of a sum has its own unit, or the last term has that of the whole
+/// sum: 1.5 - 1.47 m is 0.03 m. Throws SyntaxError if a number or a unit cannot be read, if terms have
 /// different units, and for 90 - 30 deg, which has two readings.
 Quantity parse_quantity(const std::string& text);
-/// Whether a text is a unit: "kg*m^2".
+/// Returns whether a text is a unit: "kg*m^2".
 bool is_unit(const std::string& text);
 
 }  // namespace rederive::classroom

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <cstdint>
 #include <derivations/decide/problem.hpp>
+#include <derivations/program/toml_table.hpp>
 #include <lessons/exercises/variants.hpp>
+#include <ranges>
 #include <regex>
 
 namespace rederive::classroom {
@@ -36,7 +38,35 @@ std::string without_brace(const std::string& text) {
   return text;
 }
 
-/// The value, to ten digits, of a formula in which names stand for what is chosen.
+/// Returns all choices of one list of `vary`: texts, or names that go together; a range gives its values.
+std::vector<Choice> cases_of(TomlTable& vary, const std::string& key) {
+  std::vector<Choice> cases;
+  for (const Choice& item : vary.alternatives(key)) {
+    std::vector<Choice> expanded(1);
+    for (const auto& [name, text] : item) {
+      if (text.find_first_of("{}") != std::string::npos)
+        throw std::runtime_error("'" + text + "' must be a text without braces");
+      const std::vector<std::string> values = values_of(text);
+      if (values.size() > 1 && expanded.size() > 1)
+        throw std::runtime_error("only one name of a table can have a range");
+      if (values.size() > 1) expanded.resize(values.size(), expanded[0]);
+      for (std::size_t k = 0; k < expanded.size(); ++k) expanded[k][name] = values[k % values.size()];
+    }
+    cases.insert(cases.end(), expanded.begin(), expanded.end());
+  }
+  if (cases.empty()) throw std::runtime_error("the list is empty");
+  const auto names = [](const Choice& one) {
+    return fmt::format("{}", fmt::join(std::views::keys(one), ", "));
+  };
+  for (const Choice& one : cases)
+    if (names(one) != names(cases.front()))
+      throw std::runtime_error(
+          fmt::format("all tables of a list must have the same names; one has {}, one {}",
+                      names(cases.front()), names(one)));
+  return cases;
+}
+
+/// Returns the value of a formula to ten digits, with the choice for its names.
 std::string value_of(const std::string& formula, const Choice& choice, const Symbols& symbols) {
   Tree tree = parse(formula, symbols);
   for (const auto& name : names_of(tree)) {
@@ -56,6 +86,23 @@ std::string value_of(const std::string& formula, const Choice& choice, const Sym
 }
 
 }  // namespace
+
+Choice chosen(TomlTable& exercise, const std::string& id, const std::string& seed) {
+  Choice choice;
+  std::optional<TomlTable> vary = exercise.table("vary");
+  if (!vary) return choice;
+  for (const std::string& key : vary->keys()) try {
+      const std::vector<Choice> cases = cases_of(*vary, key);
+      for (const auto& [name, text] : cases[picked(seed, id + "/" + key, cases.size())])
+        if (!choice.emplace(name, text).second)
+          throw std::runtime_error("another list also has the name '" + name + "'");
+    } catch (const BadInput&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      vary->fail(fmt::format("'{}' in 'vary': {}", key, error.what()), key);
+    }
+  return choice;
+}
 
 std::string filled(const std::string& text, const Choice& choice, const Symbols& symbols) {
   std::string result;

@@ -1,4 +1,4 @@
-// Variants of an exercise: other numbers, the other side, another slip, by a seed.
+// Variants of an exercise: other numbers, the other side, another slip, chosen by a seed.
 #pragma once
 
 #include <derivations/language/symbols.hpp>
@@ -6,18 +6,24 @@
 #include <string>
 #include <vector>
 
+namespace rederive {
+class TomlTable;
+}
+
 namespace rederive::classroom {
 
-/// What stands for a name in braces in the texts of an exercise.
+/// What replaces a name in braces in the texts of an exercise.
 using Choice = std::map<std::string, std::string>;
 
-/// A number below `count` that the two texts alone decide, on every machine alike (FNV-1a, of 64 bits); 0
-/// without a seed.
+/// Returns a number below `count` that depends on the two texts alone, on every machine alike (FNV-1a of 64
+/// bits); 0 without a seed.
 std::size_t picked(const std::string& seed, const std::string& list, std::size_t count);
-/// "0.6:0.9:0.1" → "0.6", "0.7", "0.8", "0.9"; any other text alone.
+/// Returns the values of a range, "0.6:0.9:0.1" → "0.6", "0.7", "0.8", "0.9"; any other text alone.
 std::vector<std::string> values_of(const std::string& text);
-/// The text with what is chosen for {name}, and with the value, to ten digits, of {2*name}. No brace is left:
-/// throws std::runtime_error, or SyntaxError, for what cannot be filled in.
+/// Chooses one entry of each list of the table `vary` of an exercise. Throws BadInput.
+Choice chosen(TomlTable& exercise, const std::string& id, const std::string& seed);
+/// Returns the text with {name} replaced by the choice, and {2*name} by its value to ten digits. Throws
+/// std::runtime_error or SyntaxError if a brace is left that cannot be filled in.
 std::string filled(const std::string& text, const Choice& choice, const Symbols& symbols);
 
 }  // namespace rederive::classroom

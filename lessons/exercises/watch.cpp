@@ -1,14 +1,15 @@
-// Watches a folder of answers: a file that changes is judged again, and one key leads on.
 #include <fmt/format.h>
 #include <poll.h>
+#include <signal.h>
+#include <sys/signalfd.h>
 #include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <derivations/program/program.hpp>
-#include <lessons/exercises/answer_file.hpp>
-#include <lessons/exercises/classroom.hpp>
+#include <lessons/exercises/judge.hpp>
+#include <lessons/exercises/show.hpp>
+#include <lessons/exercises/watch.hpp>
 #include <map>
 #include <regex>
 #include <set>
@@ -18,9 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-volatile std::sig_atomic_t interrupted = 0;
-
-/// Single keys while it lives, and the terminal as it was afterwards.
+/// Makes the terminal give single keys, and restores it at the end.
 class KeyMode {
  public:
   KeyMode() : active_(::isatty(0) != 0 && ::tcgetattr(0, &before_) == 0) {
@@ -40,7 +39,7 @@ class KeyMode {
   bool active_;
 };
 
-/// The statement as comments, and an empty place below: what a student finds in a new file.
+/// Returns what a student finds in a new file: the statement as comments, and an empty place below.
 std::string stub(const Exercise& exercise) {
   const std::string text = std::regex_replace(presentation(exercise), std::regex("\n"), "\n# ");
   return "# " + text + "Write your answer below, without a leading #.\n\n";
@@ -62,7 +61,7 @@ class Watch {
     stamps_[exercise->id] = stamp(file);
   }
 
-  /// Judges every file that changed since the last look. True if there was one.
+  /// Judges every file that changed since the last look. Returns whether there was one.
   bool look() {
     bool any = false;
     for (const auto& exercise : room_.exercises) {
@@ -78,7 +77,7 @@ class Watch {
     return name_strangers() || any;
   }
 
-  /// False when the student wants to go.
+  /// Does what a key asks for. Returns false if the student quits.
   bool key(char c) {
     if (c == 'q' || c == 4) return false;
     const std::string id = current_ == nullptr ? "" : current_->id;
@@ -108,7 +107,7 @@ class Watch {
     if (std::fflush(stdout) != 0) throw BadInput("standard output could not be written");
   }
 
-  /// Says once of each file that its name is no exercise's. True if there was a new one.
+  /// Names each file once whose name is not that of an exercise. Returns whether there was a new one.
   bool name_strangers() {
     bool any = false;
     std::error_code error;
@@ -133,14 +132,14 @@ class Watch {
   void judge_file(const Exercise& exercise, const fs::path& file) {
     const AnswerFile answer = read_answer_file(file);
     say("\n" + std::string(60, '-') + "\n" + exercise.id + "\n");
-    if (answer.trouble == "empty") return say("No answer in the file yet.\n");
+    if (answer.trouble == Trouble::empty) return say("No answer in the file yet.\n");
     const Opinion opinion =
-        answer.trouble.empty() ? judge_bounded(exercise, answer.text) : invalid(answer.trouble, answer.says);
+        answer.trouble == Trouble::none ? judge_bounded(exercise, answer.text) : refused(answer.trouble);
     Progress progress;
     if (const std::string trouble = keep(room_, exercise, opinion, answer.text, progress); !trouble.empty())
       throw BadInput(trouble);
-    say(report(room_, exercise, opinion));
-    if (opinion.verdict == "correct") say("Press n for the next exercise.\n");
+    say(report(exercise, opinion, room_.lively));
+    if (opinion.outcome == Outcome::correct) say("Press n for the next exercise.\n");
   }
 
   const Classroom& room_;
@@ -160,24 +159,26 @@ int watch(const Classroom& room, const std::string& folder, bool once) {
     if (!watcher.look()) watcher.begin(next_exercise(room, load_progress(room.progress)));
     return as_expected;
   }
-  std::signal(SIGINT, [](int) { interrupted = 1; });
+  sigset_t interrupt;
+  ::sigemptyset(&interrupt);
+  ::sigaddset(&interrupt, SIGINT);
+  ::sigprocmask(SIG_BLOCK, &interrupt, nullptr);
   const KeyMode keys;
   watcher.begin(next_exercise(room, load_progress(room.progress)));
   watcher.keys();
-  bool input_open = true;
-  while (interrupted == 0) {
-    pollfd input{input_open ? 0 : -1, POLLIN, 0};
-    ::poll(&input, 1, 200);
+  pollfd inputs[]{{0, POLLIN, 0}, {::signalfd(-1, &interrupt, SFD_CLOEXEC), POLLIN, 0}};
+  for (bool goes_on = true; goes_on;) {
+    ::poll(inputs, 2, 200);
     char c = 0;
-    if (input.revents != 0) {
-      if (::read(0, &c, 1) != 1)
-        input_open = false;
-      else if (!watcher.key(c))
-        break;
-    }
-    if (watcher.look()) watcher.keys();
+    if (inputs[1].revents != 0) break;
+    if (inputs[0].revents != 0 && ::read(0, &c, 1) != 1)
+      inputs[0].fd = -1;  // the student can no longer press keys
+    else if (inputs[0].revents != 0)
+      goes_on = watcher.key(c);
+    if (goes_on && watcher.look()) watcher.keys();
   }
-  std::fputs("Until next time.\n", stdout);
+  ::close(inputs[1].fd);
+  say("Until next time.\n");
   return as_expected;
 }
 

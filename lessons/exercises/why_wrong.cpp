@@ -1,30 +1,31 @@
-// What to say of a formula that is wrong: the first of these that is certain.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <lessons/exercises/judge.hpp>
+#include <derivations/numbers/interval.hpp>
 #include <lessons/exercises/repairs.hpp>
+#include <lessons/exercises/why_wrong.hpp>
 #include <lessons/page/prose.hpp>
 
 namespace rederive::classroom {
 namespace {
 
-/// Is the dimension of the answer wrong? Says how; nothing if it is right.
+/// Returns in which way the dimension of the answer is wrong; nothing if it is right.
 std::optional<std::string> wrong_dimension(const Prepared& prepared, const Relation& read) {
+  const Paper& paper = prepared.exercise.paper();
+  const bool is_equation = !read.operators.empty();
   const auto report =
-      read.operators.empty() ? dimension(read.sides[0], prepared.symbols) : dimension(read, prepared.symbols);
-  if (!report.consistent)
-    return "In your answer, " + marked(report.explanation, prepared.exercise.paper()) + ".";
-  if (!read.operators.empty() || !report.dimension) return {};
+      is_equation ? dimension(read, prepared.symbols) : dimension(read.sides[0], prepared.symbols);
+  if (!report.consistent) return "In your answer, " + marked(report.explanation, paper) + ".";
+  if (is_equation || !report.dimension) return {};
   const auto wanted = dimension(prepared.answer.relation.sides[0], prepared.symbols);
   if (!wanted.consistent || !wanted.dimension || *wanted.dimension == *report.dimension) return {};
   return fmt::format("Your answer has the unit {}, but it should have {}.",
-                     marked(unit_text(*report.dimension), prepared.exercise.paper()),
-                     marked(unit_text(*wanted.dimension), prepared.exercise.paper()));
+                     marked(unit_text(*report.dimension), paper),
+                     marked(unit_text(*wanted.dimension), paper));
 }
 
-/// How far apart two signatures are, in proportion to the second.
+/// Returns the largest relative difference of two signatures.
 double distance(const Signature& left, const Signature& right) {
   double error = 0;
   for (std::size_t i = 0; i < left.size(); ++i)
@@ -32,7 +33,7 @@ double distance(const Signature& left, const Signature& right) {
   return error;
 }
 
-/// The answer and the right one at points whose angles (or rotations alone) shrink.
+/// The answer and the right one at points whose angles, or rotations alone, shrink.
 class SmallAngles {
  public:
   SmallAngles(const Prepared& prepared, const Relation& read, bool rotations_only)
@@ -46,8 +47,9 @@ class SmallAngles {
     names_.merge(names_of(right_));
   }
 
-  /// Does the answer approach the right one? Compared is what the angles change, so that 1 + wrong*alpha^2 is
-  /// not taken for 1 + right*alpha^2, nor 1 for it; without a value at 0 the answer is compared whole.
+  /// Returns whether the answer approaches the right one. What the angles change is compared, so that
+  /// 1 + wrong*alpha^2 is not taken for 1 + right*alpha^2, nor is 1; without a value at 0, the whole answers
+  /// are.
   bool agree() const {
     const auto mine_at_zero = at(mine_, 0), right_at_zero = at(right_, 0);
     double before = 1;
@@ -65,7 +67,7 @@ class SmallAngles {
     return !mine_at_zero || !right_at_zero || alike(*mine_at_zero, *right_at_zero);
   }
 
-  /// Is the right answer linear in the angles? Then it is the other one that was not linearised.
+  /// Returns whether the right answer is linear in the angles. Then the other one was not linearised.
   bool right_is_linear() const {
     const auto none = at(right_, 0), half = at(right_, cln::cl_RA(1) / 2), whole = at(right_, 1);
     if (!none || !half || !whole || alike(*none, *whole)) return false;
@@ -87,17 +89,15 @@ class SmallAngles {
   std::set<std::string> names_;
 };
 
-std::optional<Opinion> by_roads(const Prepared& prepared, const Relation& read, const Signature& mine,
-                                const Opinion& start) {
-  for (const auto& road : prepared.roads) {
-    if (!road.signature || !alike(mine, *road.signature)) continue;
-    if (!is_right(proof_of(prepared, read, road.relation).verdict)) continue;
-    return found(start, road.verdict, road.note, road.says, road.verdict == "correct_if" ? 0.5 : 0);
-  }
+std::optional<Opinion> by_roads(const Prepared& prepared, const Relation& read, const Signature& mine) {
+  for (const auto& road : prepared.roads)
+    if (road.signature && alike(mine, *road.signature) &&
+        is_right(proof_of(prepared, read, road.relation).verdict))
+      return road.opinion;
   return {};
 }
 
-/// Which symbols that an answer may use the first statement has and the second has not.
+/// Returns the symbols of the first statement that the second one does not have.
 std::vector<std::string> symbols_missing(const Prepared& prepared, const Relation& first,
                                          const Relation& second) {
   const auto names = names_of(put_in(first, prepared.answer.given, prepared.symbols)),
@@ -107,73 +107,174 @@ std::vector<std::string> symbols_missing(const Prepared& prepared, const Relatio
   return missing;
 }
 
-/// What the answer depends on, against what it should depend on.
-std::optional<Opinion> for_symbols(const Prepared& prepared, const Relation& read, const Opinion& start) {
+/// Compares what the answer depends on with what it should depend on.
+std::optional<Opinion> for_symbols(const Prepared& prepared, const Relation& read) {
   const Relation& right = prepared.answer.relation;
-  for (const bool is_missing : {true, false}) {
-    std::vector<std::string> names =
-        is_missing ? symbols_missing(prepared, right, read) : symbols_missing(prepared, read, right);
+  for (const Slip slip : {Slip::missing_symbol, Slip::extra_symbol}) {
+    std::vector<std::string> names = slip == Slip::missing_symbol ? symbols_missing(prepared, right, read)
+                                                                  : symbols_missing(prepared, read, right);
     if (names.empty()) continue;
     const auto& known = prepared.exercise.symbols;
     std::erase_if(names, [&](const auto& name) { return std::ranges::find(known, name) == known.end(); });
     const std::string list = joined(names, ", ", [](const auto& name) { return "$" + name + "$"; });
-    const std::string note = is_missing ? "missing_symbol" : "extra_symbol";
-    const std::string says = slip_words("answer", note);
-    return found(start, "wrong", note, fmt::format(fmt::runtime(says), list.empty() ? "" : ": " + list), 0);
+    const std::string says = slip_words(SlipTable::answer, slip);
+    return wrong_answer(slip, fmt::format(fmt::runtime(says), list.empty() ? "" : ": " + list));
   }
   return {};
 }
 
-std::optional<Opinion> for_small_angles(const Prepared& prepared, const Relation& read,
-                                        const Opinion& start) {
+std::optional<Opinion> for_small_angles(const Prepared& prepared, const Relation& read) {
   for (const bool rotations_only : {false, true}) {
     const SmallAngles angles(prepared, read, rotations_only);
     if (!angles.agree()) continue;
-    return angles.right_is_linear()
-               ? found(start, "wrong", "not_linear", slip_words("answer", "not_linear"), 0)
-               : found(start, "correct_if", "small_angle", slip_words("answer", "small_angle"), 0.5);
+    if (angles.right_is_linear()) return wrong_answer(Slip::not_linear);
+    Opinion opinion = wrong_answer(Slip::small_angle);
+    opinion.outcome = Outcome::correct_if;
+    opinion.score = 0.5;
+    return opinion;
   }
   return {};
+}
+
+/// Looks for the one part of a wrong answer whose change makes it right.
+std::optional<Repair> repair_of(const Prepared& prepared, const Relation& read) {
+  std::vector<Relation> forms{prepared.answer.relation};
+  for (const auto& text : prepared.exercise.equivalents)
+    forms.push_back(parse_statement(text, prepared.symbols));
+  return repaired(read, forms, *prepared.sieve, prepared.exercise, [&](const Repair& repair) {
+    return is_right(proof_of(prepared, repair.relation, prepared.answer.relation).verdict);
+  });
 }
 
 }  // namespace
 
-Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::optional<Signature>& mine,
-                  const Opinion& start) {
+Opinion why_wrong(const Prepared& prepared, const Relation& read, const std::optional<Signature>& mine) {
   if (mine)
-    if (auto opinion = by_roads(prepared, read, *mine, start)) return *opinion;
-  const auto is_mended = [&](const Repair& repair) {
-    return is_right(proof_of(prepared, repair.relation, prepared.answer.relation).verdict);
-  };
+    if (const auto opinion = by_roads(prepared, read, *mine)) return *opinion;
   const bool is_alike = mine && prepared.signature && alike(*mine, *prepared.signature);
   const bool differs = mine && prepared.signature && !is_alike;  // beyond doubt
   const bool agrees =
       !differs && prepared.sieve && !prepared.sieve->is_empty() && prepared.sieve->passes(read);
-  std::vector<Relation> forms{prepared.answer.relation};
-  for (const auto& text : prepared.exercise.equivalents)
-    forms.push_back(parse_statement(text, prepared.symbols));
-  const auto repair = prepared.sieve && !agrees
-                          ? repaired(read, forms, *prepared.sieve, prepared.exercise, is_mended)
-                          : std::nullopt;
-  if (const auto why = wrong_dimension(prepared, read))
-    return found(start, "wrong", "dimension",
-                 slip_words("answer", "dimension") + " " + *why +
-                     (repair && repair->part != nullptr && repair->part->kind != Node::Kind::number
-                          ? " Look at $" + print(repair->part) + "$."
-                          : ""),
-                 0);
-  if (repair && repair->note == "taken_away")
-    if (auto opinion = for_symbols(prepared, read, start); opinion && opinion->note == "missing_symbol")
+  const auto repair = prepared.sieve && !agrees ? repair_of(prepared, read) : std::nullopt;
+  if (const auto why = wrong_dimension(prepared, read)) {
+    const bool has_part = repair && repair->part != nullptr && repair->part->kind != Node::Kind::number;
+    return wrong_answer(Slip::dimension, slip_words(SlipTable::answer, Slip::dimension) + " " + *why +
+                                             (has_part ? " Look at $" + print(repair->part) + "$." : ""));
+  }
+  if (repair && repair->slip == Slip::taken_away)
+    if (const auto opinion = for_symbols(prepared, read);
+        opinion && opinion->note.slip == Slip::missing_symbol)
       return *opinion;
-  if (repair) return found(start, "wrong", repair->note, in_words(*repair), 0);
+  if (repair) return wrong_answer(repair->slip, in_words(*repair));
   if (!is_alike)
-    if (auto opinion = for_small_angles(prepared, read, start)) return *opinion;
-  if (auto opinion = for_symbols(prepared, read, start)) return *opinion;
-  const std::string note = agrees || is_alike ? "not_everywhere" : "other";
-  Opinion opinion = found(start, "wrong", note, slip_words("answer", note), 0);
+    if (const auto opinion = for_small_angles(prepared, read)) return *opinion;
+  if (const auto opinion = for_symbols(prepared, read)) return *opinion;
+  Opinion opinion = wrong_answer(agrees || is_alike ? Slip::not_everywhere : Slip::other);
   opinion.witness = by_hand(prepared, read);
   if (opinion.witness) opinion.feedback += " Try it at one point, by hand:";
   return opinion;
+}
+
+namespace {
+
+/// Returns the k-th small number in the range of a symbol, with one or two digits; for an angle, tenths.
+cln::cl_RA small_number(const Symbol& symbol, int k) {
+  const Interval range = parse_range(symbol.range);
+  const auto value = [](const End& end) { return end.ball(64).to_double(); };
+  const bool is_negative = range.is_nonpositive(),
+             is_angle = symbol.name.starts_with("theta") && symbol.unit == "1";
+  const End &near = is_negative ? range.high : range.low, &far = is_negative ? range.low : range.high;
+  const double low = near.infinite != 0 ? 0 : std::max(0.0, is_negative ? -value(near) : value(near)),
+               high = far.infinite != 0 ? low + 1 : std::abs(value(far));
+  const int first = static_cast<int>(10 * low) + 1, count = static_cast<int>(10 * high - 1e-9) - first + 1;
+  const bool is_open = far.infinite != 0 && !is_angle;
+  const cln::cl_RA size = is_open ? cln::cl_RA(static_cast<int>(low) + 1 + k % 9)
+                                  : cln::cl_RA(first + k % std::max(count, 1)) / 10;
+  return is_negative ? -size : size;
+}
+
+/// Returns the value of an expression, or the one that an equation gives to the pivot; 1/0 if the equation is
+/// not linear in the pivot.
+Tree value_of(const Relation& statement, const std::string& pivot, const Point& point) {
+  if (statement.operators.empty()) return statement.sides[0];
+  const Tree residual = difference(statement.sides[0], statement.sides[1]);
+  const Tree at_0 = rederive::put_in(residual, pivot, number("0")),
+             at_1 = rederive::put_in(residual, pivot, number("1")),
+             at_2 = rederive::put_in(residual, pivot, number("2"));
+  const Tree bend = sum(at_0, sum(at_2, product(number("2"), at_1), true));
+  const Sign bent = sign_at(bend, number("0"), point);
+  const bool is_linear = bent == Sign::zero || bent == Sign::unknown;
+  return product(at_0, is_linear ? difference(at_0, at_1) : number("0"), true);
+}
+
+/// Gives a symbol a value that solves the equation, between two tenths. Returns false if there is none.
+bool solve_on_the_way(const Relation& equation, const Symbol& symbol, Point& point) {
+  const Tree residual = difference(equation.sides[0], equation.sides[1]);
+  const auto sign = [&](const cln::cl_RA& x) {
+    point.insert_or_assign(symbol.name, Number(x));
+    return sign_at(residual, number("0"), point);
+  };
+  for (int tenth = 1; tenth < 14; ++tenth) {
+    const cln::cl_RA low = cln::cl_RA(tenth) / 10, high = cln::cl_RA(tenth + 1) / 10;
+    const Sign before = sign(low), after = sign(high);
+    if (before == after || before > Sign::positive || after > Sign::positive) continue;
+    Tree plain = residual;
+    for (const auto& [name, value] : point)
+      if (name != symbol.name) plain = rederive::put_in(plain, name, (*value).tree);
+    point.insert_or_assign(symbol.name, Number(plain, symbol.name, low, high));
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<Witness> by_hand(const Prepared& prepared, const Relation& read) {
+  const auto& given = prepared.answer.given;
+  const std::string& pivot = prepared.exercise.pivot;
+  const Relation mine = put_in(read, given, prepared.symbols),
+                 right = put_in(prepared.answer.relation, given, prepared.symbols);
+  std::set<std::string> names = names_of(mine), typed = names_of(read);
+  names.merge(names_of(right));
+  typed.merge(names_of(prepared.answer.relation));
+  std::vector<Relation> assumed;  // of all symbols but the pivot, whose value is looked at afterwards
+  for (const auto& relation : prepared.assumed) {
+    std::set<std::string> used = names_of(relation);
+    if (used.contains(pivot)) continue;
+    assumed.push_back(relation);
+    names.merge(used);
+  }
+  const bool is_equation = !read.operators.empty();
+  for (int attempt = 0, tried = 0; attempt < 300 && tried < 40; ++attempt) {
+    Point point;
+    int k = 3 * attempt;
+    for (const auto& name : names)
+      if (name != pivot)
+        point.insert_or_assign(
+            name, Number(tree_of({small_number(*prepared.symbols.find(name), k += 2 + attempt % 3)})));
+    if (!hold_at(assumed, point)) continue;
+    ++tried;
+    const bool solves = is_equation && pivot.empty();
+    const std::string& unknown = *std::next(names.rbegin(), attempt % static_cast<int>(names.size()));
+    if (solves && !solve_on_the_way(right, *prepared.symbols.find(unknown), point)) continue;
+    const auto value = [&](const Relation& statement) {
+      return solves ? digits_at(difference(statement.sides[0], statement.sides[1]), point, 6)
+                    : digits_at(value_of(statement, pivot, point), point, 6);
+    };
+    const auto a = value(mine), b = solves ? std::optional<std::string>("0") : value(right);
+    if (!a || !b || *a == *b) continue;
+    if (is_equation && !solves && !lies_in(*prepared.symbols.find(pivot), std::stod(*b))) continue;
+    const bool is_plain = a->find('e') == std::string::npos && b->find('e') == std::string::npos;
+    if (!is_plain && tried < 30) continue;  // cosh(35) tells nobody anything
+    Witness witness;
+    for (const auto& name : typed)
+      if (name != pivot)
+        witness.at[name] =
+            digits_at(put_in(parse(name, prepared.symbols), given, prepared.symbols), point, 6).value_or("");
+    witness.printed = *a, witness.derived = *b;
+    return witness;
+  }
+  return {};
 }
 
 }  // namespace rederive::classroom

@@ -1,40 +1,39 @@
-// A working: a chain of lines, each of which must follow from the one before; the last one is the answer.
-//
-// A line is an equation, a chain a = b = c, or an expression, alone or behind a = sign. In an exercise that
-// asks for an expression a line is an equation if it holds the quantity that is asked for: of y_c = a = b
-// each side is compared with the one before. In brackets behind a line stands what is assumed there: [theta >
-// 0, u_gddot = 0], or [small alpha, theta], by which a step need hold to first order only.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <derivations/paper/prove.hpp>
 #include <derivations/program/program.hpp>
 #include <lessons/exercises/judge.hpp>
+#include <lessons/exercises/judge_formula.hpp>
 #include <lessons/exercises/units.hpp>
+#include <lessons/exercises/why_wrong.hpp>
+#include <lessons/exercises/working.hpp>
+#include <lessons/page/prose.hpp>
 
 namespace rederive::classroom {
 namespace {
 
-/// What one link of a line says.
+/// One link of a line.
 struct Step {
   int line = 0;
   std::string text;
   Relation says;                   ///< an equation, or an expression
   std::vector<Relation> assumed;   ///< for this step
   std::vector<std::string> small;  ///< symbols, to first order in which it is to hold
+
+  bool is_under_assumptions() const { return !assumed.empty() || !small.empty(); }
 };
 
-/// The line without what stands in brackets; that is read into the step, each part where it stands.
+/// Reads what is in brackets into the step, each part at its place, and returns the line without it.
 std::string without_brackets(std::string text, const Symbols& symbols, Step& step) {
   const std::size_t from = text.find('[');
   if (from == std::string::npos) return text;
   if (text.back() != ']')
     throw SyntaxError("syntax", from, "an assumption must end with ], at the end of the line");
-  const std::string small = "small ";
-  std::size_t at = text.find_first_not_of(' ', from + 1);
-  const bool is_small = text.compare(at, small.size(), small) == 0;
-  for (at = is_small ? at + small.size() : from + 1; at < text.size();
+  constexpr std::string_view small = "small ";
+  const std::size_t first = text.find_first_not_of(' ', from + 1);
+  const bool is_small = text.compare(first, small.size(), small) == 0;
+  for (std::size_t at = is_small ? first + small.size() : from + 1; at < text.size();
        at = text.find_first_of(",]", at) + 1) {
     const std::size_t end = text.find_first_of(",]", at);
     const Relation part = parse_statement(std::string(at, ' ') + text.substr(at, end - at), symbols);
@@ -78,14 +77,14 @@ void read_line(const Exercise& exercise, int number, const std::string& typed, s
   }
 }
 
-/// "y_c = a" as a, where y_c is what is asked for.
+/// Returns a for "y_c = a", if y_c is what is asked for.
 Relation as_value(const Exercise& exercise, const Relation& says) {
   const bool is_named =
       exercise.kind == Kind::expression && !says.operators.empty() && is_asked_for(exercise, says.sides[0]);
   return is_named ? Relation{{says.sides[1]}, {}} : says;
 }
 
-/// The two as statements of one kind: expressions, else equations.
+/// Returns what two steps say as statements of one kind: as expressions if possible, else as equations.
 std::pair<Relation, Relation> of_one_kind(const Exercise& exercise, const Step& before, const Step& after) {
   std::pair<Relation, Relation> both{as_value(exercise, before.says), as_value(exercise, after.says)};
   if (both.first.operators == both.second.operators) return both;
@@ -94,43 +93,49 @@ std::pair<Relation, Relation> of_one_kind(const Exercise& exercise, const Step& 
   return both;
 }
 
+/// Decides a step that holds under its assumptions; nothing if it does not.
+std::optional<Opinion> judge_assumed(const Prepared& step, const Step& after, const Relation& first,
+                                     const Relation& second) {
+  std::vector<Relation> assumed = step.assumed;
+  assumed.insert(assumed.end(), after.assumed.begin(), after.assumed.end());
+  if (contradict(assumed, step.symbols))
+    return invalid(Slip::assumption,
+                   "No numbers in the ranges of the symbols satisfy all that is assumed here.");
+  const auto& given = step.answer.given;
+  const Proof proof = after.small.empty()
+                          ? decide(second, first, step.symbols, given, assumed)
+                          : decide_to_order(second, first, after.small, 1, step.symbols, given, assumed);
+  if (is_right(proof.verdict) || proof.verdict == Verdict::approximation) return right_answer();
+  if (proof.verdict == Verdict::undecided) return undecided(proof.reason);
+  return {};
+}
+
 Opinion judge_step(const Prepared& whole, const Step& before, const Step& after) {
   const auto [first, second] = of_one_kind(whole.exercise, before, after);
   const Prepared step = prepare_step(whole, first, second);
-  if (!after.assumed.empty() || !after.small.empty()) {
-    std::vector<Relation> assumed = step.assumed;
-    assumed.insert(assumed.end(), after.assumed.begin(), after.assumed.end());
-    if (contradict(assumed, step.symbols))
-      return invalid("assumption",
-                     "No numbers in the ranges of the symbols satisfy all that is assumed here.");
-    const auto& given = step.answer.given;
-    const Proof proof = after.small.empty()
-                            ? decide(second, first, step.symbols, given, assumed)
-                            : decide_to_order(second, first, after.small, 1, step.symbols, given, assumed);
-    if (is_right(proof.verdict) || proof.verdict == Verdict::approximation)
-      return found({}, "correct", "correct", "Right.", 1);
-    if (proof.verdict == Verdict::undecided)
-      return found({}, "undecided", "undecided", "This could not be decided: " + proof.reason, 0);
-  }
+  if (after.is_under_assumptions())
+    if (const auto opinion = judge_assumed(step, after, first, second)) return *opinion;
   Opinion opinion;
   try {
     opinion = judge_formula(step, second);
   } catch (const SyntaxError& error) {
     return invalid(error, after.text);
   }
-  if (opinion.note == "small_angle" || opinion.note == "not_linear")
-    opinion.feedback =
-        "It does for small angles only: say so at the end of the line, as in [small alpha, theta].";
   if (exit_code(opinion) == 1 && !opinion.witness) opinion.witness = by_hand(step, second);
   if (exit_code(opinion) == 1 && !opinion.witness && first.operators.empty())
     opinion.witness = proof_of(step, second, first).witness;
-  if (opinion.note == "other")
+  const Slip slip = opinion.note.slip;
+  if (slip == Slip::small_angle || slip == Slip::not_linear)
+    opinion.feedback =
+        "It does for small angles only: say so at the end of the line, as in [small alpha, theta].";
+  if (slip == Slip::other)
     opinion.feedback = std::string("It is none of the usual slips.") +
                        (opinion.witness ? " Try both at one point, by hand:" : "");
   return opinion;
 }
 
-/// What a side of a line is worth in base units: a number with a unit, or a formula of symbols with values.
+/// Returns the value of a side of a line in base units: of a number with a unit, or of a formula whose
+/// symbols have the values in `known`.
 double side_value(const std::string& text, std::size_t from, std::size_t end, const RoughPoint& known,
                   const Symbols& symbols) {
   const std::string side = text.substr(from, end - from);
@@ -141,8 +146,8 @@ double side_value(const std::string& text, std::size_t from, std::size_t end, co
   }
 }
 
-/// A line of a working of a number: a chain a = b = c that is true to three digits with the values that are
-/// known. A symbol that has none before gets the value that it is first said to have.
+/// Judges a line of a working of a number: a chain a = b = c that must be true to three digits with the
+/// values in `known`. A symbol without a value there gets the first one that a line states.
 Opinion judge_chain(const std::string& text, RoughPoint& known, const Symbols& symbols) {
   std::optional<double> before;
   std::string unknown;
@@ -156,17 +161,16 @@ Opinion judge_chain(const std::string& text, RoughPoint& known, const Symbols& s
       throw SyntaxError("not_real", from, "this has no value, or it contains a symbol without a value");
     if (!unknown.empty()) known[std::exchange(unknown, "")] = value;
     if (before && !(std::abs(value - *before) <= 0.006 * std::abs(*before)))
-      return found({}, "wrong", "other",
-                   fmt::format("{} is {:.4g}, but the part before it is {:.4g}, with the numbers "
-                               "of the exercise.",
-                               trimmed(text.substr(from, end - from)), value, *before),
-                   0);
+      return wrong_answer(
+          Slip::other, fmt::format("{} is {:.4g}, but the part before it is {:.4g}, with the numbers of the "
+                                   "exercise.",
+                                   trimmed(text.substr(from, end - from)), value, *before));
     before = value;
   }
-  return found({}, "correct", "correct", "Right.", 1);
+  return right_answer();
 }
 
-/// Chains that are all true, and the last side of the last is the answer.
+/// Judges chains that must all be true; the last side of the last one is the answer.
 Opinion judge_chains(const Prepared& whole, const std::vector<std::pair<int, std::string>>& lines,
                      const std::string& answer) {
   RoughPoint known;
@@ -179,12 +183,69 @@ Opinion judge_chains(const Prepared& whole, const std::vector<std::pair<int, std
       opinion = invalid(error, text);
     }
     opinion.line = number;
-    if (opinion.verdict != "correct") return opinion;
+    if (opinion.outcome != Outcome::correct) return opinion;
   }
   Opinion opinion = judge_answer(whole, answer);
   if (exit_code(opinion) == 1 && lines.size() > 1)
     opinion.feedback = "Each line is true, but the last is not the answer. " + opinion.feedback;
   return opinion;
+}
+
+/// Reads all lines as steps. The opinion is that of the first line that cannot be read.
+std::optional<Opinion> read_lines(const Exercise& exercise,
+                                  const std::vector<std::pair<int, std::string>>& lines,
+                                  std::vector<Step>& steps) {
+  constexpr std::size_t most = 40;
+  for (const auto& [number, text] : lines) {
+    std::optional<Opinion> refused;
+    try {
+      const std::size_t before = steps.size();
+      read_line(exercise, number, text, steps);
+      for (std::size_t k = before; k < steps.size(); ++k)
+        for (const auto& side : steps[k].says.sides)
+          lower(side, exercise.language());  // refuses what is undefined, such as R/0
+    } catch (const SyntaxError& error) {
+      refused = invalid(error, text);
+    }
+    if (!refused && steps.size() > most)
+      refused = invalid({"too_long"}, fmt::format("A working may have at most {} steps.", most));
+    if (!refused) continue;
+    refused->line = number;
+    return refused;
+  }
+  return {};
+}
+
+/// Judges the steps into `result`. Returns false if its opinion is about one of them: the first that is
+/// wrong, else the first that could not be decided.
+bool judge_steps(const Exercise& exercise, const std::vector<Step>& steps, Working& result) {
+  const Prepared whole = prepare(exercise);
+  bool is_decided = true;
+  for (std::size_t k = 1; k < steps.size(); ++k) {
+    const Step &before = steps[k - 1], &after = steps[k];
+    Opinion opinion = bounded([&] { return judge_step(whole, before, after); });
+    opinion.line = after.line;
+    const std::string from =
+        before.line == after.line ? "the part before it" : fmt::format("line {}", before.line);
+    if (opinion.outcome == Outcome::correct || opinion.outcome == Outcome::wrong_form) continue;
+    if (opinion.outcome == Outcome::undecided) {
+      opinion.feedback = fmt::format("Does it follow from {}? {}", from, opinion.feedback);
+      if (is_decided) result.opinion = opinion;
+      is_decided = false;
+      continue;
+    }
+    if (exit_code(opinion) == 1)
+      opinion.feedback = fmt::format("It does not follow from {}. {}", from, opinion.feedback);
+    if (opinion.outcome == Outcome::correct_if) {
+      opinion.outcome = Outcome::wrong;
+      opinion.score = 0;
+    }
+    const auto [first, second] = of_one_kind(exercise, before, after);
+    result.about = step_of(exercise, first, second);
+    result.opinion = opinion;
+    return false;
+  }
+  return is_decided;
 }
 
 }  // namespace
@@ -196,66 +257,28 @@ Working judge_working(const Exercise& exercise, const std::vector<std::pair<int,
       const std::string answer = trimmed(last.substr(last.rfind('=') + 1));
       return {bounded([&] { return judge_chains(whole, lines, answer); }), answer, exercise};
     }
-  if (exercise.kind != Kind::expression && exercise.kind != Kind::equation)
+  if (!exercise.asks_for_formula())
     throw BadInput(
         fmt::format("'{0}' does not ask for a formula, so its working cannot be followed. Judge its answer "
                     "alone with exercises check {0} ANSWER",
                     exercise.id));
-  constexpr std::size_t most = 40;
   Working result{{}, lines.back().second, exercise};
   std::vector<Step> steps;
-  for (const auto& [number, text] : lines) {
-    const auto refused = [&, number = number](const Opinion& opinion) {
-      result.opinion = opinion;
-      result.opinion.line = number;
-      return result;
-    };
-    try {
-      const std::size_t before = steps.size();
-      read_line(exercise, number, text, steps);
-      for (std::size_t k = before; k < steps.size(); ++k)
-        for (const auto& side : steps[k].says.sides)
-          lower(side, exercise.language());  // refuses what is undefined, such as R/0
-    } catch (const SyntaxError& error) {
-      return refused(invalid(error, text));
-    }
-    if (steps.size() > most)
-      return refused(invalid("too_long", fmt::format("A working may have at most {} steps.", most)));
-  }
-  const Relation last = as_value(exercise, steps.back().says);
-  result.answer = last.operators.empty() ? print(last.sides[0]) : print(last);
-  const Prepared whole = prepare(exercise);
-  std::optional<Opinion> open;  // the first step that could not be decided
-  bool is_exact = true;
-  for (std::size_t k = 1; k < steps.size(); ++k) {
-    const Step &before = steps[k - 1], &after = steps[k];
-    is_exact = is_exact && after.assumed.empty() && after.small.empty();
-    Opinion opinion = bounded([&] { return judge_step(whole, before, after); });
-    opinion.line = after.line;
-    const std::string from =
-        before.line == after.line ? "the part before it" : fmt::format("line {}", before.line);
-    if (opinion.verdict == "correct" || opinion.verdict == "wrong_form") continue;
-    if (opinion.verdict == "undecided") {
-      opinion.feedback = fmt::format("Does it follow from {}? {}", from, opinion.feedback);
-      if (!open) open = opinion;
-      continue;
-    }
-    if (exit_code(opinion) == 1)
-      opinion.feedback = fmt::format("It does not follow from {}. {}", from, opinion.feedback);
-    if (opinion.verdict == "correct_if") opinion.verdict = "wrong", opinion.score = 0;
-    const auto [first, second] = of_one_kind(exercise, before, after);
-    result.about = as_exercise(exercise, first, second);
-    result.opinion = opinion;
+  if (const auto refused = read_lines(exercise, lines, steps)) {
+    result.opinion = *refused;
     return result;
   }
-  if (open) return {*open, result.answer, exercise};
+  result.answer = print_statement(as_value(exercise, steps.back().says), Notation::plain, {});
+  if (!judge_steps(exercise, steps, result)) return result;
   Opinion& opinion = result.opinion = judge_bounded(exercise, result.answer);
-  if (opinion.verdict == "correct")
+  const bool is_exact = std::none_of(steps.begin() + 1, steps.end(),
+                                     [](const Step& step) { return step.is_under_assumptions(); });
+  if (opinion.outcome == Outcome::correct)
     opinion.feedback = "Right, and each line follows from the one before.";
   else if (steps.size() > 1)
     opinion.feedback =
         std::string("Each line follows from the one before, but the last is not the answer") +
-        (is_exact && opinion.verdict == "wrong" ? ", and so the first is wrong already. " : ". ") +
+        (is_exact && opinion.outcome == Outcome::wrong ? ", and so the first is wrong already. " : ". ") +
         opinion.feedback;
   return result;
 }

@@ -12,7 +12,10 @@
 //   … --seed S                         the same for the variant of that seed
 #include <algorithm>
 #include <derivations/program/command_line.hpp>
-#include <lessons/exercises/classroom.hpp>
+#include <lessons/exercises/grade.hpp>
+#include <lessons/exercises/selftest.hpp>
+#include <lessons/exercises/serve.hpp>
+#include <lessons/exercises/watch.hpp>
 #include <lessons/rocking_block/course.hpp>
 
 using namespace rederive;
@@ -130,9 +133,9 @@ void declare(CLI::App& app, Typed& given) {
       ->check(whole_number)
       ->check(CLI::Range(1, 64));
   grade->add_flag(
-      "--variants", given.grade.variants,
+      "--variants", given.grade.collecting.variants,
       "Judge each student by the variants of the folder's name; with --seed S, of S and the name, 'Sname'.");
-  grade->add_flag("--missing", given.grade.missing,
+  grade->add_flag("--missing", given.grade.collecting.missing,
                   "Write a row also for each answer that was not handed in.");
   with_json(app.add_subcommand("selftest", "Prove that the exercise set is sound."), given);
 }
@@ -145,7 +148,7 @@ int run(const CLI::App& app, const Typed& given) {
   const Course& course = rocking_block::course();
   const Classroom room{course, read_exercises(course, exercises_folder(), seed), progress, given.json,
                        is_lively(1)};
-  (void)slip_words("answer", "");  // what is wrong with their file is said at once
+  read_slip_words();  // what is wrong with their file is said at once
   if (app.got_subcommand("list")) return list(room);
   if (app.got_subcommand("show")) return show(room, given.id);
   if (app.got_subcommand("hint")) return hint(room, given.id);
@@ -155,7 +158,7 @@ int run(const CLI::App& app, const Typed& given) {
   if (app.got_subcommand("watch")) return watch(room, given.folder, given.once);
   if (app.got_subcommand("grade")) {
     GradeFlags flags = given.grade;
-    flags.seed = given.seed;
+    flags.collecting.seed = given.seed;
     return grade(room, flags);
   }
   if (app.got_subcommand("selftest")) return selftest(room);

@@ -1,5 +1,4 @@
 // Answer files of students: a letter for the exercise, then the file as it was handed in.
-#include <lessons/exercises/answer_file.hpp>
 #include <lessons/exercises/judge.hpp>
 #include <lessons/rocking_block/course.hpp>
 #include <tests/fuzz/fuzz.hpp>
@@ -23,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0 || data[0] < 'a' || data[0] >= 'a' + exercises.size()) return -1;
   const fuzz::File file(fuzz::text_of(data + 1, size - 1));
   const AnswerFile answer = read_answer_file(file.name());
-  if (answer.trouble.empty())
-    fuzz::must(!judge_answer(exercises[data[0] - 'a'], answer.text).verdict.empty(), "no verdict");
+  if (answer.trouble == Trouble::none)
+    fuzz::must(!judge_answer(exercises[data[0] - 'a'], answer.text).note.word.empty(), "no note");
   return 0;
 }

@@ -3,7 +3,7 @@
 #include <derivations/program/program.hpp>
 #include <filesystem>
 #include <fstream>
-#include <lessons/exercises/judge.hpp>
+#include <lessons/exercises/prepared.hpp>
 #include <lessons/rocking_block/course.hpp>
 #include <tests/fuzz/fuzz.hpp>
 

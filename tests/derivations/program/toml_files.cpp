@@ -4,7 +4,7 @@
 #include <derivations/paper/ledger.hpp>
 #include <derivations/program/toml_table.hpp>
 #include <lessons/exercises/exercise.hpp>
-#include <lessons/exercises/judge.hpp>
+#include <lessons/exercises/prepared.hpp>
 #include <lessons/ledger/claims.hpp>
 #include <lessons/ledger/prove_table.hpp>
 #include <lessons/rocking_block/claims.hpp>

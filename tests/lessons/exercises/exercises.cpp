@@ -3,33 +3,11 @@
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
-#include <nlohmann/json.hpp>
-#include <tests/run_program.hpp>
+#include "classroom.hpp"
 
+using namespace rederive::classroom;
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-namespace {
-
-/// One student's own progress file.
-struct Desk {
-  TemporaryFolder folder;
-  fs::path progress = folder.path / "state" / "progress.txt";
-  Result run(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), {"--progress", progress.string()});
-    return run_program("exercises", arguments);
-  }
-  json judged(const std::string& id, const std::string& answer) const {
-    return json::parse(run({"check", id, "--json", "--", answer}).out);
-  }
-};
-
-void write(const fs::path& path, const std::string& text) {
-  fs::create_directories(path.parent_path());
-  std::ofstream(path, std::ios::binary) << text;
-}
-
-}  // namespace
 
 TEST_CASE("the exercise set is sound") {
   const Result result = run_program("exercises", {"selftest", "--json"});
@@ -97,12 +75,12 @@ TEST_CASE("what cannot be read is explained with a caret and costs nothing") {
   const Desk desk;
   const Result result = desk.run({"check", "height-of-centre", "R*(cos(alpha)"});
   CHECK(result.exit_code == 2);
-  CHECK(result.out.find("\n    ^") != std::string::npos);
+  CHECK(has(result.out, "\n    ^"));
   for (const auto* hostile : {"1e999999999", "((((((((((", "R^R^R^R^R^999", "1/0", "", "?", "R R", "sin",
                               "\xff\xfe", "R; rm -rf /"})
     CHECK_MESSAGE(desk.run({"check", "height-of-centre", "--", hostile}).exit_code == 2, hostile);
   CHECK(desk.run({"check", "first-lift", "--", std::string(60'000, 'm')}).exit_code == 2);
-  const auto listed = json::parse(desk.run({"list", "--json"}).out);
+  const auto listed = desk.json_of({"list"});
   CHECK(listed["exercises"][0]["attempts"] == 0);
 }
 
@@ -112,8 +90,7 @@ TEST_CASE("exit codes are those of the contract") {
   CHECK(desk.run({"check", "restitution", "cos(2*alpha)"}).exit_code == 1);
   CHECK(desk.run({"check", "no-such-exercise", "1"}).exit_code == 2);
   CHECK(desk.run({"check", "restitution"}).exit_code == 2);
-  CHECK(desk.run({"check", "restitution", "--file", "/no/such/file"}).err.find("/no/such/file") !=
-        std::string::npos);
+  CHECK(has(desk.run({"check", "restitution", "--file", "/no/such/file"}).err, "/no/such/file"));
   CHECK(desk.run({"no-such-command"}).exit_code == 2);
   CHECK(desk.run({"grade", "/no/such/folder"}).exit_code == 2);
 }
@@ -129,18 +106,18 @@ TEST_CASE("hints come one by one, the solution only when it is due, and reset ke
   desk.run({"check", "restitution", "1 - 3/2*sin(alpha)^2"});
   const Result solved = desk.run({"solution", "restitution"});
   CHECK(solved.exit_code == 0);
-  CHECK(solved.out.find("How it comes about") != std::string::npos);
+  CHECK(has(solved.out, "How it comes about"));
   CHECK(desk.run({"solution", "strike-velocity", "--give-up"}).exit_code == 0);
   desk.run({"reset", "restitution"});
   const std::string kept = read_file(desk.progress);
-  CHECK(kept.find("old\trestitution\t1 - 3/2*sin(alpha)^2") != std::string::npos);
-  const auto listed = json::parse(desk.run({"list", "--json"}).out);
+  CHECK(has(kept, "old\trestitution\t1 - 3/2*sin(alpha)^2"));
+  const auto listed = desk.json_of({"list"});
   CHECK(listed["next"] == "height-of-centre");
 }
 
 TEST_CASE("after a slip that was recognised the next hint is the one for it, once, and then the others") {
   const Desk desk;
-  const auto hint = [&](const char* id) { return json::parse(desk.run({"hint", id, "--json"}).out); };
+  const auto hint = [&](const char* id) { return desk.json_of({"hint", id}); };
   desk.judged("restitution", "cos(2*alpha)");
   const json its_own = hint("restitution");
   CHECK(its_own["slip"] == "missing_term");
@@ -170,14 +147,14 @@ TEST_CASE("without a command it says what is next, and praises no giving up") {
   const Desk desk;
   const Result first = desk.run({});
   CHECK(first.exit_code == 0);
-  CHECK(first.out.find("Next: exercises show height-of-centre") != std::string::npos);
-  const json listed = json::parse(desk.run({"list", "--json"}).out);
+  CHECK(has(first.out, "Next: exercises show height-of-centre"));
+  const json listed = desk.json_of({"list"});
   for (const auto& exercise : listed["exercises"])
     write(desk.progress,
           read_file(desk.progress) + exercise["id"].get<std::string>() + "\tgiven_up\t1\t0\tx\n");
   const std::string last = desk.run({}).out;
-  CHECK(last.find("given up") != std::string::npos);
-  CHECK(last.find("Well worked") == std::string::npos);
+  CHECK(has(last, "given up"));
+  CHECK(!has(last, "Well worked"));
 }
 
 TEST_CASE("what is said in JSON has no marks, and functions are called as they were typed") {
@@ -195,17 +172,17 @@ TEST_CASE("watch names a file that is no exercise's") {
   const Desk desk;
   write(desk.folder.path / "work" / "restitutoin.txt", "1 - 3/2*sin(alpha)^2\n");
   const std::string said = desk.run({"watch", (desk.folder.path / "work").string(), "--once"}).out;
-  CHECK(said.find("restitutoin.txt is not judged") != std::string::npos);
-  CHECK(said.find("restitution") != std::string::npos);
+  CHECK(has(said, "restitutoin.txt is not judged"));
+  CHECK(has(said, "restitution"));
 }
 
 TEST_CASE("a progress file that was damaged is not overwritten") {
   const Desk desk;
   write(desk.progress, "height-of-centre\tsolved\tmany\t0\tx\n");
   CHECK(desk.run({"list"}).exit_code == 2);
-  CHECK(desk.run({"list"}).err.find("line 1") != std::string::npos);
+  CHECK(has(desk.run({"list"}).err, "line 1"));
   CHECK(desk.run({"check", "restitution", "1 - 3/2*sin(alpha)^2"}).exit_code == 0);
-  CHECK(read_file(desk.progress).find("many") != std::string::npos);
+  CHECK(has(read_file(desk.progress), "many"));
 }
 
 TEST_CASE("watch makes a file for the next exercise and judges what is written into it") {
@@ -214,10 +191,10 @@ TEST_CASE("watch makes a file for the next exercise and judges what is written i
   fs::create_directories(folder);
   CHECK(desk.run({"watch", folder.string(), "--once"}).exit_code == 0);
   const std::string stub = read_file(folder / "height-of-centre.txt");
-  CHECK(stub.find("# How high does C rise?") != std::string::npos);
+  CHECK(has(stub, "# How high does C rise?"));
   write(folder / "height-of-centre.txt", stub + "R*(cos(alpha - theta) - cos(alpha))\n");
-  CHECK(desk.run({"watch", folder.string(), "--once"}).out.find("Correct.") != std::string::npos);
-  CHECK(json::parse(desk.run({"list", "--json"}).out)["next"] == "velocity-of-centre");
+  CHECK(has(desk.run({"watch", folder.string(), "--once"}).out, "Correct."));
+  CHECK(desk.json_of({"list"})["next"] == "velocity-of-centre");
 }
 
 TEST_CASE("a class with everything that can go wrong is graded, twice alike") {
@@ -255,8 +232,8 @@ TEST_CASE("a class with everything that can go wrong is graded, twice alike") {
         "empty,,invalid,empty_folder,0\n", ".zoe,,invalid,hidden_folder,0\n", "\n'=1+2,restitution,",
         "linked,,invalid,symlink,0\n", "README,,invalid,not_a_folder,0\n",
         "\"line\nbreak, \"\"quoted\"\"\",restitution,wrong,missing_term,0\n"})
-    CHECK_MESSAGE(text.find(row) != std::string::npos, row);
-  CHECK(first.out.find("restitution") != std::string::npos);
+    CHECK_MESSAGE(has(text, row), row);
+  CHECK(has(first.out, "restitution"));
   run_program("exercises", {"grade", room.string(), "--csv", csv.string(), "--workers", "3"});
   CHECK(read_file(csv) == text);
 }

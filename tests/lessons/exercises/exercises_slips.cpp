@@ -2,27 +2,16 @@
 // that nothing untrue is said.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <derivations/paper/mutate.hpp>
-#include <lessons/exercises/classroom.hpp>
-#include <lessons/rocking_block/course.hpp>
 #include <tests/block.hpp>
+
+#include "classroom.hpp"
 
 using namespace rederive;
 using namespace rederive::classroom;
 
 namespace {
-
-const Prepared& prepared(const std::string& id) {
-  static std::map<std::string, Prepared> all = [] {
-    std::map<std::string, Prepared> result;
-    for (const auto& exercise : read_exercises(rocking_block::course(), exercises_folder()))
-      result.emplace(exercise.id, prepare(exercise));
-    return result;
-  }();
-  return all.at(id);
-}
 
 /// The answers one edit away from the model answer and from each right answer in another form. A number is
 /// spoilt in its formula and given to as many digits as are asked for.
@@ -51,28 +40,25 @@ std::vector<std::string> one_edit_away(const Prepared& one) {
   return result;
 }
 
-std::string note(const std::string& id, const std::string& answer) {
-  return judge_answer(prepared(id), answer).note;
-}
-
 }  // namespace
 
 TEST_CASE("of wrong answers one edit away at most one in twenty is unnamed") {
   int wrong = 0, unnamed = 0;
   const bool verbose = std::getenv("REDERIVE_SAY_UNNAMED") != nullptr;
-  for (const auto& exercise : read_exercises(rocking_block::course(), exercises_folder())) {
+  for (const auto& exercise : exercises()) {
     if (exercise.kind == Kind::choice || exercise.kind == Kind::wrong_term) continue;
     for (const auto& answer : one_edit_away(prepared(exercise.id))) {
       const Opinion opinion = judge_answer(prepared(exercise.id), answer);
-      if (opinion.verdict == "correct" || opinion.verdict == "wrong_form" || opinion.verdict == "invalid")
+      if (opinion.outcome == Outcome::correct || opinion.outcome == Outcome::wrong_form ||
+          opinion.outcome == Outcome::invalid)
         continue;
       ++wrong;
-      const bool named =
-          opinion.note != "other" && opinion.note != "undecided" && opinion.note != "not_everywhere";
+      const bool named = opinion.note.word != "other" && opinion.note.word != "undecided" &&
+                         opinion.note.word != "not_everywhere";
       unnamed += !named;
       if (verbose)
-        std::printf("%s  %-28s %-16s %s | %s\n", named ? " " : "?", exercise.id.c_str(), opinion.note.c_str(),
-                    answer.c_str(), opinion.feedback.c_str());
+        std::printf("%s  %-28s %-16s %s | %s\n", named ? " " : "?", exercise.id.c_str(),
+                    opinion.note.word.c_str(), answer.c_str(), opinion.feedback.c_str());
     }
   }
   std::printf("Of %d wrong answers one edit away %d are unnamed: %.1f %%\n", wrong, unnamed,
@@ -82,9 +68,6 @@ TEST_CASE("of wrong answers one edit away at most one in twenty is unnamed") {
 }
 
 TEST_CASE("nothing untrue is said") {
-  const auto said = [](const std::string& id, const std::string& answer) {
-    return judge_answer(prepared(id), answer).feedback;
-  };
   CHECK(note("linear-equation",
              "thetaddot + p^2*(a_p*sin(omega_p*t + psi)/g*cos(alpha - theta) + sin(alpha - theta)) = 0") ==
         "not_linear");
@@ -155,23 +138,18 @@ TEST_CASE("what is dropped, upside down or exchanged is called so") {
 }
 
 TEST_CASE("no part is pointed at that is right") {
-  const auto said = [](const std::string& id, const std::string& answer) {
-    return judge_answer(prepared(id), answer).feedback;
-  };
   CHECK(said("linear-equation", "thetaddot - p*theta = -p*alpha - p*a_p/g*sin(omega_p*t + psi)")
             .ends_with("Look at $p$."));
-  CHECK(said("linear-equation", "thetaddot - theta = -alpha - a_p/g*sin(omega_p*t + psi)").find("Look") ==
-        std::string::npos);
+  CHECK(!has(said("linear-equation", "thetaddot - theta = -alpha - a_p/g*sin(omega_p*t + psi)"), "Look"));
   CHECK(said("motion-by-moments", "J_o*thetaddot = -m*u_gddot*cos(alpha - theta) - m*g*sin(alpha - theta)")
             .ends_with("Look at $-m*u_gddot*cos(alpha - theta) - m*g*sin(alpha - theta)$."));
-  CHECK(said("motion-by-moments", "J_o*thetaddot + m*u_gddot*cos(alpha - theta) + m*g*sin(alpha - theta) = 0")
-            .find("Look") == std::string::npos);
-  CHECK(judge_answer(prepared("linear-equation"),
-                     "thetaddot - p^2*theta = -p^2*alpha - p^2*a_p/g*(omega_p*t + psi)")
-            .witness);
-  CHECK(said("critical-condition", "thetadot_ex = -p*(theta_ex + alpha)/2").find("$thetadot_ex$") ==
-        std::string::npos);
-  CHECK(!judge_answer(prepared("critical-condition"), "thetadot_ex^2 = p^2*(theta_ex + alpha)^2").witness);
+  CHECK(!has(
+      said("motion-by-moments", "J_o*thetaddot + m*u_gddot*cos(alpha - theta) + m*g*sin(alpha - theta) = 0"),
+      "Look"));
+  CHECK(
+      judged("linear-equation", "thetaddot - p^2*theta = -p^2*alpha - p^2*a_p/g*(omega_p*t + psi)").witness);
+  CHECK(!has(said("critical-condition", "thetadot_ex = -p*(theta_ex + alpha)/2"), "$thetadot_ex$"));
+  CHECK(!judged("critical-condition", "thetadot_ex^2 = p^2*(theta_ex + alpha)^2").witness);
 }
 
 TEST_CASE("an answer may stand behind the name of what is asked for, and behind the sign of a bound") {
@@ -188,22 +166,21 @@ TEST_CASE("an answer may stand behind the name of what is asked for, and behind 
 }
 
 TEST_CASE("the last line of every solution is judged right, and numbers are put in") {
-  for (const auto& exercise : read_exercises(rocking_block::course(), exercises_folder())) {
+  for (const auto& exercise : exercises()) {
     CAPTURE(exercise.id);
     const Prepared& one = prepared(exercise.id);
     std::string text = solution_text(one);
     REQUIRE(text.ends_with('\n'));
     text.pop_back();
     const Opinion opinion = judge_answer(one, text.substr(text.rfind('\n') + 1));
-    CHECK_MESSAGE(opinion.verdict == "correct", text.substr(text.rfind('\n') + 1));
+    CHECK_MESSAGE(opinion.outcome == Outcome::correct, text.substr(text.rfind('\n') + 1));
     if (exercise.kind == Kind::number && exercise.answer.function.empty())
-      CHECK(text.find("With the numbers") != std::string::npos);
+      CHECK(has(text, "With the numbers"));
   }
 }
 
 TEST_CASE("a point to try by hand has numbers of one or two digits, and results of six") {
-  const Opinion opinion =
-      judge_answer(prepared("height-of-centre"), "R*(cos(alpha - theta/2)^3 - cos(alpha))");
+  const Opinion opinion = judged("height-of-centre", "R*(cos(alpha - theta/2)^3 - cos(alpha))");
   REQUIRE(opinion.witness);
   for (const auto& [name, value] : opinion.witness->at)
     CHECK(std::count_if(value.begin(), value.end(), [](char c) { return c >= '1' && c <= '9'; }) <= 2);

@@ -3,30 +3,13 @@
 
 #include <derivations/program/program.hpp>
 #include <derivations/rocking_block/paper.hpp>
-#include <lessons/exercises/classroom.hpp>
-#include <lessons/rocking_block/course.hpp>
-#include <nlohmann/json.hpp>
 #include <set>
-#include <tests/run_program.hpp>
+
+#include "classroom.hpp"
 
 using namespace rederive;
 using namespace rederive::classroom;
 namespace fs = std::filesystem;
-
-namespace {
-
-Exercise exercise(const std::string& id, const std::string& seed = "") {
-  for (const auto& one : read_exercises(rocking_block::course(), exercises_folder(), seed))
-    if (one.id == id) return one;
-  throw std::out_of_range(id);
-}
-
-void write(const fs::path& path, const std::string& text) {
-  fs::create_directories(path.parent_path());
-  std::ofstream(path, std::ios::binary) << text;
-}
-
-}  // namespace
 
 TEST_CASE("what a seed picks is the same on every machine") {
   CHECK(picked("", "x", 1000) == 0);
@@ -62,10 +45,9 @@ TEST_CASE("texts are filled in, and what cannot be is refused") {
 TEST_CASE(
     "without a seed an exercise stands as it is; with seeds there are several of it, with their own "
     "answers") {
-  CHECK(exercise("frequency-of-a-bookcase").statement.find("is 2 m high and 0.4 m wide") !=
-        std::string::npos);
+  CHECK(has(exercise("frequency-of-a-bookcase").statement, "is 2 m high and 0.4 m wide"));
   int varying = 0;
-  for (const auto& one : read_exercises(rocking_block::course(), exercises_folder())) {
+  for (const auto& one : exercises()) {
     if (one.choice.empty()) continue;
     ++varying;
     std::set<std::string> statements, answers;
@@ -82,74 +64,63 @@ TEST_CASE(
 
 TEST_CASE("a variant is judged by its own answer, and its solution ends at it") {
   for (const std::string seed : {"anna", "bert", "3"})
-    for (const auto& one : read_exercises(rocking_block::course(), exercises_folder(), seed)) {
+    for (const auto& one : exercises(seed)) {
       if (one.choice.empty()) continue;
       CAPTURE(one.id);
       const Prepared prepared = prepare(one);
       std::string text = solution_text(prepared);
       text.pop_back();
-      CHECK(judge_answer(prepared, text.substr(text.rfind('\n') + 1)).verdict == "correct");
+      CHECK(judge_answer(prepared, text.substr(text.rfind('\n') + 1)).outcome == Outcome::correct);
     }
   std::string left, right;  // seeds with θ < 0 and θ > 0
   for (int k = 1; left.empty() || right.empty(); ++k) {
     const std::string seed = std::to_string(k);
     (exercise("height-of-centre", seed).choice.at("corner") == "O" ? left : right) = seed;
   }
-  const auto note = [&](const std::string& seed, const std::string& answer) {
-    return judge_answer(prepare(exercise("height-of-centre", seed)), answer).note;
-  };
-  CHECK(note(left, "R*(cos(alpha + theta) - cos(alpha))") == "correct");
-  CHECK(note(left, "R*(cos(alpha - theta) - cos(alpha))") == "wrong_angle");
-  CHECK(note(right, "R*(cos(alpha - theta) - cos(alpha))") == "correct");
+  CHECK(note("height-of-centre", "R*(cos(alpha + theta) - cos(alpha))", left) == "correct");
+  CHECK(note("height-of-centre", "R*(cos(alpha - theta) - cos(alpha))", left) == "wrong_angle");
+  CHECK(note("height-of-centre", "R*(cos(alpha - theta) - cos(alpha))", right) == "correct");
 }
 
 TEST_CASE("help is for the variant that was tried last") {
-  TemporaryFolder folder;
-  const std::string file = (folder.path / "progress.txt").string(), id = "height-of-centre";
-  const auto run = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"--progress", file});
-    return run_program("exercises", arguments);
-  };
+  const Desk desk;
+  const std::string id = "height-of-centre";
   std::string left;  // a seed with θ < 0
   for (int k = 1; left.empty(); ++k)
     if (exercise(id, std::to_string(k)).choice.at("corner") == "O") left = std::to_string(k);
-  const Result tried = run({"check", id, "--seed", left, "R*(cos(alpha - theta) - cos(alpha))"});
+  const Result tried = desk.run({"check", id, "--seed", left, "R*(cos(alpha - theta) - cos(alpha))"});
   CHECK(tried.out.find("Stuck? exercises hint " + id + " --seed \"" + left + "\"") != std::string::npos);
-  CHECK(run({"hint", id}).out.find("turned to the left about O.") != std::string::npos);
-  CHECK(run({"solution", id, "--give-up"}).out.ends_with("y_c = R*cos(alpha + theta) - R*cos(alpha)\n"));
-  CHECK(
-      run({"solution", id, "--give-up", "--seed", ""}).out.ends_with("cos(alpha - theta) - R*cos(alpha)\n"));
-  CHECK(read_file(file).find("\tseed " + left + "\n") != std::string::npos);
-  CHECK(run({"check", id, "R*(cos(alpha - theta) - cos(alpha))"}).exit_code ==
+  CHECK(has(desk.run({"hint", id}).out, "turned to the left about O."));
+  CHECK(desk.run({"solution", id, "--give-up"}).out.ends_with("y_c = R*cos(alpha + theta) - R*cos(alpha)\n"));
+  CHECK(desk.run({"solution", id, "--give-up", "--seed", ""})
+            .out.ends_with("cos(alpha - theta) - R*cos(alpha)\n"));
+  CHECK(has(read_file(desk.progress), "\tseed " + left + "\n"));
+  CHECK(desk.run({"check", id, "R*(cos(alpha - theta) - cos(alpha))"}).exit_code ==
         0);  // without one: as it stands
-  CHECK(read_file(file).find("\tseed") == std::string::npos);
-  CHECK(run({"solution", id}).out.ends_with("y_c = R*cos(alpha - theta) - R*cos(alpha)\n"));
-  CHECK(read_file(file).find("given_up") != std::string::npos);  // what was shown is not solved
+  CHECK(!has(read_file(desk.progress), "\tseed"));
+  CHECK(desk.run({"solution", id}).out.ends_with("y_c = R*cos(alpha - theta) - R*cos(alpha)\n"));
+  CHECK(has(read_file(desk.progress), "given_up"));  // what was shown is not solved
 }
 
 TEST_CASE("on the command line, and in a class where each has the own variant") {
-  TemporaryFolder folder;
-  const auto run = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"--progress", (folder.path / "progress.txt").string()});
-    return run_program("exercises", arguments);
-  };
+  const Desk desk;
+  const fs::path folder = desk.folder.path;
   const std::string id = "frequency-of-a-bookcase";
   std::map<std::string, std::string> answers;
   for (const std::string name : {"anna", "bert", "Zoë Ångström"}) {
-    answers[name] = model_answer(prepare(exercise(id, name)));
-    CHECK(run({"show", id, "--seed", name}).out.find("--seed \"" + name + "\"") != std::string::npos);
-    CHECK(run({"check", id, "--seed", name, answers[name]}).exit_code == 0);
-    CHECK(run({"solution", id, "--seed", name}).out.ends_with("\n" + answers[name] + "\n"));
-    write(folder.path / "class" / name / (id + ".txt"), answers[name]);
-    write(folder.path / "class" / name / "restitution.txt",
-          model_answer(prepare(exercise("restitution", name))));
+    answers[name] = model_answer(prepared(id, name));
+    CHECK(has(desk.run({"show", id, "--seed", name}).out, "--seed \"" + name + "\""));
+    CHECK(desk.run({"check", id, "--seed", name, answers[name]}).exit_code == 0);
+    CHECK(desk.run({"solution", id, "--seed", name}).out.ends_with("\n" + answers[name] + "\n"));
+    write(folder / "class" / name / (id + ".txt"), answers[name]);
+    write(folder / "class" / name / "restitution.txt", model_answer(prepared("restitution", name)));
   }
   REQUIRE(answers["anna"] != answers["bert"]);
-  CHECK(run({"check", id, "--seed", "bert", answers["anna"]}).exit_code == 1);
-  write(folder.path / "class" / "carl" / (id + ".txt"), answers["anna"]);
-  const fs::path pages = folder.path / "pages";
+  CHECK(desk.run({"check", id, "--seed", "bert", answers["anna"]}).exit_code == 1);
+  write(folder / "class" / "carl" / (id + ".txt"), answers["anna"]);
+  const fs::path pages = folder / "pages";
   const Result graded =
-      run({"grade", (folder.path / "class").string(), "--variants", "--feedback", pages.string()});
+      desk.run({"grade", (folder / "class").string(), "--variants", "--feedback", pages.string()});
   for (const auto& [name, answer] : answers) {
     CHECK(graded.out.find(name + "," + id + ",correct,correct,1\n") != std::string::npos);
     CHECK(graded.out.find(name + ",restitution,correct,correct,1\n") != std::string::npos);
@@ -157,15 +128,15 @@ TEST_CASE("on the command line, and in a class where each has the own variant") 
   CHECK(graded.out.find("carl," + id + ",wrong") != std::string::npos);
   std::string seed = "1";  // with which another variant comes to carl
   while (exercise(id, seed + "carl").statement == exercise(id, "carl").statement) seed += "1";
-  const fs::path others = folder.path / "others";
-  run({"--seed", seed, "grade", (folder.path / "class").string(), "--variants", "--feedback",
-       others.string()});
+  const fs::path others = folder / "others";
+  desk.run(
+      {"--seed", seed, "grade", (folder / "class").string(), "--variants", "--feedback", others.string()});
   const std::string theirs = exercise(id, seed + "carl").statement;
   CHECK(read_file(others / "carl.html").find(theirs.substr(1, theirs.find(" wide") - 1)) !=
         std::string::npos);
   const std::string statement = exercise(id, "carl").statement;
   CHECK(read_file(pages / "carl.html").find(statement.substr(1, statement.find(" wide") - 1)) !=
         std::string::npos);
-  const Result without = run({"grade", (folder.path / "class").string()});
+  const Result without = desk.run({"grade", (folder / "class").string()});
   CHECK(without.out.find("anna," + id + ",correct") == std::string::npos);
 }

@@ -1,0 +1,92 @@
+#include <array>
+#include <derivations/paper/prove.hpp>
+#include <lessons/exercises/opinion.hpp>
+#include <nlohmann/json.hpp>
+
+namespace rederive::classroom {
+namespace {
+
+struct OutcomeWords {
+  const char *word, *sentence;
+};
+/// In the order of Outcome.
+constexpr std::array outcome_words{
+    OutcomeWords{"correct", "Correct."},
+    OutcomeWords{"wrong_form", "The value is right, but the form is not."},
+    OutcomeWords{"correct_if", "Correct only under a condition."},
+    OutcomeWords{"wrong", "Not right yet."},
+    OutcomeWords{"invalid", "This could not be read; it does not count as an attempt."},
+    OutcomeWords{"undecided", "Undecided."}};
+
+const OutcomeWords& words_of(Outcome outcome) { return outcome_words[static_cast<std::size_t>(outcome)]; }
+
+}  // namespace
+
+std::string to_string(Outcome outcome) { return words_of(outcome).word; }
+std::string in_words(Outcome outcome) { return words_of(outcome).sentence; }
+
+Opinion right_answer(const std::string& feedback) {
+  return {.outcome = Outcome::correct, .note = {"correct"}, .feedback = feedback, .score = 1};
+}
+
+Opinion wrong_answer(const Note& note, const std::string& feedback) {
+  return {.outcome = Outcome::wrong,
+          .note = note,
+          .feedback = feedback,
+          .hint = slip_words(SlipTable::hint, note)};
+}
+
+Opinion wrong_answer(Slip slip) { return wrong_answer(slip, slip_words(SlipTable::answer, slip)); }
+
+Opinion invalid(const Note& note, const std::string& feedback) {
+  Opinion opinion = wrong_answer(note, feedback);
+  opinion.outcome = Outcome::invalid;
+  return opinion;
+}
+
+Opinion invalid(const SyntaxError& error, const std::string& text) {
+  Opinion opinion = invalid(error.note, explain(error, text));
+  opinion.shows_place = true;
+  return opinion;
+}
+
+Opinion refused(Trouble trouble) { return invalid(to_string(trouble), in_words(trouble)); }
+
+Opinion undecided(const std::string& reason) {
+  return {.note = {"undecided"}, .feedback = "This could not be decided: " + reason};
+}
+
+int exit_code(const Opinion& opinion) {
+  if (opinion.outcome == Outcome::correct) return 0;
+  if (opinion.outcome == Outcome::invalid) return 2;
+  return opinion.outcome == Outcome::undecided ? 3 : 1;
+}
+
+std::string feedback_of(const Opinion& opinion) {
+  return opinion.outcome == Outcome::correct && opinion.feedback.empty() ? "Right." : opinion.feedback;
+}
+
+std::string packed(const Opinion& opinion) {
+  nlohmann::json list{opinion.outcome, opinion.note.word, opinion.feedback,    opinion.score,
+                      opinion.hint,    opinion.read_as,   opinion.shows_place, opinion.line};
+  if (const auto& witness = opinion.witness)
+    list.insert(list.end(), {witness->at, witness->printed, witness->derived});
+  return list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+Opinion unpacked(const std::string& text) {
+  const nlohmann::json list = nlohmann::json::parse(text);
+  Opinion opinion{.outcome = list[0],
+                  .note = list[1].get<std::string>(),
+                  .feedback = list[2],
+                  .score = list[3],
+                  .hint = list[4],
+                  .read_as = list[5],
+                  .shows_place = list[6],
+                  .line = list[7]};
+  if (list.size() > 8)
+    opinion.witness.emplace(Witness{.at = list[8], .printed = list[9], .derived = list[10]});
+  return opinion;
+}
+
+}  // namespace rederive::classroom

@@ -1,0 +1,52 @@
+// What the judge says of an answer, as a value.
+#pragma once
+
+#include <derivations/decide/decide.hpp>
+#include <functional>
+#include <lessons/exercises/slips.hpp>
+#include <lessons/exercises/student_files.hpp>
+#include <optional>
+#include <string>
+
+namespace rederive::classroom {
+
+enum class Outcome { correct, wrong_form, correct_if, wrong, invalid, undecided };
+/// Returns the word in JSON and CSV: "wrong_form".
+std::string to_string(Outcome outcome);
+/// Returns a sentence for a student.
+std::string in_words(Outcome outcome);
+
+struct Opinion {
+  Outcome outcome = Outcome::undecided;
+  Note note = {};
+  std::string feedback =
+      {};                 ///< sentences with marks; "" if the answer is right and nothing else is to be said
+  double score = 0;       ///< from 0 to 1
+  std::string hint = {};  ///< for a student who asks for one after this answer; "" if there is none for it
+  std::string read_as = {};
+  bool shows_place = false;  ///< the feedback has lines with a caret below the place, and is no sentence
+  std::optional<Witness> witness = {};
+  int line = 0;  ///< of a working: the line that is meant
+};
+
+/// Return the opinion on a right answer; on a wrong one, with the words of slips.toml as `feedback` unless it
+/// is given, and their hint; on a text that cannot be read, with a caret; on a file that is not judged; and
+/// on an answer that cannot be decided.
+Opinion right_answer(const std::string& feedback = "");
+Opinion wrong_answer(const Note& note, const std::string& feedback);
+Opinion wrong_answer(Slip slip);
+Opinion invalid(const Note& note, const std::string& feedback);
+Opinion invalid(const SyntaxError& error, const std::string& text);
+Opinion refused(Trouble trouble);
+Opinion undecided(const std::string& reason);
+
+/// Returns the exit code: 0 correct, 1 wrong, 2 invalid, 3 undecided.
+int exit_code(const Opinion& opinion);
+/// Returns what to tell the student, in sentences with marks.
+std::string feedback_of(const Opinion& opinion);
+
+/// Return an opinion as text and read it again, for work in another process.
+std::string packed(const Opinion& opinion);
+Opinion unpacked(const std::string& text);
+
+}  // namespace rederive::classroom

@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <array>
+#include <derivations/program/toml_table.hpp>
+#include <lessons/exercises/exercise.hpp>
+#include <lessons/exercises/slips.hpp>
+
+namespace rederive::classroom {
+namespace {
+
+/// The stable words, in the order of Slip.
+constexpr std::array slip_names{"",
+                                "sign",
+                                "wrong_angle",
+                                "wrong_argument",
+                                "extra_term",
+                                "missing_term",
+                                "factor",
+                                "taken_away",
+                                "left_over",
+                                "extra_factor",
+                                "missing_factor",
+                                "power",
+                                "reciprocal",
+                                "sin_cos",
+                                "wrong_function",
+                                "extra_function",
+                                "absolute_value",
+                                "wrong_symbol",
+                                "exchanged",
+                                "degrees",
+                                "rounding",
+                                "missing_dot",
+                                "power_of_ten",
+                                "dimension",
+                                "small_angle",
+                                "not_linear",
+                                "not_everywhere",
+                                "missing_symbol",
+                                "extra_symbol",
+                                "unit",
+                                "missing_unit",
+                                "assumption",
+                                "wrong_term",
+                                "wrong_choice",
+                                "other"};
+static_assert(slip_names.size() == static_cast<std::size_t>(Slip::other) + 1);
+
+/// In the order of SlipTable.
+constexpr std::array table_names{"answer", "number", "part", "whole", "hint"};
+
+using Texts = std::map<std::string, std::string>;
+
+const std::array<Texts, table_names.size()>& tables() {
+  static const auto all = [] {
+    TomlTable document(exercises_folder() / "slips.toml");
+    std::array<Texts, table_names.size()> texts;
+    for (std::size_t k = 0; k < texts.size(); ++k) texts[k] = document.named_texts(table_names[k]);
+    document.done();
+    for (const auto& [note, text] : texts[static_cast<std::size_t>(SlipTable::part)]) try {
+        (void)fmt::format(fmt::runtime(text), "");
+      } catch (const fmt::format_error&) {
+        document.fail("'" + note + "' must have {} where it names the part, and no other braces", "part");
+      }
+    return texts;
+  }();
+  return all;
+}
+
+}  // namespace
+
+Note::Note(Slip which) : slip(which), word(slip_names[static_cast<std::size_t>(which)]) {}
+
+Note::Note(const std::string& stable_word) : word(stable_word) {
+  const auto found = std::ranges::find(slip_names, stable_word);
+  if (found != slip_names.end()) slip = static_cast<Slip>(found - slip_names.begin());
+}
+
+void read_slip_words() { (void)tables(); }
+
+std::string slip_words(SlipTable table, const Note& note) {
+  const Texts& texts = tables()[static_cast<std::size_t>(table)];
+  const auto found = texts.find(note.word);
+  return found == texts.end() ? "" : found->second;
+}
+
+}  // namespace rederive::classroom
