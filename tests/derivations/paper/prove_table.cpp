@@ -3,7 +3,6 @@
 
 #include <derivations/program/program.hpp>
 #include <lessons/ledger/prove_table.hpp>
-#include <nlohmann/json.hpp>
 #include <tests/block.hpp>
 #include <tests/run_program.hpp>
 
@@ -54,7 +53,7 @@ namespace {
 Result of_table(const std::string& text, std::vector<std::string> arguments = {}) {
   const TemporaryFolder folder;
   const auto file = folder.path / "table.toml";
-  std::ofstream(file) << text;
+  write_file(file, text);
   arguments.insert(arguments.begin(), {"prove", "--table", file.string()});
   return run_program("ledger", arguments);
 }
@@ -71,42 +70,27 @@ std::string row_that_expects(const std::string& verdict, const std::string& othe
 TEST_CASE("the page of what can be decided is written from the table") {
   const Result good = of_table(row_that_expects("proved")), bad = of_table(row_that_expects("refuted"));
   CHECK(good.exit_code == 0);
-  CHECK(good.out.find("## Double angles") != std::string::npos);
-  CHECK(good.out.find("| `sin(2*x)` | `2*sin(x)*cos(x)` |") != std::string::npos);
-  CHECK(good.out.find("**expected") == std::string::npos);
+  CHECK(contains(good.out, "## Double angles"));
+  CHECK(contains(good.out, "| `sin(2*x)` | `2*sin(x)*cos(x)` |"));
+  CHECK_FALSE(contains(good.out, "**expected"));
   const Result small =
       of_table(row_that_expects("proved", "assume = [\"y > 0\"]\nsmall = [\"x\"]\norder = 1"));
-  CHECK(small.out.find("| `y > 0`, `x` small, order 1 | proved |") != std::string::npos);
+  CHECK(contains(small.out, "| `y > 0`, `x` small, order 1 | proved |"));
   CHECK(bad.exit_code == 1);
-  CHECK(bad.out.find("proved (**expected refuted**)") != std::string::npos);
+  CHECK(contains(bad.out, "proved (**expected refuted**)"));
   const auto json = nlohmann::json::parse(of_table(row_that_expects("refuted"), {"--json"}).out);
   CHECK(json["rows"][0]["verdict"] == "proved");
   CHECK(json["rows"][0]["expected"] == "refuted");
   CHECK(json["counts"]["proved"] == 1);
 }
 
-TEST_CASE("a table that cannot be read says where it is wrong, and what would be right") {
-  const auto complaint = [](const Result& r) {
+TEST_CASE("a table that cannot be read is refused: a wrong key, an option that excludes it") {
+  const Result wrong = of_table(row_that_expects("proved", "asume = [\"x > 0\"]")),
+               excluded = of_table(row_that_expects("proved"), {"--assume", "x > 0"});
+  for (const Result& r : {wrong, excluded}) {
     CHECK(r.exit_code == 2);
     CHECK(r.out.empty());
-    return r.err;
-  };
-  const auto has = [](const std::string& text, const char* part) {
-    INFO(text);
-    CHECK(text.find(part) != std::string::npos);
-  };
-  has(complaint(of_table(row_that_expects("maybe"))), ":5: 'expected' cannot be 'maybe'; it must be one of");
-  has(complaint(of_table(row_that_expects("proved", "asume = [\"x > 0\"]"))),
-      ":7: there is no key 'asume' here: did you mean 'assume'?");
-  has(complaint(of_table(row_that_expects("proved", "assume = \"x > 0\""))), "must be a list of strings");
-  has(complaint(of_table(row_that_expects("proved", "order = \"2\""))), "'order' must be a whole number");
-  has(complaint(of_table(row_that_expects("proved", "order = 99"))), ":7: 'order' must be from 0 to 12");
-  has(complaint(of_table(row_that_expects("proved\\u001b[31m"))), "'proved?[31m'");
-  has(complaint(of_table("[[row]]\nleft = \"x\"\n")), ":1: 'group' is missing or empty");
-  has(complaint(of_table("x = 1\n")), ":1: there is no key 'x' here; the keys are row");
-  has(complaint(of_table("[[row\n")), ".toml:1: ");
-  has(complaint(of_table(row_that_expects("proved"), {"--assume", "x > 0"})), "excludes --table");
-  std::string deep = "a";
-  for (int k = 0; k < 60'000; ++k) deep += ".a";
-  has(complaint(of_table(deep + " = 1\n")), ":1: a line has more than 10000 bytes");
+  }
+  CHECK(contains(wrong.err, ":7: there is no key 'asume' here: did you mean 'assume'?"));
+  CHECK(contains(excluded.err, "excludes --table"));
 }

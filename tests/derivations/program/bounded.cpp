@@ -1,4 +1,4 @@
-// Work in a child process: what counts against its limit, and what it may not take with it.
+// Work in a child process: what counts against its limits, and what it may not do.
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -13,8 +13,10 @@
 #include <csignal>
 #include <derivations/program/bounded.hpp>
 #include <derivations/program/seal.hpp>
+#include <functional>
 #include <future>
 #include <map>
+#include <tests/cases.hpp>
 #include <tests/lessons/exercises/server.hpp>
 #include <thread>
 #include <vector>
@@ -31,70 +33,65 @@ void spin(double seconds) {
   }
 }
 
-/// Not under a sanitizer, and not where the system has no filter of system calls.
+/// Returns whether work is sealed here: not under a sanitizer, and not without a filter of system calls.
 bool can_seal() {
   if (!is_watched() && ::prctl(PR_GET_SECCOMP, 0, 0, 0, 0) >= 0) return true;
   skip("no filter of system calls here");
   return false;
 }
 
+std::string done() { return "done"; }
+
+/// Runs `body` in a child process; returns whether it returns true there.
+bool holds_in_a_child(const std::function<bool()>& body) {
+  const pid_t program = ::fork();
+  if (program == 0) ::_exit(body() ? 0 : 1);
+  int status = -1;
+  ::waitpid(program, &status, 0);
+  return status == 0;
+}
+
 }  // namespace
 
-TEST_CASE("work that only waits for its turn is not given up") {
-  const Bounded waited = run_bounded([] { return ::usleep(600'000), std::string("done"); }, 0.2, megabytes);
+TEST_CASE("work that waits is not given up before it has waited for longer than it may") {
+  const Bounded waited = run_bounded([] { return ::usleep(600'000), done(); }, 0.2, megabytes);
   CHECK(waited.result == "done");
   CHECK(waited.seconds < 0.2);
-}
-
-TEST_CASE("work that waits for longer than one has patience is given up") {
-  const Bounded waited =
-      run_bounded([] { return ::usleep(5'000'000), std::string("done"); }, 4, megabytes, 0.1);
-  CHECK_FALSE(waited.result);
-  CHECK(waited.why == "it took longer than it may take");
-}
-
-TEST_CASE("work that uses the processor is not given up for the time that goes by") {
-  CHECK(run_bounded([] { return spin(2.5), std::string("done"); }, 60, megabytes, 2).result == "done");
+  const Bounded too_long = run_bounded([] { return ::usleep(5'000'000), done(); }, 4, megabytes, 0.1);
+  CHECK_FALSE(too_long.result);
+  CHECK(too_long.why == "it took longer than it may take");
+  CHECK(run_bounded([] { return spin(2.5), done(); }, 60, megabytes, 2).result == "done");
 }
 
 TEST_CASE("work is the same whichever standard descriptors are closed, and whatever it opens there") {
-  for (int closed = 0; closed < 8; ++closed) {
-    const pid_t program = ::fork();
-    if (program == 0) {
-      for (int k = 0; k < 3; ++k)
-        if ((closed >> k & 1) != 0) ::close(k);
-      const auto open_all = [] {
-        const int nowhere = ::open("/dev/null", O_RDWR);
-        for (int k = 0; k < 3; ++k) ::dup2(nowhere, k);
-      };
-      const auto work = [] { return std::string(100'000, 'a'); };
-      ::_exit(run_bounded(work, 20, megabytes, 60, open_all).result == std::string(100'000, 'a') ? 0 : 1);
-    }
-    int status = -1;
-    ::waitpid(program, &status, 0);
-    CHECK_MESSAGE(status == 0, closed);
-  }
+  for (int closed = 0; closed < 8; ++closed)
+    CHECK_MESSAGE(holds_in_a_child([closed] {
+                    for (int k = 0; k < 3; ++k)
+                      if ((closed >> k & 1) != 0) ::close(k);
+                    const auto open_all = [] {
+                      const int nowhere = ::open("/dev/null", O_RDWR);
+                      for (int k = 0; k < 3; ++k) ::dup2(nowhere, k);
+                    };
+                    const std::string text(100'000, 'a');
+                    return run_bounded([&] { return text; }, 20, megabytes, 60, open_all).result == text;
+                  }),
+                  closed);
 }
 
 TEST_CASE("work waits for a descriptor if there is none") {
-  const pid_t program = ::fork();
-  if (program == 0) {
+  CHECK(holds_in_a_child([] {
     const rlimit few{20, 20};
     ::setrlimit(RLIMIT_NOFILE, &few);
     std::vector<int> all;
     for (int k; (k = ::open("/dev/null", O_RDONLY)) >= 0;) all.push_back(k);
-    auto waiting = std::async(std::launch::async,
-                              [] { return run_bounded([] { return std::string("done"); }, 20, megabytes); });
+    auto waiting = std::async(std::launch::async, [] { return run_bounded(done, 20, megabytes); });
     for (const int k : all) ::close(k);
-    ::_exit(waiting.get().result == "done" ? 0 : 1);
-  }
-  int status = -1;
-  ::waitpid(program, &status, 0);
-  CHECK(status == 0);
+    return waiting.get().result == "done";
+  }));
 }
 
 TEST_CASE("work that takes the processor for longer than it may is given up") {
-  const Bounded spun = run_bounded([] { return spin(5), std::string("done"); }, 0.1, megabytes);
+  const Bounded spun = run_bounded([] { return spin(5), done(); }, 0.1, megabytes);
   CHECK_FALSE(spun.result);
   CHECK(spun.why == "it took longer than it may take");
   CHECK(spun.seconds >= 0.1);
@@ -102,15 +99,15 @@ TEST_CASE("work that takes the processor for longer than it may is given up") {
 
 TEST_CASE("work is given up as soon as that is asked") {
   int asked = 0;
-  const Bounded stopped = run_bounded([] { return spin(100), std::string("done"); }, 100, megabytes, 100, {},
-                                      [&] { return ++asked == 3; });
+  const Bounded stopped =
+      run_bounded([] { return spin(100), done(); }, 100, megabytes, 100, {}, [&] { return ++asked == 3; });
   CHECK_FALSE(stopped.result);
   CHECK(stopped.why == "it was stopped");
   CHECK(asked == 3);
 }
 
 TEST_CASE("what work took is said, and what it threw") {
-  const Bounded short_one = run_bounded([] { return spin(0.1), std::string("done"); }, 5, megabytes);
+  const Bounded short_one = run_bounded([] { return spin(0.1), done(); }, 5, megabytes);
   CHECK(short_one.result == "done");
   CHECK(short_one.seconds >= 0.1);
   CHECK(short_one.seconds < 5);
@@ -133,9 +130,14 @@ TEST_CASE("work reads and writes no file, starts no program, talks to nobody and
   if (!can_seal()) return;
   const TemporaryFolder folder;
   const std::string there = folder.path / "there", fresh = folder.path / "new";
-  std::ofstream(there) << "as it was";
+  write_file(there, "as it was");
   const int open_file = ::open(there.c_str(), O_RDWR), listener = ::socket(AF_UNIX, SOCK_STREAM, 0);
   char byte = 0;
+  const auto is_told = [](const auto& call) {
+    std::error_code error;
+    call(error);
+    return !error;
+  };
   const std::map<std::string, std::function<bool()>> tries{
       {"read a file", [&] { return std::ifstream(there).good(); }},
       {"read what is open", [&] { return ::pread(open_file, &byte, 1, 0) == 1; }},
@@ -144,16 +146,12 @@ TEST_CASE("work reads and writes no file, starts no program, talks to nobody and
       {"write to standard error", [&] { return ::write(2, "", 0) == 0; }},
       {"map what is open",
        [&] { return ::mmap(nullptr, 1, PROT_READ | PROT_WRITE, MAP_SHARED, open_file, 0) != MAP_FAILED; }},
-      {"remove and rename",
-       [&] {
-         return ::rename(there.c_str(), fresh.c_str()) == 0 && ::rename(fresh.c_str(), there.c_str()) == 0;
-       }},
+      {"rename",
+       [&] { return ::rename(there.c_str(), fresh.c_str()) + ::rename(fresh.c_str(), there.c_str()) == 0; }},
       {"change rights", [&] { return ::chmod(there.c_str(), 0644) == 0; }},
       {"list a folder",
        [&] {
-         std::error_code none;
-         return std::filesystem::directory_iterator(folder.path, none) !=
-                std::filesystem::directory_iterator();
+         return is_told([&](auto& error) { std::filesystem::directory_iterator(folder.path, error); });
        }},
       {"run the shell", [&] { return std::system("true") == 0; }},
       {"fork",
@@ -178,7 +176,7 @@ TEST_CASE("work reads and writes no file, starts no program, talks to nobody and
          const rlimit more{512, 512};
          return ::setrlimit(RLIMIT_NOFILE, &more) == 0;
        }}};
-  const auto done = [&] {
+  const auto succeed = [&] {
     std::string list;
     for (const auto& [what, can] : tries)
       if (can()) list += what + "; ";
@@ -186,8 +184,8 @@ TEST_CASE("work reads and writes no file, starts no program, talks to nobody and
   };
   std::string before, all;
   for (const auto& [what, ignored] : tries) all += what + "; ";
-  const auto both = [&] { return before + "but then: " + done(); };
-  CHECK(run_bounded(both, 4, megabytes, 60, [&] { before = done(); }).result == all + "but then: ");
+  const auto both = [&] { return before + "but then: " + succeed(); };
+  CHECK(run_bounded(both, 4, megabytes, 60, [&] { before = succeed(); }).result == all + "but then: ");
   CHECK(read_file(there) == "as it was");
   // a program in place of this one
   CHECK(run_bounded([] { return ::execl("/bin/true", "true", nullptr), std::string("still here"); }, 4,
@@ -202,7 +200,7 @@ TEST_CASE("where an answer is judged, nothing but computing is allowed") {
   const std::string sum = "*sin(alpha)+cos(3*alpha)+sin(alpha+theta)+cos(theta))^40",
                     slow = "(sin(2*theta)" + sum + "-(2*sin(theta)*cos(theta)" + sum + "+R";
   std::filesystem::create_directories(folder.path / "class/anna");
-  std::ofstream(folder.path / "class/anna/height-of-centre.txt") << slow;
+  write_file(folder.path / "class/anna/height-of-centre.txt", slow);
   const std::string exercises = REDERIVE_PROGRAMS "/exercises", progress = folder.path / "progress";
   for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
            {exercises, "--progress", progress, "check", "height-of-centre", "--", slow},
@@ -250,27 +248,22 @@ TEST_CASE("work ends with the program that asked for it, however that ends") {
 
 TEST_CASE("an answer that names files and programs is text like any other") {
   const TemporaryFolder folder;
-  int number = 0;
-  for (const std::string text :
-       {"$(touch new)", "`touch new`", "; touch new", "| touch new", "> new", "< there", "system(touch)",
-        "#include \"there\"", "read(there)", "/proc/self/mem", "../bert/restitution.txt", "file://there",
-        "%n%n%n%s", "{there}", "$there$", "\\input{there}", "=cmd|' /C touch new'!A0"}) {
-    const auto student = folder.path / "class" / std::to_string(number++);
+  const std::vector<Cells> answers = cases("answers");
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    const auto student = folder.path / "class" / std::to_string(k);
     std::filesystem::create_directories(student);
-    std::ofstream(student / "restitution.txt") << text;
+    write_file(student / "restitution.txt", answers[k][0]);
     const Result check = run_program(
-        "exercises", {"--progress", folder.path / "progress", "check", "restitution", "--", text});
-    CHECK_MESSAGE(check.exit_code == 2, text);
-    CHECK_MESSAGE(check.out.find("secret") == std::string::npos, text);
+        "exercises", {"--progress", folder.path / "progress", "check", "restitution", "--", answers[k][0]});
+    CHECK_MESSAGE(check.exit_code == 2, answers[k][0]);
+    CHECK_MESSAGE(!contains(check.out, "secret"), answers[k][0]);
   }
-  std::ofstream(folder.path / "class/there") << "secret";
-  const Result graded =
-      run_program("/bin/sh", {"-c", "cd " + quoted(folder.path / "class") + " && " +
-                                        quoted(REDERIVE_PROGRAMS "/exercises") + " grade ."});
+  write_file(folder.path / "class/there", "secret");
+  const Result graded = run_script(folder.path / "class", "exercises grade .");
   CHECK(graded.exit_code == 0);
-  CHECK(std::count(graded.out.begin(), graded.out.end(), '\n') == number + 2);
-  CHECK(graded.out.find("secret") == std::string::npos);
-  CHECK(graded.out.find(",correct,") == std::string::npos);
+  CHECK(std::ranges::count(graded.out, '\n') == static_cast<long>(answers.size()) + 2);
+  CHECK_FALSE(contains(graded.out, "secret"));
+  CHECK_FALSE(contains(graded.out, ",correct,"));
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path / "class"))
     CHECK(entry.path().filename() != "new");
 }

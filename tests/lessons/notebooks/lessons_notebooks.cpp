@@ -4,9 +4,9 @@
 
 #include <derivations/rocking_block/paper.hpp>
 #include <lessons/page/render.hpp>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
+#include <tests/cases.hpp>
 #include <tests/run_program.hpp>
 
 using namespace rederive;
@@ -15,24 +15,6 @@ using nlohmann::json;
 namespace {
 
 const std::string python = "/usr/bin/python3";  // Debian's, whose packages the modules are
-
-/// Reads each file that argv[2:] names, which must be valid, runs it in argv[1] by one kernel and writes it
-/// back.
-const std::string script = R"(
-import json, sys, nbformat
-from jupyter_client.manager import KernelManager
-from nbclient import NotebookClient
-kernel = KernelManager(kernel_name="python3")
-kernel.start_kernel(cwd=sys.argv[1])
-try:
-    for file in sys.argv[2:]:
-        notebook = nbformat.read(file, 4)
-        nbformat.validate(notebook)
-        NotebookClient(notebook, km=kernel, timeout=3000).execute()
-        json.dump(notebook, open(file, "w"))
-finally:
-    kernel.shutdown_kernel(now=True)
-)";
 
 /// What came of a cell: the texts that it printed, and those of its values.
 std::string output_of(const json& cell) {
@@ -84,8 +66,7 @@ TEST_CASE("a notebook has text and commands in cells, with the mathematics that 
   for (const std::size_t k : {0, 6, 10}) {
     const std::string lesson = lesson_programs().at(k);
     CAPTURE(lesson);
-    const std::string text = run_program(lesson, {"--format", "notebook"}).out;
-    const json notebook = json::parse(text);
+    const json notebook = json_from(lesson, {"--format", "notebook"});
     CHECK(notebook["nbformat"] == 4);
     CHECK(notebook["nbformat_minor"] == 5);
     std::set<std::string> ids;
@@ -103,31 +84,18 @@ TEST_CASE("a notebook has text and commands in cells, with the mathematics that 
     CHECK(has_formulas);
     CHECK(has_commands);
   }
-  const std::string first = lesson_programs().at(0);
-  CHECK(run_program(first, {"--format", "notebook"}).out == run_program(first, {"--format", "notebook"}).out);
-  const json step = json::parse(run_program(first, {"--format", "notebook", "--step", "1"}).out);
+  const json step = json_from(lesson_programs().at(0), {"--format", "notebook", "--step", "1"});
   CHECK(step["cells"][0]["source"].get<std::string>().starts_with("## 1. "));
 }
 
 TEST_CASE(
     "a command with a counterpart in the module is a call of it, with all its options, and any other is "
     "itself") {
-  CHECK(in_python("rocking response --omega 2 --amplitude 2.2 --until 8 --model nonlinear") ==
-        "response = rederive.response(rederive.Pulse(2), 2.2, until=8, model=\"nonlinear\")\n"
-        "print(response.outcome)\nresponse.events");
-  CHECK(in_python("rocking threshold --omega 2 --pulse cosine --theta0 -0.01")
-            .value_or("")
-            .starts_with("print(rederive.threshold(rederive.Pulse(2, \"cosine\"), theta0=-0.01))\n"));
-  CHECK(in_python("rocking map --omega 1:8:200 --amplitude 1:10:100 --plot map.png")
-            .value_or("")
-            .find("np.linspace(1, 8, 200), np.linspace(1, 10, 100)") != std::string::npos);
-  CHECK(in_python("ledger prove \"sin(a)^2\" \"1 - cos(a)^2\"") ==
-        "rederive.prove(\"sin(a)^2\", \"1 - cos(a)^2\")");
-  CHECK(in_python("ledger show 11") == "next(row for row in rederive.ledger() if row.id == \"11\")");
-  for (const auto* command :
-       {"rocking threshold --omega 2 --digits 30", "ledger claims c02", "ledger graph | head",
-        "exercises show barrier", "rocking figure 8", "rocking response --omega 2 --amplitude 1 x"})
-    CHECK_MESSAGE(!in_python(command), command);
+  each_case("calls", [](std::string command, std::string begin) {
+    CHECK_MESSAGE(contains(in_python(command).value_or("nothing"), begin),
+                  in_python(command).value_or("nothing"));
+  });
+  each_case("others", [](std::string command) { CHECK_FALSE(in_python(command)); });
 }
 
 TEST_CASE("without the module the cells run the commands, and the first cell says so") {
@@ -141,13 +109,13 @@ TEST_CASE("without the module the cells run the commands, and the first cell say
     return json::parse(renderer->end({}));
   };
   const json plain = notebook();
-  CHECK(plain["cells"][0]["source"].get<std::string>().find("was not built") != std::string::npos);
+  CHECK(contains(plain["cells"][0]["source"], "was not built"));
   CHECK(cells_with(plain, "rederive").empty());
   CHECK(cells_with(plain, "%%sh --no-raise-error\nrocking threshold --omega 2").size() == 1);
   CHECK(cells_with(plain, "%%sh").size() == 2);
   setting.module = true;
   const json calling = notebook();
-  CHECK(calling["cells"][0]["source"].get<std::string>().find("PYTHONPATH") != std::string::npos);
+  CHECK(contains(calling["cells"][0]["source"], "PYTHONPATH"));
   CHECK(cells_with(calling, "rederive.threshold(").size() == 1);
   CHECK(calling["cells"].back()["source"] == "%%sh --no-raise-error\nexercises show barrier");
 }
@@ -159,7 +127,8 @@ TEST_CASE("Jupyter runs every lesson, and the module says there what the command
   ::setenv("PYDEVD_DISABLE_FILE_VALIDATION", "1", 1);
   ::setenv("IPYTHONDIR", (folder.path / "ipython").c_str(), 1);
   ::setenv("REDERIVE_PROGRESS", (folder.path / "progress.txt").c_str(), 1);
-  std::vector<std::string> arguments = {"-c", script, folder.path};
+  std::vector<std::string> arguments = {REDERIVE_SOURCE "/tests/lessons/notebooks/run_notebooks.py",
+                                        folder.path};
   for (const auto& lesson : lesson_programs()) {
     arguments.push_back(folder.path / (lesson + ".ipynb"));
     REQUIRE(run_program(lesson, {"--format", "notebook", "--out", arguments.back()}).exit_code == 0);
@@ -168,7 +137,7 @@ TEST_CASE("Jupyter runs every lesson, and the module says there what the command
   REQUIRE_MESSAGE(ran.exit_code == 0, ran.err);
   int thresholds = 0, rows = 0;
   for (std::size_t k = 0; k < lesson_programs().size(); ++k) {
-    const json notebook = json::parse(read_file(arguments[k + 3]));
+    const json notebook = json::parse(read_file(arguments[k + 2]));
     CAPTURE(lesson_programs()[k]);
     CHECK(complaints(lesson_programs()[k], notebook) == "");
     CHECK(cells_with(notebook, "import rederive").size() == 1);
@@ -181,8 +150,7 @@ TEST_CASE("Jupyter runs every lesson, and the module says there what the command
       if (!std::regex_match(source, asked, plain)) continue;
       const std::string out = output_of(cell);
       REQUIRE(std::regex_match(out, said, threshold));
-      const json command =
-          json::parse(run_program("rocking", {"threshold", "--omega", asked[1], "--json"}).out);
+      const json command = json_from("rocking", {"threshold", "--omega", asked[1], "--json"});
       CHECK(std::stod(said[1]) ==
             doctest::Approx(command["minimum"]["amplitude"].get<double>()).epsilon(1e-11));
       CHECK(std::stoi(said[2]) == command["minimum"]["code"]);
@@ -191,10 +159,10 @@ TEST_CASE("Jupyter runs every lesson, and the module says there what the command
     for (const auto& cell : cells_with(notebook, "row.id == ")) {
       std::string id = cell["source"].get<std::string>();
       id = id.substr(id.find('"') + 1, id.rfind('"') - id.find('"') - 1);
-      const json command = json::parse(run_program("ledger", {"show", id, "--json"}).out);
+      const json command = json_from("ledger", {"show", id, "--json"});
       const std::string verdict =
           std::regex_replace(command["verdict"].get<std::string>(), std::regex("_"), " ");
-      CHECK_MESSAGE(output_of(cell).find("\\text{" + verdict + "}") != std::string::npos, id);
+      CHECK_MESSAGE(contains(output_of(cell), "\\text{" + verdict + "}"), id);
       ++rows;
     }
   }
